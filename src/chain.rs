@@ -1,0 +1,455 @@
+//! Composition: tuples (to 16), arrays and vectors of elements are elements.
+//!
+//! Nothing here knows any physics. A chain hands what it carries from item to item, outward from first to last or inward
+//! from last to first, and its stores (gains, directions, loads, coordinates) have its own shape. An array or a vector
+//! that meets a lesser relation than its links hand on, such as a free tip, peels its last link: from then on the type of
+//! the relation stays the same.
+
+use crate::element::{Applied, Condense, Coordinates, Element, Loading, Posture, Space, Visit};
+use crate::relation::Promote;
+use crate::error::Error;
+use crate::tuples::for_each_tuple;
+
+/// `a + b` of counts that types may or may not decide.
+const fn sum(a: Option<usize>, b: Option<usize>) -> Option<usize> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a + b),
+        _ => None,
+    }
+}
+
+/// `a · b` of a count that types may or may not decide.
+const fn product(a: Option<usize>, b: usize) -> Option<usize> {
+    match a {
+        Some(a) => Some(a * b),
+        None => None,
+    }
+}
+
+macro_rules! chain_tuple {
+    ($met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
+        impl<S: Space, $($A: Element<S>),*> Element<S> for ($($A,)*) {
+            type Position = ($($A::Position,)*);
+            type Rate = ($($A::Rate,)*);
+            type Kept = ($($A::Kept,)*);
+            type PerBody<X: Copy> = ($($A::PerBody<X>,)*);
+            type PerJoint<X: Copy> = ($($A::PerJoint<X>,)*);
+
+            const BODIES: Option<usize> = {
+                let n = Some(0);
+                $(let n = sum(n, $A::BODIES);)*
+                n
+            };
+            const JOINTS: Option<usize> = {
+                let n = Some(0);
+                $(let n = sum(n, $A::JOINTS);)*
+                n
+            };
+
+            fn bodies(&self) -> usize {
+                0 $(+ self.$i.bodies())*
+            }
+            fn joints(&self) -> usize {
+                0 $(+ self.$i.joints())*
+            }
+            fn check(&self, station: usize) -> Result<(), Error> {
+                $(
+                    self.$i.check(station)?;
+                    let station = station + self.$i.bodies() + self.$i.joints();
+                )*
+                let _ = station;
+                Ok(())
+            }
+            fn position(&self) -> Self::Position {
+                ($(self.$i.position(),)*)
+            }
+            fn rate(&self) -> Self::Rate {
+                ($(self.$i.rate(),)*)
+            }
+            fn kept(&self) -> Self::Kept {
+                ($(self.$i.kept(),)*)
+            }
+            fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
+                ($(self.$i.per_body(fill),)*)
+            }
+            fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
+                ($(self.$i.per_joint(fill),)*)
+            }
+            fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
+                $(
+                    let n = self.$i.bodies();
+                    if k < n {
+                        return self.$i.body_entry(&bodies.$i, k);
+                    }
+                    let k = k - n;
+                )*
+                let _ = k;
+                None
+            }
+            fn entry<'a, X: Copy>(
+                &self,
+                bodies: &'a Self::PerBody<X>,
+                joints: &'a Self::PerJoint<X>,
+                k: usize,
+            ) -> Option<&'a X> {
+                $(
+                    let n = self.$i.bodies() + self.$i.joints();
+                    if k < n {
+                        return self.$i.entry(&bodies.$i, &joints.$i, k);
+                    }
+                    let k = k - n;
+                )*
+                let _ = k;
+                None
+            }
+            fn aim(
+                &self,
+                position: &mut Self::Position,
+                turn: S::Turn,
+                next: &mut impl FnMut() -> S::Scalar,
+            ) -> S::Turn {
+                $(let turn = self.$i.aim(&mut position.$i, turn, next);)*
+                turn
+            }
+            #[inline]
+            fn orient(
+                &self,
+                position: &Self::Position,
+                rate: &Self::Rate,
+                turn: S::Turn,
+                cosine: &mut Self::PerBody<S::Cosine>,
+                spin: &mut Self::PerBody<S::Spin>,
+            ) -> S::Turn {
+                $(let turn = self.$i.orient(&position.$i, &rate.$i, turn, &mut cosine.$i, &mut spin.$i);)*
+                turn
+            }
+            #[inline]
+            fn resolve(&self, cosine: &mut Self::PerBody<S::Cosine>, sine: &mut Self::PerBody<S::Sine>) {
+                $(self.$i.resolve(&mut cosine.$i, &mut sine.$i);)*
+            }
+            #[inline]
+            fn recover(
+                &self,
+                acceleration: S::Acceleration,
+                posture: Posture<'_, S, Self>,
+                kept: &Self::Kept,
+                rate: &mut Self::Rate,
+            ) -> S::Acceleration {
+                $(let acceleration = self.$i.recover(
+                    acceleration,
+                    Posture { cosine: &posture.cosine.$i, sine: &posture.sine.$i, spin: &posture.spin.$i },
+                    &kept.$i,
+                    &mut rate.$i,
+                );)*
+                acceleration
+            }
+            #[inline]
+            fn travel<V: Visit<S>>(
+                &self,
+                frame: S::Frame,
+                motion: Coordinates<'_, S, Self>,
+                visit: &mut V,
+                on_bodies: &mut Self::PerBody<V::OnBody>,
+                in_joints: &mut Self::PerJoint<V::InJoint>,
+            ) -> S::Frame {
+                $(let frame = self.$i.travel(
+                    frame,
+                    Coordinates {
+                        position: &motion.position.$i,
+                        rate: &motion.rate.$i,
+                        acceleration: &motion.acceleration.$i,
+                    },
+                    visit,
+                    &mut on_bodies.$i,
+                    &mut in_joints.$i,
+                );)*
+                frame
+            }
+            fn inward<X: Copy>(
+                &self,
+                bodies: &mut Self::PerBody<X>,
+                joints: &mut Self::PerJoint<X>,
+                visit: &mut impl FnMut(&mut X),
+            ) {
+                $(self.$j.inward(&mut bodies.$j, &mut joints.$j, visit);)*
+            }
+            fn broken(&self, kept: &Self::Kept, station: usize) -> Option<usize> {
+                let outermost = None;
+                $(
+                    let outermost = self.$i.broken(&kept.$i, station).or(outermost);
+                    let station = station + self.$i.bodies() + self.$i.joints();
+                )*
+                let _ = station;
+                outermost
+            }
+        }
+
+        impl<S: Space, L: Loading<S>, X0: Copy, $($in,)* $($A: Condense<S, $in, L, Out = $out>),*>
+            Condense<S, $met, L> for ($($A,)*)
+        {
+            type Out = X0;
+
+            #[inline]
+            fn condense(
+                &self,
+                outer: $met,
+                posture: Posture<'_, S, Self>,
+                loads: Applied<'_, S, Self, L>,
+                kept: &mut Self::Kept,
+            ) -> X0 {
+                $(let outer = self.$j.condense(
+                    outer,
+                    Posture { cosine: &posture.cosine.$j, sine: &posture.sine.$j, spin: &posture.spin.$j },
+                    Applied { on_bodies: &loads.on_bodies.$j, in_joints: &loads.in_joints.$j },
+                    &mut kept.$j,
+                );)*
+                outer
+            }
+        }
+    };
+}
+for_each_tuple!(chain_tuple);
+
+/// Cuts slices to the length of the shortest, so that loops over them need no bounds checks.
+macro_rules! cut {
+    ($n:ident: $($slice:ident)*; mut $($change:ident)*) => {
+        let $n = usize::MAX;
+        $(let $n = $n.min($slice.len());)*
+        $(let $n = $n.min($change.len());)*
+        $(let $slice = &$slice[..$n];)*
+        $(let $change = &mut $change[..$n];)*
+    };
+}
+
+/// An array, spelled like a vector.
+type Array<X, const K: usize> = [X; K];
+
+/// The items of an array, mapped.
+fn map_array<A, B, const K: usize>(items: &[A; K], make: impl FnMut(&A) -> B) -> [B; K] {
+    items.each_ref().map(make)
+}
+
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+
+/// The items of a vector, mapped.
+#[cfg(feature = "alloc")]
+fn map_vec<A, B>(items: &[A], make: impl FnMut(&A) -> B) -> Vec<B> {
+    items.iter().map(make).collect()
+}
+
+/// The item in which the k-th of something lies, and its number there: by division where each item has as many, by counting
+/// elsewhere.
+fn locate<A>(items: &[A], each: Option<usize>, count: impl Fn(&A) -> usize, k: usize) -> Option<(usize, usize)> {
+    if let Some(each) = each {
+        return Some((k.checked_div(each)?, k % each));
+    }
+    let mut k = k;
+    for (i, item) in items.iter().enumerate() {
+        let n = count(item);
+        if k < n {
+            return Some((i, k));
+        }
+        k -= n;
+    }
+    None
+}
+
+/// One implementation for arrays and vectors, `$Of<item $extra>`.
+macro_rules! chain_items {
+    ($Of:ident, $map:ident, [$($K:tt)*], [$($extra:tt)*], |$A:ident| $length:expr) => {
+        impl<S: Space, A: Element<S> $($K)*> Element<S> for $Of<A $($extra)*> {
+            type Position = $Of<A::Position $($extra)*>;
+            type Rate = $Of<A::Rate $($extra)*>;
+            type Kept = $Of<A::Kept $($extra)*>;
+            type PerBody<X: Copy> = $Of<A::PerBody<X> $($extra)*>;
+            type PerJoint<X: Copy> = $Of<A::PerJoint<X> $($extra)*>;
+
+            const BODIES: Option<usize> = {
+                let $A = A::BODIES;
+                $length
+            };
+            const JOINTS: Option<usize> = {
+                let $A = A::JOINTS;
+                $length
+            };
+
+            fn bodies(&self) -> usize {
+                Self::BODIES.unwrap_or_else(|| self.iter().map(Element::bodies).sum())
+            }
+            fn joints(&self) -> usize {
+                Self::JOINTS.unwrap_or_else(|| self.iter().map(Element::joints).sum())
+            }
+            fn check(&self, station: usize) -> Result<(), Error> {
+                let mut station = station;
+                for item in self {
+                    item.check(station)?;
+                    station += item.bodies() + item.joints();
+                }
+                Ok(())
+            }
+            fn position(&self) -> Self::Position {
+                $map(self, Element::position)
+            }
+            fn rate(&self) -> Self::Rate {
+                $map(self, Element::rate)
+            }
+            fn kept(&self) -> Self::Kept {
+                $map(self, Element::kept)
+            }
+            fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
+                $map(self, |item| item.per_body(fill))
+            }
+            fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
+                $map(self, |item| item.per_joint(fill))
+            }
+            fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
+                let (i, k) = locate(self, A::BODIES, Element::bodies, k)?;
+                self.get(i)?.body_entry(bodies.get(i)?, k)
+            }
+            fn entry<'a, X: Copy>(
+                &self,
+                bodies: &'a Self::PerBody<X>,
+                joints: &'a Self::PerJoint<X>,
+                k: usize,
+            ) -> Option<&'a X> {
+                let (i, k) = locate(self, sum(A::BODIES, A::JOINTS), |item| item.bodies() + item.joints(), k)?;
+                self.get(i)?.entry(bodies.get(i)?, joints.get(i)?, k)
+            }
+            fn aim(
+                &self,
+                position: &mut Self::Position,
+                turn: S::Turn,
+                next: &mut impl FnMut() -> S::Scalar,
+            ) -> S::Turn {
+                self.iter().zip(position).fold(turn, |turn, (item, position)| item.aim(position, turn, next))
+            }
+            #[inline]
+            fn orient(
+                &self,
+                position: &Self::Position,
+                rate: &Self::Rate,
+                turn: S::Turn,
+                cosine: &mut Self::PerBody<S::Cosine>,
+                spin: &mut Self::PerBody<S::Spin>,
+            ) -> S::Turn {
+                let items = &self[..];
+                cut!(n: items position rate; mut cosine spin);
+                let mut turn = turn;
+                for i in 0..n {
+                    turn = items[i].orient(&position[i], &rate[i], turn, &mut cosine[i], &mut spin[i]);
+                }
+                turn
+            }
+            #[inline]
+            fn resolve(&self, cosine: &mut Self::PerBody<S::Cosine>, sine: &mut Self::PerBody<S::Sine>) {
+                let items = &self[..];
+                cut!(n: items; mut cosine sine);
+                for i in 0..n {
+                    items[i].resolve(&mut cosine[i], &mut sine[i]);
+                }
+            }
+            #[inline]
+            fn recover(
+                &self,
+                acceleration: S::Acceleration,
+                posture: Posture<'_, S, Self>,
+                kept: &Self::Kept,
+                rate: &mut Self::Rate,
+            ) -> S::Acceleration {
+                let Posture { cosine, sine, spin } = posture;
+                let items = &self[..];
+                cut!(n: items cosine sine spin kept; mut rate);
+                let mut acceleration = acceleration;
+                for i in 0..n {
+                    let posture = Posture { cosine: &cosine[i], sine: &sine[i], spin: &spin[i] };
+                    acceleration = items[i].recover(acceleration, posture, &kept[i], &mut rate[i]);
+                }
+                acceleration
+            }
+            #[inline]
+            fn travel<V: Visit<S>>(
+                &self,
+                frame: S::Frame,
+                motion: Coordinates<'_, S, Self>,
+                visit: &mut V,
+                on_bodies: &mut Self::PerBody<V::OnBody>,
+                in_joints: &mut Self::PerJoint<V::InJoint>,
+            ) -> S::Frame {
+                let Coordinates { position, rate, acceleration } = motion;
+                let items = &self[..];
+                cut!(n: items position rate acceleration; mut on_bodies in_joints);
+                let mut frame = frame;
+                for i in 0..n {
+                    let motion =
+                        Coordinates { position: &position[i], rate: &rate[i], acceleration: &acceleration[i] };
+                    frame = items[i].travel(frame, motion, visit, &mut on_bodies[i], &mut in_joints[i]);
+                }
+                frame
+            }
+            fn inward<X: Copy>(
+                &self,
+                bodies: &mut Self::PerBody<X>,
+                joints: &mut Self::PerJoint<X>,
+                visit: &mut impl FnMut(&mut X),
+            ) {
+                for ((item, bodies), joints) in self.iter().zip(bodies).zip(joints).rev() {
+                    item.inward(bodies, joints, visit);
+                }
+            }
+            fn broken(&self, kept: &Self::Kept, station: usize) -> Option<usize> {
+                let mut station = station;
+                let mut outermost = None;
+                for (item, kept) in self.iter().zip(kept) {
+                    outermost = item.broken(kept, station).or(outermost);
+                    station += item.bodies() + item.joints();
+                }
+                outermost
+            }
+        }
+
+        impl<S: Space, L: Loading<S>, R, Q, A $($K)*> Condense<S, R, L> for $Of<A $($extra)*>
+        where
+            A: Condense<S, R, L, Out = Q> + Condense<S, Q, L, Out = Q>,
+            Q: Promote<R> + Copy,
+        {
+            type Out = Q;
+
+            #[inline]
+            fn condense(
+                &self,
+                outer: R,
+                posture: Posture<'_, S, Self>,
+                loads: Applied<'_, S, Self, L>,
+                kept: &mut Self::Kept,
+            ) -> Q {
+                let Posture { cosine, sine, spin } = posture;
+                let Applied { on_bodies, in_joints } = loads;
+                let items = &self[..];
+                cut!(n: items cosine sine spin on_bodies in_joints; mut kept);
+                let at = |i: usize| {
+                    let posture: Posture<'_, S, A> =
+                        Posture { cosine: &cosine[i], sine: &sine[i], spin: &spin[i] };
+                    let loads: Applied<'_, S, A, L> =
+                        Applied { on_bodies: &on_bodies[i], in_joints: &in_joints[i] };
+                    (&items[i], posture, loads)
+                };
+                let Some(last) = n.checked_sub(1) else {
+                    return Q::promote(outer);
+                };
+                // The last link meets what lies outboard of the array, every other one what its neighbour hands on.
+                let (item, posture, loads) = at(last);
+                let mut relation = <A as Condense<S, R, L>>::condense(item, outer, posture, loads, &mut kept[last]);
+                for i in (0..last).rev() {
+                    let (item, posture, loads) = at(i);
+                    relation = <A as Condense<S, Q, L>>::condense(item, relation, posture, loads, &mut kept[i]);
+                }
+                relation
+            }
+        }
+    };
+}
+
+chain_items!(Array, map_array, [, const K: usize], [, K], |each| product(each, K));
+#[cfg(feature = "alloc")]
+chain_items!(Vec, map_vec, [], [], |_each| None);

@@ -1,0 +1,354 @@
+//! The contract between elements, the composition of elements and the solver.
+//!
+//! # One sweep
+//!
+//! A *sweep* is one evaluation of a scene's accelerations. It walks the chain four times, and nothing goes back:
+//!
+//! ```text
+//! orient    root → tip   each body's angle and rate                        Element::orient, Element::resolve
+//! load      root → tip   forces that depend on the motion (if any)         Element::travel
+//! condense  tip → root   F = S p + e at each station                       Condense::condense
+//! recover   root → tip   accelerations of the joint coordinates            Element::recover
+//! ```
+//!
+//! Joints own coordinates, bodies own none. What a walk carries from element to element has a type, and an element maps
+//! the type it takes to the type it hands on: [`Condense`] is generic over the relation met. That is how a pin gets away
+//! with a 2 × 2 block, how a free tip costs nothing, and why a pin with no body outboard of it does not compile.
+//!
+//! # Signs
+//!
+//! On a body the force +q acts at its inboard end I and −q at its outboard end O, the torque −m at I and +m at O. A
+//! massless joint passes q and, if its two points coincide, m. So q at the root is the force of the ground on the first
+//! body. The relation uses F = (q, −m), the force and torque *on the outboard part*. A torque in a joint acts on the
+//! outboard body, and its opposite on the inboard one. Angles are absolute, counter-clockwise from +x, never wrapped.
+//!
+//! # Why this shape
+//!
+//! The contract was tried on paper against what is to come, and these choices follow.
+//!
+//! * **A ball chain in space.** Nothing here mentions a plane: [`Space`] names what a walk carries (two numbers that turn
+//!   in the plane, a rotation and a vector in space), relations are a type parameter, and a ball hands on a 3 × 3 point
+//!   relation as a pin hands on a 2 × 2 one. Directions are kept as three stores of numbers rather than one of structs, so
+//!   that sines vectorise for tuples as well as for arrays; in space the first holds the direction cosines.
+//! * **A held tip with λ columns.** W travels inside the relation type, as one more field that a free tip's type does not
+//!   have; kernels treat e and W as right-hand sides of one elimination. No signature here changes.
+//! * **An implicit rule.** Only a joint's pivot gains K̂ and its torque an affine term: a stiff joint is another
+//!   [`Condense`] of the same element, chosen by the type `L` that says what a sweep has to carry. Rods and pins neither
+//!   know nor pay.
+//! * **A tangent sweep through stored gains.** [`Element::Kept`] holds what the outward walk needs of each elimination,
+//!   one value per joint in the order of the chain, and outlives the sweep: later right-hand sides walk it again.
+//! * **The paper's displacement level** builds matrices from the same elements and shares no walk with this one.
+//! * **Branches and loops** are elements whose condensation adds the relations of their arms at one station.
+//!
+//! Joint coordinates are the joint's business: a pin stores the absolute angle of its outboard body, so that a chain of
+//! pins needs no running sums; a hinge with a spring will store the relative angle, because the difference of two absolute
+//! angles loses digits when bodies are short.
+
+use crate::error::Error;
+use crate::mirror::{Position, Rate};
+use crate::relation::{Absent, Part};
+use crate::scalar::Scalar;
+use core::fmt::Debug;
+
+/// What elements of one space have in common. Implemented by `planar::Planar<T>`.
+pub trait Space: Copy + Debug + 'static {
+    /// The numbers of the scene.
+    type Scalar: Scalar;
+    /// Direction cosines of a body.
+    type Cosine: Copy + Debug;
+    /// Direction sines of a body.
+    type Sine: Copy + Debug;
+    /// Angular velocity of a body.
+    type Spin: Copy + Debug;
+    /// Orientation and angular velocity, as they are carried outward.
+    type Turn: Copy + Debug;
+    /// Place, orientation, velocity and acceleration of a station.
+    type Frame: Copy + Debug;
+    /// Acceleration p of a station.
+    type Acceleration: Copy + Debug;
+    /// Internal force q and torque m at a station.
+    type Internal: Copy + Debug;
+    /// A station: its motion, and its force and torque.
+    type Station: Copy + Debug;
+    /// A vector: gravity, momentum.
+    type Vector: Copy + Debug + PartialEq;
+    /// Angular momentum.
+    type Moment: Copy + Debug;
+    /// A body and its motion at an instant.
+    type BodyMotion: Copy + Debug;
+    /// A joint and its motion at an instant.
+    type JointMotion: Copy + Debug;
+
+    /// Nothing has been resolved yet: initial values of the stores of directions.
+    fn blank() -> (Self::Cosine, Self::Sine, Self::Spin);
+
+    /// The orientation part of a frame.
+    fn turn(frame: &Self::Frame) -> Self::Turn;
+    /// The acceleration of a frame as seen by one that falls freely: a − g.
+    fn falling(frame: &Self::Frame, gravity: Self::Vector) -> Self::Acceleration;
+    /// No force, no torque.
+    fn no_force() -> Self::Internal;
+    /// No gravity.
+    fn no_gravity() -> Self::Vector;
+    /// Whether a vector is finite.
+    fn is_finite(vector: Self::Vector) -> bool;
+    /// The inboard station of a body, with the body's inertia force in its balance.
+    fn body_station(body: &Self::BodyMotion, gravity: Self::Vector) -> Self::Station;
+    /// The inboard station of a joint.
+    fn joint_station(joint: &Self::JointMotion) -> Self::Station;
+    /// The station at the end of a chain.
+    fn end_station(frame: &Self::Frame) -> Self::Station;
+    /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.
+    fn balance(station: &mut Self::Station, outer: Self::Internal) -> Self::Internal;
+    /// The sum of budgets.
+    fn total(budgets: impl Iterator<Item = Budget<Self>>) -> Budget<Self>;
+    /// Mechanical energy, linear momentum and angular momentum about the origin of a body.
+    fn budget(body: &Self::BodyMotion, gravity: Self::Vector) -> Budget<Self>;
+}
+
+/// Energy and momentum of bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Budget<S: Space> {
+    /// Kinetic energy [J].
+    pub kinetic: S::Scalar,
+    /// Potential energy in uniform gravity, zero at the origin [J].
+    pub potential: S::Scalar,
+    /// Linear momentum [kg·m/s].
+    pub momentum: S::Vector,
+    /// Angular momentum about the origin [kg·m²/s].
+    pub angular_momentum: S::Moment,
+}
+
+/// Names the time, step and tolerance of a space's scalar.
+pub type RealOf<S> = <<S as Space>::Scalar as Scalar>::Real;
+
+/// A body, a joint, or a chain of them.
+///
+/// Composition ([`chain`](crate::chain)) implements it for tuples, arrays and vectors of elements; a new body or joint
+/// implements a trait of its space with one or two methods of physics instead (see `planar::Body`).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not an element of the chain's space `{S}`",
+    label = "not an element of `{S}`",
+    note = "a chain consists of bodies and joints of one space and one scalar: tuples (to 16), arrays or vectors of them"
+)]
+pub trait Element<S: Space>: Clone {
+    /// Positions of the joint coordinates inside.
+    type Position: Position<S::Scalar, Rate = Self::Rate>;
+    /// Rates and accelerations of the joint coordinates inside.
+    type Rate: Rate<S::Scalar>;
+    /// What the outward walk needs of each elimination inside.
+    type Kept: Clone;
+    /// One `X` for each body inside.
+    type PerBody<X: Copy>: Clone;
+    /// One `X` for each joint inside.
+    type PerJoint<X: Copy>: Clone;
+
+    /// Number of bodies inside, if the type decides it.
+    const BODIES: Option<usize>;
+    /// Number of joints inside, if the type decides it.
+    const JOINTS: Option<usize>;
+
+    /// Number of bodies inside.
+    fn bodies(&self) -> usize;
+    /// Number of joints inside.
+    fn joints(&self) -> usize;
+
+    /// Rejects parameters that make no mechanics; `station` is the number of the inboard end.
+    fn check(&self, station: usize) -> Result<(), Error>;
+
+    /// All coordinates zero.
+    fn position(&self) -> Self::Position;
+    /// All rates zero.
+    fn rate(&self) -> Self::Rate;
+    /// Room for the gains.
+    fn kept(&self) -> Self::Kept;
+    /// `fill` for each body inside.
+    fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X>;
+    /// `fill` for each joint inside.
+    fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X>;
+    /// The entry of body `k` inside.
+    fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X>;
+    /// The entry of body or joint `k` inside, counted together from the root.
+    fn entry<'a, X: Copy>(
+        &self,
+        bodies: &'a Self::PerBody<X>,
+        joints: &'a Self::PerJoint<X>,
+        k: usize,
+    ) -> Option<&'a X>;
+
+    /// Gives each joint the coordinates that turn its outboard body to an absolute orientation; `next` yields one number
+    /// for each rotary coordinate, root to tip.
+    fn aim(
+        &self,
+        position: &mut Self::Position,
+        inboard: S::Turn,
+        next: &mut impl FnMut() -> S::Scalar,
+    ) -> S::Turn;
+
+    /// Carries the orientation outward and stores, for each body, its angular velocity and what `resolve` needs.
+    fn orient(
+        &self,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        turn: S::Turn,
+        cosine: &mut Self::PerBody<S::Cosine>,
+        spin: &mut Self::PerBody<S::Spin>,
+    ) -> S::Turn;
+
+    /// Turns the stored orientations into direction cosines and sines, body by body without regard to order, so that the
+    /// loop vectorises.
+    fn resolve(&self, cosine: &mut Self::PerBody<S::Cosine>, sine: &mut Self::PerBody<S::Sine>);
+
+    /// Recovers the accelerations of the joint coordinates from that of the inboard station, outward.
+    fn recover(
+        &self,
+        acceleration: S::Acceleration,
+        posture: Posture<'_, S, Self>,
+        kept: &Self::Kept,
+        rate: &mut Self::Rate,
+    ) -> S::Acceleration;
+
+    /// Walks outward with complete kinematics and lets a visitor write an entry for each body and joint.
+    fn travel<V: Visit<S>>(
+        &self,
+        frame: S::Frame,
+        motion: Coordinates<'_, S, Self>,
+        visit: &mut V,
+        on_bodies: &mut Self::PerBody<V::OnBody>,
+        in_joints: &mut Self::PerJoint<V::InJoint>,
+    ) -> S::Frame;
+
+    /// Walks the entries of bodies and joints from tip to root.
+    fn inward<X: Copy>(
+        &self,
+        bodies: &mut Self::PerBody<X>,
+        joints: &mut Self::PerJoint<X>,
+        visit: &mut impl FnMut(&mut X),
+    );
+
+
+    /// The outermost joint whose gains are not finite: the station, counted from `station`, where a sweep failed.
+    fn broken(&self, kept: &Self::Kept, station: usize) -> Option<usize>;
+}
+
+/// An element that can condense a relation of type `R` in a sweep that carries `L`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot take what lies outboard of it: `{R}`",
+    label = "nothing outboard of this holds it",
+    note = "a pin needs a body on its outboard side: end a chain with a body, and put a body between two pins"
+)]
+pub trait Condense<S: Space, R, L: Loading<S>>: Element<S> {
+    /// The relation handed on to the inboard neighbour.
+    type Out: Copy;
+
+    /// Condenses the relation `outer` at the outboard end to one at the inboard end, and keeps the gains.
+    fn condense(
+        &self,
+        outer: R,
+        posture: Posture<'_, S, Self>,
+        loads: Applied<'_, S, Self, L>,
+        kept: &mut Self::Kept,
+    ) -> Self::Out;
+}
+
+/// Directions and angular velocities of the bodies of an element.
+pub struct Posture<'a, S: Space, E: Element<S> + ?Sized> {
+    /// Direction cosines.
+    pub cosine: &'a E::PerBody<S::Cosine>,
+    /// Direction sines.
+    pub sine: &'a E::PerBody<S::Sine>,
+    /// Angular velocities.
+    pub spin: &'a E::PerBody<S::Spin>,
+}
+
+/// Loads on the bodies and in the joints of an element.
+pub struct Applied<'a, S: Space, E: Element<S> + ?Sized, L: Loading<S>> {
+    /// On bodies.
+    pub on_bodies: &'a E::PerBody<L::OnBody>,
+    /// In joints.
+    pub in_joints: &'a E::PerJoint<L::InJoint>,
+}
+
+/// Positions, rates and accelerations of the joint coordinates of an element.
+pub struct Coordinates<'a, S: Space, E: Element<S> + ?Sized> {
+    /// Positions.
+    pub position: &'a E::Position,
+    /// Rates.
+    pub rate: &'a E::Rate,
+    /// Accelerations.
+    pub acceleration: &'a E::Rate,
+}
+
+macro_rules! copy_references {
+    ($($name:ident<$($extra:ident: $bound:ident),*>),*) => {$(
+        impl<S: Space, E: Element<S> + ?Sized, $($extra: $bound<S>),*> Clone for $name<'_, S, E, $($extra),*> {
+            #[inline(always)]
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+        impl<S: Space, E: Element<S> + ?Sized, $($extra: $bound<S>),*> Copy for $name<'_, S, E, $($extra),*> {}
+    )*};
+}
+copy_references!(Posture<>, Applied<L: Loading>, Coordinates<>);
+
+/// A visitor of [`Element::travel`].
+pub trait Visit<S: Space> {
+    /// Entry written for each body.
+    type OnBody: Copy;
+    /// Entry written for each joint.
+    type InJoint: Copy;
+
+    /// Meets a body.
+    fn body(&mut self, body: &S::BodyMotion) -> Self::OnBody;
+    /// Meets a joint.
+    fn joint(&mut self, joint: &S::JointMotion) -> Self::InJoint;
+}
+
+/// What acts on a scene besides uniform gravity. Its types say what a sweep has to carry: [`Absent`] parts cost nothing.
+pub trait Loading<S: Space> {
+    /// Load on a body, or `Absent`.
+    type OnBody: Load<S>;
+    /// Torque in a joint, or `Absent`.
+    type InJoint: Part;
+
+    /// Whether there is anything to evaluate.
+    const ON: bool;
+
+    /// No load, to fill stores with.
+    fn nothing() -> (Self::OnBody, Self::InJoint);
+    /// The load on body number `body` at a time.
+    fn on_body(&self, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> Self::OnBody;
+    /// The torque in joint number `joint` (0 is the root's) at a time.
+    fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> Self::InJoint;
+}
+
+/// A load on a body, or [`Absent`].
+pub trait Load<S: Space>: Part {
+    /// Adds it to the balance of forces at the body's inboard station.
+    fn act(self, station: &mut S::Station);
+}
+
+impl<S: Space> Load<S> for Absent {
+    fn act(self, _: &mut S::Station) {}
+}
+
+/// No loads but gravity.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Unloaded;
+
+impl<S: Space> Loading<S> for Unloaded {
+    type OnBody = Absent;
+    type InJoint = Absent;
+    const ON: bool = false;
+
+    fn nothing() -> (Absent, Absent) {
+        (Absent, Absent)
+    }
+    fn on_body(&self, _: RealOf<S>, _: usize, _: &S::BodyMotion) -> Absent {
+        Absent
+    }
+    fn in_joint(&self, _: RealOf<S>, _: usize, _: &S::JointMotion) -> Absent {
+        Absent
+    }
+}

@@ -1,0 +1,78 @@
+//! The two ends of a chain.
+//!
+//! An end fixes one of each conjugate pair of a state vector (a position or its force), so exactly half of its N − 1
+//! entries are known: [`Root::Pairs`] and [`Tip::Pairs`] list one [`Choice`] for each pair, and an end that fixes both or
+//! neither cannot be written.
+
+use crate::element::{Element, RealOf, Space};
+use crate::error::Error;
+use core::fmt::Debug;
+
+/// Which of a conjugate pair an end makes known.
+pub trait Choice {
+    /// Whether it is the motion (and the force is unknown), or the force (and the motion is unknown).
+    const MOTION: bool;
+}
+
+/// The end prescribes the motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Held;
+
+/// The end prescribes the force.
+#[derive(Clone, Copy, Debug)]
+pub struct Loose;
+
+impl Choice for Held {
+    const MOTION: bool = true;
+}
+impl Choice for Loose {
+    const MOTION: bool = false;
+}
+
+/// One choice for each conjugate pair of a space, in the order of its state vector.
+pub trait Pairs {
+    /// Whether the motion is known, pair by pair.
+    const MOTION: &'static [bool];
+}
+
+impl<X: Choice, Y: Choice, R: Choice> Pairs for (X, Y, R) {
+    const MOTION: &'static [bool] = &[X::MOTION, Y::MOTION, R::MOTION];
+}
+
+/// The inboard end of a chain: a joint to the ground, and how that ground moves.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be the root of a chain in `{S}`",
+    label = "not a root of this space",
+    note = "the root is an end such as `Pinned` or `Free`, of the same space and scalar as the chain"
+)]
+pub trait Root<S: Space> {
+    /// What is known of each conjugate pair.
+    type Pairs: Pairs;
+    /// The joint between the ground and the chain.
+    type Joint: Element<S>;
+
+    /// The joint between the ground and the chain.
+    fn joint(&self) -> Self::Joint;
+    /// The motion of the ground where the joint sits.
+    fn ground(&self, time: RealOf<S>) -> S::Frame;
+    /// Rejects parameters that make no mechanics.
+    fn check(&self) -> Result<(), Error>;
+}
+
+/// The outboard end of a chain: what the last element meets.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be the tip of a chain in `{S}`",
+    label = "not a tip of this space",
+    note = "the tip is an end such as `Free`, of the same space and scalar as the chain"
+)]
+pub trait Tip<S: Space> {
+    /// What is known of each conjugate pair.
+    type Pairs: Pairs;
+    /// The relation it hands on.
+    type Relation: Copy + Debug;
+
+    /// The relation it hands on.
+    fn relation(&self) -> Self::Relation;
+    /// Rejects parameters that make no mechanics.
+    fn check(&self) -> Result<(), Error>;
+}

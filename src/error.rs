@@ -1,0 +1,138 @@
+//! What can go wrong, as values that say when, where and what.
+
+use core::fmt;
+
+/// Why a scene, a sweep or a step was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Error {
+    /// Time of the instant [s], where there is one.
+    pub time: Option<f64>,
+    /// The place in the chain, where there is one.
+    pub place: Option<Place>,
+    /// What went wrong.
+    pub fault: Fault,
+}
+
+/// A place in a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// A station: the inboard end of the chain's k-th element (counted from 0 at the root, bodies and joints alike).
+    Station(usize),
+    /// The end held by the ground or free at the root.
+    Root,
+    /// The far end.
+    Tip,
+}
+
+/// What went wrong.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Fault {
+    /// A parameter that must be positive is not.
+    NotPositive {
+        /// Its name.
+        parameter: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A parameter that must not be negative is.
+    Negative {
+        /// Its name.
+        parameter: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A parameter or an input is NaN or infinite.
+    NotFinite {
+        /// Its name.
+        parameter: &'static str,
+    },
+    /// Nothing resists the rotation in a joint: what lies outboard of it has no inertia about it.
+    SingularJoint,
+    /// A load (force or torque) is NaN or infinite.
+    NonFiniteLoad,
+    /// The motion became NaN or infinite: the step is too large or the motion was not finite before.
+    NonFiniteMotion,
+    /// An angle left the range in which sine and cosine keep their accuracy.
+    AngleOutOfRange {
+        /// The angle [rad].
+        angle: f64,
+    },
+    /// Error control asks for a step that no longer advances time.
+    StepTooSmall {
+        /// The step refused [s].
+        step: f64,
+    },
+    /// A list of coordinates has the wrong length.
+    Count {
+        /// Numbers needed.
+        expected: usize,
+        /// Numbers given.
+        given: usize,
+    },
+    /// The chain has no body.
+    NoBodies,
+    /// A motion belongs to a scene of another shape.
+    Shape,
+    /// A transfer matrix does not exist here: the joint is the centre of percussion of what lies outboard.
+    SingularTransfer,
+}
+
+impl Error {
+    /// A fault without time or place.
+    pub const fn new(fault: Fault) -> Self {
+        Self { time: None, place: None, fault }
+    }
+
+    /// The same fault, at a station.
+    #[must_use]
+    pub const fn at_station(self, station: usize) -> Self {
+        Self { place: Some(Place::Station(station)), ..self }
+    }
+
+    /// The same fault, at a place.
+    #[must_use]
+    pub const fn at(self, place: Place) -> Self {
+        Self { place: Some(place), ..self }
+    }
+
+    /// The same fault, at a time [s].
+    #[must_use]
+    pub const fn at_time(self, time: f64) -> Self {
+        Self { time: Some(time), ..self }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.fault {
+            Fault::NotPositive { parameter, value } => write!(f, "{parameter} must be positive, but is {value}"),
+            Fault::Negative { parameter, value } => write!(f, "{parameter} must not be negative, but is {value}"),
+            Fault::NotFinite { parameter } => write!(f, "{parameter} must be finite"),
+            Fault::SingularJoint => write!(f, "nothing resists the rotation in this joint (no inertia outboard of it)"),
+            Fault::NonFiniteLoad => write!(f, "a load is not finite"),
+            Fault::NonFiniteMotion => write!(f, "the motion is no longer finite"),
+            Fault::AngleOutOfRange { angle } => write!(f, "the angle {angle} rad is out of range"),
+            Fault::StepTooSmall { step } => write!(f, "a step of {step} s no longer advances time"),
+            Fault::Count { expected, given } => write!(f, "{expected} coordinates needed, {given} given"),
+            Fault::NoBodies => write!(f, "the chain has no body"),
+            Fault::Shape => write!(f, "the motion belongs to a scene of another shape"),
+            Fault::SingularTransfer => write!(
+                f,
+                "no transfer matrix exists: the joint is the centre of percussion of what lies outboard; sweep instead"
+            ),
+        }?;
+        match self.place {
+            Some(Place::Station(station)) => write!(f, ", at station {station}")?,
+            Some(Place::Root) => write!(f, ", at the root")?,
+            Some(Place::Tip) => write!(f, ", at the tip")?,
+            None => (),
+        }
+        match self.time {
+            Some(time) => write!(f, ", at t = {time} s"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl core::error::Error for Error {}

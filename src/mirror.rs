@@ -1,0 +1,264 @@
+//! Motions have the shape of their scene: a joint's coordinates where the scene has the joint, nothing where it has a body.
+//!
+//! A chain `(rod, Pin, rod)` moves with coordinates of type `((), T, ())`, an array of links with an array of them. Time
+//! rules need only two things of such a value: linear combinations of rates ([`Rate::combine`]) and positions displaced
+//! by them ([`Position::drift`]). In the plane positions are numbers like rates; a rotation in space displaces by its
+//! exponential map instead, and nothing else changes.
+
+use crate::scalar::Scalar;
+use crate::tuples::for_each_tuple;
+
+/// Rates or accelerations of all joint coordinates: a linear space.
+pub trait Rate<T: Scalar>: Clone {
+    /// `self = base + Σ weights[j] · terms[j]`.
+    fn combine<const M: usize>(&mut self, base: &Self, weights: &[T::Real; M], terms: [&Self; M]);
+
+    /// Calls `visit` with each coordinate, root to tip.
+    fn visit(&self, visit: &mut impl FnMut(T));
+
+    /// Replaces each coordinate, root to tip.
+    fn replace(&mut self, make: &mut impl FnMut(T) -> T);
+
+    /// Whether `test` holds for each pair of numbers at the same place, and there are as many (only a `Vec` can differ).
+    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool;
+}
+
+/// Positions of all joint coordinates, with rates of type `Rate`.
+pub trait Position<T: Scalar>: Clone {
+    /// The rates of these coordinates.
+    type Rate: Rate<T>;
+
+    /// `self = from ⊕ (time · rate + Σ weights[j] · terms[j])`: displaced by a rate that lasts and by accelerations,
+    /// whose weights [s²] a time rule knows.
+    fn drift<const M: usize>(
+        &mut self,
+        from: &Self,
+        time: T::Real,
+        rate: &Self::Rate,
+        weights: &[T::Real; M],
+        terms: [&Self::Rate; M],
+    );
+
+    /// Calls `visit` with each number stored, root to tip.
+    fn visit(&self, visit: &mut impl FnMut(T));
+
+    /// Replaces each number stored, root to tip.
+    fn replace(&mut self, make: &mut impl FnMut(T) -> T);
+
+    /// Whether `test` holds for each pair of numbers at the same place, and there are as many (only a `Vec` can differ).
+    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool;
+}
+
+impl<T: Scalar> Rate<T> for T {
+    #[inline(always)]
+    fn combine<const M: usize>(&mut self, base: &Self, weights: &[T::Real; M], terms: [&Self; M]) {
+        let mut sum = *base;
+        for (weight, term) in weights.iter().zip(terms) {
+            sum = sum.add_scaled(*weight, *term);
+        }
+        *self = sum;
+    }
+    #[inline(always)]
+    fn visit(&self, visit: &mut impl FnMut(T)) {
+        visit(*self);
+    }
+    #[inline(always)]
+    fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
+        *self = make(*self);
+    }
+    #[inline(always)]
+    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
+        test(*self, *other)
+    }
+}
+
+impl<T: Scalar> Position<T> for T {
+    type Rate = T;
+
+    #[inline(always)]
+    fn drift<const M: usize>(
+        &mut self,
+        from: &Self,
+        time: T::Real,
+        rate: &T,
+        weights: &[T::Real; M],
+        terms: [&T; M],
+    ) {
+        self.combine(&from.add_scaled(time, *rate), weights, terms);
+    }
+    #[inline(always)]
+    fn visit(&self, visit: &mut impl FnMut(T)) {
+        visit(*self);
+    }
+    #[inline(always)]
+    fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
+        *self = make(*self);
+    }
+    #[inline(always)]
+    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
+        test(*self, *other)
+    }
+}
+
+/// Cuts slices to the length of the shortest, so that a loop over them needs no bounds checks.
+macro_rules! cut {
+    ($first:ident, $($more:ident),* ; $body:expr) => {{
+        let n = $first.len();
+        $(let n = n.min($more.len());)*
+        let $first = &mut $first[..n];
+        $(let $more = &$more[..n];)*
+        #[allow(clippy::needless_range_loop)] // several slices march together
+        for i in 0..n {
+            $body(i, &mut $first[i] $(, &$more[i])*);
+        }
+    }};
+}
+
+/// What arrays and vectors share: a mirror of equal items.
+mod items {
+    use super::{Position, Rate, Scalar};
+
+    #[inline(always)]
+    fn nth<'a, X, const M: usize>(terms: &[&'a [X]; M], i: usize) -> [&'a X; M] {
+        core::array::from_fn(|j| &terms[j][i])
+    }
+
+    #[inline(always)]
+    pub fn combine<T: Scalar, A: Rate<T>, const M: usize>(
+        items: &mut [A],
+        base: &[A],
+        weights: &[T::Real; M],
+        terms: [&[A]; M],
+    ) {
+        let n = terms.iter().fold(items.len(), |n, term| n.min(term.len()));
+        let terms = terms.map(|term| &term[..n]);
+        let items = &mut items[..n];
+        cut!(items, base; |i, item: &mut A, base| item.combine(base, weights, nth(&terms, i)));
+    }
+
+    #[inline(always)]
+    pub fn drift<T: Scalar, A: Position<T>, const M: usize>(
+        items: &mut [A],
+        from: &[A],
+        time: T::Real,
+        rate: &[A::Rate],
+        weights: &[T::Real; M],
+        terms: [&[A::Rate]; M],
+    ) {
+        let n = terms.iter().fold(items.len(), |n, term| n.min(term.len()));
+        let terms = terms.map(|term| &term[..n]);
+        let items = &mut items[..n];
+        cut!(items, from, rate; |i, item: &mut A, from, rate| item.drift(from, time, rate, weights, nth(&terms, i)));
+    }
+}
+
+/// One implementation for everything that derefs to a slice of mirrors.
+macro_rules! mirror_items {
+    ([$($generics:tt)*] $container:ty, $rates:ty) => {
+        impl<T: Scalar, A: Rate<T>, $($generics)*> Rate<T> for $container {
+            #[inline]
+            fn combine<const M: usize>(&mut self, base: &Self, weights: &[T::Real; M], terms: [&Self; M]) {
+                items::combine(self, base, weights, terms.map(|term| &term[..]));
+            }
+            #[inline]
+            fn visit(&self, visit: &mut impl FnMut(T)) {
+                self.iter().for_each(|item| item.visit(visit));
+            }
+            #[inline]
+            fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
+                self.iter_mut().for_each(|item| item.replace(make));
+            }
+            #[inline]
+            fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
+                self.len() == other.len() && self.iter().zip(other).all(|(item, other)| item.all(other, test))
+            }
+        }
+
+        impl<T: Scalar, A: Position<T>, $($generics)*> Position<T> for $container {
+            type Rate = $rates;
+
+            #[inline]
+            fn drift<const M: usize>(
+                &mut self,
+                from: &Self,
+                time: T::Real,
+                rate: &Self::Rate,
+                weights: &[T::Real; M],
+                terms: [&Self::Rate; M],
+            ) {
+                items::drift(self, from, time, rate, weights, terms.map(|term| &term[..]));
+            }
+            #[inline]
+            fn visit(&self, visit: &mut impl FnMut(T)) {
+                self.iter().for_each(|item| item.visit(visit));
+            }
+            #[inline]
+            fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
+                self.iter_mut().for_each(|item| item.replace(make));
+            }
+            #[inline]
+            fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
+                self.len() == other.len() && self.iter().zip(other).all(|(item, other)| item.all(other, test))
+            }
+        }
+    };
+}
+
+mirror_items!([const K: usize] [A; K], [A::Rate; K]);
+#[cfg(feature = "alloc")]
+mirror_items!([] alloc::vec::Vec<A>, alloc::vec::Vec<A::Rate>);
+
+/// Tuples of mirrors, for the arities that chains have.
+macro_rules! mirror_tuple {
+    ($($met:ident)?; $($A:ident $i:tt $out:ident $in:ident),*; $($rest:tt)*) => {
+        impl<T: Scalar, $($A: Rate<T>),*> Rate<T> for ($($A,)*) {
+            #[inline(always)]
+            fn combine<const M: usize>(&mut self, _base: &Self, _weights: &[T::Real; M], _terms: [&Self; M]) {
+                $(self.$i.combine(&_base.$i, _weights, _terms.map(|term| &term.$i));)*
+            }
+            #[inline(always)]
+            fn visit(&self, _visit: &mut impl FnMut(T)) {
+                $(self.$i.visit(_visit);)*
+            }
+            #[inline(always)]
+            fn replace(&mut self, _make: &mut impl FnMut(T) -> T) {
+                $(self.$i.replace(_make);)*
+            }
+            #[inline(always)]
+            fn all(&self, _other: &Self, _test: &mut impl FnMut(T, T) -> bool) -> bool {
+                true $(&& self.$i.all(&_other.$i, _test))*
+            }
+        }
+
+        impl<T: Scalar, $($A: Position<T>),*> Position<T> for ($($A,)*) {
+            type Rate = ($($A::Rate,)*);
+
+            #[inline(always)]
+            fn drift<const M: usize>(
+                &mut self,
+                _from: &Self,
+                _time: T::Real,
+                _rate: &Self::Rate,
+                _weights: &[T::Real; M],
+                _terms: [&Self::Rate; M],
+            ) {
+                $(self.$i.drift(&_from.$i, _time, &_rate.$i, _weights, _terms.map(|term| &term.$i));)*
+            }
+            #[inline(always)]
+            fn visit(&self, _visit: &mut impl FnMut(T)) {
+                $(self.$i.visit(_visit);)*
+            }
+            #[inline(always)]
+            fn replace(&mut self, _make: &mut impl FnMut(T) -> T) {
+                $(self.$i.replace(_make);)*
+            }
+            #[inline(always)]
+            fn all(&self, _other: &Self, _test: &mut impl FnMut(T, T) -> bool) -> bool {
+                true $(&& self.$i.all(&_other.$i, _test))*
+            }
+        }
+    };
+}
+
+mirror_tuple!(; ;);
+for_each_tuple!(mirror_tuple);

@@ -1,0 +1,106 @@
+//! The motion of a scene at an instant: the user's value.
+
+use crate::mirror::{Position, Rate};
+use crate::scalar::Scalar;
+use core::fmt::{self, DebugList};
+
+/// Time, and positions, rates and accelerations of all joint coordinates, in the shape of their scene.
+///
+/// It holds no parameters and no workspace: clone it, store it, compare it, differentiate it, hand it back. A step reads one
+/// motion and writes another, so a failed step loses nothing.
+#[derive(Clone)]
+pub struct Motion<T: Scalar, P: Position<T>> {
+    pub(crate) time: T::Real,
+    pub(crate) position: P,
+    pub(crate) rate: P::Rate,
+    pub(crate) acceleration: P::Rate,
+}
+
+impl<T: Scalar, P: Position<T>> Motion<T, P> {
+    /// Time [s].
+    pub fn time(&self) -> T::Real {
+        self.time
+    }
+
+    /// Sets the time [s].
+    #[must_use]
+    pub fn at_time(self, time: T::Real) -> Self {
+        Self { time, ..self }
+    }
+
+    /// Positions of the joint coordinates, in the shape of the scene.
+    pub fn position(&self) -> &P {
+        &self.position
+    }
+
+    /// Positions, to be set. The accelerations no longer belong to them until they are found anew.
+    pub fn position_mut(&mut self) -> &mut P {
+        &mut self.position
+    }
+
+    /// Rates of the joint coordinates, in the shape of the scene.
+    pub fn rate(&self) -> &P::Rate {
+        &self.rate
+    }
+
+    /// Rates, to be set. The accelerations no longer belong to them until they are found anew.
+    pub fn rate_mut(&mut self) -> &mut P::Rate {
+        &mut self.rate
+    }
+
+    /// Accelerations of the joint coordinates, in the shape of the scene.
+    pub fn acceleration(&self) -> &P::Rate {
+        &self.acceleration
+    }
+
+    /// Accelerations, to be set: the input of inverse dynamics.
+    pub fn acceleration_mut(&mut self) -> &mut P::Rate {
+        &mut self.acceleration
+    }
+
+    /// Whether every number of it is finite.
+    pub fn is_finite(&self) -> bool {
+        let mut finite = true;
+        self.position.visit(&mut |x| finite &= x.is_finite());
+        self.rate.visit(&mut |x| finite &= x.is_finite());
+        self.acceleration.visit(&mut |x| finite &= x.is_finite());
+        finite
+    }
+
+    /// Whether `other` moves the same coordinates (only vectors of elements can differ in number).
+    pub fn fits(&self, other: &Self) -> bool {
+        self.all(other, &mut |_, _| true)
+    }
+
+    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
+        self.position.all(&other.position, test)
+            && self.rate.all(&other.rate, test)
+            && self.acceleration.all(&other.acceleration, test)
+    }
+}
+
+impl<T: Scalar, P: Position<T>> PartialEq for Motion<T, P> {
+    /// As the scalar compares: dual numbers by their real part only.
+    fn eq(&self, other: &Self) -> bool {
+        self.time == other.time && self.all(other, &mut |a, b| a == b)
+    }
+}
+
+impl<T: Scalar, P: Position<T>> fmt::Debug for Motion<T, P> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        struct List<F>(F);
+        impl<F: Fn(&mut DebugList<'_, '_>)> fmt::Debug for List<F> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                let mut list = f.debug_list();
+                (self.0)(&mut list);
+                list.finish()
+            }
+        }
+        f.debug_struct("Motion")
+            .field("time", &self.time)
+            .field("position", &List(|list: &mut DebugList<'_, '_>| self.position.visit(&mut |x| _ = list.entry(&x))))
+            .field("rate", &List(|list: &mut DebugList<'_, '_>| self.rate.visit(&mut |x| _ = list.entry(&x))))
+            .field("acceleration", &List(|list: &mut DebugList<'_, '_>| self.acceleration.visit(&mut |x| _ = list.entry(&x))))
+            .finish()
+    }
+}

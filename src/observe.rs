@@ -1,0 +1,163 @@
+//! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
+
+use crate::counts::HasBody;
+use crate::element::{Budget, Coordinates, Element, Load, Loading, Space, Visit};
+use crate::motion::Motion;
+use core::marker::PhantomData;
+
+/// Motion of every body of a scene, by number.
+#[derive(Clone)]
+pub struct Bodies<'a, S: Space, E: Element<S>> {
+    chain: &'a E,
+    bodies: E::PerBody<Option<S::BodyMotion>>,
+}
+
+impl<'a, S: Space, E: Element<S>> Bodies<'a, S, E> {
+    pub(crate) fn of(chain: &'a E, ground: S::Frame, motion: &Motion<S::Scalar, E::Position>) -> Self {
+        let mut bodies = chain.per_body(None);
+        chain.travel(ground, coordinates(motion), &mut Collect(PhantomData), &mut bodies, &mut chain.per_joint(()));
+        Self { chain, bodies }
+    }
+
+    /// Number of bodies.
+    pub fn len(&self) -> usize {
+        self.chain.bodies()
+    }
+
+    /// Whether there are none (a scene has at least one).
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Body number `k`, counted from 0 at the root.
+    pub fn get(&self, k: usize) -> Option<&S::BodyMotion> {
+        self.chain.body_entry(&self.bodies, k)?.as_ref()
+    }
+
+    /// Body number `K`; a scene without such a body does not compile.
+    ///
+    /// ```
+    /// # use catena::planar::*;
+    /// # let rod = Rod::uniform(1.0, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
+    /// let start = pendulum.at_rest(&[0.0, 0.5])?;
+    /// assert_eq!(pendulum.body_motions(&start).body::<1>().map(|body| body.angle()), Some(0.5));
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    pub fn body<const K: usize>(&self) -> Option<&S::BodyMotion>
+    where
+        E: HasBody<K>,
+    {
+        self.get(K)
+    }
+
+    /// All bodies, root to tip.
+    pub fn iter(&self) -> impl Iterator<Item = &S::BodyMotion> {
+        (0..self.len()).filter_map(|k| self.get(k))
+    }
+
+    /// Their energy and momentum in a field of gravity.
+    pub(crate) fn budget(&self, gravity: S::Vector) -> Budget<S> {
+        S::total(self.iter().map(|body| S::budget(body, gravity)))
+    }
+}
+
+/// Motion, internal force and torque at every station: the root, the inboard end of every element, the tip.
+#[derive(Clone)]
+pub struct Stations<'a, S: Space, E: Element<S>> {
+    chain: &'a E,
+    bodies: E::PerBody<Option<S::Station>>,
+    joints: E::PerJoint<Option<S::Station>>,
+    tip: S::Station,
+}
+
+impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
+    pub(crate) fn of<L: Loading<S>>(
+        chain: &'a E,
+        ground: S::Frame,
+        gravity: S::Vector,
+        motion: &Motion<S::Scalar, E::Position>,
+        loads: &L,
+    ) -> Self {
+        let (mut bodies, mut joints) = (chain.per_body(None), chain.per_joint(None));
+        let mut visit = Balance::<S, L> { gravity, loads, time: motion.time, body: 0 };
+        let end = chain.travel(ground, coordinates(motion), &mut visit, &mut bodies, &mut joints);
+        let mut internal = S::no_force();
+        chain.inward(&mut bodies, &mut joints, &mut |station| {
+            if let Some(station) = station {
+                internal = S::balance(station, internal);
+            }
+        });
+        Self { chain, bodies, joints, tip: S::end_station(&end) }
+    }
+
+    /// Number of elements of the chain: stations are numbered from 0 (the inboard end of the first element) to this (the
+    /// tip).
+    pub fn elements(&self) -> usize {
+        self.chain.bodies() + self.chain.joints() - 1
+    }
+
+    /// Station `k`: the inboard end of the chain's k-th element, or the tip.
+    pub fn get(&self, k: usize) -> Option<&S::Station> {
+        if k == self.elements() {
+            return Some(&self.tip);
+        }
+        // Entry 0 is the root's joint.
+        self.chain.entry(&self.bodies, &self.joints, k + 1)?.as_ref()
+    }
+
+    /// The ground's side of the root's joint: its force is that of the ground on the chain.
+    pub fn root(&self) -> Option<&S::Station> {
+        self.chain.entry(&self.bodies, &self.joints, 0)?.as_ref()
+    }
+
+    /// The outboard end of the last element.
+    pub fn tip(&self) -> &S::Station {
+        &self.tip
+    }
+
+    /// All stations, root to tip.
+    pub fn iter(&self) -> impl Iterator<Item = &S::Station> {
+        (0..=self.elements()).filter_map(|k| self.get(k))
+    }
+}
+
+fn coordinates<S: Space, E: Element<S>>(motion: &Motion<S::Scalar, E::Position>) -> Coordinates<'_, S, E> {
+    Coordinates { position: &motion.position, rate: &motion.rate, acceleration: &motion.acceleration }
+}
+
+/// Copies each body's motion.
+struct Collect<S>(PhantomData<S>);
+
+impl<S: Space> Visit<S> for Collect<S> {
+    type OnBody = Option<S::BodyMotion>;
+    type InJoint = ();
+
+    fn body(&mut self, body: &S::BodyMotion) -> Option<S::BodyMotion> {
+        Some(*body)
+    }
+    fn joint(&mut self, _: &S::JointMotion) {}
+}
+
+/// Sets up the balance of forces at each station.
+struct Balance<'a, S: Space, L> {
+    gravity: S::Vector,
+    loads: &'a L,
+    time: crate::element::RealOf<S>,
+    body: usize,
+}
+
+impl<S: Space, L: Loading<S>> Visit<S> for Balance<'_, S, L> {
+    type OnBody = Option<S::Station>;
+    type InJoint = Option<S::Station>;
+
+    fn body(&mut self, body: &S::BodyMotion) -> Option<S::Station> {
+        let mut station = S::body_station(body, self.gravity);
+        self.loads.on_body(self.time, self.body, body).act(&mut station);
+        self.body += 1;
+        Some(station)
+    }
+    fn joint(&mut self, joint: &S::JointMotion) -> Option<S::Station> {
+        Some(S::joint_station(joint))
+    }
+}

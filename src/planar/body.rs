@@ -1,0 +1,188 @@
+//! What a planar body has to say of itself, and how that makes it an element.
+
+use super::{BodyMotion, Frame, Planar, Turn};
+use crate::element::{Applied, Condense, Coordinates, Element, Loading, Posture, Visit};
+use crate::error::{Error, Fault};
+use crate::relation::Term;
+use crate::relation::plane::{Full, Relation};
+use crate::scalar::{Real, Scalar};
+use core::fmt::Debug;
+use nalgebra::Vector2;
+use num_traits::Zero;
+
+/// Mass, mass centre and moment of inertia of a planar body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inertia<T> {
+    /// Mass [kg].
+    pub mass: T,
+    /// Mass centre from the inboard end [m], body axes.
+    pub centre: [T; 2],
+    /// Moment of inertia about the mass centre [kg·m²].
+    pub about_centre: T,
+}
+
+impl<T: Scalar> Inertia<T> {
+    /// Rejects negative or non-finite values. A body without mass is allowed: its joint tells if it is needed.
+    pub fn check(&self) -> Result<(), Fault> {
+        let Self { mass, centre, about_centre } = self;
+        not_negative("mass", *mass, T::Real::zero())?;
+        if !(centre[0].is_finite() && centre[1].is_finite()) {
+            return Err(Fault::NotFinite { parameter: "mass centre" });
+        }
+        // The moment of inertia may have been rounded when a body was built from its base parameters.
+        let scale = *mass * (centre[0] * centre[0] + centre[1] * centre[1]);
+        not_negative("moment of inertia", *about_centre, scale.real() * T::Real::EPSILON * T::Real::of(8.0))
+    }
+}
+
+/// Fails where a value is NaN, infinite or below −`slack`.
+pub(super) fn not_negative<T: Scalar>(parameter: &'static str, value: T, slack: T::Real) -> Result<(), Fault> {
+    if !value.is_finite() {
+        return Err(Fault::NotFinite { parameter });
+    }
+    if value.real() < -slack {
+        return Err(Fault::Negative { parameter, value: value.real().as_f64() });
+    }
+    Ok(())
+}
+
+/// Fails where a value is NaN, infinite, zero or negative.
+pub(super) fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(), Fault> {
+    if !value.is_finite() {
+        return Err(Fault::NotFinite { parameter });
+    }
+    if value.real() <= T::Real::zero() {
+        return Err(Fault::NotPositive { parameter, value: value.real().as_f64() });
+    }
+    Ok(())
+}
+
+/// A rigid body in the plane, between an inboard end I (the origin of its axes) and an outboard end O.
+///
+/// With these methods a type is a body; the macro `body!` in this file makes it an element.
+pub trait Body<T: Scalar>: Copy + Debug {
+    /// Its inertia.
+    fn inertia(&self) -> Inertia<T>;
+
+    /// From I to O [m], in inertial axes, for a body with this direction cosine and sine.
+    fn arm(&self, cosine: T, sine: T) -> Vector2<T>;
+
+    /// Condenses the relation at O to one at I. `spin2` is the square of the angular velocity.
+    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T>;
+
+    /// Rejects parameters that make no mechanics.
+    fn check(&self) -> Result<(), Fault>;
+}
+
+/// The motion of a body whose inboard end moves with `inboard`.
+#[inline(always)]
+pub(super) fn body_motion<T: Scalar, B: Body<T>>(body: &B, inboard: Frame<T>) -> BodyMotion<T> {
+    let (sine, cosine) = inboard.turn.angle.sin_cos();
+    let inertia = body.inertia();
+    let arm = body.arm(cosine, sine);
+    let zero = Vector2::new(T::zero(), T::zero());
+    let motion = BodyMotion { inboard, arm, to_centre: zero, direction: Vector2::new(cosine, sine), inertia };
+    BodyMotion { to_centre: motion.turned(inertia.centre), ..motion }
+}
+
+/// Makes planar bodies elements.
+macro_rules! body {
+    ($($Body:ident),*) => {$(
+        impl<T: Scalar> Element<Planar<T>> for super::$Body<T> {
+            type Position = ();
+            type Rate = ();
+            type Kept = ();
+            type PerBody<X: Copy> = X;
+            type PerJoint<X: Copy> = ();
+
+            const BODIES: Option<usize> = Some(1);
+            const JOINTS: Option<usize> = Some(0);
+
+            fn bodies(&self) -> usize {
+                1
+            }
+            fn joints(&self) -> usize {
+                0
+            }
+            fn check(&self, station: usize) -> Result<(), Error> {
+                Body::check(self).map_err(|fault| Error::new(fault).at_station(station))
+            }
+            fn position(&self) {}
+            fn rate(&self) {}
+            fn kept(&self) {}
+            fn per_body<X: Copy>(&self, fill: X) -> X {
+                fill
+            }
+            fn per_joint<X: Copy>(&self, _: X) {}
+            fn body_entry<'a, X: Copy>(&self, body: &'a X, k: usize) -> Option<&'a X> {
+                (k == 0).then_some(body)
+            }
+            fn entry<'a, X: Copy>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
+                (k == 0).then_some(body)
+            }
+            fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut() -> T) -> Turn<T> {
+                turn
+            }
+            #[inline(always)]
+            fn orient(&self, _: &(), _: &(), turn: Turn<T>, cosine: &mut T, spin: &mut T) -> Turn<T> {
+                *cosine = turn.angle;
+                *spin = turn.rate;
+                turn
+            }
+            #[inline(always)]
+            fn resolve(&self, cosine: &mut T, sine: &mut T) {
+                (*sine, *cosine) = cosine.sin_cos();
+            }
+            #[inline(always)]
+            fn recover(
+                &self,
+                acceleration: super::Acceleration<T>,
+                posture: Posture<'_, Planar<T>, Self>,
+                _: &(),
+                _: &mut (),
+            ) -> super::Acceleration<T> {
+                let arm = self.arm(*posture.cosine, *posture.sine);
+                acceleration.shifted(arm, *posture.spin * *posture.spin)
+            }
+            #[inline(always)]
+            fn travel<V: Visit<Planar<T>>>(
+                &self,
+                frame: Frame<T>,
+                _: Coordinates<'_, Planar<T>, Self>,
+                visit: &mut V,
+                on_body: &mut V::OnBody,
+                _: &mut (),
+            ) -> Frame<T> {
+                let motion = body_motion(self, frame);
+                *on_body = visit.body(&motion);
+                motion.outboard()
+            }
+            fn inward<X: Copy>(&self, body: &mut X, _: &mut (), visit: &mut impl FnMut(&mut X)) {
+                visit(body);
+            }
+            fn broken(&self, _: &(), _: usize) -> Option<usize> {
+                None
+            }
+        }
+
+        impl<T: Scalar, R: Relation<T>, L: Loading<Planar<T>>> Condense<Planar<T>, R, L> for super::$Body<T>
+        where
+            L::OnBody: Term<Full<T>>,
+        {
+            type Out = Full<T>;
+
+            #[inline(always)]
+            fn condense(
+                &self,
+                outer: R,
+                posture: Posture<'_, Planar<T>, Self>,
+                loads: Applied<'_, Planar<T>, Self, L>,
+                _: &mut (),
+            ) -> Full<T> {
+                let spin2 = *posture.spin * *posture.spin;
+                loads.on_bodies.take_from(Body::condense(self, outer, *posture.cosine, *posture.sine, spin2))
+            }
+        }
+    )*};
+}
+body!(Rod, RigidBody, PointMass);

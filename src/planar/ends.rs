@@ -1,0 +1,199 @@
+//! The ends of planar chains.
+
+use super::{Acceleration, Frame, Joint, Pin, Planar, Turn};
+use crate::element::{Applied, Condense, Loading, Posture};
+use crate::ends::{Held, Loose, Root, Tip};
+use crate::error::{Error, Fault, Place};
+use crate::relation::plane::{Empty, Full};
+use crate::scalar::Scalar;
+use nalgebra::Vector2;
+
+/// Motion of a point of the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GroundMotion<T> {
+    /// Place [m].
+    pub place: [T; 2],
+    /// Velocity [m/s].
+    pub velocity: [T; 2],
+    /// Acceleration [m/s²].
+    pub acceleration: [T; 2],
+}
+
+/// A place that may move as a given function of time.
+pub trait Ground<T: Scalar> {
+    /// Its motion at a time [s].
+    fn at(&self, time: T::Real) -> GroundMotion<T>;
+}
+
+impl<T: Scalar> Ground<T> for [T; 2] {
+    fn at(&self, _: T::Real) -> GroundMotion<T> {
+        let zero = [T::zero(); 2];
+        GroundMotion { place: *self, velocity: zero, acceleration: zero }
+    }
+}
+
+/// A place given as a function of time.
+#[derive(Clone, Copy, Debug)]
+pub struct Moving<F>(pub F);
+
+impl<T: Scalar, F: Fn(T::Real) -> GroundMotion<T>> Ground<T> for Moving<F> {
+    fn at(&self, time: T::Real) -> GroundMotion<T> {
+        (self.0)(time)
+    }
+}
+
+/// An end held by a smooth pin at a place of the ground.
+///
+/// ```
+/// use catena::planar::{GroundMotion, Moving, Pinned};
+/// let still = Pinned::at(0.0, 1.0);
+/// let shaken = Pinned(Moving(|t: f64| GroundMotion {
+///     place: [t.sin(), 0.0],
+///     velocity: [t.cos(), 0.0],
+///     acceleration: [-t.sin(), 0.0],
+/// }));
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Pinned<G>(pub G);
+
+impl<T: Scalar> Pinned<[T; 2]> {
+    /// Held at the origin.
+    pub fn origin() -> Self {
+        Self([T::zero(); 2])
+    }
+    /// Held at a place [m].
+    pub fn at(x: T, y: T) -> Self {
+        Self([x, y])
+    }
+}
+
+/// An end on which nothing acts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Free;
+
+impl<T: Scalar, G: Ground<T>> Root<Planar<T>> for Pinned<G> {
+    type Pairs = (Held, Held, Loose);
+    type Joint = Pin;
+
+    fn joint(&self) -> Pin {
+        Pin
+    }
+    fn ground(&self, time: T::Real) -> Frame<T> {
+        let GroundMotion { place, velocity, acceleration } = self.0.at(time);
+        let still = Frame::resting(Vector2::from(place));
+        let acceleration = Acceleration { linear: Vector2::from(acceleration), ..still.acceleration };
+        Frame { velocity: Vector2::from(velocity), acceleration, ..still }
+    }
+    fn check(&self) -> Result<(), Error> {
+        let GroundMotion { place, velocity, acceleration } = self.0.at(num_traits::Zero::zero());
+        let finite = [place, velocity, acceleration].iter().flatten().all(|x| x.is_finite());
+        let fault = Error::new(Fault::NotFinite { parameter: "motion of the ground" }).at(Place::Root);
+        if finite { Ok(()) } else { Err(fault) }
+    }
+}
+
+impl<T: Scalar> Root<Planar<T>> for Free {
+    type Pairs = (Loose, Loose, Loose);
+    type Joint = Floating;
+
+    fn joint(&self) -> Floating {
+        Floating
+    }
+    fn ground(&self, _: T::Real) -> Frame<T> {
+        Frame::resting(Vector2::new(T::zero(), T::zero()))
+    }
+    fn check(&self) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+impl<T: Scalar> Tip<Planar<T>> for Free {
+    type Pairs = (Loose, Loose, Loose);
+    type Relation = Empty;
+
+    #[inline(always)]
+    fn relation(&self) -> Empty {
+        Empty
+    }
+    fn check(&self) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+/// The joint of a chain that floats: coordinates x, y and the absolute angle of its first body.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Floating;
+
+impl<T: Scalar> Joint<T> for Floating {
+    type Position = (T, T, T);
+    type Rate = (T, T, T);
+    type Kept = Acceleration<T>;
+
+    fn position() -> (T, T, T) {
+        (T::zero(), T::zero(), T::zero())
+    }
+    fn rate() -> (T, T, T) {
+        (T::zero(), T::zero(), T::zero())
+    }
+    fn kept() -> Acceleration<T> {
+        Acceleration { linear: Vector2::new(T::zero(), T::zero()), angular: T::zero() }
+    }
+    fn is_finite(kept: &Acceleration<T>) -> bool {
+        kept.linear.x.is_finite() && kept.linear.y.is_finite() && kept.angular.is_finite()
+    }
+    fn aim(&self, position: &mut (T, T, T), _: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
+        position.2 = next();
+        Turn { angle: position.2, rate: T::zero() }
+    }
+    #[inline(always)]
+    fn turned(&self, position: &(T, T, T), rate: &(T, T, T), _: Turn<T>) -> Turn<T> {
+        Turn { angle: position.2, rate: rate.2 }
+    }
+    #[inline(always)]
+    fn moved(
+        &self,
+        inboard: Frame<T>,
+        position: &(T, T, T),
+        rate: &(T, T, T),
+        acceleration: &(T, T, T),
+    ) -> Frame<T> {
+        Frame {
+            place: inboard.place + Vector2::new(position.0, position.1),
+            velocity: inboard.velocity + Vector2::new(rate.0, rate.1),
+            turn: Turn { angle: position.2, rate: rate.2 },
+            acceleration: Acceleration {
+                linear: inboard.acceleration.linear + Vector2::new(acceleration.0, acceleration.1),
+                angular: acceleration.2,
+            },
+        }
+    }
+    #[inline(always)]
+    fn recovered(
+        &self,
+        inboard: Acceleration<T>,
+        kept: &Acceleration<T>,
+        rate: &mut (T, T, T),
+    ) -> Acceleration<T> {
+        // The sweep's ground falls upward by gravity; coordinates are relative to the ground.
+        let relative = kept.linear - inboard.linear;
+        *rate = (relative.x, relative.y, kept.angular);
+        *kept
+    }
+}
+
+impl<T: Scalar, L: Loading<Planar<T>>> Condense<Planar<T>, Full<T>, L> for Floating {
+    type Out = Empty;
+
+    #[inline(always)]
+    fn condense(
+        &self,
+        outer: Full<T>,
+        _: Posture<'_, Planar<T>, Self>,
+        _: Applied<'_, Planar<T>, Self, L>,
+        kept: &mut Acceleration<T>,
+    ) -> Empty {
+        let (linear, angular) = outer.free();
+        *kept = Acceleration { linear, angular };
+        Empty
+    }
+}

@@ -1,0 +1,242 @@
+//! What the walks carry in the plane.
+
+use super::{Inertia, Station};
+use crate::element::{Budget, Space};
+use crate::relation::plane::{add_scaled, cross, dot, normal};
+use crate::scalar::{Real, Scalar};
+use core::fmt;
+use core::marker::PhantomData;
+use nalgebra::Vector2;
+
+/// The plane, with numbers of type `T`.
+#[derive(Clone, Copy)]
+pub struct Planar<T>(PhantomData<T>);
+
+impl<T> fmt::Debug for Planar<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Planar")
+    }
+}
+
+/// Orientation of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn<T> {
+    /// Absolute angle [rad].
+    pub angle: T,
+    /// Angular velocity [rad/s].
+    pub rate: T,
+}
+
+/// Acceleration of a station.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Acceleration<T> {
+    /// Of its point [m/s²].
+    pub linear: Vector2<T>,
+    /// Of the body on its inboard side [rad/s²].
+    pub angular: T,
+}
+
+/// Motion of a station: a point of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame<T> {
+    /// Place of the point [m].
+    pub place: Vector2<T>,
+    /// Its velocity [m/s].
+    pub velocity: Vector2<T>,
+    /// Orientation of the body.
+    pub turn: Turn<T>,
+    /// Its acceleration.
+    pub acceleration: Acceleration<T>,
+}
+
+impl<T: Scalar> Frame<T> {
+    /// A frame at rest at a place, unturned.
+    pub fn resting(place: Vector2<T>) -> Self {
+        Self {
+            place,
+            velocity: zero(),
+            turn: Turn { angle: T::zero(), rate: T::zero() },
+            acceleration: Acceleration { linear: zero(), angular: T::zero() },
+        }
+    }
+
+    /// The same motion with the accelerations left out.
+    #[inline(always)]
+    pub(super) fn without_acceleration(&self) -> Self {
+        Self { acceleration: Acceleration { linear: zero(), angular: T::zero() }, ..*self }
+    }
+
+    /// The frame at another point of the same body, at the vector `d` (inertial axes) from this one.
+    #[inline(always)]
+    pub fn shifted(&self, d: Vector2<T>) -> Self {
+        let n = normal(d);
+        let rate = self.turn.rate;
+        Self {
+            place: self.place + d,
+            velocity: add_scaled(self.velocity, rate, n),
+            turn: self.turn,
+            acceleration: self.acceleration.shifted(d, rate * rate),
+        }
+    }
+}
+
+impl<T: Scalar> Acceleration<T> {
+    /// The acceleration of another point of the same body: a + α n − ω² d.
+    #[inline(always)]
+    pub fn shifted(&self, d: Vector2<T>, spin2: T) -> Self {
+        let linear = add_scaled(add_scaled(self.linear, self.angular, normal(d)), -spin2, d);
+        Self { linear, angular: self.angular }
+    }
+}
+
+/// Internal force and torque at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Internal<T> {
+    /// Force q [N].
+    pub force: Vector2<T>,
+    /// Torque m [N·m].
+    pub torque: T,
+}
+
+/// A body and its motion at an instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyMotion<T> {
+    /// Motion of its inboard end.
+    pub inboard: Frame<T>,
+    /// From the inboard to the outboard end [m], inertial axes.
+    pub arm: Vector2<T>,
+    /// From the inboard end to the mass centre [m], inertial axes.
+    pub to_centre: Vector2<T>,
+    /// Direction cosine and sine of the body.
+    pub direction: Vector2<T>,
+    /// Mass, mass centre and moment of inertia.
+    pub inertia: Inertia<T>,
+}
+
+impl<T: Scalar> BodyMotion<T> {
+    /// Absolute angle [rad].
+    pub fn angle(&self) -> T {
+        self.inboard.turn.angle
+    }
+    /// Angular velocity [rad/s].
+    pub fn rate(&self) -> T {
+        self.inboard.turn.rate
+    }
+    /// Motion of the outboard end.
+    pub fn outboard(&self) -> Frame<T> {
+        self.inboard.shifted(self.arm)
+    }
+    /// Motion of the mass centre.
+    pub fn centre(&self) -> Frame<T> {
+        self.inboard.shifted(self.to_centre)
+    }
+    /// Motion of a point given in body axes from the inboard end [m].
+    pub fn point(&self, at: [T; 2]) -> Frame<T> {
+        self.inboard.shifted(self.turned(at))
+    }
+    /// A vector of body axes in inertial axes.
+    pub fn turned(&self, [x, y]: [T; 2]) -> Vector2<T> {
+        let (cos, sin) = (self.direction.x, self.direction.y);
+        Vector2::new(cos * x - sin * y, sin * x + cos * y)
+    }
+    /// Kinetic energy [J].
+    pub fn kinetic_energy(&self) -> T {
+        let velocity = self.centre().velocity;
+        let rate = self.rate();
+        (self.inertia.mass * dot(velocity, velocity) + self.inertia.about_centre * rate * rate).scale(T::Real::of(0.5))
+    }
+}
+
+fn zero<T: Scalar>() -> Vector2<T> {
+    Vector2::new(T::zero(), T::zero())
+}
+
+/// A joint and its motion at an instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointMotion<T> {
+    /// Motion of its inboard side.
+    pub inboard: Frame<T>,
+    /// Motion of its outboard side.
+    pub outboard: Frame<T>,
+}
+
+impl<T: Scalar> JointMotion<T> {
+    /// Angle of the outboard body relative to the inboard one [rad].
+    pub fn angle(&self) -> T {
+        self.outboard.turn.angle - self.inboard.turn.angle
+    }
+    /// Rate of that angle [rad/s].
+    pub fn rate(&self) -> T {
+        self.outboard.turn.rate - self.inboard.turn.rate
+    }
+}
+
+impl<T: Scalar> Space for Planar<T> {
+    type Scalar = T;
+    type Cosine = T;
+    type Sine = T;
+    type Spin = T;
+    type Turn = Turn<T>;
+    type Frame = Frame<T>;
+    type Acceleration = Acceleration<T>;
+    type Internal = Internal<T>;
+    type Station = Station<T>;
+    type Vector = Vector2<T>;
+    type Moment = T;
+    type BodyMotion = BodyMotion<T>;
+    type JointMotion = JointMotion<T>;
+
+    fn blank() -> (T, T, T) {
+        (T::one(), T::zero(), T::zero())
+    }
+    #[inline(always)]
+    fn turn(frame: &Frame<T>) -> Turn<T> {
+        frame.turn
+    }
+    #[inline(always)]
+    fn falling(frame: &Frame<T>, gravity: Vector2<T>) -> Acceleration<T> {
+        Acceleration { linear: frame.acceleration.linear - gravity, ..frame.acceleration }
+    }
+    fn no_force() -> Internal<T> {
+        Internal { force: zero(), torque: T::zero() }
+    }
+    fn no_gravity() -> Vector2<T> {
+        zero()
+    }
+    fn is_finite(vector: Vector2<T>) -> bool {
+        vector.x.is_finite() && vector.y.is_finite()
+    }
+    fn body_station(body: &BodyMotion<T>, gravity: Vector2<T>) -> Station<T> {
+        Station::of_body(body, gravity)
+    }
+    fn joint_station(joint: &JointMotion<T>) -> Station<T> {
+        Station::massless(joint.inboard)
+    }
+    fn end_station(frame: &Frame<T>) -> Station<T> {
+        Station::massless(*frame)
+    }
+    fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
+        station.close(outer)
+    }
+    fn total(budgets: impl Iterator<Item = Budget<Self>>) -> Budget<Self> {
+        let none =
+            Budget { kinetic: T::zero(), potential: T::zero(), momentum: zero(), angular_momentum: T::zero() };
+        budgets.fold(none, |sum, body| Budget {
+            kinetic: sum.kinetic + body.kinetic,
+            potential: sum.potential + body.potential,
+            momentum: sum.momentum + body.momentum,
+            angular_momentum: sum.angular_momentum + body.angular_momentum,
+        })
+    }
+    fn budget(body: &BodyMotion<T>, gravity: Vector2<T>) -> Budget<Self> {
+        let centre = body.centre();
+        let momentum = centre.velocity * body.inertia.mass;
+        let spin = body.inertia.about_centre * body.rate();
+        Budget {
+            kinetic: body.kinetic_energy(),
+            potential: -(dot(gravity, centre.place) * body.inertia.mass),
+            momentum,
+            angular_momentum: cross(centre.place, momentum) + spin,
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! What a planar joint has to say of itself, and how that makes it an element.
+
+use super::{Acceleration, Frame, JointMotion, Planar, Turn};
+use crate::element::{Coordinates, Element, Posture, Visit};
+use crate::error::Error;
+use crate::mirror::{Position, Rate};
+use crate::scalar::Scalar;
+use core::fmt::Debug;
+
+/// A massless joint in the plane.
+///
+/// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
+/// macro `joint!` in this file makes it an element.
+pub trait Joint<T: Scalar>: Copy + Debug {
+    /// Its coordinates.
+    type Position: Position<T, Rate = Self::Rate>;
+    /// Their rates and accelerations.
+    type Rate: Rate<T>;
+    /// What its elimination keeps for the outward walk.
+    type Kept: Clone;
+
+    /// The position of an unturned joint.
+    fn position() -> Self::Position;
+    /// The rates of a joint at rest.
+    fn rate() -> Self::Rate;
+    /// Room for the gains.
+    fn kept() -> Self::Kept;
+    /// Whether all gains are finite.
+    fn is_finite(kept: &Self::Kept) -> bool;
+
+    /// Coordinates that turn the outboard body to an absolute angle.
+    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T>;
+
+    /// The orientation of the outboard body.
+    fn turned(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> Turn<T>;
+
+    /// The motion of the outboard side.
+    fn moved(
+        &self,
+        inboard: Frame<T>,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        acceleration: &Self::Rate,
+    ) -> Frame<T>;
+
+    /// The accelerations of the coordinates, and of the outboard side, from that of the inboard side.
+    fn recovered(&self, inboard: Acceleration<T>, kept: &Self::Kept, rate: &mut Self::Rate) -> Acceleration<T>;
+}
+
+/// Makes planar joints elements.
+macro_rules! joint {
+    ($($Joint:ident),*) => {$(
+        impl<T: Scalar> Element<Planar<T>> for super::$Joint {
+            type Position = <Self as Joint<T>>::Position;
+            type Rate = <Self as Joint<T>>::Rate;
+            type Kept = <Self as Joint<T>>::Kept;
+            type PerBody<X: Copy> = ();
+            type PerJoint<X: Copy> = X;
+
+            const BODIES: Option<usize> = Some(0);
+            const JOINTS: Option<usize> = Some(1);
+
+            fn bodies(&self) -> usize {
+                0
+            }
+            fn joints(&self) -> usize {
+                1
+            }
+            fn check(&self, _: usize) -> Result<(), Error> {
+                Ok(())
+            }
+            fn position(&self) -> Self::Position {
+                <Self as Joint<T>>::position()
+            }
+            fn rate(&self) -> Self::Rate {
+                <Self as Joint<T>>::rate()
+            }
+            fn kept(&self) -> Self::Kept {
+                <Self as Joint<T>>::kept()
+            }
+            fn per_body<X: Copy>(&self, _: X) {}
+            fn per_joint<X: Copy>(&self, fill: X) -> X {
+                fill
+            }
+            fn body_entry<'a, X: Copy>(&self, _: &'a (), _: usize) -> Option<&'a X> {
+                None
+            }
+            fn entry<'a, X: Copy>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
+                (k == 0).then_some(joint)
+            }
+            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
+                Joint::aim(self, position, inboard, next)
+            }
+            #[inline(always)]
+            fn orient(
+                &self,
+                position: &Self::Position,
+                rate: &Self::Rate,
+                turn: Turn<T>,
+                _: &mut (),
+                _: &mut (),
+            ) -> Turn<T> {
+                self.turned(position, rate, turn)
+            }
+            #[inline(always)]
+            fn resolve(&self, _: &mut (), _: &mut ()) {}
+            #[inline(always)]
+            fn recover(
+                &self,
+                acceleration: Acceleration<T>,
+                _: Posture<'_, Planar<T>, Self>,
+                kept: &Self::Kept,
+                rate: &mut Self::Rate,
+            ) -> Acceleration<T> {
+                self.recovered(acceleration, kept, rate)
+            }
+            #[inline(always)]
+            fn travel<V: Visit<Planar<T>>>(
+                &self,
+                frame: Frame<T>,
+                motion: Coordinates<'_, Planar<T>, Self>,
+                visit: &mut V,
+                _: &mut (),
+                in_joint: &mut V::InJoint,
+            ) -> Frame<T> {
+                let outboard = self.moved(frame, motion.position, motion.rate, motion.acceleration);
+                *in_joint = visit.joint(&JointMotion { inboard: frame, outboard });
+                outboard
+            }
+            fn inward<X: Copy>(&self, _: &mut (), joint: &mut X, visit: &mut impl FnMut(&mut X)) {
+                visit(joint);
+            }
+            fn broken(&self, kept: &Self::Kept, station: usize) -> Option<usize> {
+                (!<Self as Joint<T>>::is_finite(kept)).then_some(station)
+            }
+        }
+    )*};
+}
+joint!(Pin, Floating);

@@ -1,0 +1,199 @@
+//! What acts on planar scenes besides gravity.
+
+use super::{BodyMotion, JointMotion, Planar, Station};
+use crate::element::{Load, Loading};
+use crate::relation::plane::{Full, cross};
+use crate::relation::{Absent, Part, Term};
+use crate::scalar::Scalar;
+use core::ops::Add;
+use nalgebra::Vector2;
+
+/// A force and a torque on a body, about its inboard end, in inertial axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wrench<T> {
+    /// Force [N].
+    pub force: Vector2<T>,
+    /// Torque about the body's inboard end [N·m].
+    pub torque: T,
+}
+
+impl<T: Scalar> Default for Wrench<T> {
+    fn default() -> Self {
+        Self { force: Vector2::new(T::zero(), T::zero()), torque: T::zero() }
+    }
+}
+
+impl<T: Scalar> Wrench<T> {
+    /// A pure torque [N·m].
+    pub fn torque(torque: T) -> Self {
+        Self { torque, ..Self::default() }
+    }
+}
+
+impl<T: Scalar> Add for Wrench<T> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { force: self.force + other.force, torque: self.torque + other.torque }
+    }
+}
+
+impl<T: Scalar> BodyMotion<T> {
+    /// The wrench of a force [N, inertial axes] at a point of this body [m, body axes from the inboard end].
+    pub fn force_at(&self, point: [T; 2], force: [T; 2]) -> Wrench<T> {
+        let force = Vector2::new(force[0], force[1]);
+        Wrench { force, torque: cross(self.turned(point), force) }
+    }
+}
+
+impl<T: Scalar> Load<Planar<T>> for Wrench<T> {
+    fn act(self, station: &mut Station<T>) {
+        station.inertia_force -= self.force;
+        station.inertia_torque -= self.torque;
+    }
+}
+
+impl<T: Scalar> Part for Wrench<T> {
+    fn is_finite(self) -> bool {
+        self.force.x.is_finite() && self.force.y.is_finite() && self.torque.is_finite()
+    }
+}
+
+impl<T: Scalar> Term<Full<T>> for Wrench<T> {
+    fn none() -> Self {
+        Self::default()
+    }
+    #[inline(always)]
+    fn add_to(self, sum: Full<T>) -> Full<T> {
+        Full { force: sum.force + self.force, torque: sum.torque + self.torque, ..sum }
+    }
+    #[inline(always)]
+    fn take_from(self, sum: Full<T>) -> Full<T> {
+        Full { force: sum.force - self.force, torque: sum.torque - self.torque, ..sum }
+    }
+}
+
+/// Loads on a scene, as functions of time and motion or of values handed in: what is not there is [`Absent`], and free.
+///
+/// Bodies and joints are numbered from 0 at the root; joint 0 is the root's. The motion that a load sees has no
+/// accelerations yet (they read zero): these are what the sweep is about to find.
+///
+/// ```
+/// use catena::planar::*;
+/// # let rod = Rod::uniform(1.0, 1.0);
+/// # let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
+/// let torques = [0.3, -0.1];
+/// let loads = Loads::none()
+///     .in_joints(|_time, joint, motion: &JointMotion<f64>| torques[joint] - 0.05 * motion.rate())
+///     .on_bodies(|time: f64, _body, motion: &BodyMotion<f64>| motion.force_at([1.0, 0.0], [time.sin(), 0.0]));
+/// let start = pendulum.at_rest(&[0.0, 0.0])?;
+/// let start = pendulum.with_accelerations(start, &loads)?;
+/// # Ok::<(), catena::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Loads<B = Absent, J = Absent> {
+    bodies: B,
+    joints: J,
+}
+
+impl Loads {
+    /// No loads.
+    pub const fn none() -> Self {
+        Self { bodies: Absent, joints: Absent }
+    }
+}
+
+impl<B, J> Loads<B, J> {
+    /// Forces and torques on bodies: a function of time [s], body number and motion.
+    pub fn on_bodies<T: Scalar, F: Fn(T::Real, usize, &BodyMotion<T>) -> Wrench<T>>(
+        self,
+        law: F,
+    ) -> Loads<OnBodies<F>, J> {
+        Loads { bodies: OnBodies(law), joints: self.joints }
+    }
+
+    /// Torques in joints [N·m], ON the outboard body: a function of time [s], joint number and motion.
+    pub fn in_joints<T: Scalar, F: Fn(T::Real, usize, &JointMotion<T>) -> T>(self, law: F) -> Loads<B, InJoints<F>> {
+        Loads { bodies: self.bodies, joints: InJoints(law) }
+    }
+}
+
+/// A law of forces on bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct OnBodies<F>(F);
+
+/// A law of torques in joints.
+#[derive(Clone, Copy, Debug)]
+pub struct InJoints<F>(F);
+
+/// The part of a loading that acts on bodies.
+pub trait BodyLaw<T: Scalar> {
+    /// `Wrench` or `Absent`.
+    type Value: Term<Full<T>> + Load<Planar<T>>;
+    /// Whether there is one.
+    const ON: bool;
+    /// The load on a body.
+    fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Self::Value;
+}
+
+impl<T: Scalar> BodyLaw<T> for Absent {
+    type Value = Absent;
+    const ON: bool = false;
+    fn at(&self, _: T::Real, _: usize, _: &BodyMotion<T>) -> Absent {
+        Absent
+    }
+}
+
+impl<T: Scalar, F: Fn(T::Real, usize, &BodyMotion<T>) -> Wrench<T>> BodyLaw<T> for OnBodies<F> {
+    type Value = Wrench<T>;
+    const ON: bool = true;
+    fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+        (self.0)(time, body, motion)
+    }
+}
+
+/// The part of a loading that acts in joints.
+pub trait JointLaw<T: Scalar> {
+    /// `T` or `Absent`.
+    type Value: Term<T>;
+    /// Whether there is one.
+    const ON: bool;
+    /// The torque in a joint.
+    fn at(&self, time: T::Real, joint: usize, motion: &JointMotion<T>) -> Self::Value;
+}
+
+impl<T: Scalar> JointLaw<T> for Absent {
+    type Value = Absent;
+    const ON: bool = false;
+    fn at(&self, _: T::Real, _: usize, _: &JointMotion<T>) -> Absent {
+        Absent
+    }
+}
+
+impl<T: Scalar, F: Fn(T::Real, usize, &JointMotion<T>) -> T> JointLaw<T> for InJoints<F> {
+    type Value = T;
+    const ON: bool = true;
+    fn at(&self, time: T::Real, joint: usize, motion: &JointMotion<T>) -> T {
+        (self.0)(time, joint, motion)
+    }
+}
+
+impl<T: Scalar, B: BodyLaw<T>, J: JointLaw<T>> Loading<Planar<T>> for Loads<B, J> {
+    type OnBody = B::Value;
+    type InJoint = J::Value;
+    const ON: bool = B::ON || J::ON;
+
+    fn nothing() -> (B::Value, J::Value) {
+        (B::Value::none(), J::Value::none())
+    }
+    #[inline(always)]
+    fn on_body(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> B::Value {
+        self.bodies.at(time, body, &BodyMotion { inboard: motion.inboard.without_acceleration(), ..*motion })
+    }
+    #[inline(always)]
+    fn in_joint(&self, time: T::Real, joint: usize, motion: &JointMotion<T>) -> J::Value {
+        let JointMotion { inboard, outboard } = motion;
+        let motion =
+            JointMotion { inboard: inboard.without_acceleration(), outboard: outboard.without_acceleration() };
+        self.joints.at(time, joint, &motion)
+    }
+}

@@ -1,0 +1,37 @@
+//! The plane: seven-state vectors `[x, y, θ, m, q_x, q_y, 1]`, rigid bodies, pins and ends.
+//!
+//! ```
+//! use catena::planar::*;
+//!
+//! let rod = Rod::uniform(1.0, 1.0); // length [m], mass [kg]
+//! let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+//! let start = pendulum.at_rest(&[-1.0, -0.5])?; // absolute angles [rad]
+//! assert_eq!(start.time(), 0.0);
+//! # Ok::<(), catena::Error>(())
+//! ```
+
+mod body;
+mod ends;
+mod frame;
+mod joint;
+mod loads;
+mod pin;
+mod point_mass;
+mod rigid_body;
+mod rod;
+mod station;
+
+pub use body::{Body, Inertia};
+pub use ends::{Floating, Free, Ground, GroundMotion, Moving, Pinned};
+pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Planar, Turn};
+pub use joint::Joint;
+pub use loads::{Loads, Wrench};
+pub use pin::Pin;
+pub use point_mass::PointMass;
+pub use rigid_body::RigidBody;
+pub use rod::Rod;
+pub use station::{Station, index};
+
+
+/// A planar scene.
+pub type System<T, R, C, P> = crate::system::System<Planar<T>, R, C, P>;

@@ -1,0 +1,79 @@
+//! A body whose mass centre lies on the line between its ends.
+
+use super::body::positive;
+use super::{Body, Inertia};
+use crate::error::Fault;
+use crate::relation::plane::{Full, Relation};
+use crate::scalar::{Real, Scalar};
+use nalgebra::Vector2;
+
+/// A rigid rod along its x axis, from the inboard end to the outboard end at (length, 0), its mass centre on the axis.
+///
+/// For the dynamics it is two point masses at its ends and a rotary inertia J′, which is negative for a uniform rod: these
+/// and the length are all that a sweep reads.
+///
+/// ```
+/// use catena::planar::{Body, Rod};
+/// let rod = Rod::uniform(2.0, 3.0);
+/// assert_eq!(rod.inertia().about_centre, 1.0); // m l² / 12
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rod<T> {
+    length: T,
+    /// Point mass at the inboard end, m (1 − η) with η the mass centre's share of the length.
+    inner: T,
+    /// Point mass at the outboard end, m η.
+    outer: T,
+    /// J′ = J_C + m η² l² − m η l².
+    rest: T,
+}
+
+impl<T: Scalar> Rod<T> {
+    /// A uniform thin rod: length [m], mass [kg].
+    pub fn uniform(length: T, mass: T) -> Self {
+        let half = T::Real::of(0.5);
+        let about_centre = (mass * length * length).scale(T::Real::of(1.0 / 12.0));
+        Self::new(length, mass, length.scale(half), about_centre)
+    }
+
+    /// A rod with length [m], mass [kg], distance of the mass centre from the inboard end [m] and moment of inertia about
+    /// the mass centre [kg·m²].
+    pub fn new(length: T, mass: T, centre: T, about_centre: T) -> Self {
+        let outer = mass * centre / length;
+        Self { length, inner: mass - outer, outer, rest: about_centre - outer * (length - centre) * length }
+    }
+
+    /// Length [m].
+    pub fn length(&self) -> T {
+        self.length
+    }
+}
+
+impl<T: Scalar> Body<T> for Rod<T> {
+    fn inertia(&self) -> Inertia<T> {
+        let mass = self.inner + self.outer;
+        let centre = self.outer * self.length / mass;
+        let about_centre = self.rest + self.outer * (self.length - centre) * self.length;
+        Inertia { mass, centre: [centre, T::zero()], about_centre }
+    }
+
+    #[inline(always)]
+    fn arm(&self, cosine: T, sine: T) -> Vector2<T> {
+        Vector2::new(self.length * cosine, self.length * sine)
+    }
+
+    #[inline(always)]
+    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T> {
+        outer
+            .with_mass(self.outer)
+            .carried(self.arm(cosine, sine), spin2)
+            .with_mass(self.inner)
+            .with_inertia(self.rest)
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        positive("length", self.length)?;
+        positive("mass", self.inner + self.outer)?; // a link without mass is a `PointMass`, or a `RigidBody`
+        self.inertia().check()
+    }
+}

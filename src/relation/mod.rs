@@ -1,0 +1,88 @@
+//! Condensed relations: what a chain's outboard part demands of the force at a station.
+//!
+//! Everything outboard of a station answers an acceleration p = (a, α) of that station with a force F = S p + e + Wλ. The
+//! inward pass of the Riccati sweep carries such a relation from the tip to the root; each element maps the relation it
+//! meets to the one it hands on. How much of S, e and W there is depends on what lies outboard, so it is decided by
+//! *type*: after a pin, for example, no moment depends on the motion and a 2 × 2 block is all there is.
+//!
+//! S is symmetric positive semidefinite and only one triangle is stored. Stored full and merely assumed symmetric, its
+//! antisymmetric rounding doubles with every body (a chain of 60 is lost); stored as a triangle it holds at 100 000.
+
+pub mod plane;
+
+use crate::scalar::Scalar;
+use core::fmt::Debug;
+
+/// A part that a scene does not have: it takes no space and no instruction.
+///
+/// A zero would not do: compilers may fold neither `x + 0.0` nor `0.0 * x`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Absent;
+
+/// A value that a scene may or may not have.
+pub trait Part: Copy + Debug {
+    /// Whether it is finite; nothing is.
+    fn is_finite(self) -> bool;
+}
+
+impl Part for Absent {
+    fn is_finite(self) -> bool {
+        true
+    }
+}
+
+impl<T: Scalar> Part for T {
+    fn is_finite(self) -> bool {
+        Scalar::is_finite(self)
+    }
+}
+
+/// Something that adds to a sum, or is [`Absent`], decided by type.
+pub trait Term<T>: Part {
+    /// Zero, or nothing.
+    fn none() -> Self;
+    /// `self + sum`.
+    fn add_to(self, sum: T) -> T;
+    /// `sum − self`.
+    fn take_from(self, sum: T) -> T;
+}
+
+impl<T> Term<T> for Absent {
+    fn none() -> Self {
+        Self
+    }
+    #[inline(always)]
+    fn add_to(self, sum: T) -> T {
+        sum
+    }
+    #[inline(always)]
+    fn take_from(self, sum: T) -> T {
+        sum
+    }
+}
+
+impl<T: Scalar> Term<T> for T {
+    fn none() -> Self {
+        T::zero()
+    }
+    #[inline(always)]
+    fn add_to(self, sum: T) -> T {
+        sum + self
+    }
+    #[inline(always)]
+    fn take_from(self, sum: T) -> T {
+        sum - self
+    }
+}
+
+/// A relation that can stand for a lesser one: what an array or vector without links hands on.
+pub trait Promote<R> {
+    /// `lesser` as a relation of this type.
+    fn promote(lesser: R) -> Self;
+}
+
+impl<R> Promote<R> for R {
+    fn promote(lesser: R) -> R {
+        lesser
+    }
+}

@@ -1,0 +1,101 @@
+//! The numbers a scene is made of.
+//!
+//! One lean trait, [`Scalar`], stands for `f32` and `f64`, for dual numbers (feature `num-dual`) and for SIMD lanes
+//! (feature `simd`). A scene has one scalar; its time and step size are the scalar's [`Real`].
+
+
+#[cfg(feature = "num-dual")]
+mod dual;
+#[cfg(feature = "simd")]
+mod lanes;
+
+
+use core::fmt::{Debug, Display};
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use num_traits::{One, Zero};
+
+/// A number that kernels can compute with: real, dual or a bundle of lanes.
+///
+/// Kernels contain no comparison and no test for zero: a test would look at the real part of a dual number only and lose
+/// derivatives, and lanes cannot branch. Decisions stand outside the kernels and look at [`real`](Scalar::real).
+pub trait Scalar:
+    Copy
+    + PartialEq
+    + Debug
+    + 'static
+    + Zero
+    + One
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+{
+    /// The plain number behind it, in which time, step sizes and decisions are expressed.
+    type Real: Real;
+
+    /// Largest magnitude [rad] for which [`sin_cos`](Scalar::sin_cos) keeps its stated accuracy.
+    const ANGLE_RANGE: Self::Real;
+
+    /// The constant `value`: no derivatives, the same in every lane.
+    fn constant(value: Self::Real) -> Self;
+
+    /// The number on which decisions are made: a dual's real part, the lane of largest magnitude (NaN if any lane is NaN).
+    fn real(self) -> Self::Real;
+
+    /// Whether every part is finite: derivative parts and all lanes included.
+    fn is_finite(self) -> bool;
+
+    /// `self * factor`, cheaper than a product of two scalars where these are duals.
+    fn scale(self, factor: Self::Real) -> Self;
+
+    /// `self * factor + addend`, fused where the target does that in hardware, two operations elsewhere.
+    fn mul_add(self, factor: Self, addend: Self) -> Self;
+
+    /// `self + factor · term`, fused where the target does that in hardware.
+    #[inline(always)]
+    fn add_scaled(self, factor: Self::Real, term: Self) -> Self {
+        self + term.scale(factor)
+    }
+
+    /// `1 / self`.
+    fn recip(self) -> Self;
+
+    /// Square root.
+    fn sqrt(self) -> Self;
+
+    /// Sine and cosine, without branches.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// Angle of the point `(x, self)` from the positive x axis [rad], in (−π, π].
+    fn atan2(self, x: Self) -> Self;
+
+    /// The constant nearest to `value`.
+    #[inline(always)]
+    fn literal(value: f64) -> Self {
+        Self::constant(Self::Real::of(value))
+    }
+}
+
+/// A plain real number, `f32` or `f64`: what time, step sizes and decisions are expressed in.
+pub trait Real: Scalar<Real = Self> + PartialOrd + Display {
+    /// Distance from one to the next larger number.
+    const EPSILON: Self;
+    /// Positive infinity.
+    const INFINITY: Self;
+    /// The nearest number to `value`.
+    fn of(value: f64) -> Self;
+    /// As `f64`, for reports.
+    fn as_f64(self) -> f64;
+    /// Magnitude.
+    fn abs(self) -> Self;
+    /// The larger of two; the other one if one is NaN.
+    fn max(self, other: Self) -> Self;
+    /// The smaller of two; the other one if one is NaN.
+    fn min(self, other: Self) -> Self;
+    /// `self` to the power `exponent`.
+    fn powf(self, exponent: Self) -> Self;
+}

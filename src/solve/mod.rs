@@ -1,0 +1,3 @@
+//! The ends closed: from relations and matrices to motion.
+
+pub mod riccati;

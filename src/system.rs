@@ -1,0 +1,301 @@
+//! A scene: root, chain and tip, validated once, and its forward and inverse dynamics.
+
+use crate::element::{Budget, Condense, Coordinates, Element, Loading, RealOf, Space, Unloaded};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault, Place};
+use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
+use crate::observe::{Bodies, Stations};
+use crate::scalar::{Real, Scalar};
+use crate::solve::riccati::{Workspace, broken_load, sweep};
+use num_traits::Zero;
+
+/// A mechanical scene. It holds parameters only; its motion is a value of its own ([`Motion`]).
+///
+/// `planar::System` is this type in the plane.
+#[derive(Clone, Debug)]
+pub struct System<S: Space, R: Root<S>, C, P> {
+    root: R,
+    /// The root's joint and the chain: to a sweep the ground is outside, and the joint is an element.
+    chain: (R::Joint, C),
+    tip: P,
+    gravity: S::Vector,
+}
+
+/// The elements of a scene.
+pub type Elements<S, R, C> = (<R as Root<S>>::Joint, C);
+/// The motion of a scene.
+pub type MotionOf<S, R, C> = Motion<<S as Space>::Scalar, <Elements<S, R, C> as Element<S>>::Position>;
+/// The accelerations of a scene.
+type RateOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Rate;
+/// The room for the sweeps of a scene.
+pub type WorkspaceOf<S, R, C, L> = Workspace<S, Elements<S, R, C>, L>;
+
+impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// A scene from its inboard end to its outboard end.
+    ///
+    /// # Errors
+    /// A parameter that makes no mechanics (a negative or NaN mass, a zero length) with its station, or a chain that has no
+    /// body.
+    pub fn new(root: R, chain: C, tip: P) -> Result<Self, Error>
+    where
+        Elements<S, R, C>: Condense<S, P::Relation, Unloaded>,
+    {
+        root.check()?;
+        chain.check(0)?;
+        tip.check()?;
+        if chain.bodies() == 0 {
+            return Err(Error::new(Fault::NoBodies));
+        }
+        Ok(Self { chain: (root.joint(), chain), root, tip, gravity: S::no_gravity() })
+    }
+
+    /// The same scene in a uniform field of gravity [m/s²].
+    #[must_use]
+    pub fn with_gravity_vector(self, gravity: S::Vector) -> Self {
+        Self { gravity, ..self }
+    }
+
+    /// Gravity [m/s²].
+    pub fn gravity(&self) -> S::Vector {
+        self.gravity
+    }
+
+    /// The chain between the ends.
+    pub fn chain(&self) -> &C {
+        &self.chain.1
+    }
+
+    /// Number of bodies.
+    pub fn bodies(&self) -> usize {
+        self.chain.bodies()
+    }
+
+    /// Number of joints, the root's included.
+    pub fn joints(&self) -> usize {
+        self.chain.joints()
+    }
+
+    /// A motion at time zero with all coordinates, rates and accelerations zero.
+    pub fn motion(&self) -> MotionOf<S, R, C> {
+        let (position, rate) = (self.chain.position(), self.chain.rate());
+        Motion { time: Zero::zero(), position, acceleration: rate.clone(), rate }
+    }
+
+    /// A motion at rest with these absolute orientations: one number for each rotary coordinate, root to tip. In the plane
+    /// it is the angle [rad] of the body outboard of each joint.
+    ///
+    /// Its accelerations are not yet known (zero): see [`with_accelerations`](Self::with_accelerations).
+    ///
+    /// # Errors
+    /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`].
+    pub fn at_rest(&self, orientations: &[S::Scalar]) -> Result<MotionOf<S, R, C>, Error> {
+        let mut motion = self.motion();
+        let ground = self.root.ground(motion.time);
+        let mut expected = 0;
+        let mut next = || {
+            expected += 1;
+            orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
+        };
+        self.chain.aim(&mut motion.position, S::turn(&ground), &mut next);
+        if expected != orientations.len() {
+            return Err(Error::new(Fault::Count { expected, given: orientations.len() }));
+        }
+        if !orientations.iter().all(|x| x.is_finite()) {
+            return Err(Error::new(Fault::NotFinite { parameter: "orientation" }));
+        }
+        Ok(motion)
+    }
+
+    /// Rates of the joint coordinates, one number each, root to tip (for pins in the plane, the angular velocities of the
+    /// bodies [rad/s]).
+    ///
+    /// # Errors
+    /// [`Fault::Count`] when there are more or fewer numbers than coordinates, [`Fault::NotFinite`].
+    pub fn with_rates(
+        &self,
+        mut motion: MotionOf<S, R, C>,
+        rates: &[S::Scalar],
+    ) -> Result<MotionOf<S, R, C>, Error> {
+        let mut expected = 0;
+        motion.rate.replace(&mut |_| {
+            expected += 1;
+            rates.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
+        });
+        if expected != rates.len() {
+            return Err(Error::new(Fault::Count { expected, given: rates.len() }));
+        }
+        if !rates.iter().all(|x| x.is_finite()) {
+            return Err(Error::new(Fault::NotFinite { parameter: "rate" }));
+        }
+        Ok(motion)
+    }
+
+    /// Motion of every body, in one walk outward.
+    pub fn body_motions(&self, motion: &MotionOf<S, R, C>) -> Bodies<'_, S, Elements<S, R, C>> {
+        Bodies::of(&self.chain, self.root.ground(motion.time), motion)
+    }
+
+    /// Inverse dynamics: motion, internal force and torque at every station, from positions, rates and accelerations.
+    ///
+    /// With the accelerations of [`with_accelerations`](Self::with_accelerations) these are the forces of the motion. With
+    /// accelerations of the user's choice they are what it takes: the torque a joint must exert ON its outboard body is −m
+    /// at its station.
+    pub fn stations<L: Loading<S>>(
+        &self,
+        motion: &MotionOf<S, R, C>,
+        loads: &L,
+    ) -> Stations<'_, S, Elements<S, R, C>> {
+        Stations::of(&self.chain, self.root.ground(motion.time), self.gravity, motion, loads)
+    }
+
+    /// Energy and momentum of all bodies.
+    pub fn budget(&self, motion: &MotionOf<S, R, C>) -> Budget<S> {
+        self.body_motions(motion).budget(self.gravity)
+    }
+}
+
+/// What a stepper needs of a scene with loads of type `L`: one implementor, [`System`], whose bounds are long.
+pub trait Dynamics<L> {
+    /// The space.
+    type Space: Space<Scalar = Self::Scalar>;
+    /// The numbers.
+    type Scalar: Scalar;
+    /// Positions of the joint coordinates.
+    type Position: Position<Self::Scalar, Rate = Self::Rate>;
+    /// Their rates.
+    type Rate: Rate<Self::Scalar>;
+    /// Room for sweeps.
+    type Workspace;
+
+    /// Room for sweeps.
+    fn workspace(&self) -> Self::Workspace;
+
+    /// A motion with all coordinates zero.
+    fn still(&self) -> Motion<Self::Scalar, Self::Position>;
+
+    /// One sweep: accelerations from time, positions and rates.
+    fn accelerations(
+        &self,
+        time: <Self::Scalar as Scalar>::Real,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        loads: &L,
+        workspace: &mut Self::Workspace,
+        acceleration: &mut Self::Rate,
+    );
+
+    /// Where and why the sweep at a motion failed, for a motion that came out not finite.
+    fn diagnose(
+        &self,
+        motion: &Motion<Self::Scalar, Self::Position>,
+        loads: &L,
+        workspace: &mut Self::Workspace,
+    ) -> Error;
+}
+
+impl<S, R, C, P, L> Dynamics<L> for System<S, R, C, P>
+where
+    S: Space,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    L: Loading<S>,
+    Elements<S, R, C>: Condense<S, P::Relation, L>,
+{
+    type Space = S;
+    type Scalar = S::Scalar;
+    type Position = <Elements<S, R, C> as Element<S>>::Position;
+    type Rate = RateOf<S, R, C>;
+    type Workspace = WorkspaceOf<S, R, C, L>;
+
+    fn workspace(&self) -> Self::Workspace {
+        Workspace::new(&self.chain)
+    }
+
+    fn still(&self) -> MotionOf<S, R, C> {
+        self.motion()
+    }
+
+    #[inline]
+    fn accelerations(
+        &self,
+        time: RealOf<S>,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        loads: &L,
+        workspace: &mut Self::Workspace,
+        acceleration: &mut Self::Rate,
+    ) {
+        let ground = self.root.ground(time);
+        let tip = self.tip.relation();
+        sweep(&self.chain, &ground, self.gravity, tip, loads, time, position, rate, workspace, acceleration);
+    }
+
+    fn diagnose(&self, motion: &MotionOf<S, R, C>, loads: &L, workspace: &mut Self::Workspace) -> Error {
+        let time = motion.time;
+        let error = |fault| Error::new(fault).at_time(time.as_f64());
+        let place = |entry: usize| entry.checked_sub(1).map_or(Place::Root, Place::Station); // entry 0: the root's joint
+        let mut finite = true;
+        motion.position.visit(&mut |x| finite &= x.is_finite());
+        motion.rate.visit(&mut |x| finite &= x.is_finite());
+        if !finite {
+            return error(Fault::NonFiniteMotion);
+        }
+        let ground = self.root.ground(time);
+        let coordinates =
+            Coordinates { position: &motion.position, rate: &motion.rate, acceleration: &motion.acceleration };
+        if let Some(entry) = broken_load(&self.chain, &ground, loads, time, coordinates) {
+            return error(Fault::NonFiniteLoad).at(place(entry));
+        }
+        let mut acceleration = motion.acceleration.clone();
+        self.accelerations(time, &motion.position, &motion.rate, loads, workspace, &mut acceleration);
+        match self.chain.broken(&workspace.kept, 0) {
+            Some(entry) => error(Fault::SingularJoint).at(place(entry)),
+            None => error(Fault::NonFiniteMotion),
+        }
+    }
+}
+
+impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// Forward dynamics: the same motion with the accelerations that its positions, rates and loads cause.
+    ///
+    /// # Errors
+    /// [`Fault::SingularJoint`], [`Fault::NonFiniteLoad`] or [`Fault::NonFiniteMotion`], with time and station;
+    /// [`Fault::Shape`] for a motion of another scene.
+    pub fn with_accelerations<L: Loading<S>>(
+        &self,
+        mut motion: MotionOf<S, R, C>,
+        loads: &L,
+    ) -> Result<MotionOf<S, R, C>, Error>
+    where
+        Elements<S, R, C>: Condense<S, P::Relation, L>,
+    {
+        let mut workspace = self.workspace();
+        self.accelerate(&mut motion, loads, &mut workspace)?;
+        Ok(motion)
+    }
+
+    /// [`with_accelerations`](Self::with_accelerations) in place, in a workspace of the caller's.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn accelerate<L: Loading<S>>(
+        &self,
+        motion: &mut MotionOf<S, R, C>,
+        loads: &L,
+        workspace: &mut WorkspaceOf<S, R, C, L>,
+    ) -> Result<(), Error>
+    where
+        Elements<S, R, C>: Condense<S, P::Relation, L>,
+    {
+        if !motion.fits(&self.motion()) {
+            return Err(Error::new(Fault::Shape));
+        }
+        let Motion { time, position, rate, acceleration } = motion;
+        self.accelerations(*time, position, rate, loads, workspace, acceleration);
+        let mut finite = true;
+        acceleration.visit(&mut |x| finite &= x.is_finite());
+        if finite { Ok(()) } else { Err(self.diagnose(motion, loads, workspace)) }
+    }
+}
