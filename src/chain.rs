@@ -210,14 +210,16 @@ macro_rules! chain_tuple {
 }
 for_each_tuple!(chain_tuple);
 
-/// Cuts slices to the length of the shortest, so that loops over them need no bounds checks.
-macro_rules! cut {
-    ($n:ident: $($slice:ident)*; mut $($change:ident)*) => {
-        let $n = usize::MAX;
-        $(let $n = $n.min($slice.len());)*
-        $(let $n = $n.min($change.len());)*
-        $(let $slice = &$slice[..$n];)*
-        $(let $change = &mut $change[..$n];)*
+/// Binds slices that march together, and leaves where they differ in length: then loops over them need no bounds checks.
+/// Stores are made by the chain that walks them, and motions are compared with their scene before, so they do not differ.
+macro_rules! march {
+    ($n:ident: $first:ident $($slice:ident)*; mut $($change:ident)*; else $otherwise:expr) => {
+        let $n = $first.len();
+        $(let $slice = &$slice[..];)*
+        $(let $change = &mut $change[..];)*
+        if false $(|| $slice.len() != $n)* $(|| $change.len() != $n)* {
+            return $otherwise;
+        }
     };
 }
 
@@ -334,7 +336,7 @@ macro_rules! chain_items {
                 spin: &mut Self::PerBody<S::Spin>,
             ) -> S::Turn {
                 let items = &self[..];
-                cut!(n: items position rate; mut cosine spin);
+                march!(n: items position rate; mut cosine spin; else turn);
                 let mut turn = turn;
                 for i in 0..n {
                     turn = items[i].orient(&position[i], &rate[i], turn, &mut cosine[i], &mut spin[i]);
@@ -344,7 +346,7 @@ macro_rules! chain_items {
             #[inline]
             fn resolve(&self, cosine: &mut Self::PerBody<S::Cosine>, sine: &mut Self::PerBody<S::Sine>) {
                 let items = &self[..];
-                cut!(n: items; mut cosine sine);
+                march!(n: items; mut cosine sine; else ());
                 for i in 0..n {
                     items[i].resolve(&mut cosine[i], &mut sine[i]);
                 }
@@ -359,7 +361,7 @@ macro_rules! chain_items {
             ) -> S::Acceleration {
                 let Posture { cosine, sine, spin } = posture;
                 let items = &self[..];
-                cut!(n: items cosine sine spin kept; mut rate);
+                march!(n: items cosine sine spin kept; mut rate; else acceleration);
                 let mut acceleration = acceleration;
                 for i in 0..n {
                     let posture = Posture { cosine: &cosine[i], sine: &sine[i], spin: &spin[i] };
@@ -378,7 +380,7 @@ macro_rules! chain_items {
             ) -> S::Frame {
                 let Coordinates { position, rate, acceleration } = motion;
                 let items = &self[..];
-                cut!(n: items position rate acceleration; mut on_bodies in_joints);
+                march!(n: items position rate acceleration; mut on_bodies in_joints; else frame);
                 let mut frame = frame;
                 for i in 0..n {
                     let motion =
@@ -426,7 +428,7 @@ macro_rules! chain_items {
                 let Posture { cosine, sine, spin } = posture;
                 let Applied { on_bodies, in_joints } = loads;
                 let items = &self[..];
-                cut!(n: items cosine sine spin on_bodies in_joints; mut kept);
+                march!(n: items cosine sine spin on_bodies in_joints; mut kept; else Q::promote(outer));
                 let at = |i: usize| {
                     let posture: Posture<'_, S, A> =
                         Posture { cosine: &cosine[i], sine: &sine[i], spin: &spin[i] };

@@ -88,6 +88,8 @@ pub trait Space: Copy + Debug + 'static {
     fn falling(frame: &Self::Frame, gravity: Self::Vector) -> Self::Acceleration;
     /// No force, no torque.
     fn no_force() -> Self::Internal;
+    /// Gravity of magnitude g [m/s²] along −y.
+    fn downward(g: Self::Scalar) -> Self::Vector;
     /// No gravity.
     fn no_gravity() -> Self::Vector;
     /// Whether a vector is finite.

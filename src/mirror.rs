@@ -100,21 +100,8 @@ impl<T: Scalar> Position<T> for T {
     }
 }
 
-/// Cuts slices to the length of the shortest, so that a loop over them needs no bounds checks.
-macro_rules! cut {
-    ($first:ident, $($more:ident),* ; $body:expr) => {{
-        let n = $first.len();
-        $(let n = n.min($more.len());)*
-        let $first = &mut $first[..n];
-        $(let $more = &$more[..n];)*
-        #[allow(clippy::needless_range_loop)] // several slices march together
-        for i in 0..n {
-            $body(i, &mut $first[i] $(, &$more[i])*);
-        }
-    }};
-}
-
-/// What arrays and vectors share: a mirror of equal items.
+/// What arrays and vectors share: a mirror of equal items. Mirrors of different lengths are left as they are; motions are
+/// compared with their scene before they come here.
 mod items {
     use super::{Position, Rate, Scalar};
 
@@ -130,10 +117,13 @@ mod items {
         weights: &[T::Real; M],
         terms: [&[A]; M],
     ) {
-        let n = terms.iter().fold(items.len(), |n, term| n.min(term.len()));
-        let terms = terms.map(|term| &term[..n]);
-        let items = &mut items[..n];
-        cut!(items, base; |i, item: &mut A, base| item.combine(base, weights, nth(&terms, i)));
+        let n = items.len();
+        if base.len() != n || terms.iter().any(|term| term.len() != n) {
+            return;
+        }
+        for i in 0..n {
+            items[i].combine(&base[i], weights, nth(&terms, i));
+        }
     }
 
     #[inline(always)]
@@ -145,10 +135,13 @@ mod items {
         weights: &[T::Real; M],
         terms: [&[A::Rate]; M],
     ) {
-        let n = terms.iter().fold(items.len(), |n, term| n.min(term.len()));
-        let terms = terms.map(|term| &term[..n]);
-        let items = &mut items[..n];
-        cut!(items, from, rate; |i, item: &mut A, from, rate| item.drift(from, time, rate, weights, nth(&terms, i)));
+        let n = items.len();
+        if from.len() != n || rate.len() != n || terms.iter().any(|term| term.len() != n) {
+            return;
+        }
+        for i in 0..n {
+            items[i].drift(&from[i], time, &rate[i], weights, nth(&terms, i));
+        }
     }
 }
 

@@ -200,6 +200,9 @@ impl<T: Scalar> Space for Planar<T> {
     fn no_force() -> Internal<T> {
         Internal { force: zero(), torque: T::zero() }
     }
+    fn downward(g: T) -> Vector2<T> {
+        Vector2::new(T::zero(), -g)
+    }
     fn no_gravity() -> Vector2<T> {
         zero()
     }

@@ -3,12 +3,12 @@
 //! One lean trait, [`Scalar`], stands for `f32` and `f64`, for dual numbers (feature `num-dual`) and for SIMD lanes
 //! (feature `simd`). A scene has one scalar; its time and step size are the scalar's [`Real`].
 
-
 #[cfg(feature = "num-dual")]
 mod dual;
+mod float;
 #[cfg(feature = "simd")]
 mod lanes;
-
+mod trig;
 
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
