@@ -6,8 +6,8 @@
 //! the relation stays the same.
 
 use crate::element::{Applied, Condense, Coordinates, Element, Loading, Posture, Space, Visit};
-use crate::relation::Promote;
 use crate::error::Error;
+use crate::relation::Promote;
 use crate::tuples::for_each_tuple;
 
 /// `a + b` of counts that types may or may not decide.

@@ -72,6 +72,8 @@ pub trait Space: Copy + Debug + 'static {
     type Station: Copy + Debug;
     /// A vector: gravity, momentum.
     type Vector: Copy + Debug + PartialEq;
+    /// Orientation of a body in angles [rad]: one in the plane, three in space.
+    type Angles: Copy + Debug;
     /// Angular momentum.
     type Moment: Copy + Debug;
     /// A body and its motion at an instant.
@@ -84,6 +86,10 @@ pub trait Space: Copy + Debug + 'static {
 
     /// The orientation part of a frame.
     fn turn(frame: &Self::Frame) -> Self::Turn;
+    /// The orientation of a body in angles.
+    fn angles(body: &Self::BodyMotion) -> Self::Angles;
+    /// The angle [rad] of a body that is too large for accurate sines, if it is.
+    fn angle_out_of_range(body: &Self::BodyMotion) -> Option<f64>;
     /// The acceleration of a frame as seen by one that falls freely: a − g.
     fn falling(frame: &Self::Frame, gravity: Self::Vector) -> Self::Acceleration;
     /// No force, no torque.
@@ -180,12 +186,7 @@ pub trait Element<S: Space>: Clone {
 
     /// Gives each joint the coordinates that turn its outboard body to an absolute orientation; `next` yields one number
     /// for each rotary coordinate, root to tip.
-    fn aim(
-        &self,
-        position: &mut Self::Position,
-        inboard: S::Turn,
-        next: &mut impl FnMut() -> S::Scalar,
-    ) -> S::Turn;
+    fn aim(&self, position: &mut Self::Position, inboard: S::Turn, next: &mut impl FnMut() -> S::Scalar) -> S::Turn;
 
     /// Carries the orientation outward and stores, for each body, its angular velocity and what `resolve` needs.
     fn orient(
@@ -227,7 +228,6 @@ pub trait Element<S: Space>: Clone {
         joints: &mut Self::PerJoint<X>,
         visit: &mut impl FnMut(&mut X),
     );
-
 
     /// The outermost joint whose gains are not finite: the station, counted from `station`, where a sweep failed.
     fn broken(&self, kept: &Self::Kept, station: usize) -> Option<usize>;

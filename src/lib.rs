@@ -19,9 +19,12 @@ pub mod observe;
 pub mod planar;
 pub mod relation;
 pub mod scalar;
+pub mod simulate;
 pub mod solve;
 mod state;
+pub mod stepper;
 pub mod system;
+pub mod time;
 
 pub use error::{Error, Fault, Place};
 pub use motion::Motion;

@@ -5,7 +5,7 @@
 //! by them ([`Position::drift`]). In the plane positions are numbers like rates; a rotation in space displaces by its
 //! exponential map instead, and nothing else changes.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::tuples::for_each_tuple;
 
 /// Rates or accelerations of all joint coordinates: a linear space.
@@ -38,6 +38,10 @@ pub trait Position<T: Scalar>: Clone {
         weights: &[T::Real; M],
         terms: [&Self::Rate; M],
     );
+
+    /// Calls `note` with each number of a displacement from here, root to tip, and the size by which to measure it relatively
+    /// (that of the coordinate).
+    fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T::Real));
 
     /// Calls `visit` with each number stored, root to tip.
     fn visit(&self, visit: &mut impl FnMut(T));
@@ -76,15 +80,12 @@ impl<T: Scalar> Position<T> for T {
     type Rate = T;
 
     #[inline(always)]
-    fn drift<const M: usize>(
-        &mut self,
-        from: &Self,
-        time: T::Real,
-        rate: &T,
-        weights: &[T::Real; M],
-        terms: [&T; M],
-    ) {
+    fn drift<const M: usize>(&mut self, from: &Self, time: T::Real, rate: &T, weights: &[T::Real; M], terms: [&T; M]) {
         self.combine(&from.add_scaled(time, *rate), weights, terms);
+    }
+    #[inline(always)]
+    fn measure(&self, displacement: &T, note: &mut impl FnMut(T, T::Real)) {
+        note(*displacement, self.real().abs());
     }
     #[inline(always)]
     fn visit(&self, visit: &mut impl FnMut(T)) {
@@ -182,6 +183,10 @@ macro_rules! mirror_items {
                 items::drift(self, from, time, rate, weights, terms.map(|term| &term[..]));
             }
             #[inline]
+            fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T::Real)) {
+                self.iter().zip(displacement).for_each(|(item, displacement)| item.measure(displacement, note));
+            }
+            #[inline]
             fn visit(&self, visit: &mut impl FnMut(T)) {
                 self.iter().for_each(|item| item.visit(visit));
             }
@@ -236,6 +241,10 @@ macro_rules! mirror_tuple {
                 _terms: [&Self::Rate; M],
             ) {
                 $(self.$i.drift(&_from.$i, _time, &_rate.$i, _weights, _terms.map(|term| &term.$i));)*
+            }
+            #[inline(always)]
+            fn measure(&self, _displacement: &Self::Rate, _note: &mut impl FnMut(T, T::Real)) {
+                $(self.$i.measure(&_displacement.$i, _note);)*
             }
             #[inline(always)]
             fn visit(&self, _visit: &mut impl FnMut(T)) {

@@ -100,7 +100,10 @@ impl<T: Scalar, P: Position<T>> fmt::Debug for Motion<T, P> {
             .field("time", &self.time)
             .field("position", &List(|list: &mut DebugList<'_, '_>| self.position.visit(&mut |x| _ = list.entry(&x))))
             .field("rate", &List(|list: &mut DebugList<'_, '_>| self.rate.visit(&mut |x| _ = list.entry(&x))))
-            .field("acceleration", &List(|list: &mut DebugList<'_, '_>| self.acceleration.visit(&mut |x| _ = list.entry(&x))))
+            .field(
+                "acceleration",
+                &List(|list: &mut DebugList<'_, '_>| self.acceleration.visit(&mut |x| _ = list.entry(&x))),
+            )
             .finish()
     }
 }

@@ -1,21 +1,27 @@
 //! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
 
 use crate::counts::HasBody;
-use crate::element::{Budget, Coordinates, Element, Load, Loading, Space, Visit};
+use crate::element::{Coordinates, Element, Load, Loading, Space, Visit};
 use crate::motion::Motion;
-use core::marker::PhantomData;
+use core::fmt;
 
-/// Motion of every body of a scene, by number.
+/// Something of every body of a scene, by number.
 #[derive(Clone)]
-pub struct Bodies<'a, S: Space, E: Element<S>> {
+pub struct PerBody<'a, S: Space, E: Element<S>, X: Copy> {
     chain: &'a E,
-    bodies: E::PerBody<Option<S::BodyMotion>>,
+    bodies: E::PerBody<Option<X>>,
 }
 
-impl<'a, S: Space, E: Element<S>> Bodies<'a, S, E> {
-    pub(crate) fn of(chain: &'a E, ground: S::Frame, motion: &Motion<S::Scalar, E::Position>) -> Self {
+impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
+    /// Walks a motion outward and keeps what `read` says of each body.
+    pub(crate) fn of(
+        chain: &'a E,
+        ground: S::Frame,
+        motion: &Motion<S::Scalar, E::Position>,
+        read: impl FnMut(&S::BodyMotion) -> X,
+    ) -> Self {
         let mut bodies = chain.per_body(None);
-        chain.travel(ground, coordinates(motion), &mut Collect(PhantomData), &mut bodies, &mut chain.per_joint(()));
+        chain.travel(ground, coordinates(motion), &mut Collect(read), &mut bodies, &mut chain.per_joint(()));
         Self { chain, bodies }
     }
 
@@ -29,36 +35,37 @@ impl<'a, S: Space, E: Element<S>> Bodies<'a, S, E> {
         self.len() == 0
     }
 
-    /// Body number `k`, counted from 0 at the root.
-    pub fn get(&self, k: usize) -> Option<&S::BodyMotion> {
+    /// That of body number `k`, counted from 0 at the root.
+    pub fn get(&self, k: usize) -> Option<&X> {
         self.chain.body_entry(&self.bodies, k)?.as_ref()
     }
 
-    /// Body number `K`; a scene without such a body does not compile.
+    /// That of body number `K`; a scene without such a body does not compile.
     ///
     /// ```
     /// # use catena::planar::*;
     /// # let rod = Rod::uniform(1.0, 1.0);
     /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
     /// let start = pendulum.at_rest(&[0.0, 0.5])?;
-    /// assert_eq!(pendulum.body_motions(&start).body::<1>().map(|body| body.angle()), Some(0.5));
+    /// assert_eq!(pendulum.angles(&start).body::<1>(), Some(&0.5));
     /// # Ok::<(), catena::Error>(())
     /// ```
-    pub fn body<const K: usize>(&self) -> Option<&S::BodyMotion>
+    pub fn body<const K: usize>(&self) -> Option<&X>
     where
         E: HasBody<K>,
     {
         self.get(K)
     }
 
-    /// All bodies, root to tip.
-    pub fn iter(&self) -> impl Iterator<Item = &S::BodyMotion> {
+    /// Those of all bodies, root to tip.
+    pub fn iter(&self) -> impl Iterator<Item = &X> {
         (0..self.len()).filter_map(|k| self.get(k))
     }
+}
 
-    /// Their energy and momentum in a field of gravity.
-    pub(crate) fn budget(&self, gravity: S::Vector) -> Budget<S> {
-        S::total(self.iter().map(|body| S::budget(body, gravity)))
+impl<S: Space, E: Element<S>, X: Copy + fmt::Debug> fmt::Debug for PerBody<'_, S, E, X> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.iter()).finish()
     }
 }
 
@@ -126,15 +133,15 @@ fn coordinates<S: Space, E: Element<S>>(motion: &Motion<S::Scalar, E::Position>)
     Coordinates { position: &motion.position, rate: &motion.rate, acceleration: &motion.acceleration }
 }
 
-/// Copies each body's motion.
-struct Collect<S>(PhantomData<S>);
+/// Keeps something of each body.
+struct Collect<F>(F);
 
-impl<S: Space> Visit<S> for Collect<S> {
-    type OnBody = Option<S::BodyMotion>;
+impl<S: Space, X: Copy, F: FnMut(&S::BodyMotion) -> X> Visit<S> for Collect<F> {
+    type OnBody = Option<X>;
     type InJoint = ();
 
-    fn body(&mut self, body: &S::BodyMotion) -> Option<S::BodyMotion> {
-        Some(*body)
+    fn body(&mut self, body: &S::BodyMotion) -> Option<X> {
+        Some((self.0)(body))
     }
     fn joint(&mut self, _: &S::JointMotion) {}
 }

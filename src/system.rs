@@ -5,7 +5,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
-use crate::observe::{Bodies, Stations};
+use crate::observe::{PerBody, Stations};
 use crate::scalar::{Real, Scalar};
 use crate::solve::riccati::{Workspace, broken_load, sweep};
 use num_traits::Zero;
@@ -57,7 +57,10 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// g
-    pub fn with_gravity(self, g: S::Scalar) -> Self { let gravity = S::downward(g); Self { gravity, ..self } }
+    pub fn with_gravity(self, g: S::Scalar) -> Self {
+        let gravity = S::downward(g);
+        Self { gravity, ..self }
+    }
     /// Gravity [m/s²].
     pub fn gravity(&self) -> S::Vector {
         self.gravity
@@ -114,11 +117,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::Count`] when there are more or fewer numbers than coordinates, [`Fault::NotFinite`].
-    pub fn with_rates(
-        &self,
-        mut motion: MotionOf<S, R, C>,
-        rates: &[S::Scalar],
-    ) -> Result<MotionOf<S, R, C>, Error> {
+    pub fn with_rates(&self, mut motion: MotionOf<S, R, C>, rates: &[S::Scalar]) -> Result<MotionOf<S, R, C>, Error> {
         let mut expected = 0;
         motion.rate.replace(&mut |_| {
             expected += 1;
@@ -134,8 +133,13 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// Motion of every body, in one walk outward.
-    pub fn body_motions(&self, motion: &MotionOf<S, R, C>) -> Bodies<'_, S, Elements<S, R, C>> {
-        Bodies::of(&self.chain, self.root.ground(motion.time), motion)
+    pub fn body_motions(&self, motion: &MotionOf<S, R, C>) -> PerBody<'_, S, Elements<S, R, C>, S::BodyMotion> {
+        PerBody::of(&self.chain, self.root.ground(motion.time), motion, |body| *body)
+    }
+
+    /// Orientation of every body: in the plane absolute angles [rad].
+    pub fn angles(&self, motion: &MotionOf<S, R, C>) -> PerBody<'_, S, Elements<S, R, C>, S::Angles> {
+        PerBody::of(&self.chain, self.root.ground(motion.time), motion, S::angles)
     }
 
     /// Inverse dynamics: motion, internal force and torque at every station, from positions, rates and accelerations.
@@ -143,17 +147,13 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// With the accelerations of [`with_accelerations`](Self::with_accelerations) these are the forces of the motion. With
     /// accelerations of the user's choice they are what it takes: the torque a joint must exert ON its outboard body is −m
     /// at its station.
-    pub fn stations<L: Loading<S>>(
-        &self,
-        motion: &MotionOf<S, R, C>,
-        loads: &L,
-    ) -> Stations<'_, S, Elements<S, R, C>> {
+    pub fn stations<L: Loading<S>>(&self, motion: &MotionOf<S, R, C>, loads: &L) -> Stations<'_, S, Elements<S, R, C>> {
         Stations::of(&self.chain, self.root.ground(motion.time), self.gravity, motion, loads)
     }
 
     /// Energy and momentum of all bodies.
     pub fn budget(&self, motion: &MotionOf<S, R, C>) -> Budget<S> {
-        self.body_motions(motion).budget(self.gravity)
+        S::total(self.body_motions(motion).iter().map(|body| S::budget(body, self.gravity)))
     }
 }
 
@@ -186,6 +186,12 @@ pub trait Dynamics<L> {
         workspace: &mut Self::Workspace,
         acceleration: &mut Self::Rate,
     );
+
+    /// Whether a motion may stand: finite, and no angle out of range.
+    ///
+    /// # Errors
+    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`].
+    fn accept(&self, motion: &Motion<Self::Scalar, Self::Position>) -> Result<(), Error>;
 
     /// Where and why the sweep at a motion failed, for a motion that came out not finite.
     fn diagnose(
@@ -232,6 +238,27 @@ where
         let ground = self.root.ground(time);
         let tip = self.tip.relation();
         sweep(&self.chain, &ground, self.gravity, tip, loads, time, position, rate, workspace, acceleration);
+    }
+
+    fn accept(&self, motion: &MotionOf<S, R, C>) -> Result<(), Error> {
+        let (mut finite, mut far) = (true, false);
+        motion.position.visit(&mut |x| {
+            finite &= x.is_finite();
+            far |= x.real().abs() > S::Scalar::ANGLE_RANGE;
+        });
+        motion.rate.visit(&mut |x| finite &= x.is_finite());
+        motion.acceleration.visit(&mut |x| finite &= x.is_finite());
+        let error = |fault| Err(Error::new(fault).at_time(motion.time.as_f64()));
+        if !finite {
+            return error(Fault::NonFiniteMotion);
+        }
+        if far {
+            let bodies = self.body_motions(motion);
+            if let Some(angle) = bodies.iter().find_map(S::angle_out_of_range) {
+                return error(Fault::AngleOutOfRange { angle });
+            }
+        }
+        Ok(())
     }
 
     fn diagnose(&self, motion: &MotionOf<S, R, C>, loads: &L, workspace: &mut Self::Workspace) -> Error {

@@ -150,13 +150,7 @@ impl<T: Scalar> Joint<T> for Floating {
         Turn { angle: position.2, rate: rate.2 }
     }
     #[inline(always)]
-    fn moved(
-        &self,
-        inboard: Frame<T>,
-        position: &(T, T, T),
-        rate: &(T, T, T),
-        acceleration: &(T, T, T),
-    ) -> Frame<T> {
+    fn moved(&self, inboard: Frame<T>, position: &(T, T, T), rate: &(T, T, T), acceleration: &(T, T, T)) -> Frame<T> {
         Frame {
             place: inboard.place + Vector2::new(position.0, position.1),
             velocity: inboard.velocity + Vector2::new(rate.0, rate.1),
@@ -168,12 +162,7 @@ impl<T: Scalar> Joint<T> for Floating {
         }
     }
     #[inline(always)]
-    fn recovered(
-        &self,
-        inboard: Acceleration<T>,
-        kept: &Acceleration<T>,
-        rate: &mut (T, T, T),
-    ) -> Acceleration<T> {
+    fn recovered(&self, inboard: Acceleration<T>, kept: &Acceleration<T>, rate: &mut (T, T, T)) -> Acceleration<T> {
         // The sweep's ground falls upward by gravity; coordinates are relative to the ground.
         let relative = kept.linear - inboard.linear;
         *rate = (relative.x, relative.y, kept.angular);

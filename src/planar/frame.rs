@@ -182,6 +182,7 @@ impl<T: Scalar> Space for Planar<T> {
     type Internal = Internal<T>;
     type Station = Station<T>;
     type Vector = Vector2<T>;
+    type Angles = T;
     type Moment = T;
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
@@ -196,6 +197,13 @@ impl<T: Scalar> Space for Planar<T> {
     #[inline(always)]
     fn falling(frame: &Frame<T>, gravity: Vector2<T>) -> Acceleration<T> {
         Acceleration { linear: frame.acceleration.linear - gravity, ..frame.acceleration }
+    }
+    fn angles(body: &BodyMotion<T>) -> T {
+        body.angle()
+    }
+    fn angle_out_of_range(body: &BodyMotion<T>) -> Option<f64> {
+        let angle = body.angle().real();
+        (angle.abs() > T::ANGLE_RANGE).then(|| angle.as_f64())
     }
     fn no_force() -> Internal<T> {
         Internal { force: zero(), torque: T::zero() }
@@ -222,8 +230,7 @@ impl<T: Scalar> Space for Planar<T> {
         station.close(outer)
     }
     fn total(budgets: impl Iterator<Item = Budget<Self>>) -> Budget<Self> {
-        let none =
-            Budget { kinetic: T::zero(), potential: T::zero(), momentum: zero(), angular_momentum: T::zero() };
+        let none = Budget { kinetic: T::zero(), potential: T::zero(), momentum: zero(), angular_momentum: T::zero() };
         budgets.fold(none, |sum, body| Budget {
             kinetic: sum.kinetic + body.kinetic,
             potential: sum.potential + body.potential,

@@ -21,6 +21,7 @@ mod rigid_body;
 mod rod;
 mod station;
 
+pub use crate::time::{Dop853, Dopri5, Rk4};
 pub use body::{Body, Inertia};
 pub use ends::{Floating, Free, Ground, GroundMotion, Moving, Pinned};
 pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Planar, Turn};
@@ -31,7 +32,6 @@ pub use point_mass::PointMass;
 pub use rigid_body::RigidBody;
 pub use rod::Rod;
 pub use station::{Station, index};
-
 
 /// A planar scene.
 pub type System<T, R, C, P> = crate::system::System<Planar<T>, R, C, P>;

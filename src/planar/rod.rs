@@ -64,11 +64,7 @@ impl<T: Scalar> Body<T> for Rod<T> {
 
     #[inline(always)]
     fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T> {
-        outer
-            .with_mass(self.outer)
-            .carried(self.arm(cosine, sine), spin2)
-            .with_mass(self.inner)
-            .with_inertia(self.rest)
+        outer.with_mass(self.outer).carried(self.arm(cosine, sine), spin2).with_mass(self.inner).with_inertia(self.rest)
     }
 
     fn check(&self) -> Result<(), Fault> {

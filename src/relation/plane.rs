@@ -88,11 +88,7 @@ impl<T: Scalar> Symmetric2<T> {
     /// S − u wᵀ for parallel u and w, so that the result is symmetric.
     #[inline(always)]
     pub fn minus_outer(self, u: Vector2<T>, w: Vector2<T>) -> Self {
-        Self {
-            xx: (-u.x).mul_add(w.x, self.xx),
-            xy: (-u.x).mul_add(w.y, self.xy),
-            yy: (-u.y).mul_add(w.y, self.yy),
-        }
+        Self { xx: (-u.x).mul_add(w.x, self.xx), xy: (-u.x).mul_add(w.y, self.xy), yy: (-u.y).mul_add(w.y, self.yy) }
     }
 }
 
@@ -255,11 +251,7 @@ impl<T: Scalar> Full<T> {
     /// Adds a first moment σ = m d_C [kg·m] about the station, of a body that turns at a rate with square `spin2`.
     #[inline(always)]
     pub fn with_first_moment(self, moment: Vector2<T>, spin2: T) -> Self {
-        Self {
-            coupling: self.coupling + normal(moment),
-            force: add_scaled(self.force, -spin2, moment),
-            ..self
-        }
+        Self { coupling: self.coupling + normal(moment), force: add_scaled(self.force, -spin2, moment), ..self }
     }
 
     /// Lets the station turn freely under the torque that acts in the pin: the rotation is eliminated, and what the

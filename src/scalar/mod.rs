@@ -37,7 +37,7 @@ pub trait Scalar:
     /// The plain number behind it, in which time, step sizes and decisions are expressed.
     type Real: Real;
 
-    /// Largest magnitude [rad] for which [`sin_cos`](Scalar::sin_cos) keeps its stated accuracy.
+    /// Largest magnitude in rad for which [`sin_cos`](Scalar::sin_cos) keeps its stated accuracy.
     const ANGLE_RANGE: Self::Real;
 
     /// The constant `value`: no derivatives, the same in every lane.
@@ -70,7 +70,7 @@ pub trait Scalar:
     /// Sine and cosine, without branches.
     fn sin_cos(self) -> (Self, Self);
 
-    /// Angle of the point `(x, self)` from the positive x axis [rad], in (−π, π].
+    /// Angle of the point `(x, self)` from the positive x axis in rad, in (−π, π].
     fn atan2(self, x: Self) -> Self;
 
     /// The constant nearest to `value`.

@@ -1,0 +1,107 @@
+//! Plain numbers: `f32` and `f64`.
+//!
+//! Square roots, arctangents and powers come from the standard library, or with feature `libm` alone from that; sine
+//! and cosine are our own in either case (see `trig`). With neither feature the crate compiles, but no number of its
+//! own implements [`Scalar`], and a number of the user's has to.
+#![cfg(any(feature = "std", feature = "libm"))]
+
+use super::{Real, Scalar, trig};
+use num_traits::Float;
+
+/// Whether a fused multiply-add is one instruction. Elsewhere it is a call many times slower than two operations.
+pub(super) const FUSED: bool = cfg!(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")));
+
+/// One row per type: its sine and cosine.
+macro_rules! plain_numbers {
+    ($($number:ident: $sin_cos:path;)*) => {$(
+        impl Scalar for $number {
+            type Real = $number;
+            const ANGLE_RANGE: $number = trig::ANGLE_RANGE as $number;
+
+            #[inline(always)]
+            fn constant(value: $number) -> $number {
+                value
+            }
+
+            #[inline(always)]
+            fn real(self) -> $number {
+                self
+            }
+
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                <$number>::is_finite(self)
+            }
+
+            #[inline(always)]
+            fn scale(self, factor: $number) -> $number {
+                self * factor
+            }
+
+            #[inline(always)]
+            fn mul_add(self, factor: $number, addend: $number) -> $number {
+                if FUSED { Float::mul_add(self, factor, addend) } else { self * factor + addend }
+            }
+
+            #[inline(always)]
+            fn recip(self) -> $number {
+                1.0 / self
+            }
+
+            #[inline(always)]
+            fn sqrt(self) -> $number {
+                Float::sqrt(self)
+            }
+
+            #[inline(always)]
+            fn sin_cos(self) -> ($number, $number) {
+                $sin_cos(self)
+            }
+
+            #[inline(always)]
+            fn atan2(self, x: $number) -> $number {
+                Float::atan2(self, x)
+            }
+        }
+
+        impl Real for $number {
+            const EPSILON: $number = $number::EPSILON;
+            const INFINITY: $number = $number::INFINITY;
+
+            #[inline(always)]
+            fn of(value: f64) -> $number {
+                value as $number
+            }
+
+            #[inline(always)]
+            fn as_f64(self) -> f64 {
+                self.into()
+            }
+
+            #[inline(always)]
+            fn abs(self) -> $number {
+                <$number>::abs(self)
+            }
+
+            #[inline(always)]
+            fn max(self, other: $number) -> $number {
+                <$number>::max(self, other)
+            }
+
+            #[inline(always)]
+            fn min(self, other: $number) -> $number {
+                <$number>::min(self, other)
+            }
+
+            #[inline(always)]
+            fn powf(self, exponent: $number) -> $number {
+                Float::powf(self, exponent)
+            }
+        }
+    )*};
+}
+
+plain_numbers! {
+    f32: trig::sin_cos_single;
+    f64: trig::sin_cos;
+}

@@ -1,0 +1,99 @@
+//! Bundles of lanes: the same computation on several numbers at once.
+//!
+//! Every lane gives the bits a plain number would give, for sine and cosine too.
+
+use super::{Scalar, trig};
+use simba::simd::{SimdValue, WideF32x4, WideF32x8, WideF64x4};
+use wide::{f64x4, u64x4};
+
+impl trig::Quadrant for WideF64x4 {
+    #[inline(always)]
+    fn turn(self, sine: Self, negative_sine: Self, cosine: Self) -> (Self, Self) {
+        let bits = self.0.to_bits();
+        let odd = f64x4::from_bits(u64x4::ZERO - (bits & u64x4::ONE));
+        let sign = f64x4::from_bits(bits << 62_u32) & f64x4::splat(-0.0);
+        let turned = (odd.select(cosine.0, sine.0), odd.select(negative_sine.0, cosine.0));
+        (Self(turned.0 ^ sign), Self(turned.1 ^ sign))
+    }
+}
+
+/// `f32` has its sine computed in `f64`, lane by lane in a form that compilers turn into vectors of `f64`.
+macro_rules! sin_cos_by_lane {
+    ($lanes:expr) => {{
+        let (mut sine, mut cosine) = ($lanes.into_arr(), $lanes.into_arr());
+        for (sine, cosine) in sine.iter_mut().zip(&mut cosine) {
+            (*sine, *cosine) = trig::sin_cos_single(*sine);
+        }
+        (sine.into(), cosine.into())
+    }};
+}
+
+/// One row per bundle: the number in a lane, and sine and cosine.
+macro_rules! lanes {
+    ($($lanes:ident of $number:ident, $angle:ident => $sin_cos:expr;)*) => {$(
+        impl Scalar for $lanes {
+            type Real = $number;
+            const ANGLE_RANGE: $number = <$number as Scalar>::ANGLE_RANGE;
+
+            #[inline(always)]
+            fn constant(value: $number) -> Self {
+                Self::splat(value)
+            }
+
+            #[inline(always)]
+            fn real(self) -> $number {
+                let [first, others @ ..] = self.into_arr();
+                let mut largest = first;
+                for lane in others {
+                    // A NaN stays: nothing compares larger than it.
+                    if lane.is_nan() || lane.abs() > largest.abs() {
+                        largest = lane;
+                    }
+                }
+                largest
+            }
+
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                self.into_arr().into_iter().all($number::is_finite)
+            }
+
+            #[inline(always)]
+            fn scale(self, factor: $number) -> Self {
+                self * Self::splat(factor)
+            }
+
+            #[inline(always)]
+            fn mul_add(self, factor: Self, addend: Self) -> Self {
+                Self(self.0.mul_add(factor.0, addend.0))
+            }
+
+            #[inline(always)]
+            fn recip(self) -> Self {
+                Self::ONE / self
+            }
+
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                Self(self.0.sqrt())
+            }
+
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                let $angle = self;
+                $sin_cos
+            }
+
+            #[inline(always)]
+            fn atan2(self, x: Self) -> Self {
+                self.zip_map(x, $number::atan2)
+            }
+        }
+    )*};
+}
+
+lanes! {
+    WideF64x4 of f64, angle => trig::sin_cos(angle);
+    WideF32x4 of f32, angle => sin_cos_by_lane!(angle);
+    WideF32x8 of f32, angle => sin_cos_by_lane!(angle);
+}

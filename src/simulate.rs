@@ -1,0 +1,471 @@
+//! Running a scene through time: step control, dense output at requested times, events.
+
+use crate::element::{Budget, Condense, Element, Loading, RealOf, Space, Unloaded};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::mirror::{Position, Rate};
+use crate::observe::{PerBody, Stations};
+use crate::scalar::{Real, Scalar};
+use crate::stepper::{Method, Stepper};
+use crate::system::{Dynamics, Elements, MotionOf, System};
+use crate::time::{Control, Rule};
+use core::fmt;
+use num_traits::{One, Zero};
+
+/// An instant of a run, to be read.
+pub struct Now<'a, S: Space, R: Root<S>, C: Element<S>, P, L> {
+    system: &'a System<S, R, C, P>,
+    motion: &'a MotionOf<S, R, C>,
+    loads: &'a L,
+    event: bool,
+}
+
+impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, S, R, C, P, L> {
+    /// Time [s].
+    pub fn time(&self) -> RealOf<S> {
+        self.motion.time()
+    }
+    /// The motion of the joint coordinates.
+    pub fn motion(&self) -> &'a MotionOf<S, R, C> {
+        self.motion
+    }
+    /// Whether this instant is an event: the zero of the event function.
+    pub fn is_event(&self) -> bool {
+        self.event
+    }
+    /// Orientation of every body, root to tip: in the plane absolute angles [rad].
+    pub fn angles(&self) -> PerBody<'a, S, Elements<S, R, C>, S::Angles> {
+        self.system.angles(self.motion)
+    }
+    /// Motion of every body.
+    pub fn bodies(&self) -> PerBody<'a, S, Elements<S, R, C>, S::BodyMotion> {
+        self.system.body_motions(self.motion)
+    }
+    /// Motion, internal force and torque at every station.
+    pub fn stations(&self) -> Stations<'a, S, Elements<S, R, C>> {
+        self.system.stations(self.motion, self.loads)
+    }
+    /// Energy and momentum.
+    pub fn budget(&self) -> Budget<S> {
+        self.system.budget(self.motion)
+    }
+    /// Mechanical energy [J].
+    pub fn energy(&self) -> S::Scalar {
+        let budget = self.budget();
+        budget.kinetic + budget.potential
+    }
+}
+
+/// How a run ended.
+#[derive(Clone, Debug)]
+pub struct Run<M> {
+    /// The last motion.
+    pub motion: M,
+    /// Steps accepted.
+    pub steps: usize,
+    /// Steps rejected by error control.
+    pub rejected: usize,
+    /// Sweeps made.
+    pub sweeps: usize,
+}
+
+/// Why a run ended early, and how far it came.
+#[derive(Clone, Debug)]
+pub struct Interrupted<M> {
+    /// What went wrong.
+    pub error: Error,
+    /// The last accepted motion.
+    pub last: M,
+}
+
+impl<M> fmt::Display for Interrupted<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.error.fmt(f)
+    }
+}
+
+impl<M: fmt::Debug> core::error::Error for Interrupted<M> {}
+
+impl<M> From<Interrupted<M>> for Error {
+    fn from(interrupted: Interrupted<M>) -> Self {
+        interrupted.error
+    }
+}
+
+/// A run to be made: a scene, a rule, and what to look at.
+///
+/// ```
+/// use catena::planar::*;
+/// let rod = Rod::uniform(1.0, 1.0);
+/// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+/// let start = pendulum.at_rest(&[-1.0, -0.5])?;
+/// let mut samples = 0;
+/// let run = pendulum
+///     .simulation(Dop853::tolerance(1e-10))
+///     .every(0.1)
+///     .event(|now| now.motion().rate().1.1) // when the second rod comes to rest
+///     .run(start, 1.0, |now| samples += usize::from(!now.is_event()))?;
+/// assert_eq!(samples, 11);
+/// # Ok::<(), catena::Error>(())
+/// ```
+pub struct Simulation<'a, S: Space, R: Root<S>, C: Element<S>, P, L, M, E> {
+    system: &'a System<S, R, C, P>,
+    loads: &'a L,
+    rule: Rule<M, RealOf<S>>,
+    every: Option<RealOf<S>>,
+    event: E,
+    stop: bool,
+}
+
+/// No event function.
+pub struct NoEvent;
+
+/// A function of the motion whose zeros are located.
+pub trait EventFunction<N: ?Sized, T> {
+    /// Whether there is one.
+    const ON: bool;
+    /// Its value.
+    fn value(&mut self, now: &N) -> Option<T>;
+}
+
+impl<N: ?Sized, T> EventFunction<N, T> for NoEvent {
+    const ON: bool = false;
+    fn value(&mut self, _: &N) -> Option<T> {
+        None
+    }
+}
+
+impl<N: ?Sized, T, F: FnMut(&N) -> T> EventFunction<N, T> for F {
+    const ON: bool = true;
+    fn value(&mut self, now: &N) -> Option<T> {
+        Some(self(now))
+    }
+}
+
+impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// A stepper of a method for this scene: `pendulum.stepper(Rk4)`.
+    pub fn stepper<M: Method, L: Loading<S>>(&self, method: M) -> M::Stepper<'_, Self, L>
+    where
+        Self: Dynamics<L>,
+    {
+        method.stepper(self)
+    }
+
+    /// A run to be made by a rule.
+    pub fn simulation<M: Method>(&self, rule: Rule<M, RealOf<S>>) -> Simulation<'_, S, R, C, P, Unloaded, M, NoEvent> {
+        Simulation { system: self, loads: &Unloaded, rule, every: None, event: NoEvent, stop: false }
+    }
+
+    /// Runs from `start` to the time `end` [s] and shows every accepted step to `observe`, the start included.
+    ///
+    /// # Errors
+    /// Why the run ended early, with the last accepted motion.
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    pub fn simulate<M: Method>(
+        &self,
+        start: MotionOf<S, R, C>,
+        rule: Rule<M, RealOf<S>>,
+        end: RealOf<S>,
+        observe: impl FnMut(&Now<'_, S, R, C, P, Unloaded>),
+    ) -> Result<Run<MotionOf<S, R, C>>, Interrupted<MotionOf<S, R, C>>>
+    where
+        Elements<S, R, C>: Condense<S, P::Relation, Unloaded>,
+    {
+        self.simulation(rule).run(start, end, observe)
+    }
+}
+
+impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M: Method, E>
+    Simulation<'a, S, R, C, P, L, M, E>
+{
+    /// Under these loads.
+    pub fn loads<N: Loading<S>>(self, loads: &'a N) -> Simulation<'a, S, R, C, P, N, M, E> {
+        let Self { system, rule, every, event, stop, .. } = self;
+        Simulation { system, loads, rule, every, event, stop }
+    }
+
+    /// Shown at multiples of an interval [s] from the start, by dense output, instead of at every step.
+    #[must_use]
+    pub fn every(self, interval: RealOf<S>) -> Self {
+        Self { every: Some(interval), ..self }
+    }
+
+    /// Also shown where a function of the motion crosses zero.
+    pub fn event<F>(self, function: F) -> Simulation<'a, S, R, C, P, L, M, F>
+    where
+        F: FnMut(&Now<'_, S, R, C, P, L>) -> S::Scalar,
+    {
+        let Self { system, loads, rule, every, stop, .. } = self;
+        Simulation { system, loads, rule, every, event: function, stop }
+    }
+
+    /// Stops where the event function crosses zero.
+    #[must_use]
+    pub fn stopping(self) -> Self {
+        Self { stop: true, ..self }
+    }
+
+    /// Runs from `start` to the time `end` [s].
+    ///
+    /// # Errors
+    /// Why the run ended early, with the last accepted motion.
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    pub fn run(
+        self,
+        start: MotionOf<S, R, C>,
+        end: RealOf<S>,
+        observe: impl FnMut(&Now<'_, S, R, C, P, L>),
+    ) -> Result<Run<MotionOf<S, R, C>>, Interrupted<MotionOf<S, R, C>>>
+    where
+        Elements<S, R, C>: Condense<S, P::Relation, L>,
+        E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
+    {
+        let stepper = self.rule.method.stepper(self.system);
+        let (next, between) = (start.clone(), start.clone());
+        let counters = Run { motion: (), steps: 0, rejected: 0, sweeps: 0 };
+        let mut driver = Driver { plan: self, stepper, past: start, next, between, observe, counters, samples: 1 };
+        match driver.drive(end) {
+            Ok(()) => {
+                let Run { steps, rejected, .. } = driver.counters;
+                let sweeps = driver.stepper.sweeps();
+                Ok(Run { motion: driver.past, steps, rejected, sweeps })
+            }
+            Err(error) => Err(Interrupted { error, last: driver.past }),
+        }
+    }
+}
+
+/// A run under way.
+struct Driver<'a, S: Space, R: Root<S>, C: Element<S>, P, L, M, E, K, O> {
+    plan: Simulation<'a, S, R, C, P, L, M, E>,
+    stepper: K,
+    past: MotionOf<S, R, C>,
+    next: MotionOf<S, R, C>,
+    between: MotionOf<S, R, C>,
+    observe: O,
+    counters: Run<()>,
+    /// Number of the next sample.
+    samples: usize,
+}
+
+/// What came of a step.
+enum Outcome {
+    Continue,
+    Stop,
+}
+
+impl<S, R, C, P, L, M, E, K, O> Driver<'_, S, R, C, P, L, M, E, K, O>
+where
+    S: Space,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    L: Loading<S>,
+    Elements<S, R, C>: Condense<S, P::Relation, L>,
+    K: Stepper<System<S, R, C, P>, L>,
+    E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
+    O: FnMut(&Now<'_, S, R, C, P, L>),
+{
+    fn drive(&mut self, end: RealOf<S>) -> Result<(), Error> {
+        let system = self.plan.system;
+        system.accept(&self.past)?;
+        if !end.is_finite() || end < self.past.time {
+            return Err(Error::new(Fault::NotFinite { parameter: "end of the run after its start" }));
+        }
+        let mut workspace = Dynamics::<L>::workspace(system);
+        system.accelerate(&mut self.past, self.plan.loads, &mut workspace)?;
+        let start = self.past.time;
+        let one = RealOf::<S>::one();
+        let mut dt = match self.plan.rule.control {
+            Control::Fixed(dt) => dt,
+            Control::Tolerance(tolerance) => self.first_step(tolerance),
+        };
+        if !dt.is_finite() || dt <= RealOf::<S>::zero() {
+            return Err(Error::new(Fault::NotPositive { parameter: "step size or tolerance", value: dt.as_f64() }));
+        }
+        self.show(Shown::Past, false);
+        let mut value = self.value(Shown::Past);
+        let mut rejected = false;
+        while self.past.time < end {
+            // The last step lands on the end; it may be longer by rounding.
+            let remaining = end - self.past.time;
+            let last = remaining <= dt * (one + RealOf::<S>::EPSILON * RealOf::<S>::of(1e6));
+            let size = if last { remaining } else { dt };
+            if self.past.time + size <= self.past.time {
+                return Err(self.too_small(size));
+            }
+            let outcome = self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next);
+            if let Control::Tolerance(tolerance) = self.plan.rule.control {
+                let error = match outcome {
+                    Ok(()) => self.stepper.error(&self.past, size, &self.next, tolerance),
+                    Err(Error { fault: Fault::NonFiniteMotion, .. }) => Some(f64::INFINITY),
+                    Err(error) => return Err(error),
+                };
+                let error = error.unwrap_or(0.0);
+                let factor = factor(error, self.stepper.error_order());
+                if error.is_nan() || error > 1.0 {
+                    self.counters.rejected += 1;
+                    rejected = true;
+                    dt = size * RealOf::<S>::of(factor.min(0.9));
+                    continue;
+                }
+                // No growth right after a rejection, and none from a step cut short by the end.
+                let factor = if rejected || last { factor.min(1.0) } else { factor };
+                rejected = false;
+                dt = size * RealOf::<S>::of(factor);
+            } else {
+                outcome?;
+            }
+            if last {
+                self.next.time = end;
+            }
+            self.counters.steps += 1;
+            let next_value = self.value(Shown::Next);
+            if let Outcome::Stop = self.shown(start, size, [value, next_value]) {
+                return Ok(());
+            }
+            value = next_value;
+            core::mem::swap(&mut self.past, &mut self.next);
+        }
+        Ok(())
+    }
+
+    /// A first step from the size of motion and accelerations (Hairer, Nørsett, Wanner, II.4, without its trial step).
+    fn first_step(&self, tolerance: RealOf<S>) -> RealOf<S> {
+        let one = RealOf::<S>::one();
+        let (mut size, mut slope) = (RealOf::<S>::zero(), RealOf::<S>::zero());
+        let mut note = |rate: S::Scalar, value: RealOf<S>| {
+            size = size.max(value / (one + value));
+            slope = slope.max(rate.real().abs() / (one + value));
+        };
+        self.past.position.measure(&self.past.rate, &mut note);
+        self.past.acceleration.all(&self.past.rate, &mut |acceleration, rate| {
+            note(acceleration, rate.real().abs());
+            true
+        });
+        let tiny = RealOf::<S>::of(1e-6);
+        let small = if size < tiny || slope < tiny { tiny } else { RealOf::<S>::of(0.01) * size / slope };
+        let exponent = one / RealOf::<S>::of(self.stepper.error_order());
+        let safe = (RealOf::<S>::of(0.01) * tolerance / slope.max(tiny)).powf(exponent);
+        (small * RealOf::<S>::of(100.0)).min(safe)
+    }
+
+    fn too_small(&self, size: RealOf<S>) -> Error {
+        Error::new(Fault::StepTooSmall { step: size.as_f64() }).at_time(self.past.time.as_f64())
+    }
+
+    /// The value of the event function, if there is one.
+    fn value(&mut self, which: Shown) -> Option<S::Scalar> {
+        let Self { plan, past, next, between, .. } = self;
+        let motion = which.of(past, next, between);
+        plan.event.value(&Now { system: plan.system, motion, loads: plan.loads, event: false })
+    }
+
+    fn show(&mut self, which: Shown, event: bool) {
+        let Self { plan, past, next, between, observe, .. } = self;
+        let motion = which.of(past, next, between);
+        observe(&Now { system: plan.system, motion, loads: plan.loads, event });
+    }
+
+    fn interpolate(&mut self, size: RealOf<S>, theta: f64) {
+        self.stepper.interpolate(&self.past, self.plan.loads, size, &self.next, theta, &mut self.between);
+    }
+
+    /// Shows what there is to see of an accepted step: samples, an event, its end.
+    fn shown(&mut self, start: RealOf<S>, size: RealOf<S>, values: [Option<S::Scalar>; 2]) -> Outcome {
+        let crossing = match values.map(|value| value.map(|value| value.real().as_f64())) {
+            [Some(before), Some(after)] if before != 0.0 && before * after <= 0.0 => {
+                Some(self.crossing(size, [before, after]))
+            }
+            _ => None,
+        };
+        if let Some(theta) = crossing {
+            self.samples_until(start, size, theta);
+            self.interpolate(size, theta);
+            self.show(Shown::Between, true);
+            if self.plan.stop {
+                core::mem::swap(&mut self.past, &mut self.between);
+                return Outcome::Stop;
+            }
+        }
+        self.samples_until(start, size, 1.0);
+        if self.plan.every.is_none() {
+            self.show(Shown::Next, false);
+        }
+        Outcome::Continue
+    }
+
+    /// Shows the samples up to a share of the step.
+    fn samples_until(&mut self, start: RealOf<S>, size: RealOf<S>, share: f64) {
+        let Some(every) = self.plan.every else {
+            return;
+        };
+        // A sample that falls on the end of a step but for rounding is its end.
+        let slack = 1e-9 * (every / size).as_f64().min(1.0);
+        loop {
+            let time = start + every * RealOf::<S>::of(self.samples as f64);
+            let theta = ((time - self.past.time) / size).as_f64();
+            if theta > share + slack {
+                return;
+            }
+            self.samples += 1;
+            if theta >= 1.0 - slack {
+                self.show(Shown::Next, false);
+            } else {
+                self.interpolate(size, theta);
+                self.show(Shown::Between, false);
+            }
+        }
+    }
+
+    /// The share of the step at which the event function crosses zero: regula falsi with the Illinois modification.
+    fn crossing(&mut self, size: RealOf<S>, values: [f64; 2]) -> f64 {
+        let ([mut low, mut high], [mut below, mut above]) = ([0.0, 1.0], values);
+        let mut kept = 0;
+        for _ in 0..100 {
+            let theta = high - above * (high - low) / (above - below);
+            let theta = if theta > low && theta < high { theta } else { 0.5 * (low + high) };
+            self.interpolate(size, theta);
+            let value = self.value(Shown::Between).map_or(0.0, |value| value.real().as_f64());
+            if value * above > 0.0 {
+                (high, above) = (theta, value);
+                below *= if kept == 1 { 0.5 } else { 1.0 };
+                kept = 1;
+            } else {
+                (low, below) = (theta, value);
+                above *= if kept == -1 { 0.5 } else { 1.0 };
+                kept = -1;
+            }
+            if value == 0.0 || high - low < 4.0 * f64::EPSILON {
+                return theta;
+            }
+        }
+        0.5 * (low + high)
+    }
+}
+
+/// One of the motions of a run under way.
+#[derive(Clone, Copy)]
+enum Shown {
+    Past,
+    Next,
+    Between,
+}
+
+impl Shown {
+    fn of<'m, M>(self, past: &'m M, next: &'m M, between: &'m M) -> &'m M {
+        match self {
+            Self::Past => past,
+            Self::Next => next,
+            Self::Between => between,
+        }
+    }
+}
+
+/// By how much the next step should differ, for an error given as a multiple of the tolerance.
+fn factor(error: f64, order: f64) -> f64 {
+    if error.is_nan() || error.is_infinite() {
+        return 0.1;
+    }
+    (0.9 * f64::of(error.max(1e-12)).powf(-1.0 / order)).clamp(0.2, 6.0)
+}

@@ -1,0 +1,341 @@
+//! Steppers: what a rule needs for one scene, and the step itself.
+
+use crate::error::{Error, Fault};
+use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
+use crate::scalar::{Real, Scalar};
+use crate::system::Dynamics;
+use crate::time::Explicit;
+use num_traits::{One, Zero};
+
+/// The motion of a scene described by `D`.
+pub type MotionIn<D, L> = Motion<<D as Dynamics<L>>::Scalar, <D as Dynamics<L>>::Position>;
+/// Time in a scene described by `D`.
+pub type TimeIn<D, L> = <<D as Dynamics<L>>::Scalar as Scalar>::Real;
+
+/// A method that can make steppers for scenes.
+pub trait Method {
+    /// Its stepper for a scene `D` with loads `L`.
+    type Stepper<'s, D: Dynamics<L> + 's, L: 's>: Stepper<D, L>;
+
+    /// A stepper for a scene.
+    fn stepper<'s, D: Dynamics<L>, L>(&self, scene: &'s D) -> Self::Stepper<'s, D, L>;
+}
+
+/// Advances the motion of one scene. It owns its workspace: a step allocates nothing, costs the same every time, reads one
+/// motion and writes another, so that a step that fails loses nothing.
+pub trait Stepper<D: Dynamics<L>, L> {
+    /// One step of size `dt` [s] from `past` under `loads`, written to `next`.
+    ///
+    /// The accelerations at the start are found anew, because loads may have changed since they were.
+    ///
+    /// # Errors
+    /// What kept the step from a finite motion, with time and station; `next` is then undefined and `past` as it was.
+    fn step(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error>;
+
+    /// The same where `past` holds the accelerations that belong to it under these loads: one sweep less.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    fn advance(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error>;
+
+    /// Estimated error of the last step as a multiple of `tolerance` (absolute and relative), root of the mean square over
+    /// positions and rates; `None` for a method without an estimate.
+    fn error(
+        &mut self,
+        past: &MotionIn<D, L>,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        tolerance: TimeIn<D, L>,
+    ) -> Option<f64>;
+
+    /// Order of the error estimate: a step of half the size has an error 2^−order as large.
+    fn error_order(&self) -> f64;
+
+    /// Motion at the share `theta` of the last step, between `past` and `next`. Its accelerations are found by a sweep, so that
+    /// forces belong to it.
+    fn interpolate(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        theta: f64,
+        between: &mut MotionIn<D, L>,
+    );
+
+    /// Sweeps made so far.
+    fn sweeps(&self) -> usize;
+}
+
+/// Steps by an explicit method.
+pub struct ExplicitStepper<'s, D: Dynamics<L>, L, M: Explicit> {
+    scene: &'s D,
+    workspace: D::Workspace,
+    /// Accelerations of the rows, but for the first (of the past motion).
+    slopes: M::Rows<D::Rate>,
+    stage: (D::Position, D::Rate),
+    start: Option<MotionIn<D, L>>,
+    zero: D::Rate,
+    estimate: (D::Rate, D::Rate),
+    dense_ready: bool,
+    sweeps: usize,
+}
+
+impl<M: Explicit> Method for M {
+    type Stepper<'s, D: Dynamics<L> + 's, L: 's> = ExplicitStepper<'s, D, L, M>;
+
+    fn stepper<'s, D: Dynamics<L>, L>(&self, scene: &'s D) -> ExplicitStepper<'s, D, L, M> {
+        let still = scene.still();
+        let zero = still.rate.clone();
+        ExplicitStepper {
+            scene,
+            workspace: scene.workspace(),
+            slopes: M::rows(&zero),
+            stage: (still.position.clone(), zero.clone()),
+            estimate: (zero.clone(), zero.clone()),
+            zero,
+            start: Some(still),
+            dense_ready: false,
+            sweeps: 0,
+        }
+    }
+}
+
+/// The first `M` accelerations of a step: the past motion's, those of the rows, and the next motion's in their order.
+#[inline(always)]
+fn terms<'a, X: Explicit, R, const M: usize>(past: &'a R, slopes: &'a [R], next: &'a R) -> [&'a R; M] {
+    core::array::from_fn(|j| match j {
+        0 => past,
+        _ if j == X::STAGES => next,
+        _ => &slopes[j],
+    })
+}
+
+/// The past motion displaced by `M` accelerations with the weights of a row (position, rate).
+#[inline(always)]
+fn displace<T: Scalar, P: Position<T>, const M: usize>(
+    past: &Motion<T, P>,
+    terms: [&P::Rate; M],
+    node: f64,
+    weights: (&[f64], &[f64]),
+    dt: T::Real,
+    position: &mut P,
+    rate: &mut P::Rate,
+) {
+    let of_position = core::array::from_fn(|j| T::Real::of(weights.0[j]) * (dt * dt));
+    let of_rate = core::array::from_fn(|j| T::Real::of(weights.1[j]) * dt);
+    position.drift(&past.position, T::Real::of(node) * dt, &past.rate, &of_position, terms);
+    rate.combine(&past.rate, &of_rate, terms);
+}
+
+/// Calls a function that is generic over the number of terms, so that its loops unroll.
+macro_rules! unrolled {
+    ($count:expr, $call:ident!($($M:literal)*)) => {
+        match $count {
+            $($M => $call!($M),)*
+            _ => (),
+        }
+    };
+}
+
+impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<'_, D, L, M> {
+    /// The state of a row (a stage, the step, a dense stage), from the accelerations of those before.
+    #[inline]
+    fn row(
+        row: usize,
+        past: &MotionIn<D, L>,
+        slopes: &[D::Rate],
+        next: &D::Rate,
+        dt: TimeIn<D, L>,
+        position: &mut D::Position,
+        rate: &mut D::Rate,
+    ) {
+        let weights = (M::position(row), M::rate(row));
+        macro_rules! call {
+            ($M:literal) => {{
+                let terms = terms::<M, _, $M>(&past.acceleration, slopes, next);
+                displace(past, terms, M::node(row), weights, dt, position, rate)
+            }};
+        }
+        unrolled!(row, call!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15));
+    }
+
+    /// Evaluates a row that is not the step itself: its accelerations become slopes.
+    #[inline]
+    fn evaluate(&mut self, row: usize, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &D::Rate) {
+        let (position, rate) = &mut self.stage;
+        let slopes = self.slopes.as_mut();
+        Self::row(row, past, slopes, next, dt, position, rate);
+        let time = past.time + TimeIn::<D, L>::of(M::node(row)) * dt;
+        self.scene.accelerations(time, position, rate, loads, &mut self.workspace, &mut slopes[row]);
+        self.sweeps += 1;
+    }
+
+    /// Finds where a step went wrong, row by row.
+    #[cold]
+    fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
+        for row in 0..=M::STAGES {
+            let mut stage = past.clone();
+            if row > 0 {
+                self.evaluate(row, past, loads, dt, &past.acceleration);
+                stage.time = past.time + TimeIn::<D, L>::of(M::node(row)) * dt;
+                stage.position.clone_from(&self.stage.0);
+                stage.rate.clone_from(&self.stage.1);
+                stage.acceleration.clone_from(&self.slopes.as_ref()[row]);
+            }
+            if !stage.is_finite() {
+                return self.scene.diagnose(&stage, loads, &mut self.workspace);
+            }
+        }
+        Error::new(Fault::NonFiniteMotion).at_time((past.time + dt).as_f64())
+    }
+}
+
+impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<'_, D, L, M> {
+    fn step(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        if !(self.start.as_ref().is_some_and(|start| past.fits(start)) && past.fits(next)) {
+            return Err(Error::new(Fault::Shape));
+        }
+        let Some(mut start) = self.start.take() else {
+            return Err(Error::new(Fault::Shape)); // never: it is put back below
+        };
+        start.time = past.time;
+        start.position.clone_from(&past.position);
+        start.rate.clone_from(&past.rate);
+        let Motion { time, position, rate, acceleration } = &mut start;
+        self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+        self.sweeps += 1;
+        let outcome = self.advance(&start, loads, dt, next);
+        self.start = Some(start);
+        outcome
+    }
+
+    fn advance(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.dense_ready = false;
+        for row in 1..M::STAGES {
+            self.evaluate(row, past, loads, dt, &past.acceleration);
+        }
+        next.time = past.time + dt;
+        let slopes = self.slopes.as_ref();
+        Self::row(M::STAGES, past, slopes, &past.acceleration, dt, &mut next.position, &mut next.rate);
+        let Motion { time, position, rate, acceleration } = next;
+        self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+        self.sweeps += 1;
+        match self.scene.accept(next) {
+            Ok(()) => Ok(()),
+            Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => Err(self.diagnose(past, loads, dt)),
+            Err(error) => Err(error),
+        }
+    }
+
+    fn error(
+        &mut self,
+        past: &MotionIn<D, L>,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        tolerance: TimeIn<D, L>,
+    ) -> Option<f64> {
+        let slopes = self.slopes.as_ref();
+        let mut squares = [0.0; 2];
+        for ((of_position, of_rate), square) in M::errors().iter().zip(&mut squares) {
+            let (position, rate) = &mut self.estimate;
+            let zero = &self.zero;
+            macro_rules! call {
+                ($M:literal) => {{
+                    let terms = terms::<M, _, $M>(&past.acceleration, slopes, &next.acceleration);
+                    let scaled =
+                        |weights: &[f64], by| core::array::from_fn::<_, $M, _>(|j| TimeIn::<D, L>::of(weights[j]) * by);
+                    position.combine(zero, &scaled(of_position, dt * dt), terms);
+                    rate.combine(zero, &scaled(of_rate, dt), terms);
+                }};
+            }
+            unrolled!(M::STAGES + 1, call!(7 13));
+            let (mut sum, mut count) = (TimeIn::<D, L>::zero(), 0usize);
+            let mut note = |error: D::Scalar, size: TimeIn<D, L>| {
+                let share = error.real() / (tolerance * (TimeIn::<D, L>::one() + size));
+                sum += share * share;
+                count += 1;
+            };
+            next.position.measure(position, &mut note);
+            rate.all(&next.rate, &mut |error, rate| {
+                note(error, rate.real().abs());
+                true
+            });
+            *square = sum.as_f64() / count.max(1) as f64;
+        }
+        let count = M::errors().len();
+        (count > 0).then(|| TimeIn::<D, L>::of(M::combine_errors(&squares[..count])).sqrt().as_f64())
+    }
+
+    fn error_order(&self) -> f64 {
+        M::ORDER as f64
+    }
+
+    fn interpolate(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        theta: f64,
+        between: &mut MotionIn<D, L>,
+    ) {
+        if !self.dense_ready {
+            for row in M::STAGES + 1..M::ROWS {
+                self.evaluate(row, past, loads, dt, &next.acceleration);
+            }
+            self.dense_ready = true;
+        }
+        let mut of_rate = [0.0; 16];
+        M::dense(theta, &mut of_rate[..M::ROWS]);
+        let mut of_position = [0.0; 16];
+        for (j, weight) in of_rate[..M::ROWS].iter().enumerate() {
+            for (sum, a) in of_position.iter_mut().zip(M::rate(j)) {
+                *sum += weight * a;
+            }
+        }
+        let slopes = self.slopes.as_ref();
+        let weights = (&of_position[..], &of_rate[..]);
+        macro_rules! call {
+            ($M:literal) => {{
+                let Motion { position, rate, .. } = between;
+                let terms = terms::<M, _, $M>(&past.acceleration, slopes, &next.acceleration);
+                displace(past, terms, theta, weights, dt, position, rate);
+            }};
+        }
+        unrolled!(M::ROWS, call!(5 7 16));
+        between.time = past.time + TimeIn::<D, L>::of(theta) * dt;
+        let Motion { time, position, rate, acceleration } = between;
+        self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+        self.sweeps += 1;
+    }
+
+    fn sweeps(&self) -> usize {
+        self.sweeps
+    }
+}

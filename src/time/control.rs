@@ -1,0 +1,19 @@
+//! How a rule chooses its steps.
+
+/// A method and its choice of steps, for example `Dop853::tolerance(1e-12)` or `Rk4::step(1e-3)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rule<M, R> {
+    /// The method.
+    pub method: M,
+    /// The choice of steps.
+    pub control: Control<R>,
+}
+
+/// A choice of steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Control<R> {
+    /// All of one size [s] (the last is shortened to end on time).
+    Fixed(R),
+    /// As large as keeps the error of a step within a tolerance, absolute and relative.
+    Tolerance(R),
+}

@@ -1,0 +1,14 @@
+//! Rules that advance a motion in time: coefficients only, no mechanics.
+
+mod control;
+mod dop853;
+mod dop853_table;
+mod dopri5;
+mod rk4;
+mod tableau;
+
+pub use control::{Control, Rule};
+pub use dop853::Dop853;
+pub use dopri5::Dopri5;
+pub use rk4::Rk4;
+pub use tableau::{ErrorWeights, Explicit, Tableau};
