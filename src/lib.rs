@@ -13,6 +13,7 @@ pub mod counts;
 pub mod element;
 pub mod ends;
 mod error;
+mod inspect;
 pub mod mirror;
 mod motion;
 pub mod observe;
@@ -25,6 +26,7 @@ mod state;
 pub mod stepper;
 pub mod system;
 pub mod time;
+pub mod transfer;
 
 pub use error::{Error, Fault, Place};
 pub use motion::Motion;

@@ -71,6 +71,16 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         &self.chain.1
     }
 
+    /// All elements as a sweep sees them: the root's joint and the chain.
+    pub(crate) fn elements(&self) -> &Elements<S, R, C> {
+        &self.chain
+    }
+
+    /// The motion of the ground at the root.
+    pub(crate) fn ground(&self, time: RealOf<S>) -> S::Frame {
+        self.root.ground(time)
+    }
+
     /// Number of bodies.
     pub fn bodies(&self) -> usize {
         self.chain.bodies()

@@ -20,6 +20,7 @@ mod point_mass;
 mod rigid_body;
 mod rod;
 mod station;
+mod transfer;
 
 pub use crate::time::{Dop853, Dopri5, Rk4};
 pub use body::{Body, Inertia};

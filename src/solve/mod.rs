@@ -1,3 +1,4 @@
 //! The ends closed: from relations and matrices to motion.
 
+pub mod product;
 pub mod riccati;

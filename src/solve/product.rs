@@ -1,0 +1,136 @@
+//! The plain product of transfer matrices, (16) and (17): a view for inspection on short chains.
+//!
+//! It is exact where it exists and loses all digits in f64 beyond some tens of bodies, for entries of the product grow
+//! exponentially while the states stay bounded. Sweeps never use it.
+
+use crate::element::{Coordinates, Element, Load, Loading, RealOf, Space, Visit};
+use crate::error::{Error, Fault};
+use crate::relation::Term;
+use crate::scalar::Scalar;
+use crate::state::{StateVector, TransferMatrix};
+use crate::transfer::Exact;
+use core::marker::PhantomData;
+use num_traits::Zero;
+
+/// The matrix of one element, before its neighbours are known.
+#[derive(Clone, Copy)]
+enum Entry<S: Space, const N: usize> {
+    /// Not yet visited.
+    Blank,
+    Body(TransferMatrix<S::Scalar, N>),
+    /// A joint, and the torque in it.
+    Joint(S::JointMotion, S::Scalar),
+}
+
+/// Forms the entries, outward.
+struct Form<'a, S: Space, L, const N: usize> {
+    loads: &'a L,
+    time: RealOf<S>,
+    gravity: S::Vector,
+    body: usize,
+    joint: usize,
+    space: PhantomData<S>,
+}
+
+impl<S: Exact<N>, L: Loading<S>, const N: usize> Visit<S> for Form<'_, S, L, N>
+where
+    L::OnBody: Load<S>,
+    L::InJoint: Term<S::Scalar>,
+{
+    type OnBody = Entry<S, N>;
+    type InJoint = Entry<S, N>;
+
+    fn body(&mut self, body: &S::BodyMotion) -> Entry<S, N> {
+        let load = self.loads.on_body(self.time, self.body, body);
+        self.body += 1;
+        Entry::Body(S::body_matrix(body, self.gravity, load))
+    }
+    fn joint(&mut self, joint: &S::JointMotion) -> Entry<S, N> {
+        let torque = self.loads.in_joint(self.time, self.joint, joint);
+        self.joint += 1;
+        Entry::Joint(*joint, torque.add_to(S::Scalar::zero()))
+    }
+}
+
+/// The overall transfer matrix of a chain, from the outboard side of the root's joint to the tip, and the torque in the root's
+/// joint. `each` is shown every element's number (from the tip inward) and matrix.
+#[allow(clippy::too_many_arguments)] // the data flow of the method, one value each
+pub fn product<S: Exact<N>, E: Element<S>, L: Loading<S>, const N: usize>(
+    chain: &E,
+    ground: &S::Frame,
+    gravity: S::Vector,
+    loads: &L,
+    time: RealOf<S>,
+    motion: Coordinates<'_, S, E>,
+    each: &mut impl FnMut(usize, &TransferMatrix<S::Scalar, N>),
+) -> Result<(TransferMatrix<S::Scalar, N>, S::Scalar), Error>
+where
+    L::InJoint: Term<S::Scalar>,
+{
+    let (mut bodies, mut joints) = (chain.per_body(Entry::Blank), chain.per_joint(Entry::Blank));
+    let mut form = Form { loads, time, gravity, body: 0, joint: 0, space: PhantomData };
+    chain.travel(*ground, motion, &mut form, &mut bodies, &mut joints);
+
+    let identity = TransferMatrix::identity();
+    let (mut whole, mut section) = (identity, identity);
+    let mut outer_torque = S::Scalar::zero();
+    let mut outcome = Ok(());
+    // Entries are met from the tip to the root's joint, which is number 0 and stays outside the product.
+    let mut number = chain.bodies() + chain.joints();
+    chain.inward(&mut bodies, &mut joints, &mut |entry: &mut Entry<S, N>| {
+        number -= 1;
+        let matrix = match entry {
+            Entry::Body(matrix) => *matrix,
+            Entry::Joint(_, torque) if number == 0 => {
+                outer_torque = *torque;
+                return;
+            }
+            Entry::Joint(joint, torque) => match S::joint_matrix(joint, *torque, &section, outer_torque) {
+                Ok(matrix) => {
+                    outer_torque = *torque;
+                    matrix
+                }
+                Err(error) => {
+                    outcome = Err(error.at_station(number - 1));
+                    identity
+                }
+            },
+            Entry::Blank => identity,
+        };
+        whole = matrix.then(&whole);
+        section = if matches!(entry, Entry::Joint(..)) { identity } else { matrix.then(&section) };
+        each(number - 1, &matrix);
+    });
+    outcome.map(|()| (whole, outer_torque))
+}
+
+/// Closes the ends of a pinned or floating chain with a free tip: the state at the chain's inboard end.
+///
+/// `motion` says which of the three conjugate pairs the root holds (as the state at acceleration level).
+pub fn close<T: Scalar>(
+    whole: &TransferMatrix<T, 7>,
+    known: StateVector<T, 7>,
+    held: &[bool],
+) -> Result<StateVector<T, 7>, Error> {
+    // Position i is conjugate to force (4, 5 for x, y; 3 for the angle).
+    const CONJUGATE: [usize; 3] = [4, 5, 3];
+    let singular = Error::new(Fault::SingularTransfer);
+    let mut unknown = [0; 3];
+    for (pair, slot) in unknown.iter_mut().enumerate() {
+        *slot = if *held.get(pair).ok_or(singular)? { CONJUGATE[pair] } else { pair };
+    }
+    let mut z = known;
+    for index in unknown {
+        z[index] = T::zero();
+    }
+    // The tip's force and torque vanish.
+    let residual = *whole * z;
+    let rows = [3, 4, 5];
+    let a = rows.map(|row| unknown.map(|column| whole[(row, column)]));
+    let b = rows.map(|row| -residual[row]);
+    let x = crate::transfer::solve_dense(a, b).ok_or(singular)?;
+    for (index, value) in unknown.into_iter().zip(x) {
+        z[index] = value;
+    }
+    Ok(z)
+}
