@@ -72,7 +72,7 @@ pub trait Space: Copy + Debug + 'static {
     type Station: Copy + Debug;
     /// A vector: gravity, momentum.
     type Vector: Copy + Debug + PartialEq;
-    /// Orientation of a body in angles [rad]: one in the plane, three in space.
+    /// Orientation of a body in angles (rad): one in the plane, three in space.
     type Angles: Copy + Debug;
     /// Angular momentum.
     type Moment: Copy + Debug;
@@ -88,13 +88,13 @@ pub trait Space: Copy + Debug + 'static {
     fn turn(frame: &Self::Frame) -> Self::Turn;
     /// The orientation of a body in angles.
     fn angles(body: &Self::BodyMotion) -> Self::Angles;
-    /// The angle [rad] of a body that is too large for accurate sines, if it is.
+    /// The angle (rad) of a body that is too large for accurate sines, if it is.
     fn angle_out_of_range(body: &Self::BodyMotion) -> Option<f64>;
     /// The acceleration of a frame as seen by one that falls freely: a − g.
     fn falling(frame: &Self::Frame, gravity: Self::Vector) -> Self::Acceleration;
     /// No force, no torque.
     fn no_force() -> Self::Internal;
-    /// Gravity of magnitude g [m/s²] along −y.
+    /// Gravity of magnitude g (m/s²) along −y.
     fn downward(g: Self::Scalar) -> Self::Vector;
     /// No gravity.
     fn no_gravity() -> Self::Vector;
@@ -114,16 +114,24 @@ pub trait Space: Copy + Debug + 'static {
     fn budget(body: &Self::BodyMotion, gravity: Self::Vector) -> Budget<Self>;
 }
 
+/// A space that exists over the scalar `U` too.
+pub trait SpaceOver<U: Scalar>: Space {
+    /// The same space over `U`.
+    type Over: Space<Scalar = U>;
+    /// Replaces the numbers of a vector.
+    fn lift_vector(vector: Self::Vector, number: &mut impl FnMut(Self::Scalar) -> U) -> <Self::Over as Space>::Vector;
+}
+
 /// Energy and momentum of bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct Budget<S: Space> {
-    /// Kinetic energy [J].
+    /// Kinetic energy (J).
     pub kinetic: S::Scalar,
-    /// Potential energy in uniform gravity, zero at the origin [J].
+    /// Potential energy in uniform gravity, zero at the origin (J).
     pub potential: S::Scalar,
-    /// Linear momentum [kg·m/s].
+    /// Linear momentum (kg·m/s).
     pub momentum: S::Vector,
-    /// Angular momentum about the origin [kg·m²/s].
+    /// Angular momentum about the origin (kg·m²/s).
     pub angular_momentum: S::Moment,
 }
 
@@ -254,7 +262,7 @@ pub trait Condense<S: Space, R, L: Loading<S>>: Element<S> {
 }
 
 /// Directions and angular velocities of the bodies of an element.
-pub struct Posture<'a, S: Space, E: Element<S> + ?Sized> {
+pub struct Posture<'a, S: Space, E: Element<S>> {
     /// Direction cosines.
     pub cosine: &'a E::PerBody<S::Cosine>,
     /// Direction sines.
@@ -264,7 +272,7 @@ pub struct Posture<'a, S: Space, E: Element<S> + ?Sized> {
 }
 
 /// Loads on the bodies and in the joints of an element.
-pub struct Applied<'a, S: Space, E: Element<S> + ?Sized, L: Loading<S>> {
+pub struct Applied<'a, S: Space, E: Element<S>, L: Loading<S>> {
     /// On bodies.
     pub on_bodies: &'a E::PerBody<L::OnBody>,
     /// In joints.
@@ -272,7 +280,7 @@ pub struct Applied<'a, S: Space, E: Element<S> + ?Sized, L: Loading<S>> {
 }
 
 /// Positions, rates and accelerations of the joint coordinates of an element.
-pub struct Coordinates<'a, S: Space, E: Element<S> + ?Sized> {
+pub struct Coordinates<'a, S: Space, E: Element<S>> {
     /// Positions.
     pub position: &'a E::Position,
     /// Rates.
@@ -283,13 +291,13 @@ pub struct Coordinates<'a, S: Space, E: Element<S> + ?Sized> {
 
 macro_rules! copy_references {
     ($($name:ident<$($extra:ident: $bound:ident),*>),*) => {$(
-        impl<S: Space, E: Element<S> + ?Sized, $($extra: $bound<S>),*> Clone for $name<'_, S, E, $($extra),*> {
+        impl<S: Space, E: Element<S>, $($extra: $bound<S>),*> Clone for $name<'_, S, E, $($extra),*> {
             #[inline(always)]
             fn clone(&self) -> Self {
                 *self
             }
         }
-        impl<S: Space, E: Element<S> + ?Sized, $($extra: $bound<S>),*> Copy for $name<'_, S, E, $($extra),*> {}
+        impl<S: Space, E: Element<S>, $($extra: $bound<S>),*> Copy for $name<'_, S, E, $($extra),*> {}
     )*};
 }
 copy_references!(Posture<>, Applied<L: Loading>, Coordinates<>);

@@ -5,7 +5,7 @@ use core::fmt;
 /// Why a scene, a sweep or a step was refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Error {
-    /// Time of the instant [s], where there is one.
+    /// Time of the instant (s), where there is one.
     pub time: Option<f64>,
     /// The place in the chain, where there is one.
     pub place: Option<Place>,
@@ -55,12 +55,12 @@ pub enum Fault {
     NonFiniteMotion,
     /// An angle left the range in which sine and cosine keep their accuracy.
     AngleOutOfRange {
-        /// The angle [rad].
+        /// The angle (rad).
         angle: f64,
     },
     /// Error control asks for a step that no longer advances time.
     StepTooSmall {
-        /// The step refused [s].
+        /// The step refused (s).
         step: f64,
     },
     /// A list of coordinates has the wrong length.
@@ -96,7 +96,7 @@ impl Error {
         Self { place: Some(place), ..self }
     }
 
-    /// The same fault, at a time [s].
+    /// The same fault, at a time (s).
     #[must_use]
     pub const fn at_time(self, time: f64) -> Self {
         Self { time: Some(time), ..self }

@@ -1,6 +1,54 @@
 #![forbid(unsafe_code)]
 #![no_std]
-//! Catena.
+//! Multibody dynamics by the discrete-time transfer matrix method: a generic, const-dimension, compile-time library.
+//!
+//! A program embeds a mechanical scene, steps it in time without allocating, asks for derivatives of anything with respect to
+//! anything by running the same code on dual numbers, and reads internal forces at every connection for free: they are the
+//! state.
+//!
+//! ```
+//! use catena::planar::*;
+//!
+//! let rod = Rod::uniform(1.0, 1.0); // length (m), mass (kg)
+//! let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+//! let start = pendulum.at_rest(&[-1.0, -0.5])?; // absolute angles (rad)
+//! pendulum.simulate(start, Dop853::tolerance(1e-12), 2.0, |now| println!("{:.3} {:?}", now.time(), now.angles()))?;
+//! # Ok::<(), catena::Error>(())
+//! ```
+//!
+//! # The method
+//!
+//! Each element of a chain maps the state at its inboard end (motion, internal torque and force) to that at its outboard end.
+//! X. Rui, B. He, Y. Lu, W. Lu and G. Wang, *Discrete Time Transfer Matrix Method for Multibody System Dynamics*, Multibody
+//! System Dynamics 14 (2005), multiply these matrices and solve for the unknowns of the two ends; numbers of equations in these
+//! pages are theirs. This library takes accelerations as the unknowns, which makes the matrices exact, and condenses them by a
+//! symmetric Riccati sweep, which keeps its digits on chains of any length.
+//!
+//! # Conventions
+//!
+//! SI units throughout. A planar angle is measured from +x, counter-clockwise, and never wrapped. Signs of internal forces stand
+//! in [`element`]. Errors are values that say when, where and what: [`Error`].
+//!
+//! # Floors
+//!
+//! A file imports from lower floors only.
+//!
+//! | floor | modules |
+//! |---|---|
+//! | 0 | [`scalar`], errors, [`StateVector`] and [`TransferMatrix`] |
+//! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules) |
+//! | 2 | [`element`] (the contract: read this first), [`ends`], [`transfer`], motions |
+//! | 3 | [`chain`] (composition), [`counts`] |
+//! | 4 | [`planar`] |
+//! | 5 | [`solve`], [`observe`] |
+//! | 6 | [`system`] |
+//! | 7 | [`stepper`], [`simulate`], [`observers`] |
+//!
+//! # Features
+//!
+//! `std` (default), `alloc` (vectors of elements), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes).
+//! Without `std` and `libm` the crate compiles but brings no numbers: implement [`Scalar`] for yours.
+
 #[cfg(feature = "alloc")]
 extern crate alloc;
 #[cfg(feature = "std")]
@@ -14,9 +62,11 @@ pub mod element;
 pub mod ends;
 mod error;
 mod inspect;
+pub mod lift;
 pub mod mirror;
 mod motion;
 pub mod observe;
+pub mod observers;
 pub mod planar;
 pub mod relation;
 pub mod scalar;

@@ -29,7 +29,7 @@ pub trait Position<T: Scalar>: Clone {
     type Rate: Rate<T>;
 
     /// `self = from ⊕ (time · rate + Σ weights[j] · terms[j])`: displaced by a rate that lasts and by accelerations,
-    /// whose weights [s²] a time rule knows.
+    /// whose weights (s²) a time rule knows.
     fn drift<const M: usize>(
         &mut self,
         from: &Self,

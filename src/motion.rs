@@ -1,5 +1,6 @@
 //! The motion of a scene at an instant: the user's value.
 
+use crate::lift::Lift;
 use crate::mirror::{Position, Rate};
 use crate::scalar::Scalar;
 use core::fmt::{self, DebugList};
@@ -17,12 +18,12 @@ pub struct Motion<T: Scalar, P: Position<T>> {
 }
 
 impl<T: Scalar, P: Position<T>> Motion<T, P> {
-    /// Time [s].
+    /// Time (s).
     pub fn time(&self) -> T::Real {
         self.time
     }
 
-    /// Sets the time [s].
+    /// Sets the time (s).
     #[must_use]
     pub fn at_time(self, time: T::Real) -> Self {
         Self { time, ..self }
@@ -56,6 +57,20 @@ impl<T: Scalar, P: Position<T>> Motion<T, P> {
     /// Accelerations, to be set: the input of inverse dynamics.
     pub fn acceleration_mut(&mut self) -> &mut P::Rate {
         &mut self.acceleration
+    }
+
+    /// The same motion over another scalar, `number` replacing each coordinate, rate and acceleration.
+    pub fn lift<U: Scalar<Real = T::Real>>(&self, mut number: impl FnMut(T) -> U) -> Motion<U, P::Over>
+    where
+        P: Lift<T, U, Over: Position<U, Rate = <P::Rate as Lift<T, U>>::Over>>,
+        P::Rate: Lift<T, U>,
+    {
+        Motion {
+            time: self.time,
+            position: self.position.lift(&mut number),
+            rate: self.rate.lift(&mut number),
+            acceleration: self.acceleration.lift(&mut number),
+        }
     }
 
     /// Whether every number of it is finite.

@@ -21,7 +21,7 @@ pub struct Now<'a, S: Space, R: Root<S>, C: Element<S>, P, L> {
 }
 
 impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, S, R, C, P, L> {
-    /// Time [s].
+    /// Time (s).
     pub fn time(&self) -> RealOf<S> {
         self.motion.time()
     }
@@ -33,7 +33,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, 
     pub fn is_event(&self) -> bool {
         self.event
     }
-    /// Orientation of every body, root to tip: in the plane absolute angles [rad].
+    /// Orientation of every body, root to tip: in the plane absolute angles (rad).
     pub fn angles(&self) -> PerBody<'a, S, Elements<S, R, C>, S::Angles> {
         self.system.angles(self.motion)
     }
@@ -49,7 +49,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, 
     pub fn budget(&self) -> Budget<S> {
         self.system.budget(self.motion)
     }
-    /// Mechanical energy [J].
+    /// Mechanical energy (J).
     pub fn energy(&self) -> S::Scalar {
         let budget = self.budget();
         budget.kinetic + budget.potential
@@ -156,7 +156,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Simulation { system: self, loads: &Unloaded, rule, every: None, event: NoEvent, stop: false }
     }
 
-    /// Runs from `start` to the time `end` [s] and shows every accepted step to `observe`, the start included.
+    /// Runs from `start` to the time `end` (s) and shows every accepted step to `observe`, the start included.
     ///
     /// # Errors
     /// Why the run ended early, with the last accepted motion.
@@ -184,7 +184,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M: Metho
         Simulation { system, loads, rule, every, event, stop }
     }
 
-    /// Shown at multiples of an interval [s] from the start, by dense output, instead of at every step.
+    /// Shown at multiples of an interval (s) from the start, by dense output, instead of at every step.
     #[must_use]
     pub fn every(self, interval: RealOf<S>) -> Self {
         Self { every: Some(interval), ..self }
@@ -205,7 +205,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M: Metho
         Self { stop: true, ..self }
     }
 
-    /// Runs from `start` to the time `end` [s].
+    /// Runs from `start` to the time `end` (s).
     ///
     /// # Errors
     /// Why the run ended early, with the last accepted motion.
@@ -298,21 +298,21 @@ where
             if let Control::Tolerance(tolerance) = self.plan.rule.control {
                 let error = match outcome {
                     Ok(()) => self.stepper.error(&self.past, size, &self.next, tolerance),
-                    Err(Error { fault: Fault::NonFiniteMotion, .. }) => Some(f64::INFINITY),
+                    Err(Error { fault: Fault::NonFiniteMotion, .. }) => Some(RealOf::<S>::INFINITY),
                     Err(error) => return Err(error),
                 };
-                let error = error.unwrap_or(0.0);
+                let error = error.unwrap_or(RealOf::<S>::zero());
                 let factor = factor(error, self.stepper.error_order());
-                if error.is_nan() || error > 1.0 {
+                if !error.is_finite() || error > one {
                     self.counters.rejected += 1;
                     rejected = true;
-                    dt = size * RealOf::<S>::of(factor.min(0.9));
+                    dt = size * factor.min(RealOf::<S>::of(0.9));
                     continue;
                 }
                 // No growth right after a rejection, and none from a step cut short by the end.
-                let factor = if rejected || last { factor.min(1.0) } else { factor };
+                let factor = if rejected || last { factor.min(one) } else { factor };
                 rejected = false;
-                dt = size * RealOf::<S>::of(factor);
+                dt = size * factor;
             } else {
                 outcome?;
             }
@@ -463,9 +463,10 @@ impl Shown {
 }
 
 /// By how much the next step should differ, for an error given as a multiple of the tolerance.
-fn factor(error: f64, order: f64) -> f64 {
-    if error.is_nan() || error.is_infinite() {
-        return 0.1;
+fn factor<R: Real>(error: R, order: f64) -> R {
+    if !error.is_finite() {
+        return R::of(0.1);
     }
-    (0.9 * f64::of(error.max(1e-12)).powf(-1.0 / order)).clamp(0.2, 6.0)
+    let wanted = R::of(0.9) * error.max(R::of(1e-12)).powf(R::of(-1.0 / order));
+    wanted.max(R::of(0.2)).min(R::of(6.0))
 }

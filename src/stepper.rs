@@ -25,7 +25,7 @@ pub trait Method {
 /// Advances the motion of one scene. It owns its workspace: a step allocates nothing, costs the same every time, reads one
 /// motion and writes another, so that a step that fails loses nothing.
 pub trait Stepper<D: Dynamics<L>, L> {
-    /// One step of size `dt` [s] from `past` under `loads`, written to `next`.
+    /// One step of size `dt` (s) from `past` under `loads`, written to `next`.
     ///
     /// The accelerations at the start are found anew, because loads may have changed since they were.
     ///
@@ -59,7 +59,7 @@ pub trait Stepper<D: Dynamics<L>, L> {
         dt: TimeIn<D, L>,
         next: &MotionIn<D, L>,
         tolerance: TimeIn<D, L>,
-    ) -> Option<f64>;
+    ) -> Option<TimeIn<D, L>>;
 
     /// Order of the error estimate: a step of half the size has an error 2^−order as large.
     fn error_order(&self) -> f64;
@@ -259,7 +259,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<'_, D, L,
         dt: TimeIn<D, L>,
         next: &MotionIn<D, L>,
         tolerance: TimeIn<D, L>,
-    ) -> Option<f64> {
+    ) -> Option<TimeIn<D, L>> {
         let slopes = self.slopes.as_ref();
         let mut squares = [0.0; 2];
         for ((of_position, of_rate), square) in M::errors().iter().zip(&mut squares) {
@@ -289,7 +289,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<'_, D, L,
             *square = sum.as_f64() / count.max(1) as f64;
         }
         let count = M::errors().len();
-        (count > 0).then(|| TimeIn::<D, L>::of(M::combine_errors(&squares[..count])).sqrt().as_f64())
+        (count > 0).then(|| TimeIn::<D, L>::of(M::combine_errors(&squares[..count])).sqrt())
     }
 
     fn error_order(&self) -> f64 {

@@ -1,8 +1,9 @@
 //! A scene: root, chain and tip, validated once, and its forward and inverse dynamics.
 
-use crate::element::{Budget, Condense, Coordinates, Element, Loading, RealOf, Space, Unloaded};
+use crate::element::{Budget, Condense, Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
+use crate::lift::Lift;
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::observe::{PerBody, Stations};
@@ -28,6 +29,8 @@ pub type Elements<S, R, C> = (<R as Root<S>>::Joint, C);
 pub type MotionOf<S, R, C> = Motion<<S as Space>::Scalar, <Elements<S, R, C> as Element<S>>::Position>;
 /// The accelerations of a scene.
 type RateOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Rate;
+/// A part of a scene over another scalar.
+type Over<X, S, U> = <X as Lift<<S as Space>::Scalar, U>>::Over;
 /// The room for the sweeps of a scene.
 pub type WorkspaceOf<S, R, C, L> = Workspace<S, Elements<S, R, C>, L>;
 
@@ -50,7 +53,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(Self { chain: (root.joint(), chain), root, tip, gravity: S::no_gravity() })
     }
 
-    /// The same scene in a uniform field of gravity [m/s²].
+    /// The same scene in a uniform field of gravity (m/s²).
     #[must_use]
     pub fn with_gravity_vector(self, gravity: S::Vector) -> Self {
         Self { gravity, ..self }
@@ -61,7 +64,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let gravity = S::downward(g);
         Self { gravity, ..self }
     }
-    /// Gravity [m/s²].
+    /// Gravity (m/s²).
     pub fn gravity(&self) -> S::Vector {
         self.gravity
     }
@@ -98,7 +101,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// A motion at rest with these absolute orientations: one number for each rotary coordinate, root to tip. In the plane
-    /// it is the angle [rad] of the body outboard of each joint.
+    /// it is the angle (rad) of the body outboard of each joint.
     ///
     /// Its accelerations are not yet known (zero): see [`with_accelerations`](Self::with_accelerations).
     ///
@@ -123,7 +126,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// Rates of the joint coordinates, one number each, root to tip (for pins in the plane, the angular velocities of the
-    /// bodies [rad/s]).
+    /// bodies (rad/s)).
     ///
     /// # Errors
     /// [`Fault::Count`] when there are more or fewer numbers than coordinates, [`Fault::NotFinite`].
@@ -147,7 +150,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         PerBody::of(&self.chain, self.root.ground(motion.time), motion, |body| *body)
     }
 
-    /// Orientation of every body: in the plane absolute angles [rad].
+    /// Orientation of every body: in the plane absolute angles (rad).
     pub fn angles(&self, motion: &MotionOf<S, R, C>) -> PerBody<'_, S, Elements<S, R, C>, S::Angles> {
         PerBody::of(&self.chain, self.root.ground(motion.time), motion, S::angles)
     }
@@ -164,6 +167,40 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Energy and momentum of all bodies.
     pub fn budget(&self, motion: &MotionOf<S, R, C>) -> Budget<S> {
         S::total(self.body_motions(motion).iter().map(|body| S::budget(body, self.gravity)))
+    }
+}
+
+impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// The same scene over another scalar, `number` replacing each of its parameters.
+    ///
+    /// A parameter that is to have a derivative is better set when the scene is built.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    /// let single = pendulum.lift(|x| x as f32);
+    /// let start = single.at_rest(&[-1.0_f32, -0.5])?;
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    pub fn lift<U: Scalar>(
+        &self,
+        mut number: impl FnMut(S::Scalar) -> U,
+    ) -> System<S::Over, Over<R, S, U>, Over<C, S, U>, Over<P, S, U>>
+    where
+        S: SpaceOver<U>,
+        R: Lift<S::Scalar, U, Over: Root<S::Over>>,
+        C: Lift<S::Scalar, U>,
+        P: Lift<S::Scalar, U>,
+    {
+        let root = self.root.lift(&mut number);
+        System {
+            chain: (root.joint(), self.chain.1.lift(&mut number)),
+            root,
+            tip: self.tip.lift(&mut number),
+            gravity: S::lift_vector(self.gravity, &mut number),
+        }
     }
 }
 

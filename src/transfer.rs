@@ -46,9 +46,9 @@ pub(crate) fn solve_dense<T: Scalar, const K: usize>(mut a: [[T; K]; K], mut b: 
         let inverse = a[i][i].recip();
         for row in i + 1..K {
             let factor = a[row][i] * inverse;
-            for column in i..K {
-                let above = a[i][column];
-                a[row][column] -= factor * above;
+            let above = a[i];
+            for (entry, above) in a[row].iter_mut().zip(above) {
+                *entry -= factor * above;
             }
             let above = b[i];
             b[row] -= factor * above;

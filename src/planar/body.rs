@@ -1,23 +1,26 @@
 //! What a planar body has to say of itself, and how that makes it an element.
 
 use super::{BodyMotion, Frame, Planar, Turn};
+use crate::counts::Counted;
 use crate::element::{Applied, Condense, Coordinates, Element, Loading, Posture, Visit};
 use crate::error::{Error, Fault};
+use crate::lift::lift;
 use crate::relation::Term;
 use crate::relation::plane::{Full, Relation};
 use crate::scalar::{Real, Scalar};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use num_traits::Zero;
+use typenum::{U0, U1};
 
 /// Mass, mass centre and moment of inertia of a planar body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia<T> {
-    /// Mass [kg].
+    /// Mass (kg).
     pub mass: T,
-    /// Mass centre from the inboard end [m], body axes.
+    /// Mass centre from the inboard end (m), body axes.
     pub centre: [T; 2],
-    /// Moment of inertia about the mass centre [kg·m²].
+    /// Moment of inertia about the mass centre (kg·m²).
     pub about_centre: T,
 }
 
@@ -64,7 +67,7 @@ pub trait Body<T: Scalar>: Copy + Debug {
     /// Its inertia.
     fn inertia(&self) -> Inertia<T>;
 
-    /// From I to O [m], in inertial axes, for a body with this direction cosine and sine.
+    /// From I to O (m), in inertial axes, for a body with this direction cosine and sine.
     fn arm(&self, cosine: T, sine: T) -> Vector2<T>;
 
     /// Condenses the relation at O to one at I. `spin2` is the square of the angular velocity.
@@ -165,6 +168,11 @@ macro_rules! body {
             }
         }
 
+        impl<T> Counted for super::$Body<T> {
+            type Bodies = U1;
+            type Freedoms = U0;
+        }
+
         impl<T: Scalar, R: Relation<T>, L: Loading<Planar<T>>> Condense<Planar<T>, R, L> for super::$Body<T>
         where
             L::OnBody: Term<Full<T>>,
@@ -186,3 +194,5 @@ macro_rules! body {
     )*};
 }
 body!(Rod, RigidBody, PointMass);
+
+lift!(Inertia { mass, centre, about_centre });

@@ -4,6 +4,7 @@ use super::{Acceleration, Frame, Joint, Pin, Planar, Turn};
 use crate::element::{Applied, Condense, Loading, Posture};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
+use crate::lift::{Lift, lift};
 use crate::relation::plane::{Empty, Full};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -11,17 +12,17 @@ use nalgebra::Vector2;
 /// Motion of a point of the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroundMotion<T> {
-    /// Place [m].
+    /// Place (m).
     pub place: [T; 2],
-    /// Velocity [m/s].
+    /// Velocity (m/s).
     pub velocity: [T; 2],
-    /// Acceleration [m/s²].
+    /// Acceleration (m/s²).
     pub acceleration: [T; 2],
 }
 
 /// A place that may move as a given function of time.
 pub trait Ground<T: Scalar> {
-    /// Its motion at a time [s].
+    /// Its motion at a time (s).
     fn at(&self, time: T::Real) -> GroundMotion<T>;
 }
 
@@ -61,7 +62,7 @@ impl<T: Scalar> Pinned<[T; 2]> {
     pub fn origin() -> Self {
         Self([T::zero(); 2])
     }
-    /// Held at a place [m].
+    /// Held at a place (m).
     pub fn at(x: T, y: T) -> Self {
         Self([x, y])
     }
@@ -184,5 +185,14 @@ impl<T: Scalar, L: Loading<Planar<T>>> Condense<Planar<T>, Full<T>, L> for Float
         let (linear, angular) = outer.free();
         *kept = Acceleration { linear, angular };
         Empty
+    }
+}
+
+lift!(Free, Floating);
+
+impl<T: Scalar, U: Scalar> Lift<T, U> for Pinned<[T; 2]> {
+    type Over = Pinned<[U; 2]>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Pinned(self.0.lift(number))
     }
 }

@@ -1,7 +1,7 @@
 //! What the walks carry in the plane.
 
 use super::{Inertia, Station};
-use crate::element::{Budget, Space};
+use crate::element::{Budget, Space, SpaceOver};
 use crate::relation::plane::{add_scaled, cross, dot, normal};
 use crate::scalar::{Real, Scalar};
 use core::fmt;
@@ -21,27 +21,27 @@ impl<T> fmt::Debug for Planar<T> {
 /// Orientation of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn<T> {
-    /// Absolute angle [rad].
+    /// Absolute angle (rad).
     pub angle: T,
-    /// Angular velocity [rad/s].
+    /// Angular velocity (rad/s).
     pub rate: T,
 }
 
 /// Acceleration of a station.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Acceleration<T> {
-    /// Of its point [m/s²].
+    /// Of its point (m/s²).
     pub linear: Vector2<T>,
-    /// Of the body on its inboard side [rad/s²].
+    /// Of the body on its inboard side (rad/s²).
     pub angular: T,
 }
 
 /// Motion of a station: a point of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame<T> {
-    /// Place of the point [m].
+    /// Place of the point (m).
     pub place: Vector2<T>,
-    /// Its velocity [m/s].
+    /// Its velocity (m/s).
     pub velocity: Vector2<T>,
     /// Orientation of the body.
     pub turn: Turn<T>,
@@ -92,9 +92,9 @@ impl<T: Scalar> Acceleration<T> {
 /// Internal force and torque at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Internal<T> {
-    /// Force q [N].
+    /// Force q (N).
     pub force: Vector2<T>,
-    /// Torque m [N·m].
+    /// Torque m (N·m).
     pub torque: T,
 }
 
@@ -103,9 +103,9 @@ pub struct Internal<T> {
 pub struct BodyMotion<T> {
     /// Motion of its inboard end.
     pub inboard: Frame<T>,
-    /// From the inboard to the outboard end [m], inertial axes.
+    /// From the inboard to the outboard end (m), inertial axes.
     pub arm: Vector2<T>,
-    /// From the inboard end to the mass centre [m], inertial axes.
+    /// From the inboard end to the mass centre (m), inertial axes.
     pub to_centre: Vector2<T>,
     /// Direction cosine and sine of the body.
     pub direction: Vector2<T>,
@@ -114,11 +114,11 @@ pub struct BodyMotion<T> {
 }
 
 impl<T: Scalar> BodyMotion<T> {
-    /// Absolute angle [rad].
+    /// Absolute angle (rad).
     pub fn angle(&self) -> T {
         self.inboard.turn.angle
     }
-    /// Angular velocity [rad/s].
+    /// Angular velocity (rad/s).
     pub fn rate(&self) -> T {
         self.inboard.turn.rate
     }
@@ -130,7 +130,7 @@ impl<T: Scalar> BodyMotion<T> {
     pub fn centre(&self) -> Frame<T> {
         self.inboard.shifted(self.to_centre)
     }
-    /// Motion of a point given in body axes from the inboard end [m].
+    /// Motion of a point given in body axes from the inboard end (m).
     pub fn point(&self, at: [T; 2]) -> Frame<T> {
         self.inboard.shifted(self.turned(at))
     }
@@ -139,7 +139,7 @@ impl<T: Scalar> BodyMotion<T> {
         let (cos, sin) = (self.direction.x, self.direction.y);
         Vector2::new(cos * x - sin * y, sin * x + cos * y)
     }
-    /// Kinetic energy [J].
+    /// Kinetic energy (J).
     pub fn kinetic_energy(&self) -> T {
         let velocity = self.centre().velocity;
         let rate = self.rate();
@@ -161,11 +161,11 @@ pub struct JointMotion<T> {
 }
 
 impl<T: Scalar> JointMotion<T> {
-    /// Angle of the outboard body relative to the inboard one [rad].
+    /// Angle of the outboard body relative to the inboard one (rad).
     pub fn angle(&self) -> T {
         self.outboard.turn.angle - self.inboard.turn.angle
     }
-    /// Rate of that angle [rad/s].
+    /// Rate of that angle (rad/s).
     pub fn rate(&self) -> T {
         self.outboard.turn.rate - self.inboard.turn.rate
     }
@@ -248,5 +248,12 @@ impl<T: Scalar> Space for Planar<T> {
             momentum,
             angular_momentum: cross(centre.place, momentum) + spin,
         }
+    }
+}
+
+impl<T: Scalar, U: Scalar> SpaceOver<U> for Planar<T> {
+    type Over = Planar<U>;
+    fn lift_vector(vector: Vector2<T>, number: &mut impl FnMut(T) -> U) -> Vector2<U> {
+        vector.map(number)
     }
 }

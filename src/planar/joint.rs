@@ -1,11 +1,13 @@
 //! What a planar joint has to say of itself, and how that makes it an element.
 
 use super::{Acceleration, Frame, JointMotion, Planar, Turn};
+use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Posture, Visit};
 use crate::error::Error;
 use crate::mirror::{Position, Rate};
 use crate::scalar::Scalar;
 use core::fmt::Debug;
+use typenum::{U0, U1, U3};
 
 /// A massless joint in the plane.
 ///
@@ -49,7 +51,12 @@ pub trait Joint<T: Scalar>: Copy + Debug {
 
 /// Makes planar joints elements.
 macro_rules! joint {
-    ($($Joint:ident),*) => {$(
+    ($($Joint:ident: $Freedoms:ident),*) => {$(
+        impl Counted for super::$Joint {
+            type Bodies = U0;
+            type Freedoms = $Freedoms;
+        }
+
         impl<T: Scalar> Element<Planar<T>> for super::$Joint {
             type Position = <Self as Joint<T>>::Position;
             type Rate = <Self as Joint<T>>::Rate;
@@ -136,4 +143,4 @@ macro_rules! joint {
         }
     )*};
 }
-joint!(Pin, Floating);
+joint!(Pin: U1, Floating: U3);

@@ -11,9 +11,9 @@ use nalgebra::Vector2;
 /// A force and a torque on a body, about its inboard end, in inertial axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wrench<T> {
-    /// Force [N].
+    /// Force (N).
     pub force: Vector2<T>,
-    /// Torque about the body's inboard end [N·m].
+    /// Torque about the body's inboard end (N·m).
     pub torque: T,
 }
 
@@ -24,7 +24,7 @@ impl<T: Scalar> Default for Wrench<T> {
 }
 
 impl<T: Scalar> Wrench<T> {
-    /// A pure torque [N·m].
+    /// A pure torque (N·m).
     pub fn torque(torque: T) -> Self {
         Self { torque, ..Self::default() }
     }
@@ -38,7 +38,7 @@ impl<T: Scalar> Add for Wrench<T> {
 }
 
 impl<T: Scalar> BodyMotion<T> {
-    /// The wrench of a force [N, inertial axes] at a point of this body [m, body axes from the inboard end].
+    /// The wrench of a force (N, inertial axes) at a point of this body (m, body axes from the inboard end).
     pub fn force_at(&self, point: [T; 2], force: [T; 2]) -> Wrench<T> {
         let force = Vector2::new(force[0], force[1]);
         Wrench { force, torque: cross(self.turned(point), force) }
@@ -103,7 +103,7 @@ impl Loads {
 }
 
 impl<B, J> Loads<B, J> {
-    /// Forces and torques on bodies: a function of time [s], body number and motion.
+    /// Forces and torques on bodies: a function of time (s), body number and motion.
     pub fn on_bodies<T: Scalar, F: Fn(T::Real, usize, &BodyMotion<T>) -> Wrench<T>>(
         self,
         law: F,
@@ -111,7 +111,7 @@ impl<B, J> Loads<B, J> {
         Loads { bodies: OnBodies(law), joints: self.joints }
     }
 
-    /// Torques in joints [N·m], ON the outboard body: a function of time [s], joint number and motion.
+    /// Torques in joints (N·m), ON the outboard body: a function of time (s), joint number and motion.
     pub fn in_joints<T: Scalar, F: Fn(T::Real, usize, &JointMotion<T>) -> T>(self, law: F) -> Loads<B, InJoints<F>> {
         Loads { bodies: self.bodies, joints: InJoints(law) }
     }

@@ -3,9 +3,9 @@
 //! ```
 //! use catena::planar::*;
 //!
-//! let rod = Rod::uniform(1.0, 1.0); // length [m], mass [kg]
+//! let rod = Rod::uniform(1.0, 1.0); // length (m), mass (kg)
 //! let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
-//! let start = pendulum.at_rest(&[-1.0, -0.5])?; // absolute angles [rad]
+//! let start = pendulum.at_rest(&[-1.0, -0.5])?; // absolute angles (rad)
 //! assert_eq!(start.time(), 0.0);
 //! # Ok::<(), catena::Error>(())
 //! ```

@@ -2,6 +2,7 @@
 
 use super::{Acceleration, Frame, Joint, Planar, Turn};
 use crate::element::{Applied, Condense, Loading, Posture};
+use crate::lift::lift;
 use crate::relation::Term;
 use crate::relation::plane::{Full, Gain, Point};
 use crate::scalar::Scalar;
@@ -75,3 +76,5 @@ where
         relation
     }
 }
+
+lift!(Pin);

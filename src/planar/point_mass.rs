@@ -3,6 +3,7 @@
 use super::body::{not_negative, positive};
 use super::{Body, Inertia};
 use crate::error::Fault;
+use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -15,7 +16,7 @@ use num_traits::Zero;
 ///
 /// ```
 /// use catena::planar::{Body, PointMass};
-/// let bob = PointMass::new(1.5, 0.2); // length [m], mass [kg]
+/// let bob = PointMass::new(1.5, 0.2); // length (m), mass (kg)
 /// assert_eq!(bob.inertia().centre, [1.5, 0.0]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +26,7 @@ pub struct PointMass<T> {
 }
 
 impl<T: Scalar> PointMass<T> {
-    /// A point mass [kg] at the end of a massless link with a length [m].
+    /// A point mass (kg) at the end of a massless link with a length (m).
     pub fn new(length: T, mass: T) -> Self {
         Self { length, mass }
     }
@@ -51,3 +52,5 @@ impl<T: Scalar> Body<T> for PointMass<T> {
         not_negative("mass", self.mass, T::Real::zero())
     }
 }
+
+lift!(PointMass { length, mass });

@@ -2,6 +2,7 @@
 
 use super::{Body, Inertia};
 use crate::error::Fault;
+use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -11,7 +12,7 @@ use nalgebra::Vector2;
 ///
 /// ```
 /// use catena::planar::{Body, RigidBody};
-/// // A plate: mass [kg], moment of inertia about the mass centre [kg·m²], mass centre and outboard end [m].
+/// // A plate: mass (kg), moment of inertia about the mass centre (kg·m²), mass centre and outboard end (m).
 /// let plate = RigidBody::new(2.0, 0.3, [0.4, 0.1], [0.8, -0.2]);
 /// assert_eq!(plate.inertia().mass, 2.0);
 /// ```
@@ -24,7 +25,7 @@ pub struct RigidBody<T> {
 }
 
 impl<T: Scalar> RigidBody<T> {
-    /// A body with mass [kg], moment of inertia about its mass centre [kg·m²], mass centre and outboard end [m, body axes].
+    /// A body with mass (kg), moment of inertia about its mass centre (kg·m²), mass centre and outboard end (m, body axes).
     pub fn new(mass: T, about_centre: T, centre: [T; 2], outboard: [T; 2]) -> Self {
         let [x, y] = centre;
         Self {
@@ -68,3 +69,5 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
         self.inertia.check()
     }
 }
+
+lift!(RigidBody { inertia, outboard, about_inboard });

@@ -3,6 +3,7 @@
 use super::body::positive;
 use super::{Body, Inertia};
 use crate::error::Fault;
+use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector2;
@@ -29,21 +30,21 @@ pub struct Rod<T> {
 }
 
 impl<T: Scalar> Rod<T> {
-    /// A uniform thin rod: length [m], mass [kg].
+    /// A uniform thin rod: length (m), mass (kg).
     pub fn uniform(length: T, mass: T) -> Self {
         let half = T::Real::of(0.5);
         let about_centre = (mass * length * length).scale(T::Real::of(1.0 / 12.0));
         Self::new(length, mass, length.scale(half), about_centre)
     }
 
-    /// A rod with length [m], mass [kg], distance of the mass centre from the inboard end [m] and moment of inertia about
-    /// the mass centre [kg·m²].
+    /// A rod with length (m), mass (kg), distance of the mass centre from the inboard end (m) and moment of inertia about
+    /// the mass centre (kg·m²).
     pub fn new(length: T, mass: T, centre: T, about_centre: T) -> Self {
         let outer = mass * centre / length;
         Self { length, inner: mass - outer, outer, rest: about_centre - outer * (length - centre) * length }
     }
 
-    /// Length [m].
+    /// Length (m).
     pub fn length(&self) -> T {
         self.length
     }
@@ -73,3 +74,5 @@ impl<T: Scalar> Body<T> for Rod<T> {
         self.inertia().check()
     }
 }
+
+lift!(Rod { length, inner, outer, rest });

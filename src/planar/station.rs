@@ -29,11 +29,11 @@ pub mod index {
 pub struct Station<T> {
     /// Motion of the station, with the body on its inboard side if it is the end of a joint.
     pub frame: Frame<T>,
-    /// From here to the next station outboard [m].
+    /// From here to the next station outboard (m).
     arm: Vector2<T>,
-    /// Inertia force less loads of the element outboard [N].
+    /// Inertia force less loads of the element outboard (N).
     pub(super) inertia_force: Vector2<T>,
-    /// Inertia torque less loads of the element outboard, about this station [N·m].
+    /// Inertia torque less loads of the element outboard, about this station (N·m).
     pub(super) inertia_torque: T,
     /// Internal force and torque.
     pub internal: Internal<T>,

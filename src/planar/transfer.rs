@@ -15,11 +15,7 @@ use nalgebra::Vector2;
 use num_traits::Zero;
 
 impl<T: Scalar> Exact<7> for Planar<T> {
-    fn body_matrix(
-        body: &BodyMotion<T>,
-        gravity: Vector2<T>,
-        load: impl Load<Self>,
-    ) -> TransferMatrix<T, 7> {
+    fn body_matrix(body: &BodyMotion<T>, gravity: Vector2<T>, load: impl Load<Self>) -> TransferMatrix<T, 7> {
         let mass = body.inertia.mass;
         let (o, c) = (body.arm, body.to_centre);
         let spin2 = body.rate() * body.rate();

@@ -99,33 +99,33 @@ pub struct Empty;
 /// A point mass outboard: q = m a.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lump<T> {
-    /// Mass [kg].
+    /// Mass (kg).
     pub mass: T,
 }
 
 /// A pin outboard: q = S a + e, and the moment is the torque M that acts in the pin, if there is one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point<T, M = Absent> {
-    /// S [kg].
+    /// S (kg).
     pub stiffness: Symmetric2<T>,
-    /// e [N].
+    /// e (N).
     pub offset: Vector2<T>,
-    /// Torque on the outboard part [N·m].
+    /// Torque on the outboard part (N·m).
     pub torque: M,
 }
 
 /// A full relation: q = S_qq a + s α + e_q, −m = s·a + S_mm α + e_m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Full<T> {
-    /// S_qq [kg].
+    /// S_qq (kg).
     pub linear: Symmetric2<T>,
-    /// s, the coupling of force and angular acceleration [kg·m].
+    /// s, the coupling of force and angular acceleration (kg·m).
     pub coupling: Vector2<T>,
-    /// S_mm [kg·m²].
+    /// S_mm (kg·m²).
     pub angular: T,
-    /// e_q [N].
+    /// e_q (N).
     pub force: Vector2<T>,
-    /// e_m [N·m], of the torque on the outboard part.
+    /// e_m (N·m), of the torque on the outboard part.
     pub torque: T,
 }
 
@@ -148,10 +148,10 @@ pub trait Relation<T: Scalar>: Copy {
     /// The relation with a point mass added at its station.
     type WithMass: Relation<T>;
 
-    /// Adds a point mass [kg] at the station.
+    /// Adds a point mass (kg) at the station.
     fn with_mass(self, mass: T) -> Self::WithMass;
 
-    /// Moves the station inboard by −d on a rigid body that turns at a rate with the square `spin2` [rad²/s²]:
+    /// Moves the station inboard by −d on a rigid body that turns at a rate with the square `spin2` (rad²/s²):
     /// p_O = (a + α n − ω² d, α), hence F_I = Xᵀ F_O with X = [[1, n], [0, 1]].
     fn carried(self, d: Vector2<T>, spin2: T) -> Full<T>;
 }
@@ -242,13 +242,13 @@ impl<T: Scalar> Relation<T> for Full<T> {
 }
 
 impl<T: Scalar> Full<T> {
-    /// Adds a rotary inertia [kg·m²]; it may be negative when it only completes that of point masses.
+    /// Adds a rotary inertia (kg·m²); it may be negative when it only completes that of point masses.
     #[inline(always)]
     pub fn with_inertia(self, inertia: T) -> Self {
         Self { angular: self.angular + inertia, ..self }
     }
 
-    /// Adds a first moment σ = m d_C [kg·m] about the station, of a body that turns at a rate with square `spin2`.
+    /// Adds a first moment σ = m d_C (kg·m) about the station, of a body that turns at a rate with square `spin2`.
     #[inline(always)]
     pub fn with_first_moment(self, moment: Vector2<T>, spin2: T) -> Self {
         Self { coupling: self.coupling + normal(moment), force: add_scaled(self.force, -spin2, moment), ..self }
@@ -283,14 +283,14 @@ impl<T: Scalar> Full<T> {
 /// What eliminating a rotation leaves behind: α = free − w · a.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gain<T> {
-    /// w = s / S_mm [rad/m].
+    /// w = s / S_mm (rad/m).
     pub per_acceleration: Vector2<T>,
-    /// Angular acceleration of a station that does not accelerate [rad/s²].
+    /// Angular acceleration of a station that does not accelerate (rad/s²).
     pub free: T,
 }
 
 impl<T: Scalar> Gain<T> {
-    /// The angular acceleration [rad/s²] of the eliminated rotation where its station accelerates by `a`.
+    /// The angular acceleration (rad/s²) of the eliminated rotation where its station accelerates by `a`.
     #[inline(always)]
     pub fn angular(&self, a: Vector2<T>) -> T {
         let w = self.per_acceleration;

@@ -12,7 +12,7 @@ pub struct Rule<M, R> {
 /// A choice of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Control<R> {
-    /// All of one size [s] (the last is shortened to end on time).
+    /// All of one size (s) (the last is shortened to end on time).
     Fixed(R),
     /// As large as keeps the error of a step within a tolerance, absolute and relative.
     Tolerance(R),

@@ -10,11 +10,11 @@ use super::{Control, Rule};
 pub struct Dop853;
 
 impl Dop853 {
-    /// Steps of a fixed size [s].
+    /// Steps of a fixed size (s).
     pub fn step<R>(size: R) -> Rule<Self, R> {
         Rule { method: Self, control: Control::Fixed(size) }
     }
-    /// Steps that keep the error of each within a tolerance, absolute [rad, m] and relative.
+    /// Steps that keep the error of each within a tolerance, absolute (rad, m) and relative.
     pub fn tolerance<R>(tolerance: R) -> Rule<Self, R> {
         Rule { method: Self, control: Control::Tolerance(tolerance) }
     }

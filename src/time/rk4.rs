@@ -11,7 +11,7 @@ use super::{Control, Rule};
 pub struct Rk4;
 
 impl Rk4 {
-    /// Steps of a fixed size [s].
+    /// Steps of a fixed size (s).
     pub fn step<R>(size: R) -> Rule<Self, R> {
         Rule { method: Self, control: Control::Fixed(size) }
     }

@@ -1,0 +1,70 @@
+//! Values over another scalar: the same parameters as dual numbers, as lanes, in single precision.
+
+use crate::scalar::Scalar;
+use crate::tuples::for_each_tuple;
+
+/// A value whose numbers can be replaced by numbers of type `U`.
+pub trait Lift<T: Scalar, U: Scalar> {
+    /// The same value over `U`.
+    type Over;
+
+    /// Replaces each number.
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over;
+}
+
+impl<T: Scalar, U: Scalar> Lift<T, U> for T {
+    type Over = U;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> U {
+        number(*self)
+    }
+}
+
+impl<T: Scalar, U: Scalar, A: Lift<T, U>, const K: usize> Lift<T, U> for [A; K] {
+    type Over = [A::Over; K];
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        self.each_ref().map(|item| item.lift(number))
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<T: Scalar, U: Scalar, A: Lift<T, U>> Lift<T, U> for alloc::vec::Vec<A> {
+    type Over = alloc::vec::Vec<A::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        self.iter().map(|item| item.lift(number)).collect()
+    }
+}
+
+macro_rules! lift_tuple {
+    ($($met:ident)?; $($A:ident $i:tt $out:ident $in:ident),*; $($rest:tt)*) => {
+        impl<Num: Scalar, Other: Scalar, $($A: Lift<Num, Other>),*> Lift<Num, Other> for ($($A,)*) {
+            type Over = ($($A::Over,)*);
+            fn lift(&self, _number: &mut impl FnMut(Num) -> Other) -> Self::Over {
+                #[allow(clippy::unused_unit)] // the tuple of none
+                ($(self.$i.lift(_number),)*)
+            }
+        }
+    };
+}
+lift_tuple!(; ;);
+for_each_tuple!(lift_tuple);
+
+/// Lifts structs field by field, or as they are where they hold no number.
+macro_rules! lift {
+    ($($Name:ident { $($field:ident),* }),*) => {$(
+        impl<T: crate::scalar::Scalar, U: crate::scalar::Scalar> crate::lift::Lift<T, U> for $Name<T> {
+            type Over = $Name<U>;
+            fn lift(&self, number: &mut impl FnMut(T) -> U) -> $Name<U> {
+                $Name { $($field: self.$field.lift(number)),* }
+            }
+        }
+    )*};
+    ($($Name:ident),*) => {$(
+        impl<T: crate::scalar::Scalar, U: crate::scalar::Scalar> crate::lift::Lift<T, U> for $Name {
+            type Over = Self;
+            fn lift(&self, _: &mut impl FnMut(T) -> U) -> Self {
+                *self
+            }
+        }
+    )*};
+}
+pub(crate) use lift;
