@@ -45,98 +45,10 @@
 //! angles loses digits when bodies are short.
 
 use crate::error::Error;
+pub use crate::loading::{Load, Loading, Unloaded};
+pub use crate::space::{Budget, RealOf, Space, SpaceOver};
+
 use crate::mirror::{Position, Rate};
-use crate::relation::{Absent, Part};
-use crate::scalar::Scalar;
-use core::fmt::Debug;
-
-/// What elements of one space have in common. Implemented by `planar::Planar<T>`.
-pub trait Space: Copy + Debug + 'static {
-    /// The numbers of the scene.
-    type Scalar: Scalar;
-    /// Direction cosines of a body.
-    type Cosine: Copy + Debug;
-    /// Direction sines of a body.
-    type Sine: Copy + Debug;
-    /// Angular velocity of a body.
-    type Spin: Copy + Debug;
-    /// Orientation and angular velocity, as they are carried outward.
-    type Turn: Copy + Debug;
-    /// Place, orientation, velocity and acceleration of a station.
-    type Frame: Copy + Debug;
-    /// Acceleration p of a station.
-    type Acceleration: Copy + Debug;
-    /// Internal force q and torque m at a station.
-    type Internal: Copy + Debug;
-    /// A station: its motion, and its force and torque.
-    type Station: Copy + Debug;
-    /// A vector: gravity, momentum.
-    type Vector: Copy + Debug + PartialEq;
-    /// Orientation of a body in angles (rad): one in the plane, three in space.
-    type Angles: Copy + Debug;
-    /// Angular momentum.
-    type Moment: Copy + Debug;
-    /// A body and its motion at an instant.
-    type BodyMotion: Copy + Debug;
-    /// A joint and its motion at an instant.
-    type JointMotion: Copy + Debug;
-
-    /// Nothing has been resolved yet: initial values of the stores of directions.
-    fn blank() -> (Self::Cosine, Self::Sine, Self::Spin);
-
-    /// The orientation part of a frame.
-    fn turn(frame: &Self::Frame) -> Self::Turn;
-    /// The orientation of a body in angles.
-    fn angles(body: &Self::BodyMotion) -> Self::Angles;
-    /// The angle (rad) of a body that is too large for accurate sines, if it is.
-    fn angle_out_of_range(body: &Self::BodyMotion) -> Option<f64>;
-    /// The acceleration of a frame as seen by one that falls freely: a − g.
-    fn falling(frame: &Self::Frame, gravity: Self::Vector) -> Self::Acceleration;
-    /// No force, no torque.
-    fn no_force() -> Self::Internal;
-    /// Gravity of magnitude g (m/s²) along −y.
-    fn downward(g: Self::Scalar) -> Self::Vector;
-    /// No gravity.
-    fn no_gravity() -> Self::Vector;
-    /// Whether a vector is finite.
-    fn is_finite(vector: Self::Vector) -> bool;
-    /// The inboard station of a body, with the body's inertia force in its balance.
-    fn body_station(body: &Self::BodyMotion, gravity: Self::Vector) -> Self::Station;
-    /// The inboard station of a joint.
-    fn joint_station(joint: &Self::JointMotion) -> Self::Station;
-    /// The station at the end of a chain.
-    fn end_station(frame: &Self::Frame) -> Self::Station;
-    /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.
-    fn balance(station: &mut Self::Station, outer: Self::Internal) -> Self::Internal;
-    /// The sum of budgets.
-    fn total(budgets: impl Iterator<Item = Budget<Self>>) -> Budget<Self>;
-    /// Mechanical energy, linear momentum and angular momentum about the origin of a body.
-    fn budget(body: &Self::BodyMotion, gravity: Self::Vector) -> Budget<Self>;
-}
-
-/// A space that exists over the scalar `U` too.
-pub trait SpaceOver<U: Scalar>: Space {
-    /// The same space over `U`.
-    type Over: Space<Scalar = U>;
-    /// Replaces the numbers of a vector.
-    fn lift_vector(vector: Self::Vector, number: &mut impl FnMut(Self::Scalar) -> U) -> <Self::Over as Space>::Vector;
-}
-
-/// Energy and momentum of bodies.
-#[derive(Clone, Copy, Debug)]
-pub struct Budget<S: Space> {
-    /// Kinetic energy (J).
-    pub kinetic: S::Scalar,
-    /// Potential energy in uniform gravity, zero at the origin (J).
-    pub potential: S::Scalar,
-    /// Linear momentum (kg·m/s).
-    pub momentum: S::Vector,
-    /// Angular momentum about the origin (kg·m²/s).
-    pub angular_momentum: S::Moment,
-}
-
-/// Names the time, step and tolerance of a space's scalar.
-pub type RealOf<S> = <<S as Space>::Scalar as Scalar>::Real;
 
 /// A body, a joint, or a chain of them.
 ///
@@ -313,52 +225,4 @@ pub trait Visit<S: Space> {
     fn body(&mut self, body: &S::BodyMotion) -> Self::OnBody;
     /// Meets a joint.
     fn joint(&mut self, joint: &S::JointMotion) -> Self::InJoint;
-}
-
-/// What acts on a scene besides uniform gravity. Its types say what a sweep has to carry: [`Absent`] parts cost nothing.
-pub trait Loading<S: Space> {
-    /// Load on a body, or `Absent`.
-    type OnBody: Load<S>;
-    /// Torque in a joint, or `Absent`.
-    type InJoint: Part;
-
-    /// Whether there is anything to evaluate.
-    const ON: bool;
-
-    /// No load, to fill stores with.
-    fn nothing() -> (Self::OnBody, Self::InJoint);
-    /// The load on body number `body` at a time.
-    fn on_body(&self, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> Self::OnBody;
-    /// The torque in joint number `joint` (0 is the root's) at a time.
-    fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> Self::InJoint;
-}
-
-/// A load on a body, or [`Absent`].
-pub trait Load<S: Space>: Part {
-    /// Adds it to the balance of forces at the body's inboard station.
-    fn act(self, station: &mut S::Station);
-}
-
-impl<S: Space> Load<S> for Absent {
-    fn act(self, _: &mut S::Station) {}
-}
-
-/// No loads but gravity.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Unloaded;
-
-impl<S: Space> Loading<S> for Unloaded {
-    type OnBody = Absent;
-    type InJoint = Absent;
-    const ON: bool = false;
-
-    fn nothing() -> (Absent, Absent) {
-        (Absent, Absent)
-    }
-    fn on_body(&self, _: RealOf<S>, _: usize, _: &S::BodyMotion) -> Absent {
-        Absent
-    }
-    fn in_joint(&self, _: RealOf<S>, _: usize, _: &S::JointMotion) -> Absent {
-        Absent
-    }
 }

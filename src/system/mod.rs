@@ -1,14 +1,19 @@
 //! A scene: root, chain and tip, validated once, and its forward and inverse dynamics.
 
-use crate::element::{Budget, Condense, Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
+mod dynamics;
+mod inspect;
+
+pub use dynamics::Dynamics;
+
+use crate::element::{Budget, Condense, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault, Place};
+use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::mirror::{Position, Rate};
+use crate::mirror::Rate;
 use crate::motion::Motion;
 use crate::observe::{PerBody, Stations};
-use crate::scalar::{Real, Scalar};
-use crate::solve::riccati::{Workspace, broken_load, sweep};
+use crate::scalar::Scalar;
+use crate::solve::riccati::Workspace;
 use num_traits::Zero;
 
 /// A mechanical scene. It holds parameters only; its motion is a value of its own ([`Motion`]).
@@ -28,7 +33,7 @@ pub type Elements<S, R, C> = (<R as Root<S>>::Joint, C);
 /// The motion of a scene.
 pub type MotionOf<S, R, C> = Motion<<S as Space>::Scalar, <Elements<S, R, C> as Element<S>>::Position>;
 /// The accelerations of a scene.
-type RateOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Rate;
+pub type RateOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Rate;
 /// A part of a scene over another scalar.
 type Over<X, S, U> = <X as Lift<<S as Space>::Scalar, U>>::Over;
 /// The room for the sweeps of a scene.
@@ -200,135 +205,6 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             root,
             tip: self.tip.lift(&mut number),
             gravity: S::lift_vector(self.gravity, &mut number),
-        }
-    }
-}
-
-/// What a stepper needs of a scene with loads of type `L`: one implementor, [`System`], whose bounds are long.
-pub trait Dynamics<L> {
-    /// The space.
-    type Space: Space<Scalar = Self::Scalar>;
-    /// The numbers.
-    type Scalar: Scalar;
-    /// Positions of the joint coordinates.
-    type Position: Position<Self::Scalar, Rate = Self::Rate>;
-    /// Their rates.
-    type Rate: Rate<Self::Scalar>;
-    /// Room for sweeps.
-    type Workspace;
-
-    /// Room for sweeps.
-    fn workspace(&self) -> Self::Workspace;
-
-    /// A motion with all coordinates zero.
-    fn still(&self) -> Motion<Self::Scalar, Self::Position>;
-
-    /// One sweep: accelerations from time, positions and rates.
-    fn accelerations(
-        &self,
-        time: <Self::Scalar as Scalar>::Real,
-        position: &Self::Position,
-        rate: &Self::Rate,
-        loads: &L,
-        workspace: &mut Self::Workspace,
-        acceleration: &mut Self::Rate,
-    );
-
-    /// Whether a motion may stand: finite, and no angle out of range.
-    ///
-    /// # Errors
-    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`].
-    fn accept(&self, motion: &Motion<Self::Scalar, Self::Position>) -> Result<(), Error>;
-
-    /// Where and why the sweep at a motion failed, for a motion that came out not finite.
-    fn diagnose(
-        &self,
-        motion: &Motion<Self::Scalar, Self::Position>,
-        loads: &L,
-        workspace: &mut Self::Workspace,
-    ) -> Error;
-}
-
-impl<S, R, C, P, L> Dynamics<L> for System<S, R, C, P>
-where
-    S: Space,
-    R: Root<S>,
-    C: Element<S>,
-    P: Tip<S>,
-    L: Loading<S>,
-    Elements<S, R, C>: Condense<S, P::Relation, L>,
-{
-    type Space = S;
-    type Scalar = S::Scalar;
-    type Position = <Elements<S, R, C> as Element<S>>::Position;
-    type Rate = RateOf<S, R, C>;
-    type Workspace = WorkspaceOf<S, R, C, L>;
-
-    fn workspace(&self) -> Self::Workspace {
-        Workspace::new(&self.chain)
-    }
-
-    fn still(&self) -> MotionOf<S, R, C> {
-        self.motion()
-    }
-
-    #[inline]
-    fn accelerations(
-        &self,
-        time: RealOf<S>,
-        position: &Self::Position,
-        rate: &Self::Rate,
-        loads: &L,
-        workspace: &mut Self::Workspace,
-        acceleration: &mut Self::Rate,
-    ) {
-        let ground = self.root.ground(time);
-        let tip = self.tip.relation();
-        sweep(&self.chain, &ground, self.gravity, tip, loads, time, position, rate, workspace, acceleration);
-    }
-
-    fn accept(&self, motion: &MotionOf<S, R, C>) -> Result<(), Error> {
-        let (mut finite, mut far) = (true, false);
-        motion.position.visit(&mut |x| {
-            finite &= x.is_finite();
-            far |= x.real().abs() > S::Scalar::ANGLE_RANGE;
-        });
-        motion.rate.visit(&mut |x| finite &= x.is_finite());
-        motion.acceleration.visit(&mut |x| finite &= x.is_finite());
-        let error = |fault| Err(Error::new(fault).at_time(motion.time.as_f64()));
-        if !finite {
-            return error(Fault::NonFiniteMotion);
-        }
-        if far {
-            let bodies = self.body_motions(motion);
-            if let Some(angle) = bodies.iter().find_map(S::angle_out_of_range) {
-                return error(Fault::AngleOutOfRange { angle });
-            }
-        }
-        Ok(())
-    }
-
-    fn diagnose(&self, motion: &MotionOf<S, R, C>, loads: &L, workspace: &mut Self::Workspace) -> Error {
-        let time = motion.time;
-        let error = |fault| Error::new(fault).at_time(time.as_f64());
-        let place = |entry: usize| entry.checked_sub(1).map_or(Place::Root, Place::Station); // entry 0: the root's joint
-        let mut finite = true;
-        motion.position.visit(&mut |x| finite &= x.is_finite());
-        motion.rate.visit(&mut |x| finite &= x.is_finite());
-        if !finite {
-            return error(Fault::NonFiniteMotion);
-        }
-        let ground = self.root.ground(time);
-        let coordinates =
-            Coordinates { position: &motion.position, rate: &motion.rate, acceleration: &motion.acceleration };
-        if let Some(entry) = broken_load(&self.chain, &ground, loads, time, coordinates) {
-            return error(Fault::NonFiniteLoad).at(place(entry));
-        }
-        let mut acceleration = motion.acceleration.clone();
-        self.accelerations(time, &motion.position, &motion.rate, loads, workspace, &mut acceleration);
-        match self.chain.broken(&workspace.kept, 0) {
-            Some(entry) => error(Fault::SingularJoint).at(place(entry)),
-            None => error(Fault::NonFiniteMotion),
         }
     }
 }

@@ -1,5 +1,6 @@
-//! Steppers: what a rule needs for one scene, and the step itself.
+//! Steps by explicit methods.
 
+use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
@@ -7,78 +8,6 @@ use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
 use crate::time::Explicit;
 use num_traits::{One, Zero};
-
-/// The motion of a scene described by `D`.
-pub type MotionIn<D, L> = Motion<<D as Dynamics<L>>::Scalar, <D as Dynamics<L>>::Position>;
-/// Time in a scene described by `D`.
-pub type TimeIn<D, L> = <<D as Dynamics<L>>::Scalar as Scalar>::Real;
-
-/// A method that can make steppers for scenes.
-pub trait Method {
-    /// Its stepper for a scene `D` with loads `L`.
-    type Stepper<'s, D: Dynamics<L> + 's, L: 's>: Stepper<D, L>;
-
-    /// A stepper for a scene.
-    fn stepper<'s, D: Dynamics<L>, L>(&self, scene: &'s D) -> Self::Stepper<'s, D, L>;
-}
-
-/// Advances the motion of one scene. It owns its workspace: a step allocates nothing, costs the same every time, reads one
-/// motion and writes another, so that a step that fails loses nothing.
-pub trait Stepper<D: Dynamics<L>, L> {
-    /// One step of size `dt` (s) from `past` under `loads`, written to `next`.
-    ///
-    /// The accelerations at the start are found anew, because loads may have changed since they were.
-    ///
-    /// # Errors
-    /// What kept the step from a finite motion, with time and station; `next` is then undefined and `past` as it was.
-    fn step(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error>;
-
-    /// The same where `past` holds the accelerations that belong to it under these loads: one sweep less.
-    ///
-    /// # Errors
-    /// As [`step`](Self::step).
-    fn advance(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error>;
-
-    /// Estimated error of the last step as a multiple of `tolerance` (absolute and relative), root of the mean square over
-    /// positions and rates; `None` for a method without an estimate.
-    fn error(
-        &mut self,
-        past: &MotionIn<D, L>,
-        dt: TimeIn<D, L>,
-        next: &MotionIn<D, L>,
-        tolerance: TimeIn<D, L>,
-    ) -> Option<TimeIn<D, L>>;
-
-    /// Order of the error estimate: a step of half the size has an error 2^−order as large.
-    fn error_order(&self) -> f64;
-
-    /// Motion at the share `theta` of the last step, between `past` and `next`. Its accelerations are found by a sweep, so that
-    /// forces belong to it.
-    fn interpolate(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &MotionIn<D, L>,
-        theta: f64,
-        between: &mut MotionIn<D, L>,
-    );
-
-    /// Sweeps made so far.
-    fn sweeps(&self) -> usize;
-}
 
 /// Steps by an explicit method.
 pub struct ExplicitStepper<'s, D: Dynamics<L>, L, M: Explicit> {

@@ -21,7 +21,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// ```
     /// use catena::element::Unloaded;
     /// use catena::planar::*;
-    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let rod = Rod::uniform(1.0_f64, 1.0);
     /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
     /// let motion = pendulum.at_rest(&[-1.0, -0.5])?;
     /// let tip = pendulum.transfer_matrix(&motion, &Unloaded, |_, _| ())? * pendulum.root_state(&motion, &Unloaded)?;

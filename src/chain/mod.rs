@@ -1,0 +1,25 @@
+//! Composition: tuples (to 16), arrays and vectors of elements are elements.
+//!
+//! Nothing here knows any physics. A chain hands what it carries from item to item, outward from first to last or inward
+//! from last to first, and its stores (gains, directions, loads, coordinates) have its own shape. An array or a vector
+//! that meets a lesser relation than its links hand on, such as a free tip, peels its last link: from then on the type of
+//! the relation stays the same.
+
+mod items;
+mod tuple;
+
+/// `a + b` of counts that types may or may not decide.
+const fn sum(a: Option<usize>, b: Option<usize>) -> Option<usize> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a + b),
+        _ => None,
+    }
+}
+
+/// `a · b` of a count that types may or may not decide.
+const fn product(a: Option<usize>, b: usize) -> Option<usize> {
+    match a {
+        Some(a) => Some(a * b),
+        None => None,
+    }
+}

@@ -1,0 +1,190 @@
+//! Tuples of elements.
+
+use super::sum;
+use crate::element::{Applied, Condense, Coordinates, Element, Loading, Posture, Space, Visit};
+use crate::error::Error;
+use crate::tuples::for_each_tuple;
+
+macro_rules! chain_tuple {
+    ($met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
+        impl<S: Space, $($A: Element<S>),*> Element<S> for ($($A,)*) {
+            type Position = ($($A::Position,)*);
+            type Rate = ($($A::Rate,)*);
+            type Kept = ($($A::Kept,)*);
+            type PerBody<X: Copy> = ($($A::PerBody<X>,)*);
+            type PerJoint<X: Copy> = ($($A::PerJoint<X>,)*);
+
+            const BODIES: Option<usize> = {
+                let n = Some(0);
+                $(let n = sum(n, $A::BODIES);)*
+                n
+            };
+            const JOINTS: Option<usize> = {
+                let n = Some(0);
+                $(let n = sum(n, $A::JOINTS);)*
+                n
+            };
+
+            fn bodies(&self) -> usize {
+                0 $(+ self.$i.bodies())*
+            }
+            fn joints(&self) -> usize {
+                0 $(+ self.$i.joints())*
+            }
+            fn check(&self, station: usize) -> Result<(), Error> {
+                $(
+                    self.$i.check(station)?;
+                    let station = station + self.$i.bodies() + self.$i.joints();
+                )*
+                let _ = station;
+                Ok(())
+            }
+            fn position(&self) -> Self::Position {
+                ($(self.$i.position(),)*)
+            }
+            fn rate(&self) -> Self::Rate {
+                ($(self.$i.rate(),)*)
+            }
+            fn kept(&self) -> Self::Kept {
+                ($(self.$i.kept(),)*)
+            }
+            fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
+                ($(self.$i.per_body(fill),)*)
+            }
+            fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
+                ($(self.$i.per_joint(fill),)*)
+            }
+            fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
+                $(
+                    let n = self.$i.bodies();
+                    if k < n {
+                        return self.$i.body_entry(&bodies.$i, k);
+                    }
+                    let k = k - n;
+                )*
+                let _ = k;
+                None
+            }
+            fn entry<'a, X: Copy>(
+                &self,
+                bodies: &'a Self::PerBody<X>,
+                joints: &'a Self::PerJoint<X>,
+                k: usize,
+            ) -> Option<&'a X> {
+                $(
+                    let n = self.$i.bodies() + self.$i.joints();
+                    if k < n {
+                        return self.$i.entry(&bodies.$i, &joints.$i, k);
+                    }
+                    let k = k - n;
+                )*
+                let _ = k;
+                None
+            }
+            fn aim(
+                &self,
+                position: &mut Self::Position,
+                turn: S::Turn,
+                next: &mut impl FnMut() -> S::Scalar,
+            ) -> S::Turn {
+                $(let turn = self.$i.aim(&mut position.$i, turn, next);)*
+                turn
+            }
+            #[inline]
+            fn orient(
+                &self,
+                position: &Self::Position,
+                rate: &Self::Rate,
+                turn: S::Turn,
+                cosine: &mut Self::PerBody<S::Cosine>,
+                spin: &mut Self::PerBody<S::Spin>,
+            ) -> S::Turn {
+                $(let turn = self.$i.orient(&position.$i, &rate.$i, turn, &mut cosine.$i, &mut spin.$i);)*
+                turn
+            }
+            #[inline]
+            fn resolve(&self, cosine: &mut Self::PerBody<S::Cosine>, sine: &mut Self::PerBody<S::Sine>) {
+                $(self.$i.resolve(&mut cosine.$i, &mut sine.$i);)*
+            }
+            #[inline]
+            fn recover(
+                &self,
+                acceleration: S::Acceleration,
+                posture: Posture<'_, S, Self>,
+                kept: &Self::Kept,
+                rate: &mut Self::Rate,
+            ) -> S::Acceleration {
+                $(let acceleration = self.$i.recover(
+                    acceleration,
+                    Posture { cosine: &posture.cosine.$i, sine: &posture.sine.$i, spin: &posture.spin.$i },
+                    &kept.$i,
+                    &mut rate.$i,
+                );)*
+                acceleration
+            }
+            #[inline]
+            fn travel<V: Visit<S>>(
+                &self,
+                frame: S::Frame,
+                motion: Coordinates<'_, S, Self>,
+                visit: &mut V,
+                on_bodies: &mut Self::PerBody<V::OnBody>,
+                in_joints: &mut Self::PerJoint<V::InJoint>,
+            ) -> S::Frame {
+                $(let frame = self.$i.travel(
+                    frame,
+                    Coordinates {
+                        position: &motion.position.$i,
+                        rate: &motion.rate.$i,
+                        acceleration: &motion.acceleration.$i,
+                    },
+                    visit,
+                    &mut on_bodies.$i,
+                    &mut in_joints.$i,
+                );)*
+                frame
+            }
+            fn inward<X: Copy>(
+                &self,
+                bodies: &mut Self::PerBody<X>,
+                joints: &mut Self::PerJoint<X>,
+                visit: &mut impl FnMut(&mut X),
+            ) {
+                $(self.$j.inward(&mut bodies.$j, &mut joints.$j, visit);)*
+            }
+            fn broken(&self, kept: &Self::Kept, station: usize) -> Option<usize> {
+                let outermost = None;
+                $(
+                    let outermost = self.$i.broken(&kept.$i, station).or(outermost);
+                    let station = station + self.$i.bodies() + self.$i.joints();
+                )*
+                let _ = station;
+                outermost
+            }
+        }
+
+        impl<S: Space, L: Loading<S>, X0: Copy, $($in,)* $($A: Condense<S, $in, L, Out = $out>),*>
+            Condense<S, $met, L> for ($($A,)*)
+        {
+            type Out = X0;
+
+            #[inline]
+            fn condense(
+                &self,
+                outer: $met,
+                posture: Posture<'_, S, Self>,
+                loads: Applied<'_, S, Self, L>,
+                kept: &mut Self::Kept,
+            ) -> X0 {
+                $(let outer = self.$j.condense(
+                    outer,
+                    Posture { cosine: &posture.cosine.$j, sine: &posture.sine.$j, spin: &posture.spin.$j },
+                    Applied { on_bodies: &loads.on_bodies.$j, in_joints: &loads.in_joints.$j },
+                    &mut kept.$j,
+                );)*
+                outer
+            }
+        }
+    };
+}
+for_each_tuple!(chain_tuple);

@@ -1,0 +1,52 @@
+//! What acts on a scene besides uniform gravity.
+
+use crate::relation::{Absent, Part};
+use crate::space::{RealOf, Space};
+
+/// What acts on a scene besides uniform gravity. Its types say what a sweep has to carry: [`Absent`] parts cost nothing.
+pub trait Loading<S: Space> {
+    /// Load on a body, or `Absent`.
+    type OnBody: Load<S>;
+    /// Torque in a joint, or `Absent`.
+    type InJoint: Part;
+
+    /// Whether there is anything to evaluate.
+    const ON: bool;
+
+    /// No load, to fill stores with.
+    fn nothing() -> (Self::OnBody, Self::InJoint);
+    /// The load on body number `body` at a time.
+    fn on_body(&self, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> Self::OnBody;
+    /// The torque in joint number `joint` (0 is the root's) at a time.
+    fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> Self::InJoint;
+}
+
+/// A load on a body, or [`Absent`].
+pub trait Load<S: Space>: Part {
+    /// Adds it to the balance of forces at the body's inboard station.
+    fn act(self, station: &mut S::Station);
+}
+
+impl<S: Space> Load<S> for Absent {
+    fn act(self, _: &mut S::Station) {}
+}
+
+/// No loads but gravity.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Unloaded;
+
+impl<S: Space> Loading<S> for Unloaded {
+    type OnBody = Absent;
+    type InJoint = Absent;
+    const ON: bool = false;
+
+    fn nothing() -> (Absent, Absent) {
+        (Absent, Absent)
+    }
+    fn on_body(&self, _: RealOf<S>, _: usize, _: &S::BodyMotion) -> Absent {
+        Absent
+    }
+    fn in_joint(&self, _: RealOf<S>, _: usize, _: &S::JointMotion) -> Absent {
+        Absent
+    }
+}

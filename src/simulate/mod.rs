@@ -1,0 +1,237 @@
+//! Running a scene through time: step control, dense output at requested times, events.
+
+mod drive;
+
+use crate::element::{Budget, Condense, Element, Loading, RealOf, Space, Unloaded};
+use crate::ends::{Root, Tip};
+use crate::error::Error;
+use crate::observe::{PerBody, Stations};
+use crate::stepper::{Method, Stepper};
+use crate::system::Dynamics;
+use crate::system::{Elements, MotionOf, System};
+use crate::time::Rule;
+use core::fmt;
+use drive::Driver;
+
+/// An instant of a run, to be read.
+pub struct Now<'a, S: Space, R: Root<S>, C: Element<S>, P, L> {
+    system: &'a System<S, R, C, P>,
+    motion: &'a MotionOf<S, R, C>,
+    loads: &'a L,
+    event: bool,
+}
+
+impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, S, R, C, P, L> {
+    /// Time (s).
+    pub fn time(&self) -> RealOf<S> {
+        self.motion.time()
+    }
+    /// The motion of the joint coordinates.
+    pub fn motion(&self) -> &'a MotionOf<S, R, C> {
+        self.motion
+    }
+    /// Whether this instant is an event: the zero of the event function.
+    pub fn is_event(&self) -> bool {
+        self.event
+    }
+    /// Orientation of every body, root to tip: in the plane absolute angles (rad).
+    pub fn angles(&self) -> PerBody<'a, S, Elements<S, R, C>, S::Angles> {
+        self.system.angles(self.motion)
+    }
+    /// Motion of every body.
+    pub fn bodies(&self) -> PerBody<'a, S, Elements<S, R, C>, S::BodyMotion> {
+        self.system.body_motions(self.motion)
+    }
+    /// Motion, internal force and torque at every station.
+    pub fn stations(&self) -> Stations<'a, S, Elements<S, R, C>> {
+        self.system.stations(self.motion, self.loads)
+    }
+    /// Energy and momentum.
+    pub fn budget(&self) -> Budget<S> {
+        self.system.budget(self.motion)
+    }
+    /// Mechanical energy (J).
+    pub fn energy(&self) -> S::Scalar {
+        let budget = self.budget();
+        budget.kinetic + budget.potential
+    }
+}
+
+/// How a run ended.
+#[derive(Clone, Debug)]
+pub struct Run<M> {
+    /// The last motion.
+    pub motion: M,
+    /// Steps accepted.
+    pub steps: usize,
+    /// Steps rejected by error control.
+    pub rejected: usize,
+    /// Sweeps made.
+    pub sweeps: usize,
+}
+
+/// Why a run ended early, and how far it came.
+#[derive(Clone, Debug)]
+pub struct Interrupted<M> {
+    /// What went wrong.
+    pub error: Error,
+    /// The last accepted motion.
+    pub last: M,
+}
+
+impl<M> fmt::Display for Interrupted<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.error.fmt(f)
+    }
+}
+
+impl<M: fmt::Debug> core::error::Error for Interrupted<M> {}
+
+impl<M> From<Interrupted<M>> for Error {
+    fn from(interrupted: Interrupted<M>) -> Self {
+        interrupted.error
+    }
+}
+
+/// A run to be made: a scene, a rule, and what to look at.
+///
+/// ```
+/// use catena::planar::*;
+/// let rod = Rod::uniform(1.0, 1.0);
+/// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+/// let start = pendulum.at_rest(&[-1.0, -0.5])?;
+/// let mut samples = 0;
+/// let run = pendulum
+///     .simulation(Dop853::tolerance(1e-10))
+///     .every(0.1)
+///     .event(|now| now.motion().rate().1.1) // when the second rod comes to rest
+///     .run(start, 1.0, |now| samples += usize::from(!now.is_event()))?;
+/// assert_eq!(samples, 11);
+/// # Ok::<(), catena::Error>(())
+/// ```
+pub struct Simulation<'a, S: Space, R: Root<S>, C: Element<S>, P, L, M, E> {
+    system: &'a System<S, R, C, P>,
+    loads: &'a L,
+    rule: Rule<M, RealOf<S>>,
+    every: Option<RealOf<S>>,
+    event: E,
+    stop: bool,
+}
+
+/// No event function.
+pub struct NoEvent;
+
+/// A function of the motion whose zeros are located.
+pub trait EventFunction<N: ?Sized, T> {
+    /// Whether there is one.
+    const ON: bool;
+    /// Its value.
+    fn value(&mut self, now: &N) -> Option<T>;
+}
+
+impl<N: ?Sized, T> EventFunction<N, T> for NoEvent {
+    const ON: bool = false;
+    fn value(&mut self, _: &N) -> Option<T> {
+        None
+    }
+}
+
+impl<N: ?Sized, T, F: FnMut(&N) -> T> EventFunction<N, T> for F {
+    const ON: bool = true;
+    fn value(&mut self, now: &N) -> Option<T> {
+        Some(self(now))
+    }
+}
+
+impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// A stepper of a method for this scene: `pendulum.stepper(Rk4)`.
+    pub fn stepper<M: Method, L: Loading<S>>(&self, method: M) -> M::Stepper<'_, Self, L>
+    where
+        Self: Dynamics<L>,
+    {
+        method.stepper(self)
+    }
+
+    /// A run to be made by a rule.
+    pub fn simulation<M: Method>(&self, rule: Rule<M, RealOf<S>>) -> Simulation<'_, S, R, C, P, Unloaded, M, NoEvent> {
+        Simulation { system: self, loads: &Unloaded, rule, every: None, event: NoEvent, stop: false }
+    }
+
+    /// Runs from `start` to the time `end` (s) and shows every accepted step to `observe`, the start included.
+    ///
+    /// # Errors
+    /// Why the run ended early, with the last accepted motion.
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    pub fn simulate<M: Method>(
+        &self,
+        start: MotionOf<S, R, C>,
+        rule: Rule<M, RealOf<S>>,
+        end: RealOf<S>,
+        observe: impl FnMut(&Now<'_, S, R, C, P, Unloaded>),
+    ) -> Result<Run<MotionOf<S, R, C>>, Interrupted<MotionOf<S, R, C>>>
+    where
+        Elements<S, R, C>: Condense<S, P::Relation, Unloaded>,
+    {
+        self.simulation(rule).run(start, end, observe)
+    }
+}
+
+impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M: Method, E>
+    Simulation<'a, S, R, C, P, L, M, E>
+{
+    /// Under these loads.
+    pub fn loads<N: Loading<S>>(self, loads: &'a N) -> Simulation<'a, S, R, C, P, N, M, E> {
+        let Self { system, rule, every, event, stop, .. } = self;
+        Simulation { system, loads, rule, every, event, stop }
+    }
+
+    /// Shown at multiples of an interval (s) from the start, by dense output, instead of at every step.
+    #[must_use]
+    pub fn every(self, interval: RealOf<S>) -> Self {
+        Self { every: Some(interval), ..self }
+    }
+
+    /// Also shown where a function of the motion crosses zero.
+    pub fn event<F>(self, function: F) -> Simulation<'a, S, R, C, P, L, M, F>
+    where
+        F: FnMut(&Now<'_, S, R, C, P, L>) -> S::Scalar,
+    {
+        let Self { system, loads, rule, every, stop, .. } = self;
+        Simulation { system, loads, rule, every, event: function, stop }
+    }
+
+    /// Stops where the event function crosses zero.
+    #[must_use]
+    pub fn stopping(self) -> Self {
+        Self { stop: true, ..self }
+    }
+
+    /// Runs from `start` to the time `end` (s).
+    ///
+    /// # Errors
+    /// Why the run ended early, with the last accepted motion.
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    pub fn run(
+        self,
+        start: MotionOf<S, R, C>,
+        end: RealOf<S>,
+        observe: impl FnMut(&Now<'_, S, R, C, P, L>),
+    ) -> Result<Run<MotionOf<S, R, C>>, Interrupted<MotionOf<S, R, C>>>
+    where
+        Elements<S, R, C>: Condense<S, P::Relation, L>,
+        E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
+    {
+        let stepper = self.rule.method.stepper(self.system);
+        let (next, between) = (start.clone(), start.clone());
+        let counters = Run { motion: (), steps: 0, rejected: 0, sweeps: 0 };
+        let mut driver = Driver { plan: self, stepper, past: start, next, between, observe, counters, samples: 1 };
+        match driver.drive(end) {
+            Ok(()) => {
+                let Run { steps, rejected, .. } = driver.counters;
+                let sweeps = driver.stepper.sweeps();
+                Ok(Run { motion: driver.past, steps, rejected, sweeps })
+            }
+            Err(error) => Err(Interrupted { error, last: driver.past }),
+        }
+    }
+}

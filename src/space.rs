@@ -1,0 +1,92 @@
+//! What elements of one space have in common.
+
+use crate::scalar::Scalar;
+use core::fmt::Debug;
+
+/// What elements of one space have in common. Implemented by `planar::Planar<T>`.
+pub trait Space: Copy + Debug + 'static {
+    /// The numbers of the scene.
+    type Scalar: Scalar;
+    /// Direction cosines of a body.
+    type Cosine: Copy + Debug;
+    /// Direction sines of a body.
+    type Sine: Copy + Debug;
+    /// Angular velocity of a body.
+    type Spin: Copy + Debug;
+    /// Orientation and angular velocity, as they are carried outward.
+    type Turn: Copy + Debug;
+    /// Place, orientation, velocity and acceleration of a station.
+    type Frame: Copy + Debug;
+    /// Acceleration p of a station.
+    type Acceleration: Copy + Debug;
+    /// Internal force q and torque m at a station.
+    type Internal: Copy + Debug;
+    /// A station: its motion, and its force and torque.
+    type Station: Copy + Debug;
+    /// A vector: gravity, momentum.
+    type Vector: Copy + Debug + PartialEq;
+    /// Orientation of a body in angles (rad): one in the plane, three in space.
+    type Angles: Copy + Debug;
+    /// Angular momentum.
+    type Moment: Copy + Debug;
+    /// A body and its motion at an instant.
+    type BodyMotion: Copy + Debug;
+    /// A joint and its motion at an instant.
+    type JointMotion: Copy + Debug;
+
+    /// Nothing has been resolved yet: initial values of the stores of directions.
+    fn blank() -> (Self::Cosine, Self::Sine, Self::Spin);
+
+    /// The orientation part of a frame.
+    fn turn(frame: &Self::Frame) -> Self::Turn;
+    /// The orientation of a body in angles.
+    fn angles(body: &Self::BodyMotion) -> Self::Angles;
+    /// The angle (rad) of a body that is too large for accurate sines, if it is.
+    fn angle_out_of_range(body: &Self::BodyMotion) -> Option<f64>;
+    /// The acceleration of a frame as seen by one that falls freely: a − g.
+    fn falling(frame: &Self::Frame, gravity: Self::Vector) -> Self::Acceleration;
+    /// No force, no torque.
+    fn no_force() -> Self::Internal;
+    /// Gravity of magnitude g (m/s²) along −y.
+    fn downward(g: Self::Scalar) -> Self::Vector;
+    /// No gravity.
+    fn no_gravity() -> Self::Vector;
+    /// Whether a vector is finite.
+    fn is_finite(vector: Self::Vector) -> bool;
+    /// The inboard station of a body, with the body's inertia force in its balance.
+    fn body_station(body: &Self::BodyMotion, gravity: Self::Vector) -> Self::Station;
+    /// The inboard station of a joint.
+    fn joint_station(joint: &Self::JointMotion) -> Self::Station;
+    /// The station at the end of a chain.
+    fn end_station(frame: &Self::Frame) -> Self::Station;
+    /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.
+    fn balance(station: &mut Self::Station, outer: Self::Internal) -> Self::Internal;
+    /// The sum of budgets.
+    fn total(budgets: impl Iterator<Item = Budget<Self>>) -> Budget<Self>;
+    /// Mechanical energy, linear momentum and angular momentum about the origin of a body.
+    fn budget(body: &Self::BodyMotion, gravity: Self::Vector) -> Budget<Self>;
+}
+
+/// A space that exists over the scalar `U` too.
+pub trait SpaceOver<U: Scalar>: Space {
+    /// The same space over `U`.
+    type Over: Space<Scalar = U>;
+    /// Replaces the numbers of a vector.
+    fn lift_vector(vector: Self::Vector, number: &mut impl FnMut(Self::Scalar) -> U) -> <Self::Over as Space>::Vector;
+}
+
+/// Energy and momentum of bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Budget<S: Space> {
+    /// Kinetic energy (J).
+    pub kinetic: S::Scalar,
+    /// Potential energy in uniform gravity, zero at the origin (J).
+    pub potential: S::Scalar,
+    /// Linear momentum (kg·m/s).
+    pub momentum: S::Vector,
+    /// Angular momentum about the origin (kg·m²/s).
+    pub angular_momentum: S::Moment,
+}
+
+/// Names the time, step and tolerance of a space's scalar.
+pub type RealOf<S> = <<S as Space>::Scalar as Scalar>::Real;
