@@ -47,8 +47,10 @@
 use crate::error::Error;
 pub use crate::loading::{Load, Loading, Unloaded};
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
+pub use crate::sweep::{Carrying, Explicit, Implicit, Springs, Sweep};
 
 use crate::mirror::{Position, Rate};
+use crate::relation::Closures;
 
 /// A body, a joint, or a chain of them.
 ///
@@ -65,7 +67,7 @@ pub trait Element<S: Space>: Clone {
     /// Rates and accelerations of the joint coordinates inside.
     type Rate: Rate<S::Scalar>;
     /// What the outward walk needs of each elimination inside.
-    type Kept: Clone;
+    type Kept<C: Closures>: Clone;
     /// One `X` for each body inside.
     type PerBody<X: Copy>: Clone;
     /// One `X` for each joint inside.
@@ -89,7 +91,7 @@ pub trait Element<S: Space>: Clone {
     /// All rates zero.
     fn rate(&self) -> Self::Rate;
     /// Room for the gains.
-    fn kept(&self) -> Self::Kept;
+    fn kept<C: Closures>(&self) -> Self::Kept<C>;
     /// `fill` for each body inside.
     fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X>;
     /// `fill` for each joint inside.
@@ -123,11 +125,12 @@ pub trait Element<S: Space>: Clone {
     fn resolve(&self, cosine: &mut Self::PerBody<S::Cosine>, sine: &mut Self::PerBody<S::Sine>);
 
     /// Recovers the accelerations of the joint coordinates from that of the inboard station, outward.
-    fn recover(
+    fn recover<C: Closures>(
         &self,
         acceleration: S::Acceleration,
         posture: Posture<'_, S, Self>,
-        kept: &Self::Kept,
+        kept: &Self::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration;
 
@@ -150,7 +153,7 @@ pub trait Element<S: Space>: Clone {
     );
 
     /// The outermost joint whose gains are not finite: the station, counted from `station`, where a sweep failed.
-    fn broken(&self, kept: &Self::Kept, station: usize) -> Option<usize>;
+    fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize>;
 }
 
 /// An element that can condense a relation of type `R` in a sweep that carries `L`.
@@ -159,7 +162,7 @@ pub trait Element<S: Space>: Clone {
     label = "nothing outboard of this holds it",
     note = "a pin needs a body on its outboard side: end a chain with a body, and put a body between two pins"
 )]
-pub trait Condense<S: Space, R, L: Loading<S>>: Element<S> {
+pub trait Condense<S: Space, R, W: Sweep<S>>: Element<S> {
     /// The relation handed on to the inboard neighbour.
     type Out: Copy;
 
@@ -168,9 +171,15 @@ pub trait Condense<S: Space, R, L: Loading<S>>: Element<S> {
         &self,
         outer: R,
         posture: Posture<'_, S, Self>,
-        loads: Applied<'_, S, Self, L>,
-        kept: &mut Self::Kept,
+        given: Given<'_, S, Self, W>,
+        kept: &mut Self::Kept<W::Closures>,
     ) -> Self::Out;
+}
+
+/// The relation at the root of a chain, from which the closure forces follow.
+pub trait Close<S: Space, C: Closures> {
+    /// λ, for the acceleration of the root.
+    fn multipliers(&self, root: &S::Acceleration) -> C::Each<S::Scalar>;
 }
 
 /// Directions and angular velocities of the bodies of an element.
@@ -183,13 +192,24 @@ pub struct Posture<'a, S: Space, E: Element<S>> {
     pub spin: &'a E::PerBody<S::Spin>,
 }
 
-/// Loads on the bodies and in the joints of an element.
-pub struct Applied<'a, S: Space, E: Element<S>, L: Loading<S>> {
-    /// On bodies.
-    pub on_bodies: &'a E::PerBody<L::OnBody>,
-    /// In joints.
-    pub in_joints: &'a E::PerJoint<L::InJoint>,
+/// What acts in an element besides inertia.
+pub struct Given<'a, S: Space, E: Element<S>, W: Sweep<S>> {
+    /// Loads on bodies.
+    pub on_bodies: &'a E::PerBody<OnBody<S, W>>,
+    /// Torques in joints.
+    pub in_joints: &'a E::PerJoint<InJoint<S, W>>,
+    /// Positions of the joint coordinates for springs; in an implicit sweep those that no acceleration would give.
+    pub position: &'a E::Position,
+    /// Their rates for dampers, likewise.
+    pub rate: &'a E::Rate,
+    /// How springs enter.
+    pub springs: W::Springs,
 }
+
+/// The load on a body in a sweep.
+pub type OnBody<S, W> = <<W as Sweep<S>>::Loads as Loading<S>>::OnBody;
+/// The torque in a joint in a sweep.
+pub type InJoint<S, W> = <<W as Sweep<S>>::Loads as Loading<S>>::InJoint;
 
 /// Positions, rates and accelerations of the joint coordinates of an element.
 pub struct Coordinates<'a, S: Space, E: Element<S>> {
@@ -212,7 +232,7 @@ macro_rules! copy_references {
         impl<S: Space, E: Element<S>, $($extra: $bound<S>),*> Copy for $name<'_, S, E, $($extra),*> {}
     )*};
 }
-copy_references!(Posture<>, Applied<L: Loading>, Coordinates<>);
+copy_references!(Posture<>, Given<W: Sweep>, Coordinates<>);
 
 /// A visitor of [`Element::travel`].
 pub trait Visit<S: Space> {

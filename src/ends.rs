@@ -6,7 +6,7 @@
 
 use crate::element::{Element, RealOf, Space};
 use crate::error::Error;
-use core::fmt::Debug;
+use crate::relation::Closures;
 
 /// Which of a conjugate pair an end makes known.
 pub trait Choice {
@@ -68,11 +68,13 @@ pub trait Root<S: Space> {
 pub trait Tip<S: Space> {
     /// What is known of each conjugate pair.
     type Pairs: Pairs;
+    /// Forces that hold it.
+    type Closures: Closures;
     /// The relation it hands on.
-    type Relation: Copy + Debug;
+    type Relation: Copy;
 
-    /// The relation it hands on.
-    fn relation(&self) -> Self::Relation;
+    /// The relation it hands on, with the motion it demands (in a frame that falls freely).
+    fn relation(&self, time: RealOf<S>, gravity: S::Vector) -> Self::Relation;
     /// Rejects parameters that make no mechanics.
     fn check(&self) -> Result<(), Error>;
 }

@@ -75,6 +75,7 @@ pub mod solve;
 pub mod space;
 mod state;
 pub mod stepper;
+pub mod sweep;
 pub mod system;
 pub mod time;
 pub mod transfer;

@@ -1,9 +1,9 @@
 //! Arrays and vectors of elements.
 
 use super::{product, sum};
-use crate::element::{Applied, Condense, Coordinates, Element, Loading, Posture, Space, Visit};
+use crate::element::{Condense, Coordinates, Element, Given, Posture, Space, Sweep, Visit};
 use crate::error::Error;
-use crate::relation::Promote;
+use crate::relation::{Closures, Promote};
 
 /// Binds slices that march together, and leaves where they differ in length: then loops over them need no bounds checks.
 /// Stores are made by the chain that walks them, and motions are compared with their scene before, so they do not differ.
@@ -58,7 +58,7 @@ macro_rules! chain_items {
         impl<S: Space, A: Element<S> $($K)*> Element<S> for $Of<A $($extra)*> {
             type Position = $Of<A::Position $($extra)*>;
             type Rate = $Of<A::Rate $($extra)*>;
-            type Kept = $Of<A::Kept $($extra)*>;
+            type Kept<C: Closures> = $Of<A::Kept<C> $($extra)*>;
             type PerBody<X: Copy> = $Of<A::PerBody<X> $($extra)*>;
             type PerJoint<X: Copy> = $Of<A::PerJoint<X> $($extra)*>;
 
@@ -91,7 +91,7 @@ macro_rules! chain_items {
             fn rate(&self) -> Self::Rate {
                 $map(self, Element::rate)
             }
-            fn kept(&self) -> Self::Kept {
+            fn kept<C: Closures>(&self) -> Self::Kept<C> {
                 $map(self, Element::kept)
             }
             fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
@@ -147,11 +147,12 @@ macro_rules! chain_items {
                 }
             }
             #[inline]
-            fn recover(
+            fn recover<C: Closures>(
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &Self::Kept,
+                kept: &Self::Kept<C>,
+                multipliers: &C::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
                 let Posture { cosine, sine, spin } = posture;
@@ -160,7 +161,7 @@ macro_rules! chain_items {
                 let mut acceleration = acceleration;
                 for i in 0..n {
                     let posture = Posture { cosine: &cosine[i], sine: &sine[i], spin: &spin[i] };
-                    acceleration = items[i].recover(acceleration, posture, &kept[i], &mut rate[i]);
+                    acceleration = items[i].recover(acceleration, posture, &kept[i], multipliers, &mut rate[i]);
                 }
                 acceleration
             }
@@ -194,7 +195,7 @@ macro_rules! chain_items {
                     item.inward(bodies, joints, visit);
                 }
             }
-            fn broken(&self, kept: &Self::Kept, station: usize) -> Option<usize> {
+            fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
                 let mut station = station;
                 let mut outermost = None;
                 for (item, kept) in self.iter().zip(kept) {
@@ -205,9 +206,9 @@ macro_rules! chain_items {
             }
         }
 
-        impl<S: Space, L: Loading<S>, R, Q, A $($K)*> Condense<S, R, L> for $Of<A $($extra)*>
+        impl<S: Space, W: Sweep<S>, R, Q, A $($K)*> Condense<S, R, W> for $Of<A $($extra)*>
         where
-            A: Condense<S, R, L, Out = Q> + Condense<S, Q, L, Out = Q>,
+            A: Condense<S, R, W, Out = Q> + Condense<S, Q, W, Out = Q>,
             Q: Promote<R> + Copy,
         {
             type Out = Q;
@@ -217,29 +218,39 @@ macro_rules! chain_items {
                 &self,
                 outer: R,
                 posture: Posture<'_, S, Self>,
-                loads: Applied<'_, S, Self, L>,
-                kept: &mut Self::Kept,
+                given: Given<'_, S, Self, W>,
+                kept: &mut Self::Kept<W::Closures>,
             ) -> Q {
                 let Posture { cosine, sine, spin } = posture;
-                let Applied { on_bodies, in_joints } = loads;
+                let Given { on_bodies, in_joints, position, rate, springs } = given;
                 let items = &self[..];
-                march!(n: items cosine sine spin on_bodies in_joints; mut kept; else Q::promote(outer));
-                let at = |i: usize| {
-                    let posture: Posture<'_, S, A> =
-                        Posture { cosine: &cosine[i], sine: &sine[i], spin: &spin[i] };
-                    let loads: Applied<'_, S, A, L> =
-                        Applied { on_bodies: &on_bodies[i], in_joints: &in_joints[i] };
-                    (&items[i], posture, loads)
-                };
+                march!(
+                    n: items cosine sine spin on_bodies in_joints position rate;
+                    mut kept;
+                    else Q::promote(outer)
+                );
                 let Some(last) = n.checked_sub(1) else {
                     return Q::promote(outer);
                 };
-                // The last link meets what lies outboard of the array, every other one what its neighbour hands on.
-                let (item, posture, loads) = at(last);
-                let mut relation = <A as Condense<S, R, L>>::condense(item, outer, posture, loads, &mut kept[last]);
+                // The last link meets what lies outboard of the array, every other one what its neighbour hands on. The first
+                // round of the loop is peeled for it. (A closure would not always be inlined.)
+                macro_rules! link {
+                    ($i:expr, $met:ty, $outer:expr) => {{
+                        let i = $i;
+                        let posture = Posture { cosine: &cosine[i], sine: &sine[i], spin: &spin[i] };
+                        let given = Given {
+                            on_bodies: &on_bodies[i],
+                            in_joints: &in_joints[i],
+                            position: &position[i],
+                            rate: &rate[i],
+                            springs,
+                        };
+                        <A as Condense<S, $met, W>>::condense(&items[i], $outer, posture, given, &mut kept[i])
+                    }};
+                }
+                let mut relation = link!(last, R, outer);
                 for i in (0..last).rev() {
-                    let (item, posture, loads) = at(i);
-                    relation = <A as Condense<S, Q, L>>::condense(item, relation, posture, loads, &mut kept[i]);
+                    relation = link!(i, Q, relation);
                 }
                 relation
             }

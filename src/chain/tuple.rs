@@ -1,8 +1,9 @@
 //! Tuples of elements.
 
 use super::sum;
-use crate::element::{Applied, Condense, Coordinates, Element, Loading, Posture, Space, Visit};
+use crate::element::{Condense, Coordinates, Element, Given, Posture, Space, Sweep, Visit};
 use crate::error::Error;
+use crate::relation::Closures;
 use crate::tuples::for_each_tuple;
 
 macro_rules! chain_tuple {
@@ -10,7 +11,7 @@ macro_rules! chain_tuple {
         impl<S: Space, $($A: Element<S>),*> Element<S> for ($($A,)*) {
             type Position = ($($A::Position,)*);
             type Rate = ($($A::Rate,)*);
-            type Kept = ($($A::Kept,)*);
+            type Kept<Cuts: Closures> = ($($A::Kept<Cuts>,)*);
             type PerBody<X: Copy> = ($($A::PerBody<X>,)*);
             type PerJoint<X: Copy> = ($($A::PerJoint<X>,)*);
 
@@ -45,7 +46,7 @@ macro_rules! chain_tuple {
             fn rate(&self) -> Self::Rate {
                 ($(self.$i.rate(),)*)
             }
-            fn kept(&self) -> Self::Kept {
+            fn kept<Cuts: Closures>(&self) -> Self::Kept<Cuts> {
                 ($(self.$i.kept(),)*)
             }
             fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
@@ -107,17 +108,19 @@ macro_rules! chain_tuple {
                 $(self.$i.resolve(&mut cosine.$i, &mut sine.$i);)*
             }
             #[inline]
-            fn recover(
+            fn recover<Cuts: Closures>(
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &Self::Kept,
+                kept: &Self::Kept<Cuts>,
+                multipliers: &Cuts::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
                 $(let acceleration = self.$i.recover(
                     acceleration,
                     Posture { cosine: &posture.cosine.$i, sine: &posture.sine.$i, spin: &posture.spin.$i },
                     &kept.$i,
+                    multipliers,
                     &mut rate.$i,
                 );)*
                 acceleration
@@ -152,7 +155,7 @@ macro_rules! chain_tuple {
             ) {
                 $(self.$j.inward(&mut bodies.$j, &mut joints.$j, visit);)*
             }
-            fn broken(&self, kept: &Self::Kept, station: usize) -> Option<usize> {
+            fn broken<Cuts: Closures>(&self, kept: &Self::Kept<Cuts>, station: usize) -> Option<usize> {
                 let outermost = None;
                 $(
                     let outermost = self.$i.broken(&kept.$i, station).or(outermost);
@@ -163,8 +166,8 @@ macro_rules! chain_tuple {
             }
         }
 
-        impl<S: Space, L: Loading<S>, X0: Copy, $($in,)* $($A: Condense<S, $in, L, Out = $out>),*>
-            Condense<S, $met, L> for ($($A,)*)
+        impl<S: Space, W: Sweep<S>, X0: Copy, $($in,)* $($A: Condense<S, $in, W, Out = $out>),*>
+            Condense<S, $met, W> for ($($A,)*)
         {
             type Out = X0;
 
@@ -173,13 +176,19 @@ macro_rules! chain_tuple {
                 &self,
                 outer: $met,
                 posture: Posture<'_, S, Self>,
-                loads: Applied<'_, S, Self, L>,
-                kept: &mut Self::Kept,
+                given: Given<'_, S, Self, W>,
+                kept: &mut Self::Kept<W::Closures>,
             ) -> X0 {
                 $(let outer = self.$j.condense(
                     outer,
                     Posture { cosine: &posture.cosine.$j, sine: &posture.sine.$j, spin: &posture.spin.$j },
-                    Applied { on_bodies: &loads.on_bodies.$j, in_joints: &loads.in_joints.$j },
+                    Given {
+                        on_bodies: &given.on_bodies.$j,
+                        in_joints: &given.in_joints.$j,
+                        position: &given.position.$j,
+                        rate: &given.rate.$j,
+                        springs: given.springs,
+                    },
                     &mut kept.$j,
                 );)*
                 outer

@@ -2,11 +2,11 @@
 
 use super::{BodyMotion, Frame, Planar, Turn};
 use crate::counts::Counted;
-use crate::element::{Applied, Condense, Coordinates, Element, Loading, Posture, Visit};
+use crate::element::{Condense, Coordinates, Element, Given, OnBody, Posture, Sweep, Visit};
 use crate::error::{Error, Fault};
 use crate::lift::lift;
-use crate::relation::Term;
 use crate::relation::plane::{Full, Relation};
+use crate::relation::{Closures, Term};
 use crate::scalar::{Real, Scalar};
 use core::fmt::Debug;
 use nalgebra::Vector2;
@@ -71,7 +71,7 @@ pub trait Body<T: Scalar>: Copy + Debug {
     fn arm(&self, cosine: T, sine: T) -> Vector2<T>;
 
     /// Condenses the relation at O to one at I. `spin2` is the square of the angular velocity.
-    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T>;
+    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T, R::Closures>;
 
     /// Rejects parameters that make no mechanics.
     fn check(&self) -> Result<(), Fault>;
@@ -94,7 +94,7 @@ macro_rules! body {
         impl<T: Scalar> Element<Planar<T>> for super::$Body<T> {
             type Position = ();
             type Rate = ();
-            type Kept = ();
+            type Kept<C: Closures> = ();
             type PerBody<X: Copy> = X;
             type PerJoint<X: Copy> = ();
 
@@ -112,7 +112,7 @@ macro_rules! body {
             }
             fn position(&self) {}
             fn rate(&self) {}
-            fn kept(&self) {}
+            fn kept<C: Closures>(&self) {}
             fn per_body<X: Copy>(&self, fill: X) -> X {
                 fill
             }
@@ -137,11 +137,12 @@ macro_rules! body {
                 (*sine, *cosine) = cosine.sin_cos();
             }
             #[inline(always)]
-            fn recover(
+            fn recover<C: Closures>(
                 &self,
                 acceleration: super::Acceleration<T>,
                 posture: Posture<'_, Planar<T>, Self>,
                 _: &(),
+                _: &C::Each<T>,
                 _: &mut (),
             ) -> super::Acceleration<T> {
                 let arm = self.arm(*posture.cosine, *posture.sine);
@@ -163,7 +164,7 @@ macro_rules! body {
             fn inward<X: Copy>(&self, body: &mut X, _: &mut (), visit: &mut impl FnMut(&mut X)) {
                 visit(body);
             }
-            fn broken(&self, _: &(), _: usize) -> Option<usize> {
+            fn broken<C: Closures>(&self, _: &(), _: usize) -> Option<usize> {
                 None
             }
         }
@@ -173,22 +174,22 @@ macro_rules! body {
             type Freedoms = U0;
         }
 
-        impl<T: Scalar, R: Relation<T>, L: Loading<Planar<T>>> Condense<Planar<T>, R, L> for super::$Body<T>
+        impl<T: Scalar, R: Relation<T>, W: Sweep<Planar<T>>> Condense<Planar<T>, R, W> for super::$Body<T>
         where
-            L::OnBody: Term<Full<T>>,
+            OnBody<Planar<T>, W>: Term<Full<T, R::Closures>>,
         {
-            type Out = Full<T>;
+            type Out = Full<T, R::Closures>;
 
             #[inline(always)]
             fn condense(
                 &self,
                 outer: R,
                 posture: Posture<'_, Planar<T>, Self>,
-                loads: Applied<'_, Planar<T>, Self, L>,
+                given: Given<'_, Planar<T>, Self, W>,
                 _: &mut (),
-            ) -> Full<T> {
+            ) -> Full<T, R::Closures> {
                 let spin2 = *posture.spin * *posture.spin;
-                loads.on_bodies.take_from(Body::condense(self, outer, *posture.cosine, *posture.sine, spin2))
+                given.on_bodies.take_from(Body::condense(self, outer, *posture.cosine, *posture.sine, spin2))
             }
         }
     )*};

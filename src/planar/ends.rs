@@ -1,11 +1,12 @@
 //! The ends of planar chains.
 
 use super::{Acceleration, Frame, Joint, Pin, Planar, Turn};
-use crate::element::{Applied, Condense, Loading, Posture};
+use crate::element::{Condense, Given, Posture, Sweep};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::{Lift, lift};
 use crate::relation::plane::{Empty, Full};
+use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 
@@ -110,10 +111,11 @@ impl<T: Scalar> Root<Planar<T>> for Free {
 
 impl<T: Scalar> Tip<Planar<T>> for Free {
     type Pairs = (Loose, Loose, Loose);
+    type Closures = Open;
     type Relation = Empty;
 
     #[inline(always)]
-    fn relation(&self) -> Empty {
+    fn relation(&self, _: T::Real, _: Vector2<T>) -> Empty {
         Empty
     }
     fn check(&self) -> Result<(), Error> {
@@ -128,7 +130,7 @@ pub struct Floating;
 impl<T: Scalar> Joint<T> for Floating {
     type Position = (T, T, T);
     type Rate = (T, T, T);
-    type Kept = Acceleration<T>;
+    type Kept<C: Closures> = Acceleration<T>;
 
     fn position() -> (T, T, T) {
         (T::zero(), T::zero(), T::zero())
@@ -136,10 +138,10 @@ impl<T: Scalar> Joint<T> for Floating {
     fn rate() -> (T, T, T) {
         (T::zero(), T::zero(), T::zero())
     }
-    fn kept() -> Acceleration<T> {
+    fn kept<C: Closures>() -> Acceleration<T> {
         Acceleration { linear: Vector2::new(T::zero(), T::zero()), angular: T::zero() }
     }
-    fn is_finite(kept: &Acceleration<T>) -> bool {
+    fn is_finite<C: Closures>(kept: &Acceleration<T>) -> bool {
         kept.linear.x.is_finite() && kept.linear.y.is_finite() && kept.angular.is_finite()
     }
     fn aim(&self, position: &mut (T, T, T), _: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
@@ -163,7 +165,13 @@ impl<T: Scalar> Joint<T> for Floating {
         }
     }
     #[inline(always)]
-    fn recovered(&self, inboard: Acceleration<T>, kept: &Acceleration<T>, rate: &mut (T, T, T)) -> Acceleration<T> {
+    fn recovered<C: Closures>(
+        &self,
+        inboard: Acceleration<T>,
+        kept: &Acceleration<T>,
+        _: &C::Each<T>,
+        rate: &mut (T, T, T),
+    ) -> Acceleration<T> {
         // The sweep's ground falls upward by gravity; coordinates are relative to the ground.
         let relative = kept.linear - inboard.linear;
         *rate = (relative.x, relative.y, kept.angular);
@@ -171,7 +179,7 @@ impl<T: Scalar> Joint<T> for Floating {
     }
 }
 
-impl<T: Scalar, L: Loading<Planar<T>>> Condense<Planar<T>, Full<T>, L> for Floating {
+impl<T: Scalar, W: Sweep<Planar<T>, Closures = Open>> Condense<Planar<T>, Full<T>, W> for Floating {
     type Out = Empty;
 
     #[inline(always)]
@@ -179,7 +187,7 @@ impl<T: Scalar, L: Loading<Planar<T>>> Condense<Planar<T>, Full<T>, L> for Float
         &self,
         outer: Full<T>,
         _: Posture<'_, Planar<T>, Self>,
-        _: Applied<'_, Planar<T>, Self, L>,
+        _: Given<'_, Planar<T>, Self, W>,
         kept: &mut Acceleration<T>,
     ) -> Empty {
         let (linear, angular) = outer.free();

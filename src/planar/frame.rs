@@ -2,7 +2,7 @@
 
 use super::{Inertia, Station};
 use crate::element::{Budget, Space, SpaceOver};
-use crate::relation::plane::{add_scaled, cross, dot, normal};
+use crate::relation::plane::algebra::{add_scaled, cross, dot, normal};
 use crate::scalar::{Real, Scalar};
 use core::fmt;
 use core::marker::PhantomData;

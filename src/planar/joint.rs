@@ -5,6 +5,7 @@ use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Posture, Visit};
 use crate::error::Error;
 use crate::mirror::{Position, Rate};
+use crate::relation::Closures;
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 use typenum::{U0, U1, U3};
@@ -19,16 +20,16 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     /// Their rates and accelerations.
     type Rate: Rate<T>;
     /// What its elimination keeps for the outward walk.
-    type Kept: Clone;
+    type Kept<C: Closures>: Clone;
 
     /// The position of an unturned joint.
     fn position() -> Self::Position;
     /// The rates of a joint at rest.
     fn rate() -> Self::Rate;
     /// Room for the gains.
-    fn kept() -> Self::Kept;
+    fn kept<C: Closures>() -> Self::Kept<C>;
     /// Whether all gains are finite.
-    fn is_finite(kept: &Self::Kept) -> bool;
+    fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
 
     /// Coordinates that turn the outboard body to an absolute angle.
     fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T>;
@@ -46,7 +47,13 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     ) -> Frame<T>;
 
     /// The accelerations of the coordinates, and of the outboard side, from that of the inboard side.
-    fn recovered(&self, inboard: Acceleration<T>, kept: &Self::Kept, rate: &mut Self::Rate) -> Acceleration<T>;
+    fn recovered<C: Closures>(
+        &self,
+        inboard: Acceleration<T>,
+        kept: &Self::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut Self::Rate,
+    ) -> Acceleration<T>;
 }
 
 /// Makes planar joints elements.
@@ -60,7 +67,7 @@ macro_rules! joint {
         impl<T: Scalar> Element<Planar<T>> for super::$Joint {
             type Position = <Self as Joint<T>>::Position;
             type Rate = <Self as Joint<T>>::Rate;
-            type Kept = <Self as Joint<T>>::Kept;
+            type Kept<C: Closures> = <Self as Joint<T>>::Kept<C>;
             type PerBody<X: Copy> = ();
             type PerJoint<X: Copy> = X;
 
@@ -82,8 +89,8 @@ macro_rules! joint {
             fn rate(&self) -> Self::Rate {
                 <Self as Joint<T>>::rate()
             }
-            fn kept(&self) -> Self::Kept {
-                <Self as Joint<T>>::kept()
+            fn kept<C: Closures>(&self) -> Self::Kept<C> {
+                <Self as Joint<T>>::kept::<C>()
             }
             fn per_body<X: Copy>(&self, _: X) {}
             fn per_joint<X: Copy>(&self, fill: X) -> X {
@@ -112,14 +119,15 @@ macro_rules! joint {
             #[inline(always)]
             fn resolve(&self, _: &mut (), _: &mut ()) {}
             #[inline(always)]
-            fn recover(
+            fn recover<C: Closures>(
                 &self,
                 acceleration: Acceleration<T>,
                 _: Posture<'_, Planar<T>, Self>,
-                kept: &Self::Kept,
+                kept: &Self::Kept<C>,
+                multipliers: &C::Each<T>,
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
-                self.recovered(acceleration, kept, rate)
+                self.recovered::<C>(acceleration, kept, multipliers, rate)
             }
             #[inline(always)]
             fn travel<V: Visit<Planar<T>>>(
@@ -137,8 +145,8 @@ macro_rules! joint {
             fn inward<X: Copy>(&self, _: &mut (), joint: &mut X, visit: &mut impl FnMut(&mut X)) {
                 visit(joint);
             }
-            fn broken(&self, kept: &Self::Kept, station: usize) -> Option<usize> {
-                (!<Self as Joint<T>>::is_finite(kept)).then_some(station)
+            fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
+                (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)
             }
         }
     )*};

@@ -2,8 +2,9 @@
 
 use super::{BodyMotion, JointMotion, Planar, Station};
 use crate::element::{Load, Loading};
-use crate::relation::plane::{Full, cross};
-use crate::relation::{Absent, Part, Term};
+use crate::relation::plane::Full;
+use crate::relation::plane::algebra::cross;
+use crate::relation::{Absent, Closures, Part, Term};
 use crate::scalar::Scalar;
 use core::ops::Add;
 use nalgebra::Vector2;
@@ -58,16 +59,16 @@ impl<T: Scalar> Part for Wrench<T> {
     }
 }
 
-impl<T: Scalar> Term<Full<T>> for Wrench<T> {
+impl<T: Scalar, C: Closures> Term<Full<T, C>> for Wrench<T> {
     fn none() -> Self {
         Self::default()
     }
     #[inline(always)]
-    fn add_to(self, sum: Full<T>) -> Full<T> {
+    fn add_to(self, sum: Full<T, C>) -> Full<T, C> {
         Full { force: sum.force + self.force, torque: sum.torque + self.torque, ..sum }
     }
     #[inline(always)]
-    fn take_from(self, sum: Full<T>) -> Full<T> {
+    fn take_from(self, sum: Full<T, C>) -> Full<T, C> {
         Full { force: sum.force - self.force, torque: sum.torque - self.torque, ..sum }
     }
 }
@@ -128,7 +129,9 @@ pub struct InJoints<F>(F);
 /// The part of a loading that acts on bodies.
 pub trait BodyLaw<T: Scalar> {
     /// `Wrench` or `Absent`.
-    type Value: Term<Full<T>> + Load<Planar<T>>;
+    type Value: Load<Planar<T>>;
+    /// No load.
+    fn nothing() -> Self::Value;
     /// Whether there is one.
     const ON: bool;
     /// The load on a body.
@@ -137,6 +140,9 @@ pub trait BodyLaw<T: Scalar> {
 
 impl<T: Scalar> BodyLaw<T> for Absent {
     type Value = Absent;
+    fn nothing() -> Absent {
+        Absent
+    }
     const ON: bool = false;
     fn at(&self, _: T::Real, _: usize, _: &BodyMotion<T>) -> Absent {
         Absent
@@ -145,6 +151,9 @@ impl<T: Scalar> BodyLaw<T> for Absent {
 
 impl<T: Scalar, F: Fn(T::Real, usize, &BodyMotion<T>) -> Wrench<T>> BodyLaw<T> for OnBodies<F> {
     type Value = Wrench<T>;
+    fn nothing() -> Wrench<T> {
+        Wrench::default()
+    }
     const ON: bool = true;
     fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
         (self.0)(time, body, motion)
@@ -183,7 +192,7 @@ impl<T: Scalar, B: BodyLaw<T>, J: JointLaw<T>> Loading<Planar<T>> for Loads<B, J
     const ON: bool = B::ON || J::ON;
 
     fn nothing() -> (B::Value, J::Value) {
-        (B::Value::none(), J::Value::none())
+        (B::nothing(), J::Value::none())
     }
     #[inline(always)]
     fn on_body(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> B::Value {

@@ -11,6 +11,7 @@
 //! ```
 
 mod body;
+mod closing;
 mod ends;
 mod frame;
 mod joint;

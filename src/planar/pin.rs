@@ -1,12 +1,11 @@
 //! The smooth pin.
 
 use super::{Acceleration, Frame, Joint, Planar, Turn};
-use crate::element::{Applied, Condense, Loading, Posture};
+use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::lift::lift;
-use crate::relation::Term;
 use crate::relation::plane::{Full, Gain, Point};
+use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
-use nalgebra::Vector2;
 
 /// A smooth pin: two bodies share a point, and turn freely but for the torque that is applied in the joint.
 ///
@@ -20,7 +19,7 @@ pub struct Pin;
 impl<T: Scalar> Joint<T> for Pin {
     type Position = T;
     type Rate = T;
-    type Kept = Gain<T>;
+    type Kept<C: Closures> = Gain<T, C>;
 
     fn position() -> T {
         T::zero()
@@ -28,11 +27,11 @@ impl<T: Scalar> Joint<T> for Pin {
     fn rate() -> T {
         T::zero()
     }
-    fn kept() -> Gain<T> {
-        Gain { per_acceleration: Vector2::new(T::zero(), T::zero()), free: T::zero() }
+    fn kept<C: Closures>() -> Gain<T, C> {
+        Gain::blank()
     }
-    fn is_finite(kept: &Gain<T>) -> bool {
-        kept.per_acceleration.x.is_finite() && kept.per_acceleration.y.is_finite() && kept.free.is_finite()
+    fn is_finite<C: Closures>(kept: &Gain<T, C>) -> bool {
+        kept.is_finite()
     }
     fn aim(&self, position: &mut T, _: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
         *position = next();
@@ -51,27 +50,33 @@ impl<T: Scalar> Joint<T> for Pin {
         }
     }
     #[inline(always)]
-    fn recovered(&self, inboard: Acceleration<T>, kept: &Gain<T>, rate: &mut T) -> Acceleration<T> {
-        *rate = kept.angular(inboard.linear);
+    fn recovered<C: Closures>(
+        &self,
+        inboard: Acceleration<T>,
+        kept: &Gain<T, C>,
+        multipliers: &C::Each<T>,
+        rate: &mut T,
+    ) -> Acceleration<T> {
+        *rate = kept.angular(inboard.linear, multipliers);
         Acceleration { angular: *rate, ..inboard }
     }
 }
 
-impl<T: Scalar, L: Loading<Planar<T>>> Condense<Planar<T>, Full<T>, L> for Pin
+impl<T: Scalar, W: Sweep<Planar<T>>> Condense<Planar<T>, Full<T, W::Closures>, W> for Pin
 where
-    L::InJoint: Term<T>,
+    InJoint<Planar<T>, W>: Term<T>,
 {
-    type Out = Point<T, L::InJoint>;
+    type Out = Point<T, InJoint<Planar<T>, W>, W::Closures>;
 
     #[inline(always)]
     fn condense(
         &self,
-        outer: Full<T>,
+        outer: Full<T, W::Closures>,
         _: Posture<'_, Planar<T>, Self>,
-        loads: Applied<'_, Planar<T>, Self, L>,
-        kept: &mut Gain<T>,
+        given: Given<'_, Planar<T>, Self, W>,
+        kept: &mut Gain<T, W::Closures>,
     ) -> Self::Out {
-        let (relation, gain) = outer.pinned(*loads.in_joints);
+        let (relation, gain) = outer.pinned(*given.in_joints);
         *kept = gain;
         relation
     }

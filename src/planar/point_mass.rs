@@ -43,7 +43,7 @@ impl<T: Scalar> Body<T> for PointMass<T> {
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T> {
+    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T, R::Closures> {
         outer.with_mass(self.mass).carried(self.arm(cosine, sine), spin2)
     }
 

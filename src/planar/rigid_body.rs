@@ -53,7 +53,7 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T> {
+    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T, R::Closures> {
         let Inertia { mass, centre, .. } = self.inertia;
         outer
             .carried(self.arm(cosine, sine), spin2)

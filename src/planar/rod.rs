@@ -64,7 +64,7 @@ impl<T: Scalar> Body<T> for Rod<T> {
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T> {
+    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T, R::Closures> {
         outer.with_mass(self.outer).carried(self.arm(cosine, sine), spin2).with_mass(self.inner).with_inertia(self.rest)
     }
 

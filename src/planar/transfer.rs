@@ -7,7 +7,7 @@ use super::index::{M, ONE, QX, QY, THETA, X, Y};
 use super::{BodyMotion, Frame, JointMotion, Planar, Station};
 use crate::element::Load;
 use crate::error::{Error, Fault};
-use crate::relation::plane::cross;
+use crate::relation::plane::algebra::cross;
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};
 use crate::transfer::Exact;

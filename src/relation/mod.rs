@@ -8,7 +8,10 @@
 //! S is symmetric positive semidefinite and only one triangle is stored. Stored full and merely assumed symmetric, its
 //! antisymmetric rounding doubles with every body (a chain of 60 is lost); stored as a triangle it holds at 100 000.
 
+mod closure;
 pub mod plane;
+
+pub use closure::{Closures, Cut, Cuts, Open};
 
 use crate::scalar::Scalar;
 use core::fmt::Debug;

@@ -1,14 +1,14 @@
 //! A run under way: step control, samples by dense output, location of events.
 
 use super::{EventFunction, Now, Run, Simulation};
-use crate::element::{Condense, Element, Loading, RealOf, Space};
+use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::Dynamics;
-use crate::system::{Elements, MotionOf, System};
+use crate::system::{MotionOf, PositionOf, RateOf, System};
 use crate::time::Control;
 use num_traits::{One, Zero};
 
@@ -38,7 +38,7 @@ where
     C: Element<S>,
     P: Tip<S>,
     L: Loading<S>,
-    Elements<S, R, C>: Condense<S, P::Relation, L>,
+    System<S, R, C, P>: Dynamics<L, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>>,
     K: Stepper<System<S, R, C, P>, L>,
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),

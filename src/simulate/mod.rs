@@ -2,13 +2,13 @@
 
 mod drive;
 
-use crate::element::{Budget, Condense, Element, Loading, RealOf, Space, Unloaded};
+use crate::element::{Budget, Element, Loading, RealOf, Space, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::observe::{PerBody, Stations};
 use crate::stepper::{Method, Stepper};
 use crate::system::Dynamics;
-use crate::system::{Elements, MotionOf, System};
+use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
 use crate::time::Rule;
 use core::fmt;
 use drive::Driver;
@@ -170,7 +170,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         observe: impl FnMut(&Now<'_, S, R, C, P, Unloaded>),
     ) -> Result<Run<MotionOf<S, R, C>>, Interrupted<MotionOf<S, R, C>>>
     where
-        Elements<S, R, C>: Condense<S, P::Relation, Unloaded>,
+        Self: Dynamics<Unloaded, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>>,
     {
         self.simulation(rule).run(start, end, observe)
     }
@@ -218,7 +218,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M: Metho
         observe: impl FnMut(&Now<'_, S, R, C, P, L>),
     ) -> Result<Run<MotionOf<S, R, C>>, Interrupted<MotionOf<S, R, C>>>
     where
-        Elements<S, R, C>: Condense<S, P::Relation, L>,
+        System<S, R, C, P>: Dynamics<L, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>>,
         E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     {
         let stepper = self.rule.method.stepper(self.system);

@@ -3,25 +3,30 @@
 //! Symmetric at acceleration level, so one triangle of S is stored and no pivot is ever needed: every pivot is the inertia
 //! of what lies outboard about a joint.
 
-use crate::element::{Applied, Condense, Coordinates, Element, Loading, Posture, RealOf, Space, Visit};
-use crate::relation::Part;
+use crate::element::{
+    Close, Condense, Coordinates, Element, Given, InJoint, Loading, OnBody, Posture, RealOf, Space, Sweep, Visit,
+};
+use crate::relation::{Closures, Part};
+use num_traits::Zero;
 
 /// Room for the sweeps of one scene: reused, never reallocated.
 #[derive(Clone)]
-pub struct Workspace<S: Space, E: Element<S>, L: Loading<S>> {
+pub struct Workspace<S: Space, E: Element<S>, W: Sweep<S>> {
     cosine: E::PerBody<S::Cosine>,
     sine: E::PerBody<S::Sine>,
     spin: E::PerBody<S::Spin>,
-    on_bodies: E::PerBody<L::OnBody>,
-    in_joints: E::PerJoint<L::InJoint>,
-    pub(crate) kept: E::Kept,
+    on_bodies: E::PerBody<OnBody<S, W>>,
+    in_joints: E::PerJoint<InJoint<S, W>>,
+    pub(crate) kept: E::Kept<W::Closures>,
+    /// Closure forces λ of the last sweep.
+    pub(crate) multipliers: <W::Closures as Closures>::Each<S::Scalar>,
 }
 
-impl<S: Space, E: Element<S>, L: Loading<S>> Workspace<S, E, L> {
+impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
     /// Room for the sweeps of `chain`.
     pub fn new(chain: &E) -> Self {
         let (cosine, sine, spin) = S::blank();
-        let (on_body, in_joint) = L::nothing();
+        let (on_body, in_joint) = W::Loads::nothing();
         Self {
             cosine: chain.per_body(cosine),
             sine: chain.per_body(sine),
@@ -29,42 +34,65 @@ impl<S: Space, E: Element<S>, L: Loading<S>> Workspace<S, E, L> {
             on_bodies: chain.per_body(on_body),
             in_joints: chain.per_joint(in_joint),
             kept: chain.kept(),
+            multipliers: W::Closures::each(|_| S::Scalar::zero()),
         }
     }
 }
 
+/// Where a sweep takes place: what does not depend on the chain.
+pub struct Site<'a, S: Space, R, L> {
+    /// Motion of the ground at the root.
+    pub ground: S::Frame,
+    /// Gravity. It enters as an acceleration of the ground: the sweep takes place in a frame that falls freely.
+    pub gravity: S::Vector,
+    /// The relation that the last element meets.
+    pub tip: R,
+    /// Loads.
+    pub loads: &'a L,
+    /// Time (s).
+    pub time: RealOf<S>,
+}
+
+/// How springs enter a sweep, and where they are.
+pub struct Spring<'a, P, V, K> {
+    /// Positions for springs.
+    pub position: &'a P,
+    /// Rates for dampers.
+    pub rate: &'a V,
+    /// How they enter.
+    pub springs: K,
+}
+
 /// One sweep: the accelerations of all joint coordinates, from their positions and rates.
-///
-/// `ground` is the motion of the ground at the root, `tip` the relation that the last element meets. Gravity enters as an
-/// acceleration of the ground: the sweep takes place in a frame that falls freely.
 #[inline]
-#[allow(clippy::too_many_arguments)] // the data flow of the method, one value each
-pub fn sweep<S: Space, E, L, R>(
+pub fn sweep<S: Space, E, W, R>(
     chain: &E,
-    ground: &S::Frame,
-    gravity: S::Vector,
-    tip: R,
-    loads: &L,
-    time: RealOf<S>,
+    site: &Site<'_, S, R, W::Loads>,
     position: &E::Position,
     rate: &E::Rate,
-    workspace: &mut Workspace<S, E, L>,
+    spring: &Spring<'_, E::Position, E::Rate, W::Springs>,
+    workspace: &mut Workspace<S, E, W>,
     acceleration: &mut E::Rate,
 ) where
-    E: Condense<S, R, L>,
-    L: Loading<S>,
+    W: Sweep<S>,
+    R: Copy,
+    E: Condense<S, R, W, Out: Close<S, W::Closures>>,
 {
-    let Workspace { cosine, sine, spin, on_bodies, in_joints, kept } = workspace;
+    let Site { ground, gravity, tip, loads, time } = site;
+    let Workspace { cosine, sine, spin, on_bodies, in_joints, kept, multipliers } = workspace;
     chain.orient(position, rate, S::turn(ground), cosine, spin);
     chain.resolve(cosine, sine);
-    if L::ON {
-        let mut pass = LoadPass { loads, time, body: 0, joint: 0 };
+    if W::Loads::ON {
+        let mut pass = LoadPass { loads: *loads, time: *time, body: 0, joint: 0 };
         let motion = Coordinates { position, rate, acceleration };
         chain.travel(*ground, motion, &mut pass, on_bodies, in_joints);
     }
     let posture = Posture { cosine, sine, spin };
-    chain.condense(tip, posture, Applied { on_bodies, in_joints }, kept);
-    chain.recover(S::falling(ground, gravity), posture, kept, acceleration);
+    let &Spring { position, rate, springs } = spring;
+    let given = Given { on_bodies, in_joints, position, rate, springs };
+    let root = S::falling(ground, *gravity);
+    *multipliers = chain.condense(*tip, posture, given, kept).multipliers(&root);
+    chain.recover::<W::Closures>(root, posture, kept, multipliers, acceleration);
 }
 
 /// Evaluates the loads, body by body and joint by joint.

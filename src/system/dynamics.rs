@@ -1,13 +1,13 @@
 //! What a stepper needs of a scene.
 
-use crate::element::{Condense, Coordinates, Element, Loading, RealOf, Space};
+use crate::element::{Carrying, Close, Condense, Coordinates, Element, Explicit, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
-use crate::solve::riccati::{Workspace, broken_load, sweep};
-use crate::system::{Elements, MotionOf, RateOf, System, WorkspaceOf};
+use crate::solve::riccati::{Spring, Workspace, broken_load, sweep};
+use crate::system::{Elements, MotionOf, RateOf, System};
 
 /// What a stepper needs of a scene with loads of type `L`: one implementor, [`System`], whose bounds are long.
 pub trait Dynamics<L> {
@@ -61,13 +61,13 @@ where
     C: Element<S>,
     P: Tip<S>,
     L: Loading<S>,
-    Elements<S, R, C>: Condense<S, P::Relation, L>,
+    Elements<S, R, C>: Condense<S, P::Relation, Carrying<L, Explicit, P::Closures>, Out: Close<S, P::Closures>>,
 {
     type Space = S;
     type Scalar = S::Scalar;
     type Position = <Elements<S, R, C> as Element<S>>::Position;
     type Rate = RateOf<S, R, C>;
-    type Workspace = WorkspaceOf<S, R, C, L>;
+    type Workspace = Workspace<S, Elements<S, R, C>, Carrying<L, Explicit, P::Closures>>;
 
     fn workspace(&self) -> Self::Workspace {
         Workspace::new(&self.chain)
@@ -87,9 +87,9 @@ where
         workspace: &mut Self::Workspace,
         acceleration: &mut Self::Rate,
     ) {
-        let ground = self.root.ground(time);
-        let tip = self.tip.relation();
-        sweep(&self.chain, &ground, self.gravity, tip, loads, time, position, rate, workspace, acceleration);
+        let site = self.site(time, loads);
+        let spring = Spring { position, rate, springs: Explicit };
+        sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
     }
 
     fn accept(&self, motion: &MotionOf<S, R, C>) -> Result<(), Error> {
@@ -131,7 +131,7 @@ where
         }
         let mut acceleration = motion.acceleration.clone();
         self.accelerations(time, &motion.position, &motion.rate, loads, workspace, &mut acceleration);
-        match self.chain.broken(&workspace.kept, 0) {
+        match self.chain.broken::<P::Closures>(&workspace.kept, 0) {
             Some(entry) => error(Fault::SingularJoint).at(place(entry)),
             None => error(Fault::NonFiniteMotion),
         }

@@ -5,7 +5,7 @@ mod inspect;
 
 pub use dynamics::Dynamics;
 
-use crate::element::{Budget, Condense, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
+use crate::element::{Budget, Carrying, Condense, Element, Explicit, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
@@ -13,7 +13,7 @@ use crate::mirror::Rate;
 use crate::motion::Motion;
 use crate::observe::{PerBody, Stations};
 use crate::scalar::Scalar;
-use crate::solve::riccati::Workspace;
+use crate::solve::riccati::Site;
 use num_traits::Zero;
 
 /// A mechanical scene. It holds parameters only; its motion is a value of its own ([`Motion`]).
@@ -31,13 +31,13 @@ pub struct System<S: Space, R: Root<S>, C, P> {
 /// The elements of a scene.
 pub type Elements<S, R, C> = (<R as Root<S>>::Joint, C);
 /// The motion of a scene.
-pub type MotionOf<S, R, C> = Motion<<S as Space>::Scalar, <Elements<S, R, C> as Element<S>>::Position>;
+pub type MotionOf<S, R, C> = Motion<<S as Space>::Scalar, PositionOf<S, R, C>>;
 /// The accelerations of a scene.
 pub type RateOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Rate;
 /// A part of a scene over another scalar.
 type Over<X, S, U> = <X as Lift<<S as Space>::Scalar, U>>::Over;
-/// The room for the sweeps of a scene.
-pub type WorkspaceOf<S, R, C, L> = Workspace<S, Elements<S, R, C>, L>;
+/// The positions of a scene.
+pub type PositionOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Position;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// A scene from its inboard end to its outboard end.
@@ -47,7 +47,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// body.
     pub fn new(root: R, chain: C, tip: P) -> Result<Self, Error>
     where
-        Elements<S, R, C>: Condense<S, P::Relation, Unloaded>,
+        Elements<S, R, C>: Condense<S, P::Relation, Carrying<Unloaded, Explicit, P::Closures>>,
     {
         root.check()?;
         chain.check(0)?;
@@ -87,6 +87,17 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// The motion of the ground at the root.
     pub(crate) fn ground(&self, time: RealOf<S>) -> S::Frame {
         self.root.ground(time)
+    }
+
+    /// Where a sweep at a time takes place.
+    pub(crate) fn site<'l, L>(&self, time: RealOf<S>, loads: &'l L) -> Site<'l, S, P::Relation, L> {
+        Site {
+            ground: self.root.ground(time),
+            gravity: self.gravity,
+            tip: self.tip.relation(time, self.gravity),
+            loads,
+            time,
+        }
     }
 
     /// Number of bodies.
@@ -221,7 +232,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         loads: &L,
     ) -> Result<MotionOf<S, R, C>, Error>
     where
-        Elements<S, R, C>: Condense<S, P::Relation, L>,
+        Self: Dynamics<L, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>>,
     {
         let mut workspace = self.workspace();
         self.accelerate(&mut motion, loads, &mut workspace)?;
@@ -236,10 +247,10 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         &self,
         motion: &mut MotionOf<S, R, C>,
         loads: &L,
-        workspace: &mut WorkspaceOf<S, R, C, L>,
+        workspace: &mut <Self as Dynamics<L>>::Workspace,
     ) -> Result<(), Error>
     where
-        Elements<S, R, C>: Condense<S, P::Relation, L>,
+        Self: Dynamics<L, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>>,
     {
         if !motion.fits(&self.motion()) {
             return Err(Error::new(Fault::Shape));

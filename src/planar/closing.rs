@@ -1,0 +1,37 @@
+//! The closure forces of a chain, from what its relation says at the root: −Wᵀ p + Λ λ + y₀ = 0.
+
+use super::{Acceleration, Planar};
+use crate::element::Close;
+use crate::relation::plane::algebra::dot;
+use crate::relation::plane::{Empty, Full, Known, Point};
+use crate::relation::{Closures, Open};
+use crate::scalar::Scalar;
+
+impl<T: Scalar> Close<Planar<T>, Open> for Empty {
+    #[inline(always)]
+    fn multipliers(&self, _: &Acceleration<T>) {}
+}
+
+impl<T: Scalar> Close<Planar<T>, Open> for Known<T> {
+    #[inline(always)]
+    fn multipliers(&self, _: &Acceleration<T>) {}
+}
+
+impl<T: Scalar, M: Copy, C: Closures> Close<Planar<T>, C> for Point<T, M, C> {
+    #[inline(always)]
+    fn multipliers(&self, root: &Acceleration<T>) -> C::Each<T> {
+        let cuts = &self.cuts;
+        let demand = C::zip(&cuts.columns, &cuts.gap, |w, gap| dot(w, root.linear) - gap);
+        C::solve(&cuts.compliance, &demand)
+    }
+}
+
+impl<T: Scalar, C: Closures> Close<Planar<T>, C> for Full<T, C> {
+    #[inline(always)]
+    fn multipliers(&self, root: &Acceleration<T>) -> C::Each<T> {
+        let cuts = &self.cuts;
+        let demand =
+            C::zip(&cuts.columns, &cuts.gap, |w, gap| w.torque.mul_add(root.angular, dot(w.force, root.linear)) - gap);
+        C::solve(&cuts.compliance, &demand)
+    }
+}

@@ -1,0 +1,83 @@
+//! Vectors and symmetric matrices of the plane, with products fused where the target can.
+
+use crate::scalar::Scalar;
+use nalgebra::Vector2;
+
+/// a · b.
+#[inline(always)]
+pub fn dot<T: Scalar>(a: Vector2<T>, b: Vector2<T>) -> T {
+    a.x.mul_add(b.x, a.y * b.y)
+}
+
+/// a × b, the component along ẑ.
+#[inline(always)]
+pub fn cross<T: Scalar>(a: Vector2<T>, b: Vector2<T>) -> T {
+    a.x.mul_add(b.y, -(a.y * b.x))
+}
+
+/// ẑ × d.
+#[inline(always)]
+pub fn normal<T: Scalar>(d: Vector2<T>) -> Vector2<T> {
+    Vector2::new(-d.y, d.x)
+}
+
+/// `sum + factor · v`, fused where the target can.
+#[inline(always)]
+pub fn add_scaled<T: Scalar>(sum: Vector2<T>, factor: T, v: Vector2<T>) -> Vector2<T> {
+    Vector2::new(v.x.mul_add(factor, sum.x), v.y.mul_add(factor, sum.y))
+}
+
+/// A symmetric 2 × 2 matrix, one triangle stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Symmetric2<T> {
+    /// Row x, column x.
+    pub xx: T,
+    /// Row x, column y, and its mirror.
+    pub xy: T,
+    /// Row y, column y.
+    pub yy: T,
+}
+
+impl<T: Scalar> Symmetric2<T> {
+    /// `value` on the diagonal.
+    #[inline(always)]
+    pub fn diagonal(value: T) -> Self {
+        Self { xx: value, xy: T::zero(), yy: value }
+    }
+
+    /// S v.
+    #[inline(always)]
+    pub fn apply(self, v: Vector2<T>) -> Vector2<T> {
+        Vector2::new(self.xx.mul_add(v.x, self.xy * v.y), self.xy.mul_add(v.x, self.yy * v.y))
+    }
+
+    /// `sum` + S v.
+    #[inline(always)]
+    pub fn apply_onto(self, v: Vector2<T>, sum: Vector2<T>) -> Vector2<T> {
+        Vector2::new(
+            self.xx.mul_add(v.x, self.xy.mul_add(v.y, sum.x)),
+            self.xy.mul_add(v.x, self.yy.mul_add(v.y, sum.y)),
+        )
+    }
+
+    /// S⁻¹ v, by elimination of x.
+    #[inline(always)]
+    pub fn solve(self, v: Vector2<T>) -> Vector2<T> {
+        let inverse = self.xx.recip();
+        let ratio = self.xy * inverse;
+        let y = ratio.mul_add(-v.x, v.y) / ratio.mul_add(-self.xy, self.yy);
+        Vector2::new((v.x - self.xy * y) * inverse, y)
+    }
+
+    /// S + value·1.
+    #[inline(always)]
+    pub fn plus_diagonal(self, value: T) -> Self {
+        Self { xx: self.xx + value, xy: self.xy, yy: self.yy + value }
+    }
+
+    /// S − u wᵀ for parallel u and w, so that the result is symmetric.
+    #[inline(always)]
+    pub fn minus_outer(self, u: Vector2<T>, w: Vector2<T>) -> Self {
+        Self { xx: (-u.x).mul_add(w.x, self.xx), xy: (-u.x).mul_add(w.y, self.xy), yy: (-u.y).mul_add(w.y, self.yy) }
+    }
+}

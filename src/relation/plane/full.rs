@@ -1,0 +1,191 @@
+//! The full relation, and the eliminations that joints make in it.
+
+use super::Point;
+use super::algebra::{Symmetric2, add_scaled, dot, normal};
+use super::kinds::Relation;
+use crate::relation::{Absent, Closures, Cuts, Open, Term};
+use crate::scalar::Scalar;
+use nalgebra::Vector2;
+
+/// A full relation: q = S_qq a + s α + e_q, −m = s·a + S_mm α + e_m, and columns for closure forces.
+#[derive(Clone, Copy)]
+pub struct Full<T: Copy, C: Closures = Open> {
+    /// S_qq (kg).
+    pub linear: Symmetric2<T>,
+    /// s, the coupling of force and angular acceleration (kg·m).
+    pub coupling: Vector2<T>,
+    /// S_mm (kg·m²).
+    pub angular: T,
+    /// e_q (N).
+    pub force: Vector2<T>,
+    /// e_m (N·m), of the torque on the outboard part.
+    pub torque: T,
+    /// Columns of closure forces.
+    pub cuts: Cuts<FullColumn<T>, T, C>,
+}
+
+/// A column of W: the force and torque on the outboard part for a unit closure force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FullColumn<T> {
+    /// Of q.
+    pub force: Vector2<T>,
+    /// Of −m.
+    pub torque: T,
+}
+
+impl<T: Scalar> Full<T> {
+    /// Nothing that has mass.
+    #[inline(always)]
+    pub fn massless() -> Self {
+        let zero = Vector2::new(T::zero(), T::zero());
+        Self {
+            linear: Symmetric2::diagonal(T::zero()),
+            coupling: zero,
+            angular: T::zero(),
+            force: zero,
+            torque: T::zero(),
+            cuts: Cuts::none(),
+        }
+    }
+}
+
+impl<T: Scalar, C: Closures> Relation<T> for Full<T, C> {
+    type Closures = C;
+    type WithMass = Self;
+
+    #[inline(always)]
+    fn with_mass(self, mass: T) -> Self {
+        Self { linear: self.linear.plus_diagonal(mass), ..self }
+    }
+    #[inline(always)]
+    fn carried(self, d: Vector2<T>, spin2: T) -> Self {
+        let n = normal(d);
+        let centripetal = d * -spin2;
+        let coupling = self.linear.apply_onto(n, self.coupling);
+        let force = self.linear.apply_onto(centripetal, self.force);
+        Self {
+            linear: self.linear,
+            coupling,
+            angular: dot(n, self.coupling + coupling) + self.angular,
+            force,
+            torque: dot(n, force) + dot(self.coupling, centripetal) + self.torque,
+            cuts: self.cuts.turned(
+                |w| FullColumn { force: w.force, torque: w.torque + dot(n, w.force) },
+                |w| spin2 * dot(w.force, d),
+            ),
+        }
+    }
+}
+
+impl<T: Scalar, C: Closures> Full<T, C> {
+    /// Adds a rotary inertia (kg·m²); it may be negative when it only completes that of point masses.
+    #[inline(always)]
+    pub fn with_inertia(self, inertia: T) -> Self {
+        Self { angular: self.angular + inertia, ..self }
+    }
+
+    /// Adds a first moment σ = m d_C (kg·m) about the station, of a body that turns at a rate with square `spin2`.
+    #[inline(always)]
+    pub fn with_first_moment(self, moment: Vector2<T>, spin2: T) -> Self {
+        Self { coupling: self.coupling + normal(moment), force: add_scaled(self.force, -spin2, moment), ..self }
+    }
+
+    /// Lets the station turn freely under the torque that acts in the pin: the rotation is eliminated, and what the
+    /// outward pass needs to find it again is returned beside the relation.
+    #[inline(always)]
+    pub fn pinned<M: Term<T>>(self, torque: M) -> (Point<T, M, C>, Gain<T, C>) {
+        let inverse = self.angular.recip();
+        let per_acceleration = self.coupling * inverse;
+        let free = torque.add_to(-self.torque) * inverse;
+        let reduce = |w: FullColumn<T>, row: T| add_scaled(w.force, -row, self.coupling);
+        let (cuts, per_closure) = self.cuts.eliminated(inverse, free, |w| w.torque, reduce);
+        let relation = Point {
+            stiffness: self.linear.minus_outer(self.coupling, per_acceleration),
+            offset: add_scaled(self.force, free, self.coupling),
+            torque,
+            cuts,
+        };
+        (relation, Gain { per_acceleration, free, per_closure })
+    }
+
+    /// Lets the station turn against a stiff torque τ̂ − K̂ φ̈, with φ̈ relative to the inboard body: only the pivot of the
+    /// elimination, S_mm + K̂, knows of it.
+    #[inline(always)]
+    pub fn hinged(self, torque: T, stiffness: T) -> (Self, HingeGain<T, C>) {
+        let inverse = (self.angular + stiffness).recip();
+        let per_acceleration = self.coupling * inverse;
+        let per_angular = self.angular * inverse;
+        let free = (torque - self.torque) * inverse;
+        // What is left of the rotational part, I_a Φ = U Δ⁻¹ K̂: no difference of large numbers.
+        let left = stiffness * inverse;
+        let reduce = |w: FullColumn<T>, row: T| FullColumn {
+            force: add_scaled(w.force, -row, self.coupling),
+            torque: w.torque * left,
+        };
+        let (cuts, per_closure) = self.cuts.eliminated(inverse, free, |w| w.torque, reduce);
+        let relation = Self {
+            linear: self.linear.minus_outer(self.coupling, per_acceleration),
+            coupling: self.coupling * left,
+            angular: self.angular * left,
+            force: add_scaled(self.force, free, self.coupling),
+            torque: self.angular.mul_add(free, self.torque),
+            cuts,
+        };
+        (relation, HingeGain { per_acceleration, per_angular, free, per_closure })
+    }
+}
+
+impl<T: Scalar> Full<T> {
+    /// The acceleration (a, α) of a station on which nothing acts: S p + e = 0, by block elimination.
+    #[inline(always)]
+    pub fn free(self) -> (Vector2<T>, T) {
+        let (Point { stiffness, offset, .. }, gain) = self.pinned(Absent);
+        let linear = stiffness.solve(-offset);
+        (linear, gain.angular(linear, &()))
+    }
+}
+
+/// What eliminating a rotation leaves behind: α = free − w · a − row · λ.
+#[derive(Clone, Copy)]
+pub struct Gain<T: Copy, C: Closures = Open> {
+    /// w = s / S_mm (rad/m).
+    pub per_acceleration: Vector2<T>,
+    /// Angular acceleration of a station that does not accelerate (rad/s²).
+    pub free: T,
+    /// Angular acceleration for each closure force, negated.
+    pub per_closure: C::Each<T>,
+}
+
+impl<T: Scalar, C: Closures> Gain<T, C> {
+    /// No gain yet.
+    pub fn blank() -> Self {
+        let per_acceleration = Vector2::new(T::zero(), T::zero());
+        Self { per_acceleration, free: T::zero(), per_closure: C::each(|_| T::zero()) }
+    }
+
+    /// Whether it is finite.
+    pub fn is_finite(&self) -> bool {
+        self.per_acceleration.x.is_finite() && self.per_acceleration.y.is_finite() && self.free.is_finite()
+    }
+
+    /// The angular acceleration (rad/s²) of the eliminated rotation where its station accelerates by `a`.
+    #[inline(always)]
+    pub fn angular(&self, a: Vector2<T>, multipliers: &C::Each<T>) -> T {
+        let w = self.per_acceleration;
+        let open = (-w.x).mul_add(a.x, (-w.y).mul_add(a.y, self.free));
+        C::minus_dot(open, &self.per_closure, multipliers)
+    }
+}
+
+/// What eliminating a stiff rotation leaves behind: φ̈ = free − w · a − w_α α − row · λ.
+#[derive(Clone, Copy)]
+pub struct HingeGain<T: Copy, C: Closures = Open> {
+    /// w (rad/m).
+    pub per_acceleration: Vector2<T>,
+    /// w_α, for the angular acceleration of the inboard body.
+    pub per_angular: T,
+    /// Relative angular acceleration of a station that does not accelerate (rad/s²).
+    pub free: T,
+    /// Relative angular acceleration for each closure force, negated.
+    pub per_closure: C::Each<T>,
+}

@@ -1,0 +1,150 @@
+//! The lesser relations, and what a body does with any of them.
+
+use super::algebra::{Symmetric2, dot, normal};
+use super::{Full, FullColumn};
+use crate::relation::{Absent, Closures, Cuts, Open, Promote, Term};
+use crate::scalar::Scalar;
+use nalgebra::Vector2;
+
+/// Nothing outboard: F = 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Empty;
+
+/// A point mass outboard: q = m a.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lump<T> {
+    /// Mass (kg).
+    pub mass: T,
+}
+
+/// A force that does not depend on accelerations outboard: that of a spring in an explicit sweep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Known<T> {
+    /// q (N).
+    pub force: Vector2<T>,
+    /// Torque on the outboard part (N·m).
+    pub torque: T,
+}
+
+/// A pin outboard: q = S a + e + W λ, and the moment is the torque M that acts in the pin, if there is one.
+#[derive(Clone, Copy)]
+pub struct Point<T: Copy, M = Absent, C: Closures = Open> {
+    /// S (kg).
+    pub stiffness: Symmetric2<T>,
+    /// e (N).
+    pub offset: Vector2<T>,
+    /// Torque on the outboard part (N·m).
+    pub torque: M,
+    /// Columns of closure forces.
+    pub cuts: Cuts<Vector2<T>, T, C>,
+}
+
+/// What a body can do with the relation it meets, whatever that is.
+pub trait Relation<T: Scalar>: Copy {
+    /// Closure forces it carries.
+    type Closures: Closures;
+    /// The relation with a point mass added at its station.
+    type WithMass: Relation<T, Closures = Self::Closures>;
+
+    /// Adds a point mass (kg) at the station.
+    fn with_mass(self, mass: T) -> Self::WithMass;
+
+    /// Moves the station inboard by −d on a rigid body that turns at a rate with the square `spin2` (rad²/s²):
+    /// p_O = (a + α n − ω² d, α), hence F_I = Xᵀ F_O with X = [[1, n], [0, 1]].
+    fn carried(self, d: Vector2<T>, spin2: T) -> Full<T, Self::Closures>;
+}
+
+fn zero<T: Scalar>() -> Vector2<T> {
+    Vector2::new(T::zero(), T::zero())
+}
+
+impl<T: Scalar> Relation<T> for Empty {
+    type Closures = Open;
+    type WithMass = Lump<T>;
+
+    #[inline(always)]
+    fn with_mass(self, mass: T) -> Lump<T> {
+        Lump { mass }
+    }
+    #[inline(always)]
+    fn carried(self, _: Vector2<T>, _: T) -> Full<T> {
+        Full::massless()
+    }
+}
+
+impl<T: Scalar> Relation<T> for Lump<T> {
+    type Closures = Open;
+    type WithMass = Self;
+
+    #[inline(always)]
+    fn with_mass(self, mass: T) -> Self {
+        Self { mass: self.mass + mass }
+    }
+    #[inline(always)]
+    fn carried(self, d: Vector2<T>, spin2: T) -> Full<T> {
+        let n = normal(d);
+        let coupling = n * self.mass;
+        Full {
+            linear: Symmetric2::diagonal(self.mass),
+            coupling,
+            angular: dot(n, coupling),
+            force: d * -(self.mass * spin2),
+            torque: T::zero(), // the centripetal force has no moment about the station: n · d = 0
+            cuts: Cuts::none(),
+        }
+    }
+}
+
+impl<T: Scalar> Relation<T> for Known<T> {
+    type Closures = Open;
+    type WithMass = Point<T, T>;
+
+    #[inline(always)]
+    fn with_mass(self, mass: T) -> Point<T, T> {
+        Point { stiffness: Symmetric2::diagonal(mass), offset: self.force, torque: self.torque, cuts: Cuts::none() }
+    }
+    #[inline(always)]
+    fn carried(self, d: Vector2<T>, _: T) -> Full<T> {
+        Full { force: self.force, torque: self.torque + dot(normal(d), self.force), ..Full::massless() }
+    }
+}
+
+impl<T: Scalar, M: Term<T>, C: Closures> Relation<T> for Point<T, M, C> {
+    type Closures = C;
+    type WithMass = Self;
+
+    #[inline(always)]
+    fn with_mass(self, mass: T) -> Self {
+        Self { stiffness: self.stiffness.plus_diagonal(mass), ..self }
+    }
+    #[inline(always)]
+    fn carried(self, d: Vector2<T>, spin2: T) -> Full<T, C> {
+        let n = normal(d);
+        let coupling = self.stiffness.apply(n);
+        let force = self.stiffness.apply_onto(d * -spin2, self.offset);
+        Full {
+            linear: self.stiffness,
+            coupling,
+            angular: dot(n, coupling),
+            force,
+            torque: self.torque.add_to(dot(n, force)),
+            cuts: self.cuts.turned(
+                |w| FullColumn { force: w, torque: dot(n, w) },
+                |w| spin2 * dot(w, d), // −Wᵀ c with the centripetal c = −ω² d
+            ),
+        }
+    }
+}
+
+impl<T: Scalar, M: Term<T>> Promote<Empty> for Point<T, M> {
+    fn promote(_: Empty) -> Self {
+        let stiffness = Symmetric2::diagonal(T::zero());
+        Self { stiffness, offset: zero(), torque: M::none(), cuts: Cuts::none() }
+    }
+}
+
+impl<T: Scalar> Promote<Empty> for Full<T> {
+    fn promote(_: Empty) -> Self {
+        Self::massless()
+    }
+}
