@@ -1,7 +1,7 @@
 //! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
 
 use crate::counts::HasBody;
-use crate::element::{Coordinates, Element, Load, Loading, Space, Visit};
+use crate::element::{Budget, Coordinates, Element, Load, Loading, Space, Visit};
 use crate::motion::Motion;
 use core::fmt;
 
@@ -144,6 +144,37 @@ impl<S: Space, X: Copy, F: FnMut(&S::BodyMotion) -> X> Visit<S> for Collect<F> {
         Some((self.0)(body))
     }
     fn joint(&mut self, _: &S::JointMotion) {}
+}
+
+/// Energy and momentum of a motion.
+pub(crate) fn budget<S: Space, E: Element<S>>(
+    chain: &E,
+    ground: S::Frame,
+    gravity: S::Vector,
+    motion: &Motion<S::Scalar, E::Position>,
+) -> Budget<S> {
+    let mut audit = Audit { gravity, sum: S::no_budget() };
+    chain.travel(ground, coordinates(motion), &mut audit, &mut chain.per_body(()), &mut chain.per_joint(()));
+    audit.sum
+}
+
+/// Adds up energy and momentum.
+struct Audit<S: Space> {
+    gravity: S::Vector,
+    sum: Budget<S>,
+}
+
+impl<S: Space> Visit<S> for Audit<S> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, body: &S::BodyMotion) {
+        self.sum = S::sum(self.sum, S::budget(body, self.gravity));
+    }
+    fn joint(&mut self, joint: &S::JointMotion) {
+        let potential = self.sum.potential + S::stored(joint);
+        self.sum = Budget { potential, ..self.sum };
+    }
 }
 
 /// Sets up the balance of forces at each station.

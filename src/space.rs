@@ -61,8 +61,12 @@ pub trait Space: Copy + Debug + 'static {
     fn end_station(frame: &Self::Frame) -> Self::Station;
     /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.
     fn balance(station: &mut Self::Station, outer: Self::Internal) -> Self::Internal;
-    /// The sum of budgets.
-    fn total(budgets: impl Iterator<Item = Budget<Self>>) -> Budget<Self>;
+    /// A budget of nothing.
+    fn no_budget() -> Budget<Self>;
+    /// The sum of two budgets.
+    fn sum(a: Budget<Self>, b: Budget<Self>) -> Budget<Self>;
+    /// Energy stored in a joint (J).
+    fn stored(joint: &Self::JointMotion) -> Self::Scalar;
     /// Mechanical energy, linear momentum and angular momentum about the origin of a body.
     fn budget(body: &Self::BodyMotion, gravity: Self::Vector) -> Budget<Self>;
 }
@@ -80,7 +84,7 @@ pub trait SpaceOver<U: Scalar>: Space {
 pub struct Budget<S: Space> {
     /// Kinetic energy (J).
     pub kinetic: S::Scalar,
-    /// Potential energy in uniform gravity, zero at the origin (J).
+    /// Potential energy of springs and in uniform gravity, zero at the origin (J).
     pub potential: S::Scalar,
     /// Linear momentum (kg·m/s).
     pub momentum: S::Vector,

@@ -14,7 +14,7 @@ pub trait Exact<const N: usize>: Space {
         load: impl Load<Self>,
     ) -> TransferMatrix<Self::Scalar, N>;
 
-    /// The matrix of a joint, (40), from that of everything outboard up to the next joint, and the torques in both.
+    /// The matrix of a joint, (40), from that of everything outboard up to the next joint that turns, and the torques in both.
     ///
     /// # Errors
     /// [`SingularTransfer`](crate::Fault::SingularTransfer) at a centre of percussion.
@@ -24,6 +24,9 @@ pub trait Exact<const N: usize>: Space {
         section: &TransferMatrix<Self::Scalar, N>,
         outer_torque: Self::Scalar,
     ) -> Result<TransferMatrix<Self::Scalar, N>, Error>;
+
+    /// The torque in a joint, for an applied one: that of its spring and damper added. `None` for a joint that does not turn.
+    fn joint_torque(joint: &Self::JointMotion, applied: Self::Scalar) -> Option<Self::Scalar>;
 
     /// The acceleration state of a station with these forces.
     fn acceleration_state(frame: &Self::Frame) -> StateVector<Self::Scalar, N>;

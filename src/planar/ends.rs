@@ -132,6 +132,8 @@ impl<T: Scalar> Joint<T> for Floating {
     type Rate = (T, T, T);
     type Kept<C: Closures> = Acceleration<T>;
 
+    const TURNS: bool = true;
+
     fn position() -> (T, T, T) {
         (T::zero(), T::zero(), T::zero())
     }

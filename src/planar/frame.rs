@@ -158,6 +158,19 @@ pub struct JointMotion<T> {
     pub inboard: Frame<T>,
     /// Motion of its outboard side.
     pub outboard: Frame<T>,
+    /// What its spring and damper do.
+    pub spring: SpringState<T>,
+    /// Whether its outboard body turns relative to the inboard one.
+    pub turns: bool,
+}
+
+/// What the spring and damper of a joint do at an instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpringState<T> {
+    /// Torque on the outboard body (N·m).
+    pub torque: T,
+    /// Energy stored (J).
+    pub energy: T,
 }
 
 impl<T: Scalar> JointMotion<T> {
@@ -229,14 +242,19 @@ impl<T: Scalar> Space for Planar<T> {
     fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
         station.close(outer)
     }
-    fn total(budgets: impl Iterator<Item = Budget<Self>>) -> Budget<Self> {
-        let none = Budget { kinetic: T::zero(), potential: T::zero(), momentum: zero(), angular_momentum: T::zero() };
-        budgets.fold(none, |sum, body| Budget {
-            kinetic: sum.kinetic + body.kinetic,
-            potential: sum.potential + body.potential,
-            momentum: sum.momentum + body.momentum,
-            angular_momentum: sum.angular_momentum + body.angular_momentum,
-        })
+    fn no_budget() -> Budget<Self> {
+        Budget { kinetic: T::zero(), potential: T::zero(), momentum: zero(), angular_momentum: T::zero() }
+    }
+    fn sum(a: Budget<Self>, b: Budget<Self>) -> Budget<Self> {
+        Budget {
+            kinetic: a.kinetic + b.kinetic,
+            potential: a.potential + b.potential,
+            momentum: a.momentum + b.momentum,
+            angular_momentum: a.angular_momentum + b.angular_momentum,
+        }
+    }
+    fn stored(joint: &JointMotion<T>) -> T {
+        joint.spring.energy
     }
     fn budget(body: &BodyMotion<T>, gravity: Vector2<T>) -> Budget<Self> {
         let centre = body.centre();

@@ -1,11 +1,12 @@
 //! What a planar joint has to say of itself, and how that makes it an element.
 
-use super::{Acceleration, Frame, JointMotion, Planar, Turn};
+use super::elastic_hinge::{ElasticHinge, Rotary};
+use super::{Acceleration, Floating, Frame, JointMotion, Pin, Planar, SpringState, Turn, Weld};
 use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Posture, Visit};
-use crate::error::Error;
+use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
-use crate::relation::Closures;
+use crate::relation::{Closures, Coefficient, Term};
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 use typenum::{U0, U1, U3};
@@ -21,6 +22,9 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     type Rate: Rate<T>;
     /// What its elimination keeps for the outward walk.
     type Kept<C: Closures>: Clone;
+
+    /// Whether the outboard body turns relative to the inboard one.
+    const TURNS: bool;
 
     /// The position of an unturned joint.
     fn position() -> Self::Position;
@@ -46,6 +50,20 @@ pub trait Joint<T: Scalar>: Copy + Debug {
         acceleration: &Self::Rate,
     ) -> Frame<T>;
 
+    /// The torque of its spring and damper on the outboard body, and the energy stored.
+    #[inline(always)]
+    fn spring(&self, _position: &Self::Position, _rate: &Self::Rate) -> SpringState<T> {
+        SpringState { torque: T::zero(), energy: T::zero() }
+    }
+
+    /// Rejects parameters that make no mechanics.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn check(&self) -> Result<(), Fault> {
+        Ok(())
+    }
+
     /// The accelerations of the coordinates, and of the outboard side, from that of the inboard side.
     fn recovered<C: Closures>(
         &self,
@@ -58,13 +76,8 @@ pub trait Joint<T: Scalar>: Copy + Debug {
 
 /// Makes planar joints elements.
 macro_rules! joint {
-    ($($Joint:ident: $Freedoms:ident),*) => {$(
-        impl Counted for super::$Joint {
-            type Bodies = U0;
-            type Freedoms = $Freedoms;
-        }
-
-        impl<T: Scalar> Element<Planar<T>> for super::$Joint {
+    ([$($generics:tt)*] $Joint:ty) => {
+        impl<$($generics)*> Element<Planar<T>> for $Joint {
             type Position = <Self as Joint<T>>::Position;
             type Rate = <Self as Joint<T>>::Rate;
             type Kept<C: Closures> = <Self as Joint<T>>::Kept<C>;
@@ -80,8 +93,8 @@ macro_rules! joint {
             fn joints(&self) -> usize {
                 1
             }
-            fn check(&self, _: usize) -> Result<(), Error> {
-                Ok(())
+            fn check(&self, station: usize) -> Result<(), Error> {
+                Joint::<T>::check(self).map_err(|fault| Error::new(fault).at_station(station))
             }
             fn position(&self) -> Self::Position {
                 <Self as Joint<T>>::position()
@@ -139,7 +152,12 @@ macro_rules! joint {
                 in_joint: &mut V::InJoint,
             ) -> Frame<T> {
                 let outboard = self.moved(frame, motion.position, motion.rate, motion.acceleration);
-                *in_joint = visit.joint(&JointMotion { inboard: frame, outboard });
+                *in_joint = visit.joint(&JointMotion {
+                    inboard: frame,
+                    outboard,
+                    spring: self.spring(motion.position, motion.rate),
+                    turns: <Self as Joint<T>>::TURNS,
+                });
                 outboard
             }
             fn inward<X: Copy>(&self, _: &mut (), joint: &mut X, visit: &mut impl FnMut(&mut X)) {
@@ -149,6 +167,23 @@ macro_rules! joint {
                 (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)
             }
         }
-    )*};
+    };
 }
-joint!(Pin: U1, Floating: U3);
+joint!([T: Scalar] Pin);
+joint!([T: Scalar] Floating);
+joint!([T: Scalar] Weld<T>);
+joint!([T: Scalar, D: Coefficient<T>, P: Term<T>] ElasticHinge<Rotary<T, D, P>>);
+
+/// Gives joints their counts.
+macro_rules! count {
+    ([$($generics:tt)*] $Joint:ty: $Freedoms:ident) => {
+        impl<$($generics)*> Counted for $Joint {
+            type Bodies = U0;
+            type Freedoms = $Freedoms;
+        }
+    };
+}
+count!([] Pin: U1);
+count!([] Floating: U3);
+count!([T] Weld<T>: U0);
+count!([R] ElasticHinge<R>: U1);

@@ -200,8 +200,11 @@ impl<T: Scalar, B: BodyLaw<T>, J: JointLaw<T>> Loading<Planar<T>> for Loads<B, J
     }
     #[inline(always)]
     fn in_joint(&self, time: T::Real, joint: usize, motion: &JointMotion<T>) -> J::Value {
-        let JointMotion { inboard, outboard } = motion;
-        let motion = JointMotion { inboard: inboard.without_acceleration(), outboard: outboard.without_acceleration() };
+        let motion = JointMotion {
+            inboard: motion.inboard.without_acceleration(),
+            outboard: motion.outboard.without_acceleration(),
+            ..*motion
+        };
         self.joints.at(time, joint, &motion)
     }
 }

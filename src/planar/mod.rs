@@ -12,6 +12,7 @@
 
 mod body;
 mod closing;
+mod elastic_hinge;
 mod ends;
 mod frame;
 mod joint;
@@ -22,11 +23,13 @@ mod rigid_body;
 mod rod;
 mod station;
 mod transfer;
+mod weld;
 
-pub use crate::time::{Dop853, Dopri5, Rk4};
+pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4};
 pub use body::{Body, Inertia};
+pub use elastic_hinge::{ElasticHinge, HingeRule, Rotary};
 pub use ends::{Floating, Free, Ground, GroundMotion, Moving, Pinned};
-pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Planar, Turn};
+pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Planar, SpringState, Turn};
 pub use joint::Joint;
 pub use loads::{Loads, Wrench};
 pub use pin::Pin;
@@ -34,6 +37,7 @@ pub use point_mass::PointMass;
 pub use rigid_body::RigidBody;
 pub use rod::Rod;
 pub use station::{Station, index};
+pub use weld::Weld;
 
 /// A planar scene.
 pub type System<T, R, C, P> = crate::system::System<Planar<T>, R, C, P>;

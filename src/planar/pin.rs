@@ -21,6 +21,8 @@ impl<T: Scalar> Joint<T> for Pin {
     type Rate = T;
     type Kept<C: Closures> = Gain<T, C>;
 
+    const TURNS: bool = true;
+
     fn position() -> T {
         T::zero()
     }

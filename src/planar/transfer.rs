@@ -53,7 +53,9 @@ impl<T: Scalar> Exact<7> for Planar<T> {
         section: &TransferMatrix<T, 7>,
         outer_torque: T,
     ) -> Result<TransferMatrix<T, 7>, Error> {
-        let _ = joint; // pins are the only joints between bodies so far
+        if !joint.turns {
+            return Ok(TransferMatrix::identity());
+        }
         let pivot = section[(M, THETA)]; // Ū₄₃
         if pivot.real().is_zero() || !pivot.is_finite() {
             return Err(Error::new(Fault::SingularTransfer));
@@ -67,6 +69,10 @@ impl<T: Scalar> Exact<7> for Planar<T> {
         u[(THETA, M)] = T::zero();
         u[(THETA, ONE)] = -((section[(M, ONE)] + outer_torque - section[(M, M)] * torque) / pivot);
         Ok(u)
+    }
+
+    fn joint_torque(joint: &JointMotion<T>, applied: T) -> Option<T> {
+        joint.turns.then(|| joint.spring.torque + applied)
     }
 
     fn acceleration_state(frame: &Frame<T>) -> StateVector<T, 7> {

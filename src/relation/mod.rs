@@ -78,6 +78,26 @@ impl<T: Scalar> Term<T> for T {
     }
 }
 
+/// A coefficient that a scene may or may not have: of damping, for example.
+pub trait Coefficient<T>: Part {
+    /// `self · factor + sum`.
+    fn times_onto(self, factor: T, sum: T) -> T;
+}
+
+impl<T> Coefficient<T> for Absent {
+    #[inline(always)]
+    fn times_onto(self, _: T, sum: T) -> T {
+        sum
+    }
+}
+
+impl<T: Scalar> Coefficient<T> for T {
+    #[inline(always)]
+    fn times_onto(self, factor: T, sum: T) -> T {
+        self.mul_add(factor, sum)
+    }
+}
+
 /// A relation that can stand for a lesser one: what an array or vector without links hands on.
 pub trait Promote<R> {
     /// `lesser` as a relation of this type.

@@ -64,10 +64,15 @@ where
         let mut value = self.value(Shown::Past);
         let mut rejected = false;
         while self.past.time < end {
+            // Fixed steps end at multiples of their size, without the rounding of a running sum.
+            let planned = match self.plan.rule.control {
+                Control::Fixed(dt) => start + dt * RealOf::<S>::of((self.counters.steps + 1) as f64) - self.past.time,
+                Control::Tolerance(_) => dt,
+            };
             // The last step lands on the end; it may be longer by rounding.
             let remaining = end - self.past.time;
-            let last = remaining <= dt * (one + RealOf::<S>::EPSILON * RealOf::<S>::of(1e6));
-            let size = if last { remaining } else { dt };
+            let last = remaining <= planned * (one + RealOf::<S>::EPSILON * RealOf::<S>::of(1e6));
+            let size = if last { remaining } else { planned };
             if self.past.time + size <= self.past.time {
                 return Err(self.too_small(size));
             }

@@ -79,26 +79,27 @@ where
     let mut number = chain.bodies() + chain.joints();
     chain.inward(&mut bodies, &mut joints, &mut |entry: &mut Entry<S, N>| {
         number -= 1;
+        let mut turning = false;
         let matrix = match entry {
             Entry::Body(matrix) => *matrix,
-            Entry::Joint(_, torque) if number == 0 => {
-                outer_torque = *torque;
-                return;
-            }
-            Entry::Joint(joint, torque) => match S::joint_matrix(joint, *torque, &section, outer_torque) {
-                Ok(matrix) => {
-                    outer_torque = *torque;
-                    matrix
-                }
-                Err(error) => {
-                    outcome = Err(error.at_station(number - 1));
-                    identity
+            Entry::Joint(joint, applied) => match S::joint_torque(joint, *applied) {
+                None => identity,
+                Some(torque) => {
+                    let outer = core::mem::replace(&mut outer_torque, torque);
+                    if number == 0 {
+                        return;
+                    }
+                    turning = true;
+                    S::joint_matrix(joint, torque, &section, outer).unwrap_or_else(|error| {
+                        outcome = Err(error.at_station(number - 1));
+                        identity
+                    })
                 }
             },
             Entry::Blank => identity,
         };
         whole = matrix.then(&whole);
-        section = if matches!(entry, Entry::Joint(..)) { identity } else { matrix.then(&section) };
+        section = if turning { identity } else { matrix.then(&section) };
         each(number - 1, &matrix);
     });
     outcome.map(|()| (whole, outer_torque))

@@ -1,6 +1,7 @@
 //! Steppers: what a rule needs for one scene, and the step itself.
 
 mod explicit;
+mod implicit;
 
 use crate::error::Error;
 use crate::motion::Motion;
@@ -8,6 +9,7 @@ use crate::scalar::Scalar;
 use crate::system::Dynamics;
 
 pub use explicit::ExplicitStepper;
+pub use implicit::ImplicitStepper;
 
 /// The motion of a scene described by `D`.
 pub type MotionIn<D, L> = Motion<<D as Dynamics<L>>::Scalar, <D as Dynamics<L>>::Position>;

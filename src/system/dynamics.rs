@@ -1,6 +1,6 @@
 //! What a stepper needs of a scene.
 
-use crate::element::{Carrying, Close, Condense, Coordinates, Element, Explicit, Loading, RealOf, Space};
+use crate::element::{Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
@@ -39,6 +39,26 @@ pub trait Dynamics<L> {
         acceleration: &mut Self::Rate,
     );
 
+    /// Room for implicit sweeps.
+    type StiffWorkspace;
+
+    /// Room for implicit sweeps.
+    fn stiff_workspace(&self) -> Self::StiffWorkspace;
+
+    /// One linearly implicit sweep: accelerations from the geometry `at` (positions, rates) and springs that stand at `spring`
+    /// (positions, rates) without, and move with, the accelerations sought.
+    #[allow(clippy::too_many_arguments)] // the data flow of the method, one value each
+    fn implicit_accelerations(
+        &self,
+        time: <Self::Scalar as Scalar>::Real,
+        at: (&Self::Position, &Self::Rate),
+        spring: (&Self::Position, &Self::Rate),
+        springs: Implicit<<Self::Scalar as Scalar>::Real>,
+        loads: &L,
+        workspace: &mut Self::StiffWorkspace,
+        acceleration: &mut Self::Rate,
+    );
+
     /// Whether a motion may stand: finite, and no angle out of range.
     ///
     /// # Errors
@@ -61,7 +81,8 @@ where
     C: Element<S>,
     P: Tip<S>,
     L: Loading<S>,
-    Elements<S, R, C>: Condense<S, P::Relation, Carrying<L, Explicit, P::Closures>, Out: Close<S, P::Closures>>,
+    Elements<S, R, C>: Condense<S, P::Relation, Carrying<L, Explicit, P::Closures>, Out: Close<S, P::Closures>>
+        + Condense<S, P::Relation, Carrying<L, Implicit<RealOf<S>>, P::Closures>, Out: Close<S, P::Closures>>,
 {
     type Space = S;
     type Scalar = S::Scalar;
@@ -89,6 +110,28 @@ where
     ) {
         let site = self.site(time, loads);
         let spring = Spring { position, rate, springs: Explicit };
+        sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
+    }
+
+    type StiffWorkspace = Workspace<S, Elements<S, R, C>, Carrying<L, Implicit<RealOf<S>>, P::Closures>>;
+
+    fn stiff_workspace(&self) -> Self::StiffWorkspace {
+        Workspace::new(&self.chain)
+    }
+
+    #[inline]
+    fn implicit_accelerations(
+        &self,
+        time: RealOf<S>,
+        (position, rate): (&Self::Position, &Self::Rate),
+        spring: (&Self::Position, &Self::Rate),
+        springs: Implicit<RealOf<S>>,
+        loads: &L,
+        workspace: &mut Self::StiffWorkspace,
+        acceleration: &mut Self::Rate,
+    ) {
+        let site = self.site(time, loads);
+        let spring = Spring { position: spring.0, rate: spring.1, springs };
         sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
     }
 

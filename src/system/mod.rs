@@ -11,7 +11,7 @@ use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::Rate;
 use crate::motion::Motion;
-use crate::observe::{PerBody, Stations};
+use crate::observe::{PerBody, Stations, budget};
 use crate::scalar::Scalar;
 use crate::solve::riccati::Site;
 use num_traits::Zero;
@@ -180,9 +180,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Stations::of(&self.chain, self.root.ground(motion.time), self.gravity, motion, loads)
     }
 
-    /// Energy and momentum of all bodies.
+    /// Energy and momentum of all bodies and springs.
     pub fn budget(&self, motion: &MotionOf<S, R, C>) -> Budget<S> {
-        S::total(self.body_motions(motion).iter().map(|body| S::budget(body, self.gravity)))
+        budget(&self.chain, self.root.ground(motion.time), self.gravity, motion)
     }
 }
 

@@ -4,11 +4,13 @@ mod control;
 mod dop853;
 mod dop853_table;
 mod dopri5;
+mod generalized_alpha;
 mod rk4;
 mod tableau;
 
 pub use control::{Control, Rule};
 pub use dop853::Dop853;
 pub use dopri5::Dopri5;
+pub use generalized_alpha::GeneralizedAlpha;
 pub use rk4::Rk4;
 pub use tableau::{ErrorWeights, Explicit, Tableau};

@@ -177,6 +177,35 @@ impl<T: Scalar, C: Closures> Gain<T, C> {
     }
 }
 
+impl<T: Scalar, C: Closures> HingeGain<T, C> {
+    /// No gain yet.
+    pub fn blank() -> Self {
+        Self::absolute(Gain::blank())
+    }
+
+    /// The gain of an absolute angle, as one of the angle relative to the inboard body.
+    #[inline(always)]
+    pub fn absolute(gain: Gain<T, C>) -> Self {
+        let Gain { per_acceleration, free, per_closure } = gain;
+        Self { per_acceleration, per_angular: T::one(), free, per_closure }
+    }
+
+    /// Whether it is finite.
+    pub fn is_finite(&self) -> bool {
+        let w = self.per_acceleration;
+        w.x.is_finite() && w.y.is_finite() && self.per_angular.is_finite() && self.free.is_finite()
+    }
+
+    /// The relative angular acceleration (rad/s²) where the inboard body's end accelerates by `a` and turns with `angular`.
+    #[inline(always)]
+    pub fn relative(&self, a: Vector2<T>, angular: T, multipliers: &C::Each<T>) -> T {
+        let w = self.per_acceleration;
+        let bound = (-self.per_angular).mul_add(angular, self.free);
+        let open = (-w.x).mul_add(a.x, (-w.y).mul_add(a.y, bound));
+        C::minus_dot(open, &self.per_closure, multipliers)
+    }
+}
+
 /// What eliminating a stiff rotation leaves behind: φ̈ = free − w · a − w_α α − row · λ.
 #[derive(Clone, Copy)]
 pub struct HingeGain<T: Copy, C: Closures = Open> {

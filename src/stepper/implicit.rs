@@ -1,0 +1,202 @@
+//! Steps by the generalised-α family.
+
+use super::{Method, MotionIn, Stepper, TimeIn};
+use crate::element::Implicit;
+use crate::error::{Error, Fault};
+use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
+use crate::scalar::Real;
+use crate::system::Dynamics;
+use crate::time::GeneralizedAlpha;
+use num_traits::Zero;
+
+/// Steps by a rule of the generalised-α family.
+pub struct ImplicitStepper<'s, D: Dynamics<L>, L> {
+    rule: GeneralizedAlpha,
+    scene: &'s D,
+    workspace: D::Workspace,
+    stiff: D::StiffWorkspace,
+    /// The auxiliary acceleration A at the last motion written, and the time of that motion; and at the one before.
+    last: Auxiliary<D, L>,
+    before: Auxiliary<D, L>,
+    /// Where positions and rates would be without the acceleration sought.
+    free: (D::Position, D::Rate),
+    /// Where the geometry of a sweep is taken.
+    at: (D::Position, D::Rate),
+    /// Acceleration of the sweep before.
+    previous: D::Rate,
+    start: Option<MotionIn<D, L>>,
+    zero: D::Rate,
+    sweeps: usize,
+}
+
+/// A of a motion at a time; none before the first step.
+struct Auxiliary<D: Dynamics<L>, L> {
+    time: Option<TimeIn<D, L>>,
+    acceleration: D::Rate,
+}
+
+impl Method for GeneralizedAlpha {
+    type Stepper<'s, D: Dynamics<L> + 's, L: 's> = ImplicitStepper<'s, D, L>;
+
+    fn stepper<'s, D: Dynamics<L>, L>(&self, scene: &'s D) -> ImplicitStepper<'s, D, L> {
+        let still = scene.still();
+        let zero = still.rate.clone();
+        let place = (still.position.clone(), zero.clone());
+        let auxiliary = || Auxiliary { time: None, acceleration: zero.clone() };
+        ImplicitStepper {
+            rule: *self,
+            scene,
+            workspace: scene.workspace(),
+            stiff: scene.stiff_workspace(),
+            last: auxiliary(),
+            before: auxiliary(),
+            free: place.clone(),
+            at: place,
+            previous: zero.clone(),
+            start: Some(still),
+            zero,
+            sweeps: 0,
+        }
+    }
+}
+
+impl<D: Dynamics<L>, L> ImplicitStepper<'_, D, L> {
+    /// Makes `before` the auxiliary acceleration of `past`: that of the last step if `past` is where it ended, the true
+    /// acceleration otherwise, from which it differs by O(h).
+    fn recall(&mut self, past: &MotionIn<D, L>) {
+        if self.last.time == Some(past.time) {
+            core::mem::swap(&mut self.last, &mut self.before);
+        } else if self.before.time != Some(past.time) {
+            self.before.acceleration.clone_from(&past.acceleration);
+        }
+        self.before.time = Some(past.time);
+        self.last.time = None;
+    }
+}
+
+impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<'_, D, L> {
+    fn step(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        let Some(mut start) = self.start.take().filter(|start| past.fits(start) && past.fits(next)) else {
+            return Err(Error::new(Fault::Shape));
+        };
+        start.time = past.time;
+        start.position.clone_from(&past.position);
+        start.rate.clone_from(&past.rate);
+        let Motion { time, position, rate, acceleration } = &mut start;
+        self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+        self.sweeps += 1;
+        let outcome = self.advance(&start, loads, dt, next);
+        self.start = Some(start);
+        outcome
+    }
+
+    fn advance(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        let real = TimeIn::<D, L>::of;
+        let GeneralizedAlpha { alpha_m, alpha_f, beta, gamma, sweeps } = self.rule;
+        for (parameter, value) in [("beta", beta), ("gamma - 1/2 + tiny", gamma - 0.5 + 1e-12)] {
+            if value.is_nan() || value <= 0.0 {
+                return Err(Error::new(Fault::NotPositive { parameter, value }));
+            }
+        }
+        self.recall(past);
+        // A₁ = κ a₁ + (α_f a₀ − α_m A₀) / (1 − α_m).
+        let kappa = (1.0 - alpha_f) / (1.0 - alpha_m);
+        let (of_true, of_auxiliary) = (alpha_f / (1.0 - alpha_m), -alpha_m / (1.0 - alpha_m));
+        let terms = [&past.acceleration, &self.before.acceleration];
+        let (position, rate) = &mut self.free;
+        let square = dt * dt;
+        let weights = [real(beta * of_true) * square, real(0.5 - beta + beta * of_auxiliary) * square];
+        position.drift(&past.position, dt, &past.rate, &weights, terms);
+        let weights = [real(gamma * of_true) * dt, real(1.0 - gamma + gamma * of_auxiliary) * dt];
+        rate.combine(&past.rate, &weights, terms);
+        let springs = Implicit { position: real(beta * kappa) * square, rate: real(gamma * kappa) * dt };
+
+        next.time = past.time + dt;
+        let none = TimeIn::<D, L>::zero();
+        // The first geometry is a prediction without accelerations: those of stiff joints are too rough for it.
+        self.at.0.drift(&past.position, dt, &past.rate, &[], []);
+        self.at.1.combine(&past.rate, &[], []);
+        for sweep in 0..sweeps {
+            if sweep > 0 {
+                let found = [&next.acceleration];
+                self.at.0.drift(&self.free.0, none, &self.zero, &[springs.position], found);
+                self.at.1.combine(&self.free.1, &[springs.rate], found);
+                self.previous.clone_from(&next.acceleration);
+            }
+            let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
+            let acceleration = &mut next.acceleration;
+            self.scene.implicit_accelerations(next.time, at, free, springs, loads, &mut self.stiff, acceleration);
+            self.sweeps += 1;
+        }
+        let found = [&next.acceleration];
+        next.position.drift(&self.free.0, none, &self.zero, &[springs.position], found);
+        next.rate.combine(&self.free.1, &[springs.rate], found);
+        self.last.time = Some(next.time);
+        let terms = [&next.acceleration, &past.acceleration, &self.before.acceleration];
+        let weights = [real(kappa), real(of_true), real(of_auxiliary)];
+        self.last.acceleration.combine(&self.zero, &weights, terms);
+        match self.scene.accept(next) {
+            Ok(()) => Ok(()),
+            Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => {
+                Err(self.scene.diagnose(past, loads, &mut self.workspace))
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    fn error(
+        &mut self,
+        past: &MotionIn<D, L>,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        tolerance: TimeIn<D, L>,
+    ) -> Option<TimeIn<D, L>> {
+        let _ = (past, dt, next, tolerance);
+        None
+    }
+
+    fn error_order(&self) -> f64 {
+        2.0
+    }
+
+    fn interpolate(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        theta: f64,
+        between: &mut MotionIn<D, L>,
+    ) {
+        // Accelerations linear in time between the two ends: third-order positions, at least as good as the rule.
+        let real = TimeIn::<D, L>::of;
+        let t = theta;
+        between.time = past.time + real(theta) * dt;
+        let square = dt * dt;
+        let weights = [real(t * t / 2.0 - t * t * t / 6.0) * square, real(t * t * t / 6.0) * square];
+        let terms = [&past.acceleration, &next.acceleration];
+        between.position.drift(&past.position, real(t) * dt, &past.rate, &weights, terms);
+        let weights = [real(t - t * t / 2.0) * dt, real(t * t / 2.0) * dt];
+        between.rate.combine(&past.rate, &weights, terms);
+        let Motion { time, position, rate, acceleration } = between;
+        self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+        self.sweeps += 1;
+    }
+
+    fn sweeps(&self) -> usize {
+        self.sweeps
+    }
+}
