@@ -134,6 +134,17 @@ pub trait Element<S: Space>: Clone {
         rate: &mut Self::Rate,
     ) -> S::Acceleration;
 
+    /// What the joint coordinates do where only closure forces act: `recover` through the same gains without velocities, loads
+    /// and springs. It serves corrections of positions and rates as well as accelerations.
+    fn respond<C: Closures>(
+        &self,
+        acceleration: S::Acceleration,
+        posture: Posture<'_, S, Self>,
+        kept: &Self::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
+        rate: &mut Self::Rate,
+    ) -> S::Acceleration;
+
     /// Walks outward with complete kinematics and lets a visitor write an entry for each body and joint.
     fn travel<V: Visit<S>>(
         &self,
@@ -180,6 +191,8 @@ pub trait Condense<S: Space, R, W: Sweep<S>>: Element<S> {
 pub trait Close<S: Space, C: Closures> {
     /// λ, for the acceleration of the root.
     fn multipliers(&self, root: &S::Acceleration) -> C::Each<S::Scalar>;
+    /// Λ.
+    fn compliance(&self) -> C::Pairs<S::Scalar>;
 }
 
 /// Directions and angular velocities of the bodies of an element.

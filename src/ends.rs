@@ -75,6 +75,10 @@ pub trait Tip<S: Space> {
 
     /// The relation it hands on, with the motion it demands (in a frame that falls freely).
     fn relation(&self, time: RealOf<S>, gravity: S::Vector) -> Self::Relation;
+    /// Internal force and torque at the tip where it is held by these forces.
+    fn internal(&self, multipliers: &<Self::Closures as Closures>::Each<S::Scalar>) -> S::Internal;
+    /// By how much a tip that moves with `frame` misses the place demanded at a time, and the velocity.
+    fn miss(&self, time: RealOf<S>, frame: &S::Frame) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
     /// Rejects parameters that make no mechanics.
     fn check(&self) -> Result<(), Error>;
 }

@@ -13,6 +13,9 @@ pub trait Rate<T: Scalar>: Clone {
     /// `self = base + Σ weights[j] · terms[j]`.
     fn combine<const M: usize>(&mut self, base: &Self, weights: &[T::Real; M], terms: [&Self; M]);
 
+    /// `self = self + step`.
+    fn add(&mut self, step: &Self);
+
     /// Calls `visit` with each coordinate, root to tip.
     fn visit(&self, visit: &mut impl FnMut(T));
 
@@ -39,6 +42,9 @@ pub trait Position<T: Scalar>: Clone {
         terms: [&Self::Rate; M],
     );
 
+    /// `self = self ⊕ step`.
+    fn displace(&mut self, step: &Self::Rate);
+
     /// Calls `note` with each number of a displacement from here, root to tip, and the size by which to measure it relatively
     /// (that of the coordinate).
     fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T::Real));
@@ -61,6 +67,10 @@ impl<T: Scalar> Rate<T> for T {
             sum = sum.add_scaled(*weight, *term);
         }
         *self = sum;
+    }
+    #[inline(always)]
+    fn add(&mut self, step: &Self) {
+        *self += *step;
     }
     #[inline(always)]
     fn visit(&self, visit: &mut impl FnMut(T)) {
@@ -86,6 +96,10 @@ impl<T: Scalar> Position<T> for T {
     #[inline(always)]
     fn measure(&self, displacement: &T, note: &mut impl FnMut(T, T::Real)) {
         note(*displacement, self.real().abs());
+    }
+    #[inline(always)]
+    fn displace(&mut self, step: &Self) {
+        *self += *step;
     }
     #[inline(always)]
     fn visit(&self, visit: &mut impl FnMut(T)) {
@@ -155,6 +169,10 @@ macro_rules! mirror_items {
                 items::combine(self, base, weights, terms.map(|term| &term[..]));
             }
             #[inline]
+            fn add(&mut self, step: &Self) {
+                self.iter_mut().zip(step).for_each(|(item, step)| item.add(step));
+            }
+            #[inline]
             fn visit(&self, visit: &mut impl FnMut(T)) {
                 self.iter().for_each(|item| item.visit(visit));
             }
@@ -187,6 +205,10 @@ macro_rules! mirror_items {
                 self.iter().zip(displacement).for_each(|(item, displacement)| item.measure(displacement, note));
             }
             #[inline]
+            fn displace(&mut self, step: &Self::Rate) {
+                self.iter_mut().zip(step).for_each(|(item, step)| item.displace(step));
+            }
+            #[inline]
             fn visit(&self, visit: &mut impl FnMut(T)) {
                 self.iter().for_each(|item| item.visit(visit));
             }
@@ -213,6 +235,10 @@ macro_rules! mirror_tuple {
             #[inline(always)]
             fn combine<const M: usize>(&mut self, _base: &Self, _weights: &[T::Real; M], _terms: [&Self; M]) {
                 $(self.$i.combine(&_base.$i, _weights, _terms.map(|term| &term.$i));)*
+            }
+            #[inline(always)]
+            fn add(&mut self, _step: &Self) {
+                $(self.$i.add(&_step.$i);)*
             }
             #[inline(always)]
             fn visit(&self, _visit: &mut impl FnMut(T)) {
@@ -245,6 +271,10 @@ macro_rules! mirror_tuple {
             #[inline(always)]
             fn measure(&self, _displacement: &Self::Rate, _note: &mut impl FnMut(T, T::Real)) {
                 $(self.$i.measure(&_displacement.$i, _note);)*
+            }
+            #[inline(always)]
+            fn displace(&mut self, _step: &Self::Rate) {
+                $(self.$i.displace(&_step.$i);)*
             }
             #[inline(always)]
             fn visit(&self, _visit: &mut impl FnMut(T)) {

@@ -2,6 +2,7 @@
 
 use crate::lift::Lift;
 use crate::mirror::{Position, Rate};
+use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
 use core::fmt::{self, DebugList};
 
@@ -10,14 +11,16 @@ use core::fmt::{self, DebugList};
 /// It holds no parameters and no workspace: clone it, store it, compare it, differentiate it, hand it back. A step reads one
 /// motion and writes another, so a failed step loses nothing.
 #[derive(Clone)]
-pub struct Motion<T: Scalar, P: Position<T>> {
+pub struct Motion<T: Scalar, P: Position<T>, C: Closures = Open> {
     pub(crate) time: T::Real,
     pub(crate) position: P,
     pub(crate) rate: P::Rate,
     pub(crate) acceleration: P::Rate,
+    /// Forces that hold the tip, ON the last body; they belong to the accelerations.
+    pub(crate) multipliers: C::Each<T>,
 }
 
-impl<T: Scalar, P: Position<T>> Motion<T, P> {
+impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
     /// Time (s).
     pub fn time(&self) -> T::Real {
         self.time
@@ -60,7 +63,7 @@ impl<T: Scalar, P: Position<T>> Motion<T, P> {
     }
 
     /// The same motion over another scalar, `number` replacing each coordinate, rate and acceleration.
-    pub fn lift<U: Scalar<Real = T::Real>>(&self, mut number: impl FnMut(T) -> U) -> Motion<U, P::Over>
+    pub fn lift<U: Scalar<Real = T::Real>>(&self, mut number: impl FnMut(T) -> U) -> Motion<U, P::Over, C>
     where
         P: Lift<T, U, Over: Position<U, Rate = <P::Rate as Lift<T, U>>::Over>>,
         P::Rate: Lift<T, U>,
@@ -70,7 +73,13 @@ impl<T: Scalar, P: Position<T>> Motion<T, P> {
             position: self.position.lift(&mut number),
             rate: self.rate.lift(&mut number),
             acceleration: self.acceleration.lift(&mut number),
+            multipliers: C::map(&self.multipliers, &mut number),
         }
+    }
+
+    /// Forces that hold the tip, ON the last body, in the order of the conditions it imposes (N, N·m).
+    pub fn multipliers(&self) -> &C::Each<T> {
+        &self.multipliers
     }
 
     /// Whether every number of it is finite.
@@ -79,6 +88,7 @@ impl<T: Scalar, P: Position<T>> Motion<T, P> {
         self.position.visit(&mut |x| finite &= x.is_finite());
         self.rate.visit(&mut |x| finite &= x.is_finite());
         self.acceleration.visit(&mut |x| finite &= x.is_finite());
+        C::map(&self.multipliers, |x| finite &= x.is_finite());
         finite
     }
 
@@ -94,14 +104,16 @@ impl<T: Scalar, P: Position<T>> Motion<T, P> {
     }
 }
 
-impl<T: Scalar, P: Position<T>> PartialEq for Motion<T, P> {
+impl<T: Scalar, P: Position<T>, C: Closures> PartialEq for Motion<T, P, C> {
     /// As the scalar compares: dual numbers by their real part only.
     fn eq(&self, other: &Self) -> bool {
-        self.time == other.time && self.all(other, &mut |a, b| a == b)
+        let mut held = true;
+        C::zip(&self.multipliers, &other.multipliers, |a, b| held &= a == b);
+        self.time == other.time && held && self.all(other, &mut |a, b| a == b)
     }
 }
 
-impl<T: Scalar, P: Position<T>> fmt::Debug for Motion<T, P> {
+impl<T: Scalar, P: Position<T>, C: Closures> fmt::Debug for Motion<T, P, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         struct List<F>(F);
         impl<F: Fn(&mut DebugList<'_, '_>)> fmt::Debug for List<F> {
@@ -118,6 +130,10 @@ impl<T: Scalar, P: Position<T>> fmt::Debug for Motion<T, P> {
             .field(
                 "acceleration",
                 &List(|list: &mut DebugList<'_, '_>| self.acceleration.visit(&mut |x| _ = list.entry(&x))),
+            )
+            .field(
+                "multipliers",
+                &List(|list: &mut DebugList<'_, '_>| _ = C::map(&self.multipliers, |x| _ = list.entry(&x))),
             )
             .finish()
     }

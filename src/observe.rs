@@ -1,8 +1,7 @@
 //! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
 
 use crate::counts::HasBody;
-use crate::element::{Budget, Coordinates, Element, Load, Loading, Space, Visit};
-use crate::motion::Motion;
+use crate::element::{Budget, Coordinates, Element, Load, Loading, RealOf, Space, Visit};
 use core::fmt;
 
 /// Something of every body of a scene, by number.
@@ -17,11 +16,11 @@ impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
     pub(crate) fn of(
         chain: &'a E,
         ground: S::Frame,
-        motion: &Motion<S::Scalar, E::Position>,
+        motion: Coordinates<'_, S, E>,
         read: impl FnMut(&S::BodyMotion) -> X,
     ) -> Self {
         let mut bodies = chain.per_body(None);
-        chain.travel(ground, coordinates(motion), &mut Collect(read), &mut bodies, &mut chain.per_joint(()));
+        chain.travel(ground, motion, &mut Collect(read), &mut bodies, &mut chain.per_joint(()));
         Self { chain, bodies }
     }
 
@@ -83,19 +82,21 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
         chain: &'a E,
         ground: S::Frame,
         gravity: S::Vector,
-        motion: &Motion<S::Scalar, E::Position>,
+        motion: Coordinates<'_, S, E>,
+        time: RealOf<S>,
         loads: &L,
+        tip: S::Internal,
     ) -> Self {
         let (mut bodies, mut joints) = (chain.per_body(None), chain.per_joint(None));
-        let mut visit = Balance::<S, L> { gravity, loads, time: motion.time, body: 0 };
-        let end = chain.travel(ground, coordinates(motion), &mut visit, &mut bodies, &mut joints);
-        let mut internal = S::no_force();
+        let mut visit = Balance::<S, L> { gravity, loads, time, body: 0 };
+        let end = chain.travel(ground, motion, &mut visit, &mut bodies, &mut joints);
+        let mut internal = tip;
         chain.inward(&mut bodies, &mut joints, &mut |station| {
             if let Some(station) = station {
                 internal = S::balance(station, internal);
             }
         });
-        Self { chain, bodies, joints, tip: S::end_station(&end) }
+        Self { chain, bodies, joints, tip: S::end_station(&end, tip) }
     }
 
     /// Number of elements of the chain: stations are numbered from 0 (the inboard end of the first element) to this (the
@@ -129,10 +130,6 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
     }
 }
 
-fn coordinates<S: Space, E: Element<S>>(motion: &Motion<S::Scalar, E::Position>) -> Coordinates<'_, S, E> {
-    Coordinates { position: &motion.position, rate: &motion.rate, acceleration: &motion.acceleration }
-}
-
 /// Keeps something of each body.
 struct Collect<F>(F);
 
@@ -151,10 +148,10 @@ pub(crate) fn budget<S: Space, E: Element<S>>(
     chain: &E,
     ground: S::Frame,
     gravity: S::Vector,
-    motion: &Motion<S::Scalar, E::Position>,
+    motion: Coordinates<'_, S, E>,
 ) -> Budget<S> {
     let mut audit = Audit { gravity, sum: S::no_budget() };
-    chain.travel(ground, coordinates(motion), &mut audit, &mut chain.per_body(()), &mut chain.per_joint(()));
+    chain.travel(ground, motion, &mut audit, &mut chain.per_body(()), &mut chain.per_joint(()));
     audit.sum
 }
 
@@ -181,7 +178,7 @@ impl<S: Space> Visit<S> for Audit<S> {
 struct Balance<'a, S: Space, L> {
     gravity: S::Vector,
     loads: &'a L,
-    time: crate::element::RealOf<S>,
+    time: RealOf<S>,
     body: usize,
 }
 

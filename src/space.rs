@@ -45,6 +45,8 @@ pub trait Space: Copy + Debug + 'static {
     fn angle_out_of_range(body: &Self::BodyMotion) -> Option<f64>;
     /// The acceleration of a frame as seen by one that falls freely: a − g.
     fn falling(frame: &Self::Frame, gravity: Self::Vector) -> Self::Acceleration;
+    /// No acceleration.
+    fn no_acceleration() -> Self::Acceleration;
     /// No force, no torque.
     fn no_force() -> Self::Internal;
     /// Gravity of magnitude g (m/s²) along −y.
@@ -58,7 +60,7 @@ pub trait Space: Copy + Debug + 'static {
     /// The inboard station of a joint.
     fn joint_station(joint: &Self::JointMotion) -> Self::Station;
     /// The station at the end of a chain.
-    fn end_station(frame: &Self::Frame) -> Self::Station;
+    fn end_station(frame: &Self::Frame, internal: Self::Internal) -> Self::Station;
     /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.
     fn balance(station: &mut Self::Station, outer: Self::Internal) -> Self::Internal;
     /// A budget of nothing.

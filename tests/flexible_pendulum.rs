@@ -31,7 +31,9 @@ fn explicit_integration_meets_the_reference() -> Result<(), Error> {
         let root = pendulum.stations(&motion, &Unloaded).root().unwrap().internal.force;
         println!("{time} {:e} {:e}", found.get(0).unwrap() - angles[0], found.get(19).unwrap() - angles[1]);
         println!("{:e} {:e}", root.x - force[0], root.y - force[1]);
-        assert!((found.get(0).unwrap() - angles[0]).abs() < 3e-11 && (found.get(19).unwrap() - angles[1]).abs() < 3e-11);
+        assert!(
+            (found.get(0).unwrap() - angles[0]).abs() < 3e-11 && (found.get(19).unwrap() - angles[1]).abs() < 3e-11
+        );
         assert!((root.x - force[0]).abs() < 2e-8 && (root.y - force[1]).abs() < 2e-8);
     }
     Ok(())
@@ -48,7 +50,9 @@ fn two_sweeps_a_step_survive_where_one_does_not() -> Result<(), Error> {
                 let outcome = pendulum.simulate(start, rule.with_sweeps(sweeps).step(h), 45.0, |now| {
                     let energy = now.energy();
                     let first = *first.get_or_insert(energy);
-                    if now.time() > 40.0 { drift = drift.max((energy - first).abs()); }
+                    if now.time() > 40.0 {
+                        drift = drift.max((energy - first).abs());
+                    }
                 });
                 println!("{name} {sweeps} {h} {:?} {drift:e}", outcome.map(|run| run.steps).map_err(|e| e.error));
             }

@@ -166,6 +166,25 @@ macro_rules! chain_items {
                 acceleration
             }
             #[inline]
+            fn respond<C: Closures>(
+                &self,
+                acceleration: S::Acceleration,
+                posture: Posture<'_, S, Self>,
+                kept: &Self::Kept<C>,
+                multipliers: &C::Each<S::Scalar>,
+                rate: &mut Self::Rate,
+            ) -> S::Acceleration {
+                let Posture { cosine, sine, spin } = posture;
+                let items = &self[..];
+                march!(n: items cosine sine spin kept; mut rate; else acceleration);
+                let mut acceleration = acceleration;
+                for i in 0..n {
+                    let posture = Posture { cosine: &cosine[i], sine: &sine[i], spin: &spin[i] };
+                    acceleration = items[i].respond(acceleration, posture, &kept[i], multipliers, &mut rate[i]);
+                }
+                acceleration
+            }
+            #[inline]
             fn travel<V: Visit<S>>(
                 &self,
                 frame: S::Frame,

@@ -126,6 +126,24 @@ macro_rules! chain_tuple {
                 acceleration
             }
             #[inline]
+            fn respond<Cuts: Closures>(
+                &self,
+                acceleration: S::Acceleration,
+                posture: Posture<'_, S, Self>,
+                kept: &Self::Kept<Cuts>,
+                multipliers: &Cuts::Each<S::Scalar>,
+                rate: &mut Self::Rate,
+            ) -> S::Acceleration {
+                $(let acceleration = self.$i.respond(
+                    acceleration,
+                    Posture { cosine: &posture.cosine.$i, sine: &posture.sine.$i, spin: &posture.spin.$i },
+                    &kept.$i,
+                    multipliers,
+                    &mut rate.$i,
+                );)*
+                acceleration
+            }
+            #[inline]
             fn travel<V: Visit<S>>(
                 &self,
                 frame: S::Frame,

@@ -149,6 +149,17 @@ macro_rules! body {
                 acceleration.shifted(arm, *posture.spin * *posture.spin)
             }
             #[inline(always)]
+            fn respond<C: Closures>(
+                &self,
+                acceleration: super::Acceleration<T>,
+                posture: Posture<'_, Planar<T>, Self>,
+                _: &(),
+                _: &C::Each<T>,
+                _: &mut (),
+            ) -> super::Acceleration<T> {
+                acceleration.shifted(self.arm(*posture.cosine, *posture.sine), T::zero())
+            }
+            #[inline(always)]
             fn travel<V: Visit<Planar<T>>>(
                 &self,
                 frame: Frame<T>,

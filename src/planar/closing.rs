@@ -10,11 +10,15 @@ use crate::scalar::Scalar;
 impl<T: Scalar> Close<Planar<T>, Open> for Empty {
     #[inline(always)]
     fn multipliers(&self, _: &Acceleration<T>) {}
+    #[inline(always)]
+    fn compliance(&self) {}
 }
 
 impl<T: Scalar> Close<Planar<T>, Open> for Known<T> {
     #[inline(always)]
     fn multipliers(&self, _: &Acceleration<T>) {}
+    #[inline(always)]
+    fn compliance(&self) {}
 }
 
 impl<T: Scalar, M: Copy, C: Closures> Close<Planar<T>, C> for Point<T, M, C> {
@@ -23,6 +27,10 @@ impl<T: Scalar, M: Copy, C: Closures> Close<Planar<T>, C> for Point<T, M, C> {
         let cuts = &self.cuts;
         let demand = C::zip(&cuts.columns, &cuts.gap, |w, gap| dot(w, root.linear) - gap);
         C::solve(&cuts.compliance, &demand)
+    }
+    #[inline(always)]
+    fn compliance(&self) -> C::Pairs<T> {
+        self.cuts.compliance
     }
 }
 
@@ -33,5 +41,9 @@ impl<T: Scalar, C: Closures> Close<Planar<T>, C> for Full<T, C> {
         let demand =
             C::zip(&cuts.columns, &cuts.gap, |w, gap| w.torque.mul_add(root.angular, dot(w.force, root.linear)) - gap);
         C::solve(&cuts.compliance, &demand)
+    }
+    #[inline(always)]
+    fn compliance(&self) -> C::Pairs<T> {
+        self.cuts.compliance
     }
 }

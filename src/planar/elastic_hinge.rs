@@ -125,6 +125,10 @@ impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Rotary<
     fn kept<C: Closures>() -> HingeGain<T, C> {
         HingeGain::blank()
     }
+    #[inline(always)]
+    fn homogeneous<C: Closures>(kept: &HingeGain<T, C>) -> HingeGain<T, C> {
+        HingeGain { free: T::zero(), ..*kept }
+    }
     fn is_finite<C: Closures>(kept: &HingeGain<T, C>) -> bool {
         kept.is_finite()
     }

@@ -1,13 +1,15 @@
 //! The ends of planar chains.
 
-use super::{Acceleration, Frame, Joint, Pin, Planar, Turn};
+use super::{Acceleration, Frame, Internal, Joint, Pin, Planar, Turn};
 use crate::element::{Condense, Given, Posture, Sweep};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::{Lift, lift};
-use crate::relation::plane::{Empty, Full};
-use crate::relation::{Closures, Open};
+use crate::relation::plane::algebra::Symmetric2;
+use crate::relation::plane::{Empty, Full, Point};
+use crate::relation::{Absent, Closures, Cut, Cuts, Open};
 use crate::scalar::Scalar;
+use crate::space::Space;
 use nalgebra::Vector2;
 
 /// Motion of a point of the ground.
@@ -118,8 +120,43 @@ impl<T: Scalar> Tip<Planar<T>> for Free {
     fn relation(&self, _: T::Real, _: Vector2<T>) -> Empty {
         Empty
     }
+    fn internal(&self, (): &()) -> Internal<T> {
+        Planar::no_force()
+    }
+    fn miss(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
+        [(), ()]
+    }
     fn check(&self) -> Result<(), Error> {
         Ok(())
+    }
+}
+
+impl<T: Scalar, G: Ground<T>> Tip<Planar<T>> for Pinned<G> {
+    type Pairs = (Held, Held, Loose);
+    type Closures = Cut<2>;
+    type Relation = Point<T, Absent, Cut<2>>;
+
+    #[inline(always)]
+    fn relation(&self, time: T::Real, gravity: Vector2<T>) -> Self::Relation {
+        let target = Vector2::from(self.0.at(time).acceleration) - gravity;
+        let (zero, one) = (T::zero(), T::one());
+        // λ acts ON the last body, so F on the ground beyond the tip is −λ.
+        let columns = [Vector2::new(-one, zero), Vector2::new(zero, -one)];
+        let cuts = Cuts::at_tip(columns, [-target.x, -target.y]);
+        let stiffness = Symmetric2::diagonal(zero);
+        Point { stiffness, offset: Vector2::new(zero, zero), torque: Absent, cuts }
+    }
+    fn internal(&self, multipliers: &[T; 2]) -> Internal<T> {
+        Internal { force: Vector2::new(-multipliers[0], -multipliers[1]), torque: T::zero() }
+    }
+    fn miss(&self, time: T::Real, frame: &Frame<T>) -> [[T; 2]; 2] {
+        let GroundMotion { place, velocity, .. } = self.0.at(time);
+        let place = frame.place - Vector2::from(place);
+        let velocity = frame.velocity - Vector2::from(velocity);
+        [[place.x, place.y], [velocity.x, velocity.y]]
+    }
+    fn check(&self) -> Result<(), Error> {
+        Root::<Planar<T>>::check(self).map_err(|error| error.at(Place::Tip))
     }
 }
 
@@ -142,6 +179,9 @@ impl<T: Scalar> Joint<T> for Floating {
     }
     fn kept<C: Closures>() -> Acceleration<T> {
         Acceleration { linear: Vector2::new(T::zero(), T::zero()), angular: T::zero() }
+    }
+    fn homogeneous<C: Closures>(_: &Acceleration<T>) -> Acceleration<T> {
+        <Self as Joint<T>>::kept::<C>() // a chain without closures responds to none
     }
     fn is_finite<C: Closures>(kept: &Acceleration<T>) -> bool {
         kept.linear.x.is_finite() && kept.linear.y.is_finite() && kept.angular.is_finite()

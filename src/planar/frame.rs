@@ -218,6 +218,9 @@ impl<T: Scalar> Space for Planar<T> {
         let angle = body.angle().real();
         (angle.abs() > T::ANGLE_RANGE).then(|| angle.as_f64())
     }
+    fn no_acceleration() -> Acceleration<T> {
+        Acceleration { linear: zero(), angular: T::zero() }
+    }
     fn no_force() -> Internal<T> {
         Internal { force: zero(), torque: T::zero() }
     }
@@ -236,8 +239,8 @@ impl<T: Scalar> Space for Planar<T> {
     fn joint_station(joint: &JointMotion<T>) -> Station<T> {
         Station::massless(joint.inboard)
     }
-    fn end_station(frame: &Frame<T>) -> Station<T> {
-        Station::massless(*frame)
+    fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
+        Station::at_end(*frame, internal)
     }
     fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
         station.close(outer)

@@ -35,6 +35,9 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     /// Whether all gains are finite.
     fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
 
+    /// The gains without what velocities, loads and springs contribute.
+    fn homogeneous<C: Closures>(kept: &Self::Kept<C>) -> Self::Kept<C>;
+
     /// Coordinates that turn the outboard body to an absolute angle.
     fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T>;
 
@@ -141,6 +144,17 @@ macro_rules! joint {
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
                 self.recovered::<C>(acceleration, kept, multipliers, rate)
+            }
+            #[inline(always)]
+            fn respond<C: Closures>(
+                &self,
+                acceleration: Acceleration<T>,
+                _: Posture<'_, Planar<T>, Self>,
+                kept: &Self::Kept<C>,
+                multipliers: &C::Each<T>,
+                rate: &mut Self::Rate,
+            ) -> Acceleration<T> {
+                self.recovered::<C>(acceleration, &<Self as Joint<T>>::homogeneous::<C>(kept), multipliers, rate)
             }
             #[inline(always)]
             fn travel<V: Visit<Planar<T>>>(

@@ -32,6 +32,10 @@ impl<T: Scalar> Joint<T> for Pin {
     fn kept<C: Closures>() -> Gain<T, C> {
         Gain::blank()
     }
+    #[inline(always)]
+    fn homogeneous<C: Closures>(kept: &Gain<T, C>) -> Gain<T, C> {
+        Gain { free: T::zero(), ..*kept }
+    }
     fn is_finite<C: Closures>(kept: &Gain<T, C>) -> bool {
         kept.is_finite()
     }

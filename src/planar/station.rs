@@ -47,6 +47,11 @@ impl<T: Scalar> Station<T> {
         Self { frame, arm: zero, inertia_force: zero, inertia_torque: T::zero(), internal }
     }
 
+    /// The end of a chain, with its force and torque.
+    pub(super) fn at_end(frame: Frame<T>, internal: Internal<T>) -> Self {
+        Self { internal, ..Self::massless(frame) }
+    }
+
     /// The inboard end of a body in a field of gravity.
     pub(super) fn of_body(body: &BodyMotion<T>, gravity: Vector2<T>) -> Self {
         let force = (body.centre().acceleration.linear - gravity) * body.inertia.mass;

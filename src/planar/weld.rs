@@ -38,6 +38,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     fn position() {}
     fn rate() {}
     fn kept<C: Closures>() {}
+    fn homogeneous<C: Closures>((): &()) {}
     fn is_finite<C: Closures>((): &()) -> bool {
         true
     }

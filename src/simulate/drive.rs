@@ -13,12 +13,12 @@ use crate::time::Control;
 use num_traits::{One, Zero};
 
 /// A run under way.
-pub(super) struct Driver<'a, S: Space, R: Root<S>, C: Element<S>, P, L, M, E, K, O> {
+pub(super) struct Driver<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L, M, E, K, O> {
     pub(super) plan: Simulation<'a, S, R, C, P, L, M, E>,
     pub(super) stepper: K,
-    pub(super) past: MotionOf<S, R, C>,
-    pub(super) next: MotionOf<S, R, C>,
-    pub(super) between: MotionOf<S, R, C>,
+    pub(super) past: MotionOf<S, R, C, P>,
+    pub(super) next: MotionOf<S, R, C, P>,
+    pub(super) between: MotionOf<S, R, C, P>,
     pub(super) observe: O,
     pub(super) counters: Run<()>,
     /// Number of the next sample.
@@ -38,7 +38,8 @@ where
     C: Element<S>,
     P: Tip<S>,
     L: Loading<S>,
-    System<S, R, C, P>: Dynamics<L, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>>,
+    System<S, R, C, P>:
+        Dynamics<L, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>, Closures = P::Closures>,
     K: Stepper<System<S, R, C, P>, L>,
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),

@@ -14,9 +14,9 @@ use core::fmt;
 use drive::Driver;
 
 /// An instant of a run, to be read.
-pub struct Now<'a, S: Space, R: Root<S>, C: Element<S>, P, L> {
+pub struct Now<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L> {
     system: &'a System<S, R, C, P>,
-    motion: &'a MotionOf<S, R, C>,
+    motion: &'a MotionOf<S, R, C, P>,
     loads: &'a L,
     event: bool,
 }
@@ -27,7 +27,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, 
         self.motion.time()
     }
     /// The motion of the joint coordinates.
-    pub fn motion(&self) -> &'a MotionOf<S, R, C> {
+    pub fn motion(&self) -> &'a MotionOf<S, R, C, P> {
         self.motion
     }
     /// Whether this instant is an event: the zero of the event function.
@@ -164,13 +164,19 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     #[allow(clippy::type_complexity)] // the types are those of the scene
     pub fn simulate<M: Method>(
         &self,
-        start: MotionOf<S, R, C>,
+        start: MotionOf<S, R, C, P>,
         rule: Rule<M, RealOf<S>>,
         end: RealOf<S>,
         observe: impl FnMut(&Now<'_, S, R, C, P, Unloaded>),
-    ) -> Result<Run<MotionOf<S, R, C>>, Interrupted<MotionOf<S, R, C>>>
+    ) -> Result<Run<MotionOf<S, R, C, P>>, Interrupted<MotionOf<S, R, C, P>>>
     where
-        Self: Dynamics<Unloaded, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>>,
+        Self: Dynamics<
+                Unloaded,
+                Scalar = S::Scalar,
+                Position = PositionOf<S, R, C>,
+                Rate = RateOf<S, R, C>,
+                Closures = P::Closures,
+            >,
     {
         self.simulation(rule).run(start, end, observe)
     }
@@ -213,12 +219,18 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M: Metho
     #[allow(clippy::type_complexity)] // the types are those of the scene
     pub fn run(
         self,
-        start: MotionOf<S, R, C>,
+        start: MotionOf<S, R, C, P>,
         end: RealOf<S>,
         observe: impl FnMut(&Now<'_, S, R, C, P, L>),
-    ) -> Result<Run<MotionOf<S, R, C>>, Interrupted<MotionOf<S, R, C>>>
+    ) -> Result<Run<MotionOf<S, R, C, P>>, Interrupted<MotionOf<S, R, C, P>>>
     where
-        System<S, R, C, P>: Dynamics<L, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>>,
+        System<S, R, C, P>: Dynamics<
+                L,
+                Scalar = S::Scalar,
+                Position = PositionOf<S, R, C>,
+                Rate = RateOf<S, R, C>,
+                Closures = P::Closures,
+            >,
         E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     {
         let stepper = self.rule.method.stepper(self.system);

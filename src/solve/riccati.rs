@@ -18,8 +18,11 @@ pub struct Workspace<S: Space, E: Element<S>, W: Sweep<S>> {
     on_bodies: E::PerBody<OnBody<S, W>>,
     in_joints: E::PerJoint<InJoint<S, W>>,
     pub(crate) kept: E::Kept<W::Closures>,
-    /// Closure forces λ of the last sweep.
+    /// Closure forces λ of the last sweep, and Λ.
     pub(crate) multipliers: <W::Closures as Closures>::Each<S::Scalar>,
+    compliance: <W::Closures as Closures>::Pairs<S::Scalar>,
+    /// A correction of the coordinates, where there are closures to correct for.
+    correction: Option<E::Rate>,
 }
 
 impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
@@ -35,6 +38,8 @@ impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
             in_joints: chain.per_joint(in_joint),
             kept: chain.kept(),
             multipliers: W::Closures::each(|_| S::Scalar::zero()),
+            compliance: W::Closures::no_pairs(),
+            correction: (W::Closures::COUNT > 0).then(|| chain.rate()),
         }
     }
 }
@@ -79,7 +84,7 @@ pub fn sweep<S: Space, E, W, R>(
     E: Condense<S, R, W, Out: Close<S, W::Closures>>,
 {
     let Site { ground, gravity, tip, loads, time } = site;
-    let Workspace { cosine, sine, spin, on_bodies, in_joints, kept, multipliers } = workspace;
+    let Workspace { cosine, sine, spin, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
     chain.orient(position, rate, S::turn(ground), cosine, spin);
     chain.resolve(cosine, sine);
     if W::Loads::ON {
@@ -91,8 +96,25 @@ pub fn sweep<S: Space, E, W, R>(
     let &Spring { position, rate, springs } = spring;
     let given = Given { on_bodies, in_joints, position, rate, springs };
     let root = S::falling(ground, *gravity);
-    *multipliers = chain.condense(*tip, posture, given, kept).multipliers(&root);
+    let relation = chain.condense(*tip, posture, given, kept);
+    *multipliers = relation.multipliers(&root);
+    *compliance = relation.compliance();
     chain.recover::<W::Closures>(root, posture, kept, multipliers, acceleration);
+}
+
+/// The correction of joint coordinates that moves the tip by −`miss`, through the gains and the Λ of the last sweep: the least
+/// one, measured by the inertia (and the stiffness, if the sweep was implicit) that those stand for.
+pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S>>(
+    chain: &E,
+    workspace: &'w mut Workspace<S, E, W>,
+    miss: &<W::Closures as Closures>::Each<S::Scalar>,
+) -> Option<&'w E::Rate> {
+    let Workspace { cosine, sine, spin, kept, compliance, correction, .. } = workspace;
+    let correction = correction.as_mut()?;
+    let force = W::Closures::solve(compliance, &W::Closures::map(miss, |miss| -miss));
+    let posture = Posture { cosine, sine, spin };
+    chain.respond::<W::Closures>(S::no_acceleration(), posture, kept, &force, correction);
+    Some(correction)
 }
 
 /// Evaluates the loads, body by body and joint by joint.

@@ -4,6 +4,7 @@ use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
+use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
 use crate::time::Explicit;
@@ -55,8 +56,8 @@ fn terms<'a, X: Explicit, R, const M: usize>(past: &'a R, slopes: &'a [R], next:
 
 /// The past motion displaced by `M` accelerations with the weights of a row (position, rate).
 #[inline(always)]
-fn displace<T: Scalar, P: Position<T>, const M: usize>(
-    past: &Motion<T, P>,
+fn displace<T: Scalar, P: Position<T>, C: Closures, const M: usize>(
+    past: &Motion<T, P, C>,
     terms: [&P::Rate; M],
     node: f64,
     weights: (&[f64], &[f64]),
@@ -150,8 +151,8 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<'_, D, L,
         start.time = past.time;
         start.position.clone_from(&past.position);
         start.rate.clone_from(&past.rate);
-        let Motion { time, position, rate, acceleration } = &mut start;
-        self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+        let Motion { time, position, rate, acceleration, multipliers } = &mut start;
+        *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
         self.sweeps += 1;
         let outcome = self.advance(&start, loads, dt, next);
         self.start = Some(start);
@@ -172,8 +173,10 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<'_, D, L,
         next.time = past.time + dt;
         let slopes = self.slopes.as_ref();
         Self::row(M::STAGES, past, slopes, &past.acceleration, dt, &mut next.position, &mut next.rate);
-        let Motion { time, position, rate, acceleration } = next;
-        self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+        // The gains of the last stage serve to project, so that the sweep that follows sees a closed scene.
+        self.scene.project(next, &mut self.workspace);
+        let Motion { time, position, rate, acceleration, multipliers } = next;
+        *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
         self.sweeps += 1;
         match self.scene.accept(next) {
             Ok(()) => Ok(()),
@@ -259,8 +262,8 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<'_, D, L,
         }
         unrolled!(M::ROWS, call!(5 7 16));
         between.time = past.time + TimeIn::<D, L>::of(theta) * dt;
-        let Motion { time, position, rate, acceleration } = between;
-        self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+        let Motion { time, position, rate, acceleration, multipliers } = between;
+        *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
         self.sweeps += 1;
     }
 

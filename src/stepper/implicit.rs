@@ -89,8 +89,8 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<'_, D, L> {
         start.time = past.time;
         start.position.clone_from(&past.position);
         start.rate.clone_from(&past.rate);
-        let Motion { time, position, rate, acceleration } = &mut start;
-        self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+        let Motion { time, position, rate, acceleration, multipliers } = &mut start;
+        *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
         self.sweeps += 1;
         let outcome = self.advance(&start, loads, dt, next);
         self.start = Some(start);
@@ -138,12 +138,14 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<'_, D, L> {
             }
             let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
             let acceleration = &mut next.acceleration;
-            self.scene.implicit_accelerations(next.time, at, free, springs, loads, &mut self.stiff, acceleration);
+            next.multipliers =
+                self.scene.implicit_accelerations(next.time, at, free, springs, loads, &mut self.stiff, acceleration);
             self.sweeps += 1;
         }
         let found = [&next.acceleration];
         next.position.drift(&self.free.0, none, &self.zero, &[springs.position], found);
         next.rate.combine(&self.free.1, &[springs.rate], found);
+        self.scene.project_stiff(next, &mut self.stiff);
         self.last.time = Some(next.time);
         let terms = [&next.acceleration, &past.acceleration, &self.before.acceleration];
         let weights = [real(kappa), real(of_true), real(of_auxiliary)];
@@ -191,8 +193,8 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<'_, D, L> {
         between.position.drift(&past.position, real(t) * dt, &past.rate, &weights, terms);
         let weights = [real(t - t * t / 2.0) * dt, real(t * t / 2.0) * dt];
         between.rate.combine(&past.rate, &weights, terms);
-        let Motion { time, position, rate, acceleration } = between;
-        self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+        let Motion { time, position, rate, acceleration, multipliers } = between;
+        *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
         self.sweeps += 1;
     }
 

@@ -12,7 +12,8 @@ pub use explicit::ExplicitStepper;
 pub use implicit::ImplicitStepper;
 
 /// The motion of a scene described by `D`.
-pub type MotionIn<D, L> = Motion<<D as Dynamics<L>>::Scalar, <D as Dynamics<L>>::Position>;
+pub type MotionIn<D, L> =
+    Motion<<D as Dynamics<L>>::Scalar, <D as Dynamics<L>>::Position, <D as Dynamics<L>>::Closures>;
 /// Time in a scene described by `D`.
 pub type TimeIn<D, L> = <<D as Dynamics<L>>::Scalar as Scalar>::Real;
 

@@ -1,13 +1,19 @@
 //! What a stepper needs of a scene.
 
-use crate::element::{Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Loading, RealOf, Space};
+use crate::element::{
+    Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Loading, RealOf, Space, Sweep, Visit,
+};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
+use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
-use crate::solve::riccati::{Spring, Workspace, broken_load, sweep};
-use crate::system::{Elements, MotionOf, RateOf, System};
+use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
+use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
+
+/// Forces that hold the tip of a scene.
+pub type Held<D, L> = <<D as Dynamics<L>>::Closures as Closures>::Each<<D as Dynamics<L>>::Scalar>;
 
 /// What a stepper needs of a scene with loads of type `L`: one implementor, [`System`], whose bounds are long.
 pub trait Dynamics<L> {
@@ -19,6 +25,8 @@ pub trait Dynamics<L> {
     type Position: Position<Self::Scalar, Rate = Self::Rate>;
     /// Their rates.
     type Rate: Rate<Self::Scalar>;
+    /// Forces that hold the tip.
+    type Closures: Closures;
     /// Room for sweeps.
     type Workspace;
 
@@ -26,9 +34,9 @@ pub trait Dynamics<L> {
     fn workspace(&self) -> Self::Workspace;
 
     /// A motion with all coordinates zero.
-    fn still(&self) -> Motion<Self::Scalar, Self::Position>;
+    fn still(&self) -> Motion<Self::Scalar, Self::Position, Self::Closures>;
 
-    /// One sweep: accelerations from time, positions and rates.
+    /// One sweep: accelerations from time, positions and rates; returns the forces that hold the tip.
     fn accelerations(
         &self,
         time: <Self::Scalar as Scalar>::Real,
@@ -37,7 +45,7 @@ pub trait Dynamics<L> {
         loads: &L,
         workspace: &mut Self::Workspace,
         acceleration: &mut Self::Rate,
-    );
+    ) -> Held<Self, L>;
 
     /// Room for implicit sweeps.
     type StiffWorkspace;
@@ -57,18 +65,33 @@ pub trait Dynamics<L> {
         loads: &L,
         workspace: &mut Self::StiffWorkspace,
         acceleration: &mut Self::Rate,
+    ) -> Held<Self, L>;
+
+    /// Puts the tip of a motion back where it is held, position and velocity, by the least correction of its coordinates, through
+    /// the gains of the last sweep (which took place near this motion). Nothing where the tip is free.
+    fn project(
+        &self,
+        motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        workspace: &mut Self::Workspace,
+    );
+
+    /// The same through the gains of the last implicit sweep.
+    fn project_stiff(
+        &self,
+        motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        workspace: &mut Self::StiffWorkspace,
     );
 
     /// Whether a motion may stand: finite, and no angle out of range.
     ///
     /// # Errors
     /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`].
-    fn accept(&self, motion: &Motion<Self::Scalar, Self::Position>) -> Result<(), Error>;
+    fn accept(&self, motion: &Motion<Self::Scalar, Self::Position, Self::Closures>) -> Result<(), Error>;
 
     /// Where and why the sweep at a motion failed, for a motion that came out not finite.
     fn diagnose(
         &self,
-        motion: &Motion<Self::Scalar, Self::Position>,
+        motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
         loads: &L,
         workspace: &mut Self::Workspace,
     ) -> Error;
@@ -88,13 +111,14 @@ where
     type Scalar = S::Scalar;
     type Position = <Elements<S, R, C> as Element<S>>::Position;
     type Rate = RateOf<S, R, C>;
+    type Closures = P::Closures;
     type Workspace = Workspace<S, Elements<S, R, C>, Carrying<L, Explicit, P::Closures>>;
 
     fn workspace(&self) -> Self::Workspace {
         Workspace::new(&self.chain)
     }
 
-    fn still(&self) -> MotionOf<S, R, C> {
+    fn still(&self) -> MotionOf<S, R, C, P> {
         self.motion()
     }
 
@@ -107,10 +131,11 @@ where
         loads: &L,
         workspace: &mut Self::Workspace,
         acceleration: &mut Self::Rate,
-    ) {
+    ) -> Held<Self, L> {
         let site = self.site(time, loads);
         let spring = Spring { position, rate, springs: Explicit };
         sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
+        workspace.multipliers
     }
 
     type StiffWorkspace = Workspace<S, Elements<S, R, C>, Carrying<L, Implicit<RealOf<S>>, P::Closures>>;
@@ -129,13 +154,22 @@ where
         loads: &L,
         workspace: &mut Self::StiffWorkspace,
         acceleration: &mut Self::Rate,
-    ) {
+    ) -> Held<Self, L> {
         let site = self.site(time, loads);
         let spring = Spring { position: spring.0, rate: spring.1, springs };
         sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
+        workspace.multipliers
     }
 
-    fn accept(&self, motion: &MotionOf<S, R, C>) -> Result<(), Error> {
+    fn project(&self, motion: &mut MotionOf<S, R, C, P>, workspace: &mut Self::Workspace) {
+        self.project_by(motion, workspace);
+    }
+
+    fn project_stiff(&self, motion: &mut MotionOf<S, R, C, P>, workspace: &mut Self::StiffWorkspace) {
+        self.project_by(motion, workspace);
+    }
+
+    fn accept(&self, motion: &MotionOf<S, R, C, P>) -> Result<(), Error> {
         let (mut finite, mut far) = (true, false);
         motion.position.visit(&mut |x| {
             finite &= x.is_finite();
@@ -156,7 +190,7 @@ where
         Ok(())
     }
 
-    fn diagnose(&self, motion: &MotionOf<S, R, C>, loads: &L, workspace: &mut Self::Workspace) -> Error {
+    fn diagnose(&self, motion: &MotionOf<S, R, C, P>, loads: &L, workspace: &mut Self::Workspace) -> Error {
         let time = motion.time;
         let error = |fault| Error::new(fault).at_time(time.as_f64());
         let place = |entry: usize| entry.checked_sub(1).map_or(Place::Root, Place::Station); // entry 0: the root's joint
@@ -179,4 +213,45 @@ where
             None => error(Fault::NonFiniteMotion),
         }
     }
+}
+
+impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    fn project_by<W: Sweep<S, Closures = P::Closures>>(
+        &self,
+        motion: &mut MotionOf<S, R, C, P>,
+        workspace: &mut Workspace<S, Elements<S, R, C>, W>,
+    ) {
+        if P::Closures::COUNT == 0 {
+            return;
+        }
+        // The gains belong to a configuration nearby, so one correction leaves an error of second order: two passes.
+        for _ in 0..2 {
+            let [place, _] = self.miss(motion);
+            if let Some(step) = correction(&self.chain, workspace, &place) {
+                motion.position.displace(step);
+            }
+        }
+        let [_, velocity] = self.miss(motion);
+        if let Some(step) = correction(&self.chain, workspace, &velocity) {
+            motion.rate.add(step);
+        }
+    }
+
+    /// By how much the tip misses its place and velocity.
+    fn miss(&self, motion: &MotionOf<S, R, C, P>) -> [<P::Closures as Closures>::Each<S::Scalar>; 2] {
+        let (mut bodies, mut joints) = (self.chain.per_body(()), self.chain.per_joint(()));
+        let ground = self.root.ground(motion.time);
+        let frame = self.chain.travel(ground, coordinates(motion), &mut Look, &mut bodies, &mut joints);
+        self.tip.miss(motion.time, &frame)
+    }
+}
+
+/// Looks at nothing: for the frame at the end of the walk.
+struct Look;
+
+impl<S: Space> Visit<S> for Look {
+    type OnBody = ();
+    type InJoint = ();
+    fn body(&mut self, _: &S::BodyMotion) {}
+    fn joint(&mut self, _: &S::JointMotion) {}
 }

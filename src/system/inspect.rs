@@ -33,7 +33,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// [`Fault::SingularTransfer`](crate::Fault::SingularTransfer) where a pin is the centre of percussion of what lies outboard.
     pub fn transfer_matrix<L: Loading<S>, const N: usize>(
         &self,
-        motion: &MotionOf<S, R, C>,
+        motion: &MotionOf<S, R, C, P>,
         loads: &L,
         mut each: impl FnMut(usize, &TransferMatrix<S::Scalar, N>),
     ) -> Result<TransferMatrix<S::Scalar, N>, Error>
@@ -46,7 +46,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 
     fn product<L: Loading<S>, const N: usize>(
         &self,
-        motion: &MotionOf<S, R, C>,
+        motion: &MotionOf<S, R, C, P>,
         loads: &L,
         each: &mut impl FnMut(usize, &TransferMatrix<S::Scalar, N>),
     ) -> Result<(TransferMatrix<S::Scalar, N>, S::Scalar), Error>
@@ -67,7 +67,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// [`Fault::SingularTransfer`](crate::Fault::SingularTransfer) at a centre of percussion.
     pub fn root_state<L: Loading<S>>(
         &self,
-        motion: &MotionOf<S, R, C>,
+        motion: &MotionOf<S, R, C, P>,
         loads: &L,
     ) -> Result<StateVector<S::Scalar, 7>, Error>
     where

@@ -5,13 +5,16 @@ mod inspect;
 
 pub use dynamics::Dynamics;
 
-use crate::element::{Budget, Carrying, Condense, Element, Explicit, Loading, RealOf, Space, SpaceOver, Unloaded};
+use crate::element::{
+    Budget, Carrying, Condense, Coordinates, Element, Explicit, Loading, RealOf, Space, SpaceOver, Unloaded,
+};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::Rate;
 use crate::motion::Motion;
 use crate::observe::{PerBody, Stations, budget};
+use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::solve::riccati::Site;
 use num_traits::Zero;
@@ -31,13 +34,20 @@ pub struct System<S: Space, R: Root<S>, C, P> {
 /// The elements of a scene.
 pub type Elements<S, R, C> = (<R as Root<S>>::Joint, C);
 /// The motion of a scene.
-pub type MotionOf<S, R, C> = Motion<<S as Space>::Scalar, PositionOf<S, R, C>>;
+pub type MotionOf<S, R, C, P> = Motion<<S as Space>::Scalar, PositionOf<S, R, C>, <P as Tip<S>>::Closures>;
 /// The accelerations of a scene.
 pub type RateOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Rate;
 /// A part of a scene over another scalar.
 type Over<X, S, U> = <X as Lift<<S as Space>::Scalar, U>>::Over;
 /// The positions of a scene.
 pub type PositionOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Position;
+
+/// The coordinates of a motion.
+pub(crate) fn coordinates<S: Space, E: Element<S>, X: Closures>(
+    motion: &Motion<S::Scalar, E::Position, X>,
+) -> Coordinates<'_, S, E> {
+    Coordinates { position: &motion.position, rate: &motion.rate, acceleration: &motion.acceleration }
+}
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// A scene from its inboard end to its outboard end.
@@ -111,9 +121,10 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// A motion at time zero with all coordinates, rates and accelerations zero.
-    pub fn motion(&self) -> MotionOf<S, R, C> {
+    pub fn motion(&self) -> MotionOf<S, R, C, P> {
         let (position, rate) = (self.chain.position(), self.chain.rate());
-        Motion { time: Zero::zero(), position, acceleration: rate.clone(), rate }
+        let multipliers = P::Closures::each(|_| S::Scalar::zero());
+        Motion { time: Zero::zero(), position, acceleration: rate.clone(), rate, multipliers }
     }
 
     /// A motion at rest with these absolute orientations: one number for each rotary coordinate, root to tip. In the plane
@@ -123,7 +134,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`].
-    pub fn at_rest(&self, orientations: &[S::Scalar]) -> Result<MotionOf<S, R, C>, Error> {
+    pub fn at_rest(&self, orientations: &[S::Scalar]) -> Result<MotionOf<S, R, C, P>, Error> {
         let mut motion = self.motion();
         let ground = self.root.ground(motion.time);
         let mut expected = 0;
@@ -146,7 +157,11 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::Count`] when there are more or fewer numbers than coordinates, [`Fault::NotFinite`].
-    pub fn with_rates(&self, mut motion: MotionOf<S, R, C>, rates: &[S::Scalar]) -> Result<MotionOf<S, R, C>, Error> {
+    pub fn with_rates(
+        &self,
+        mut motion: MotionOf<S, R, C, P>,
+        rates: &[S::Scalar],
+    ) -> Result<MotionOf<S, R, C, P>, Error> {
         let mut expected = 0;
         motion.rate.replace(&mut |_| {
             expected += 1;
@@ -162,13 +177,13 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// Motion of every body, in one walk outward.
-    pub fn body_motions(&self, motion: &MotionOf<S, R, C>) -> PerBody<'_, S, Elements<S, R, C>, S::BodyMotion> {
-        PerBody::of(&self.chain, self.root.ground(motion.time), motion, |body| *body)
+    pub fn body_motions(&self, motion: &MotionOf<S, R, C, P>) -> PerBody<'_, S, Elements<S, R, C>, S::BodyMotion> {
+        PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), |body| *body)
     }
 
     /// Orientation of every body: in the plane absolute angles (rad).
-    pub fn angles(&self, motion: &MotionOf<S, R, C>) -> PerBody<'_, S, Elements<S, R, C>, S::Angles> {
-        PerBody::of(&self.chain, self.root.ground(motion.time), motion, S::angles)
+    pub fn angles(&self, motion: &MotionOf<S, R, C, P>) -> PerBody<'_, S, Elements<S, R, C>, S::Angles> {
+        PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), S::angles)
     }
 
     /// Inverse dynamics: motion, internal force and torque at every station, from positions, rates and accelerations.
@@ -176,13 +191,18 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// With the accelerations of [`with_accelerations`](Self::with_accelerations) these are the forces of the motion. With
     /// accelerations of the user's choice they are what it takes: the torque a joint must exert ON its outboard body is −m
     /// at its station.
-    pub fn stations<L: Loading<S>>(&self, motion: &MotionOf<S, R, C>, loads: &L) -> Stations<'_, S, Elements<S, R, C>> {
-        Stations::of(&self.chain, self.root.ground(motion.time), self.gravity, motion, loads)
+    pub fn stations<L: Loading<S>>(
+        &self,
+        motion: &MotionOf<S, R, C, P>,
+        loads: &L,
+    ) -> Stations<'_, S, Elements<S, R, C>> {
+        let (ground, tip) = (self.root.ground(motion.time), self.tip.internal(&motion.multipliers));
+        Stations::of(&self.chain, ground, self.gravity, coordinates(motion), motion.time, loads, tip)
     }
 
     /// Energy and momentum of all bodies and springs.
-    pub fn budget(&self, motion: &MotionOf<S, R, C>) -> Budget<S> {
-        budget(&self.chain, self.root.ground(motion.time), self.gravity, motion)
+    pub fn budget(&self, motion: &MotionOf<S, R, C, P>) -> Budget<S> {
+        budget(&self.chain, self.root.ground(motion.time), self.gravity, coordinates(motion))
     }
 }
 
@@ -228,11 +248,17 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// [`Fault::Shape`] for a motion of another scene.
     pub fn with_accelerations<L: Loading<S>>(
         &self,
-        mut motion: MotionOf<S, R, C>,
+        mut motion: MotionOf<S, R, C, P>,
         loads: &L,
-    ) -> Result<MotionOf<S, R, C>, Error>
+    ) -> Result<MotionOf<S, R, C, P>, Error>
     where
-        Self: Dynamics<L, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>>,
+        Self: Dynamics<
+                L,
+                Scalar = S::Scalar,
+                Position = PositionOf<S, R, C>,
+                Rate = RateOf<S, R, C>,
+                Closures = P::Closures,
+            >,
     {
         let mut workspace = self.workspace();
         self.accelerate(&mut motion, loads, &mut workspace)?;
@@ -245,18 +271,24 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// As there.
     pub fn accelerate<L: Loading<S>>(
         &self,
-        motion: &mut MotionOf<S, R, C>,
+        motion: &mut MotionOf<S, R, C, P>,
         loads: &L,
         workspace: &mut <Self as Dynamics<L>>::Workspace,
     ) -> Result<(), Error>
     where
-        Self: Dynamics<L, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>>,
+        Self: Dynamics<
+                L,
+                Scalar = S::Scalar,
+                Position = PositionOf<S, R, C>,
+                Rate = RateOf<S, R, C>,
+                Closures = P::Closures,
+            >,
     {
         if !motion.fits(&self.motion()) {
             return Err(Error::new(Fault::Shape));
         }
-        let Motion { time, position, rate, acceleration } = motion;
-        self.accelerations(*time, position, rate, loads, workspace, acceleration);
+        let Motion { time, position, rate, acceleration, multipliers } = motion;
+        *multipliers = self.accelerations(*time, position, rate, loads, workspace, acceleration);
         let mut finite = true;
         acceleration.visit(&mut |x| finite &= x.is_finite());
         if finite { Ok(()) } else { Err(self.diagnose(motion, loads, workspace)) }
