@@ -5,7 +5,7 @@ use super::{Acceleration, Frame, Joint, Planar, SpringState, Turn};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::{Lift, lift};
-use crate::relation::plane::{Full, HingeGain, Point};
+use crate::relation::plane::{Full, HingeGain, Point, Rigid};
 use crate::relation::{Absent, Closures, Coefficient, Term};
 use crate::scalar::{Real, Scalar};
 use num_traits::Zero;
@@ -176,10 +176,10 @@ impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Rotary<
     }
 }
 
-impl<T: Scalar, D: Coefficient<T>, P: Term<T>, W> Condense<Planar<T>, Full<T, W::Closures>, W>
+impl<T: Scalar, D: Coefficient<T>, P: Term<T>, R: Rigid<T>, W> Condense<Planar<T>, R, W>
     for ElasticHinge<Rotary<T, D, P>>
 where
-    W: Sweep<Planar<T>, Springs: HingeRule<T>>,
+    W: Sweep<Planar<T>, Springs: HingeRule<T>, Closures = R::Closures>,
     InJoint<Planar<T>, W>: Term<T>,
 {
     type Out = <W::Springs as HingeRule<T>>::Out<W::Closures>;
@@ -187,13 +187,13 @@ where
     #[inline(always)]
     fn condense(
         &self,
-        outer: Full<T, W::Closures>,
+        outer: R,
         _: Posture<'_, Planar<T>, Self>,
         given: Given<'_, Planar<T>, Self, W>,
         kept: &mut HingeGain<T, W::Closures>,
     ) -> Self::Out {
         let torque = given.in_joints.add_to(self.rotary.torque(*given.position, *given.rate));
-        let (relation, gain) = given.springs.hinge(&self.rotary, torque, outer);
+        let (relation, gain) = given.springs.hinge(&self.rotary, torque, outer.full());
         *kept = gain;
         relation
     }

@@ -6,7 +6,7 @@ use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::{Lift, lift};
 use crate::relation::plane::algebra::Symmetric2;
-use crate::relation::plane::{Empty, Full, Point};
+use crate::relation::plane::{Empty, Point, Rigid};
 use crate::relation::{Absent, Closures, Cut, Cuts, Open};
 use crate::scalar::Scalar;
 use crate::space::Space;
@@ -221,18 +221,20 @@ impl<T: Scalar> Joint<T> for Floating {
     }
 }
 
-impl<T: Scalar, W: Sweep<Planar<T>, Closures = Open>> Condense<Planar<T>, Full<T>, W> for Floating {
+impl<T: Scalar, R: Rigid<T, Closures = Open>, W: Sweep<Planar<T>, Closures = Open>> Condense<Planar<T>, R, W>
+    for Floating
+{
     type Out = Empty;
 
     #[inline(always)]
     fn condense(
         &self,
-        outer: Full<T>,
+        outer: R,
         _: Posture<'_, Planar<T>, Self>,
         _: Given<'_, Planar<T>, Self, W>,
         kept: &mut Acceleration<T>,
     ) -> Empty {
-        let (linear, angular) = outer.free();
+        let (linear, angular) = outer.full().free();
         *kept = Acceleration { linear, angular };
         Empty
     }

@@ -3,7 +3,7 @@
 use super::{Acceleration, Frame, Joint, Planar, Turn};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::lift::lift;
-use crate::relation::plane::{Full, Gain, Point};
+use crate::relation::plane::{Gain, Point, Rigid};
 use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
 
@@ -68,7 +68,7 @@ impl<T: Scalar> Joint<T> for Pin {
     }
 }
 
-impl<T: Scalar, W: Sweep<Planar<T>>> Condense<Planar<T>, Full<T, W::Closures>, W> for Pin
+impl<T: Scalar, R: Rigid<T>, W: Sweep<Planar<T>, Closures = R::Closures>> Condense<Planar<T>, R, W> for Pin
 where
     InJoint<Planar<T>, W>: Term<T>,
 {
@@ -77,12 +77,12 @@ where
     #[inline(always)]
     fn condense(
         &self,
-        outer: Full<T, W::Closures>,
+        outer: R,
         _: Posture<'_, Planar<T>, Self>,
         given: Given<'_, Planar<T>, Self, W>,
         kept: &mut Gain<T, W::Closures>,
     ) -> Self::Out {
-        let (relation, gain) = outer.pinned(*given.in_joints);
+        let (relation, gain) = outer.full().pinned(*given.in_joints);
         *kept = gain;
         relation
     }

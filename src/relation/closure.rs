@@ -132,12 +132,9 @@ pub fn factor<T: Scalar, const L: usize>(matrix: &[[T; L]; L]) -> ([[T; L]; L], 
             pivot = (-lower[j][k]).mul_add(scaled[k], pivot);
         }
         inverse[j] = pivot.recip();
-        for i in j + 1..L {
-            let mut entry = lower[i][j];
-            for k in 0..j {
-                entry = (-lower[i][k]).mul_add(scaled[k], entry);
-            }
-            lower[i][j] = entry * inverse[j];
+        for row in &mut lower[j + 1..] {
+            let entry = (0..j).fold(row[j], |entry, k| (-row[k]).mul_add(scaled[k], entry));
+            row[j] = entry * inverse[j];
         }
     }
     (lower, inverse)

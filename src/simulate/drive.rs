@@ -8,7 +8,7 @@ use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::Dynamics;
-use crate::system::{MotionOf, PositionOf, RateOf, System};
+use crate::system::{MotionOf, Runs, System};
 use crate::time::Control;
 use num_traits::{One, Zero};
 
@@ -38,8 +38,7 @@ where
     C: Element<S>,
     P: Tip<S>,
     L: Loading<S>,
-    System<S, R, C, P>:
-        Dynamics<L, Scalar = S::Scalar, Position = PositionOf<S, R, C>, Rate = RateOf<S, R, C>, Closures = P::Closures>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>,
     K: Stepper<System<S, R, C, P>, L>,
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::observe::{PerBody, Stations};
 use crate::stepper::{Method, Stepper};
 use crate::system::Dynamics;
-use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
+use crate::system::{Elements, MotionOf, Runs, System};
 use crate::time::Rule;
 use core::fmt;
 use drive::Driver;
@@ -170,13 +170,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         observe: impl FnMut(&Now<'_, S, R, C, P, Unloaded>),
     ) -> Result<Run<MotionOf<S, R, C, P>>, Interrupted<MotionOf<S, R, C, P>>>
     where
-        Self: Dynamics<
-                Unloaded,
-                Scalar = S::Scalar,
-                Position = PositionOf<S, R, C>,
-                Rate = RateOf<S, R, C>,
-                Closures = P::Closures,
-            >,
+        Self: Runs<Unloaded, S, R, C, P>,
     {
         self.simulation(rule).run(start, end, observe)
     }
@@ -224,13 +218,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M: Metho
         observe: impl FnMut(&Now<'_, S, R, C, P, L>),
     ) -> Result<Run<MotionOf<S, R, C, P>>, Interrupted<MotionOf<S, R, C, P>>>
     where
-        System<S, R, C, P>: Dynamics<
-                L,
-                Scalar = S::Scalar,
-                Position = PositionOf<S, R, C>,
-                Rate = RateOf<S, R, C>,
-                Closures = P::Closures,
-            >,
+        System<S, R, C, P>: Runs<L, S, R, C, P>,
         E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     {
         let stepper = self.rule.method.stepper(self.system);

@@ -10,7 +10,7 @@ use crate::motion::Motion;
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
-use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
+use crate::system::{Elements, MotionOf, PositionOf, RateOf, System, coordinates};
 
 /// Forces that hold the tip of a scene.
 pub type Held<D, L> = <<D as Dynamics<L>>::Closures as Closures>::Each<<D as Dynamics<L>>::Scalar>;
@@ -95,6 +95,52 @@ pub trait Dynamics<L> {
         loads: &L,
         workspace: &mut Self::Workspace,
     ) -> Error;
+}
+
+/// A system whose chain can be swept with loads of type `L`: the bound to write in code that is generic over scenes.
+///
+/// ```
+/// use catena::element::{Element, Unloaded};
+/// use catena::planar::*;
+/// use catena::system::Runs;
+/// use catena::{Error, Scalar};
+///
+/// /// The last angle of a hanging chain after a second.
+/// fn last_angle<T: Scalar<Real = f64>, C>(chain: C, angles: &[T]) -> Result<T, Error>
+/// where
+///     C: Element<Planar<T>>,
+///     System<T, Pinned<[T; 2]>, C, Free>: Runs<Unloaded, Planar<T>, Pinned<[T; 2]>, C, Free>,
+/// {
+///     let system = System::new(Pinned::origin(), chain, Free)?.with_gravity(T::literal(9.81));
+///     let run = system.simulate(system.at_rest(angles)?, Rk4::step(0.01), 1.0, |_| ())?;
+///     Ok(system.angles(&run.motion).iter().last().copied().unwrap_or(T::zero()))
+/// }
+/// let rod = Rod::uniform(1.0, 1.0);
+/// assert!(last_angle((rod, Pin, rod), &[0.0, 0.0])? < 0.0);
+/// # Ok::<(), Error>(())
+/// ```
+pub trait Runs<L, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>>:
+    Dynamics<
+        L,
+        Space = S,
+        Scalar = S::Scalar,
+        Position = PositionOf<S, R, C>,
+        Rate = RateOf<S, R, C>,
+        Closures = P::Closures,
+    >
+{
+}
+
+impl<L, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> Runs<L, S, R, C, P> for System<S, R, C, P> where
+    Self: Dynamics<
+            L,
+            Space = S,
+            Scalar = S::Scalar,
+            Position = PositionOf<S, R, C>,
+            Rate = RateOf<S, R, C>,
+            Closures = P::Closures,
+        >
+{
 }
 
 impl<S, R, C, P, L> Dynamics<L> for System<S, R, C, P>

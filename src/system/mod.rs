@@ -3,11 +3,9 @@
 mod dynamics;
 mod inspect;
 
-pub use dynamics::Dynamics;
+pub use dynamics::{Dynamics, Runs};
 
-use crate::element::{
-    Budget, Carrying, Condense, Coordinates, Element, Explicit, Loading, RealOf, Space, SpaceOver, Unloaded,
-};
+use crate::element::{Budget, Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
@@ -57,7 +55,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// body.
     pub fn new(root: R, chain: C, tip: P) -> Result<Self, Error>
     where
-        Elements<S, R, C>: Condense<S, P::Relation, Carrying<Unloaded, Explicit, P::Closures>>,
+        Self: Runs<Unloaded, S, R, C, P>,
     {
         root.check()?;
         chain.check(0)?;
@@ -252,13 +250,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         loads: &L,
     ) -> Result<MotionOf<S, R, C, P>, Error>
     where
-        Self: Dynamics<
-                L,
-                Scalar = S::Scalar,
-                Position = PositionOf<S, R, C>,
-                Rate = RateOf<S, R, C>,
-                Closures = P::Closures,
-            >,
+        Self: Runs<L, S, R, C, P>,
     {
         let mut workspace = self.workspace();
         self.accelerate(&mut motion, loads, &mut workspace)?;
@@ -276,13 +268,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         workspace: &mut <Self as Dynamics<L>>::Workspace,
     ) -> Result<(), Error>
     where
-        Self: Dynamics<
-                L,
-                Scalar = S::Scalar,
-                Position = PositionOf<S, R, C>,
-                Rate = RateOf<S, R, C>,
-                Closures = P::Closures,
-            >,
+        Self: Runs<L, S, R, C, P>,
     {
         if !motion.fits(&self.motion()) {
             return Err(Error::new(Fault::Shape));

@@ -145,6 +145,27 @@ impl<T: Scalar> Full<T> {
     }
 }
 
+/// A relation that resists rotation: what a joint that turns must find on its outboard side.
+#[diagnostic::on_unimplemented(
+    message = "a `Pin` or a hinge has nothing to turn: what lies outboard of it is `{Self}`",
+    label = "a joint that turns needs a body on its outboard side",
+    note = "end a chain with a body, and put a body between two joints that turn"
+)]
+pub trait Rigid<T: Scalar>: Copy {
+    /// Closure forces it carries.
+    type Closures: Closures;
+    /// The relation in full.
+    fn full(self) -> Full<T, Self::Closures>;
+}
+
+impl<T: Scalar, C: Closures> Rigid<T> for Full<T, C> {
+    type Closures = C;
+    #[inline(always)]
+    fn full(self) -> Self {
+        self
+    }
+}
+
 /// What eliminating a rotation leaves behind: α = free − w · a − row · λ.
 #[derive(Clone, Copy)]
 pub struct Gain<T: Copy, C: Closures = Open> {

@@ -14,5 +14,5 @@ pub mod algebra;
 mod full;
 mod kinds;
 
-pub use full::{Full, FullColumn, Gain, HingeGain};
+pub use full::{Full, FullColumn, Gain, HingeGain, Rigid};
 pub use kinds::{Empty, Known, Lump, Point, Relation};
