@@ -24,27 +24,30 @@
 //!
 //! # Why this shape
 //!
-//! The contract was tried on paper against what is to come, and these choices follow.
+//! The contract was tried on paper against what is to come, and the choices follow from that.
 //!
-//! * **A ball chain in space.** Nothing here mentions a plane: [`Space`] names what a walk carries (two numbers that turn
-//!   in the plane, a rotation and a vector in space), relations are a type parameter, and a ball hands on a 3 × 3 point
-//!   relation as a pin hands on a 2 × 2 one. Directions are kept as three stores of numbers rather than one of structs, so
-//!   that sines vectorise for tuples as well as for arrays; in space the first holds the direction cosines.
-//! * **A held tip with λ columns.** W travels inside the relation type, as one more field that a free tip's type does not
-//!   have; kernels treat e and W as right-hand sides of one elimination. No signature here changes.
-//! * **An implicit rule.** Only a joint's pivot gains K̂ and its torque an affine term: a stiff joint is another
-//!   [`Condense`] of the same element, chosen by the type `L` that says what a sweep has to carry. Rods and pins neither
-//!   know nor pay.
-//! * **A tangent sweep through stored gains.** [`Element::Kept`] holds what the outward walk needs of each elimination,
-//!   one value per joint in the order of the chain, and outlives the sweep: later right-hand sides walk it again.
+//! * **A pin chain in the plane** must not pay for anything else. What a sweep has to carry (loads, implicit springs, closure
+//!   forces) is a type, [`Sweep`], and what lies outboard is a type too, the relation; a part that is not there is a type without
+//!   size. Directions are kept as stores of numbers, not of structs, so that sines vectorise for tuples as well as for arrays.
+//! * **A ball chain in space.** Nothing here mentions a plane: [`Space`] names what a walk carries (two numbers that turn in the
+//!   plane, a rotation and a vector in space), and a ball hands on a 3 × 3 point relation as a pin hands on a 2 × 2 one. Where
+//!   sines are kept in the plane, direction cosines are in space.
+//! * **A held tip with λ columns.** W, Λ and y₀ ride inside the relation as fields that a free tip's type does not have
+//!   ([`Closures`]); kernels treat e and W as right-hand sides of one elimination, and a joint keeps one more number for each
+//!   closure force. The ground's condition at the root turns Λ into λ, and the outward walk uses it.
+//! * **An implicit rule.** Only a joint's pivot gains K̂ and its torque an affine term. A stiff joint is the same element
+//!   condensed for another type of springs, [`Implicit`], after which the relation is full; rods and pins neither know nor pay.
+//!   Springs are read where coordinates would be without the acceleration sought, which makes a linear law exact.
+//! * **Projections and a tangent sweep through stored gains.** [`Element::Kept`] holds what the outward walk needs of each
+//!   elimination, one value per joint in the order of the chain, and outlives the sweep: [`Element::respond`] walks it again for
+//!   corrections of positions and rates, and other right-hand sides can.
 //! * **The paper's displacement level** builds matrices from the same elements and shares no walk with this one.
 //! * **Branches and loops** are elements whose condensation adds the relations of their arms at one station.
 //!
-//! Joint coordinates are the joint's business: a pin stores the absolute angle of its outboard body, so that a chain of
-//! pins needs no running sums; a hinge with a spring will store the relative angle, because the difference of two absolute
-//! angles loses digits when bodies are short.
+//! Joint coordinates are the joint's business: a pin stores the absolute angle of its outboard body, so that a chain of pins
+//! needs no running sums; a hinge with a spring stores the relative angle, because the difference of two absolute angles loses
+//! digits when bodies are short.
 
-use crate::error::Error;
 pub use crate::loading::{Load, Loading, Unloaded};
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
 pub use crate::sweep::{Carrying, Explicit, Implicit, Springs, Sweep};

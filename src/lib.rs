@@ -37,7 +37,7 @@
 //! |---|---|
 //! | 0 | [`scalar`], errors, [`StateVector`] and [`TransferMatrix`] |
 //! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules) |
-//! | 2 | [`element`] (the contract: read this first), [`ends`], [`transfer`], motions |
+//! | 2 | [`space`], [`loading`], [`sweep`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions |
 //! | 3 | [`chain`] (composition), [`counts`] |
 //! | 4 | [`planar`] |
 //! | 5 | [`solve`], [`observe`] |

@@ -72,11 +72,13 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self { gravity, ..self }
     }
 
-    /// g
+    /// The same scene in a field of gravity of this magnitude (m/s²) along −y.
+    #[must_use]
     pub fn with_gravity(self, g: S::Scalar) -> Self {
         let gravity = S::downward(g);
         Self { gravity, ..self }
     }
+
     /// Gravity (m/s²).
     pub fn gravity(&self) -> S::Vector {
         self.gravity
