@@ -48,6 +48,7 @@
 //! needs no running sums; a hinge with a spring stores the relative angle, because the difference of two absolute angles loses
 //! digits when bodies are short.
 
+use crate::error::Error;
 pub use crate::loading::{Load, Loading, Unloaded};
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
 pub use crate::sweep::{Carrying, Explicit, Implicit, Springs, Sweep};
