@@ -49,6 +49,15 @@ impl<T: Scalar> Full<T> {
     }
 }
 
+impl<T: Scalar> Full<T> {
+    /// The same relation with closure forces.
+    #[inline(always)]
+    pub fn cut<C: Closures>(self, cuts: Cuts<FullColumn<T>, T, C>) -> Full<T, C> {
+        let Self { linear, coupling, angular, force, torque, .. } = self;
+        Full { linear, coupling, angular, force, torque, cuts }
+    }
+}
+
 impl<T: Scalar, C: Closures> Relation<T> for Full<T, C> {
     type Closures = C;
     type WithMass = Self;

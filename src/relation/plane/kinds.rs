@@ -143,6 +143,17 @@ impl<T: Scalar, M: Term<T>> Promote<Empty> for Point<T, M> {
     }
 }
 
+impl<T: Scalar, M: Term<T>, C: Closures> Promote<Full<T, C>> for Point<T, M, C> {
+    /// A point relation cannot stand for a full one: links that end with a pin are missing between a clamp and what needs the
+    /// pin. The sweep reports that nothing came of it.
+    fn promote(_: Full<T, C>) -> Self {
+        let never = T::literal(f64::NAN);
+        let cuts = Cuts::at_tip(C::each(|_| Vector2::new(never, never)), C::each(|_| never));
+        let stiffness = Symmetric2::diagonal(never);
+        Self { stiffness, offset: Vector2::new(never, never), torque: M::none(), cuts }
+    }
+}
+
 impl<T: Scalar> Promote<Empty> for Full<T> {
     fn promote(_: Empty) -> Self {
         Self::massless()

@@ -1,0 +1,140 @@
+//! Ends held fast.
+
+use super::Ground;
+use crate::ends::{Held, Root, Tip};
+use crate::error::{Error, Fault, Place};
+use crate::lift::Lift;
+use crate::planar::{Frame, Internal, Planar, Turn, Weld};
+use crate::relation::plane::{Full, FullColumn};
+use crate::relation::{Cut, Cuts};
+use crate::scalar::Scalar;
+use nalgebra::Vector2;
+use num_traits::Zero;
+
+/// Angle, rate and angular acceleration of the ground where it clamps an end.
+pub trait Attitude<T: Scalar> {
+    /// At a time (s): angle (rad), rate (rad/s), angular acceleration (rad/s²).
+    fn at(&self, time: T::Real) -> [T; 3];
+}
+
+impl<T: Scalar> Attitude<T> for T {
+    fn at(&self, _: T::Real) -> [T; 3] {
+        [*self, T::zero(), T::zero()]
+    }
+}
+
+/// An attitude given as a function of time.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning<F>(pub F);
+
+impl<T: Scalar, F: Fn(T::Real) -> [T; 3]> Attitude<T> for Turning<F> {
+    fn at(&self, time: T::Real) -> [T; 3] {
+        (self.0)(time)
+    }
+}
+
+/// An end held fast: at a place of the ground, its body at an absolute angle; both may move as given functions of time.
+///
+/// ```
+/// use catena::planar::*;
+/// let rod = Rod::uniform(0.5, 1.0);
+/// let blade = System::new(Clamped::at(0.0, 0.0, 0.2), (rod, ElasticHinge::rotary(20.0), rod), Free)?;
+/// let shaken = Clamped { place: [0.0, 0.0], attitude: Turning(|t: f64| [t.sin(), t.cos(), -t.sin()]) };
+/// # Ok::<(), catena::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Clamped<G, A> {
+    /// Where.
+    pub place: G,
+    /// At which angle.
+    pub attitude: A,
+}
+
+impl<T: Scalar> Clamped<[T; 2], T> {
+    /// Held at a place (m) and an angle (rad).
+    pub fn at(x: T, y: T, angle: T) -> Self {
+        Self { place: [x, y], attitude: angle }
+    }
+}
+
+impl<G, A> Clamped<G, A> {
+    /// The motion of the ground where it holds the end.
+    fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
+    where
+        G: Ground<T>,
+        A: Attitude<T>,
+    {
+        let [angle, rate, angular] = self.attitude.at(time);
+        let mut frame = self.place.at(time).frame();
+        frame.turn = Turn { angle, rate };
+        frame.acceleration.angular = angular;
+        frame
+    }
+
+    fn verify<T: Scalar>(&self) -> Result<(), Error>
+    where
+        G: Ground<T>,
+        A: Attitude<T>,
+    {
+        self.place.at(T::Real::zero()).check()?;
+        let finite = self.attitude.at(T::Real::zero()).iter().all(|x| x.is_finite());
+        let fault = Error::new(Fault::NotFinite { parameter: "angle of the ground" });
+        if finite { Ok(()) } else { Err(fault) }
+    }
+}
+
+impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Planar<T>> for Clamped<G, A> {
+    type Pairs = (Held, Held, Held);
+    type Joint = Weld<T>;
+
+    fn joint(&self) -> Weld<T> {
+        Weld::at(T::zero())
+    }
+    fn ground(&self, time: T::Real) -> Frame<T> {
+        self.frame(time)
+    }
+    fn check(&self) -> Result<(), Error> {
+        self.verify::<T>().map_err(|error| error.at(Place::Root))
+    }
+}
+
+impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Planar<T>> for Clamped<G, A> {
+    type Pairs = (Held, Held, Held);
+    type Closures = Cut<3>;
+    type Relation = Full<T, Cut<3>>;
+
+    #[inline(always)]
+    fn relation(&self, time: T::Real, gravity: Vector2<T>) -> Self::Relation {
+        let frame = self.frame(time);
+        let target = frame.acceleration.linear - gravity;
+        let (zero, one) = (T::zero(), T::one());
+        // λ acts ON the last body, so F on the ground beyond the tip is −λ.
+        let columns = [
+            FullColumn { force: Vector2::new(-one, zero), torque: zero },
+            FullColumn { force: Vector2::new(zero, -one), torque: zero },
+            FullColumn { force: Vector2::new(zero, zero), torque: -one },
+        ];
+        let gap = [-target.x, -target.y, -frame.acceleration.angular];
+        Full::massless().cut(Cuts::at_tip(columns, gap))
+    }
+    fn internal(&self, multipliers: &[T; 3]) -> Internal<T> {
+        let [x, y, torque] = *multipliers;
+        Internal { force: Vector2::new(-x, -y), torque }
+    }
+    fn miss(&self, time: T::Real, tip: &Frame<T>) -> [[T; 3]; 2] {
+        let frame = self.frame(time);
+        let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);
+        let (angle, rate) = (tip.turn.angle - frame.turn.angle, tip.turn.rate - frame.turn.rate);
+        [[place.x, place.y, angle], [velocity.x, velocity.y, rate]]
+    }
+    fn check(&self) -> Result<(), Error> {
+        self.verify::<T>().map_err(|error| error.at(Place::Tip))
+    }
+}
+
+impl<T: Scalar, U: Scalar> Lift<T, U> for Clamped<[T; 2], T> {
+    type Over = Clamped<[U; 2], U>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Clamped { place: self.place.lift(number), attitude: number(self.attitude) }
+    }
+}

@@ -1,0 +1,53 @@
+//! Free ends.
+
+use super::Floating;
+use crate::ends::{Loose, Root, Tip};
+use crate::error::Error;
+use crate::lift::lift;
+use crate::planar::{Frame, Internal, Planar};
+use crate::relation::Open;
+use crate::relation::plane::Empty;
+use crate::scalar::Scalar;
+use crate::space::Space;
+use nalgebra::Vector2;
+
+/// An end on which nothing acts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Free;
+
+impl<T: Scalar> Root<Planar<T>> for Free {
+    type Pairs = (Loose, Loose, Loose);
+    type Joint = Floating;
+
+    fn joint(&self) -> Floating {
+        Floating
+    }
+    fn ground(&self, _: T::Real) -> Frame<T> {
+        Frame::resting(Vector2::new(T::zero(), T::zero()))
+    }
+    fn check(&self) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+impl<T: Scalar> Tip<Planar<T>> for Free {
+    type Pairs = (Loose, Loose, Loose);
+    type Closures = Open;
+    type Relation = Empty;
+
+    #[inline(always)]
+    fn relation(&self, _: T::Real, _: Vector2<T>) -> Empty {
+        Empty
+    }
+    fn internal(&self, (): &()) -> Internal<T> {
+        Planar::no_force()
+    }
+    fn miss(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
+        [(), ()]
+    }
+    fn check(&self) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+lift!(Free, Floating);

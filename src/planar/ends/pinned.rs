@@ -1,0 +1,89 @@
+//! Ends held by pins.
+
+use super::{Ground, GroundMotion};
+use crate::ends::{Held, Loose, Root, Tip};
+use crate::error::{Error, Place};
+use crate::lift::Lift;
+use crate::planar::{Frame, Internal, Pin, Planar};
+use crate::relation::plane::Point;
+use crate::relation::plane::algebra::Symmetric2;
+use crate::relation::{Absent, Cut, Cuts};
+use crate::scalar::Scalar;
+use nalgebra::Vector2;
+use num_traits::Zero;
+
+/// An end held by a smooth pin at a place of the ground.
+///
+/// ```
+/// use catena::planar::{GroundMotion, Moving, Pinned};
+/// let still = Pinned::at(0.0, 1.0);
+/// let shaken = Pinned(Moving(|t: f64| GroundMotion {
+///     place: [t.sin(), 0.0],
+///     velocity: [t.cos(), 0.0],
+///     acceleration: [-t.sin(), 0.0],
+/// }));
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Pinned<G>(pub G);
+
+impl<T: Scalar> Pinned<[T; 2]> {
+    /// Held at the origin.
+    pub fn origin() -> Self {
+        Self([T::zero(); 2])
+    }
+    /// Held at a place (m).
+    pub fn at(x: T, y: T) -> Self {
+        Self([x, y])
+    }
+}
+
+impl<T: Scalar, G: Ground<T>> Root<Planar<T>> for Pinned<G> {
+    type Pairs = (Held, Held, Loose);
+    type Joint = Pin;
+
+    fn joint(&self) -> Pin {
+        Pin
+    }
+    fn ground(&self, time: T::Real) -> Frame<T> {
+        self.0.at(time).frame()
+    }
+    fn check(&self) -> Result<(), Error> {
+        self.0.at(T::Real::zero()).check().map_err(|error| error.at(Place::Root))
+    }
+}
+
+impl<T: Scalar, G: Ground<T>> Tip<Planar<T>> for Pinned<G> {
+    type Pairs = (Held, Held, Loose);
+    type Closures = Cut<2>;
+    type Relation = Point<T, Absent, Cut<2>>;
+
+    #[inline(always)]
+    fn relation(&self, time: T::Real, gravity: Vector2<T>) -> Self::Relation {
+        let target = Vector2::from(self.0.at(time).acceleration) - gravity;
+        let (zero, one) = (T::zero(), T::one());
+        // λ acts ON the last body, so F on the ground beyond the tip is −λ.
+        let columns = [Vector2::new(-one, zero), Vector2::new(zero, -one)];
+        let cuts = Cuts::at_tip(columns, [-target.x, -target.y]);
+        let stiffness = Symmetric2::diagonal(zero);
+        Point { stiffness, offset: Vector2::new(zero, zero), torque: Absent, cuts }
+    }
+    fn internal(&self, multipliers: &[T; 2]) -> Internal<T> {
+        Internal { force: Vector2::new(-multipliers[0], -multipliers[1]), torque: T::zero() }
+    }
+    fn miss(&self, time: T::Real, frame: &Frame<T>) -> [[T; 2]; 2] {
+        let GroundMotion { place, velocity, .. } = self.0.at(time);
+        let place = frame.place - Vector2::from(place);
+        let velocity = frame.velocity - Vector2::from(velocity);
+        [[place.x, place.y], [velocity.x, velocity.y]]
+    }
+    fn check(&self) -> Result<(), Error> {
+        self.0.at(T::Real::zero()).check().map_err(|error| error.at(Place::Tip))
+    }
+}
+
+impl<T: Scalar, U: Scalar> Lift<T, U> for Pinned<[T; 2]> {
+    type Over = Pinned<[U; 2]>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Pinned(self.0.lift(number))
+    }
+}
