@@ -38,9 +38,19 @@ pub trait HasBody<const K: usize> {}
 impl<E: Counted, const K: usize> HasBody<K> for E
 where
     Const<K>: ToUInt,
-    E::Bodies: IsGreater<U<K>, Output = B1>,
+    E::Bodies: IsGreater<U<K>, Output: Exists<K>>,
 {
 }
+
+/// Whether there is a body number `K`: typenum's answer yes, and not its no, so that the compiler can put it in words.
+#[diagnostic::on_unimplemented(
+    message = "this chain has no body number {K}",
+    label = "it has fewer bodies",
+    note = "bodies are numbered from 0 at the root"
+)]
+pub trait Exists<const K: usize> {}
+
+impl<const K: usize> Exists<K> for B1 {}
 
 impl<A: Counted, const K: usize> Counted for [A; K]
 where

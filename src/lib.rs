@@ -84,3 +84,7 @@ pub use error::{Error, Fault, Place};
 pub use motion::Motion;
 pub use scalar::{Real, Scalar};
 pub use state::{StateVector, TransferMatrix};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadMe;

@@ -104,6 +104,8 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
     }
 }
 
+impl<T: Scalar, P: Position<T> + Copy, C: Closures> Copy for Motion<T, P, C> where P::Rate: Copy {}
+
 impl<T: Scalar, P: Position<T>, C: Closures> PartialEq for Motion<T, P, C> {
     /// As the scalar compares: dual numbers by their real part only.
     fn eq(&self, other: &Self) -> bool {

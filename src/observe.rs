@@ -74,6 +74,7 @@ pub struct Stations<'a, S: Space, E: Element<S>> {
     chain: &'a E,
     bodies: E::PerBody<Option<S::Station>>,
     joints: E::PerJoint<Option<S::Station>>,
+    root: S::Station,
     tip: S::Station,
 }
 
@@ -96,7 +97,8 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
                 internal = S::balance(station, internal);
             }
         });
-        Self { chain, bodies, joints, tip: S::end_station(&end, tip) }
+        let (root, tip) = (S::end_station(&ground, internal), S::end_station(&end, tip));
+        Self { chain, bodies, joints, root, tip }
     }
 
     /// Number of elements of the chain: stations are numbered from 0 (the inboard end of the first element) to this (the
@@ -115,8 +117,8 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
     }
 
     /// The ground's side of the root's joint: its force is that of the ground on the chain.
-    pub fn root(&self) -> Option<&S::Station> {
-        self.chain.entry(&self.bodies, &self.joints, 0)?.as_ref()
+    pub fn root(&self) -> &S::Station {
+        &self.root
     }
 
     /// The outboard end of the last element.

@@ -94,5 +94,12 @@ pub struct Budget<S: Space> {
     pub angular_momentum: S::Moment,
 }
 
+impl<S: Space> Budget<S> {
+    /// Mechanical energy (J).
+    pub fn energy(&self) -> S::Scalar {
+        self.kinetic + self.potential
+    }
+}
+
 /// Names the time, step and tolerance of a space's scalar.
 pub type RealOf<S> = <<S as Space>::Scalar as Scalar>::Real;

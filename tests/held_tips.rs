@@ -72,7 +72,7 @@ fn four_bar_meets_the_reference() -> Result<(), Error> {
         }
         near(motion.rate().0, rate, 1e-9);
         let stations = four_bar.stations(&motion, &Unloaded);
-        let force = stations.root().unwrap().internal.force;
+        let force = stations.root().internal.force;
         for k in 0..2 {
             near(force[k], root[k], 1e-9);
             near(motion.multipliers()[k], tip[k], 1e-9);
@@ -169,7 +169,7 @@ fn chains_pinned_at_both_ends_agree_with_the_dense_system() -> Result<(), Error>
         }
         for k in 0..2 {
             near(motion.multipliers()[k], expected.tip_force[k], rounding);
-            near(held.stations(&motion, &Unloaded).root().unwrap().internal.force[k], expected.q_ground[k], rounding);
+            near(held.stations(&motion, &Unloaded).root().internal.force[k], expected.q_ground[k], rounding);
         }
     }
     Ok(())
@@ -196,7 +196,7 @@ fn chains_clamped_at_both_ends_agree_with_the_dense_system() -> Result<(), Error
         near(fx, expected.tip_force[0], rounding);
         near(fy, expected.tip_force[1], rounding);
         near(torque, expected.tip_torque, rounding);
-        let root = held.stations(&motion, &Unloaded).root().unwrap().internal;
+        let root = held.stations(&motion, &Unloaded).root().internal;
         near(root.force.x, expected.q_ground[0], rounding);
         near(root.torque, expected.m_ground, rounding);
     }

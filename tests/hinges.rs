@@ -82,7 +82,7 @@ fn errors(rule: GeneralizedAlpha, steps: &[f64]) -> Result<[Vec<(f64, f64)>; 2],
     let scene = scene!()?;
     let start = || scene.with_rates(scene.at_rest(&[-0.4, -0.2, -0.2, -0.5])?, &[1.0, 0.3, -0.2, 1.0]);
     let read = |motion: &_| {
-        let force = scene.stations(motion, &Unloaded).root().map_or([f64::NAN; 2], |root| root.internal.force.into());
+        let force: [f64; 2] = scene.stations(motion, &Unloaded).root().internal.force.into();
         (*scene.angles(motion).get(0).unwrap_or(&f64::NAN), force)
     };
     let (angle, force) = read(&scene.simulate(start()?, Dop853::tolerance(1e-13), 0.5, |_| ())?.motion);

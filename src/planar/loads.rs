@@ -118,6 +118,24 @@ impl<B, J> Loads<B, J> {
     }
 }
 
+impl<B, J> Loads<B, J> {
+    /// Torques in joints (N·m) as values handed in, one for each joint from the root's on; none in joints beyond their number.
+    ///
+    /// Unlike a law, values have a type that can be named: a stepper that takes them can be kept in a struct.
+    pub fn torques<V>(self, torques: V) -> Loads<B, Values<V>> {
+        Loads { bodies: self.bodies, joints: Values(torques) }
+    }
+
+    /// Wrenches on bodies as values handed in, one for each body from the root on; none on bodies beyond their number.
+    pub fn wrenches<V>(self, wrenches: V) -> Loads<Values<V>, J> {
+        Loads { bodies: Values(wrenches), joints: self.joints }
+    }
+}
+
+/// Loads given as values: an array, a slice, a vector.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Values<V>(pub V);
+
 /// A law of forces on bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct OnBodies<F>(F);
@@ -157,6 +175,25 @@ impl<T: Scalar, F: Fn(T::Real, usize, &BodyMotion<T>) -> Wrench<T>> BodyLaw<T> f
     const ON: bool = true;
     fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
         (self.0)(time, body, motion)
+    }
+}
+
+impl<T: Scalar, V: AsRef<[Wrench<T>]>> BodyLaw<T> for Values<V> {
+    type Value = Wrench<T>;
+    fn nothing() -> Wrench<T> {
+        Wrench::default()
+    }
+    const ON: bool = true;
+    fn at(&self, _: T::Real, body: usize, _: &BodyMotion<T>) -> Wrench<T> {
+        self.0.as_ref().get(body).copied().unwrap_or_default()
+    }
+}
+
+impl<T: Scalar, V: AsRef<[T]>> JointLaw<T> for Values<V> {
+    type Value = T;
+    const ON: bool = true;
+    fn at(&self, _: T::Real, joint: usize, _: &JointMotion<T>) -> T {
+        self.0.as_ref().get(joint).copied().unwrap_or(T::zero())
     }
 }
 

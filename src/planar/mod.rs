@@ -25,13 +25,15 @@ mod station;
 mod transfer;
 mod weld;
 
+pub use crate::element::Unloaded;
+pub use crate::stepper::Stepper;
 pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4};
 pub use body::{Body, Inertia};
 pub use elastic_hinge::{ElasticHinge, HingeRule, Rotary};
 pub use ends::{Attitude, Clamped, Floating, Free, Ground, GroundMotion, Moving, Pinned, Turning};
 pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Planar, SpringState, Turn};
 pub use joint::Joint;
-pub use loads::{Loads, Wrench};
+pub use loads::{Loads, Values, Wrench};
 pub use pin::Pin;
 pub use point_mass::PointMass;
 pub use rigid_body::RigidBody;

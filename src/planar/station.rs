@@ -68,6 +68,11 @@ impl<T: Scalar> Station<T> {
         self.internal
     }
 
+    /// Torque ON what lies outboard of the station (N·m), −m: at the station of a joint, what the joint exerts on its outboard body.
+    pub fn torque_outboard(&self) -> T {
+        -self.internal.torque
+    }
+
     /// The state vector (14) of positions: `[x, y, θ, m, q_x, q_y, 1]`.
     pub fn state(&self) -> StateVector<T, 7> {
         let (place, internal) = (self.frame.place, self.internal);

@@ -31,7 +31,7 @@ enum Outcome {
     Stop,
 }
 
-impl<S, R, C, P, L, M, E, K, O> Driver<'_, S, R, C, P, L, M, E, K, O>
+impl<'a, S, R, C, P, L, M, E, K, O> Driver<'a, S, R, C, P, L, M, E, K, O>
 where
     S: Space,
     R: Root<S>,
@@ -39,7 +39,7 @@ where
     P: Tip<S>,
     L: Loading<S>,
     System<S, R, C, P>: Runs<L, S, R, C, P>,
-    K: Stepper<System<S, R, C, P>, L>,
+    K: Stepper<&'a System<S, R, C, P>, L>,
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {

@@ -52,8 +52,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, 
     }
     /// Mechanical energy (J).
     pub fn energy(&self) -> S::Scalar {
-        let budget = self.budget();
-        budget.kinetic + budget.potential
+        self.budget().energy()
     }
 }
 
@@ -145,7 +144,15 @@ impl<N: ?Sized, T, F: FnMut(&N) -> T> EventFunction<N, T> for F {
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// A stepper of a method for this scene: `pendulum.stepper(Rk4)`.
-    pub fn stepper<M: Method, L: Loading<S>>(&self, method: M) -> M::Stepper<'_, Self, L>
+    pub fn stepper<M: Method, L: Loading<S>>(&self, method: M) -> M::Stepper<&Self, L>
+    where
+        Self: Dynamics<L>,
+    {
+        method.stepper(self)
+    }
+
+    /// The same, with the scene inside: for a value that keeps its scene and its stepper.
+    pub fn into_stepper<M: Method, L: Loading<S>>(self, method: M) -> M::Stepper<Self, L>
     where
         Self: Dynamics<L>,
     {

@@ -11,8 +11,8 @@ use crate::time::Explicit;
 use num_traits::{One, Zero};
 
 /// Steps by an explicit method.
-pub struct ExplicitStepper<'s, D: Dynamics<L>, L, M: Explicit> {
-    scene: &'s D,
+pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
+    scene: D,
     workspace: D::Workspace,
     /// Accelerations of the rows, but for the first (of the past motion).
     slopes: M::Rows<D::Rate>,
@@ -25,18 +25,18 @@ pub struct ExplicitStepper<'s, D: Dynamics<L>, L, M: Explicit> {
 }
 
 impl<M: Explicit> Method for M {
-    type Stepper<'s, D: Dynamics<L> + 's, L: 's> = ExplicitStepper<'s, D, L, M>;
+    type Stepper<D: Dynamics<L>, L> = ExplicitStepper<D, L, M>;
 
-    fn stepper<'s, D: Dynamics<L>, L>(&self, scene: &'s D) -> ExplicitStepper<'s, D, L, M> {
+    fn stepper<D: Dynamics<L>, L>(&self, scene: D) -> ExplicitStepper<D, L, M> {
         let still = scene.still();
         let zero = still.rate.clone();
         ExplicitStepper {
-            scene,
             workspace: scene.workspace(),
             slopes: M::rows(&zero),
             stage: (still.position.clone(), zero.clone()),
             estimate: (zero.clone(), zero.clone()),
             zero,
+            scene,
             start: Some(still),
             dense_ready: false,
             sweeps: 0,
@@ -81,7 +81,7 @@ macro_rules! unrolled {
     };
 }
 
-impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<'_, D, L, M> {
+impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
     /// The state of a row (a stage, the step, a dense stage), from the accelerations of those before.
     #[inline]
     fn row(
@@ -134,7 +134,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<'_, D, L, M> {
     }
 }
 
-impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<'_, D, L, M> {
+impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> {
     fn step(
         &mut self,
         past: &MotionIn<D, L>,

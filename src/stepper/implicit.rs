@@ -11,9 +11,9 @@ use crate::time::GeneralizedAlpha;
 use num_traits::Zero;
 
 /// Steps by a rule of the generalised-α family.
-pub struct ImplicitStepper<'s, D: Dynamics<L>, L> {
+pub struct ImplicitStepper<D: Dynamics<L>, L> {
     rule: GeneralizedAlpha,
-    scene: &'s D,
+    scene: D,
     workspace: D::Workspace,
     stiff: D::StiffWorkspace,
     /// The auxiliary acceleration A at the last motion written, and the time of that motion; and at the one before.
@@ -37,16 +37,15 @@ struct Auxiliary<D: Dynamics<L>, L> {
 }
 
 impl Method for GeneralizedAlpha {
-    type Stepper<'s, D: Dynamics<L> + 's, L: 's> = ImplicitStepper<'s, D, L>;
+    type Stepper<D: Dynamics<L>, L> = ImplicitStepper<D, L>;
 
-    fn stepper<'s, D: Dynamics<L>, L>(&self, scene: &'s D) -> ImplicitStepper<'s, D, L> {
+    fn stepper<D: Dynamics<L>, L>(&self, scene: D) -> ImplicitStepper<D, L> {
         let still = scene.still();
         let zero = still.rate.clone();
         let place = (still.position.clone(), zero.clone());
         let auxiliary = || Auxiliary { time: None, acceleration: zero.clone() };
         ImplicitStepper {
             rule: *self,
-            scene,
             workspace: scene.workspace(),
             stiff: scene.stiff_workspace(),
             last: auxiliary(),
@@ -56,12 +55,13 @@ impl Method for GeneralizedAlpha {
             previous: zero.clone(),
             start: Some(still),
             zero,
+            scene,
             sweeps: 0,
         }
     }
 }
 
-impl<D: Dynamics<L>, L> ImplicitStepper<'_, D, L> {
+impl<D: Dynamics<L>, L> ImplicitStepper<D, L> {
     /// Makes `before` the auxiliary acceleration of `past`: that of the last step if `past` is where it ended, the true
     /// acceleration otherwise, from which it differs by O(h).
     fn recall(&mut self, past: &MotionIn<D, L>) {
@@ -75,7 +75,7 @@ impl<D: Dynamics<L>, L> ImplicitStepper<'_, D, L> {
     }
 }
 
-impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<'_, D, L> {
+impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
     fn step(
         &mut self,
         past: &MotionIn<D, L>,

@@ -20,10 +20,10 @@ pub type TimeIn<D, L> = <<D as Dynamics<L>>::Scalar as Scalar>::Real;
 /// A method that can make steppers for scenes.
 pub trait Method {
     /// Its stepper for a scene `D` with loads `L`.
-    type Stepper<'s, D: Dynamics<L> + 's, L: 's>: Stepper<D, L>;
+    type Stepper<D: Dynamics<L>, L>: Stepper<D, L>;
 
-    /// A stepper for a scene.
-    fn stepper<'s, D: Dynamics<L>, L>(&self, scene: &'s D) -> Self::Stepper<'s, D, L>;
+    /// A stepper for a scene, or for a reference to one.
+    fn stepper<D: Dynamics<L>, L>(&self, scene: D) -> Self::Stepper<D, L>;
 }
 
 /// Advances the motion of one scene. It owns its workspace: a step allocates nothing, costs the same every time, reads one

@@ -2,6 +2,7 @@
 
 mod dynamics;
 mod inspect;
+mod reference;
 
 pub use dynamics::{Dynamics, Runs};
 

@@ -1,0 +1,94 @@
+//! Measuring: wall time as the median of many interleaved samples, instructions as a difference of two counts.
+
+use super::scenes::{Case, Row};
+use std::collections::HashMap;
+use std::path::Path;
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+/// Samples of each row.
+const ROUNDS: usize = 101;
+/// How long a sample should take at least.
+const SAMPLE: Duration = Duration::from_micros(50);
+
+/// Nanoseconds per body of each row: rows take turns, so that a disturbance of the machine hits all of them.
+pub fn wall(rows: &[Row]) -> Vec<f64> {
+    struct Entry {
+        case: Box<dyn Case>,
+        times: usize,
+        samples: Vec<f64>,
+    }
+    let time = |case: &mut dyn Case, times| {
+        let start = Instant::now();
+        case.sweep(times);
+        start.elapsed()
+    };
+    let mut entries: Vec<_> = rows
+        .iter()
+        .map(|row| {
+            let mut case = (row.make)();
+            let mut times = 1;
+            while time(case.as_mut(), times) < SAMPLE {
+                times *= 2;
+            }
+            Entry { case, times, samples: Vec::with_capacity(ROUNDS) }
+        })
+        .collect();
+    for round in 0..ROUNDS {
+        progress(&format!("wall time, round {} of {ROUNDS}", round + 1));
+        for (row, Entry { case, times, samples }) in rows.iter().zip(&mut entries) {
+            case.sweep(1); // the caches and predictors that other rows have used are this row's again
+            samples.push(time(case.as_mut(), *times).as_nanos() as f64 / (*times * row.bodies) as f64);
+        }
+    }
+    progress("");
+    entries.iter_mut().map(|entry| median(&mut entry.samples)).collect()
+}
+
+/// The middle one of values; not a number if there are none.
+pub fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// Wall times that another build of this program measures, by the name of the row.
+pub fn wall_of(program: &Path) -> Result<HashMap<String, f64>, String> {
+    let output = Command::new(program).arg("wall").stderr(std::process::Stdio::inherit()).output();
+    let output = output.map_err(|error| error.to_string())?;
+    if !output.status.success() {
+        return Err(format!("{} does not run on this machine: {}", program.display(), output.status));
+    }
+    let text = String::from_utf8_lossy(&output.stdout);
+    let pairs = text.lines().filter_map(|line| line.split_once('\t'));
+    Ok(pairs.filter_map(|(name, ns)| Some((name.to_owned(), ns.parse().ok()?))).collect())
+}
+
+/// Instructions per body of a row as callgrind counts them: what further sweeps add to a run of `program`, so that
+/// start and construction cancel. The count is exact.
+pub fn instructions(program: &Path, row: &Row) -> Result<f64, String> {
+    let (few, more) = (2, if row.bodies > 10_000 { 4 } else { 102 });
+    let added = count(program, row, more)? - count(program, row, few)?;
+    Ok(added as f64 / ((more - few) * row.bodies) as f64)
+}
+
+fn count(program: &Path, row: &Row, times: usize) -> Result<u64, String> {
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(program)
+        .args(["repeat", &row.name(), &times.to_string()])
+        .output()
+        .map_err(|error| format!("valgrind does not start: {error}"))?;
+    let text = String::from_utf8_lossy(&output.stderr);
+    let number = text.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok());
+    number.ok_or_else(|| format!("no count for {} from valgrind: {text}", row.name()))
+}
+
+/// Whether valgrind is there.
+pub fn has_valgrind() -> bool {
+    Command::new("valgrind").arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+/// Says what long work is about, on one line that is written over.
+pub fn progress(what: &str) {
+    eprint!("\r\x1b[K{what}");
+}

@@ -1,0 +1,119 @@
+//! What a sweep costs: time and instructions per body, beside loops written by hand.
+//!
+//! `cargo bench --bench sweep` checks that library and hand agree, measures this build and prints a table.
+//! `benches/count.sh` builds for the default target and for x86-64-v3 and prints one table of both.
+
+mod parts;
+
+use parts::measure::{has_valgrind, instructions, progress, wall, wall_of};
+use parts::scenes::{Row, rows};
+use std::collections::HashMap;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let rows = rows();
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["repeat", name, times] => repeat(&rows, name, times.parse()?),
+        ["wall"] => rows.iter().zip(wall(&rows)).for_each(|(row, ns)| println!("{}\t{ns}", row.name())),
+        ["--against", other] => table(&rows, Some(Path::new(other)))?,
+        _ => table(&rows, None)?, // cargo hands arguments of its own
+    }
+    Ok(())
+}
+
+/// Sweeps one row a number of times: what is run under valgrind.
+fn repeat(rows: &[Row], name: &str, times: usize) {
+    if let Some(row) = rows.iter().find(|row| row.name() == name) {
+        (row.make)().sweep(times);
+    }
+}
+
+/// Compares each row with the loop by hand: the largest difference as a share of the largest acceleration.
+fn check(rows: &[Row]) -> Result<f64, String> {
+    let swept = |row: &Row| {
+        let mut case = (row.make)();
+        case.sweep(1);
+        case.accelerations()
+    };
+    let mut largest = 0.0_f64;
+    for row in rows {
+        let hand = row.yardstick(rows).ok_or_else(|| format!("nothing by hand for {}", row.name()))?;
+        let (got, want) = (swept(row), swept(hand));
+        let size = want.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let error = got.iter().zip(&want).fold(0.0_f64, |error, (x, y)| error.max((x - y).abs())) / size;
+        // Written so that NaN fails.
+        if got.len() != want.len() || !(error < 1e-12) {
+            return Err(format!("{} differs from the loop by hand: {error:e} of the largest acceleration", row.name()));
+        }
+        largest = largest.max(error);
+    }
+    Ok(largest)
+}
+
+/// What one build measures, row by row; NaN where there is nothing.
+struct Column {
+    instructions: Vec<f64>,
+    nanoseconds: Vec<f64>,
+}
+
+fn counted(program: &Path, rows: &[Row], target: &str) -> Vec<f64> {
+    let nothing = vec![f64::NAN; rows.len()];
+    if !has_valgrind() {
+        return nothing;
+    }
+    let counts = rows.iter().enumerate().map(|(i, row)| {
+        progress(&format!("instructions, {target}: {} of {}", i + 1, rows.len()));
+        instructions(program, row)
+    });
+    let counts: Result<_, _> = counts.collect();
+    progress("");
+    counts.unwrap_or_else(|error| {
+        eprintln!("{error}");
+        nothing
+    })
+}
+
+fn table(rows: &[Row], other: Option<&Path>) -> Result<(), Box<dyn Error>> {
+    println!("Library and hand agree to {:.1e} of the largest acceleration.", check(rows)?);
+    if !has_valgrind() {
+        println!("Instructions are not counted: valgrind is not installed.");
+    }
+    let this: PathBuf = std::env::current_exe()?;
+    let mut columns = vec![Column { instructions: counted(&this, rows, "this build"), nanoseconds: wall(rows) }];
+    if let Some(other) = other {
+        let by_name: HashMap<String, f64> = wall_of(other)?;
+        let nanoseconds = rows.iter().map(|row| by_name.get(&row.name()).copied().unwrap_or(f64::NAN)).collect();
+        columns.push(Column { instructions: counted(other, rows, "other build"), nanoseconds });
+    }
+    print(rows, &columns);
+    Ok(())
+}
+
+/// A table in Markdown: instructions of each build, nanoseconds of each build, ratios to the loop by hand.
+fn print(rows: &[Row], columns: &[Column]) {
+    let targets: &[&str] = if columns.len() == 2 { &["default", "v3"] } else { &["this build"] };
+    let mut head = "| scene | form | n |".to_owned();
+    for what in ["instr/body", "ns/body", "instr : hand", "ns : hand"] {
+        targets.iter().for_each(|target| head += &format!(" {what} {target} |"));
+    }
+    println!("\n{head}\n|---|---|---:|{}", "---:|".repeat(4 * targets.len()));
+    for (i, row) in rows.iter().enumerate() {
+        let hand = row.yardstick(rows).and_then(|hand| rows.iter().position(|row| std::ptr::eq(row, hand)));
+        let number = |value: f64, digits: usize| match value.is_nan() {
+            true => " – |".to_owned(),
+            false => format!(" {value:.digits$} |"),
+        };
+        let mut line = format!("| {} | {} | {} |", row.scene, row.form, row.bodies);
+        columns.iter().for_each(|column| line += &number(column.instructions[i], 1));
+        columns.iter().for_each(|column| line += &number(column.nanoseconds[i], 1));
+        let ratio = |values: &[f64]| match hand {
+            Some(hand) if !row.is_by_hand() => number(values[i] / values[hand], 2),
+            _ => " |".to_owned(),
+        };
+        columns.iter().for_each(|column| line += &ratio(&column.instructions));
+        columns.iter().for_each(|column| line += &ratio(&column.nanoseconds));
+        println!("{line}");
+    }
+}

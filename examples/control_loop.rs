@@ -1,0 +1,174 @@
+//! A scene inside a control loop: one fixed step per cycle, torques computed anew each time, nothing on the heap.
+//!
+//! An arm of two links moves its hand around a circle. Its controller knows a model of the arm, itself a scene: inverse
+//! dynamics of the model give the torques for the accelerations that it wants (gravity is compensated on the way). The
+//! arm that is simulated carries a load of which the model knows nothing, so there is something left for the feedback.
+//!
+//! ```text
+//! cargo run --release --example control_loop
+//! ```
+
+mod common;
+
+use catena::element::Unloaded;
+use catena::planar::*;
+use catena::stepper::Stepper;
+use catena::{Motion, Scalar};
+use common::{BLUE, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
+use num_dual::Dual2_64;
+use std::error::Error;
+use std::f64::consts::TAU;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// The arm and the model of it: the same type, other parameters.
+type Arm = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Pin, Rod<f64>), Free>;
+/// Motions have the shape of their scene: a coordinate for each pin, none for a rod.
+type ArmMotion = Motion<f64, (f64, ((), f64, ()))>;
+
+const CYCLE: f64 = 1e-3; // (s)
+const CYCLES: usize = 4000;
+const LENGTHS: [f64; 2] = [0.7, 0.6]; // (m)
+const GAINS: [f64; 2] = [225.0, 30.0]; // of angle (1/s²) and rate (1/s): critically damped at 15 rad/s
+
+/// What is kept of each cycle.
+#[derive(Clone, Copy, Default)]
+struct Sample {
+    time: f64,
+    torques: [f64; 2],
+    wanted: [f64; 2],
+    elbow: [f64; 2],
+    hand: [f64; 2],
+}
+
+impl Sample {
+    /// Distance of the hand from where it should be (mm).
+    fn error(&self) -> f64 {
+        1e3 * (self.hand[0] - self.wanted[0]).hypot(self.hand[1] - self.wanted[1])
+    }
+}
+
+/// An arm that holds a load (kg) in its hand, which adds a point mass at the end of its second rod.
+fn arm(load: f64) -> Result<Arm, catena::Error> {
+    let ([upper, fore], mass) = (LENGTHS, 1.5);
+    let centre = (0.5 * mass + load) * fore / (mass + load);
+    let about_centre = mass * fore * fore / 12.0 + mass * load / (mass + load) * (0.5 * fore).powi(2);
+    let forearm = Rod::new(fore, mass + load, centre, about_centre);
+    Ok(System::new(Pinned::origin(), (Rod::uniform(upper, 2.0), Pin, forearm), Free)?.with_gravity(9.81))
+}
+
+/// Where the hand should be: on a circle that it goes around in two seconds.
+fn target<T: Scalar<Real = f64>>(time: T) -> [T; 2] {
+    let (sine, cosine) = time.scale(TAU / 2.0).sin_cos();
+    [T::literal(0.75) + cosine.scale(0.3), T::literal(0.2) + sine.scale(0.3)]
+}
+
+/// The absolute angles of both links that bring the hand to a place, elbow down.
+fn reach<T: Scalar<Real = f64>>([x, y]: [T; 2]) -> [T; 2] {
+    let [upper, fore] = LENGTHS;
+    let cosine = (x * x + y * y - T::literal(upper * upper + fore * fore)).scale(0.5 / (upper * fore));
+    let sine = (T::one() - cosine * cosine).sqrt();
+    let first = y.atan2(x) - sine.scale(fore).atan2(cosine.scale(fore) + T::literal(upper));
+    [first, first + sine.atan2(cosine)]
+}
+
+/// The torques that should make the arm follow: feedback chooses accelerations, inverse dynamics say what they take.
+fn control(model: &Arm, motion: &ArmMotion) -> Option<[f64; 2]> {
+    // On numbers that carry two derivatives, the way to the angles gives their rates and accelerations as well.
+    let wanted = reach(target(Dual2_64::from_re(motion.time()).derivative()));
+    let [stiffness, damping] = GAINS;
+    let follow =
+        |want: Dual2_64, angle: f64, rate: f64| want.v2 + stiffness * (want.re - angle) + damping * (want.v1 - rate);
+
+    let (first, ((), second, ())) = *motion.position();
+    let (first_rate, ((), second_rate, ())) = *motion.rate();
+    let mut plan = motion.clone();
+    *plan.acceleration_mut() = (follow(wanted[0], first, first_rate), ((), follow(wanted[1], second, second_rate), ()));
+
+    // A torque in a joint acts on its outboard body, and is −m at the joint's station.
+    let stations = model.stations(&plan, &Unloaded);
+    Some([-stations.root().internal.torque, -stations.get(1)?.internal.torque])
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let (real, model) = (arm(0.1)?, arm(0.0)?);
+
+    // All the room there is: two motions to alternate between, a stepper with its workspace, and the log.
+    let mut past = real.at_rest(&reach([0.95, 0.15]))?;
+    let mut next = past.clone();
+    let mut stepper = real.stepper(Rk4);
+    let mut log = vec![Sample::default(); CYCLES];
+
+    let clock = Instant::now();
+    for sample in &mut log {
+        let torques = control(&model, &past).ok_or("the model has two joints")?;
+        // The torques stay as they are for a cycle, though the law could use time and motion. It takes them along (`move`)
+        // because the stepper, whose type names the law's, outlives the cycle.
+        let loads = Loads::none().in_joints(move |_time, joint, _motion| torques[joint]);
+        // A step reads one motion and writes another: had it failed, the past would still be there to fall back on.
+        stepper.step(&past, &loads, CYCLE, &mut next)?;
+        std::mem::swap(&mut past, &mut next);
+
+        let stations = real.stations(&past, &loads);
+        let elbow = stations.get(1).ok_or("station 1 is the elbow")?.frame.place.into();
+        let hand = stations.tip().frame.place.into();
+        *sample = Sample { time: past.time(), torques, wanted: target(past.time()), elbow, hand };
+    }
+    let nanoseconds = clock.elapsed().as_nanos() / CYCLES as u128;
+
+    println!("A two-link arm follows a circle: {CYCLES} cycles of {} ms, RK4\n", CYCLE * 1e3);
+    println!("  time (s)   target x, y (m)   hand x, y (m)    error (mm)   torques (N·m)");
+    for sample in log.iter().skip(249).step_by(250) {
+        let Sample { time, torques: [shoulder, elbow], wanted: [wx, wy], hand: [x, y], .. } = sample;
+        let error = sample.error();
+        println!("  {time:8.2}  {wx:8.4} {wy:7.4}  {x:8.4} {y:7.4}  {error:11.3}   {shoulder:8.3} {elbow:7.3}");
+    }
+    println!("\nA cycle takes {nanoseconds} ns: control, step and readings.");
+    println!("Picture: {}", draw(&log)?.display());
+    Ok(())
+}
+
+/// The hand's way on the left; its error and the torques over time on the right.
+fn draw(log: &[Sample]) -> Drawn<PathBuf> {
+    common::picture("control_loop", (1000, 520), |area| {
+        let subtitle =
+            "A two-link arm goes around a circle under model-based control, with a load that the model ignores.";
+        let area = common::heading(area, "Control loop", subtitle)?;
+        let (left, right) = area.split_horizontally(common::pixels(470.0));
+        let (upper, lower) = right.split_vertically(common::pixels(227.0));
+
+        // Curves are as smooth with every eighth sample.
+        let (thin, point) = (log.iter().step_by(8), |[x, y]: [f64; 2]| (x, y));
+        let mut way = common::chart(&left, "Way of the hand (m)", "", -0.1..1.15, -0.7..0.537)?;
+        common::legend(&left, &[("target", GREY), ("hand", ORANGE)])?;
+        let poses: Vec<_> = log.iter().take(1875).step_by(125).collect();
+        // The first turn, fading in.
+        for (k, sample) in poses.iter().enumerate() {
+            let colour = blend(FAINT, BLUE, 0.8 * k as f64 / poses.len() as f64);
+            let places = [(0.0, 0.0), point(sample.elbow), point(sample.hand)];
+            common::links(&mut way, places.to_vec(), line(colour, 2.0))?;
+            common::dots(&mut way, [places[1]], 3.0, colour)?;
+        }
+        common::curve(&mut way, thin.clone().map(|sample| point(sample.wanted)), line(GREY, 4.0))?;
+        common::curve(&mut way, thin.clone().map(|sample| point(sample.hand)), line(ORANGE, 1.6))?;
+        common::dots(&mut way, [(0.0, 0.0)], 5.0, INK)?;
+
+        let end = CYCLE * CYCLES as f64;
+        let errors = thin.clone().map(|sample| (sample.time, sample.error()));
+        let range = common::range(errors.clone().map(|(_, error)| error), 0.08);
+        let mut chart = common::chart(&upper, "Error of the hand (mm)", "time (s)", 0.0..end, range)?;
+        common::curve(&mut chart, errors, line(GREEN, 1.6))?;
+
+        let all = thin.clone().flat_map(|sample| sample.torques);
+        let mut chart = common::chart(&lower, "Torques (N·m)", "time (s)", 0.0..end, common::range(all, 0.08))?;
+        common::legend(&lower, &[("shoulder", BLUE), ("elbow", ORANGE)])?;
+        for (joint, colour) in [BLUE, ORANGE].into_iter().enumerate() {
+            common::curve(
+                &mut chart,
+                thin.clone().map(|sample| (sample.time, sample.torques[joint])),
+                line(colour, 1.6),
+            )?;
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,92 @@
+//! A reference to a scene will do where a scene does.
+
+use super::dynamics::{Dynamics, Held};
+use crate::element::Implicit;
+use crate::error::Error;
+use crate::motion::Motion;
+use crate::scalar::Scalar;
+
+impl<D: Dynamics<L>, L> Dynamics<L> for &D {
+    type Space = D::Space;
+    type Scalar = D::Scalar;
+    type Position = D::Position;
+    type Rate = D::Rate;
+    type Closures = D::Closures;
+    type Workspace = D::Workspace;
+    type StiffWorkspace = D::StiffWorkspace;
+
+    #[inline]
+    fn workspace(&self) -> Self::Workspace {
+        D::workspace(self)
+    }
+
+    #[inline]
+    fn still(&self) -> Motion<Self::Scalar, Self::Position, Self::Closures> {
+        D::still(self)
+    }
+
+    #[inline]
+    fn accelerations(
+        &self,
+        time: <Self::Scalar as Scalar>::Real,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        loads: &L,
+        workspace: &mut Self::Workspace,
+        acceleration: &mut Self::Rate,
+    ) -> Held<D, L> {
+        D::accelerations(self, time, position, rate, loads, workspace, acceleration)
+    }
+
+    #[inline]
+    fn stiff_workspace(&self) -> Self::StiffWorkspace {
+        D::stiff_workspace(self)
+    }
+
+    #[inline]
+    fn implicit_accelerations(
+        &self,
+        time: <Self::Scalar as Scalar>::Real,
+        at: (&Self::Position, &Self::Rate),
+        spring: (&Self::Position, &Self::Rate),
+        springs: Implicit<<Self::Scalar as Scalar>::Real>,
+        loads: &L,
+        workspace: &mut Self::StiffWorkspace,
+        acceleration: &mut Self::Rate,
+    ) -> Held<D, L> {
+        D::implicit_accelerations(self, time, at, spring, springs, loads, workspace, acceleration)
+    }
+
+    #[inline]
+    fn project(
+        &self,
+        motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        workspace: &mut Self::Workspace,
+    ) {
+        D::project(self, motion, workspace)
+    }
+
+    #[inline]
+    fn project_stiff(
+        &self,
+        motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        workspace: &mut Self::StiffWorkspace,
+    ) {
+        D::project_stiff(self, motion, workspace)
+    }
+
+    #[inline]
+    fn accept(&self, motion: &Motion<Self::Scalar, Self::Position, Self::Closures>) -> Result<(), Error> {
+        D::accept(self, motion)
+    }
+
+    #[inline]
+    fn diagnose(
+        &self,
+        motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
+        loads: &L,
+        workspace: &mut Self::Workspace,
+    ) -> Error {
+        D::diagnose(self, motion, loads, workspace)
+    }
+}

@@ -1,0 +1,11 @@
+//! Between two pins there is a body.
+//@ `Pin`
+//@ put a body between two pins
+
+use catena::planar::*;
+
+fn main() -> Result<(), catena::Error> {
+    let rod = Rod::uniform(1.0, 1.0);
+    System::new(Pinned::origin(), (rod, Pin, Pin, rod), Free)?;
+    Ok(())
+}
