@@ -55,6 +55,8 @@ pub trait Space: Copy + Debug + 'static {
     fn no_gravity() -> Self::Vector;
     /// Whether a vector is finite.
     fn is_finite(vector: Self::Vector) -> bool;
+    /// Whether a frame is finite.
+    fn frame_is_finite(frame: &Self::Frame) -> bool;
     /// The inboard station of a body, with the body's inertia force in its balance.
     fn body_station(body: &Self::BodyMotion, gravity: Self::Vector) -> Self::Station;
     /// The inboard station of a joint.

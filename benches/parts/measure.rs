@@ -1,6 +1,7 @@
 //! Measuring: wall time as the median of many interleaved samples, instructions as a difference of two counts.
 
-use super::scenes::{Case, Row};
+use crate::clock::{median, progress};
+use crate::scenes::{Case, Row};
 use std::collections::HashMap;
 use std::path::Path;
 use std::process::Command;
@@ -45,12 +46,6 @@ pub fn wall(rows: &[Row]) -> Vec<f64> {
     entries.iter_mut().map(|entry| median(&mut entry.samples)).collect()
 }
 
-/// The middle one of values; not a number if there are none.
-pub fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
-}
-
 /// Wall times that another build of this program measures, by the name of the row.
 pub fn wall_of(program: &Path) -> Result<HashMap<String, f64>, String> {
     let output = Command::new(program).arg("wall").stderr(std::process::Stdio::inherit()).output();
@@ -86,9 +81,4 @@ fn count(program: &Path, row: &Row, times: usize) -> Result<u64, String> {
 /// Whether valgrind is there.
 pub fn has_valgrind() -> bool {
     Command::new("valgrind").arg("--version").output().is_ok_and(|output| output.status.success())
-}
-
-/// Says what long work is about, on one line that is written over.
-pub fn progress(what: &str) {
-    eprint!("\r\x1b[K{what}");
 }

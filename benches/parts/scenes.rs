@@ -1,7 +1,7 @@
 //! The scenes: chains of one kind of body and pins, built with the library and by hand.
 
-use super::by_hand;
-use super::system_sine::SystemSine;
+use crate::by_hand;
+use crate::system_sine::SystemSine;
 use catena::element::Unloaded;
 use catena::mirror::{Position, Rate};
 use catena::planar::*;

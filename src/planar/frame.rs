@@ -233,6 +233,12 @@ impl<T: Scalar> Space for Planar<T> {
     fn is_finite(vector: Vector2<T>) -> bool {
         vector.x.is_finite() && vector.y.is_finite()
     }
+    fn frame_is_finite(frame: &Frame<T>) -> bool {
+        let Frame { place, velocity, turn, acceleration } = frame;
+        let vectors = [place, velocity, &acceleration.linear];
+        let angles = [turn.angle, turn.rate, acceleration.angular];
+        vectors.iter().all(|vector| Self::is_finite(**vector)) && angles.iter().all(|x| x.is_finite())
+    }
     fn body_station(body: &BodyMotion<T>, gravity: Vector2<T>) -> Station<T> {
         Station::of_body(body, gravity)
     }

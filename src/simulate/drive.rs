@@ -49,17 +49,25 @@ where
         if !end.is_finite() || end < self.past.time {
             return Err(Error::new(Fault::NotFinite { parameter: "end of the run after its start" }));
         }
+        let (Control::Fixed(chosen) | Control::Tolerance(chosen)) = self.plan.rule.control;
+        let numbers = [("step size or tolerance", Some(chosen)), ("interval between samples", self.plan.every)];
+        for (parameter, number) in numbers {
+            if let Some(number) = number
+                && !(number.is_finite() && number > RealOf::<S>::zero())
+            {
+                return Err(Error::new(Fault::NotPositive { parameter, value: number.as_f64() }));
+            }
+        }
         let mut workspace = Dynamics::<L>::workspace(system);
-        system.accelerate(&mut self.past, self.plan.loads, &mut workspace)?;
+        // In a copy: a run that cannot start gives the start back as it was.
+        system.accelerate(&mut self.next, self.plan.loads, &mut workspace)?;
+        core::mem::swap(&mut self.past, &mut self.next);
         let start = self.past.time;
         let one = RealOf::<S>::one();
         let mut dt = match self.plan.rule.control {
             Control::Fixed(dt) => dt,
             Control::Tolerance(tolerance) => self.first_step(tolerance),
         };
-        if !dt.is_finite() || dt <= RealOf::<S>::zero() {
-            return Err(Error::new(Fault::NotPositive { parameter: "step size or tolerance", value: dt.as_f64() }));
-        }
         self.show(Shown::Past, false);
         let mut value = self.value(Shown::Past);
         let mut rejected = false;
@@ -183,7 +191,8 @@ where
             return;
         };
         // A sample that falls on the end of a step but for rounding is its end.
-        let slack = 1e-9 * (every / size).as_f64().min(1.0);
+        let rounding = RealOf::<S>::EPSILON * RealOf::<S>::of(4.0) * (self.past.time.abs() + size);
+        let slack = 1e-9 * (every / size).as_f64().min(1.0) + (rounding / size).as_f64();
         loop {
             let time = start + every * RealOf::<S>::of(self.samples as f64);
             let theta = ((time - self.past.time) / size).as_f64();

@@ -14,7 +14,7 @@ use num_traits::{One, Zero};
 pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
     scene: D,
     workspace: D::Workspace,
-    /// Accelerations of the rows, but for the first (of the past motion).
+    /// Accelerations of the rows: of the past motion, of the stages, of the next motion, of stages for the dense output.
     slopes: M::Rows<D::Rate>,
     stage: (D::Position, D::Rate),
     start: Option<MotionIn<D, L>>,
@@ -44,14 +44,10 @@ impl<M: Explicit> Method for M {
     }
 }
 
-/// The first `M` accelerations of a step: the past motion's, those of the rows, and the next motion's in their order.
+/// The first `M` accelerations of a step.
 #[inline(always)]
-fn terms<'a, X: Explicit, R, const M: usize>(past: &'a R, slopes: &'a [R], next: &'a R) -> [&'a R; M] {
-    core::array::from_fn(|j| match j {
-        0 => past,
-        _ if j == X::STAGES => next,
-        _ => &slopes[j],
-    })
+fn first<R, const M: usize>(slopes: &[R]) -> [&R; M] {
+    core::array::from_fn(|j| &slopes[j])
 }
 
 /// The past motion displaced by `M` accelerations with the weights of a row (position, rate).
@@ -88,7 +84,6 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         row: usize,
         past: &MotionIn<D, L>,
         slopes: &[D::Rate],
-        next: &D::Rate,
         dt: TimeIn<D, L>,
         position: &mut D::Position,
         rate: &mut D::Rate,
@@ -96,7 +91,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         let weights = (M::position(row), M::rate(row));
         macro_rules! call {
             ($M:literal) => {{
-                let terms = terms::<M, _, $M>(&past.acceleration, slopes, next);
+                let terms = first::<_, $M>(slopes);
                 displace(past, terms, M::node(row), weights, dt, position, rate)
             }};
         }
@@ -105,10 +100,10 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
 
     /// Evaluates a row that is not the step itself: its accelerations become slopes.
     #[inline]
-    fn evaluate(&mut self, row: usize, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &D::Rate) {
+    fn evaluate(&mut self, row: usize, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) {
         let (position, rate) = &mut self.stage;
         let slopes = self.slopes.as_mut();
-        Self::row(row, past, slopes, next, dt, position, rate);
+        Self::row(row, past, slopes, dt, position, rate);
         let time = past.time + TimeIn::<D, L>::of(M::node(row)) * dt;
         self.scene.accelerations(time, position, rate, loads, &mut self.workspace, &mut slopes[row]);
         self.sweeps += 1;
@@ -120,7 +115,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         for row in 0..=M::STAGES {
             let mut stage = past.clone();
             if row > 0 {
-                self.evaluate(row, past, loads, dt, &past.acceleration);
+                self.evaluate(row, past, loads, dt);
                 stage.time = past.time + TimeIn::<D, L>::of(M::node(row)) * dt;
                 stage.position.clone_from(&self.stage.0);
                 stage.rate.clone_from(&self.stage.1);
@@ -166,18 +161,23 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
+        if !(self.start.as_ref().is_none_or(|start| past.fits(start)) && past.fits(next)) {
+            return Err(Error::new(Fault::Shape));
+        }
         self.dense_ready = false;
+        self.slopes.as_mut()[0].clone_from(&past.acceleration);
         for row in 1..M::STAGES {
-            self.evaluate(row, past, loads, dt, &past.acceleration);
+            self.evaluate(row, past, loads, dt);
         }
         next.time = past.time + dt;
         let slopes = self.slopes.as_ref();
-        Self::row(M::STAGES, past, slopes, &past.acceleration, dt, &mut next.position, &mut next.rate);
+        Self::row(M::STAGES, past, slopes, dt, &mut next.position, &mut next.rate);
         // The gains of the last stage serve to project, so that the sweep that follows sees a closed scene.
         self.scene.project(next, &mut self.workspace);
         let Motion { time, position, rate, acceleration, multipliers } = next;
         *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
         self.sweeps += 1;
+        self.slopes.as_mut()[M::STAGES].clone_from(&next.acceleration);
         match self.scene.accept(next) {
             Ok(()) => Ok(()),
             Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => Err(self.diagnose(past, loads, dt)),
@@ -187,7 +187,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
 
     fn error(
         &mut self,
-        past: &MotionIn<D, L>,
+        _: &MotionIn<D, L>,
         dt: TimeIn<D, L>,
         next: &MotionIn<D, L>,
         tolerance: TimeIn<D, L>,
@@ -199,7 +199,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
             let zero = &self.zero;
             macro_rules! call {
                 ($M:literal) => {{
-                    let terms = terms::<M, _, $M>(&past.acceleration, slopes, &next.acceleration);
+                    let terms = first::<_, $M>(slopes);
                     let scaled =
                         |weights: &[f64], by| core::array::from_fn::<_, $M, _>(|j| TimeIn::<D, L>::of(weights[j]) * by);
                     position.combine(zero, &scaled(of_position, dt * dt), terms);
@@ -233,13 +233,13 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         past: &MotionIn<D, L>,
         loads: &L,
         dt: TimeIn<D, L>,
-        next: &MotionIn<D, L>,
+        _: &MotionIn<D, L>,
         theta: f64,
         between: &mut MotionIn<D, L>,
     ) {
         if !self.dense_ready {
             for row in M::STAGES + 1..M::ROWS {
-                self.evaluate(row, past, loads, dt, &next.acceleration);
+                self.evaluate(row, past, loads, dt);
             }
             self.dense_ready = true;
         }
@@ -256,7 +256,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         macro_rules! call {
             ($M:literal) => {{
                 let Motion { position, rate, .. } = between;
-                let terms = terms::<M, _, $M>(&past.acceleration, slopes, &next.acceleration);
+                let terms = first::<_, $M>(slopes);
                 displace(past, terms, theta, weights, dt, position, rate);
             }};
         }

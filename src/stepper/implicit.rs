@@ -23,8 +23,8 @@ pub struct ImplicitStepper<D: Dynamics<L>, L> {
     free: (D::Position, D::Rate),
     /// Where the geometry of a sweep is taken.
     at: (D::Position, D::Rate),
-    /// Acceleration of the sweep before.
-    previous: D::Rate,
+    /// Acceleration at the start of the last step.
+    first: D::Rate,
     start: Option<MotionIn<D, L>>,
     zero: D::Rate,
     sweeps: usize,
@@ -52,7 +52,7 @@ impl Method for GeneralizedAlpha {
             before: auxiliary(),
             free: place.clone(),
             at: place,
-            previous: zero.clone(),
+            first: zero.clone(),
             start: Some(still),
             zero,
             scene,
@@ -111,7 +111,11 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
                 return Err(Error::new(Fault::NotPositive { parameter, value }));
             }
         }
+        if !(self.start.as_ref().is_none_or(|start| past.fits(start)) && past.fits(next)) {
+            return Err(Error::new(Fault::Shape));
+        }
         self.recall(past);
+        self.first.clone_from(&past.acceleration);
         // A₁ = κ a₁ + (α_f a₀ − α_m A₀) / (1 − α_m).
         let kappa = (1.0 - alpha_f) / (1.0 - alpha_m);
         let (of_true, of_auxiliary) = (alpha_f / (1.0 - alpha_m), -alpha_m / (1.0 - alpha_m));
@@ -134,7 +138,6 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
                 let found = [&next.acceleration];
                 self.at.0.drift(&self.free.0, none, &self.zero, &[springs.position], found);
                 self.at.1.combine(&self.free.1, &[springs.rate], found);
-                self.previous.clone_from(&next.acceleration);
             }
             let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
             let acceleration = &mut next.acceleration;
@@ -189,7 +192,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         between.time = past.time + real(theta) * dt;
         let square = dt * dt;
         let weights = [real(t * t / 2.0 - t * t * t / 6.0) * square, real(t * t * t / 6.0) * square];
-        let terms = [&past.acceleration, &next.acceleration];
+        let terms = [&self.first, &next.acceleration];
         between.position.drift(&past.position, real(t) * dt, &past.rate, &weights, terms);
         let weights = [real(t - t * t / 2.0) * dt, real(t * t / 2.0) * dt];
         between.rate.combine(&past.rate, &weights, terms);

@@ -246,7 +246,13 @@ where
         if !finite {
             return error(Fault::NonFiniteMotion);
         }
+        if !S::is_finite(self.gravity) {
+            return error(Fault::NotFinite { parameter: "gravity" });
+        }
         let ground = self.root.ground(time);
+        if !S::frame_is_finite(&ground) {
+            return error(Fault::NotFinite { parameter: "motion of the ground" }).at(Place::Root);
+        }
         let coordinates =
             Coordinates { position: &motion.position, rate: &motion.rate, acceleration: &motion.acceleration };
         if let Some(entry) = broken_load(&self.chain, &ground, loads, time, coordinates) {

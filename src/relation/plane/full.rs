@@ -156,9 +156,9 @@ impl<T: Scalar> Full<T> {
 
 /// A relation that resists rotation: what a joint that turns must find on its outboard side.
 #[diagnostic::on_unimplemented(
-    message = "a `Pin` or a hinge has nothing to turn: what lies outboard of it is `{Self}`",
-    label = "a joint that turns needs a body on its outboard side",
-    note = "end a chain with a body, and put a body between two joints that turn"
+    message = "a `Pin`, a hinge or a `Free` root needs a body on its outboard side, but meets `{Self}`",
+    label = "no body outboard of a joint that turns",
+    note = "end a chain with a body, put a body between two pins, and start a chain with a body: the root `Pinned` is a pin"
 )]
 pub trait Rigid<T: Scalar>: Copy {
     /// Closure forces it carries.

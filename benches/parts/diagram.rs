@@ -1,0 +1,71 @@
+//! The diagram of work against precision.
+
+use super::{Point, Scene, Series};
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use std::error::Error;
+use std::path::Path;
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// Time and sweeps against error, one row a scene.
+pub fn draw(path: &Path, scenes: &[Scene]) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::new(path, (1200, 520 * scenes.len() as u32)).into_drawing_area();
+    root.fill(&WHITE)?;
+    let panels = root.split_evenly((scenes.len(), 2));
+    for (scene, panels) in scenes.iter().zip(panels.chunks(2)) {
+        panel(&panels[0], scene, "time, ms", |point| point.seconds * 1e3, false)?;
+        panel(&panels[1], scene, "sweeps", |point| point.sweeps as f64, true)?;
+    }
+    root.present()?;
+    Ok(())
+}
+
+/// One colour a rule; single precision is pale.
+fn colour(series: &Series) -> RGBAColor {
+    let colour = match (series.rule, series.control) {
+        ("Rk4", _) => RGBColor(0, 0, 0),
+        ("Dopri5", "fixed") => RGBColor(86, 180, 233),
+        ("Dopri5", _) => RGBColor(0, 114, 178),
+        (_, "fixed") => RGBColor(230, 159, 0),
+        _ => RGBColor(213, 94, 0),
+    };
+    colour.mix(if series.scalar == "f32" { 0.35 } else { 1.0 })
+}
+
+fn panel(
+    area: &Area<'_>,
+    scene: &Scene,
+    work: &str,
+    value: impl Fn(&Point) -> f64,
+    legend: bool,
+) -> Result<(), Box<dyn Error>> {
+    let shown = |point: &&Point| point.error.is_finite() && point.error < 1.0;
+    let all = || scene.series.iter().flat_map(|series| &series.points).filter(shown).map(&value);
+    let (low, high) = all().fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+    let caption = format!("{} rods, {} s: {work} against error", scene.bodies, scene.end);
+    let mut chart = ChartBuilder::on(area)
+        .caption(caption, ("sans-serif", 18))
+        .margin(12)
+        .x_label_area_size(40)
+        .y_label_area_size(70)
+        .build_cartesian_2d((1e-13..1.0).log_scale(), (0.8 * low..1.25 * high).log_scale())?;
+    let power = |x: &f64| format!("{x:.0e}");
+    let mut mesh = chart.configure_mesh();
+    mesh.x_desc("error, rad").y_desc(work).x_label_formatter(&power).y_label_formatter(&power).draw()?;
+    for series in &scene.series {
+        let colour = colour(series);
+        let points: Vec<(f64, f64)> =
+            series.points.iter().filter(shown).map(|point| (point.error.max(1e-13), value(point))).collect();
+        chart
+            .draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?
+            .label(series.name())
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2)));
+        chart.draw_series(points.into_iter().map(|point| Circle::new(point, 2, colour.filled())))?;
+    }
+    if legend {
+        let mut labels = chart.configure_series_labels();
+        labels.background_style(WHITE.mix(0.8)).border_style(BLACK.mix(0.3)).label_font(("sans-serif", 12)).draw()?;
+    }
+    Ok(())
+}
