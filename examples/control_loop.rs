@@ -82,7 +82,7 @@ fn control(model: &Arm, motion: &ArmMotion) -> Option<[f64; 2]> {
 
     let (first, ((), second, ())) = *motion.position();
     let (first_rate, ((), second_rate, ())) = *motion.rate();
-    let mut plan = motion.clone();
+    let mut plan = *motion;
     *plan.acceleration_mut() = (follow(wanted[0], first, first_rate), ((), follow(wanted[1], second, second_rate), ()));
 
     // A torque in a joint acts on its outboard body, and is −m at the joint's station.
@@ -95,7 +95,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // All the room there is: two motions to alternate between, a stepper with its workspace, and the log.
     let mut past = real.at_rest(&reach([0.95, 0.15]))?;
-    let mut next = past.clone();
+    let mut next = past;
     let mut stepper = real.stepper(Rk4);
     let mut log = vec![Sample::default(); CYCLES];
 

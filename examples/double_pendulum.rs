@@ -43,8 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // is to keep everything: all that can be measured is read from it later.
     let rule = Dop853::tolerance(1e-13);
     let mut motions = Vec::new();
-    let run =
-        pendulum.simulation(rule).every(0.01).run(start.clone(), 10.0, |now| motions.push(now.motion().clone()))?;
+    let run = pendulum.simulation(rule).every(0.01).run(start, 10.0, |now| motions.push(*now.motion()))?;
 
     let mut readings = Vec::new();
     for motion in &motions {
@@ -78,7 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
 
     // The reference is for t = 2 s, so this run ends there: the last step always lands on the end.
-    let motion = pendulum.simulate(start.clone(), rule, 2.0, |_| ())?.motion;
+    let motion = pendulum.simulate(start, rule, 2.0, |_| ())?.motion;
     let (first, ((), second, ())) = *motion.position();
     let force = pendulum.stations(&motion, &Unloaded).root().internal.force;
     println!("\nAt t = 2 s              found                reference     error");

@@ -150,7 +150,7 @@ fn wrong_numbers_of_angles_and_rates_are_counted() -> Result<(), Error> {
     for given in [0, 1, 3, 100] {
         let refused = Some(Error::new(Fault::Count { expected: 2, given }));
         assert_eq!(system.at_rest(&vec![0.1; given]).err(), refused);
-        assert_eq!(system.with_rates(start.clone(), &vec![0.1; given]).err(), refused);
+        assert_eq!(system.with_rates(start, &vec![0.1; given]).err(), refused);
     }
     // A floating chain has two rates more than angles.
     let system = System::new(Free, (rod(), vec![(Pin, rod()); 2]), Free)?;
@@ -167,7 +167,7 @@ fn angles_and_rates_that_are_no_numbers_are_refused() -> Result<(), Error> {
         let orientation = Error::new(Fault::NotFinite { parameter: "orientation" });
         assert_eq!(system.at_rest(&[0.0, bad]).err(), Some(orientation));
         let rate = Error::new(Fault::NotFinite { parameter: "rate" });
-        assert_eq!(system.with_rates(start.clone(), &[bad, 0.0]).err(), Some(rate));
+        assert_eq!(system.with_rates(start, &[bad, 0.0]).err(), Some(rate));
     }
     Ok(())
 }
@@ -240,7 +240,7 @@ fn a_joint_that_nothing_resists_is_named() -> Result<(), Error> {
     // Without inertia at the tip, about the pin before it: element 1.
     let system = System::new(Pinned::origin(), (rod(), Pin, massless), Free)?.with_gravity(9.81);
     let start = system.at_rest(&[0.1, 0.2])?.at_time(0.25);
-    assert_eq!(system.with_accelerations(start.clone(), &Unloaded).err(), Some(singular(Place::Station(1))));
+    assert_eq!(system.with_accelerations(start, &Unloaded).err(), Some(singular(Place::Station(1))));
     for error in fails!(system, start, Unloaded) {
         assert_eq!(error.fault, Fault::SingularJoint);
         assert_eq!(error.place, Some(Place::Station(1)));
@@ -306,7 +306,7 @@ fn a_load_that_is_no_number_is_named_with_its_station_and_its_time() -> Result<(
 fn a_run_that_fails_at_its_start_gives_the_start_back() -> Result<(), Error> {
     let (system, start) = pendulum()?;
     let loads = Loads::none().in_joints(|_, joint, _: &JointMotion<f64>| if joint == 1 { NAN } else { 0.0 });
-    let run = system.simulation(Dop853::tolerance(1e-9)).loads(&loads).run(start.clone(), 1.0, |_| ());
+    let run = system.simulation(Dop853::tolerance(1e-9)).loads(&loads).run(start, 1.0, |_| ());
     let Interrupted { error, last } = run.unwrap_err();
     assert_eq!(error, Error::new(Fault::NonFiniteLoad).at_station(1).at_time(0.25));
     assert_eq!(bits(&last), bits(&start));
@@ -318,10 +318,7 @@ fn a_run_that_fails_gives_the_error_and_the_last_motion_it_accepted() -> Result<
     let (system, start) = pendulum()?;
     let loads = Loads::none().in_joints(|time: f64, _, _: &JointMotion<f64>| if time > 0.6 { NAN } else { 0.1 });
     let mut shown = vec![];
-    let run = system
-        .simulation(Rk4::step(0.0625))
-        .loads(&loads)
-        .run(start.clone(), 2.0, |now| shown.push(bits(now.motion())));
+    let run = system.simulation(Rk4::step(0.0625)).loads(&loads).run(start, 2.0, |now| shown.push(bits(now.motion())));
     let Interrupted { error, last } = run.unwrap_err();
     // Steps end at 0.3125, 0.375, .. 0.5625; the next one has a stage in its middle, at 0.59375, and one at its end.
     assert_eq!(error, Error::new(Fault::NonFiniteLoad).at_station(1).at_time(0.625));
@@ -408,12 +405,12 @@ fn a_start_that_is_no_number_is_refused() -> Result<(), Error> {
     let (system, start) = pendulum()?;
     let refused = Error::new(Fault::NonFiniteMotion).at_time(0.25);
     for bad in [NAN, INFINITY] {
-        let mut position = start.clone();
+        let mut position = start;
         position.position_mut().1.1 = bad;
-        let mut rate = start.clone();
+        let mut rate = start;
         rate.rate_mut().0 = bad;
         for motion in [position, rate] {
-            assert_eq!(system.with_accelerations(motion.clone(), &Unloaded).err(), Some(refused));
+            assert_eq!(system.with_accelerations(motion, &Unloaded).err(), Some(refused));
             for error in fails!(system, motion, Unloaded) {
                 assert_eq!(error, refused);
             }
@@ -451,7 +448,7 @@ fn refused<M: Method>(rule: Rule<M, f64>, every: Option<f64>, end: f64) -> Resul
     let mut calls = 0;
     let simulation = system.simulation(rule);
     let simulation = if let Some(every) = every { simulation.every(every) } else { simulation };
-    let run = simulation.run(start.clone(), end, |_| {
+    let run = simulation.run(start, end, |_| {
         calls += 1;
         assert!(calls < 1000, "the run does not end");
     });

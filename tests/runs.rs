@@ -48,7 +48,7 @@ fn exact(time: f64) -> Result<Start, Error> {
 /// The error of the dense output inside of one step from the start.
 fn dense_error<M: Method>(method: M, step: f64) -> Result<f64, Error> {
     let (system, start) = pendulum()?;
-    let (mut next, mut between) = (start.clone(), start.clone());
+    let (mut next, mut between) = (start, start);
     let mut stepper = system.stepper(method);
     stepper.advance(&start, &Unloaded, step, &mut next)?;
     let mut worst = 0.0_f64;
@@ -110,7 +110,7 @@ fn shown<T: Real, M: Method>(rule: Rule<M, T>, start: f64, every: f64, end: f64)
     let run = system.simulation(rule).every(T::of(every)).run(start, T::of(end), |now| {
         assert!(!now.is_event());
         // Forces belong to the motion shown.
-        let motion = system.with_accelerations(now.motion().clone(), &Unloaded).unwrap();
+        let motion = system.with_accelerations(*now.motion(), &Unloaded).unwrap();
         assert!(motion == *now.motion());
         times.push(now.time());
     })?;
@@ -215,7 +215,7 @@ fn runs_stop_at_events() -> Result<(), Error> {
     near(run.motion.time(), PERIOD / 4.0, 1e-12);
     // All of the potential energy, 9.81 J, has become kinetic; the accelerations belong to the motion.
     near(system.budget(&run.motion).kinetic, 9.81, 1e-11);
-    assert!(system.with_accelerations(run.motion.clone(), &Unloaded)? == run.motion);
+    assert!(system.with_accelerations(run.motion, &Unloaded)? == run.motion);
     Ok(())
 }
 
@@ -252,7 +252,7 @@ fn fixed_steps_end_on_time() -> Result<(), Error> {
     let (system, start) = pendulum()?;
     for (step, end, count) in [(0.1, 1.0, 10), (0.01, 3.0, 300), (0.3, 1.0, 4), (5.0, 1.0, 1), (0.1, 0.0, 0)] {
         let mut times = vec![];
-        let run = system.simulate(start.clone(), Rk4::step(step), end, |now| times.push(now.time()))?;
+        let run = system.simulate(start, Rk4::step(step), end, |now| times.push(now.time()))?;
         assert_eq!((run.motion.time(), run.steps, run.rejected), (end, count, 0));
         assert_eq!((times.len(), times[0], times[count]), (count + 1, 0.0, end));
         for (k, time) in times[..count].iter().enumerate() {
@@ -281,9 +281,9 @@ fn many_fixed_steps_are_not_one_too_many() -> Result<(), Error> {
 #[test]
 fn every_rule_makes_the_sweeps_it_says() -> Result<(), Error> {
     let (system, start) = pendulum()?;
-    let run = system.simulate(start.clone(), Rk4::step(0.01), 1.0, |_| ())?;
+    let run = system.simulate(start, Rk4::step(0.01), 1.0, |_| ())?;
     assert_eq!((run.steps, run.sweeps), (100, 400));
-    let run = system.simulate(start.clone(), Dopri5::tolerance(1e-9), 1.0, |_| ())?;
+    let run = system.simulate(start, Dopri5::tolerance(1e-9), 1.0, |_| ())?;
     assert_eq!(run.sweeps, 6 * (run.steps + run.rejected));
     let run = system.simulate(start, Dop853::tolerance(1e-12), 1.0, |_| ())?;
     assert_eq!(run.sweeps, 12 * (run.steps + run.rejected));
@@ -301,7 +301,7 @@ const HOLD: f64 = 0.1;
 /// those that the last step left.
 fn controlled<M: Method>(method: M, steps: usize, anew: bool) -> Result<Start, Error> {
     let (system, mut past) = pendulum()?;
-    let mut next = past.clone();
+    let mut next = past;
     let hold = |torques: [f64; 2]| Loads::none().in_joints(move |_, joint, _: &JointMotion<f64>| torques[joint]);
     let mut stepper = system.stepper(method);
     let dt = HOLD / steps as f64;
@@ -339,8 +339,8 @@ fn a_step_keeps_its_order_where_torques_jump() -> Result<(), Error> {
 fn dense_output_and_error_of_such_a_step_are_those_of_its_torques() -> Result<(), Error> {
     let (system, stale) = pendulum()?;
     let loads = Loads::none().in_joints(|_, joint, _: &JointMotion<f64>| [30.0, -20.0][joint]);
-    let fresh = system.with_accelerations(stale.clone(), &loads)?;
-    let (mut next, mut by_stale, mut by_fresh) = (stale.clone(), stale.clone(), stale.clone());
+    let fresh = system.with_accelerations(stale, &loads)?;
+    let (mut next, mut by_stale, mut by_fresh) = (stale, stale, stale);
     let dt = 0.01;
     let mut stepper = system.stepper(Dopri5);
     stepper.step(&fresh, &loads, dt, &mut next)?;
