@@ -329,6 +329,8 @@ fn a_step_keeps_its_order_where_torques_jump() -> Result<(), Error> {
     has_order("RK4", 4.0, 1e-14, &errors(&|n| controlled(Rk4, n, true), [10, 20, 40, 80])?);
     has_order("DOPRI5", 5.0, 1e-14, &errors(&|n| controlled(Dopri5, n, true), [16, 24, 32, 48])?);
     has_order("DOP853", 8.0, 1e-14, &errors(&|n| controlled(Dop853, n, true), [2, 3, 4, 5])?);
+    let implicit = errors(&|n| controlled(GeneralizedAlpha::new(0.8), n, true), [20, 40, 80, 160])?;
+    has_order("generalised-α", 2.0, 1e-14, &implicit);
     // Accelerations of the torques before the jump spoil it: what is left is the first order of a single wrong stage.
     let stale = errors(&|n| controlled(Rk4, n, false), [5, 10, 20, 40])?;
     has_order("RK4 with stale accelerations", 1.0, 1e-14, &stale);
@@ -337,23 +339,62 @@ fn a_step_keeps_its_order_where_torques_jump() -> Result<(), Error> {
 
 #[test]
 fn dense_output_and_error_of_such_a_step_are_those_of_its_torques() -> Result<(), Error> {
-    let (system, stale) = pendulum()?;
-    let loads = Loads::none().in_joints(|_, joint, _: &JointMotion<f64>| [30.0, -20.0][joint]);
-    let fresh = system.with_accelerations(stale, &loads)?;
-    let (mut next, mut by_stale, mut by_fresh) = (stale, stale, stale);
-    let dt = 0.01;
-    let mut stepper = system.stepper(Dopri5);
-    stepper.step(&fresh, &loads, dt, &mut next)?;
-    stepper.interpolate(&fresh, &loads, dt, &next, 0.5, &mut by_fresh);
-    let error_by_fresh = stepper.error(&fresh, dt, &next, 1e-9);
-    stepper.step(&stale, &loads, dt, &mut next)?;
-    stepper.interpolate(&stale, &loads, dt, &next, 0.5, &mut by_stale);
-    let error_by_stale = stepper.error(&stale, dt, &next, 1e-9);
-    println!("dense {:.1e}, errors {error_by_fresh:?} {error_by_stale:?}", distance(&by_stale, &by_fresh));
-    // The same step, bit by bit, whatever accelerations the past motion holds: the step finds its own.
-    assert_eq!(numbers(&by_stale), numbers(&by_fresh));
-    assert_eq!(error_by_stale, error_by_fresh);
-    Ok(())
+    fn same<M: Method + Copy>(method: M) -> Result<(), Error> {
+        let (system, stale) = pendulum()?;
+        let loads = Loads::none().in_joints(|_, joint, _: &JointMotion<f64>| [30.0, -20.0][joint]);
+        let fresh = system.with_accelerations(stale.clone(), &loads)?;
+        let (mut next, dt) = (stale.clone(), 0.01);
+        let readings = [&fresh, &stale].map(|past| {
+            let mut stepper = system.stepper(method);
+            let mut between = past.clone();
+            stepper.step(past, &loads, dt, &mut next).unwrap();
+            stepper.interpolate(past, &loads, dt, &next, 0.5, &mut between);
+            (numbers(&next), numbers(&between), stepper.error(past, dt, &next, 1e-9))
+        });
+        println!("{:?}", readings[0].2);
+        // The same step, bit by bit, whatever accelerations the past motion holds: the step finds its own.
+        assert_eq!(readings[0], readings[1]);
+        Ok(())
+    }
+    same(Rk4)?;
+    same(Dopri5)?;
+    same(Dop853)?;
+    same(GeneralizedAlpha::new(0.8))
+}
+
+/// A stepper may serve several motions of its scene in turn, also at the same times: an explicit rule makes the same steps
+/// bit by bit, and one that remembers something of its last step makes steps as good as with a stepper for each.
+#[test]
+fn a_stepper_serves_several_motions_in_turn() -> Result<(), Error> {
+    fn serves<M: Method + Copy>(method: M, remembers: bool) -> Result<(), Error> {
+        let (system, one) = pendulum()?;
+        let other = system.with_rates(system.at_rest(&[0.9, -2.0])?, &[-2.0, 3.0])?;
+        let mut together = [one.clone(), other.clone()];
+        let mut next = one.clone();
+        let mut stepper = system.stepper(method);
+        for _ in 0..20 {
+            for past in &mut together {
+                stepper.step(past, &Unloaded, 0.01, &mut next)?;
+                core::mem::swap(past, &mut next);
+            }
+        }
+        for (together, start) in together.iter().zip([one, other]) {
+            let exact = system.simulate(start.clone(), Dop853::step(0.01), together.time(), |_| ())?.motion;
+            let (mut alone, mut stepper) = (start, system.stepper(method));
+            for _ in 0..20 {
+                stepper.step(&alone, &Unloaded, 0.01, &mut next)?;
+                core::mem::swap(&mut alone, &mut next);
+            }
+            println!("errors {:.1e} alone, {:.1e} in turn", distance(&alone, &exact), distance(together, &exact));
+            assert!(remembers || numbers(together) == numbers(&alone));
+            assert!(distance(together, &exact) <= 3.0 * distance(&alone, &exact));
+        }
+        Ok(())
+    }
+    serves(Rk4, false)?;
+    serves(Dopri5, false)?;
+    serves(Dop853, false)?;
+    serves(GeneralizedAlpha::new(0.8), true)
 }
 
 /// Energy, momentum and angular momentum against the oracle's, of random moving chains.

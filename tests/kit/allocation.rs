@@ -7,7 +7,7 @@ use catena::element::{Element, Loading, Unloaded};
 use catena::ends::Root;
 use catena::planar::*;
 use catena::stepper::{Method, Stepper};
-use catena::system::{Dynamics, Elements, Runs};
+use catena::system::{Dynamics, Runs};
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
@@ -108,6 +108,8 @@ macro_rules! no_scene_allocates {
         assert_eq!(in_steps(root, (rod, [(Pin, plate); 5]), &loads, $method)?, [0; 3], "array under loads");
         assert_eq!(in_steps(root, (rod, vec![(Pin, plate); 5]), &Unloaded, $method)?, [0; 3], "vector");
         assert_eq!(in_steps(root, (rod, vec![(Pin, plate); 5]), &loads, $method)?, [0; 3], "vector under loads");
+        let hinge = ElasticHinge::rotary(20.0);
+        assert_eq!(in_steps(root, (rod, vec![(hinge, plate); 5]), &loads, $method)?, [0; 3], "hinges under loads");
         assert_eq!(in_steps(Free, (rod, vec![(Pin, plate); 5]), &Unloaded, $method)?, [0; 3], "floating vector");
     }};
 }
@@ -117,6 +119,7 @@ fn steps_of_every_rule_allocate_nothing() -> Result<(), Error> {
     no_scene_allocates!(Rk4);
     no_scene_allocates!(Dopri5);
     no_scene_allocates!(Dop853);
+    no_scene_allocates!(GeneralizedAlpha::new(0.8));
     Ok(())
 }
 
