@@ -13,6 +13,9 @@ pub trait Rate<T: Scalar>: Clone {
     /// `self = base + Σ weights[j] · terms[j]`.
     fn combine<const M: usize>(&mut self, base: &Self, weights: &[T::Real; M], terms: [&Self; M]);
 
+    /// `self = self + Σ weights[j] · terms[j]`.
+    fn accumulate<const M: usize>(&mut self, weights: &[T::Real; M], terms: [&Self; M]);
+
     /// `self = self + step`.
     fn add(&mut self, step: &Self);
 
@@ -67,6 +70,11 @@ impl<T: Scalar> Rate<T> for T {
             sum = sum.add_scaled(*weight, *term);
         }
         *self = sum;
+    }
+    #[inline(always)]
+    fn accumulate<const M: usize>(&mut self, weights: &[T::Real; M], terms: [&Self; M]) {
+        let base = *self;
+        self.combine(&base, weights, terms);
     }
     #[inline(always)]
     fn add(&mut self, step: &Self) {
@@ -142,6 +150,21 @@ mod items {
     }
 
     #[inline(always)]
+    pub fn accumulate<T: Scalar, A: Rate<T>, const M: usize>(
+        items: &mut [A],
+        weights: &[T::Real; M],
+        terms: [&[A]; M],
+    ) {
+        let n = items.len();
+        if terms.iter().any(|term| term.len() != n) {
+            return;
+        }
+        for i in 0..n {
+            items[i].accumulate(weights, nth(&terms, i));
+        }
+    }
+
+    #[inline(always)]
     pub fn drift<T: Scalar, A: Position<T>, const M: usize>(
         items: &mut [A],
         from: &[A],
@@ -167,6 +190,10 @@ macro_rules! mirror_items {
             #[inline]
             fn combine<const M: usize>(&mut self, base: &Self, weights: &[T::Real; M], terms: [&Self; M]) {
                 items::combine(self, base, weights, terms.map(|term| &term[..]));
+            }
+            #[inline]
+            fn accumulate<const M: usize>(&mut self, weights: &[T::Real; M], terms: [&Self; M]) {
+                items::accumulate(self, weights, terms.map(|term| &term[..]));
             }
             #[inline]
             fn add(&mut self, step: &Self) {
@@ -235,6 +262,10 @@ macro_rules! mirror_tuple {
             #[inline(always)]
             fn combine<const M: usize>(&mut self, _base: &Self, _weights: &[T::Real; M], _terms: [&Self; M]) {
                 $(self.$i.combine(&_base.$i, _weights, _terms.map(|term| &term.$i));)*
+            }
+            #[inline(always)]
+            fn accumulate<const M: usize>(&mut self, _weights: &[T::Real; M], _terms: [&Self; M]) {
+                $(self.$i.accumulate(_weights, _terms.map(|term| &term.$i));)*
             }
             #[inline(always)]
             fn add(&mut self, _step: &Self) {

@@ -19,6 +19,7 @@ pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
     stage: (D::Position, D::Rate),
     start: Option<MotionIn<D, L>>,
     zero: D::Rate,
+    /// Room for increments of positions, and for estimates of errors.
     estimate: (D::Rate, D::Rate),
     dense_ready: bool,
     sweeps: usize,
@@ -44,66 +45,58 @@ impl<M: Explicit> Method for M {
     }
 }
 
-/// The first `M` accelerations of a step.
-#[inline(always)]
-fn first<R, const M: usize>(slopes: &[R]) -> [&R; M] {
-    core::array::from_fn(|j| &slopes[j])
+/// `sum = base + scale · Σ weights[j] · slopes[j]`, four terms at a time: one function of moderate size for all rows, however
+/// many coordinates a tuple unrolls.
+#[inline(never)]
+fn gather<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Real, weights: &[f64], slopes: &[R]) {
+    let mut started = false;
+    for (weights, slopes) in weights.chunks(4).zip(slopes.chunks(4)) {
+        let weight = |j: usize| T::Real::of(weights[j]) * scale;
+        macro_rules! terms {
+            ($M:literal) => {{
+                let (weights, terms) = (core::array::from_fn(weight), core::array::from_fn(|j| &slopes[j]));
+                if started { sum.accumulate::<$M>(&weights, terms) } else { sum.combine::<$M>(base, &weights, terms) }
+            }};
+        }
+        match weights.len().min(slopes.len()) {
+            4 => terms!(4),
+            3 => terms!(3),
+            2 => terms!(2),
+            1 => terms!(1),
+            _ => (),
+        }
+        started = true;
+    }
 }
 
-/// The past motion displaced by `M` accelerations with the weights of a row (position, rate).
-#[inline(always)]
-fn displace<T: Scalar, P: Position<T>, C: Closures, const M: usize>(
+/// The past motion displaced by accelerations with these weights (in position, in rate): at a share `node` of the step.
+fn displace<T: Scalar, P: Position<T>, C: Closures>(
     past: &Motion<T, P, C>,
-    terms: [&P::Rate; M],
+    slopes: &[P::Rate],
     node: f64,
     weights: (&[f64], &[f64]),
     dt: T::Real,
-    position: &mut P,
-    rate: &mut P::Rate,
+    (zero, increment): (&P::Rate, &mut P::Rate),
+    (position, rate): (&mut P, &mut P::Rate),
 ) {
-    let of_position = core::array::from_fn(|j| T::Real::of(weights.0[j]) * (dt * dt));
-    let of_rate = core::array::from_fn(|j| T::Real::of(weights.1[j]) * dt);
-    position.drift(&past.position, T::Real::of(node) * dt, &past.rate, &of_position, terms);
-    rate.combine(&past.rate, &of_rate, terms);
+    gather(increment, zero, dt * dt, weights.0, slopes);
+    position.drift(&past.position, T::Real::of(node) * dt, &past.rate, &[T::Real::one()], [increment]);
+    gather(rate, &past.rate, dt, weights.1, slopes);
 }
 
-/// Calls a function that is generic over the number of terms, so that its loops unroll.
-macro_rules! unrolled {
-    ($count:expr, $call:ident!($($M:literal)*)) => {
-        match $count {
-            $($M => $call!($M),)*
-            _ => (),
-        }
-    };
+/// Weights of a row in position and rate: of the accelerations before it.
+fn row_weights<M: Explicit>(row: usize) -> (&'static [f64], &'static [f64]) {
+    (&M::position(row)[..row], &M::rate(row)[..row])
 }
 
 impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
-    /// The state of a row (a stage, the step, a dense stage), from the accelerations of those before.
-    #[inline]
-    fn row(
-        row: usize,
-        past: &MotionIn<D, L>,
-        slopes: &[D::Rate],
-        dt: TimeIn<D, L>,
-        position: &mut D::Position,
-        rate: &mut D::Rate,
-    ) {
-        let weights = (M::position(row), M::rate(row));
-        macro_rules! call {
-            ($M:literal) => {{
-                let terms = first::<_, $M>(slopes);
-                displace(past, terms, M::node(row), weights, dt, position, rate)
-            }};
-        }
-        unrolled!(row, call!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15));
-    }
-
     /// Evaluates a row that is not the step itself: its accelerations become slopes.
     #[inline]
     fn evaluate(&mut self, row: usize, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) {
         let (position, rate) = &mut self.stage;
         let slopes = self.slopes.as_mut();
-        Self::row(row, past, slopes, dt, position, rate);
+        let (weights, room) = (row_weights::<M>(row), (&self.zero, &mut self.estimate.0));
+        displace(past, slopes, M::node(row), weights, dt, room, (position, rate));
         let time = past.time + TimeIn::<D, L>::of(M::node(row)) * dt;
         self.scene.accelerations(time, position, rate, loads, &mut self.workspace, &mut slopes[row]);
         self.sweeps += 1;
@@ -171,7 +164,8 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         }
         next.time = past.time + dt;
         let slopes = self.slopes.as_ref();
-        Self::row(M::STAGES, past, slopes, dt, &mut next.position, &mut next.rate);
+        let (weights, room) = (row_weights::<M>(M::STAGES), (&self.zero, &mut self.estimate.0));
+        displace(past, slopes, M::node(M::STAGES), weights, dt, room, (&mut next.position, &mut next.rate));
         // The gains of the last stage serve to project, so that the sweep that follows sees a closed scene.
         self.scene.project(next, &mut self.workspace);
         let Motion { time, position, rate, acceleration, multipliers } = next;
@@ -197,16 +191,8 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         for ((of_position, of_rate), square) in M::errors().iter().zip(&mut squares) {
             let (position, rate) = &mut self.estimate;
             let zero = &self.zero;
-            macro_rules! call {
-                ($M:literal) => {{
-                    let terms = first::<_, $M>(slopes);
-                    let scaled =
-                        |weights: &[f64], by| core::array::from_fn::<_, $M, _>(|j| TimeIn::<D, L>::of(weights[j]) * by);
-                    position.combine(zero, &scaled(of_position, dt * dt), terms);
-                    rate.combine(zero, &scaled(of_rate, dt), terms);
-                }};
-            }
-            unrolled!(M::STAGES + 1, call!(7 13));
+            gather(position, zero, dt * dt, &of_position[..=M::STAGES], slopes);
+            gather(rate, zero, dt, &of_rate[..=M::STAGES], slopes);
             let (mut sum, mut count) = (TimeIn::<D, L>::zero(), 0usize);
             let mut note = |error: D::Scalar, size: TimeIn<D, L>| {
                 let share = error.real() / (tolerance * (TimeIn::<D, L>::one() + size));
@@ -251,16 +237,10 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
                 *sum += weight * a;
             }
         }
-        let slopes = self.slopes.as_ref();
-        let weights = (&of_position[..], &of_rate[..]);
-        macro_rules! call {
-            ($M:literal) => {{
-                let Motion { position, rate, .. } = between;
-                let terms = first::<_, $M>(slopes);
-                displace(past, terms, theta, weights, dt, position, rate);
-            }};
-        }
-        unrolled!(M::ROWS, call!(5 7 16));
+        let weights = (&of_position[..M::ROWS], &of_rate[..M::ROWS]);
+        let room = (&self.zero, &mut self.estimate.0);
+        let Motion { position, rate, .. } = between;
+        displace(past, self.slopes.as_ref(), theta, weights, dt, room, (position, rate));
         between.time = past.time + TimeIn::<D, L>::of(theta) * dt;
         let Motion { time, position, rate, acceleration, multipliers } = between;
         *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);

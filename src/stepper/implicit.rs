@@ -83,8 +83,11 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        let Some(mut start) = self.start.take().filter(|start| past.fits(start) && past.fits(next)) else {
+        if !(self.start.as_ref().is_some_and(|start| past.fits(start)) && past.fits(next)) {
             return Err(Error::new(Fault::Shape));
+        }
+        let Some(mut start) = self.start.take() else {
+            return Err(Error::new(Fault::Shape)); // never: it is put back below
         };
         start.time = past.time;
         start.position.clone_from(&past.position);
@@ -156,7 +159,12 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         match self.scene.accept(next) {
             Ok(()) => Ok(()),
             Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => {
-                Err(self.scene.diagnose(past, loads, &mut self.workspace))
+                // The sweeps took place at the end of the step, somewhere near the start.
+                let mut end = past.clone();
+                if past.is_finite() {
+                    end.time = next.time;
+                }
+                Err(self.scene.diagnose(&end, loads, &mut self.workspace))
             }
             Err(error) => Err(error),
         }
