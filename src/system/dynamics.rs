@@ -168,7 +168,7 @@ where
         self.motion()
     }
 
-    #[inline]
+    #[inline(never)] // one copy, however many stages and rules call it: a scene of sixty bodies is a large function
     fn accelerations(
         &self,
         time: RealOf<S>,
@@ -190,7 +190,7 @@ where
         Workspace::new(&self.chain)
     }
 
-    #[inline]
+    #[inline(never)]
     fn implicit_accelerations(
         &self,
         time: RealOf<S>,
