@@ -342,11 +342,11 @@ fn dense_output_and_error_of_such_a_step_are_those_of_its_torques() -> Result<()
     fn same<M: Method + Copy>(method: M) -> Result<(), Error> {
         let (system, stale) = pendulum()?;
         let loads = Loads::none().in_joints(|_, joint, _: &JointMotion<f64>| [30.0, -20.0][joint]);
-        let fresh = system.with_accelerations(stale.clone(), &loads)?;
-        let (mut next, dt) = (stale.clone(), 0.01);
+        let fresh = system.with_accelerations(stale, &loads)?;
+        let (mut next, dt) = (stale, 0.01);
         let readings = [&fresh, &stale].map(|past| {
             let mut stepper = system.stepper(method);
-            let mut between = past.clone();
+            let mut between = *past;
             stepper.step(past, &loads, dt, &mut next).unwrap();
             stepper.interpolate(past, &loads, dt, &next, 0.5, &mut between);
             (numbers(&next), numbers(&between), stepper.error(past, dt, &next, 1e-9))
@@ -369,8 +369,8 @@ fn a_stepper_serves_several_motions_in_turn() -> Result<(), Error> {
     fn serves<M: Method + Copy>(method: M, remembers: bool) -> Result<(), Error> {
         let (system, one) = pendulum()?;
         let other = system.with_rates(system.at_rest(&[0.9, -2.0])?, &[-2.0, 3.0])?;
-        let mut together = [one.clone(), other.clone()];
-        let mut next = one.clone();
+        let mut together = [one, other];
+        let mut next = one;
         let mut stepper = system.stepper(method);
         for _ in 0..20 {
             for past in &mut together {
@@ -379,7 +379,7 @@ fn a_stepper_serves_several_motions_in_turn() -> Result<(), Error> {
             }
         }
         for (together, start) in together.iter().zip([one, other]) {
-            let exact = system.simulate(start.clone(), Dop853::step(0.01), together.time(), |_| ())?.motion;
+            let exact = system.simulate(start, Dop853::step(0.01), together.time(), |_| ())?.motion;
             let (mut alone, mut stepper) = (start, system.stepper(method));
             for _ in 0..20 {
                 stepper.step(&alone, &Unloaded, 0.01, &mut next)?;

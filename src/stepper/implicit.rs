@@ -8,7 +8,7 @@ use crate::motion::Motion;
 use crate::scalar::Real;
 use crate::system::Dynamics;
 use crate::time::GeneralizedAlpha;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// Steps by a rule of the generalised-α family.
 pub struct ImplicitStepper<D: Dynamics<L>, L> {
@@ -16,9 +16,9 @@ pub struct ImplicitStepper<D: Dynamics<L>, L> {
     scene: D,
     workspace: D::Workspace,
     stiff: D::StiffWorkspace,
-    /// The auxiliary acceleration A at the last motion written, and the time of that motion; and at the one before.
-    last: Auxiliary<D, L>,
-    before: Auxiliary<D, L>,
+    /// Where the last step ended, and where it started.
+    last: Memory<D, L>,
+    before: Memory<D, L>,
     /// Where positions and rates would be without the acceleration sought.
     free: (D::Position, D::Rate),
     /// Where the geometry of a sweep is taken.
@@ -30,10 +30,33 @@ pub struct ImplicitStepper<D: Dynamics<L>, L> {
     sweeps: usize,
 }
 
-/// A of a motion at a time; none before the first step.
-struct Auxiliary<D: Dynamics<L>, L> {
-    time: Option<TimeIn<D, L>>,
+/// A motion with its accelerations, the true one and the auxiliary one A; nothing before the first step.
+struct Memory<D: Dynamics<L>, L> {
+    known: bool,
+    time: TimeIn<D, L>,
+    position: D::Position,
+    rate: D::Rate,
     acceleration: D::Rate,
+    auxiliary: D::Rate,
+}
+
+impl<D: Dynamics<L>, L> Memory<D, L> {
+    /// Whether this is the motion.
+    fn is(&self, motion: &MotionIn<D, L>) -> bool {
+        self.known
+            && self.time == motion.time
+            && self.position.all(&motion.position, &mut |a, b| a == b)
+            && self.rate.all(&motion.rate, &mut |a, b| a == b)
+    }
+
+    /// Remembers where a motion is.
+    fn note(&mut self, motion: &MotionIn<D, L>) {
+        self.known = true;
+        self.time = motion.time;
+        self.position.clone_from(&motion.position);
+        self.rate.clone_from(&motion.rate);
+        self.acceleration.clone_from(&motion.acceleration);
+    }
 }
 
 impl Method for GeneralizedAlpha {
@@ -43,13 +66,21 @@ impl Method for GeneralizedAlpha {
         let still = scene.still();
         let zero = still.rate.clone();
         let place = (still.position.clone(), zero.clone());
-        let auxiliary = || Auxiliary { time: None, acceleration: zero.clone() };
+        let memory = || Memory {
+            known: false,
+            time: still.time,
+            position: still.position.clone(),
+            rate: zero.clone(),
+            acceleration: zero.clone(),
+            auxiliary: zero.clone(),
+        };
+        let (last, before) = (memory(), memory());
         ImplicitStepper {
             rule: *self,
             workspace: scene.workspace(),
             stiff: scene.stiff_workspace(),
-            last: auxiliary(),
-            before: auxiliary(),
+            last,
+            before,
             free: place.clone(),
             at: place,
             first: zero.clone(),
@@ -62,16 +93,24 @@ impl Method for GeneralizedAlpha {
 }
 
 impl<D: Dynamics<L>, L> ImplicitStepper<D, L> {
-    /// Makes `before` the auxiliary acceleration of `past`: that of the last step if `past` is where it ended, the true
-    /// acceleration otherwise, from which it differs by O(h).
-    fn recall(&mut self, past: &MotionIn<D, L>) {
-        if self.last.time == Some(past.time) {
+    /// Makes `before` the memory of `past`, and says whether there was one.
+    ///
+    /// A lies at t + (α_m − α_f) h, so it can neither be had from the motion alone nor replaced by the true acceleration: with
+    /// that at every step the rule would have order one. Where loads have jumped, A jumps with the true acceleration.
+    fn recall(&mut self, past: &MotionIn<D, L>) -> bool {
+        if self.last.is(past) {
             core::mem::swap(&mut self.last, &mut self.before);
-        } else if self.before.time != Some(past.time) {
-            self.before.acceleration.clone_from(&past.acceleration);
         }
-        self.before.time = Some(past.time);
-        self.last.time = None;
+        self.last.known = false;
+        let remembered = self.before.is(past);
+        if remembered {
+            let (one, terms) = (TimeIn::<D, L>::one(), [&past.acceleration, &self.before.acceleration]);
+            self.before.auxiliary.accumulate(&[one, -one], terms);
+        } else {
+            self.before.auxiliary.clone_from(&past.acceleration);
+        }
+        self.before.note(past);
+        remembered
     }
 }
 
@@ -117,12 +156,15 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         if !(self.start.as_ref().is_none_or(|start| past.fits(start)) && past.fits(next)) {
             return Err(Error::new(Fault::Shape));
         }
-        self.recall(past);
+        // A motion that this stepper has not made makes its first step by the trapezoidal rule, which needs no memory.
+        let remembered = self.recall(past);
+        let (alpha_m, alpha_f, beta, gamma) =
+            if remembered || alpha_m == alpha_f { (alpha_m, alpha_f, beta, gamma) } else { (0.0, 0.0, 0.25, 0.5) };
         self.first.clone_from(&past.acceleration);
         // A₁ = κ a₁ + (α_f a₀ − α_m A₀) / (1 − α_m).
         let kappa = (1.0 - alpha_f) / (1.0 - alpha_m);
         let (of_true, of_auxiliary) = (alpha_f / (1.0 - alpha_m), -alpha_m / (1.0 - alpha_m));
-        let terms = [&past.acceleration, &self.before.acceleration];
+        let terms = [&past.acceleration, &self.before.auxiliary];
         let (position, rate) = &mut self.free;
         let square = dt * dt;
         let weights = [real(beta * of_true) * square, real(0.5 - beta + beta * of_auxiliary) * square];
@@ -152,10 +194,15 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         next.position.drift(&self.free.0, none, &self.zero, &[springs.position], found);
         next.rate.combine(&self.free.1, &[springs.rate], found);
         self.scene.project_stiff(next, &mut self.stiff);
-        self.last.time = Some(next.time);
-        let terms = [&next.acceleration, &past.acceleration, &self.before.acceleration];
-        let weights = [real(kappa), real(of_true), real(of_auxiliary)];
-        self.last.acceleration.combine(&self.zero, &weights, terms);
+        self.last.note(next);
+        if remembered {
+            let terms = [&next.acceleration, &past.acceleration, &self.before.auxiliary];
+            self.last.auxiliary.combine(&self.zero, &[real(kappa), real(of_true), real(of_auxiliary)], terms);
+        } else {
+            let ahead = real(self.rule.alpha_m - self.rule.alpha_f);
+            let terms = [&next.acceleration, &past.acceleration];
+            self.last.auxiliary.combine(&next.acceleration, &[ahead, -ahead], terms);
+        }
         match self.scene.accept(next) {
             Ok(()) => Ok(()),
             Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => {
