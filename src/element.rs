@@ -90,6 +90,12 @@ pub trait Element<S: Space>: Clone {
     /// Rejects parameters that make no mechanics; `station` is the number of the inboard end.
     fn check(&self, station: usize) -> Result<(), Error>;
 
+    /// Whether coordinates and rates have its shape: only vectors can differ, in length.
+    fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
+        let _ = (position, rate);
+        true
+    }
+
     /// All coordinates zero.
     fn position(&self) -> Self::Position;
     /// All rates zero.

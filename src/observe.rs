@@ -145,6 +145,29 @@ impl<S: Space, X: Copy, F: FnMut(&S::BodyMotion) -> X> Visit<S> for Collect<F> {
     fn joint(&mut self, _: &S::JointMotion) {}
 }
 
+/// Walks outward and shows each body; keeps nothing.
+pub(crate) fn each_body<S: Space, E: Element<S>>(
+    chain: &E,
+    ground: S::Frame,
+    motion: Coordinates<'_, S, E>,
+    read: impl FnMut(&S::BodyMotion),
+) {
+    chain.travel(ground, motion, &mut Show(read), &mut chain.per_body(()), &mut chain.per_joint(()));
+}
+
+/// Shows each body.
+struct Show<F>(F);
+
+impl<S: Space, F: FnMut(&S::BodyMotion)> Visit<S> for Show<F> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, body: &S::BodyMotion) {
+        (self.0)(body);
+    }
+    fn joint(&mut self, _: &S::JointMotion) {}
+}
+
 /// Energy and momentum of a motion.
 pub(crate) fn budget<S: Space, E: Element<S>>(
     chain: &E,

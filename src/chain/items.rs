@@ -72,10 +72,10 @@ macro_rules! chain_items {
             };
 
             fn bodies(&self) -> usize {
-                Self::BODIES.unwrap_or_else(|| self.iter().map(Element::bodies).sum())
+                A::BODIES.map_or_else(|| self.iter().map(Element::bodies).sum(), |each| each * self.len())
             }
             fn joints(&self) -> usize {
-                Self::JOINTS.unwrap_or_else(|| self.iter().map(Element::joints).sum())
+                A::JOINTS.map_or_else(|| self.iter().map(Element::joints).sum(), |each| each * self.len())
             }
             fn check(&self, station: usize) -> Result<(), Error> {
                 let mut station = station;
@@ -84,6 +84,11 @@ macro_rules! chain_items {
                     station += item.bodies() + item.joints();
                 }
                 Ok(())
+            }
+            fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
+                self.len() == position.len()
+                    && self.len() == rate.len()
+                    && self.iter().zip(position).zip(rate).all(|((item, position), rate)| item.fits(position, rate))
             }
             fn position(&self) -> Self::Position {
                 $map(self, Element::position)

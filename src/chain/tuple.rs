@@ -40,6 +40,9 @@ macro_rules! chain_tuple {
                 let _ = station;
                 Ok(())
             }
+            fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
+                true $(&& self.$i.fits(&position.$i, &rate.$i))*
+            }
             fn position(&self) -> Self::Position {
                 ($(self.$i.position(),)*)
             }

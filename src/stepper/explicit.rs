@@ -17,7 +17,7 @@ pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
     /// Accelerations of the rows: of the past motion, of the stages, of the next motion, of stages for the dense output.
     slopes: M::Rows<D::Rate>,
     stage: (D::Position, D::Rate),
-    start: Option<MotionIn<D, L>>,
+    still: MotionIn<D, L>,
     zero: D::Rate,
     /// Room for increments of positions, and for estimates of errors.
     estimate: (D::Rate, D::Rate),
@@ -38,7 +38,7 @@ impl<M: Explicit> Method for M {
             estimate: (zero.clone(), zero.clone()),
             zero,
             scene,
-            start: Some(still),
+            still,
             dense_ready: false,
             sweeps: 0,
         }
@@ -112,53 +112,29 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
                 stage.time = past.time + TimeIn::<D, L>::of(M::node(row)) * dt;
                 stage.position.clone_from(&self.stage.0);
                 stage.rate.clone_from(&self.stage.1);
-                stage.acceleration.clone_from(&self.slopes.as_ref()[row]);
             }
+            stage.acceleration.clone_from(&self.slopes.as_ref()[row]);
             if !stage.is_finite() {
                 return self.scene.diagnose(&stage, loads, &mut self.workspace);
             }
         }
         Error::new(Fault::NonFiniteMotion).at_time((past.time + dt).as_f64())
     }
-}
 
-impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> {
-    fn step(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        if !(self.start.as_ref().is_some_and(|start| past.fits(start)) && past.fits(next)) {
-            return Err(Error::new(Fault::Shape));
-        }
-        let Some(mut start) = self.start.take() else {
-            return Err(Error::new(Fault::Shape)); // never: it is put back below
-        };
-        start.time = past.time;
-        start.position.clone_from(&past.position);
-        start.rate.clone_from(&past.rate);
-        let Motion { time, position, rate, acceleration, multipliers } = &mut start;
-        *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
-        self.sweeps += 1;
-        let outcome = self.advance(&start, loads, dt, next);
-        self.start = Some(start);
-        outcome
+    /// Refuses motions of another scene.
+    fn fits(&self, past: &MotionIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+        if past.fits(&self.still) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
     }
 
-    fn advance(
+    /// The step from the accelerations in the first row.
+    fn make(
         &mut self,
         past: &MotionIn<D, L>,
         loads: &L,
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        if !(self.start.as_ref().is_none_or(|start| past.fits(start)) && past.fits(next)) {
-            return Err(Error::new(Fault::Shape));
-        }
         self.dense_ready = false;
-        self.slopes.as_mut()[0].clone_from(&past.acceleration);
         for row in 1..M::STAGES {
             self.evaluate(row, past, loads, dt);
         }
@@ -171,12 +147,40 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         let Motion { time, position, rate, acceleration, multipliers } = next;
         *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
         self.sweeps += 1;
-        self.slopes.as_mut()[M::STAGES].clone_from(&next.acceleration);
+        self.slopes.as_mut()[M::STAGES].combine(&next.acceleration, &[], []);
         match self.scene.accept(next) {
             Ok(()) => Ok(()),
             Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => Err(self.diagnose(past, loads, dt)),
             Err(error) => Err(error),
         }
+    }
+}
+
+impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> {
+    fn step(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.fits(past, next)?;
+        let first = &mut self.slopes.as_mut()[0];
+        self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
+        self.sweeps += 1;
+        self.make(past, loads, dt, next)
+    }
+
+    fn advance(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.fits(past, next)?;
+        self.slopes.as_mut()[0].combine(&past.acceleration, &[], []); // a copy that allocates nothing
+        self.make(past, loads, dt, next)
     }
 
     fn error(

@@ -16,7 +16,7 @@ pub struct ImplicitStepper<D: Dynamics<L>, L> {
     scene: D,
     workspace: D::Workspace,
     stiff: D::StiffWorkspace,
-    /// Where the last step ended, and where it started.
+    /// What is known of the last motion written, and of the one before.
     last: Memory<D, L>,
     before: Memory<D, L>,
     /// Where positions and rates would be without the acceleration sought.
@@ -25,15 +25,15 @@ pub struct ImplicitStepper<D: Dynamics<L>, L> {
     at: (D::Position, D::Rate),
     /// Acceleration at the start of the last step.
     first: D::Rate,
-    start: Option<MotionIn<D, L>>,
+    jump: D::Rate,
+    still: MotionIn<D, L>,
     zero: D::Rate,
     sweeps: usize,
 }
 
-/// A motion with its accelerations, the true one and the auxiliary one A; nothing before the first step.
+/// A motion, to be recognised by, and its auxiliary acceleration A; no time before the first step.
 struct Memory<D: Dynamics<L>, L> {
-    known: bool,
-    time: TimeIn<D, L>,
+    time: Option<TimeIn<D, L>>,
     position: D::Position,
     rate: D::Rate,
     acceleration: D::Rate,
@@ -41,21 +41,19 @@ struct Memory<D: Dynamics<L>, L> {
 }
 
 impl<D: Dynamics<L>, L> Memory<D, L> {
-    /// Whether this is the motion.
-    fn is(&self, motion: &MotionIn<D, L>) -> bool {
-        self.known
-            && self.time == motion.time
-            && self.position.all(&motion.position, &mut |a, b| a == b)
-            && self.rate.all(&motion.rate, &mut |a, b| a == b)
+    /// Whether it is of this motion.
+    fn is_of(&self, motion: &MotionIn<D, L>) -> bool {
+        let mut same = |a, b| a == b;
+        self.time == Some(motion.time)
+            && self.position.all(&motion.position, &mut same)
+            && self.rate.all(&motion.rate, &mut same)
     }
 
-    /// Remembers where a motion is.
-    fn note(&mut self, motion: &MotionIn<D, L>) {
-        self.known = true;
-        self.time = motion.time;
-        self.position.clone_from(&motion.position);
-        self.rate.clone_from(&motion.rate);
-        self.acceleration.clone_from(&motion.acceleration);
+    /// Keeps a motion, without its accelerations.
+    fn keep(&mut self, motion: &MotionIn<D, L>, zero: &D::Rate) {
+        self.time = Some(motion.time);
+        self.position.drift(&motion.position, TimeIn::<D, L>::zero(), zero, &[], []);
+        self.rate.combine(&motion.rate, &[], []);
     }
 }
 
@@ -67,24 +65,23 @@ impl Method for GeneralizedAlpha {
         let zero = still.rate.clone();
         let place = (still.position.clone(), zero.clone());
         let memory = || Memory {
-            known: false,
-            time: still.time,
+            time: None,
             position: still.position.clone(),
             rate: zero.clone(),
             acceleration: zero.clone(),
             auxiliary: zero.clone(),
         };
-        let (last, before) = (memory(), memory());
         ImplicitStepper {
             rule: *self,
             workspace: scene.workspace(),
             stiff: scene.stiff_workspace(),
-            last,
-            before,
+            last: memory(),
+            before: memory(),
             free: place.clone(),
             at: place,
             first: zero.clone(),
-            start: Some(still),
+            jump: zero.clone(),
+            still,
             zero,
             scene,
             sweeps: 0,
@@ -93,53 +90,31 @@ impl Method for GeneralizedAlpha {
 }
 
 impl<D: Dynamics<L>, L> ImplicitStepper<D, L> {
-    /// Makes `before` the memory of `past`, and says whether there was one.
-    ///
-    /// A lies at t + (α_m − α_f) h, so it can neither be had from the motion alone nor replaced by the true acceleration: with
-    /// that at every step the rule would have order one. Where loads have jumped, A jumps with the true acceleration.
-    fn recall(&mut self, past: &MotionIn<D, L>) -> bool {
-        if self.last.is(past) {
+    /// Makes `before` the memory of `past`: that of the last step if `past` is where it ended; otherwise A is the true
+    /// acceleration, from which it differs by O(h). Where the acceleration has jumped since (with a load), so does A.
+    fn recall(&mut self, past: &MotionIn<D, L>) {
+        if self.last.is_of(past) {
             core::mem::swap(&mut self.last, &mut self.before);
+        } else if !self.before.is_of(past) {
+            self.before.keep(past, &self.zero);
+            self.before.auxiliary.combine(&self.zero, &[], []);
+            self.before.acceleration.combine(&self.zero, &[], []);
         }
-        self.last.known = false;
-        let remembered = self.before.is(past);
-        if remembered {
-            let (one, terms) = (TimeIn::<D, L>::one(), [&past.acceleration, &self.before.acceleration]);
-            self.before.auxiliary.accumulate(&[one, -one], terms);
-        } else {
-            self.before.auxiliary.clone_from(&past.acceleration);
-        }
-        self.before.note(past);
-        remembered
-    }
-}
-
-impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
-    fn step(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        if !(self.start.as_ref().is_some_and(|start| past.fits(start)) && past.fits(next)) {
-            return Err(Error::new(Fault::Shape));
-        }
-        let Some(mut start) = self.start.take() else {
-            return Err(Error::new(Fault::Shape)); // never: it is put back below
-        };
-        start.time = past.time;
-        start.position.clone_from(&past.position);
-        start.rate.clone_from(&past.rate);
-        let Motion { time, position, rate, acceleration, multipliers } = &mut start;
-        *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
-        self.sweeps += 1;
-        let outcome = self.advance(&start, loads, dt, next);
-        self.start = Some(start);
-        outcome
+        let one = TimeIn::<D, L>::one();
+        let Memory { acceleration, auxiliary, .. } = &mut self.before;
+        self.jump.combine(auxiliary, &[one, -one], [&self.first, acceleration]);
+        auxiliary.combine(&self.jump, &[], []);
+        acceleration.combine(&self.first, &[], []);
+        self.last.time = None;
     }
 
-    fn advance(
+    /// Refuses motions of another scene.
+    fn fits(&self, past: &MotionIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+        if past.fits(&self.still) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
+    }
+
+    /// The step from the accelerations in `first`.
+    fn make(
         &mut self,
         past: &MotionIn<D, L>,
         loads: &L,
@@ -153,18 +128,11 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
                 return Err(Error::new(Fault::NotPositive { parameter, value }));
             }
         }
-        if !(self.start.as_ref().is_none_or(|start| past.fits(start)) && past.fits(next)) {
-            return Err(Error::new(Fault::Shape));
-        }
-        // A motion that this stepper has not made makes its first step by the trapezoidal rule, which needs no memory.
-        let remembered = self.recall(past);
-        let (alpha_m, alpha_f, beta, gamma) =
-            if remembered || alpha_m == alpha_f { (alpha_m, alpha_f, beta, gamma) } else { (0.0, 0.0, 0.25, 0.5) };
-        self.first.clone_from(&past.acceleration);
+        self.recall(past);
         // A₁ = κ a₁ + (α_f a₀ − α_m A₀) / (1 − α_m).
         let kappa = (1.0 - alpha_f) / (1.0 - alpha_m);
         let (of_true, of_auxiliary) = (alpha_f / (1.0 - alpha_m), -alpha_m / (1.0 - alpha_m));
-        let terms = [&past.acceleration, &self.before.auxiliary];
+        let terms = [&self.first, &self.before.auxiliary];
         let (position, rate) = &mut self.free;
         let square = dt * dt;
         let weights = [real(beta * of_true) * square, real(0.5 - beta + beta * of_auxiliary) * square];
@@ -194,27 +162,55 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         next.position.drift(&self.free.0, none, &self.zero, &[springs.position], found);
         next.rate.combine(&self.free.1, &[springs.rate], found);
         self.scene.project_stiff(next, &mut self.stiff);
-        self.last.note(next);
-        if remembered {
-            let terms = [&next.acceleration, &past.acceleration, &self.before.auxiliary];
-            self.last.auxiliary.combine(&self.zero, &[real(kappa), real(of_true), real(of_auxiliary)], terms);
-        } else {
-            let ahead = real(self.rule.alpha_m - self.rule.alpha_f);
-            let terms = [&next.acceleration, &past.acceleration];
-            self.last.auxiliary.combine(&next.acceleration, &[ahead, -ahead], terms);
-        }
+        self.last.keep(next, &self.zero);
+        self.last.acceleration.combine(&next.acceleration, &[], []);
+        let terms = [&next.acceleration, &self.first, &self.before.auxiliary];
+        let weights = [real(kappa), real(of_true), real(of_auxiliary)];
+        self.last.auxiliary.combine(&self.zero, &weights, terms);
         match self.scene.accept(next) {
             Ok(()) => Ok(()),
-            Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => {
-                // The sweeps took place at the end of the step, somewhere near the start.
-                let mut end = past.clone();
-                if past.is_finite() {
-                    end.time = next.time;
-                }
-                Err(self.scene.diagnose(&end, loads, &mut self.workspace))
-            }
+            Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => Err(self.diagnose(past, loads, dt)),
             Err(error) => Err(error),
         }
+    }
+
+    /// Finds where a step went wrong: at its start, or at its end.
+    #[cold]
+    fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
+        let mut stage = past.clone();
+        stage.acceleration.clone_from(&self.first);
+        if stage.is_finite() {
+            stage.time = past.time + dt;
+        }
+        self.scene.diagnose(&stage, loads, &mut self.workspace)
+    }
+}
+
+impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
+    fn step(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.fits(past, next)?;
+        let first = &mut self.first;
+        self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
+        self.sweeps += 1;
+        self.make(past, loads, dt, next)
+    }
+
+    fn advance(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.fits(past, next)?;
+        self.first.combine(&past.acceleration, &[], []); // a copy that allocates nothing
+        self.make(past, loads, dt, next)
     }
 
     fn error(

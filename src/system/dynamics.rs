@@ -7,6 +7,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
+use crate::observe::each_body;
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
@@ -228,8 +229,10 @@ where
             return error(Fault::NonFiniteMotion);
         }
         if far {
-            let bodies = self.body_motions(motion);
-            if let Some(angle) = bodies.iter().find_map(S::angle_out_of_range) {
+            let mut angle = None;
+            let ground = self.root.ground(motion.time);
+            each_body(&self.chain, ground, coordinates(motion), |body| angle = angle.or(S::angle_out_of_range(body)));
+            if let Some(angle) = angle {
                 return error(Fault::AngleOutOfRange { angle });
             }
         }

@@ -273,10 +273,10 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P>,
     {
-        if !motion.fits(&self.motion()) {
+        let Motion { time, position, rate, acceleration, multipliers } = motion;
+        if !(self.chain.fits(position, rate) && self.chain.fits(position, acceleration)) {
             return Err(Error::new(Fault::Shape));
         }
-        let Motion { time, position, rate, acceleration, multipliers } = motion;
         *multipliers = self.accelerations(*time, position, rate, loads, workspace, acceleration);
         let mut finite = true;
         acceleration.visit(&mut |x| finite &= x.is_finite());
