@@ -159,8 +159,8 @@ mod items {
         if terms.iter().any(|term| term.len() != n) {
             return;
         }
-        for i in 0..n {
-            items[i].accumulate(weights, nth(&terms, i));
+        for (i, item) in items.iter_mut().enumerate() {
+            item.accumulate(weights, nth(&terms, i));
         }
     }
 
