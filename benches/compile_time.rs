@@ -1,5 +1,5 @@
-//! How long a user waits: the time to compile a program with a chain of sixty bodies of three kinds and the pins between
-//! them, all of different types in nested tuples, when catena itself is already built.
+//! How long a user waits: the time to compile a program with a chain of sixty bodies of three kinds and the pins
+//! between them, in nested tuples of different types, when catena itself is already built.
 //!
 //! `cargo bench --bench compile_time`
 
@@ -69,11 +69,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let library = Path::new(env!("CARGO_MANIFEST_DIR"));
     let user = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("compile_time");
     fs::create_dir_all(user.join("src"))?;
-    let manifest = format!(
-        "[package]\nname = \"user\"\nedition = \"2024\"\n\n[dependencies]\ncatena = {{ path = {library:?} }}\n\n[workspace]\n"
-    );
+    let package = "[package]\nname = \"user\"\nedition = \"2024\"\n[workspace]\n";
+    let manifest = format!("{package}[dependencies]\ncatena = {{ path = {library:?} }}\n");
     fs::write(user.join("Cargo.toml"), manifest)?;
-    fs::copy(library.join("Cargo.lock"), user.join("Cargo.lock"))?; // the same versions, from what is already downloaded
+    // The same versions, from what is already downloaded.
+    fs::copy(library.join("Cargo.lock"), user.join("Cargo.lock"))?;
 
     println!("| {BODIES} bodies in nested tuples | profile | fastest build, s | median, s | target {TARGET} s |");
     println!("|---|---|---:|---:|---|");

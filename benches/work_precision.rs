@@ -1,7 +1,8 @@
-//! Run time and sweeps against error: every rule, with fixed steps and with error control, in single and double precision.
+//! Run time and sweeps against error: every explicit rule, with fixed steps and with error control, in single and
+//! double precision.
 //!
-//! Chains of n uniform rods of together 1 m and 1 kg, joined by pins and released at rest from the horizontal; the error
-//! is that of the last rod's angle at the end.
+//! Chains of n uniform rods of together 1 m and 1 kg, joined by pins and released at rest from the horizontal; the
+//! error is that of the last rod's angle at the end.
 //!
 //! `cargo bench --bench work_precision` prints what it takes to reach an error, and writes every run to
 //! `target/bench/work_precision.csv` and a diagram to `target/bench/work_precision.svg`.
@@ -57,8 +58,8 @@ impl Series {
         format!("{} {} {}", self.rule, self.control, self.scalar)
     }
 
-    /// The least time (s) of a run with an error below `level`, if the next finer one is below it too: an error may vanish
-    /// by chance where it changes sign.
+    /// The least time (s) of a run with an error below `level`, if the next finer one is below it too: an error may
+    /// vanish by chance where it changes sign.
     fn time_to(&self, level: f64) -> Option<f64> {
         let pairs = self.points.iter().zip(self.points.iter().skip(1));
         let exact = pairs.filter(|(point, finer)| point.error <= level && finer.error <= level);

@@ -1,14 +1,15 @@
 //! The yardstick for the library: the same sweeps written by hand, with as few operations as we know how.
 //!
-//! Every body is replaced by point masses at its ends and what is left of its inertia, point masses that meet in a joint
-//! are added up beforehand, and so are the tip (nothing outboard) and the root (which does not move) treated apart. Arms
-//! and centripetal accelerations are products of the vectorised pass over the angles. The rest is one walk inward with
-//! 23 operations on floating-point numbers a body and one walk outward with 8:
+//! Every body is replaced by point masses at its ends and what is left of its inertia. Point masses that meet in a
+//! joint are added up beforehand; the tip (nothing outboard) and the root (which does not move) are treated apart. Arms and
+//! centripetal accelerations come out of the vectorised pass over the angles. The rest is one walk inward with 23
+//! operations a body (a fused multiply-add is one) and one walk outward with 8:
 //!
 //! ```text
 //! d = l (cos θ, sin θ)    n = ẑ × d    p = −ω² d
-//! inward     u = B n    D = J′ + n·u    f = e + B p    φ = −n·f / D    w = u / D    e ← f + φ u    B ← B + μ 1 − u wᵀ
-//! outward    θ̈ = φ − w·a    a ← a + θ̈ n + p
+//! inward     u = B n     D = J′ + n·u    f = e + B p    φ = −n·f / D    w = u / D
+//!            e ← f + φ u                 B ← B + μ 1 − u wᵀ
+//! outward    θ̈ = φ − w·a                 a ← a + θ̈ n + p
 //! ```
 //!
 //! B and e are mass and force that a joint feels; the tip starts with B = μ 1 and e = 0, and the root's acceleration is
@@ -258,7 +259,8 @@ fn walk<S: Scene>(
     let (mut xx, mut xy, mut yy) = (fma(-u[0], w[0], sum), -(u[0] * w[1]), fma(-u[1], w[1], sum));
     let mut e = if S::FORCES || S::TORQUES { [fma(phi, u[0], f[0]), fma(phi, u[1], f[1])] } else { f };
 
-    for i in (1..last).rev() {
+    // From last − 1 to 1, in a form in which the compiler sees that i < n.
+    for i in (0..n - 2).rev().map(|i| i + 1) {
         let u = [fma(xy, x[i], -(xx * y[i])), fma(yy, x[i], -(xy * y[i]))];
         let g = bodies.loaded::<S>(i, e);
         let f = [fma(xx, p[i], fma(xy, q[i], g[0])), fma(xy, p[i], fma(yy, q[i], g[1]))];

@@ -143,8 +143,8 @@ impl<T: Scalar<Real = f64>> Link<T> for PointMass<T> {
     }
 }
 
-/// The base parameters of a body: length and direction of its arm in its own axes, masses lumped at its ends, J′ and the
-/// first moment beside the arm per length.
+/// The base parameters of a body: length and direction of its arm in its own axes, masses lumped at its ends, J′, and
+/// the first moment beside the arm, per length.
 struct Base {
     length: f64,
     direction: f64,
