@@ -28,10 +28,10 @@
 //!
 //! * **A pin chain in the plane** must not pay for anything else. What a sweep has to carry (loads, implicit springs, closure
 //!   forces) is a type, [`Sweep`], and what lies outboard is a type too, the relation; a part that is not there is a type without
-//!   size. Directions are kept as stores of numbers, not of structs, so that sines vectorise for tuples as well as for arrays.
+//!   size. Postures are kept as stores of numbers, not of structs, so that sines vectorise for tuples as well as for arrays.
 //! * **A ball chain in space.** Nothing here mentions a plane: [`Space`] names what a walk carries (two numbers that turn in the
-//!   plane, a rotation and a vector in space), and a ball hands on a 3 × 3 point relation as a pin hands on a 2 × 2 one. Where
-//!   sines are kept in the plane, direction cosines are in space.
+//!   plane, a rotation and a vector in space), and a ball hands on a 3 × 3 point relation as a pin hands on a 2 × 2 one. What
+//!   a posture is, each space says: an arm and its centripetal acceleration in the plane, vectors and inertias in space.
 //! * **A held tip with λ columns.** W, Λ and y₀ ride inside the relation as fields that a free tip's type does not have
 //!   ([`Closures`]); kernels treat e and W as right-hand sides of one elimination, and a joint keeps one more number for each
 //!   closure force. The ground's condition at the root turns Λ into λ, and the outward walk uses it.
@@ -76,6 +76,8 @@ pub trait Element<S: Space>: Clone {
     type PerBody<X: Copy>: Clone;
     /// One `X` for each joint inside.
     type PerJoint<X: Copy>: Clone;
+    /// One `X` for each set of axes inside: those of bodies, and those of joints that push along the axes of a neighbour.
+    type PerAxes<X: Copy>: Clone;
 
     /// Number of bodies inside, if the type decides it.
     const BODIES: Option<usize>;
@@ -106,6 +108,8 @@ pub trait Element<S: Space>: Clone {
     fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X>;
     /// `fill` for each joint inside.
     fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X>;
+    /// `fill` for each set of axes inside.
+    fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X>;
     /// The entry of body `k` inside.
     fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X>;
     /// The entry of body or joint `k` inside, counted together from the root.
@@ -120,19 +124,32 @@ pub trait Element<S: Space>: Clone {
     /// for each rotary coordinate, root to tip.
     fn aim(&self, position: &mut Self::Position, inboard: S::Turn, next: &mut impl FnMut() -> S::Scalar) -> S::Turn;
 
-    /// Carries the orientation outward and stores, for each body, its angular velocity and what `resolve` needs.
+    /// Moves point masses inboard, tip to root, once for a scene: takes the mass (kg) that its outboard neighbour lumps at the
+    /// station between them, and hands on what it lumps at its own inboard end instead of adding it in every sweep.
+    fn lump(&mut self, mass: S::Scalar) -> S::Scalar;
+
+    /// Carries the orientation outward and stores, for each set of axes, what `resolve` needs.
     fn orient(
         &self,
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        cosine: &mut Self::PerBody<S::Cosine>,
-        spin: &mut Self::PerBody<S::Spin>,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
     ) -> S::Turn;
 
-    /// Turns the stored orientations into direction cosines and sines, body by body without regard to order, so that the
+    /// Writes down, once for a scene, what `resolve` reads of the shapes inside.
+    fn size(&self, sizes: &mut Self::PerAxes<S::Size>);
+
+    /// Turns what `orient` stored into postures, without regard to order. It reads nothing but stores of numbers, so that the
     /// loop vectorises.
-    fn resolve(&self, cosine: &mut Self::PerBody<S::Cosine>, sine: &mut Self::PerBody<S::Sine>);
+    fn resolve(
+        sizes: &Self::PerAxes<S::Size>,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
+    );
 
     /// Recovers the accelerations of the joint coordinates from that of the inboard station, outward.
     fn recover<C: Closures>(
@@ -205,14 +222,20 @@ pub trait Close<S: Space, C: Closures> {
     fn compliance(&self) -> C::Pairs<S::Scalar>;
 }
 
-/// Directions and angular velocities of the bodies of an element.
+/// What the walks read of the orientations and angular velocities inside an element: four values for each set of axes, whose
+/// meaning is up to the body or joint that owns them. Each of the four has a store of its own, so that sines vectorise for
+/// tuples as well as for arrays.
+///
+/// In the plane a rod keeps its arm (x, y) and the centripetal acceleration (p, q) of its outboard end.
 pub struct Posture<'a, S: Space, E: Element<S>> {
-    /// Direction cosines.
-    pub cosine: &'a E::PerBody<S::Cosine>,
-    /// Direction sines.
-    pub sine: &'a E::PerBody<S::Sine>,
-    /// Angular velocities.
-    pub spin: &'a E::PerBody<S::Spin>,
+    /// First values.
+    pub x: &'a E::PerAxes<S::X>,
+    /// Second values.
+    pub y: &'a E::PerAxes<S::Y>,
+    /// Third values.
+    pub p: &'a E::PerAxes<S::P>,
+    /// Fourth values.
+    pub q: &'a E::PerAxes<S::Q>,
 }
 
 /// What acts in an element besides inertia.

@@ -7,12 +7,16 @@ use core::fmt::Debug;
 pub trait Space: Copy + Debug + 'static {
     /// The numbers of the scene.
     type Scalar: Scalar;
-    /// Direction cosines of a body.
-    type Cosine: Copy + Debug;
-    /// Direction sines of a body.
-    type Sine: Copy + Debug;
-    /// Angular velocity of a body.
-    type Spin: Copy + Debug;
+    /// What a body's posture needs to know of its shape.
+    type Size: Copy + Debug;
+    /// First part of a posture; see [`Posture`](crate::element::Posture).
+    type X: Copy + Debug;
+    /// Second part of a posture.
+    type Y: Copy + Debug;
+    /// Third part of a posture.
+    type P: Copy + Debug;
+    /// Fourth part of a posture.
+    type Q: Copy + Debug;
     /// Orientation and angular velocity, as they are carried outward.
     type Turn: Copy + Debug;
     /// Place, orientation, velocity and acceleration of a station.
@@ -34,8 +38,10 @@ pub trait Space: Copy + Debug + 'static {
     /// A joint and its motion at an instant.
     type JointMotion: Copy + Debug;
 
-    /// Nothing has been resolved yet: initial values of the stores of directions.
-    fn blank() -> (Self::Cosine, Self::Sine, Self::Spin);
+    /// Nothing has been resolved yet: initial values of the stores of postures.
+    fn blank() -> (Self::X, Self::Y, Self::P, Self::Q);
+    /// The size of what has none.
+    fn no_size() -> Self::Size;
 
     /// The orientation part of a frame.
     fn turn(frame: &Self::Frame) -> Self::Turn;

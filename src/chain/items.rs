@@ -52,6 +52,38 @@ fn locate<A>(items: &[A], each: Option<usize>, count: impl Fn(&A) -> usize, k: u
     None
 }
 
+/// `Element::orient` of items. Slices are arguments: of these alone the compiler knows that they do not overlap.
+#[inline(always)]
+fn orient_items<S: Space, A: Element<S>>(
+    items: &[A],
+    position: &[A::Position],
+    rate: &[A::Rate],
+    mut turn: S::Turn,
+    x: &mut [A::PerAxes<S::X>],
+    y: &mut [A::PerAxes<S::Y>],
+) -> S::Turn {
+    march!(n: items position rate; mut x y; else turn);
+    for i in 0..n {
+        turn = items[i].orient(&position[i], &rate[i], turn, &mut x[i], &mut y[i]);
+    }
+    turn
+}
+
+/// `Element::resolve` of items.
+#[inline(always)]
+fn resolve_items<S: Space, A: Element<S>>(
+    sizes: &[A::PerAxes<S::Size>],
+    x: &mut [A::PerAxes<S::X>],
+    y: &mut [A::PerAxes<S::Y>],
+    p: &mut [A::PerAxes<S::P>],
+    q: &mut [A::PerAxes<S::Q>],
+) {
+    march!(n: sizes; mut x y p q; else ());
+    for i in 0..n {
+        A::resolve(&sizes[i], &mut x[i], &mut y[i], &mut p[i], &mut q[i]);
+    }
+}
+
 /// One implementation for arrays and vectors, `$Of<item $extra>`.
 macro_rules! chain_items {
     ($Of:ident, $map:ident, [$($K:tt)*], [$($extra:tt)*], |$A:ident| $length:expr) => {
@@ -61,6 +93,7 @@ macro_rules! chain_items {
             type Kept<C: Closures> = $Of<A::Kept<C> $($extra)*>;
             type PerBody<X: Copy> = $Of<A::PerBody<X> $($extra)*>;
             type PerJoint<X: Copy> = $Of<A::PerJoint<X> $($extra)*>;
+            type PerAxes<X: Copy> = $Of<A::PerAxes<X> $($extra)*>;
 
             const BODIES: Option<usize> = {
                 let $A = A::BODIES;
@@ -105,6 +138,9 @@ macro_rules! chain_items {
             fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
                 $map(self, |item| item.per_joint(fill))
             }
+            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
+                $map(self, |item| item.per_axes(fill))
+            }
             fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
                 let (i, k) = locate(self, A::BODIES, Element::bodies, k)?;
                 self.get(i)?.body_entry(bodies.get(i)?, k)
@@ -126,30 +162,32 @@ macro_rules! chain_items {
             ) -> S::Turn {
                 self.iter().zip(position).fold(turn, |turn, (item, position)| item.aim(position, turn, next))
             }
+            fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
+                self.iter_mut().rev().fold(mass, |mass, item| item.lump(mass))
+            }
             #[inline]
             fn orient(
                 &self,
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: S::Turn,
-                cosine: &mut Self::PerBody<S::Cosine>,
-                spin: &mut Self::PerBody<S::Spin>,
+                x: &mut Self::PerAxes<S::X>,
+                y: &mut Self::PerAxes<S::Y>,
             ) -> S::Turn {
-                let items = &self[..];
-                march!(n: items position rate; mut cosine spin; else turn);
-                let mut turn = turn;
-                for i in 0..n {
-                    turn = items[i].orient(&position[i], &rate[i], turn, &mut cosine[i], &mut spin[i]);
-                }
-                turn
+                orient_items(self, position, rate, turn, x, y)
+            }
+            fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
+                self.iter().zip(sizes).for_each(|(item, size)| item.size(size));
             }
             #[inline]
-            fn resolve(&self, cosine: &mut Self::PerBody<S::Cosine>, sine: &mut Self::PerBody<S::Sine>) {
-                let items = &self[..];
-                march!(n: items; mut cosine sine; else ());
-                for i in 0..n {
-                    items[i].resolve(&mut cosine[i], &mut sine[i]);
-                }
+            fn resolve(
+                sizes: &Self::PerAxes<S::Size>,
+                x: &mut Self::PerAxes<S::X>,
+                y: &mut Self::PerAxes<S::Y>,
+                p: &mut Self::PerAxes<S::P>,
+                q: &mut Self::PerAxes<S::Q>,
+            ) {
+                resolve_items::<S, A>(sizes, x, y, p, q);
             }
             #[inline]
             fn recover<C: Closures>(
@@ -160,12 +198,12 @@ macro_rules! chain_items {
                 multipliers: &C::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
-                let Posture { cosine, sine, spin } = posture;
+                let Posture { x, y, p, q } = posture;
                 let items = &self[..];
-                march!(n: items cosine sine spin kept; mut rate; else acceleration);
+                march!(n: items x y p q kept; mut rate; else acceleration);
                 let mut acceleration = acceleration;
                 for i in 0..n {
-                    let posture = Posture { cosine: &cosine[i], sine: &sine[i], spin: &spin[i] };
+                    let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
                     acceleration = items[i].recover(acceleration, posture, &kept[i], multipliers, &mut rate[i]);
                 }
                 acceleration
@@ -179,12 +217,12 @@ macro_rules! chain_items {
                 multipliers: &C::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
-                let Posture { cosine, sine, spin } = posture;
+                let Posture { x, y, p, q } = posture;
                 let items = &self[..];
-                march!(n: items cosine sine spin kept; mut rate; else acceleration);
+                march!(n: items x y p q kept; mut rate; else acceleration);
                 let mut acceleration = acceleration;
                 for i in 0..n {
-                    let posture = Posture { cosine: &cosine[i], sine: &sine[i], spin: &spin[i] };
+                    let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
                     acceleration = items[i].respond(acceleration, posture, &kept[i], multipliers, &mut rate[i]);
                 }
                 acceleration
@@ -245,11 +283,11 @@ macro_rules! chain_items {
                 given: Given<'_, S, Self, W>,
                 kept: &mut Self::Kept<W::Closures>,
             ) -> Q {
-                let Posture { cosine, sine, spin } = posture;
+                let Posture { x, y, p, q } = posture;
                 let Given { on_bodies, in_joints, position, rate, springs } = given;
                 let items = &self[..];
                 march!(
-                    n: items cosine sine spin on_bodies in_joints position rate;
+                    n: items x y p q on_bodies in_joints position rate;
                     mut kept;
                     else Q::promote(outer)
                 );
@@ -261,7 +299,7 @@ macro_rules! chain_items {
                 macro_rules! link {
                     ($i:expr, $met:ty, $outer:expr) => {{
                         let i = $i;
-                        let posture = Posture { cosine: &cosine[i], sine: &sine[i], spin: &spin[i] };
+                        let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
                         let given = Given {
                             on_bodies: &on_bodies[i],
                             in_joints: &in_joints[i],

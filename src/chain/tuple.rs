@@ -14,6 +14,7 @@ macro_rules! chain_tuple {
             type Kept<Cuts: Closures> = ($($A::Kept<Cuts>,)*);
             type PerBody<X: Copy> = ($($A::PerBody<X>,)*);
             type PerJoint<X: Copy> = ($($A::PerJoint<X>,)*);
+            type PerAxes<X: Copy> = ($($A::PerAxes<X>,)*);
 
             const BODIES: Option<usize> = {
                 let n = Some(0);
@@ -58,6 +59,9 @@ macro_rules! chain_tuple {
             fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
                 ($(self.$i.per_joint(fill),)*)
             }
+            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
+                ($(self.$i.per_axes(fill),)*)
+            }
             fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
                 $(
                     let n = self.$i.bodies();
@@ -94,21 +98,34 @@ macro_rules! chain_tuple {
                 $(let turn = self.$i.aim(&mut position.$i, turn, next);)*
                 turn
             }
+            fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
+                $(let mass = self.$j.lump(mass);)*
+                mass
+            }
             #[inline]
             fn orient(
                 &self,
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: S::Turn,
-                cosine: &mut Self::PerBody<S::Cosine>,
-                spin: &mut Self::PerBody<S::Spin>,
+                x: &mut Self::PerAxes<S::X>,
+                y: &mut Self::PerAxes<S::Y>,
             ) -> S::Turn {
-                $(let turn = self.$i.orient(&position.$i, &rate.$i, turn, &mut cosine.$i, &mut spin.$i);)*
+                $(let turn = self.$i.orient(&position.$i, &rate.$i, turn, &mut x.$i, &mut y.$i);)*
                 turn
             }
+            fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
+                $(self.$i.size(&mut sizes.$i);)*
+            }
             #[inline]
-            fn resolve(&self, cosine: &mut Self::PerBody<S::Cosine>, sine: &mut Self::PerBody<S::Sine>) {
-                $(self.$i.resolve(&mut cosine.$i, &mut sine.$i);)*
+            fn resolve(
+                sizes: &Self::PerAxes<S::Size>,
+                x: &mut Self::PerAxes<S::X>,
+                y: &mut Self::PerAxes<S::Y>,
+                p: &mut Self::PerAxes<S::P>,
+                q: &mut Self::PerAxes<S::Q>,
+            ) {
+                $($A::resolve(&sizes.$i, &mut x.$i, &mut y.$i, &mut p.$i, &mut q.$i);)*
             }
             #[inline]
             fn recover<Cuts: Closures>(
@@ -121,7 +138,7 @@ macro_rules! chain_tuple {
             ) -> S::Acceleration {
                 $(let acceleration = self.$i.recover(
                     acceleration,
-                    Posture { cosine: &posture.cosine.$i, sine: &posture.sine.$i, spin: &posture.spin.$i },
+                    Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
                     &kept.$i,
                     multipliers,
                     &mut rate.$i,
@@ -139,7 +156,7 @@ macro_rules! chain_tuple {
             ) -> S::Acceleration {
                 $(let acceleration = self.$i.respond(
                     acceleration,
-                    Posture { cosine: &posture.cosine.$i, sine: &posture.sine.$i, spin: &posture.spin.$i },
+                    Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
                     &kept.$i,
                     multipliers,
                     &mut rate.$i,
@@ -202,7 +219,7 @@ macro_rules! chain_tuple {
             ) -> X0 {
                 $(let outer = self.$j.condense(
                     outer,
-                    Posture { cosine: &posture.cosine.$j, sine: &posture.sine.$j, spin: &posture.spin.$j },
+                    Posture { x: &posture.x.$j, y: &posture.y.$j, p: &posture.p.$j, q: &posture.q.$j },
                     Given {
                         on_bodies: &given.on_bodies.$j,
                         in_joints: &given.in_joints.$j,

@@ -67,14 +67,61 @@ pub trait Body<T: Scalar>: Copy + Debug {
     /// Its inertia.
     fn inertia(&self) -> Inertia<T>;
 
-    /// From I to O (m), in inertial axes, for a body with this direction cosine and sine.
-    fn arm(&self, cosine: T, sine: T) -> Vector2<T>;
+    /// O (m), body axes.
+    fn outboard(&self) -> [T; 2];
 
-    /// Condenses the relation at O to one at I. `spin2` is the square of the angular velocity.
-    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T, R::Closures>;
+    /// Takes the point mass that its outboard neighbour lumps at O, hands on its own at I.
+    fn lump(&mut self, mass: T) -> T;
+
+    /// What `pose` reads of its shape.
+    fn size(&self) -> T;
+
+    /// What the walks read of a body of a size at an angle (rad) and angular velocity (rad/s).
+    fn pose(size: T, angle: T, rate: T) -> Pose<T>;
+
+    /// From I to O (m), inertial axes, and the centripetal acceleration of O (m/s²).
+    fn arm(&self, pose: Pose<T>) -> [Vector2<T>; 2];
+
+    /// Condenses the relation at O to one at I, without the point mass at I, with that at O.
+    fn condense<R: Relation<T>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures>;
 
     /// Rejects parameters that make no mechanics.
     fn check(&self) -> Result<(), Fault>;
+}
+
+/// What the walks read of the orientation and angular velocity of a body: four numbers that each type of body chooses for
+/// itself.
+#[derive(Clone, Copy, Debug)]
+pub struct Pose<T> {
+    /// Of a rod: x of its arm (m).
+    pub x: T,
+    /// Of a rod: y of its arm (m).
+    pub y: T,
+    /// Of a rod: x of the centripetal acceleration of its outboard end (m/s²).
+    pub p: T,
+    /// Of a rod: y of that acceleration (m/s²).
+    pub q: T,
+}
+
+impl<T: Scalar> Pose<T> {
+    /// That of a straight link of a length (m) along the body's x axis: its arm and the centripetal acceleration −ω² d.
+    #[inline(always)]
+    pub fn of_link(length: T, angle: T, rate: T) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        let (x, y, minus_spin2) = (length * cosine, length * sine, -(rate * rate));
+        Self { x, y, p: minus_spin2 * x, q: minus_spin2 * y }
+    }
+
+    #[inline(always)]
+    fn of<E: Element<Planar<T>, PerAxes<T> = T>>(posture: Posture<'_, Planar<T>, E>) -> Self {
+        Self { x: *posture.x, y: *posture.y, p: *posture.p, q: *posture.q }
+    }
+
+    /// Arm and centripetal acceleration of a straight link.
+    #[inline(always)]
+    pub fn link(self) -> [Vector2<T>; 2] {
+        [Vector2::new(self.x, self.y), Vector2::new(self.p, self.q)]
+    }
 }
 
 /// The motion of a body whose inboard end moves with `inboard`.
@@ -82,10 +129,9 @@ pub trait Body<T: Scalar>: Copy + Debug {
 pub(super) fn body_motion<T: Scalar, B: Body<T>>(body: &B, inboard: Frame<T>) -> BodyMotion<T> {
     let (sine, cosine) = inboard.turn.angle.sin_cos();
     let inertia = body.inertia();
-    let arm = body.arm(cosine, sine);
     let zero = Vector2::new(T::zero(), T::zero());
-    let motion = BodyMotion { inboard, arm, to_centre: zero, direction: Vector2::new(cosine, sine), inertia };
-    BodyMotion { to_centre: motion.turned(inertia.centre), ..motion }
+    let motion = BodyMotion { inboard, arm: zero, to_centre: zero, direction: Vector2::new(cosine, sine), inertia };
+    BodyMotion { arm: motion.turned(body.outboard()), to_centre: motion.turned(inertia.centre), ..motion }
 }
 
 /// Makes planar bodies elements.
@@ -97,6 +143,7 @@ macro_rules! body {
             type Kept<C: Closures> = ();
             type PerBody<X: Copy> = X;
             type PerJoint<X: Copy> = ();
+            type PerAxes<X: Copy> = X;
 
             const BODIES: Option<usize> = Some(1);
             const JOINTS: Option<usize> = Some(0);
@@ -117,6 +164,9 @@ macro_rules! body {
                 fill
             }
             fn per_joint<X: Copy>(&self, _: X) {}
+            fn per_axes<X: Copy>(&self, fill: X) -> X {
+                fill
+            }
             fn body_entry<'a, X: Copy>(&self, body: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
             }
@@ -126,15 +176,22 @@ macro_rules! body {
             fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut() -> T) -> Turn<T> {
                 turn
             }
-            #[inline(always)]
-            fn orient(&self, _: &(), _: &(), turn: Turn<T>, cosine: &mut T, spin: &mut T) -> Turn<T> {
-                *cosine = turn.angle;
-                *spin = turn.rate;
-                turn
+            fn lump(&mut self, mass: T) -> T {
+                Body::lump(self, mass)
             }
             #[inline(always)]
-            fn resolve(&self, cosine: &mut T, sine: &mut T) {
-                (*sine, *cosine) = cosine.sin_cos();
+            fn orient(&self, _: &(), _: &(), turn: Turn<T>, x: &mut T, y: &mut T) -> Turn<T> {
+                *x = turn.angle;
+                *y = turn.rate;
+                turn
+            }
+            fn size(&self, size: &mut T) {
+                *size = Body::size(self);
+            }
+            #[inline(always)]
+            fn resolve(size: &T, x: &mut T, y: &mut T, p: &mut T, q: &mut T) {
+                let pose = <Self as Body<T>>::pose(*size, *x, *y);
+                (*x, *y, *p, *q) = (pose.x, pose.y, pose.p, pose.q);
             }
             #[inline(always)]
             fn recover<C: Closures>(
@@ -145,8 +202,8 @@ macro_rules! body {
                 _: &C::Each<T>,
                 _: &mut (),
             ) -> super::Acceleration<T> {
-                let arm = self.arm(*posture.cosine, *posture.sine);
-                acceleration.shifted(arm, *posture.spin * *posture.spin)
+                let [arm, centripetal] = self.arm(Pose::of(posture));
+                acceleration.shifted(arm, centripetal)
             }
             #[inline(always)]
             fn respond<C: Closures>(
@@ -157,7 +214,7 @@ macro_rules! body {
                 _: &C::Each<T>,
                 _: &mut (),
             ) -> super::Acceleration<T> {
-                acceleration.shifted(self.arm(*posture.cosine, *posture.sine), T::zero())
+                acceleration.swung(self.arm(Pose::of(posture))[0])
             }
             #[inline(always)]
             fn travel<V: Visit<Planar<T>>>(
@@ -199,8 +256,7 @@ macro_rules! body {
                 given: Given<'_, Planar<T>, Self, W>,
                 _: &mut (),
             ) -> Full<T, R::Closures> {
-                let spin2 = *posture.spin * *posture.spin;
-                given.on_bodies.take_from(Body::condense(self, outer, *posture.cosine, *posture.sine, spin2))
+                given.on_bodies.take_from(Body::condense(self, outer, Pose::of(posture)))
             }
         }
     )*};

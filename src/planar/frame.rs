@@ -75,17 +75,23 @@ impl<T: Scalar> Frame<T> {
             place: self.place + d,
             velocity: add_scaled(self.velocity, rate, n),
             turn: self.turn,
-            acceleration: self.acceleration.shifted(d, rate * rate),
+            acceleration: self.acceleration.shifted(d, d * -(rate * rate)),
         }
     }
 }
 
 impl<T: Scalar> Acceleration<T> {
-    /// The acceleration of another point of the same body: a + α n − ω² d.
+    /// The acceleration of another point of the same body, at the vector `d` from this one: a + α n + p with the centripetal
+    /// p = −ω² d.
     #[inline(always)]
-    pub fn shifted(&self, d: Vector2<T>, spin2: T) -> Self {
-        let linear = add_scaled(add_scaled(self.linear, self.angular, normal(d)), -spin2, d);
-        Self { linear, angular: self.angular }
+    pub fn shifted(&self, d: Vector2<T>, centripetal: Vector2<T>) -> Self {
+        Self { linear: add_scaled(self.linear + centripetal, self.angular, normal(d)), angular: self.angular }
+    }
+
+    /// The same with a body at rest: a + α n.
+    #[inline(always)]
+    pub fn swung(&self, d: Vector2<T>) -> Self {
+        Self { linear: add_scaled(self.linear, self.angular, normal(d)), angular: self.angular }
     }
 }
 
@@ -186,9 +192,11 @@ impl<T: Scalar> JointMotion<T> {
 
 impl<T: Scalar> Space for Planar<T> {
     type Scalar = T;
-    type Cosine = T;
-    type Sine = T;
-    type Spin = T;
+    type Size = T;
+    type X = T;
+    type Y = T;
+    type P = T;
+    type Q = T;
     type Turn = Turn<T>;
     type Frame = Frame<T>;
     type Acceleration = Acceleration<T>;
@@ -200,8 +208,11 @@ impl<T: Scalar> Space for Planar<T> {
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
 
-    fn blank() -> (T, T, T) {
-        (T::one(), T::zero(), T::zero())
+    fn blank() -> (T, T, T, T) {
+        (T::one(), T::zero(), T::zero(), T::zero())
+    }
+    fn no_size() -> T {
+        T::zero()
     }
     #[inline(always)]
     fn turn(frame: &Frame<T>) -> Turn<T> {

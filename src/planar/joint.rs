@@ -41,6 +41,12 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     /// Coordinates that turn the outboard body to an absolute angle.
     fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T>;
 
+    /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide, that is
+    /// as good on the other side.
+    fn lump(&mut self, mass: T) -> T {
+        mass
+    }
+
     /// The orientation of the outboard body.
     fn turned(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> Turn<T>;
 
@@ -86,6 +92,7 @@ macro_rules! joint {
             type Kept<C: Closures> = <Self as Joint<T>>::Kept<C>;
             type PerBody<X: Copy> = ();
             type PerJoint<X: Copy> = X;
+            type PerAxes<X: Copy> = ();
 
             const BODIES: Option<usize> = Some(0);
             const JOINTS: Option<usize> = Some(1);
@@ -112,6 +119,7 @@ macro_rules! joint {
             fn per_joint<X: Copy>(&self, fill: X) -> X {
                 fill
             }
+            fn per_axes<X: Copy>(&self, _: X) {}
             fn body_entry<'a, X: Copy>(&self, _: &'a (), _: usize) -> Option<&'a X> {
                 None
             }
@@ -120,6 +128,9 @@ macro_rules! joint {
             }
             fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
                 Joint::aim(self, position, inboard, next)
+            }
+            fn lump(&mut self, mass: T) -> T {
+                Joint::lump(self, mass)
             }
             #[inline(always)]
             fn orient(
@@ -132,8 +143,9 @@ macro_rules! joint {
             ) -> Turn<T> {
                 self.turned(position, rate, turn)
             }
+            fn size(&self, (): &mut ()) {}
             #[inline(always)]
-            fn resolve(&self, _: &mut (), _: &mut ()) {}
+            fn resolve((): &(), _: &mut (), _: &mut (), _: &mut (), _: &mut ()) {}
             #[inline(always)]
             fn recover<C: Closures>(
                 &self,
@@ -184,7 +196,7 @@ macro_rules! joint {
     };
 }
 joint!([T: Scalar] Pin);
-joint!([T: Scalar] Floating);
+joint!([T: Scalar] Floating<T>);
 joint!([T: Scalar] Weld<T>);
 joint!([T: Scalar, D: Coefficient<T>, P: Term<T>] ElasticHinge<Rotary<T, D, P>>);
 
@@ -198,6 +210,6 @@ macro_rules! count {
     };
 }
 count!([] Pin: U1);
-count!([] Floating: U3);
+count!([T] Floating<T>: U3);
 count!([T] Weld<T>: U0);
 count!([R] ElasticHinge<R>: U1);

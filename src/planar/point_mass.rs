@@ -1,7 +1,7 @@
 //! A point mass on a massless link.
 
 use super::body::{not_negative, positive};
-use super::{Body, Inertia};
+use super::{Body, Inertia, Pose};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
@@ -19,16 +19,18 @@ use num_traits::Zero;
 /// let bob = PointMass::new(1.5, 0.2); // length (m), mass (kg)
 /// assert_eq!(bob.inertia().centre, [1.5, 0.0]);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct PointMass<T> {
     length: T,
     mass: T,
+    /// In a scene the mass together with what its outboard neighbour lumps there.
+    lumped: T,
 }
 
 impl<T: Scalar> PointMass<T> {
     /// A point mass (kg) at the end of a massless link with a length (m).
     pub fn new(length: T, mass: T) -> Self {
-        Self { length, mass }
+        Self { length, mass, lumped: mass }
     }
 }
 
@@ -37,14 +39,33 @@ impl<T: Scalar> Body<T> for PointMass<T> {
         Inertia { mass: self.mass, centre: [self.length, T::zero()], about_centre: T::zero() }
     }
 
-    #[inline(always)]
-    fn arm(&self, cosine: T, sine: T) -> Vector2<T> {
-        Vector2::new(self.length * cosine, self.length * sine)
+    fn outboard(&self) -> [T; 2] {
+        [self.length, T::zero()]
+    }
+
+    fn lump(&mut self, mass: T) -> T {
+        self.lumped = self.mass + mass;
+        T::zero()
+    }
+
+    fn size(&self) -> T {
+        self.length
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T, R::Closures> {
-        outer.with_mass(self.mass).carried(self.arm(cosine, sine), spin2)
+    fn pose(length: T, angle: T, rate: T) -> Pose<T> {
+        Pose::of_link(length, angle, rate)
+    }
+
+    #[inline(always)]
+    fn arm(&self, pose: Pose<T>) -> [Vector2<T>; 2] {
+        pose.link()
+    }
+
+    #[inline(always)]
+    fn condense<R: Relation<T>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures> {
+        let [arm, centripetal] = pose.link();
+        outer.with_mass(self.lumped).carried(arm, centripetal)
     }
 
     fn check(&self) -> Result<(), Fault> {
@@ -53,4 +74,10 @@ impl<T: Scalar> Body<T> for PointMass<T> {
     }
 }
 
-lift!(PointMass { length, mass });
+impl<T: PartialEq> PartialEq for PointMass<T> {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.length, &self.mass) == (&other.length, &other.mass)
+    }
+}
+
+lift!(PointMass { length, mass, lumped });

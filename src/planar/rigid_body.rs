@@ -1,6 +1,6 @@
 //! A rigid body with its mass centre and its outboard end anywhere.
 
-use super::{Body, Inertia};
+use super::{Body, Inertia, Pose};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
@@ -16,12 +16,14 @@ use nalgebra::Vector2;
 /// let plate = RigidBody::new(2.0, 0.3, [0.4, 0.1], [0.8, -0.2]);
 /// assert_eq!(plate.inertia().mass, 2.0);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct RigidBody<T> {
     inertia: Inertia<T>,
     outboard: [T; 2],
     /// J_I = J_C + m |d_C|².
     about_inboard: T,
+    /// Point mass that its outboard neighbour lumps at the outboard end, in a scene.
+    lumped: T,
 }
 
 impl<T: Scalar> RigidBody<T> {
@@ -32,14 +34,15 @@ impl<T: Scalar> RigidBody<T> {
             inertia: Inertia { mass, centre, about_centre },
             outboard,
             about_inboard: about_centre + mass * (x * x + y * y),
+            lumped: T::zero(),
         }
     }
 }
 
 /// A vector of body axes in inertial axes.
 #[inline(always)]
-fn turned<T: Scalar>([x, y]: [T; 2], cosine: T, sine: T) -> Vector2<T> {
-    Vector2::new(cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y))
+fn turned<T: Scalar>([x, y]: [T; 2], pose: Pose<T>) -> Vector2<T> {
+    Vector2::new(pose.x.mul_add(x, -(pose.y * y)), pose.y.mul_add(x, pose.x * y))
 }
 
 impl<T: Scalar> Body<T> for RigidBody<T> {
@@ -47,18 +50,40 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
         self.inertia
     }
 
+    fn outboard(&self) -> [T; 2] {
+        self.outboard
+    }
+
+    // Its own mass counts as a point mass at the inboard end, and what is left is the first moment about that.
+    fn lump(&mut self, mass: T) -> T {
+        self.lumped = mass;
+        self.inertia.mass
+    }
+
+    fn size(&self) -> T {
+        T::zero()
+    }
+
+    /// (x, y) is the direction of the body's axes, p = −ω².
     #[inline(always)]
-    fn arm(&self, cosine: T, sine: T) -> Vector2<T> {
-        turned(self.outboard, cosine, sine)
+    fn pose(_: T, angle: T, rate: T) -> Pose<T> {
+        let (y, x) = angle.sin_cos();
+        Pose { x, y, p: -(rate * rate), q: T::zero() }
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T, R::Closures> {
-        let Inertia { mass, centre, .. } = self.inertia;
+    fn arm(&self, pose: Pose<T>) -> [Vector2<T>; 2] {
+        let arm = turned(self.outboard, pose);
+        [arm, arm * pose.p]
+    }
+
+    #[inline(always)]
+    fn condense<R: Relation<T>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures> {
+        let [arm, centripetal] = self.arm(pose);
         outer
-            .carried(self.arm(cosine, sine), spin2)
-            .with_mass(mass)
-            .with_first_moment(turned(centre, cosine, sine) * mass, spin2)
+            .with_mass(self.lumped)
+            .carried(arm, centripetal)
+            .with_first_moment(turned(self.inertia.centre, pose) * self.inertia.mass, pose.p)
             .with_inertia(self.about_inboard)
     }
 
@@ -70,4 +95,10 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
     }
 }
 
-lift!(RigidBody { inertia, outboard, about_inboard });
+impl<T: PartialEq> PartialEq for RigidBody<T> {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.inertia, &self.outboard) == (&other.inertia, &other.outboard)
+    }
+}
+
+lift!(RigidBody { inertia, outboard, about_inboard, lumped });

@@ -1,7 +1,7 @@
 //! A body whose mass centre lies on the line between its ends.
 
 use super::body::positive;
-use super::{Body, Inertia};
+use super::{Body, Inertia, Pose};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
@@ -18,7 +18,7 @@ use nalgebra::Vector2;
 /// let rod = Rod::uniform(2.0, 3.0);
 /// assert_eq!(rod.inertia().about_centre, 1.0); // m l² / 12
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Rod<T> {
     length: T,
     /// Point mass at the inboard end, m (1 − η) with η the mass centre's share of the length.
@@ -27,6 +27,8 @@ pub struct Rod<T> {
     outer: T,
     /// J′ = J_C + m η² l² − m η l².
     rest: T,
+    /// Point mass at the outboard end, in a scene together with what its outboard neighbour lumps there.
+    lumped: T,
 }
 
 impl<T: Scalar> Rod<T> {
@@ -41,7 +43,8 @@ impl<T: Scalar> Rod<T> {
     /// the mass centre (kg·m²).
     pub fn new(length: T, mass: T, centre: T, about_centre: T) -> Self {
         let outer = mass * centre / length;
-        Self { length, inner: mass - outer, outer, rest: about_centre - outer * (length - centre) * length }
+        let rest = about_centre - outer * (length - centre) * length;
+        Self { length, inner: mass - outer, outer, rest, lumped: outer }
     }
 
     /// Length (m).
@@ -58,14 +61,33 @@ impl<T: Scalar> Body<T> for Rod<T> {
         Inertia { mass, centre: [centre, T::zero()], about_centre }
     }
 
-    #[inline(always)]
-    fn arm(&self, cosine: T, sine: T) -> Vector2<T> {
-        Vector2::new(self.length * cosine, self.length * sine)
+    fn outboard(&self) -> [T; 2] {
+        [self.length, T::zero()]
+    }
+
+    fn lump(&mut self, mass: T) -> T {
+        self.lumped = self.outer + mass;
+        self.inner
+    }
+
+    fn size(&self) -> T {
+        self.length
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, cosine: T, sine: T, spin2: T) -> Full<T, R::Closures> {
-        outer.with_mass(self.outer).carried(self.arm(cosine, sine), spin2).with_mass(self.inner).with_inertia(self.rest)
+    fn pose(length: T, angle: T, rate: T) -> Pose<T> {
+        Pose::of_link(length, angle, rate)
+    }
+
+    #[inline(always)]
+    fn arm(&self, pose: Pose<T>) -> [Vector2<T>; 2] {
+        pose.link()
+    }
+
+    #[inline(always)]
+    fn condense<R: Relation<T>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures> {
+        let [arm, centripetal] = pose.link();
+        outer.with_mass(self.lumped).carried(arm, centripetal).with_inertia(self.rest)
     }
 
     fn check(&self) -> Result<(), Fault> {
@@ -75,4 +97,11 @@ impl<T: Scalar> Body<T> for Rod<T> {
     }
 }
 
-lift!(Rod { length, inner, outer, rest });
+impl<T: PartialEq> PartialEq for Rod<T> {
+    fn eq(&self, other: &Self) -> bool {
+        let Self { length, inner, outer, rest, .. } = self;
+        (length, inner, outer, rest) == (&other.length, &other.inner, &other.outer, &other.rest)
+    }
+}
+
+lift!(Rod { length, inner, outer, rest, lumped });

@@ -29,9 +29,9 @@ pub trait Closures: Copy + 'static {
     /// Pairs, zero.
     fn no_pairs<T: Scalar>() -> Self::Pairs<T>;
     /// `pairs + a bᵀ` for parallel a and b, the lower triangle.
-    fn add_outer<T: Scalar>(pairs: &Self::Pairs<T>, a: &Self::Each<T>, b: &Self::Each<T>) -> Self::Pairs<T>;
+    fn minus_outer<T: Scalar>(pairs: &Self::Pairs<T>, a: &Self::Each<T>, b: &Self::Each<T>) -> Self::Pairs<T>;
     /// `sum − a · b`.
-    fn minus_dot<T: Scalar>(sum: T, a: &Self::Each<T>, b: &Self::Each<T>) -> T;
+    fn plus_dot<T: Scalar>(sum: T, a: &Self::Each<T>, b: &Self::Each<T>) -> T;
     /// The solution of Λ x = b for the lower triangle Λ; not finite where Λ is singular.
     fn solve<T: Scalar>(compliance: &Self::Pairs<T>, b: &Self::Each<T>) -> Self::Each<T>;
 }
@@ -54,9 +54,9 @@ impl Closures for Open {
     #[inline(always)]
     fn no_pairs<T: Scalar>() {}
     #[inline(always)]
-    fn add_outer<T: Scalar>((): &(), (): &(), (): &()) {}
+    fn minus_outer<T: Scalar>((): &(), (): &(), (): &()) {}
     #[inline(always)]
-    fn minus_dot<T: Scalar>(sum: T, (): &(), (): &()) -> T {
+    fn plus_dot<T: Scalar>(sum: T, (): &(), (): &()) -> T {
         sum
     }
     #[inline(always)]
@@ -89,14 +89,14 @@ impl<const L: usize> Closures for Cut<L> {
         [[T::zero(); L]; L]
     }
     #[inline(always)]
-    fn add_outer<T: Scalar>(pairs: &[[T; L]; L], a: &[T; L], b: &[T; L]) -> [[T; L]; L] {
+    fn minus_outer<T: Scalar>(pairs: &[[T; L]; L], a: &[T; L], b: &[T; L]) -> [[T; L]; L] {
         core::array::from_fn(|i| {
-            core::array::from_fn(|j| if j <= i { a[i].mul_add(b[j], pairs[i][j]) } else { pairs[i][j] })
+            core::array::from_fn(|j| if j <= i { (-a[i]).mul_add(b[j], pairs[i][j]) } else { pairs[i][j] })
         })
     }
     #[inline(always)]
-    fn minus_dot<T: Scalar>(sum: T, a: &[T; L], b: &[T; L]) -> T {
-        (0..L).fold(sum, |sum, j| (-a[j]).mul_add(b[j], sum))
+    fn plus_dot<T: Scalar>(sum: T, a: &[T; L], b: &[T; L]) -> T {
+        (0..L).fold(sum, |sum, j| a[j].mul_add(b[j], sum))
     }
     #[inline(always)]
     fn solve<T: Scalar>(compliance: &[[T; L]; L], b: &[T; L]) -> [T; L] {
@@ -168,22 +168,22 @@ impl<V: Copy, T: Scalar, C: Closures> Cuts<V, T, C> {
         }
     }
 
-    /// The elimination of a coordinate with pivot `1 / inverse` whose acceleration would be `free` without closure forces.
-    /// `share` reads a column's generalised force on the coordinate, `reduce` the column that stays, given share / pivot.
-    /// The second result is what the outward walk needs: acceleration = … − row · λ.
+    /// The elimination of a coordinate with pivot `−1 / minus_inverse` whose acceleration would be `free` without closure forces.
+    /// `share` reads a column's generalised force on the coordinate, `reduce` the column that stays, given −share / pivot.
+    /// The second result is what the outward walk needs: acceleration = … + row · λ.
     #[inline(always)]
     pub fn eliminated<X: Copy>(
         &self,
-        inverse: T,
+        minus_inverse: T,
         free: T,
         share: impl FnMut(V) -> T,
         reduce: impl FnMut(V, T) -> X,
     ) -> (Cuts<X, T, C>, C::Each<T>) {
         let shares = C::map(&self.columns, share);
-        let row = C::map(&shares, |share| share * inverse);
+        let row = C::map(&shares, |share| share * minus_inverse);
         let cuts = Cuts {
             columns: C::zip(&self.columns, &row, reduce),
-            compliance: C::add_outer(&self.compliance, &shares, &row),
+            compliance: C::minus_outer(&self.compliance, &shares, &row),
             gap: C::zip(&self.gap, &shares, |sum, share| (-share).mul_add(free, sum)),
         };
         (cuts, row)

@@ -12,9 +12,11 @@ use num_traits::Zero;
 /// Room for the sweeps of one scene: reused, never reallocated.
 #[derive(Clone)]
 pub struct Workspace<S: Space, E: Element<S>, W: Sweep<S>> {
-    cosine: E::PerBody<S::Cosine>,
-    sine: E::PerBody<S::Sine>,
-    spin: E::PerBody<S::Spin>,
+    sizes: E::PerAxes<S::Size>,
+    x: E::PerAxes<S::X>,
+    y: E::PerAxes<S::Y>,
+    p: E::PerAxes<S::P>,
+    q: E::PerAxes<S::Q>,
     on_bodies: E::PerBody<OnBody<S, W>>,
     in_joints: E::PerJoint<InJoint<S, W>>,
     pub(crate) kept: E::Kept<W::Closures>,
@@ -28,12 +30,16 @@ pub struct Workspace<S: Space, E: Element<S>, W: Sweep<S>> {
 impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
     /// Room for the sweeps of `chain`.
     pub fn new(chain: &E) -> Self {
-        let (cosine, sine, spin) = S::blank();
+        let (x, y, p, q) = S::blank();
         let (on_body, in_joint) = W::Loads::nothing();
+        let mut sizes = chain.per_axes(S::no_size());
+        chain.size(&mut sizes);
         Self {
-            cosine: chain.per_body(cosine),
-            sine: chain.per_body(sine),
-            spin: chain.per_body(spin),
+            sizes,
+            x: chain.per_axes(x),
+            y: chain.per_axes(y),
+            p: chain.per_axes(p),
+            q: chain.per_axes(q),
             on_bodies: chain.per_body(on_body),
             in_joints: chain.per_joint(in_joint),
             kept: chain.kept(),
@@ -84,15 +90,15 @@ pub fn sweep<S: Space, E, W, R>(
     E: Condense<S, R, W, Out: Close<S, W::Closures>>,
 {
     let Site { ground, gravity, tip, loads, time } = site;
-    let Workspace { cosine, sine, spin, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
-    chain.orient(position, rate, S::turn(ground), cosine, spin);
-    chain.resolve(cosine, sine);
+    let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
+    chain.orient(position, rate, S::turn(ground), x, y);
+    E::resolve(sizes, x, y, p, q);
     if W::Loads::ON {
         let mut pass = LoadPass { loads: *loads, time: *time, body: 0, joint: 0 };
         let motion = Coordinates { position, rate, acceleration };
         chain.travel(*ground, motion, &mut pass, on_bodies, in_joints);
     }
-    let posture = Posture { cosine, sine, spin };
+    let posture = Posture { x, y, p, q };
     let &Spring { position, rate, springs } = spring;
     let given = Given { on_bodies, in_joints, position, rate, springs };
     let root = S::falling(ground, *gravity);
@@ -109,10 +115,10 @@ pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S>>(
     workspace: &'w mut Workspace<S, E, W>,
     miss: &<W::Closures as Closures>::Each<S::Scalar>,
 ) -> Option<&'w E::Rate> {
-    let Workspace { cosine, sine, spin, kept, compliance, correction, .. } = workspace;
+    let Workspace { x, y, p, q, kept, compliance, correction, .. } = workspace;
     let correction = correction.as_mut()?;
     let force = W::Closures::solve(compliance, &W::Closures::map(miss, |miss| -miss));
-    let posture = Posture { cosine, sine, spin };
+    let posture = Posture { x, y, p, q };
     chain.respond::<W::Closures>(S::no_acceleration(), posture, kept, &force, correction);
     Some(correction)
 }

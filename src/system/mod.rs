@@ -41,6 +41,13 @@ type Over<X, S, U> = <X as Lift<<S as Space>::Scalar, U>>::Over;
 /// The positions of a scene.
 pub type PositionOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Position;
 
+/// The elements of a scene, point masses that meet in a station added up.
+fn lumped<S: Space, J: Element<S>, C: Element<S>>(joint: J, chain: C) -> (J, C) {
+    let mut elements = (joint, chain);
+    elements.lump(S::Scalar::zero()); // what comes out at the ground does not move
+    elements
+}
+
 /// The coordinates of a motion.
 pub(crate) fn coordinates<S: Space, E: Element<S>, X: Closures>(
     motion: &Motion<S::Scalar, E::Position, X>,
@@ -64,7 +71,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if chain.bodies() == 0 {
             return Err(Error::new(Fault::NoBodies));
         }
-        Ok(Self { chain: (root.joint(), chain), root, tip, gravity: S::no_gravity() })
+        Ok(Self { chain: lumped(root.joint(), chain), root, tip, gravity: S::no_gravity() })
     }
 
     /// The same scene in a uniform field of gravity (m/s²).
@@ -228,12 +235,12 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         S: SpaceOver<U>,
         R: Lift<S::Scalar, U, Over: Root<S::Over>>,
-        C: Lift<S::Scalar, U>,
+        C: Lift<S::Scalar, U, Over: Element<S::Over>>,
         P: Lift<S::Scalar, U>,
     {
         let root = self.root.lift(&mut number);
         System {
-            chain: (root.joint(), self.chain.1.lift(&mut number)),
+            chain: lumped(root.joint(), self.chain.1.lift(&mut number)),
             root,
             tip: self.tip.lift(&mut number),
             gravity: S::lift_vector(self.gravity, &mut number),

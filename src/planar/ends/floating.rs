@@ -2,16 +2,25 @@
 
 use crate::element::{Condense, Given, Posture, Sweep};
 use crate::planar::{Acceleration, Frame, Joint, Planar, Turn};
-use crate::relation::plane::{Empty, Rigid};
+use crate::relation::plane::{Empty, Relation, Rigid};
 use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 
 /// The joint of a chain that floats: coordinates x, y and the absolute angle of its first body.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Floating;
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Floating<T> {
+    /// Point mass that the first body lumps at its inboard end.
+    lumped: T,
+}
 
-impl<T: Scalar> Joint<T> for Floating {
+impl<T: Scalar> Floating<T> {
+    pub(super) fn new() -> Self {
+        Self { lumped: T::zero() }
+    }
+}
+
+impl<T: Scalar> Joint<T> for Floating<T> {
     type Position = (T, T, T);
     type Rate = (T, T, T);
     type Kept<C: Closures> = Acceleration<T>;
@@ -32,6 +41,10 @@ impl<T: Scalar> Joint<T> for Floating {
     }
     fn is_finite<C: Closures>(kept: &Acceleration<T>) -> bool {
         kept.linear.x.is_finite() && kept.linear.y.is_finite() && kept.angular.is_finite()
+    }
+    fn lump(&mut self, mass: T) -> T {
+        self.lumped = mass;
+        T::zero()
     }
     fn aim(&self, position: &mut (T, T, T), _: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
         position.2 = next();
@@ -69,7 +82,7 @@ impl<T: Scalar> Joint<T> for Floating {
 }
 
 impl<T: Scalar, R: Rigid<T, Closures = Open>, W: Sweep<Planar<T>, Closures = Open>> Condense<Planar<T>, R, W>
-    for Floating
+    for Floating<T>
 {
     type Out = Empty;
 
@@ -81,7 +94,7 @@ impl<T: Scalar, R: Rigid<T, Closures = Open>, W: Sweep<Planar<T>, Closures = Ope
         _: Given<'_, Planar<T>, Self, W>,
         kept: &mut Acceleration<T>,
     ) -> Empty {
-        let (linear, angular) = outer.full().free();
+        let (linear, angular) = outer.full().with_mass(self.lumped).free();
         *kept = Acceleration { linear, angular };
         Empty
     }

@@ -17,10 +17,10 @@ pub struct Free;
 
 impl<T: Scalar> Root<Planar<T>> for Free {
     type Pairs = (Loose, Loose, Loose);
-    type Joint = Floating;
+    type Joint = Floating<T>;
 
-    fn joint(&self) -> Floating {
-        Floating
+    fn joint(&self) -> Floating<T> {
+        Floating::new()
     }
     fn ground(&self, _: T::Real) -> Frame<T> {
         Frame::resting(Vector2::new(T::zero(), T::zero()))
@@ -50,4 +50,4 @@ impl<T: Scalar> Tip<Planar<T>> for Free {
     }
 }
 
-lift!(Free, Floating);
+lift!(Free);

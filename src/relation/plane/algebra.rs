@@ -75,9 +75,9 @@ impl<T: Scalar> Symmetric2<T> {
         Self { xx: self.xx + value, xy: self.xy, yy: self.yy + value }
     }
 
-    /// S − u wᵀ for parallel u and w, so that the result is symmetric.
+    /// S + u wᵀ for parallel u and w, so that the result is symmetric.
     #[inline(always)]
-    pub fn minus_outer(self, u: Vector2<T>, w: Vector2<T>) -> Self {
-        Self { xx: (-u.x).mul_add(w.x, self.xx), xy: (-u.x).mul_add(w.y, self.xy), yy: (-u.y).mul_add(w.y, self.yy) }
+    pub fn plus_outer(self, u: Vector2<T>, w: Vector2<T>) -> Self {
+        Self { xx: u.x.mul_add(w.x, self.xx), xy: u.x.mul_add(w.y, self.xy), yy: u.y.mul_add(w.y, self.yy) }
     }
 }

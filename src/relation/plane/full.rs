@@ -67,9 +67,8 @@ impl<T: Scalar, C: Closures> Relation<T> for Full<T, C> {
         Self { linear: self.linear.plus_diagonal(mass), ..self }
     }
     #[inline(always)]
-    fn carried(self, d: Vector2<T>, spin2: T) -> Self {
+    fn carried(self, d: Vector2<T>, centripetal: Vector2<T>) -> Self {
         let n = normal(d);
-        let centripetal = d * -spin2;
         let coupling = self.linear.apply_onto(n, self.coupling);
         let force = self.linear.apply_onto(centripetal, self.force);
         Self {
@@ -80,7 +79,7 @@ impl<T: Scalar, C: Closures> Relation<T> for Full<T, C> {
             torque: dot(n, force) + dot(self.coupling, centripetal) + self.torque,
             cuts: self.cuts.turned(
                 |w| FullColumn { force: w.force, torque: w.torque + dot(n, w.force) },
-                |w| spin2 * dot(w.force, d),
+                |w| -dot(w.force, centripetal),
             ),
         }
     }
@@ -93,23 +92,23 @@ impl<T: Scalar, C: Closures> Full<T, C> {
         Self { angular: self.angular + inertia, ..self }
     }
 
-    /// Adds a first moment σ = m d_C (kg·m) about the station, of a body that turns at a rate with square `spin2`.
+    /// Adds a first moment σ = m d_C (kg·m) about the station, of a body with −ω² as given.
     #[inline(always)]
-    pub fn with_first_moment(self, moment: Vector2<T>, spin2: T) -> Self {
-        Self { coupling: self.coupling + normal(moment), force: add_scaled(self.force, -spin2, moment), ..self }
+    pub fn with_first_moment(self, moment: Vector2<T>, minus_spin2: T) -> Self {
+        Self { coupling: self.coupling + normal(moment), force: add_scaled(self.force, minus_spin2, moment), ..self }
     }
 
     /// Lets the station turn freely under the torque that acts in the pin: the rotation is eliminated, and what the
     /// outward pass needs to find it again is returned beside the relation.
     #[inline(always)]
     pub fn pinned<M: Term<T>>(self, torque: M) -> (Point<T, M, C>, Gain<T, C>) {
-        let inverse = self.angular.recip();
-        let per_acceleration = self.coupling * inverse;
-        let free = torque.add_to(-self.torque) * inverse;
-        let reduce = |w: FullColumn<T>, row: T| add_scaled(w.force, -row, self.coupling);
-        let (cuts, per_closure) = self.cuts.eliminated(inverse, free, |w| w.torque, reduce);
+        let minus_inverse = -self.angular.recip();
+        let per_acceleration = self.coupling * minus_inverse;
+        let free = torque.take_from(self.torque) * minus_inverse;
+        let reduce = |w: FullColumn<T>, row: T| add_scaled(w.force, row, self.coupling);
+        let (cuts, per_closure) = self.cuts.eliminated(minus_inverse, free, |w| w.torque, reduce);
         let relation = Point {
-            stiffness: self.linear.minus_outer(self.coupling, per_acceleration),
+            stiffness: self.linear.plus_outer(self.coupling, per_acceleration),
             offset: add_scaled(self.force, free, self.coupling),
             torque,
             cuts,
@@ -121,19 +120,19 @@ impl<T: Scalar, C: Closures> Full<T, C> {
     /// elimination, S_mm + K̂, knows of it.
     #[inline(always)]
     pub fn hinged(self, torque: T, stiffness: T) -> (Self, HingeGain<T, C>) {
-        let inverse = (self.angular + stiffness).recip();
-        let per_acceleration = self.coupling * inverse;
-        let per_angular = self.angular * inverse;
-        let free = (torque - self.torque) * inverse;
+        let minus_inverse = -(self.angular + stiffness).recip();
+        let per_acceleration = self.coupling * minus_inverse;
+        let per_angular = self.angular * minus_inverse;
+        let free = (self.torque - torque) * minus_inverse;
         // What is left of the rotational part, I_a Φ = U Δ⁻¹ K̂: no difference of large numbers.
-        let left = stiffness * inverse;
+        let left = -(stiffness * minus_inverse);
         let reduce = |w: FullColumn<T>, row: T| FullColumn {
-            force: add_scaled(w.force, -row, self.coupling),
+            force: add_scaled(w.force, row, self.coupling),
             torque: w.torque * left,
         };
-        let (cuts, per_closure) = self.cuts.eliminated(inverse, free, |w| w.torque, reduce);
+        let (cuts, per_closure) = self.cuts.eliminated(minus_inverse, free, |w| w.torque, reduce);
         let relation = Self {
-            linear: self.linear.minus_outer(self.coupling, per_acceleration),
+            linear: self.linear.plus_outer(self.coupling, per_acceleration),
             coupling: self.coupling * left,
             angular: self.angular * left,
             force: add_scaled(self.force, free, self.coupling),
@@ -175,14 +174,14 @@ impl<T: Scalar, C: Closures> Rigid<T> for Full<T, C> {
     }
 }
 
-/// What eliminating a rotation leaves behind: α = free − w · a − row · λ.
+/// What eliminating a rotation leaves behind: α = free + w · a + row · λ.
 #[derive(Clone, Copy)]
 pub struct Gain<T: Copy, C: Closures = Open> {
-    /// w = s / S_mm (rad/m).
+    /// w = −s / S_mm (rad/m).
     pub per_acceleration: Vector2<T>,
     /// Angular acceleration of a station that does not accelerate (rad/s²).
     pub free: T,
-    /// Angular acceleration for each closure force, negated.
+    /// Angular acceleration for each closure force.
     pub per_closure: C::Each<T>,
 }
 
@@ -202,8 +201,8 @@ impl<T: Scalar, C: Closures> Gain<T, C> {
     #[inline(always)]
     pub fn angular(&self, a: Vector2<T>, multipliers: &C::Each<T>) -> T {
         let w = self.per_acceleration;
-        let open = (-w.x).mul_add(a.x, (-w.y).mul_add(a.y, self.free));
-        C::minus_dot(open, &self.per_closure, multipliers)
+        let open = w.x.mul_add(a.x, w.y.mul_add(a.y, self.free));
+        C::plus_dot(open, &self.per_closure, multipliers)
     }
 }
 
@@ -217,7 +216,7 @@ impl<T: Scalar, C: Closures> HingeGain<T, C> {
     #[inline(always)]
     pub fn absolute(gain: Gain<T, C>) -> Self {
         let Gain { per_acceleration, free, per_closure } = gain;
-        Self { per_acceleration, per_angular: T::one(), free, per_closure }
+        Self { per_acceleration, per_angular: -T::one(), free, per_closure }
     }
 
     /// Whether it is finite.
@@ -230,13 +229,13 @@ impl<T: Scalar, C: Closures> HingeGain<T, C> {
     #[inline(always)]
     pub fn relative(&self, a: Vector2<T>, angular: T, multipliers: &C::Each<T>) -> T {
         let w = self.per_acceleration;
-        let bound = (-self.per_angular).mul_add(angular, self.free);
-        let open = (-w.x).mul_add(a.x, (-w.y).mul_add(a.y, bound));
-        C::minus_dot(open, &self.per_closure, multipliers)
+        let bound = self.per_angular.mul_add(angular, self.free);
+        let open = w.x.mul_add(a.x, w.y.mul_add(a.y, bound));
+        C::plus_dot(open, &self.per_closure, multipliers)
     }
 }
 
-/// What eliminating a stiff rotation leaves behind: φ̈ = free − w · a − w_α α − row · λ.
+/// What eliminating a stiff rotation leaves behind: φ̈ = free + w · a + w_α α + row · λ.
 #[derive(Clone, Copy)]
 pub struct HingeGain<T: Copy, C: Closures = Open> {
     /// w (rad/m).
@@ -245,6 +244,6 @@ pub struct HingeGain<T: Copy, C: Closures = Open> {
     pub per_angular: T,
     /// Relative angular acceleration of a station that does not accelerate (rad/s²).
     pub free: T,
-    /// Relative angular acceleration for each closure force, negated.
+    /// Relative angular acceleration for each closure force.
     pub per_closure: C::Each<T>,
 }

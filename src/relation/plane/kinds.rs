@@ -49,9 +49,9 @@ pub trait Relation<T: Scalar>: Copy {
     /// Adds a point mass (kg) at the station.
     fn with_mass(self, mass: T) -> Self::WithMass;
 
-    /// Moves the station inboard by −d on a rigid body that turns at a rate with the square `spin2` (rad²/s²):
+    /// Moves the station inboard by −d on a rigid body, whose outboard end has the centripetal acceleration −ω² d:
     /// p_O = (a + α n − ω² d, α), hence F_I = Xᵀ F_O with X = [[1, n], [0, 1]].
-    fn carried(self, d: Vector2<T>, spin2: T) -> Full<T, Self::Closures>;
+    fn carried(self, d: Vector2<T>, centripetal: Vector2<T>) -> Full<T, Self::Closures>;
 }
 
 fn zero<T: Scalar>() -> Vector2<T> {
@@ -67,7 +67,7 @@ impl<T: Scalar> Relation<T> for Empty {
         Lump { mass }
     }
     #[inline(always)]
-    fn carried(self, _: Vector2<T>, _: T) -> Full<T> {
+    fn carried(self, _: Vector2<T>, _: Vector2<T>) -> Full<T> {
         Full::massless()
     }
 }
@@ -81,14 +81,14 @@ impl<T: Scalar> Relation<T> for Lump<T> {
         Self { mass: self.mass + mass }
     }
     #[inline(always)]
-    fn carried(self, d: Vector2<T>, spin2: T) -> Full<T> {
+    fn carried(self, d: Vector2<T>, centripetal: Vector2<T>) -> Full<T> {
         let n = normal(d);
         let coupling = n * self.mass;
         Full {
             linear: Symmetric2::diagonal(self.mass),
             coupling,
             angular: dot(n, coupling),
-            force: d * -(self.mass * spin2),
+            force: centripetal * self.mass,
             torque: T::zero(), // the centripetal force has no moment about the station: n · d = 0
             cuts: Cuts::none(),
         }
@@ -104,7 +104,7 @@ impl<T: Scalar> Relation<T> for Known<T> {
         Point { stiffness: Symmetric2::diagonal(mass), offset: self.force, torque: self.torque, cuts: Cuts::none() }
     }
     #[inline(always)]
-    fn carried(self, d: Vector2<T>, _: T) -> Full<T> {
+    fn carried(self, d: Vector2<T>, _: Vector2<T>) -> Full<T> {
         Full { force: self.force, torque: self.torque + dot(normal(d), self.force), ..Full::massless() }
     }
 }
@@ -118,10 +118,10 @@ impl<T: Scalar, M: Term<T>, C: Closures> Relation<T> for Point<T, M, C> {
         Self { stiffness: self.stiffness.plus_diagonal(mass), ..self }
     }
     #[inline(always)]
-    fn carried(self, d: Vector2<T>, spin2: T) -> Full<T, C> {
+    fn carried(self, d: Vector2<T>, centripetal: Vector2<T>) -> Full<T, C> {
         let n = normal(d);
         let coupling = self.stiffness.apply(n);
-        let force = self.stiffness.apply_onto(d * -spin2, self.offset);
+        let force = self.stiffness.apply_onto(centripetal, self.offset);
         Full {
             linear: self.stiffness,
             coupling,
@@ -130,7 +130,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Relation<T> for Point<T, M, C> {
             torque: self.torque.add_to(dot(n, force)),
             cuts: self.cuts.turned(
                 |w| FullColumn { force: w, torque: dot(n, w) },
-                |w| spin2 * dot(w, d), // −Wᵀ c with the centripetal c = −ω² d
+                |w| -dot(w, centripetal),
             ),
         }
     }
