@@ -84,9 +84,22 @@ fn resolve_items<S: Space, A: Element<S>>(
     }
 }
 
+/// [`resolve_items`] as a function of its own: it costs a call and saves to ask whether slices overlap.
+#[cfg(feature = "alloc")]
+#[inline(never)]
+fn resolve_slices<S: Space, A: Element<S>>(
+    sizes: &[A::PerAxes<S::Size>],
+    x: &mut [A::PerAxes<S::X>],
+    y: &mut [A::PerAxes<S::Y>],
+    p: &mut [A::PerAxes<S::P>],
+    q: &mut [A::PerAxes<S::Q>],
+) {
+    resolve_items::<S, A>(sizes, x, y, p, q);
+}
+
 /// One implementation for arrays and vectors, `$Of<item $extra>`.
 macro_rules! chain_items {
-    ($Of:ident, $map:ident, [$($K:tt)*], [$($extra:tt)*], |$A:ident| $length:expr) => {
+    ($Of:ident, $map:ident, $resolve:ident, [$($K:tt)*], [$($extra:tt)*], |$A:ident| $length:expr) => {
         impl<S: Space, A: Element<S> $($K)*> Element<S> for $Of<A $($extra)*> {
             type Position = $Of<A::Position $($extra)*>;
             type Rate = $Of<A::Rate $($extra)*>;
@@ -187,7 +200,7 @@ macro_rules! chain_items {
                 p: &mut Self::PerAxes<S::P>,
                 q: &mut Self::PerAxes<S::Q>,
             ) {
-                resolve_items::<S, A>(sizes, x, y, p, q);
+                $resolve::<S, A>(sizes, x, y, p, q);
             }
             #[inline]
             fn recover<C: Closures>(
@@ -320,6 +333,6 @@ macro_rules! chain_items {
     };
 }
 
-chain_items!(Array, map_array, [, const K: usize], [, K], |each| product(each, K));
+chain_items!(Array, map_array, resolve_items, [, const K: usize], [, K], |each| product(each, K));
 #[cfg(feature = "alloc")]
-chain_items!(Vec, map_vec, [], [], |_each| None);
+chain_items!(Vec, map_vec, resolve_slices, [], [], |_each| None);

@@ -76,8 +76,8 @@ pub trait Body<T: Scalar>: Copy + Debug {
     /// What `pose` reads of its shape.
     fn size(&self) -> T;
 
-    /// What the walks read of a body of a size at an angle (rad) and angular velocity (rad/s).
-    fn pose(size: T, angle: T, rate: T) -> Pose<T>;
+    /// What the walks read of a body of a size at an angle (rad), turning with −ω² (rad²/s²).
+    fn pose(size: T, angle: T, minus_spin2: T) -> Pose<T>;
 
     /// From I to O (m), inertial axes, and the centripetal acceleration of O (m/s²).
     fn arm(&self, pose: Pose<T>) -> [Vector2<T>; 2];
@@ -106,9 +106,9 @@ pub struct Pose<T> {
 impl<T: Scalar> Pose<T> {
     /// That of a straight link of a length (m) along the body's x axis: its arm and the centripetal acceleration −ω² d.
     #[inline(always)]
-    pub fn of_link(length: T, angle: T, rate: T) -> Self {
+    pub fn of_link(length: T, angle: T, minus_spin2: T) -> Self {
         let (sine, cosine) = angle.sin_cos();
-        let (x, y, minus_spin2) = (length * cosine, length * sine, -(rate * rate));
+        let (x, y) = (length * cosine, length * sine);
         Self { x, y, p: minus_spin2 * x, q: minus_spin2 * y }
     }
 
@@ -182,7 +182,7 @@ macro_rules! body {
             #[inline(always)]
             fn orient(&self, _: &(), _: &(), turn: Turn<T>, x: &mut T, y: &mut T) -> Turn<T> {
                 *x = turn.angle;
-                *y = turn.rate;
+                *y = -(turn.rate * turn.rate);
                 turn
             }
             fn size(&self, size: &mut T) {

@@ -66,9 +66,9 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
 
     /// (x, y) is the direction of the body's axes, p = −ω².
     #[inline(always)]
-    fn pose(_: T, angle: T, rate: T) -> Pose<T> {
+    fn pose(_: T, angle: T, minus_spin2: T) -> Pose<T> {
         let (y, x) = angle.sin_cos();
-        Pose { x, y, p: -(rate * rate), q: T::zero() }
+        Pose { x, y, p: minus_spin2, q: T::zero() }
     }
 
     #[inline(always)]

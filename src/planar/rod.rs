@@ -75,8 +75,8 @@ impl<T: Scalar> Body<T> for Rod<T> {
     }
 
     #[inline(always)]
-    fn pose(length: T, angle: T, rate: T) -> Pose<T> {
-        Pose::of_link(length, angle, rate)
+    fn pose(length: T, angle: T, minus_spin2: T) -> Pose<T> {
+        Pose::of_link(length, angle, minus_spin2)
     }
 
     #[inline(always)]
