@@ -5,7 +5,7 @@
 //! A *sweep* is one evaluation of a scene's accelerations. It walks the chain four times, and nothing goes back:
 //!
 //! ```text
-//! orient    root → tip   each body's angle and rate                        Element::orient, Element::resolve
+//! orient    root → tip   each body's angle and rate                        Element::pose
 //! load      root → tip   forces that depend on the motion (if any)         Element::travel
 //! condense  tip → root   F = S p + e at each station                       Condense::condense
 //! recover   root → tip   accelerations of the joint coordinates            Element::recover
@@ -128,6 +128,10 @@ pub trait Element<S: Space>: Clone {
     /// station between them, and hands on what it lumps at its own inboard end instead of adding it in every sweep.
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar;
 
+    /// Whether the orientations inside do not depend on what lies inboard: then bodies that follow each other in an array need
+    /// not be turned one after the other.
+    const ABSOLUTE: bool;
+
     /// Carries the orientation outward and stores, for each set of axes, what `resolve` needs.
     fn orient(
         &self,
@@ -150,6 +154,25 @@ pub trait Element<S: Space>: Clone {
         p: &mut Self::PerAxes<S::P>,
         q: &mut Self::PerAxes<S::Q>,
     );
+
+    /// `orient` and `resolve` at once.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)] // one store each: of arguments alone the compiler knows that they do not overlap
+    fn pose(
+        &self,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        turn: S::Turn,
+        sizes: &Self::PerAxes<S::Size>,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
+    ) -> S::Turn {
+        let turn = self.orient(position, rate, turn, x, y);
+        Self::resolve(sizes, x, y, p, q);
+        turn
+    }
 
     /// Recovers the accelerations of the joint coordinates from that of the inboard station, outward.
     fn recover<C: Closures>(

@@ -84,22 +84,55 @@ fn resolve_items<S: Space, A: Element<S>>(
     }
 }
 
-/// [`resolve_items`] as a function of its own: it costs a call and saves to ask whether slices overlap.
-#[cfg(feature = "alloc")]
-#[inline(never)]
-fn resolve_slices<S: Space, A: Element<S>>(
+/// `Element::pose` of items: in one loop where the order does not matter, and in two where only the first has to go in order.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)] // slices that march together
+fn pose_items<S: Space, A: Element<S>>(
+    items: &[A],
+    position: &[A::Position],
+    rate: &[A::Rate],
+    mut turn: S::Turn,
     sizes: &[A::PerAxes<S::Size>],
     x: &mut [A::PerAxes<S::X>],
     y: &mut [A::PerAxes<S::Y>],
     p: &mut [A::PerAxes<S::P>],
     q: &mut [A::PerAxes<S::Q>],
-) {
-    resolve_items::<S, A>(sizes, x, y, p, q);
+) -> S::Turn {
+    if A::ABSOLUTE {
+        march!(n: items position rate sizes; mut x y p q; else turn);
+        for i in 0..n {
+            let (x, y, p, q) = (&mut x[i], &mut y[i], &mut p[i], &mut q[i]);
+            turn = items[i].pose(&position[i], &rate[i], turn, &sizes[i], x, y, p, q);
+        }
+        turn
+    } else {
+        let turn = orient_items(items, position, rate, turn, x, y);
+        resolve_items::<S, A>(sizes, x, y, p, q);
+        turn
+    }
+}
+
+/// [`pose_items`] as a function of its own: it costs a call and saves to ask whether slices overlap.
+#[cfg(feature = "alloc")]
+#[inline(never)]
+#[allow(clippy::too_many_arguments)]
+fn pose_slices<S: Space, A: Element<S>>(
+    items: &[A],
+    position: &[A::Position],
+    rate: &[A::Rate],
+    turn: S::Turn,
+    sizes: &[A::PerAxes<S::Size>],
+    x: &mut [A::PerAxes<S::X>],
+    y: &mut [A::PerAxes<S::Y>],
+    p: &mut [A::PerAxes<S::P>],
+    q: &mut [A::PerAxes<S::Q>],
+) -> S::Turn {
+    pose_items(items, position, rate, turn, sizes, x, y, p, q)
 }
 
 /// One implementation for arrays and vectors, `$Of<item $extra>`.
 macro_rules! chain_items {
-    ($Of:ident, $map:ident, $resolve:ident, [$($K:tt)*], [$($extra:tt)*], |$A:ident| $length:expr) => {
+    ($Of:ident, $map:ident, $pose:ident, [$($K:tt)*], [$($extra:tt)*], |$A:ident| $length:expr) => {
         impl<S: Space, A: Element<S> $($K)*> Element<S> for $Of<A $($extra)*> {
             type Position = $Of<A::Position $($extra)*>;
             type Rate = $Of<A::Rate $($extra)*>;
@@ -112,6 +145,7 @@ macro_rules! chain_items {
                 let $A = A::BODIES;
                 $length
             };
+            const ABSOLUTE: bool = A::ABSOLUTE;
             const JOINTS: Option<usize> = {
                 let $A = A::JOINTS;
                 $length
@@ -200,7 +234,21 @@ macro_rules! chain_items {
                 p: &mut Self::PerAxes<S::P>,
                 q: &mut Self::PerAxes<S::Q>,
             ) {
-                $resolve::<S, A>(sizes, x, y, p, q);
+                resolve_items::<S, A>(sizes, x, y, p, q);
+            }
+            #[inline]
+            fn pose(
+                &self,
+                position: &Self::Position,
+                rate: &Self::Rate,
+                turn: S::Turn,
+                sizes: &Self::PerAxes<S::Size>,
+                x: &mut Self::PerAxes<S::X>,
+                y: &mut Self::PerAxes<S::Y>,
+                p: &mut Self::PerAxes<S::P>,
+                q: &mut Self::PerAxes<S::Q>,
+            ) -> S::Turn {
+                $pose(self, position, rate, turn, sizes, x, y, p, q)
             }
             #[inline]
             fn recover<C: Closures>(
@@ -333,6 +381,6 @@ macro_rules! chain_items {
     };
 }
 
-chain_items!(Array, map_array, resolve_items, [, const K: usize], [, K], |each| product(each, K));
+chain_items!(Array, map_array, pose_items, [, const K: usize], [, K], |each| product(each, K));
 #[cfg(feature = "alloc")]
-chain_items!(Vec, map_vec, resolve_slices, [], [], |_each| None);
+chain_items!(Vec, map_vec, pose_slices, [], [], |_each| None);

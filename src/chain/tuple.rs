@@ -6,6 +6,13 @@ use crate::error::Error;
 use crate::relation::Closures;
 use crate::tuples::for_each_tuple;
 
+/// The first of a list.
+macro_rules! first {
+    ($first:expr, $($rest:expr,)*) => {
+        $first
+    };
+}
+
 macro_rules! chain_tuple {
     ($met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
         impl<S: Space, $($A: Element<S>),*> Element<S> for ($($A,)*) {
@@ -21,6 +28,7 @@ macro_rules! chain_tuple {
                 $(let n = sum(n, $A::BODIES);)*
                 n
             };
+            const ABSOLUTE: bool = first!($($A::ABSOLUTE,)*);
             const JOINTS: Option<usize> = {
                 let n = Some(0);
                 $(let n = sum(n, $A::JOINTS);)*
@@ -126,6 +134,30 @@ macro_rules! chain_tuple {
                 q: &mut Self::PerAxes<S::Q>,
             ) {
                 $($A::resolve(&sizes.$i, &mut x.$i, &mut y.$i, &mut p.$i, &mut q.$i);)*
+            }
+            #[inline]
+            fn pose(
+                &self,
+                position: &Self::Position,
+                rate: &Self::Rate,
+                turn: S::Turn,
+                sizes: &Self::PerAxes<S::Size>,
+                x: &mut Self::PerAxes<S::X>,
+                y: &mut Self::PerAxes<S::Y>,
+                p: &mut Self::PerAxes<S::P>,
+                q: &mut Self::PerAxes<S::Q>,
+            ) -> S::Turn {
+                $(let turn = self.$i.pose(
+                    &position.$i,
+                    &rate.$i,
+                    turn,
+                    &sizes.$i,
+                    &mut x.$i,
+                    &mut y.$i,
+                    &mut p.$i,
+                    &mut q.$i,
+                );)*
+                turn
             }
             #[inline]
             fn recover<Cuts: Closures>(

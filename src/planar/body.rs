@@ -147,6 +147,7 @@ macro_rules! body {
 
             const BODIES: Option<usize> = Some(1);
             const JOINTS: Option<usize> = Some(0);
+            const ABSOLUTE: bool = false;
 
             fn bodies(&self) -> usize {
                 1

@@ -26,6 +26,9 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     /// Whether the outboard body turns relative to the inboard one.
     const TURNS: bool;
 
+    /// Whether the orientation of the outboard body does not depend on that of the inboard one.
+    const ABSOLUTE: bool = false;
+
     /// The position of an unturned joint.
     fn position() -> Self::Position;
     /// The rates of a joint at rest.
@@ -96,6 +99,7 @@ macro_rules! joint {
 
             const BODIES: Option<usize> = Some(0);
             const JOINTS: Option<usize> = Some(1);
+            const ABSOLUTE: bool = <Self as Joint<T>>::ABSOLUTE;
 
             fn bodies(&self) -> usize {
                 0

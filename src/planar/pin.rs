@@ -22,6 +22,7 @@ impl<T: Scalar> Joint<T> for Pin {
     type Kept<C: Closures> = Gain<T, C>;
 
     const TURNS: bool = true;
+    const ABSOLUTE: bool = true;
 
     fn position() -> T {
         T::zero()

@@ -91,8 +91,7 @@ pub fn sweep<S: Space, E, W, R>(
 {
     let Site { ground, gravity, tip, loads, time } = site;
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
-    chain.orient(position, rate, S::turn(ground), x, y);
-    E::resolve(sizes, x, y, p, q);
+    chain.pose(position, rate, S::turn(ground), sizes, x, y, p, q);
     if W::Loads::ON {
         let mut pass = LoadPass { loads: *loads, time: *time, body: 0, joint: 0 };
         let motion = Coordinates { position, rate, acceleration };

@@ -26,6 +26,7 @@ impl<T: Scalar> Joint<T> for Floating<T> {
     type Kept<C: Closures> = Acceleration<T>;
 
     const TURNS: bool = true;
+    const ABSOLUTE: bool = true;
 
     fn position() -> (T, T, T) {
         (T::zero(), T::zero(), T::zero())
