@@ -42,6 +42,17 @@ pub enum Fault {
         /// Its value.
         value: f64,
     },
+    /// A parameter is outside the range in which it makes sense (or NaN).
+    OutOfRange {
+        /// Its name.
+        parameter: &'static str,
+        /// Its value.
+        value: f64,
+        /// The least value allowed.
+        least: f64,
+        /// The greatest value allowed.
+        most: f64,
+    },
     /// A parameter or an input is NaN or infinite.
     NotFinite {
         /// Its name.
@@ -108,6 +119,9 @@ impl fmt::Display for Error {
         match self.fault {
             Fault::NotPositive { parameter, value } => write!(f, "{parameter} must be positive, but is {value}"),
             Fault::Negative { parameter, value } => write!(f, "{parameter} must not be negative, but is {value}"),
+            Fault::OutOfRange { parameter, value, least, most } => {
+                write!(f, "{parameter} must lie between {least} and {most}, but is {value}")
+            }
             Fault::NotFinite { parameter } => write!(f, "{parameter} must be finite"),
             Fault::SingularJoint => write!(f, "nothing resists the rotation in this joint (no inertia outboard of it)"),
             Fault::NonFiniteLoad => write!(f, "a load is not finite"),

@@ -1,14 +1,13 @@
 //! Steps by explicit methods.
 
+use super::displace::{displace, gather, mean_square};
 use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::error::{Error, Fault};
-use crate::mirror::{Position, Rate};
+use crate::mirror::Rate;
 use crate::motion::Motion;
-use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
 use crate::time::Explicit;
-use num_traits::{One, Zero};
 
 /// Steps by an explicit method.
 pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
@@ -43,45 +42,6 @@ impl<M: Explicit> Method for M {
             sweeps: 0,
         }
     }
-}
-
-/// `sum = base + scale · Σ weights[j] · slopes[j]`, four terms at a time: one function of moderate size for all rows, however
-/// many coordinates a tuple unrolls.
-#[inline(never)]
-fn gather<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Real, weights: &[f64], slopes: &[R]) {
-    let mut started = false;
-    for (weights, slopes) in weights.chunks(4).zip(slopes.chunks(4)) {
-        let weight = |j: usize| T::Real::of(weights[j]) * scale;
-        macro_rules! terms {
-            ($M:literal) => {{
-                let (weights, terms) = (core::array::from_fn(weight), core::array::from_fn(|j| &slopes[j]));
-                if started { sum.accumulate::<$M>(&weights, terms) } else { sum.combine::<$M>(base, &weights, terms) }
-            }};
-        }
-        match weights.len().min(slopes.len()) {
-            4 => terms!(4),
-            3 => terms!(3),
-            2 => terms!(2),
-            1 => terms!(1),
-            _ => (),
-        }
-        started = true;
-    }
-}
-
-/// The past motion displaced by accelerations with these weights (in position, in rate): at a share `node` of the step.
-fn displace<T: Scalar, P: Position<T>, C: Closures>(
-    past: &Motion<T, P, C>,
-    slopes: &[P::Rate],
-    node: f64,
-    weights: (&[f64], &[f64]),
-    dt: T::Real,
-    (zero, increment): (&P::Rate, &mut P::Rate),
-    (position, rate): (&mut P, &mut P::Rate),
-) {
-    gather(increment, zero, dt * dt, weights.0, slopes);
-    position.drift(&past.position, T::Real::of(node) * dt, &past.rate, &[T::Real::one()], [increment]);
-    gather(rate, &past.rate, dt, weights.1, slopes);
 }
 
 /// Weights of a row in position and rate: of the accelerations before it.
@@ -197,18 +157,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
             let zero = &self.zero;
             gather(position, zero, dt * dt, &of_position[..=M::STAGES], slopes);
             gather(rate, zero, dt, &of_rate[..=M::STAGES], slopes);
-            let (mut sum, mut count) = (TimeIn::<D, L>::zero(), 0usize);
-            let mut note = |error: D::Scalar, size: TimeIn<D, L>| {
-                let share = error.real() / (tolerance * (TimeIn::<D, L>::one() + size));
-                sum += share * share;
-                count += 1;
-            };
-            next.position.measure(position, &mut note);
-            rate.all(&next.rate, &mut |error, rate| {
-                note(error, rate.real().abs());
-                true
-            });
-            *square = sum.as_f64() / count.max(1) as f64;
+            *square = mean_square(next, (position, rate), tolerance);
         }
         let count = M::errors().len();
         (count > 0).then(|| TimeIn::<D, L>::of(M::combine_errors(&squares[..count])).sqrt())

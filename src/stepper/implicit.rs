@@ -1,11 +1,11 @@
 //! Steps by the generalised-α family.
 
-use super::{Method, MotionIn, Stepper, TimeIn};
+use super::displace::mean_square;
+use super::{Method, MotionIn, Stepper, TimeIn, check};
 use crate::element::Implicit;
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
-use crate::motion::Motion;
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
 use crate::time::GeneralizedAlpha;
 use num_traits::{One, Zero};
@@ -23,21 +23,27 @@ pub struct ImplicitStepper<D: Dynamics<L>, L> {
     free: (D::Position, D::Rate),
     /// Where the geometry of a sweep is taken.
     at: (D::Position, D::Rate),
-    /// Acceleration at the start of the last step.
+    /// True and auxiliary acceleration at the start of the last step.
     first: D::Rate,
-    jump: D::Rate,
+    auxiliary: D::Rate,
+    /// Outcome of the last sweep but one, and by how much the last sweep of the last step changed it.
+    earlier: D::Rate,
+    change: D::Rate,
+    /// Room for estimates of errors.
+    estimate: (D::Rate, D::Rate),
     still: MotionIn<D, L>,
     zero: D::Rate,
     sweeps: usize,
 }
 
-/// A motion, to be recognised by, and its auxiliary acceleration A; no time before the first step.
+/// A motion, to be recognised by, and how far its auxiliary acceleration A is from the true one; no time before the first step.
 struct Memory<D: Dynamics<L>, L> {
     time: Option<TimeIn<D, L>>,
     position: D::Position,
     rate: D::Rate,
-    acceleration: D::Rate,
-    auxiliary: D::Rate,
+    /// A − a, and the size (s) of the step that left it: it grows with the size.
+    offset: D::Rate,
+    size: TimeIn<D, L>,
 }
 
 impl<D: Dynamics<L>, L> Memory<D, L> {
@@ -50,10 +56,11 @@ impl<D: Dynamics<L>, L> Memory<D, L> {
     }
 
     /// Keeps a motion, without its accelerations.
-    fn keep(&mut self, motion: &MotionIn<D, L>, zero: &D::Rate) {
+    fn keep(&mut self, motion: &MotionIn<D, L>, size: TimeIn<D, L>, zero: &D::Rate) {
         self.time = Some(motion.time);
         self.position.drift(&motion.position, TimeIn::<D, L>::zero(), zero, &[], []);
         self.rate.combine(&motion.rate, &[], []);
+        self.size = size;
     }
 }
 
@@ -68,8 +75,8 @@ impl Method for GeneralizedAlpha {
             time: None,
             position: still.position.clone(),
             rate: zero.clone(),
-            acceleration: zero.clone(),
-            auxiliary: zero.clone(),
+            offset: zero.clone(),
+            size: TimeIn::<D, L>::one(),
         };
         ImplicitStepper {
             rule: *self,
@@ -80,7 +87,10 @@ impl Method for GeneralizedAlpha {
             free: place.clone(),
             at: place,
             first: zero.clone(),
-            jump: zero.clone(),
+            auxiliary: zero.clone(),
+            earlier: zero.clone(),
+            change: zero.clone(),
+            estimate: (zero.clone(), zero.clone()),
             still,
             zero,
             scene,
@@ -92,47 +102,24 @@ impl Method for GeneralizedAlpha {
 impl<D: Dynamics<L>, L> ImplicitStepper<D, L> {
     /// Makes `before` the memory of `past`: that of the last step if `past` is where it ended; otherwise A is the true
     /// acceleration, from which it differs by O(h). Where the acceleration has jumped since (with a load), so does A.
-    fn recall(&mut self, past: &MotionIn<D, L>) {
+    fn recall(&mut self, past: &MotionIn<D, L>, dt: TimeIn<D, L>) {
         if self.last.is_of(past) {
             core::mem::swap(&mut self.last, &mut self.before);
         } else if !self.before.is_of(past) {
-            self.before.keep(past, &self.zero);
-            self.before.auxiliary.combine(&self.zero, &[], []);
-            self.before.acceleration.combine(&self.zero, &[], []);
+            self.before.keep(past, dt, &self.zero);
+            self.before.offset.combine(&self.zero, &[], []);
         }
-        let one = TimeIn::<D, L>::one();
-        let Memory { acceleration, auxiliary, .. } = &mut self.before;
-        self.jump.combine(auxiliary, &[one, -one], [&self.first, acceleration]);
-        auxiliary.combine(&self.jump, &[], []);
-        acceleration.combine(&self.first, &[], []);
         self.last.time = None;
     }
 
-    /// Refuses motions of another scene.
-    fn fits(&self, past: &MotionIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
-        if past.fits(&self.still) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
-    }
-
-    /// The step from the accelerations in `first`.
-    fn make(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
+    /// The step from the accelerations in `first` and the memory of `past`, and nothing else: it changes neither.
+    fn leap(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &mut MotionIn<D, L>) {
         let real = TimeIn::<D, L>::of;
-        let GeneralizedAlpha { alpha_m, alpha_f, beta, gamma, sweeps } = self.rule;
-        for (parameter, value) in [("beta", beta), ("gamma - 1/2 + tiny", gamma - 0.5 + 1e-12)] {
-            if value.is_nan() || value <= 0.0 {
-                return Err(Error::new(Fault::NotPositive { parameter, value }));
-            }
-        }
-        self.recall(past);
-        // A₁ = κ a₁ + (α_f a₀ − α_m A₀) / (1 − α_m).
-        let kappa = (1.0 - alpha_f) / (1.0 - alpha_m);
-        let (of_true, of_auxiliary) = (alpha_f / (1.0 - alpha_m), -alpha_m / (1.0 - alpha_m));
-        let terms = [&self.first, &self.before.auxiliary];
+        let GeneralizedAlpha { beta, gamma, sweeps, .. } = self.rule;
+        // A is the acceleration at a time apart by a share of the step; another size of step needs another one.
+        self.auxiliary.combine(&self.first, &[dt / self.before.size], [&self.before.offset]);
+        let [kappa, of_true, of_auxiliary] = self.rule.recurrence();
+        let terms = [&self.first, &self.auxiliary];
         let (position, rate) = &mut self.free;
         let square = dt * dt;
         let weights = [real(beta * of_true) * square, real(0.5 - beta + beta * of_auxiliary) * square];
@@ -152,6 +139,9 @@ impl<D: Dynamics<L>, L> ImplicitStepper<D, L> {
                 self.at.0.drift(&self.free.0, none, &self.zero, &[springs.position], found);
                 self.at.1.combine(&self.free.1, &[springs.rate], found);
             }
+            if sweep + 1 == sweeps {
+                self.earlier.combine(&next.acceleration, &[], []);
+            }
             let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
             let acceleration = &mut next.acceleration;
             next.multipliers =
@@ -162,16 +152,36 @@ impl<D: Dynamics<L>, L> ImplicitStepper<D, L> {
         next.position.drift(&self.free.0, none, &self.zero, &[springs.position], found);
         next.rate.combine(&self.free.1, &[springs.rate], found);
         self.scene.project_stiff(next, &mut self.stiff);
-        self.last.keep(next, &self.zero);
-        self.last.acceleration.combine(&next.acceleration, &[], []);
-        let terms = [&next.acceleration, &self.first, &self.before.auxiliary];
-        let weights = [real(kappa), real(of_true), real(of_auxiliary)];
-        self.last.auxiliary.combine(&self.zero, &weights, terms);
+    }
+
+    /// The step from the accelerations in `first`, remembered.
+    fn make(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.recall(past, dt);
+        self.leap(past, loads, dt, next);
+        let (real, one) = (TimeIn::<D, L>::of, TimeIn::<D, L>::one());
+        // With a single sweep there is nothing to compare it with.
+        let compared = if self.rule.sweeps > 1 { one } else { TimeIn::<D, L>::zero() };
+        self.change.combine(&self.zero, &[compared, -compared], [&next.acceleration, &self.earlier]);
+        self.last.keep(next, dt, &self.zero);
+        let [kappa, of_true, of_auxiliary] = self.rule.recurrence();
+        let terms = [&next.acceleration, &self.first, &self.auxiliary];
+        self.last.offset.combine(&self.zero, &[real(kappa - 1.0), real(of_true), real(of_auxiliary)], terms);
         match self.scene.accept(next) {
-            Ok(()) => Ok(()),
-            Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => Err(self.diagnose(past, loads, dt)),
-            Err(error) => Err(error),
+            Err(Error { fault: Fault::NonFiniteMotion, .. }) => Err(self.diagnose(past, loads, dt)),
+            outcome => outcome,
         }
+    }
+
+    /// Refuses motions of another scene, steps that are none, and parameters that make no rule.
+    fn check(&self, past: &MotionIn<D, L>, next: &MotionIn<D, L>, dt: TimeIn<D, L>) -> Result<(), Error> {
+        check::<D, L>(&self.still, past, next, dt)?;
+        self.rule.fault.map_or(Ok(()), |fault| Err(Error::new(fault)))
     }
 
     /// Finds where a step went wrong: at its start, or at its end.
@@ -194,7 +204,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        self.fits(past, next)?;
+        self.check(past, next, dt)?;
         let first = &mut self.first;
         self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
         self.sweeps += 1;
@@ -208,48 +218,48 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        self.fits(past, next)?;
+        self.check(past, next, dt)?;
         self.first.combine(&past.acceleration, &[], []); // a copy that allocates nothing
         self.make(past, loads, dt, next)
     }
 
+    /// The change that the last sweep made (geometry), and the change of the acceleration during the step (truncation).
     fn error(
         &mut self,
-        past: &MotionIn<D, L>,
+        _: &MotionIn<D, L>,
         dt: TimeIn<D, L>,
         next: &MotionIn<D, L>,
         tolerance: TimeIn<D, L>,
     ) -> Option<TimeIn<D, L>> {
-        let _ = (past, dt, next, tolerance);
-        None
+        let real = TimeIn::<D, L>::of;
+        let (position, rate) = &mut self.estimate;
+        let square = dt * dt;
+        let [kappa, ..] = self.rule.recurrence();
+        position.combine(&self.zero, &[real(self.rule.beta * kappa) * square], [&self.change]);
+        let geometry = mean_square(next, (position, &self.zero), tolerance);
+        let [of_position, of_rate] = self.rule.truncation().map(real);
+        let (forth, back) = (of_position * square, of_rate * dt);
+        position.combine(&self.zero, &[forth, -forth], [&next.acceleration, &self.first]);
+        rate.combine(&self.zero, &[back, -back], [&next.acceleration, &self.first]);
+        let truncation = mean_square(next, (position, rate), tolerance);
+        Some(real(geometry).sqrt() + real(truncation).sqrt())
     }
 
     fn error_order(&self) -> f64 {
-        2.0
+        if self.rule.truncation()[1] == 0.0 { 3.0 } else { 2.0 }
     }
 
+    /// A step of the share `theta`: as good as the rule at any stiffness, where an interpolation would strain stiff springs.
     fn interpolate(
         &mut self,
         past: &MotionIn<D, L>,
         loads: &L,
         dt: TimeIn<D, L>,
-        next: &MotionIn<D, L>,
+        _: &MotionIn<D, L>,
         theta: f64,
         between: &mut MotionIn<D, L>,
     ) {
-        // Accelerations linear in time between the two ends: third-order positions, at least as good as the rule.
-        let real = TimeIn::<D, L>::of;
-        let t = theta;
-        between.time = past.time + real(theta) * dt;
-        let square = dt * dt;
-        let weights = [real(t * t / 2.0 - t * t * t / 6.0) * square, real(t * t * t / 6.0) * square];
-        let terms = [&self.first, &next.acceleration];
-        between.position.drift(&past.position, real(t) * dt, &past.rate, &weights, terms);
-        let weights = [real(t - t * t / 2.0) * dt, real(t * t / 2.0) * dt];
-        between.rate.combine(&past.rate, &weights, terms);
-        let Motion { time, position, rate, acceleration, multipliers } = between;
-        *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
-        self.sweeps += 1;
+        self.leap(past, loads, TimeIn::<D, L>::of(theta) * dt, between);
     }
 
     fn sweeps(&self) -> usize {

@@ -1,21 +1,42 @@
 //! Steppers: what a rule needs for one scene, and the step itself.
 
+mod displace;
 mod explicit;
 mod implicit;
+mod sdirk;
 
-use crate::error::Error;
+use crate::error::{Error, Fault};
 use crate::motion::Motion;
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
+use num_traits::Zero;
 
 pub use explicit::ExplicitStepper;
 pub use implicit::ImplicitStepper;
+pub use sdirk::SdirkStepper;
 
 /// The motion of a scene described by `D`.
 pub type MotionIn<D, L> =
     Motion<<D as Dynamics<L>>::Scalar, <D as Dynamics<L>>::Position, <D as Dynamics<L>>::Closures>;
 /// Time in a scene described by `D`.
 pub type TimeIn<D, L> = <<D as Dynamics<L>>::Scalar as Scalar>::Real;
+
+/// Refuses motions of another scene, and steps that are none.
+fn check<D: Dynamics<L>, L>(
+    still: &MotionIn<D, L>,
+    past: &MotionIn<D, L>,
+    next: &MotionIn<D, L>,
+    dt: TimeIn<D, L>,
+) -> Result<(), Error> {
+    if !(past.fits(still) && past.fits(next)) {
+        return Err(Error::new(Fault::Shape));
+    }
+    if dt.is_finite() && dt > Zero::zero() {
+        Ok(())
+    } else {
+        Err(Error::new(Fault::NotPositive { parameter: "step size", value: dt.as_f64() }))
+    }
+}
 
 /// A method that can make steppers for scenes.
 pub trait Method {

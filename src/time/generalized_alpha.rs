@@ -1,6 +1,7 @@
 //! The Newmark family: generalised-α, Newmark and the trapezoidal rule, linearly implicit.
 
 use super::{Control, Rule};
+use crate::error::Fault;
 
 /// The generalised-α family in the form that balances forces at the end of the step (M. Arnold, O. Brüls 2007): second order,
 /// stable on stiff hinges.
@@ -32,22 +33,34 @@ pub struct GeneralizedAlpha {
     pub(crate) beta: f64,
     pub(crate) gamma: f64,
     pub(crate) sweeps: usize,
+    /// What is wrong with the parameters: a step says so.
+    pub(crate) fault: Option<Fault>,
+}
+
+/// The fault of a parameter outside a range.
+fn outside(parameter: &'static str, value: f64, least: f64, most: f64) -> Option<Fault> {
+    let inside = value.is_finite() && value >= least && value <= most;
+    (!inside).then_some(Fault::OutOfRange { parameter, value, least, most })
 }
 
 impl GeneralizedAlpha {
     /// The rule whose amplification of infinitely fast vibration is ρ∞, from 0 (annihilates it) to 1 (keeps it); 0.8 is a good
-    /// choice.
+    /// choice. A step with another value is refused with [`Fault::OutOfRange`].
     pub fn new(rho: f64) -> Self {
         let alpha_m = (2.0 * rho - 1.0) / (rho + 1.0);
         let alpha_f = rho / (rho + 1.0);
         let gamma = 0.5 + alpha_f - alpha_m;
         let beta = 0.25 * (gamma + 0.5) * (gamma + 0.5);
-        Self { alpha_m, alpha_f, beta, gamma, sweeps: 2 }
+        Self { alpha_m, alpha_f, beta, gamma, sweeps: 2, fault: outside("rho", rho, 0.0, 1.0) }
     }
 
-    /// Newmark's rule with β > 0 and γ ≥ ½: second order for γ = ½, first order with damping above.
+    /// Newmark's rule with β > 0 and γ ≥ ½: second order for γ = ½, first order with damping above. A step with other values is
+    /// refused with [`Fault::NotPositive`] or [`Fault::OutOfRange`].
     pub fn newmark(beta: f64, gamma: f64) -> Self {
-        Self { alpha_m: 0.0, alpha_f: 0.0, beta, gamma, sweeps: 2 }
+        let valid = beta.is_finite() && beta > 0.0;
+        let beta_fault = (!valid).then_some(Fault::NotPositive { parameter: "beta", value: beta });
+        let fault = beta_fault.or(outside("gamma", gamma, 0.5, f64::INFINITY));
+        Self { alpha_m: 0.0, alpha_f: 0.0, beta, gamma, sweeps: 2, fault }
     }
 
     /// The trapezoidal rule, Newmark's with β = ¼ and γ = ½. It keeps fast vibration for ever: reactions at stiff hinges do not
@@ -65,5 +78,32 @@ impl GeneralizedAlpha {
     /// Steps of a fixed size (s).
     pub fn step<R>(self, size: R) -> Rule<Self, R> {
         Rule { method: self, control: Control::Fixed(size) }
+    }
+
+    /// Steps that keep the error of each in positions within a tolerance, absolute (rad, m) and relative.
+    pub fn tolerance<R>(self, tolerance: R) -> Rule<Self, R> {
+        Rule { method: self, control: Control::Tolerance(tolerance) }
+    }
+
+    /// κ and the weights of a₀ and A₀ in A₁ = κ a₁ + (α_f a₀ − α_m A₀) / (1 − α_m).
+    pub(crate) fn recurrence(&self) -> [f64; 3] {
+        let Self { alpha_m, alpha_f, .. } = *self;
+        [1.0 - alpha_f, alpha_f, -alpha_m].map(|share| share / (1.0 - alpha_m))
+    }
+
+    /// Distance of A from the time of the true acceleration, as a share of the step: A(t) ≈ a(t + lead · h).
+    pub(crate) fn lead(&self) -> f64 {
+        self.alpha_m - self.alpha_f
+    }
+
+    /// Errors of a step in position and rate, in units of h² and h times the change of the true acceleration in it.
+    ///
+    /// With a linear acceleration the step misses the position by h² (β − 1/6 + lead/2) of the change, and the rate by
+    /// h (γ − ½ + lead), which is zero for a rule of second order. Where the first one vanishes too, that of the trapezoidal rule
+    /// stands for what is left.
+    pub(crate) fn truncation(&self) -> [f64; 2] {
+        let position = self.beta - 1.0 / 6.0 + 0.5 * self.lead();
+        let rate = self.gamma - 0.5 + self.lead();
+        [if position.abs() < 1.0 / 12.0 { 1.0 / 12.0 } else { position }, if rate.abs() < 1e-12 { 0.0 } else { rate }]
     }
 }

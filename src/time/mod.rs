@@ -6,6 +6,7 @@ mod dop853_table;
 mod dopri5;
 mod generalized_alpha;
 mod rk4;
+pub(crate) mod sdirk4;
 mod tableau;
 
 pub use control::{Control, Rule};
@@ -13,4 +14,5 @@ pub use dop853::Dop853;
 pub use dopri5::Dopri5;
 pub use generalized_alpha::GeneralizedAlpha;
 pub use rk4::Rk4;
+pub use sdirk4::Sdirk4;
 pub use tableau::{ErrorWeights, Explicit, Tableau};

@@ -1,4 +1,4 @@
-//! Explicit Runge-Kutta methods in Nyström form.
+//! Runge-Kutta methods in Nyström form.
 //!
 //! The state is (q, v) with q̇ = v exactly, so the rates of the stages can be eliminated: with weights A for the
 //! accelerations kⱼ, stage i stands at
@@ -35,13 +35,13 @@ impl<const R: usize> Tableau<R> {
     }
 }
 
-/// A row of weights times the matrix A (loops, because `for` is not yet const).
+/// A row of weights times the lower triangular matrix A (loops, because `for` is not yet const).
 const fn times<const R: usize>(row: &[f64; R], rate: &[[f64; R]; R]) -> [f64; R] {
     let mut product = [0.0; R];
     let mut j = 0;
     while j < R {
         let mut l = 0;
-        while l < j {
+        while l <= j {
             product[l] += row[j] * rate[j][l];
             l += 1;
         }

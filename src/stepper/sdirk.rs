@@ -1,0 +1,190 @@
+//! Steps by a singly diagonally implicit Runge-Kutta method.
+
+use super::displace::{displace, gather, mean_square};
+use super::{Method, MotionIn, Stepper, TimeIn, check};
+use crate::element::Implicit;
+use crate::error::{Error, Fault};
+use crate::mirror::{Position, Rate};
+use crate::scalar::{Real, Scalar};
+use crate::system::Dynamics;
+use crate::time::Sdirk4;
+use crate::time::sdirk4::{ERROR, GAMMA, STAGES, TABLE};
+use num_traits::Zero;
+
+/// Steps by [`Sdirk4`].
+///
+/// A step needs no accelerations of its start: [`step`](Stepper::step) and [`advance`](Stepper::advance) do the same.
+pub struct SdirkStepper<D: Dynamics<L>, L> {
+    rule: Sdirk4,
+    scene: D,
+    workspace: D::Workspace,
+    stiff: D::StiffWorkspace,
+    /// Accelerations of the stages.
+    slopes: [D::Rate; STAGES],
+    /// Where positions and rates of a stage would be without its acceleration.
+    free: (D::Position, D::Rate),
+    /// Where the geometry of a sweep is taken.
+    at: (D::Position, D::Rate),
+    still: MotionIn<D, L>,
+    zero: D::Rate,
+    /// Room for increments of positions.
+    room: D::Rate,
+    /// Estimated errors of the last step, in positions and in rates.
+    estimate: (D::Rate, D::Rate),
+    sweeps: usize,
+}
+
+impl Method for Sdirk4 {
+    type Stepper<D: Dynamics<L>, L> = SdirkStepper<D, L>;
+
+    fn stepper<D: Dynamics<L>, L>(&self, scene: D) -> SdirkStepper<D, L> {
+        let still = scene.still();
+        let zero = still.rate.clone();
+        let place = (still.position.clone(), zero.clone());
+        SdirkStepper {
+            rule: *self,
+            workspace: scene.workspace(),
+            stiff: scene.stiff_workspace(),
+            slopes: core::array::from_fn(|_| zero.clone()),
+            free: place.clone(),
+            at: place,
+            room: zero.clone(),
+            estimate: (zero.clone(), zero.clone()),
+            zero,
+            scene,
+            still,
+            sweeps: 0,
+        }
+    }
+}
+
+impl<D: Dynamics<L>, L> SdirkStepper<D, L> {
+    /// Solves a stage: its accelerations become slopes, its place and rates stand in `at`, its time and closure forces in
+    /// `next`.
+    fn solve(&mut self, stage: usize, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &mut MotionIn<D, L>) {
+        let real = TimeIn::<D, L>::of;
+        let node = TABLE.nodes[stage];
+        let weights = (&TABLE.position[stage][..stage], &TABLE.rate[stage][..stage]);
+        let (position, rate) = &mut self.free;
+        displace(past, &self.slopes, node, weights, dt, (&self.zero, &mut self.room), (position, rate));
+        let own = real(GAMMA) * dt;
+        let springs = Implicit { position: own * own, rate: own };
+        next.time = past.time + real(node) * dt;
+        // Accelerations of the start are too rough to predict a geometry with, where stiff joints are not in equilibrium: the
+        // first stage does without, and with one more sweep. The others take those of the stage before.
+        let mut sweeps = self.rule.sweeps;
+        if stage == 0 {
+            sweeps += 1;
+            self.at.0.drift(&past.position, real(node) * dt, &past.rate, &[], []);
+            self.at.1.combine(&past.rate, &[], []);
+        } else {
+            self.aim(springs, stage - 1);
+        }
+        for _ in 0..sweeps {
+            let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
+            let acceleration = &mut self.slopes[stage];
+            next.multipliers =
+                self.scene.implicit_accelerations(next.time, at, free, springs, loads, &mut self.stiff, acceleration);
+            self.sweeps += 1;
+            self.aim(springs, stage);
+        }
+    }
+
+    /// Takes the geometry of the next sweep where these accelerations bring the stage under way.
+    fn aim(&mut self, springs: Implicit<TimeIn<D, L>>, slope: usize) {
+        let slope = [&self.slopes[slope]];
+        self.at.0.drift(&self.free.0, Zero::zero(), &self.zero, &[springs.position], slope);
+        self.at.1.combine(&self.free.1, &[springs.rate], slope);
+    }
+
+    /// All stages, the last of which is the step; then the tip is put back where it is held.
+    fn leap(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &mut MotionIn<D, L>) {
+        for stage in 0..STAGES {
+            self.solve(stage, past, loads, dt, next);
+        }
+        next.time = past.time + dt;
+        next.position.drift(&self.at.0, Zero::zero(), &self.zero, &[], []);
+        next.rate.combine(&self.at.1, &[], []);
+        next.acceleration.combine(&self.slopes[STAGES - 1], &[], []);
+        self.scene.project_stiff(next, &mut self.stiff);
+    }
+
+    /// Finds where a step went wrong: at its start, or stage by stage.
+    #[cold]
+    fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
+        let mut stage = past.clone();
+        let Self { scene, workspace, .. } = self;
+        scene.accelerations(past.time, &past.position, &past.rate, loads, workspace, &mut stage.acceleration);
+        for row in 0..STAGES {
+            if !stage.is_finite() {
+                break;
+            }
+            self.solve(row, past, loads, dt, &mut stage);
+            stage.acceleration.combine(&self.slopes[row], &[], []);
+            stage.position.drift(&past.position, stage.time - past.time, &past.rate, &[], []);
+        }
+        self.scene.diagnose(&stage, loads, &mut self.workspace)
+    }
+}
+
+impl<D: Dynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
+    fn step(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        check::<D, L>(&self.still, past, next, dt)?;
+        self.leap(past, loads, dt, next);
+        let (position, rate) = &mut self.estimate;
+        gather(position, &self.zero, dt * dt, &ERROR.position, &self.slopes);
+        gather(rate, &self.zero, dt, &ERROR.rate, &self.slopes);
+        match self.scene.accept(next) {
+            Err(Error { fault: Fault::NonFiniteMotion, .. }) => Err(self.diagnose(past, loads, dt)),
+            outcome => outcome,
+        }
+    }
+
+    fn advance(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.step(past, loads, dt, next)
+    }
+
+    fn error(
+        &mut self,
+        _: &MotionIn<D, L>,
+        _: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        tolerance: TimeIn<D, L>,
+    ) -> Option<TimeIn<D, L>> {
+        let square = mean_square(next, (&self.estimate.0, &self.estimate.1), tolerance);
+        Some(TimeIn::<D, L>::of(square).sqrt())
+    }
+
+    fn error_order(&self) -> f64 {
+        4.0
+    }
+
+    /// A step of the share `theta`: as good as the rule at any stiffness, where an interpolation would strain stiff springs.
+    fn interpolate(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        _: &MotionIn<D, L>,
+        theta: f64,
+        between: &mut MotionIn<D, L>,
+    ) {
+        self.leap(past, loads, TimeIn::<D, L>::of(theta) * dt, between);
+    }
+
+    fn sweeps(&self) -> usize {
+        self.sweeps
+    }
+}

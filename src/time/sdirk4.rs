@@ -1,0 +1,96 @@
+//! The singly diagonally implicit Runge-Kutta method of Hairer and Wanner, order 4.
+
+use super::tableau::{ErrorWeights, Tableau};
+use super::{Control, Rule};
+
+/// SDIRK4 (E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, table IV.6.5): order 4 in positions, rates and
+/// forces, five implicit stages, L-stable, with an embedded method of order 3 for error control.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sdirk4 {
+    pub(crate) sweeps: usize,
+}
+
+impl Sdirk4 {
+    /// Three sweeps a stage, fifteen a step.
+    pub fn new() -> Self {
+        Self { sweeps: 3 }
+    }
+
+    /// Another number of sweeps a stage, at least one.
+    #[must_use]
+    pub fn with_sweeps(self, sweeps: usize) -> Self {
+        Self { sweeps: sweeps.max(1) }
+    }
+
+    /// Steps of a fixed size (s).
+    pub fn step<R>(self, size: R) -> Rule<Self, R> {
+        Rule { method: self, control: Control::Fixed(size) }
+    }
+
+    /// Steps that keep the error of each within a tolerance, absolute (rad, m) and relative.
+    pub fn tolerance<R>(self, tolerance: R) -> Rule<Self, R> {
+        Rule { method: self, control: Control::Tolerance(tolerance) }
+    }
+}
+
+impl Default for Sdirk4 {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Stages of a step. The last one is the step itself (stiffly accurate): its accelerations belong to the end of the step.
+pub(crate) const STAGES: usize = 5;
+
+/// γ, the weight of a stage's own acceleration.
+pub(crate) const GAMMA: f64 = 0.25;
+
+pub(crate) static TABLE: Tableau<STAGES> = Tableau::new(
+    [1.0 / 4.0, 3.0 / 4.0, 11.0 / 20.0, 1.0 / 2.0, 1.0],
+    [
+        [GAMMA, 0.0, 0.0, 0.0, 0.0],
+        [1.0 / 2.0, GAMMA, 0.0, 0.0, 0.0],
+        [17.0 / 50.0, -1.0 / 25.0, GAMMA, 0.0, 0.0],
+        [371.0 / 1360.0, -137.0 / 2720.0, 15.0 / 544.0, GAMMA, 0.0],
+        [25.0 / 24.0, -49.0 / 48.0, 125.0 / 16.0, -85.0 / 12.0, GAMMA],
+    ],
+);
+
+/// The last row minus the weights of order 3, (59/48, −17/96, 225/32, −85/12, 0).
+pub(crate) static ERROR: ErrorWeights<STAGES> =
+    ErrorWeights::new([-3.0 / 16.0, -27.0 / 32.0, 25.0 / 32.0, 0.0, GAMMA], &TABLE.rate);
+
+#[cfg(test)]
+mod tests {
+    use super::{ERROR, STAGES, TABLE};
+
+    fn sum(term: impl Fn(usize) -> f64) -> f64 {
+        (0..STAGES).map(term).sum()
+    }
+
+    #[test]
+    fn the_eight_conditions_of_order_four_hold_and_four_of_the_embedded_method() {
+        let (a, c, b) = (&TABLE.rate, &TABLE.nodes, &TABLE.rate[STAGES - 1]);
+        let after = |x: &dyn Fn(usize) -> f64, i: usize| sum(|j| a[i][j] * x(j));
+        let ac = |i: usize| after(&|j| c[j], i);
+        let conditions: [(&dyn Fn(usize) -> f64, f64); 8] = [
+            (&|_| 1.0, 1.0),
+            (&|i| c[i], 1.0 / 2.0),
+            (&|i| c[i] * c[i], 1.0 / 3.0),
+            (&ac, 1.0 / 6.0),
+            (&|i| c[i].powi(3), 1.0 / 4.0),
+            (&|i| c[i] * ac(i), 1.0 / 8.0),
+            (&|i| after(&|j| c[j] * c[j], i), 1.0 / 12.0),
+            (&|i| after(&ac, i), 1.0 / 24.0),
+        ];
+        for (k, (of, exact)) in conditions.into_iter().enumerate() {
+            // Rounding of weights up to eight.
+            assert!((sum(|i| b[i] * of(i)) - exact).abs() < 1e-14, "condition {k}");
+            let embedded = sum(|i| ERROR.rate[i] * of(i)).abs();
+            assert!((embedded < 1e-14) == (k < 4), "embedded, condition {k}: {embedded}");
+        }
+        for i in 0..STAGES {
+            assert!((sum(|j| a[i][j]) - c[i]).abs() < 1e-14, "row {i}");
+        }
+    }
+}
