@@ -8,6 +8,7 @@ use catena::ends::Root;
 use catena::planar::*;
 use catena::stepper::{Method, Stepper};
 use catena::system::{Dynamics, Runs};
+use catena::time::Sdirk4;
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
@@ -120,6 +121,7 @@ fn steps_of_every_rule_allocate_nothing() -> Result<(), Error> {
     no_scene_allocates!(Dopri5);
     no_scene_allocates!(Dop853);
     no_scene_allocates!(GeneralizedAlpha::new(0.8));
+    no_scene_allocates!(Sdirk4::new());
     Ok(())
 }
 

@@ -7,7 +7,7 @@ use catena::planar::*;
 use catena::simulate::Interrupted;
 use catena::stepper::{Method, Stepper};
 use catena::system::{MotionOf, Runs};
-use catena::time::Rule;
+use catena::time::{Rule, Sdirk4};
 use catena::{Error, Fault, Motion, Place, Scalar};
 use core::fmt::Debug;
 
@@ -222,6 +222,7 @@ macro_rules! fails {
             failing_step(system, past, loads, Dopri5),
             failing_step(system, past, loads, Dop853),
             failing_step(system, past, loads, GeneralizedAlpha::new(0.8)),
+            failing_step(system, past, loads, Sdirk4::new()),
         ]
         .concat();
         let run = system.simulation(Rk4::step(0.125)).loads(loads).run(past.clone(), 1.0, |_| ());
@@ -367,7 +368,8 @@ fn steps_refuse_motions_of_another_shape() -> Result<(), Error> {
     refuse(Rk4)?;
     refuse(Dopri5)?;
     refuse(Dop853)?;
-    refuse(GeneralizedAlpha::new(0.8))
+    refuse(GeneralizedAlpha::new(0.8))?;
+    refuse(Sdirk4::new())
 }
 
 #[test]

@@ -8,7 +8,7 @@ use catena::mirror::{Position, Rate};
 use catena::planar::*;
 use catena::stepper::{Method, Stepper};
 use catena::system::MotionOf;
-use catena::time::Rule;
+use catena::time::{Rule, Sdirk4};
 use catena::{Error, Motion, Real};
 use core::f64::consts::{FRAC_PI_3, PI};
 use kit::{Noise, has_order, near};
@@ -98,6 +98,9 @@ fn samples_between_steps_converge_with_the_order_of_the_steps() -> Result<(), Er
     has_order("RK4", 4.0, 1e-15, &errors(&|h| sampled(Rk4::step(h)), [0.02, 0.01, 0.005, 0.0025])?);
     has_order("DOPRI5", 5.0, 1e-15, &errors(&|h| sampled(Dopri5::step(h)), [0.02, 0.01, 0.005, 0.0025])?);
     has_order("DOP853", 8.0, 1e-15, &errors(&|h| sampled(Dop853::step(h)), [0.1, 0.075, 0.06, 0.05])?);
+    has_order("SDIRK4", 4.0, 1e-15, &errors(&|h| sampled(Sdirk4::new().step(h)), [0.02, 0.01, 0.005, 0.0025])?);
+    let alpha = errors(&|h| sampled(GeneralizedAlpha::new(0.8).step(h)), [0.02, 0.01, 0.005, 0.0025])?;
+    has_order("generalised-α", 2.0, 1e-15, &alpha);
     Ok(())
 }
 
@@ -331,6 +334,8 @@ fn a_step_keeps_its_order_where_torques_jump() -> Result<(), Error> {
     has_order("DOP853", 8.0, 1e-14, &errors(&|n| controlled(Dop853, n, true), [2, 3, 4, 5])?);
     let implicit = errors(&|n| controlled(GeneralizedAlpha::new(0.8), n, true), [20, 40, 80, 160])?;
     has_order("generalised-α", 2.0, 1e-14, &implicit);
+    let implicit = errors(&|n| controlled(Sdirk4::new(), n, true), [10, 20, 40, 80])?;
+    has_order("SDIRK4", 4.0, 1e-14, &implicit);
     // Accelerations of the torques before the jump spoil it: what is left is the first order of a single wrong stage.
     let stale = errors(&|n| controlled(Rk4, n, false), [5, 10, 20, 40])?;
     has_order("RK4 with stale accelerations", 1.0, 1e-14, &stale);
@@ -359,7 +364,8 @@ fn dense_output_and_error_of_such_a_step_are_those_of_its_torques() -> Result<()
     same(Rk4)?;
     same(Dopri5)?;
     same(Dop853)?;
-    same(GeneralizedAlpha::new(0.8))
+    same(GeneralizedAlpha::new(0.8))?;
+    same(Sdirk4::new())
 }
 
 /// A stepper may serve several motions of its scene in turn, also at the same times: an explicit rule makes the same steps
@@ -394,7 +400,8 @@ fn a_stepper_serves_several_motions_in_turn() -> Result<(), Error> {
     serves(Rk4, false)?;
     serves(Dopri5, false)?;
     serves(Dop853, false)?;
-    serves(GeneralizedAlpha::new(0.8), true)
+    serves(GeneralizedAlpha::new(0.8), true)?;
+    serves(Sdirk4::new(), false)
 }
 
 /// Energy, momentum and angular momentum against the oracle's, of random moving chains.
