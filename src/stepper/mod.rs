@@ -55,7 +55,8 @@ pub trait Stepper<D: Dynamics<L>, L> {
     /// The accelerations at the start are found anew, because loads may have changed since they were.
     ///
     /// # Errors
-    /// What kept the step from a finite motion, with time and station; `next` is then undefined and `past` as it was.
+    /// What kept the step from a finite motion, with time and station; `next` is then undefined and `past` as it was. An implicit
+    /// method also refuses a step that is not positive and finite, and parameters that make no rule.
     fn step(
         &mut self,
         past: &MotionIn<D, L>,
@@ -90,7 +91,7 @@ pub trait Stepper<D: Dynamics<L>, L> {
     fn error_order(&self) -> f64;
 
     /// Motion at the share `theta` of the last step, between `past` and `next`. Its accelerations are found by a sweep, so that
-    /// forces belong to it.
+    /// forces belong to it. An implicit method steps there: between stiff joints an interpolation would strain them.
     fn interpolate(
         &mut self,
         past: &MotionIn<D, L>,

@@ -26,6 +26,26 @@ use crate::error::Fault;
 /// assert_eq!(run.sweeps, 200);
 /// # Ok::<(), catena::Error>(())
 /// ```
+///
+/// # Stiff hinges
+///
+/// From a smooth start the rule has order two in angles and forces at any stiffness k (tested from 1 to 1e10 N·m/rad). Where a
+/// start is not in equilibrium, stiff hinges vibrate by 1/k rad, with torques of order one. Four rods (0.3 m, 0.3 kg each) with
+/// dampers of 0.02 √k N·m·s/rad, released unstrained 0.5 rad below the horizontal: errors of the pivot force (N, of 6 N) after a
+/// second, with steps of 10, 5, 2.5 and 1.25 ms:
+///
+/// | k (N·m/rad) | `new(0.8)` | `trapezoidal()` |
+/// |---|---|---|
+/// | 1e6  | 8e-4 2e-4 5e-5 1e-5 | 0.8 0.2 2e-4 1e-5 |
+/// | 1e8  | 8e-4 2e-4 5e-5 1e-5 | 1.5 0.8 0.3 0.1 |
+/// | 1e10 | 8e-4 2e-4 5e-5 1e-5 | 1.8 1.8 1.1 0.3 |
+///
+/// Angles of both have order two throughout. Without dampers, vibration that steps do not resolve is part of the true motion, and
+/// forces of no rule follow it: at 1e4 N·m/rad (up to 3500 rad/s) they are off by 0.44, 0.32, 0.16 and 0.06 N with `new(0.8)`,
+/// by 2.0, 0.2, 2.1 and 1.9 N with `trapezoidal()`, by 0.4, 1.2, 0.8 and 0.3 N with [`Sdirk4`](super::Sdirk4).
+///
+/// A step uses the acceleration at its start. Where hinges of 1e6 N·m/rad start strained by 0.01 rad, steps of 10 and 5 ms break
+/// down: such starts need error control, or [`Sdirk4`](super::Sdirk4).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeneralizedAlpha {
     pub(crate) alpha_m: f64,
@@ -63,8 +83,8 @@ impl GeneralizedAlpha {
         Self { alpha_m: 0.0, alpha_f: 0.0, beta, gamma, sweeps: 2, fault }
     }
 
-    /// The trapezoidal rule, Newmark's with β = ¼ and γ = ½. It keeps fast vibration for ever: reactions at stiff hinges do not
-    /// converge.
+    /// The trapezoidal rule, Newmark's with β = ¼ and γ = ½. It keeps fast vibration for ever: once that is excited, reactions at
+    /// stiff hinges do not converge (numbers above). From a smooth start they do, with order two.
     pub fn trapezoidal() -> Self {
         Self::newmark(0.25, 0.5)
     }
@@ -81,6 +101,21 @@ impl GeneralizedAlpha {
     }
 
     /// Steps that keep the error of each in positions within a tolerance, absolute (rad, m) and relative.
+    ///
+    /// The estimate is the difference of the last two sweeps (what the geometry was off by) plus what a changing acceleration makes
+    /// the rule miss; the first one alone is zero wherever the equations are linear. Where the step changes, A changes with it, so
+    /// that the rule keeps its order.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(0.3, 0.3);
+    /// let hinge = ElasticHinge::rotary(1e8).damped(200.0);
+    /// let chain = System::new(Pinned::origin(), (rod, hinge, rod), Free)?.with_gravity(9.81);
+    /// let strained = chain.at_rest(&[-0.5, -0.49])?; // a torque of 1e6 N·m
+    /// let run = chain.simulate(strained, GeneralizedAlpha::new(0.8).tolerance(1e-6), 0.1, |_| ())?;
+    /// assert!(run.steps < 1000);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
     pub fn tolerance<R>(self, tolerance: R) -> Rule<Self, R> {
         Rule { method: self, control: Control::Tolerance(tolerance) }
     }

@@ -4,19 +4,48 @@ use super::tableau::{ErrorWeights, Tableau};
 use super::{Control, Rule};
 
 /// SDIRK4 (E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, table IV.6.5): order 4 in positions, rates and
-/// forces, five implicit stages, L-stable, with an embedded method of order 3 for error control.
+/// forces, five implicit stages, L-stable, with an embedded method of order 3 for error control. For stiff hinges where accuracy
+/// matters, or that start far from equilibrium.
+///
+/// Each stage is linearly implicit: the pivots of stiff joints take its acceleration into account exactly, and sweeps repeat for
+/// geometry and velocity terms. One sweep a stage has order 2, two have order 3, three (the default) order 4. The first stage,
+/// which knows no accelerations to predict its geometry with, makes one more. The last stage ends where the step does, so its
+/// balance of forces is that of the end of the step. Accelerations at the start are not used.
+///
+/// ```
+/// use catena::planar::*;
+/// use catena::time::Sdirk4;
+/// let rod = Rod::uniform(0.05, 0.05);
+/// let chain = (rod, [(ElasticHinge::rotary(20.0), rod); 19]);
+/// let pendulum = System::new(Pinned::origin(), chain, Free)?.with_gravity(9.81);
+/// let start = pendulum.at_rest(&[-1.0; 20])?;
+/// let run = pendulum.simulate(start, Sdirk4::new().step(0.01), 1.0, |_| ())?;
+/// assert_eq!(run.sweeps, 1600);
+/// # Ok::<(), catena::Error>(())
+/// ```
+///
+/// # Stiff hinges
+///
+/// Four rods (0.3 m, 0.3 kg each) joined by hinges of a stiffness k with dampers of 0.02 √k N·m·s/rad, released unstrained 0.5 rad
+/// below the horizontal, are welded rods but for 1/k: after a second the pivot force differs from theirs by 5e-7 N at
+/// k = 1e6 N·m/rad, 5e-9 N at 1e8 and 4e-9 N at 1e10, already with steps of 10 ms. Strained by 0.01 rad at the start, they survive
+/// at any k up to 1e10.
+///
+/// Undamped vibration that steps do not resolve is part of the true motion, and no rule follows it. At 100 N·m/rad (up to
+/// 350 rad/s) errors of the force are 0.4, 0.07, 0.006 and 0.0004 N with steps of 10, 5, 2.5 and 1.25 ms; at 1e4 N·m/rad (up to
+/// 3500 rad/s) 0.4, 1.2, 0.8 and 0.3 N, and order 4 returns from 0.1 ms on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sdirk4 {
     pub(crate) sweeps: usize,
 }
 
 impl Sdirk4 {
-    /// Three sweeps a stage, fifteen a step.
+    /// Three sweeps a stage, four in the first: sixteen a step.
     pub fn new() -> Self {
         Self { sweeps: 3 }
     }
 
-    /// Another number of sweeps a stage, at least one.
+    /// Another number of sweeps a stage, at least one; the first stage makes one more.
     #[must_use]
     pub fn with_sweeps(self, sweeps: usize) -> Self {
         Self { sweeps: sweeps.max(1) }
