@@ -27,7 +27,7 @@ mod weld;
 
 pub use crate::element::Unloaded;
 pub use crate::stepper::Stepper;
-pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4};
+pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
 pub use body::{Body, Inertia, Pose};
 pub use elastic_hinge::{ElasticHinge, HingeRule, Rotary};
 pub use ends::{Attitude, Clamped, Floating, Free, Ground, GroundMotion, Moving, Pinned, Turning};

@@ -144,7 +144,7 @@ impl<N: ?Sized, T, F: FnMut(&N) -> T> EventFunction<N, T> for F {
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// A stepper of a method for this scene: `pendulum.stepper(Rk4)`.
-    pub fn stepper<M: Method, L: Loading<S>>(&self, method: M) -> M::Stepper<&Self, L>
+    pub fn stepper<'s, M: Method<&'s Self, L>, L: Loading<S>>(&'s self, method: M) -> M::Stepper
     where
         Self: Dynamics<L>,
     {
@@ -152,7 +152,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// The same, with the scene inside: for a value that keeps its scene and its stepper.
-    pub fn into_stepper<M: Method, L: Loading<S>>(self, method: M) -> M::Stepper<Self, L>
+    pub fn into_stepper<M: Method<Self, L>, L: Loading<S>>(self, method: M) -> M::Stepper
     where
         Self: Dynamics<L>,
     {
@@ -160,7 +160,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// A run to be made by a rule.
-    pub fn simulation<M: Method>(&self, rule: Rule<M, RealOf<S>>) -> Simulation<'_, S, R, C, P, Unloaded, M, NoEvent> {
+    pub fn simulation<M>(&self, rule: Rule<M, RealOf<S>>) -> Simulation<'_, S, R, C, P, Unloaded, M, NoEvent> {
         Simulation { system: self, loads: &Unloaded, rule, every: None, event: NoEvent, stop: false }
     }
 
@@ -169,8 +169,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// # Errors
     /// Why the run ended early, with the last accepted motion.
     #[allow(clippy::type_complexity)] // the types are those of the scene
-    pub fn simulate<M: Method>(
-        &self,
+    pub fn simulate<'s, M: Method<&'s Self, Unloaded>>(
+        &'s self,
         start: MotionOf<S, R, C, P>,
         rule: Rule<M, RealOf<S>>,
         end: RealOf<S>,
@@ -183,7 +183,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 }
 
-impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M: Method, E>
+impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E>
     Simulation<'a, S, R, C, P, L, M, E>
 {
     /// Under these loads.
@@ -226,6 +226,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M: Metho
     ) -> Result<Run<MotionOf<S, R, C, P>>, Interrupted<MotionOf<S, R, C, P>>>
     where
         System<S, R, C, P>: Runs<L, S, R, C, P>,
+        M: Method<&'a System<S, R, C, P>, L>,
         E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     {
         let stepper = self.rule.method.stepper(self.system);

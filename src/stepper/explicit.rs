@@ -24,10 +24,10 @@ pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
     sweeps: usize,
 }
 
-impl<M: Explicit> Method for M {
-    type Stepper<D: Dynamics<L>, L> = ExplicitStepper<D, L, M>;
+impl<D: Dynamics<L>, L, M: Explicit> Method<D, L> for M {
+    type Stepper = ExplicitStepper<D, L, M>;
 
-    fn stepper<D: Dynamics<L>, L>(&self, scene: D) -> ExplicitStepper<D, L, M> {
+    fn stepper(&self, scene: D) -> ExplicitStepper<D, L, M> {
         let still = scene.still();
         let zero = still.rate.clone();
         ExplicitStepper {

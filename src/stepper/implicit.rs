@@ -6,12 +6,12 @@ use crate::element::Implicit;
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
-use crate::system::Dynamics;
+use crate::system::{Dynamics, StiffDynamics};
 use crate::time::GeneralizedAlpha;
 use num_traits::{One, Zero};
 
 /// Steps by a rule of the generalised-α family.
-pub struct ImplicitStepper<D: Dynamics<L>, L> {
+pub struct ImplicitStepper<D: StiffDynamics<L>, L> {
     rule: GeneralizedAlpha,
     scene: D,
     workspace: D::Workspace,
@@ -64,10 +64,10 @@ impl<D: Dynamics<L>, L> Memory<D, L> {
     }
 }
 
-impl Method for GeneralizedAlpha {
-    type Stepper<D: Dynamics<L>, L> = ImplicitStepper<D, L>;
+impl<D: StiffDynamics<L>, L> Method<D, L> for GeneralizedAlpha {
+    type Stepper = ImplicitStepper<D, L>;
 
-    fn stepper<D: Dynamics<L>, L>(&self, scene: D) -> ImplicitStepper<D, L> {
+    fn stepper(&self, scene: D) -> ImplicitStepper<D, L> {
         let still = scene.still();
         let zero = still.rate.clone();
         let place = (still.position.clone(), zero.clone());
@@ -99,7 +99,7 @@ impl Method for GeneralizedAlpha {
     }
 }
 
-impl<D: Dynamics<L>, L> ImplicitStepper<D, L> {
+impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
     /// Makes `before` the memory of `past`: that of the last step if `past` is where it ended; otherwise A is the true
     /// acceleration, from which it differs by O(h). Where the acceleration has jumped since (with a load), so does A.
     fn recall(&mut self, past: &MotionIn<D, L>, dt: TimeIn<D, L>) {
@@ -196,7 +196,7 @@ impl<D: Dynamics<L>, L> ImplicitStepper<D, L> {
     }
 }
 
-impl<D: Dynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
+impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
     fn step(
         &mut self,
         past: &MotionIn<D, L>,

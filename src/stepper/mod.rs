@@ -38,13 +38,13 @@ fn check<D: Dynamics<L>, L>(
     }
 }
 
-/// A method that can make steppers for scenes.
-pub trait Method {
-    /// Its stepper for a scene `D` with loads `L`.
-    type Stepper<D: Dynamics<L>, L>: Stepper<D, L>;
+/// A method that can make steppers for scenes `D` with loads `L`.
+pub trait Method<D: Dynamics<L>, L> {
+    /// Its stepper.
+    type Stepper: Stepper<D, L>;
 
     /// A stepper for a scene, or for a reference to one.
-    fn stepper<D: Dynamics<L>, L>(&self, scene: D) -> Self::Stepper<D, L>;
+    fn stepper(&self, scene: D) -> Self::Stepper;
 }
 
 /// Advances the motion of one scene. It owns its workspace: a step allocates nothing, costs the same every time, reads one

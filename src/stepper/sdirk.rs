@@ -6,7 +6,7 @@ use crate::element::Implicit;
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
-use crate::system::Dynamics;
+use crate::system::StiffDynamics;
 use crate::time::Sdirk4;
 use crate::time::sdirk4::{ERROR, GAMMA, STAGES, TABLE};
 use num_traits::Zero;
@@ -14,7 +14,7 @@ use num_traits::Zero;
 /// Steps by [`Sdirk4`].
 ///
 /// A step needs no accelerations of its start: [`step`](Stepper::step) and [`advance`](Stepper::advance) do the same.
-pub struct SdirkStepper<D: Dynamics<L>, L> {
+pub struct SdirkStepper<D: StiffDynamics<L>, L> {
     rule: Sdirk4,
     scene: D,
     workspace: D::Workspace,
@@ -34,10 +34,10 @@ pub struct SdirkStepper<D: Dynamics<L>, L> {
     sweeps: usize,
 }
 
-impl Method for Sdirk4 {
-    type Stepper<D: Dynamics<L>, L> = SdirkStepper<D, L>;
+impl<D: StiffDynamics<L>, L> Method<D, L> for Sdirk4 {
+    type Stepper = SdirkStepper<D, L>;
 
-    fn stepper<D: Dynamics<L>, L>(&self, scene: D) -> SdirkStepper<D, L> {
+    fn stepper(&self, scene: D) -> SdirkStepper<D, L> {
         let still = scene.still();
         let zero = still.rate.clone();
         let place = (still.position.clone(), zero.clone());
@@ -58,7 +58,7 @@ impl Method for Sdirk4 {
     }
 }
 
-impl<D: Dynamics<L>, L> SdirkStepper<D, L> {
+impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
     /// Solves a stage: its accelerations become slopes, its place and rates stand in `at`, its time and closure forces in
     /// `next`.
     fn solve(&mut self, stage: usize, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &mut MotionIn<D, L>) {
@@ -127,7 +127,7 @@ impl<D: Dynamics<L>, L> SdirkStepper<D, L> {
     }
 }
 
-impl<D: Dynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
+impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
     fn step(
         &mut self,
         past: &MotionIn<D, L>,

@@ -48,6 +48,32 @@ pub trait Dynamics<L> {
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L>;
 
+    /// Puts the tip of a motion back where it is held, position and velocity, by the least correction of its coordinates, through
+    /// the gains of the last sweep (which took place near this motion). Nothing where the tip is free.
+    fn project(
+        &self,
+        motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        workspace: &mut Self::Workspace,
+    );
+
+    /// Whether a motion may stand: finite, and no angle out of range.
+    ///
+    /// # Errors
+    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`].
+    fn accept(&self, motion: &Motion<Self::Scalar, Self::Position, Self::Closures>) -> Result<(), Error>;
+
+    /// Where and why the sweep at a motion failed, for a motion that came out not finite.
+    fn diagnose(
+        &self,
+        motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
+        loads: &L,
+        workspace: &mut Self::Workspace,
+    ) -> Error;
+}
+
+/// What an implicit stepper needs besides. It is a trait of its own, so that a scene of many types that only takes explicit steps
+/// does not make a compiler think about implicit ones.
+pub trait StiffDynamics<L>: Dynamics<L> {
     /// Room for implicit sweeps.
     type StiffWorkspace;
 
@@ -68,34 +94,12 @@ pub trait Dynamics<L> {
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L>;
 
-    /// Puts the tip of a motion back where it is held, position and velocity, by the least correction of its coordinates, through
-    /// the gains of the last sweep (which took place near this motion). Nothing where the tip is free.
-    fn project(
-        &self,
-        motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
-        workspace: &mut Self::Workspace,
-    );
-
     /// The same through the gains of the last implicit sweep.
     fn project_stiff(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
         workspace: &mut Self::StiffWorkspace,
     );
-
-    /// Whether a motion may stand: finite, and no angle out of range.
-    ///
-    /// # Errors
-    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`].
-    fn accept(&self, motion: &Motion<Self::Scalar, Self::Position, Self::Closures>) -> Result<(), Error>;
-
-    /// Where and why the sweep at a motion failed, for a motion that came out not finite.
-    fn diagnose(
-        &self,
-        motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
-        loads: &L,
-        workspace: &mut Self::Workspace,
-    ) -> Error;
 }
 
 /// A system whose chain can be swept with loads of type `L`: the bound to write in code that is generic over scenes.
@@ -151,8 +155,7 @@ where
     C: Element<S>,
     P: Tip<S>,
     L: Loading<S>,
-    Elements<S, R, C>: Condense<S, P::Relation, Carrying<L, Explicit, P::Closures>, Out: Close<S, P::Closures>>
-        + Condense<S, P::Relation, Carrying<L, Implicit<RealOf<S>>, P::Closures>, Out: Close<S, P::Closures>>,
+    Elements<S, R, C>: Condense<S, P::Relation, Carrying<L, Explicit, P::Closures>, Out: Close<S, P::Closures>>,
 {
     type Space = S;
     type Scalar = S::Scalar;
@@ -185,34 +188,7 @@ where
         workspace.multipliers
     }
 
-    type StiffWorkspace = Workspace<S, Elements<S, R, C>, Carrying<L, Implicit<RealOf<S>>, P::Closures>>;
-
-    fn stiff_workspace(&self) -> Self::StiffWorkspace {
-        Workspace::new(&self.chain)
-    }
-
-    #[inline(never)]
-    fn implicit_accelerations(
-        &self,
-        time: RealOf<S>,
-        (position, rate): (&Self::Position, &Self::Rate),
-        spring: (&Self::Position, &Self::Rate),
-        springs: Implicit<RealOf<S>>,
-        loads: &L,
-        workspace: &mut Self::StiffWorkspace,
-        acceleration: &mut Self::Rate,
-    ) -> Held<Self, L> {
-        let site = self.site(time, loads);
-        let spring = Spring { position: spring.0, rate: spring.1, springs };
-        sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
-        workspace.multipliers
-    }
-
     fn project(&self, motion: &mut MotionOf<S, R, C, P>, workspace: &mut Self::Workspace) {
-        self.project_by(motion, workspace);
-    }
-
-    fn project_stiff(&self, motion: &mut MotionOf<S, R, C, P>, workspace: &mut Self::StiffWorkspace) {
         self.project_by(motion, workspace);
     }
 
@@ -267,6 +243,45 @@ where
             Some(entry) => error(Fault::SingularJoint).at(place(entry)),
             None => error(Fault::NonFiniteMotion),
         }
+    }
+}
+
+impl<S, R, C, P, L> StiffDynamics<L> for System<S, R, C, P>
+where
+    S: Space,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    L: Loading<S>,
+    Self: Runs<L, S, R, C, P>,
+    Elements<S, R, C>:
+        Condense<S, P::Relation, Carrying<L, Implicit<RealOf<S>>, P::Closures>, Out: Close<S, P::Closures>>,
+{
+    type StiffWorkspace = Workspace<S, Elements<S, R, C>, Carrying<L, Implicit<RealOf<S>>, P::Closures>>;
+
+    fn stiff_workspace(&self) -> Self::StiffWorkspace {
+        Workspace::new(&self.chain)
+    }
+
+    #[inline(never)]
+    fn implicit_accelerations(
+        &self,
+        time: RealOf<S>,
+        (position, rate): (&Self::Position, &Self::Rate),
+        spring: (&Self::Position, &Self::Rate),
+        springs: Implicit<RealOf<S>>,
+        loads: &L,
+        workspace: &mut Self::StiffWorkspace,
+        acceleration: &mut Self::Rate,
+    ) -> Held<Self, L> {
+        let site = self.site(time, loads);
+        let spring = Spring { position: spring.0, rate: spring.1, springs };
+        sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
+        workspace.multipliers
+    }
+
+    fn project_stiff(&self, motion: &mut MotionOf<S, R, C, P>, workspace: &mut Self::StiffWorkspace) {
+        self.project_by(motion, workspace);
     }
 }
 

@@ -4,7 +4,7 @@ mod dynamics;
 mod inspect;
 mod reference;
 
-pub use dynamics::{Dynamics, Runs};
+pub use dynamics::{Dynamics, Runs, StiffDynamics};
 
 use crate::element::{Budget, Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};

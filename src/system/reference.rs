@@ -1,6 +1,6 @@
 //! A reference to a scene will do where a scene does.
 
-use super::dynamics::{Dynamics, Held};
+use super::dynamics::{Dynamics, Held, StiffDynamics};
 use crate::element::Implicit;
 use crate::error::Error;
 use crate::motion::Motion;
@@ -13,7 +13,6 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     type Rate = D::Rate;
     type Closures = D::Closures;
     type Workspace = D::Workspace;
-    type StiffWorkspace = D::StiffWorkspace;
 
     #[inline]
     fn workspace(&self) -> Self::Workspace {
@@ -39,6 +38,34 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     }
 
     #[inline]
+    fn project(
+        &self,
+        motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        workspace: &mut Self::Workspace,
+    ) {
+        D::project(self, motion, workspace)
+    }
+
+    #[inline]
+    fn accept(&self, motion: &Motion<Self::Scalar, Self::Position, Self::Closures>) -> Result<(), Error> {
+        D::accept(self, motion)
+    }
+
+    #[inline]
+    fn diagnose(
+        &self,
+        motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
+        loads: &L,
+        workspace: &mut Self::Workspace,
+    ) -> Error {
+        D::diagnose(self, motion, loads, workspace)
+    }
+}
+
+impl<D: StiffDynamics<L>, L> StiffDynamics<L> for &D {
+    type StiffWorkspace = D::StiffWorkspace;
+
+    #[inline]
     fn stiff_workspace(&self) -> Self::StiffWorkspace {
         D::stiff_workspace(self)
     }
@@ -58,35 +85,11 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     }
 
     #[inline]
-    fn project(
-        &self,
-        motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
-        workspace: &mut Self::Workspace,
-    ) {
-        D::project(self, motion, workspace)
-    }
-
-    #[inline]
     fn project_stiff(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
         workspace: &mut Self::StiffWorkspace,
     ) {
         D::project_stiff(self, motion, workspace)
-    }
-
-    #[inline]
-    fn accept(&self, motion: &Motion<Self::Scalar, Self::Position, Self::Closures>) -> Result<(), Error> {
-        D::accept(self, motion)
-    }
-
-    #[inline]
-    fn diagnose(
-        &self,
-        motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
-        loads: &L,
-        workspace: &mut Self::Workspace,
-    ) -> Error {
-        D::diagnose(self, motion, loads, workspace)
     }
 }
