@@ -85,6 +85,15 @@ pub enum Fault {
     NoBodies,
     /// A motion belongs to a scene of another shape.
     Shape,
+    /// Closures do not hold independently of each other: too many for the chain, or one that the chain cannot meet.
+    RedundantClosures {
+        /// What one of those that depend on others holds.
+        closure: &'static str,
+        /// How many are independent.
+        independent: usize,
+        /// Number of closures.
+        of: usize,
+    },
     /// A transfer matrix does not exist here: the joint is the centre of percussion of what lies outboard.
     SingularTransfer,
 }
@@ -131,6 +140,12 @@ impl fmt::Display for Error {
             Fault::Count { expected, given } => write!(f, "{expected} coordinates needed, {given} given"),
             Fault::NoBodies => write!(f, "the chain has no body"),
             Fault::Shape => write!(f, "the motion belongs to a scene of another shape"),
+            Fault::RedundantClosures { closure, independent, of } => {
+                write!(
+                    f,
+                    "closures are redundant: {independent} of {of} are independent, one that is not holds {closure}"
+                )
+            }
             Fault::SingularTransfer => write!(
                 f,
                 "no transfer matrix exists: the joint is the centre of percussion of what lies outboard; sweep instead"

@@ -54,6 +54,7 @@ fn locate<A>(items: &[A], each: Option<usize>, count: impl Fn(&A) -> usize, k: u
 
 /// `Element::orient` of items. Slices are arguments: of these alone the compiler knows that they do not overlap.
 #[inline(always)]
+#[allow(clippy::too_many_arguments)] // slices that march together
 fn orient_items<S: Space, A: Element<S>>(
     items: &[A],
     position: &[A::Position],
@@ -61,10 +62,13 @@ fn orient_items<S: Space, A: Element<S>>(
     mut turn: S::Turn,
     x: &mut [A::PerAxes<S::X>],
     y: &mut [A::PerAxes<S::Y>],
+    p: &mut [A::PerAxes<S::P>],
+    q: &mut [A::PerAxes<S::Q>],
 ) -> S::Turn {
-    march!(n: items position rate; mut x y; else turn);
+    march!(n: items position rate; mut x y p q; else turn);
     for i in 0..n {
-        turn = items[i].orient(&position[i], &rate[i], turn, &mut x[i], &mut y[i]);
+        let (x, y, p, q) = (&mut x[i], &mut y[i], &mut p[i], &mut q[i]);
+        turn = items[i].orient(&position[i], &rate[i], turn, x, y, p, q);
     }
     turn
 }
@@ -86,7 +90,7 @@ fn resolve_items<S: Space, A: Element<S>>(
 
 /// `Element::pose` of items: in one loop where the order does not matter, and in two where only the first has to go in order.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)] // slices that march together
+#[allow(clippy::too_many_arguments)]
 fn pose_items<S: Space, A: Element<S>>(
     items: &[A],
     position: &[A::Position],
@@ -106,7 +110,7 @@ fn pose_items<S: Space, A: Element<S>>(
         }
         turn
     } else {
-        let turn = orient_items(items, position, rate, turn, x, y);
+        let turn = orient_items(items, position, rate, turn, x, y, p, q);
         resolve_items::<S, A>(sizes, x, y, p, q);
         turn
     }
@@ -220,8 +224,10 @@ macro_rules! chain_items {
                 turn: S::Turn,
                 x: &mut Self::PerAxes<S::X>,
                 y: &mut Self::PerAxes<S::Y>,
+                p: &mut Self::PerAxes<S::P>,
+                q: &mut Self::PerAxes<S::Q>,
             ) -> S::Turn {
-                orient_items(self, position, rate, turn, x, y)
+                orient_items(self, position, rate, turn, x, y, p, q)
             }
             fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
                 self.iter().zip(sizes).for_each(|(item, size)| item.size(size));

@@ -118,8 +118,18 @@ macro_rules! chain_tuple {
                 turn: S::Turn,
                 x: &mut Self::PerAxes<S::X>,
                 y: &mut Self::PerAxes<S::Y>,
+                p: &mut Self::PerAxes<S::P>,
+                q: &mut Self::PerAxes<S::Q>,
             ) -> S::Turn {
-                $(let turn = self.$i.orient(&position.$i, &rate.$i, turn, &mut x.$i, &mut y.$i);)*
+                $(let turn = self.$i.orient(
+                    &position.$i,
+                    &rate.$i,
+                    turn,
+                    &mut x.$i,
+                    &mut y.$i,
+                    &mut p.$i,
+                    &mut q.$i,
+                );)*
                 turn
             }
             fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {

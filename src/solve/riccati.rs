@@ -50,6 +50,13 @@ impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
     }
 }
 
+impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
+    /// Λ of the last sweep.
+    pub(crate) fn compliance(&self) -> &<W::Closures as Closures>::Pairs<S::Scalar> {
+        &self.compliance
+    }
+}
+
 /// Where a sweep takes place: what does not depend on the chain.
 pub struct Site<'a, S: Space, R, L> {
     /// Motion of the ground at the root.

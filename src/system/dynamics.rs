@@ -56,6 +56,17 @@ pub trait Dynamics<L> {
         workspace: &mut Self::Workspace,
     );
 
+    /// Whether the closures that hold the tip are independent, after a sweep at this motion.
+    ///
+    /// # Errors
+    /// [`Fault::RedundantClosures`], which names one that follows from the others (or cannot be met): a clamped tip on two rods, a
+    /// straight chain of rods between two pins.
+    fn independent(
+        &self,
+        motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
+        workspace: &Self::Workspace,
+    ) -> Result<(), Error>;
+
     /// Whether a motion may stand: finite, and no angle out of range.
     ///
     /// # Errors
@@ -190,6 +201,30 @@ where
 
     fn project(&self, motion: &mut MotionOf<S, R, C, P>, workspace: &mut Self::Workspace) {
         self.project_by(motion, workspace);
+    }
+
+    fn independent(&self, motion: &MotionOf<S, R, C, P>, workspace: &Self::Workspace) -> Result<(), Error> {
+        if P::Closures::COUNT == 0 {
+            return Ok(());
+        }
+        let mut measure = None;
+        let ground = self.root.ground(motion.time);
+        each_body(&self.chain, ground, coordinates(motion), |body| {
+            measure = Some(self.tip.free_compliance(motion.time, body)); // that of the last body stays
+        });
+        let dependent = measure.and_then(|measure| P::Closures::dependent(workspace.compliance(), &measure));
+        let Some((row, independent)) = dependent else {
+            return Ok(());
+        };
+        let (mut closure, mut number) = ("", 0);
+        P::Closures::map(&self.tip.names(), |name| {
+            if number == row {
+                closure = name;
+            }
+            number += 1;
+        });
+        let fault = Fault::RedundantClosures { closure, independent, of: P::Closures::COUNT };
+        Err(Error::new(fault).at_time(motion.time.as_f64()).at(Place::Tip))
     }
 
     fn accept(&self, motion: &MotionOf<S, R, C, P>) -> Result<(), Error> {

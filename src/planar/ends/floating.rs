@@ -1,6 +1,7 @@
 //! The joint of a chain that floats.
 
 use crate::element::{Condense, Given, Posture, Sweep};
+use crate::planar::axes::Coincident;
 use crate::planar::{Acceleration, Frame, Joint, Planar, Turn};
 use crate::relation::plane::{Empty, Relation, Rigid};
 use crate::relation::{Closures, Open};
@@ -24,6 +25,8 @@ impl<T: Scalar> Joint<T> for Floating<T> {
     type Position = (T, T, T);
     type Rate = (T, T, T);
     type Kept<C: Closures> = Acceleration<T>;
+
+    type Axes = Coincident;
 
     const TURNS: bool = true;
     const ABSOLUTE: bool = true;
@@ -71,6 +74,7 @@ impl<T: Scalar> Joint<T> for Floating<T> {
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
+        (): (),
         kept: &Acceleration<T>,
         _: &C::Each<T>,
         rate: &mut (T, T, T),

@@ -4,7 +4,7 @@ use super::Floating;
 use crate::ends::{Loose, Root, Tip};
 use crate::error::Error;
 use crate::lift::lift;
-use crate::planar::{Frame, Internal, Planar};
+use crate::planar::{BodyMotion, Frame, Internal, Planar};
 use crate::relation::Open;
 use crate::relation::plane::Empty;
 use crate::scalar::Scalar;
@@ -39,12 +39,14 @@ impl<T: Scalar> Tip<Planar<T>> for Free {
     fn relation(&self, _: T::Real, _: Vector2<T>) -> Empty {
         Empty
     }
-    fn internal(&self, (): &()) -> Internal<T> {
+    fn internal(&self, _: T::Real, (): &()) -> Internal<T> {
         Planar::no_force()
     }
     fn miss(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
         [(), ()]
     }
+    fn free_compliance(&self, _: T::Real, _: &BodyMotion<T>) {}
+    fn names(&self) {}
     fn check(&self) -> Result<(), Error> {
         Ok(())
     }

@@ -69,6 +69,20 @@ impl<T: Scalar> Symmetric2<T> {
         Vector2::new((v.x - self.xy * y) * inverse, y)
     }
 
+    /// The same matrix along axes in the direction `d` and its normal.
+    #[inline(always)]
+    pub fn along(self, d: Vector2<T>) -> Self {
+        // Rows of S in the new axes, then their components.
+        let (x, y) = (self.apply(d), self.apply(normal(d)));
+        Self { xx: dot(x, d), xy: dot(y, d), yy: dot(y, normal(d)) }
+    }
+
+    /// The same matrix with x and y exchanged.
+    #[inline(always)]
+    pub fn swapped(self) -> Self {
+        Self { xx: self.yy, xy: self.xy, yy: self.xx }
+    }
+
     /// S + value·1.
     #[inline(always)]
     pub fn plus_diagonal(self, value: T) -> Self {

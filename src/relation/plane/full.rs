@@ -225,6 +225,12 @@ impl<T: Scalar, C: Closures> HingeGain<T, C> {
         w.x.is_finite() && w.y.is_finite() && self.per_angular.is_finite() && self.free.is_finite()
     }
 
+    /// The gain without what velocities, loads and springs contribute.
+    #[inline(always)]
+    pub fn homogeneous(&self) -> Self {
+        Self { free: T::zero(), ..*self }
+    }
+
     /// The relative angular acceleration (rad/s²) where the inboard body's end accelerates by `a` and turns with `angular`.
     #[inline(always)]
     pub fn relative(&self, a: Vector2<T>, angular: T, multipliers: &C::Each<T>) -> T {

@@ -17,15 +17,6 @@ pub struct Lump<T> {
     pub mass: T,
 }
 
-/// A force that does not depend on accelerations outboard: that of a spring in an explicit sweep.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Known<T> {
-    /// q (N).
-    pub force: Vector2<T>,
-    /// Torque on the outboard part (N·m).
-    pub torque: T,
-}
-
 /// A pin outboard: q = S a + e + W λ, and the moment is the torque M that acts in the pin, if there is one.
 #[derive(Clone, Copy)]
 pub struct Point<T: Copy, M = Absent, C: Closures = Open> {
@@ -95,20 +86,6 @@ impl<T: Scalar> Relation<T> for Lump<T> {
     }
 }
 
-impl<T: Scalar> Relation<T> for Known<T> {
-    type Closures = Open;
-    type WithMass = Point<T, T>;
-
-    #[inline(always)]
-    fn with_mass(self, mass: T) -> Point<T, T> {
-        Point { stiffness: Symmetric2::diagonal(mass), offset: self.force, torque: self.torque, cuts: Cuts::none() }
-    }
-    #[inline(always)]
-    fn carried(self, d: Vector2<T>, _: Vector2<T>) -> Full<T> {
-        Full { force: self.force, torque: self.torque + dot(normal(d), self.force), ..Full::massless() }
-    }
-}
-
 impl<T: Scalar, M: Term<T>, C: Closures> Relation<T> for Point<T, M, C> {
     type Closures = C;
     type WithMass = Self;
@@ -128,10 +105,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Relation<T> for Point<T, M, C> {
             angular: dot(n, coupling),
             force,
             torque: self.torque.add_to(dot(n, force)),
-            cuts: self.cuts.turned(
-                |w| FullColumn { force: w, torque: dot(n, w) },
-                |w| -dot(w, centripetal),
-            ),
+            cuts: self.cuts.turned(|w| FullColumn { force: w, torque: dot(n, w) }, |w| -dot(w, centripetal)),
         }
     }
 }
