@@ -182,7 +182,7 @@ pub trait Element<S: Space>: Clone {
         &self,
         acceleration: S::Acceleration,
         posture: Posture<'_, S, Self>,
-        kept: &Self::Kept<C>,
+        kept: &mut Self::Kept<C>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration;

@@ -261,17 +261,17 @@ macro_rules! chain_items {
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<C>,
+                kept: &mut Self::Kept<C>,
                 multipliers: &C::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
                 let Posture { x, y, p, q } = posture;
                 let items = &self[..];
-                march!(n: items x y p q kept; mut rate; else acceleration);
+                march!(n: items x y p q; mut kept rate; else acceleration);
                 let mut acceleration = acceleration;
                 for i in 0..n {
                     let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
-                    acceleration = items[i].recover(acceleration, posture, &kept[i], multipliers, &mut rate[i]);
+                    acceleration = items[i].recover(acceleration, posture, &mut kept[i], multipliers, &mut rate[i]);
                 }
                 acceleration
             }

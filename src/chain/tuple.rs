@@ -174,14 +174,14 @@ macro_rules! chain_tuple {
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<Cuts>,
+                kept: &mut Self::Kept<Cuts>,
                 multipliers: &Cuts::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
                 $(let acceleration = self.$i.recover(
                     acceleration,
                     Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
-                    &kept.$i,
+                    &mut kept.$i,
                     multipliers,
                     &mut rate.$i,
                 );)*

@@ -208,7 +208,7 @@ macro_rules! body {
                 &self,
                 acceleration: super::Acceleration<T>,
                 posture: Posture<'_, Planar<T>, Self>,
-                _: &(),
+                _: &mut (),
                 _: &C::Each<T>,
                 _: &mut (),
             ) -> super::Acceleration<T> {

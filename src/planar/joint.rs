@@ -101,6 +101,16 @@ pub trait Joint<T: Scalar>: Copy + Debug {
         Ok(())
     }
 
+    /// Remembers for the next sweep what it needs of the inboard side's acceleration.
+    #[inline(always)]
+    fn note<C: Closures>(
+        &self,
+        _inboard: Acceleration<T>,
+        _offset: <Self::Axes as Axes>::Offset<T>,
+        _kept: &mut Self::Kept<C>,
+    ) {
+    }
+
     /// The accelerations of the coordinates, and of the outboard side, from that of the inboard side.
     fn recovered<C: Closures>(
         &self,
@@ -202,11 +212,13 @@ macro_rules! joint {
                 &self,
                 acceleration: Acceleration<T>,
                 posture: Posture<'_, Planar<T>, Self>,
-                kept: &Self::Kept<C>,
+                kept: &mut Self::Kept<C>,
                 multipliers: &C::Each<T>,
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
-                self.recovered::<C>(acceleration, offset::<T, Self>(posture), kept, multipliers, rate)
+                let offset = offset::<T, Self>(posture);
+                self.note::<C>(acceleration, offset, kept);
+                self.recovered::<C>(acceleration, offset, kept, multipliers, rate)
             }
             #[inline(always)]
             fn respond<C: Closures>(

@@ -4,6 +4,7 @@ use super::axes::{Axes, Fixed, Inboard, Offset, across};
 use super::spring::SpringLaw;
 use super::{Acceleration, ElasticHinge, Frame, Turn};
 use crate::lift::Lift;
+use crate::relation::plane::algebra::normal;
 use crate::relation::plane::{Full, Slides, along, back};
 use crate::scalar::Scalar;
 use core::fmt::Debug;
@@ -19,8 +20,9 @@ use nalgebra::Vector2;
 /// * [`Fixed`]: along inertial axes, with the same balance of moments.
 /// * [`Unbalanced`]: along inertial axes and with m_O = m_I, as (33)-(35) of the paper have it. Angular momentum is not conserved.
 ///
-/// An implicit rule takes inboard axes and unbalanced ones exactly into account; for fixed ones it leaves out that the inboard
-/// body's angular acceleration moves the outboard point during the step, which costs no order up to two.
+/// An implicit rule takes inboard axes and unbalanced ones exactly into account. With fixed ones the inboard body's angular
+/// acceleration moves the coordinates too; put into the relation it would make it unsymmetric, so that of the sweep before is
+/// taken, which costs no order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Linear<T, X, Y, A = Inboard> {
     pub(super) x: X,
@@ -91,6 +93,8 @@ pub trait HingeAxes: Axes + Copy + Debug {
     fn components<T: Scalar>(v: Vector2<T>, offset: Self::Offset<T>) -> Vector2<T>;
     /// A vector of the axes in inertial ones.
     fn inertial<T: Scalar>(v: Vector2<T>, offset: Self::Offset<T>) -> Vector2<T>;
+    /// What the inboard body's angular acceleration adds to the second derivatives of the coordinates.
+    fn swing<T: Scalar>(inboard: Acceleration<T>, offset: Self::Offset<T>) -> Vector2<T>;
     /// Second derivatives of the coordinates: from the acceleration of the displacement relative to the carried point and that
     /// of the outboard point relative to the inboard one.
     fn coordinates<T: Scalar>(to_carried: Vector2<T>, to_inboard: Vector2<T>) -> Vector2<T>;
@@ -131,6 +135,10 @@ impl HingeAxes for Inboard {
     #[inline(always)]
     fn inertial<T: Scalar>(v: Vector2<T>, offset: Offset<T>) -> Vector2<T> {
         across(v, offset.direction)
+    }
+    #[inline(always)]
+    fn swing<T: Scalar>(_: Acceleration<T>, _: Offset<T>) -> Vector2<T> {
+        Vector2::new(T::zero(), T::zero())
     }
     #[inline(always)]
     fn coordinates<T: Scalar>(to_carried: Vector2<T>, _: Vector2<T>) -> Vector2<T> {
@@ -183,6 +191,10 @@ impl HingeAxes for Fixed {
         v
     }
     #[inline(always)]
+    fn swing<T: Scalar>(inboard: Acceleration<T>, arm: Vector2<T>) -> Vector2<T> {
+        normal(arm) * inboard.angular
+    }
+    #[inline(always)]
     fn coordinates<T: Scalar>(_: Vector2<T>, to_inboard: Vector2<T>) -> Vector2<T> {
         to_inboard
     }
@@ -229,6 +241,10 @@ impl HingeAxes for Unbalanced {
     #[inline(always)]
     fn inertial<T: Scalar>(v: Vector2<T>, (): ()) -> Vector2<T> {
         v
+    }
+    #[inline(always)]
+    fn swing<T: Scalar>(_: Acceleration<T>, _: ()) -> Vector2<T> {
+        Vector2::new(T::zero(), T::zero())
     }
     #[inline(always)]
     fn coordinates<T: Scalar>(_: Vector2<T>, to_inboard: Vector2<T>) -> Vector2<T> {

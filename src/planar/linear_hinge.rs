@@ -43,6 +43,8 @@ pub struct LinearGains<T: Copy, C: Closures> {
     rotation: HingeGain<T, C>,
     y: SlideGain<T, C>,
     x: SlideGain<T, C>,
+    /// What the inboard body's angular acceleration added to the second derivatives of the coordinates (m/s²), last time.
+    swing: Vector2<T>,
 }
 
 /// The coordinates are the displacement along the axes (m) and the relative angle (rad).
@@ -65,12 +67,13 @@ where
         (T::zero(), T::zero(), T::zero())
     }
     fn kept<C: Closures>() -> LinearGains<T, C> {
-        LinearGains { rotation: HingeGain::blank(), y: SlideGain::blank(), x: SlideGain::blank() }
+        let swing = Vector2::new(T::zero(), T::zero());
+        LinearGains { rotation: HingeGain::blank(), y: SlideGain::blank(), x: SlideGain::blank(), swing }
     }
     #[inline(always)]
     fn homogeneous<C: Closures>(kept: &LinearGains<T, C>) -> LinearGains<T, C> {
-        let LinearGains { rotation, y, x } = kept;
-        LinearGains { rotation: rotation.homogeneous(), y: y.homogeneous(), x: x.homogeneous() }
+        let LinearGains { rotation, y, x, swing } = kept;
+        LinearGains { rotation: rotation.homogeneous(), y: y.homogeneous(), x: x.homogeneous(), swing: *swing }
     }
     fn is_finite<C: Closures>(kept: &LinearGains<T, C>) -> bool {
         kept.rotation.is_finite() && kept.y.is_finite() && kept.x.is_finite()
@@ -123,6 +126,10 @@ where
         self.linear.y.check()
     }
     #[inline(always)]
+    fn note<C: Closures>(&self, inboard: Acceleration<T>, offset: A::Offset<T>, kept: &mut LinearGains<T, C>) {
+        kept.swing = A::swing(inboard, offset);
+    }
+    #[inline(always)]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -170,10 +177,13 @@ where
         let Given { in_joints, position, rate, springs, .. } = given;
         let torque = in_joints.add_to(self.rotary.force(position.2, rate.2));
         let [fx, fy] = self.linear.forces([position.0, position.1], [rate.0, rate.1]);
+        let [kx, ky] = [self.linear.x.pivot(springs), self.linear.y.pivot(springs)];
+        let swing = kept.swing;
+        let (fx, fy) = (kx.mul_add(-swing.x, fx), ky.mul_add(-swing.y, fy));
         let (relation, rotation) = self.rotary.turn(springs, torque, outer.full().with_mass(self.linear.lumped));
-        let (relation, y) = A::enter(relation, offset).swapped().slid(fy, self.linear.y.pivot(springs));
-        let (relation, x) = relation.swapped().slid(fx, self.linear.x.pivot(springs));
-        *kept = LinearGains { rotation, y: y.swapped(), x };
+        let (relation, y) = A::enter(relation, offset).swapped().slid(fy, ky);
+        let (relation, x) = relation.swapped().slid(fx, kx);
+        *kept = LinearGains { rotation, y: y.swapped(), x, swing };
         A::leave(relation, offset)
     }
 }

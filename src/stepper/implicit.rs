@@ -187,6 +187,8 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
     /// Finds where a step went wrong: at its start, or at its end.
     #[cold]
     fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
+        // Joints may remember accelerations of the sweeps that failed.
+        self.stiff = self.scene.stiff_workspace();
         let mut stage = past.clone();
         stage.acceleration.clone_from(&self.first);
         if stage.is_finite() {

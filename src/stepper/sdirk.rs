@@ -112,6 +112,8 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
     /// Finds where a step went wrong: at its start, or stage by stage.
     #[cold]
     fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
+        // Joints may remember accelerations of the sweeps that failed.
+        self.stiff = self.scene.stiff_workspace();
         let mut stage = past.clone();
         let Self { scene, workspace, .. } = self;
         scene.accelerations(past.time, &past.position, &past.rate, loads, workspace, &mut stage.acceleration);
