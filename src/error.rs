@@ -96,6 +96,11 @@ pub enum Fault {
     },
     /// A transfer matrix does not exist here: the joint is the centre of percussion of what lies outboard.
     SingularTransfer,
+    /// The tip cannot be brought to where it is held from this guess.
+    NotClosed {
+        /// By how much it misses (m, or rad for an angle).
+        miss: f64,
+    },
 }
 
 impl Error {
@@ -150,6 +155,9 @@ impl fmt::Display for Error {
                 f,
                 "no transfer matrix exists: the joint is the centre of percussion of what lies outboard; sweep instead"
             ),
+            Fault::NotClosed { miss } => {
+                write!(f, "the tip cannot be brought to where it is held: it misses by {miss}")
+            }
         }?;
         match self.place {
             Some(Place::Station(station)) => write!(f, ", at station {station}")?,

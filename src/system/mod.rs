@@ -1,8 +1,10 @@
 //! A scene: root, chain and tip, validated once, and its forward and inverse dynamics.
 
 mod dynamics;
+mod hold;
 mod inspect;
 mod reference;
+mod start;
 
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 
