@@ -101,6 +101,21 @@ pub enum Fault {
         /// By how much it misses (m, or rad for an angle).
         miss: f64,
     },
+    /// No equilibrium was found from this guess.
+    NoEquilibrium {
+        /// The largest acceleration of a coordinate that is left (rad/s², or m/s² for a length).
+        residual: f64,
+    },
+    /// A motion does not rest where it is to be linearised.
+    NotAtRest {
+        /// About how far the position of rest is (rad, or m for a length).
+        distance: f64,
+    },
+    /// Forces have no potential, so that there are no modes of vibration with real shapes.
+    NotConservative {
+        /// Asymmetry of the stiffness, relative to its size.
+        asymmetry: f64,
+    },
 }
 
 impl Error {
@@ -157,6 +172,13 @@ impl fmt::Display for Error {
             ),
             Fault::NotClosed { miss } => {
                 write!(f, "the tip cannot be brought to where it is held: it misses by {miss}")
+            }
+            Fault::NoEquilibrium { residual } => {
+                write!(f, "no equilibrium found from this guess: an acceleration of {residual} is left")
+            }
+            Fault::NotAtRest { distance } => write!(f, "the motion is not at rest: rest is about {distance} away"),
+            Fault::NotConservative { asymmetry } => {
+                write!(f, "forces have no potential: the stiffness is asymmetric by {asymmetry}")
             }
         }?;
         match self.place {

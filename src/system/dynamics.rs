@@ -343,7 +343,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// By how much the tip misses its place and velocity.
-    fn miss(&self, motion: &MotionOf<S, R, C, P>) -> [<P::Closures as Closures>::Each<S::Scalar>; 2] {
+    pub(super) fn miss(&self, motion: &MotionOf<S, R, C, P>) -> [<P::Closures as Closures>::Each<S::Scalar>; 2] {
         let (mut bodies, mut joints) = (self.chain.per_body(()), self.chain.per_joint(()));
         let ground = self.root.ground(motion.time);
         let frame = self.chain.travel(ground, coordinates(motion), &mut Look, &mut bodies, &mut joints);

@@ -1,12 +1,12 @@
 //! Motions with their tip where it is held.
 
-use crate::element::{Element, Loading, RealOf, Space, Visit};
+use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Dynamics, MotionOf, Runs, System, coordinates};
+use crate::system::{Dynamics, MotionOf, Runs, System};
 use num_traits::{One, Zero};
 
 /// Corrections of a guess before it counts as one that leads nowhere.
@@ -82,7 +82,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             }
             last = step;
         }
-        let miss = self.tip_miss(motion)[0];
+        let miss = self.miss(motion)[0];
         let mut most = RealOf::<S>::zero();
         P::Closures::map(&miss, |x| most = most.max(x.real().abs()));
         Err(Error::new(Fault::NotClosed { miss: most.as_f64() }).at_time(motion.time.as_f64()))
@@ -97,25 +97,25 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             freedoms += 1;
             S::Scalar::zero()
         });
-        let [place, drift] = self.tip_miss(&moving);
+        let [place, drift] = self.miss(&moving);
         let mut lever = |j: usize| {
             let mut i = 0;
             moving.rate.replace(&mut |_| {
                 i += 1;
                 if i == j + 1 { S::Scalar::one() } else { S::Scalar::zero() }
             });
-            let [_, velocity] = self.tip_miss(&moving);
+            let [_, velocity] = self.miss(&moving);
             P::Closures::zip(&velocity, &drift, |with, without| with - without)
         };
         let mut pairs = P::Closures::no_pairs();
         for j in 0..freedoms {
             let lever = lever(j);
-            pairs = P::Closures::add_outer(&pairs, &lever, &lever);
+            pairs = P::Closures::minus_outer(&pairs, &lever, &lever);
         }
         let pull = P::Closures::solve(&pairs, &place);
         let (mut step, mut j, mut most) = (motion.rate.clone(), 0, RealOf::<S>::zero());
         step.replace(&mut |_| {
-            let x = P::Closures::minus_dot(S::Scalar::zero(), &lever(j), &pull);
+            let x = P::Closures::plus_dot(S::Scalar::zero(), &lever(j), &pull);
             j += 1;
             most = most.max(x.real().abs());
             x
@@ -124,22 +124,4 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         step.replace(&mut |x| x.scale(share));
         motion.position.displace(&step);
     }
-
-    /// By how much the tip misses its place and velocity.
-    pub(crate) fn tip_miss(&self, motion: &MotionOf<S, R, C, P>) -> [<P::Closures as Closures>::Each<S::Scalar>; 2] {
-        let chain = self.elements();
-        let (mut bodies, mut joints) = (chain.per_body(()), chain.per_joint(()));
-        let frame = chain.travel(self.ground(motion.time), coordinates(motion), &mut Look, &mut bodies, &mut joints);
-        self.tip.miss(motion.time, &frame)
-    }
-}
-
-/// Looks at nothing: for the frame at the end of the walk.
-struct Look;
-
-impl<S: Space> Visit<S> for Look {
-    type OnBody = ();
-    type InJoint = ();
-    fn body(&mut self, _: &S::BodyMotion) {}
-    fn joint(&mut self, _: &S::JointMotion) {}
 }

@@ -3,10 +3,18 @@
 mod dynamics;
 mod hold;
 mod inspect;
+#[cfg(feature = "alloc")]
+mod linear;
 mod reference;
 mod start;
+#[cfg(feature = "alloc")]
+mod statics;
 
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
+#[cfg(feature = "alloc")]
+pub use linear::Inertial;
+#[cfg(feature = "std")]
+pub(crate) use linear::numbers;
 
 use crate::element::{Budget, Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
