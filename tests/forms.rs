@@ -6,9 +6,8 @@ use catena::element::{Element, Loading, Unloaded};
 use catena::ends::Root;
 use catena::mirror::{Position, Rate};
 use catena::planar::*;
-use catena::stepper::Method;
 use catena::system::{Elements, Runs};
-use catena::time::Rule;
+use catena::time::{Explicit, Rule};
 use catena::{Error, Motion};
 use core::mem::{size_of, size_of_val};
 use typenum::Unsigned;
@@ -38,7 +37,7 @@ where
     R: Root<Plane>,
     C: Element<Plane>,
     L: Loading<Plane>,
-    M: Method,
+    M: Explicit,
     System<f64, R, C, Free>: Runs<L, Plane, R, C, Free> + Runs<Unloaded, Plane, R, C, Free>,
 {
     let system = System::new(root, chain, Free)?.with_gravity(9.81);

@@ -115,6 +115,8 @@ pub trait StiffDynamics<L>: Dynamics<L> {
 
 /// A system whose chain can be swept with loads of type `L`: the bound to write in code that is generic over scenes.
 ///
+/// It suffices for explicit rules. Code that hands a generic scene to an implicit rule bounds it by [`StiffDynamics`] too.
+///
 /// ```
 /// use catena::element::{Element, Unloaded};
 /// use catena::planar::*;
