@@ -7,7 +7,7 @@ use catena::stepper::Method;
 use catena::time::{Rule, Sdirk4};
 use core::f64::consts::FRAC_PI_3;
 
-type Pendulum = System<f64, Pinned<[f64; 2]>, (Rod<f64>, [(ElasticHinge<Rotary<f64>>, Rod<f64>); 19]), Free>;
+type Pendulum = System<f64, Pinned<[f64; 2]>, (Rod<f64>, [(ElasticHinge<Spring<f64>>, Rod<f64>); 19]), Free>;
 
 /// Length 1 m, mass 1 kg, EI = 1 N·m² in 20 segments: springs EI/ℓ between them.
 fn pendulum() -> Result<Pendulum, Error> {

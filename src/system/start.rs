@@ -162,7 +162,7 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
         feed.check("rate")?;
         let mut welds = self.motion().position;
         chain.aim(&mut welds, turn(T::zero()), &mut T::zero);
-        motion.rate.combine(&aimed, &[-T::Real::one()], [&welds]);
+        motion.rate.mix_1(&aimed, (-T::Real::one(), &welds));
         Ok(motion)
     }
 }
