@@ -131,7 +131,7 @@ fn sdirk4_holds_a_tip_with_order_four() -> Result<(), Error> {
 }
 
 /// Four rods with hinges of a stiffness k (N·m/rad) and a damping of so many √k (N·m·s/rad).
-type Rods = (Rod<f64>, [(ElasticHinge<Rotary<f64, f64>>, Rod<f64>); 3]);
+type Rods = (Rod<f64>, [(ElasticHinge<Spring<f64, f64>>, Rod<f64>); 3]);
 fn rods(stiffness: f64, damping: f64) -> Result<Scene<Rods>, Error> {
     let rod = Rod::uniform(0.3, 0.3);
     let hinge = ElasticHinge::rotary(stiffness).damped(damping * stiffness.sqrt());

@@ -17,7 +17,7 @@ const NAMES: [&str; 4] = ["stiffness", "damping", "rest angle", "second stiffnes
 const AT: [f64; 4] = [60.0, 0.4, 0.3, 25.0];
 const READINGS: [&str; 4] = ["first angle", "last angle", "root force x", "root force y"];
 
-type Chain<T> = (Rod<T>, ElasticHinge<Rotary<T, T, T>>, Rod<T>, ElasticHinge<Rotary<T>>, Rod<T>);
+type Chain<T> = (Rod<T>, ElasticHinge<Spring<T, T, T>>, Rod<T>, ElasticHinge<Spring<T>>, Rod<T>);
 type Scene<T> = System<T, Pinned<[T; 2]>, Chain<T>, Free>;
 
 /// A few steps of 10 ms by a method.

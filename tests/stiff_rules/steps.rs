@@ -7,9 +7,9 @@ use catena::stepper::{Method, Stepper};
 use catena::time::{Rule, Sdirk4};
 use catena::{Error, Fault};
 
-type Hinge = ElasticHinge<Rotary<f64, f64, f64>>;
+type Hinge = ElasticHinge<Spring<f64, f64, f64>>;
 type Scene = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Hinge, Rod<f64>, Hinge, Rod<f64>), Free>;
-type Rods = System<f64, Pinned<[f64; 2]>, (Rod<f64>, [(ElasticHinge<Rotary<f64, f64>>, Rod<f64>); 3]), Free>;
+type Rods = System<f64, Pinned<[f64; 2]>, (Rod<f64>, [(ElasticHinge<Spring<f64, f64>>, Rod<f64>); 3]), Free>;
 type Start = <Scene as catena::system::Dynamics<Unloaded>>::Position;
 
 fn scene() -> Result<Scene, Error> {
