@@ -51,7 +51,9 @@ fn ground() -> oracle::Ground {
     }
 }
 
-fn moving() -> Clamped<Moving<fn(f64) -> GroundMotion<f64>>, Turning<fn(f64) -> [f64; 3]>> {
+type MovingGround = Clamped<Moving<fn(f64) -> GroundMotion<f64>>, Turning<fn(f64) -> [f64; 3]>>;
+
+fn moving() -> MovingGround {
     let place: fn(f64) -> GroundMotion<f64> =
         |_| GroundMotion { place: [0.2, -0.1], velocity: [0.3, 0.5], acceleration: [-0.7, 0.4] };
     Clamped { place: Moving(place), attitude: Turning(|_| [0.3, -0.6, 0.9]) }

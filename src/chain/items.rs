@@ -8,12 +8,12 @@ use crate::relation::{Closures, Promote};
 /// Binds slices that march together, and leaves where they differ in length: then loops over them need no bounds checks.
 /// Stores are made by the chain that walks them, and motions are compared with their scene before, so they do not differ.
 macro_rules! march {
-    ($n:ident: $first:ident $($slice:ident)*; mut $($change:ident)*; else $otherwise:expr) => {
+    ($n:ident: $first:ident $($slice:ident)*; mut $($change:ident)*; else $($otherwise:expr)?) => {
         let $n = $first.len();
         $(let $slice = &$slice[..];)*
         $(let $change = &mut $change[..];)*
         if false $(|| $slice.len() != $n)* $(|| $change.len() != $n)* {
-            return $otherwise;
+            return $($otherwise)?;
         }
     };
 }
@@ -82,7 +82,7 @@ fn resolve_items<S: Space, A: Element<S>>(
     p: &mut [A::PerAxes<S::P>],
     q: &mut [A::PerAxes<S::Q>],
 ) {
-    march!(n: sizes; mut x y p q; else ());
+    march!(n: sizes; mut x y p q; else);
     for i in 0..n {
         A::resolve(&sizes[i], &mut x[i], &mut y[i], &mut p[i], &mut q[i]);
     }

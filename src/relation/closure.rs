@@ -5,7 +5,7 @@
 //! independent: the compliance of what lies outboard to these forces. W, Λ and y₀ ride inward with the relation; a chain without
 //! closures has type [`Open`], and none of them.
 
-use super::redundancy::{dependent_row, inverse_root};
+use super::redundancy::dependent_row;
 use crate::scalar::{Real, Scalar};
 
 /// How many closure forces a sweep carries, decided by type.
@@ -76,11 +76,8 @@ pub struct Cut<const L: usize>;
 
 impl<const L: usize> Closures for Cut<L> {
     fn dependent<T: Scalar>(compliance: &[[T; L]; L], measure: &[T; L]) -> Option<(usize, usize)> {
-        let roots = measure.map(|measure| inverse_root(measure.real().as_f64()));
-        let scaled = |i: usize, j: usize| compliance[i][j].real().as_f64() * roots[i] * roots[j];
-        let matrix: [[f64; L]; L] =
-            core::array::from_fn(|i| core::array::from_fn(|j| if j <= i { scaled(i, j) } else { 0.0 }));
-        dependent_row(matrix, T::Real::EPSILON.as_f64())
+        let real = |x: T| x.real().as_f64();
+        dependent_row(compliance.map(|row| row.map(real)), measure.map(real), T::Real::EPSILON.as_f64())
     }
     type Each<X: Copy> = [X; L];
     type Pairs<T: Copy> = [[T; L]; L];
