@@ -3,7 +3,7 @@
 use super::axes::Axes;
 use super::linear::{HingeAxes, Linear};
 use super::spring::{Spring, SpringLaw};
-use super::{Acceleration, ElasticHinge, Floating, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
+use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Posture, Visit};
 use crate::error::{Error, Fault};
@@ -265,7 +265,6 @@ macro_rules! joint {
     };
 }
 joint!([T: Scalar] Pin);
-joint!([T: Scalar] Floating<T>);
 joint!([T: Scalar] Weld<T>);
 joint!([T: Scalar, S: SpringLaw<T>] Slider<T, S>);
 joint!([T: Scalar, D: Coefficient<T>, P: Term<T>] ElasticHinge<Spring<T, D, P>>);
@@ -282,7 +281,6 @@ macro_rules! count {
     };
 }
 count!([] Pin: U1);
-count!([T] Floating<T>: U3);
 count!([T] Weld<T>: U0);
 count!([T, S] Slider<T, S>: U1);
 count!([R] ElasticHinge<R>: U1);

@@ -2,7 +2,6 @@
 
 mod clamped;
 mod compliance;
-mod floating;
 mod free;
 mod ground;
 mod guided;
@@ -10,8 +9,7 @@ mod pinned;
 
 pub use clamped::{Attitude, Clamped, Turning};
 use compliance::Compliance;
-pub use floating::Floating;
-pub use free::Free;
+pub use free::{Floating, Free};
 pub use ground::{Ground, GroundMotion, Moving};
 pub use guided::Guided;
 pub use pinned::Pinned;

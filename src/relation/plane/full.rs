@@ -143,16 +143,6 @@ impl<T: Scalar, C: Closures> Full<T, C> {
     }
 }
 
-impl<T: Scalar> Full<T> {
-    /// The acceleration (a, α) of a station on which nothing acts: S p + e = 0, by block elimination.
-    #[inline(always)]
-    pub fn free(self) -> (Vector2<T>, T) {
-        let (Point { stiffness, offset, .. }, gain) = self.pinned(Absent);
-        let linear = stiffness.solve(-offset);
-        (linear, gain.angular(linear, &()))
-    }
-}
-
 /// A relation that resists rotation: what a joint that turns must find on its outboard side.
 #[diagnostic::on_unimplemented(
     message = "a `Pin`, a hinge or a `Free` root needs a body on its outboard side, but meets `{Self}`",
