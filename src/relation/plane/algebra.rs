@@ -60,15 +60,6 @@ impl<T: Scalar> Symmetric2<T> {
         )
     }
 
-    /// S⁻¹ v, by elimination of x.
-    #[inline(always)]
-    pub fn solve(self, v: Vector2<T>) -> Vector2<T> {
-        let inverse = self.xx.recip();
-        let ratio = self.xy * inverse;
-        let y = ratio.mul_add(-v.x, v.y) / ratio.mul_add(-self.xy, self.yy);
-        Vector2::new((v.x - self.xy * y) * inverse, y)
-    }
-
     /// The same matrix along axes in the direction `d` and its normal.
     #[inline(always)]
     pub fn along(self, d: Vector2<T>) -> Self {

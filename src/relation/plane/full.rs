@@ -3,7 +3,7 @@
 use super::Point;
 use super::algebra::{Symmetric2, add_scaled, dot, normal};
 use super::kinds::Relation;
-use crate::relation::{Absent, Closures, Cuts, Open, Term};
+use crate::relation::{Closures, Cuts, Open, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 
