@@ -9,6 +9,7 @@ mod reference;
 mod start;
 #[cfg(feature = "alloc")]
 mod statics;
+mod sweeps;
 
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 #[cfg(feature = "alloc")]
