@@ -11,6 +11,7 @@
 mod closure;
 pub mod plane;
 mod redundancy;
+pub mod space;
 
 pub use closure::{Closures, Cut, Cuts, Open};
 

@@ -1,0 +1,253 @@
+//! Vectors and 3 × 3 matrices, with products fused where the target can.
+
+use crate::lift::Lift;
+use crate::scalar::Scalar;
+use nalgebra::Vector3;
+
+/// No vector.
+#[inline(always)]
+pub fn zero<T: Scalar>() -> Vector3<T> {
+    Vector3::new(T::zero(), T::zero(), T::zero())
+}
+
+/// a · b.
+#[inline(always)]
+pub fn dot<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> T {
+    a.x.mul_add(b.x, a.y.mul_add(b.y, a.z * b.z))
+}
+
+/// a × b.
+#[inline(always)]
+pub fn cross<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
+    Vector3::new(a.y.mul_add(b.z, -(a.z * b.y)), a.z.mul_add(b.x, -(a.x * b.z)), a.x.mul_add(b.y, -(a.y * b.x)))
+}
+
+/// `sum` + a × b.
+#[inline(always)]
+pub fn cross_onto<T: Scalar>(a: Vector3<T>, b: Vector3<T>, sum: Vector3<T>) -> Vector3<T> {
+    Vector3::new(
+        a.y.mul_add(b.z, (-a.z).mul_add(b.y, sum.x)),
+        a.z.mul_add(b.x, (-a.x).mul_add(b.z, sum.y)),
+        a.x.mul_add(b.y, (-a.y).mul_add(b.x, sum.z)),
+    )
+}
+
+/// `sum + factor · v`.
+#[inline(always)]
+pub fn add_scaled<T: Scalar>(sum: Vector3<T>, factor: T, v: Vector3<T>) -> Vector3<T> {
+    Vector3::new(v.x.mul_add(factor, sum.x), v.y.mul_add(factor, sum.y), v.z.mul_add(factor, sum.z))
+}
+
+/// The centripetal acceleration ω × (ω × d).
+#[inline(always)]
+pub fn centripetal<T: Scalar>(spin: Vector3<T>, d: Vector3<T>) -> Vector3<T> {
+    cross(spin, cross(spin, d))
+}
+
+/// A vector from its entries.
+#[inline(always)]
+pub fn vector<T: Scalar>([x, y, z]: [T; 3]) -> Vector3<T> {
+    Vector3::new(x, y, z)
+}
+
+/// Whether every entry is finite.
+pub fn is_finite<T: Scalar>(v: Vector3<T>) -> bool {
+    v.x.is_finite() && v.y.is_finite() && v.z.is_finite()
+}
+
+/// A 3 × 3 matrix as three columns. That of an attitude holds the body's axes in inertial axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Columns<T> {
+    /// First column.
+    pub x: Vector3<T>,
+    /// Second column.
+    pub y: Vector3<T>,
+    /// Third column.
+    pub z: Vector3<T>,
+}
+
+impl<T: Scalar> Columns<T> {
+    /// All entries zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { x: zero(), y: zero(), z: zero() }
+    }
+
+    /// The identity.
+    #[inline(always)]
+    pub fn identity() -> Self {
+        let (o, i) = (T::zero(), T::one());
+        Self { x: Vector3::new(i, o, o), y: Vector3::new(o, i, o), z: Vector3::new(o, o, i) }
+    }
+
+    /// M v.
+    #[inline(always)]
+    pub fn apply(&self, v: Vector3<T>) -> Vector3<T> {
+        add_scaled(add_scaled(self.x * v.x, v.y, self.y), v.z, self.z)
+    }
+
+    /// `sum` + M v.
+    #[inline(always)]
+    pub fn apply_onto(&self, v: Vector3<T>, sum: Vector3<T>) -> Vector3<T> {
+        add_scaled(add_scaled(add_scaled(sum, v.x, self.x), v.y, self.y), v.z, self.z)
+    }
+
+    /// Mᵀ v.
+    #[inline(always)]
+    pub fn transposed(&self, v: Vector3<T>) -> Vector3<T> {
+        Vector3::new(dot(self.x, v), dot(self.y, v), dot(self.z, v))
+    }
+
+    /// M N.
+    #[inline(always)]
+    pub fn times(&self, other: &Self) -> Self {
+        Self { x: self.apply(other.x), y: self.apply(other.y), z: self.apply(other.z) }
+    }
+}
+
+impl<T: Scalar, U: Scalar> Lift<T, U> for Columns<T> {
+    type Over = Columns<U>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Columns<U> {
+        let mut of = |v: Vector3<T>| Vector3::new(number(v.x), number(v.y), number(v.z));
+        Columns { x: of(self.x), y: of(self.y), z: of(self.z) }
+    }
+}
+
+/// A symmetric 3 × 3 matrix, one triangle stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Symmetric3<T> {
+    /// Row x, column x.
+    pub xx: T,
+    /// Row x, column y, and its mirror.
+    pub xy: T,
+    /// Row x, column z, and its mirror.
+    pub xz: T,
+    /// Row y, column y.
+    pub yy: T,
+    /// Row y, column z, and its mirror.
+    pub yz: T,
+    /// Row z, column z.
+    pub zz: T,
+}
+
+impl<T: Scalar> Symmetric3<T> {
+    /// `value` on the diagonal.
+    #[inline(always)]
+    pub fn diagonal(value: T) -> Self {
+        let o = T::zero();
+        Self { xx: value, xy: o, xz: o, yy: value, yz: o, zz: value }
+    }
+
+    /// S + value·1.
+    #[inline(always)]
+    pub fn plus_diagonal(self, value: T) -> Self {
+        Self { xx: self.xx + value, yy: self.yy + value, zz: self.zz + value, ..self }
+    }
+
+    /// S + `other`.
+    #[inline(always)]
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            xx: self.xx + other.xx,
+            xy: self.xy + other.xy,
+            xz: self.xz + other.xz,
+            yy: self.yy + other.yy,
+            yz: self.yz + other.yz,
+            zz: self.zz + other.zz,
+        }
+    }
+
+    /// The columns.
+    #[inline(always)]
+    pub fn columns(self) -> Columns<T> {
+        Columns {
+            x: Vector3::new(self.xx, self.xy, self.xz),
+            y: Vector3::new(self.xy, self.yy, self.yz),
+            z: Vector3::new(self.xz, self.yz, self.zz),
+        }
+    }
+
+    /// S v.
+    #[inline(always)]
+    pub fn apply(self, v: Vector3<T>) -> Vector3<T> {
+        self.columns().apply(v)
+    }
+
+    /// `sum` + S v.
+    #[inline(always)]
+    pub fn apply_onto(self, v: Vector3<T>, sum: Vector3<T>) -> Vector3<T> {
+        self.columns().apply_onto(v, sum)
+    }
+
+    /// S + u wᵀ for parallel u and w, so that the result is symmetric.
+    #[inline(always)]
+    pub fn plus_outer(self, u: Vector3<T>, w: Vector3<T>) -> Self {
+        Self {
+            xx: u.x.mul_add(w.x, self.xx),
+            xy: u.y.mul_add(w.x, self.xy),
+            xz: u.z.mul_add(w.x, self.xz),
+            yy: u.y.mul_add(w.y, self.yy),
+            yz: u.z.mul_add(w.y, self.yz),
+            zz: u.z.mul_add(w.z, self.zz),
+        }
+    }
+
+    /// S + K G, of which the sum is known to be symmetric: the rows of G are given as columns of Gᵀ.
+    #[inline(always)]
+    pub fn plus_product(self, k: &Columns<T>, rows: &Columns<T>) -> Self {
+        self.plus_outer(k.x, rows.x).plus_outer(k.y, rows.y).plus_outer(k.z, rows.z)
+    }
+
+    /// B Bᵀ-like transform A S Aᵀ for an attitude A.
+    #[inline(always)]
+    pub fn turned(self, attitude: &Columns<T>) -> Self {
+        // A S, column by column; its product with Aᵀ is symmetric.
+        let half = attitude.times(&self.columns());
+        Self::diagonal(T::zero()).plus_product(&half, attitude)
+    }
+
+    /// L D Lᵀ, for right-hand sides.
+    #[inline(always)]
+    pub fn factor(self) -> Factor3<T> {
+        let dx = self.xx.recip();
+        let (yx, zx) = (self.xy * dx, self.xz * dx);
+        let dy = yx.mul_add(-self.xy, self.yy).recip();
+        let reduced = yx.mul_add(-self.xz, self.yz);
+        let zy = reduced * dy;
+        let dz = zy.mul_add(-reduced, zx.mul_add(-self.xz, self.zz)).recip();
+        Factor3 { yx, zx, zy, inverse: Vector3::new(dx, dy, dz) }
+    }
+}
+
+impl<T: Scalar, U: Scalar> Lift<T, U> for Symmetric3<T> {
+    type Over = Symmetric3<U>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Symmetric3<U> {
+        let Self { xx, xy, xz, yy, yz, zz } = *self;
+        let [xx, xy, xz, yy, yz, zz] = [xx, xy, xz, yy, yz, zz].map(number);
+        Symmetric3 { xx, xy, xz, yy, yz, zz }
+    }
+}
+
+/// L D Lᵀ of a symmetric positive definite 3 × 3 matrix; not finite where it is singular.
+#[derive(Clone, Copy, Debug)]
+pub struct Factor3<T> {
+    yx: T,
+    zx: T,
+    zy: T,
+    /// 1 / D.
+    inverse: Vector3<T>,
+}
+
+impl<T: Scalar> Factor3<T> {
+    /// S⁻¹ v.
+    #[inline(always)]
+    pub fn solve(&self, v: Vector3<T>) -> Vector3<T> {
+        let x = v.x;
+        let y = self.yx.mul_add(-x, v.y);
+        let z = self.zy.mul_add(-y, self.zx.mul_add(-x, v.z));
+        let z = z * self.inverse.z;
+        let y = self.zy.mul_add(-z, y * self.inverse.y);
+        let x = self.zx.mul_add(-z, self.yx.mul_add(-y, x * self.inverse.x));
+        Vector3::new(x, y, z)
+    }
+}
