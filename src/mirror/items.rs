@@ -69,6 +69,8 @@ macro_rules! mirror_items {
         impl<T: Scalar, A: Position<T>, $($generics)*> Position<T> for $container {
             type Rate = $rates;
 
+            const CURVED: bool = A::CURVED;
+
             #[inline]
             fn drift_0(&mut self, from: &Self, (time, rate): Term<'_, T, Self::Rate>) {
                 for ((item, from), rate) in self.iter_mut().zip(from).zip(rate) {
@@ -92,6 +94,15 @@ macro_rules! mirror_items {
                 for ((((item, from), rate), a), b) in self.iter_mut().zip(from).zip(rate).zip(a).zip(b) {
                     item.drift_2(from, (time, rate), (u, a), (v, b));
                 }
+            }
+            #[inline]
+            fn land(&mut self, from: &Self, rate: &mut Self::Rate) {
+                self.iter_mut().zip(from).zip(rate).for_each(|((item, from), rate)| item.land(from, rate));
+            }
+            #[inline]
+            fn unroll(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
+                let items = self.iter().zip(from).zip(rate).zip(acceleration);
+                items.for_each(|(((item, from), rate), acceleration)| item.unroll(from, rate, acceleration));
             }
             #[inline]
             fn displace(&mut self, step: &Self::Rate) {

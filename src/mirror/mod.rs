@@ -84,4 +84,21 @@ pub trait Position<T: Scalar>: Clone {
 
     /// Whether `test` holds for each pair of numbers at the same place, and there are as many (only a `Vec` can differ).
     fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool;
+
+    /// Whether ⊕ is more than a sum: then the numbers displaced by are coordinates of the step, whose time derivatives a rule sums
+    /// up and these two methods translate. Positions that are numbers need neither.
+    const CURVED: bool = false;
+
+    /// Turns derivatives of the coordinates of the step that led here from `from` into rates, and lands on a proper position where
+    /// rounding left one.
+    #[inline(always)]
+    fn land(&mut self, from: &Self, rate: &mut Self::Rate) {
+        let _ = (from, rate);
+    }
+
+    /// Turns accelerations here into second derivatives of the coordinates of the step from `from`.
+    #[inline(always)]
+    fn unroll(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
+        let _ = (from, rate, acceleration);
+    }
 }

@@ -60,6 +60,8 @@ macro_rules! mirror_tuple {
         impl<T: Scalar, $($A: Position<T>),*> Position<T> for ($($A,)*) {
             type Rate = ($($A::Rate,)*);
 
+            const CURVED: bool = false $(|| $A::CURVED)*;
+
             #[inline(always)]
             fn drift_0(&mut self, _from: &Self, (_time, _rate): Term<'_, T, Self::Rate>) {
                 $(self.$i.drift_0(&_from.$i, (_time, &_rate.$i));)*
@@ -82,6 +84,14 @@ macro_rules! mirror_tuple {
                 (_v, _b): Term<'_, T, Self::Rate>,
             ) {
                 $(self.$i.drift_2(&_from.$i, (_time, &_rate.$i), (_u, &_a.$i), (_v, &_b.$i));)*
+            }
+            #[inline(always)]
+            fn land(&mut self, _from: &Self, _rate: &mut Self::Rate) {
+                $(self.$i.land(&_from.$i, &mut _rate.$i);)*
+            }
+            #[inline(always)]
+            fn unroll(&self, _from: &Self, _rate: &Self::Rate, _acceleration: &mut Self::Rate) {
+                $(self.$i.unroll(&_from.$i, &_rate.$i, &mut _acceleration.$i);)*
             }
             #[inline(always)]
             fn displace(&mut self, _step: &Self::Rate) {

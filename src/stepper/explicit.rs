@@ -3,7 +3,7 @@
 use super::displace::{displace, gather, mean_square};
 use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::error::{Error, Fault};
-use crate::mirror::Rate;
+use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
@@ -57,8 +57,14 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         let slopes = self.slopes.as_mut();
         let (weights, room) = (row_weights::<M>(row), (&self.zero, &mut self.estimate.0));
         displace(past, slopes, M::node(row), weights, dt, room, (position, rate));
+        if D::Position::CURVED {
+            position.land(&past.position, rate);
+        }
         let time = past.time + TimeIn::<D, L>::of(M::node(row)) * dt;
         self.scene.accelerations(time, position, rate, loads, &mut self.workspace, &mut slopes[row]);
+        if D::Position::CURVED {
+            position.unroll(&past.position, rate, &mut slopes[row]);
+        }
         self.sweeps += 1;
     }
 
@@ -102,12 +108,19 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         let slopes = self.slopes.as_ref();
         let (weights, room) = (row_weights::<M>(M::STAGES), (&self.zero, &mut self.estimate.0));
         displace(past, slopes, M::node(M::STAGES), weights, dt, room, (&mut next.position, &mut next.rate));
+        if D::Position::CURVED {
+            next.position.land(&past.position, &mut next.rate);
+        }
         // The gains of the last stage serve to project, so that the sweep that follows sees a closed scene.
         self.scene.project(next, &mut self.workspace);
         let Motion { time, position, rate, acceleration, multipliers } = next;
         *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
         self.sweeps += 1;
-        self.slopes.as_mut()[M::STAGES].set(&next.acceleration);
+        let last = &mut self.slopes.as_mut()[M::STAGES];
+        last.set(&next.acceleration);
+        if D::Position::CURVED {
+            next.position.unroll(&past.position, &next.rate, last);
+        }
         match self.scene.accept(next) {
             Ok(()) => Ok(()),
             Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => Err(self.diagnose(past, loads, dt)),
@@ -194,6 +207,9 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         let room = (&self.zero, &mut self.estimate.0);
         let Motion { position, rate, .. } = between;
         displace(past, self.slopes.as_ref(), theta, weights, dt, room, (position, rate));
+        if D::Position::CURVED {
+            position.land(&past.position, rate);
+        }
         between.time = past.time + TimeIn::<D, L>::of(theta) * dt;
         let Motion { time, position, rate, acceleration, multipliers } = between;
         *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
