@@ -39,6 +39,10 @@ impl<X: Choice, Y: Choice, R: Choice> Pairs for (X, Y, R) {
     const MOTION: &'static [bool] = &[X::MOTION, Y::MOTION, R::MOTION];
 }
 
+impl<X: Choice, Y: Choice, Z: Choice, A: Choice, B: Choice, C: Choice> Pairs for (X, Y, Z, A, B, C) {
+    const MOTION: &'static [bool] = &[X::MOTION, Y::MOTION, Z::MOTION, A::MOTION, B::MOTION, C::MOTION];
+}
+
 /// The inboard end of a chain: a joint to the ground, and how that ground moves.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be the root of a chain in `{S}`",

@@ -58,6 +58,15 @@ pub enum Fault {
         /// Its name.
         parameter: &'static str,
     },
+    /// A matrix that must be symmetric is not.
+    NotSymmetric {
+        /// Its name.
+        parameter: &'static str,
+    },
+    /// Moments of inertia that no distribution of mass has: one is negative, or larger than the sum of the other two.
+    ImpossibleInertia,
+    /// Two axes of a joint are parallel.
+    ParallelAxes,
     /// Nothing resists the rotation in a joint: what lies outboard of it has no inertia about it.
     SingularJoint,
     /// A load (force or torque) is NaN or infinite.
@@ -152,6 +161,11 @@ impl fmt::Display for Error {
                 write!(f, "{parameter} must lie between {least} and {most}, but is {value}")
             }
             Fault::NotFinite { parameter } => write!(f, "{parameter} must be finite"),
+            Fault::NotSymmetric { parameter } => write!(f, "{parameter} must be symmetric"),
+            Fault::ImpossibleInertia => {
+                write!(f, "no body has these moments of inertia: one is negative or exceeds the sum of the others")
+            }
+            Fault::ParallelAxes => write!(f, "the axes of the joint are parallel"),
             Fault::SingularJoint => write!(f, "nothing resists the rotation in this joint (no inertia outboard of it)"),
             Fault::NonFiniteLoad => write!(f, "a load is not finite"),
             Fault::NonFiniteMotion => write!(f, "the motion is no longer finite"),

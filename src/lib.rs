@@ -39,7 +39,7 @@
 //! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
 //! | 2 | [`space`], [`loading`], [`sweep`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions |
 //! | 3 | [`chain`] (composition), [`counts`] |
-//! | 4 | [`planar`] |
+//! | 4 | [`planar`], [`spatial`] |
 //! | 5 | [`solve`], [`observe`] |
 //! | 6 | [`system`] |
 //! | 7 | [`stepper`], [`simulate`], [`observers`], [`modes`] |
@@ -77,6 +77,7 @@ pub mod scalar;
 pub mod simulate;
 pub mod solve;
 pub mod space;
+pub mod spatial;
 mod state;
 pub mod stepper;
 pub mod sweep;

@@ -1,0 +1,284 @@
+//! The walks of joints that turn about axes or slide along them.
+//!
+//! p_O = X p_I + c + Φ q̈ with X = [[1, −d~], [0, 1]], Φ one column (0, n) or (n, 0) for each coordinate, and
+//! c = (ω × (ω × d) + 2 ω × ḋ, ω × ω_rel + …), ω that of the inboard body.
+
+use super::axial::{Axial, Listed, Relative};
+use super::joint::{Joint, Stored};
+use super::loads::Drive;
+use super::spring::{Law, PivotRule};
+use super::{Acceleration, Cylindrical, Frame, JointMotion, Prismatic, Revolute, Spatial, Turn, Universal};
+use crate::element::{Condense, Given, InJoint, Posture, Sweep};
+use crate::error::Fault;
+use crate::relation::Closures;
+use crate::relation::space::algebra::{Columns, add_scaled, centripetal, cross, cross_onto, zero};
+use crate::relation::space::{Full, Pivot, Relation, Rigid, Way};
+use crate::scalar::Scalar;
+use nalgebra::Vector3;
+
+#[inline(always)]
+fn oriented<T: Scalar, J: Axial<T, K>, const K: usize>(
+    joint: &J,
+    position: &J::Coordinates,
+    rate: &J::Coordinates,
+    inboard: Turn<T>,
+) -> (Turn<T>, Stored<T>) {
+    let relative = joint.relative(&inboard, position.list(), rate.list());
+    let bias = [linear_bias::<T, J, K>(&inboard, &relative), angular_bias::<T, J, K>(&inboard, &relative)];
+    let axis = |k: usize| if k < K { relative.axes[k] } else { zero() };
+    let stored = (Columns { x: axis(0), y: axis(1), z: relative.arm }, bias);
+    (outboard::<T, J, K>(inboard, &relative), stored)
+}
+
+#[inline(always)]
+fn outboard<T: Scalar, J: Axial<T, K>, const K: usize>(inboard: Turn<T>, relative: &Relative<T, K>) -> Turn<T> {
+    let spin = if J::TURNS { inboard.spin + relative.spin } else { inboard.spin };
+    Turn { attitude: relative.attitude, spin }
+}
+
+#[inline(always)]
+fn linear_bias<T: Scalar, J: Axial<T, K>, const K: usize>(inboard: &Turn<T>, relative: &Relative<T, K>) -> Vector3<T> {
+    if J::SLIDES {
+        let twice = relative.sliding + relative.sliding;
+        cross_onto(inboard.spin, twice, centripetal(inboard.spin, relative.arm))
+    } else {
+        zero()
+    }
+}
+
+#[inline(always)]
+fn angular_bias<T: Scalar, J: Axial<T, K>, const K: usize>(inboard: &Turn<T>, relative: &Relative<T, K>) -> Vector3<T> {
+    if !J::TURNS {
+        zero()
+    } else if K == 1 {
+        cross(inboard.spin, relative.spin)
+    } else {
+        cross_onto(inboard.spin, relative.spin, relative.extra)
+    }
+}
+
+#[inline(always)]
+fn moved<T: Scalar, J: Axial<T, K>, const K: usize>(
+    joint: &J,
+    inboard: Frame<T>,
+    position: &J::Coordinates,
+    rate: &J::Coordinates,
+    acceleration: &J::Coordinates,
+) -> JointMotion<T> {
+    let turn = inboard.turn;
+    let relative = joint.relative(&turn, position.list(), rate.list());
+    let Relative { axes, arm, sliding, .. } = relative;
+    let mut moved = inboard.acceleration.shifted(arm, linear_bias::<T, J, K>(&turn, &relative));
+    moved.angular += angular_bias::<T, J, K>(&turn, &relative);
+    for (k, second) in acceleration.list().into_iter().enumerate() {
+        moved = pushed(moved, J::WAYS[k], axes[k], second);
+    }
+    let outboard = Frame {
+        place: inboard.place + arm,
+        velocity: cross_onto(turn.spin, arm, inboard.velocity + sliding),
+        turn: outboard::<T, J, K>(turn, &relative),
+        acceleration: moved,
+    };
+    let padded = |list: [T; K]| core::array::from_fn(|k| if k < K { list[k] } else { T::zero() });
+    let energy = joint.energy(position.list());
+    JointMotion { inboard, outboard, position: padded(position.list()), rate: padded(rate.list()), energy }
+}
+
+/// An acceleration with a coordinate's added.
+#[inline(always)]
+fn pushed<T: Scalar>(p: Acceleration<T>, way: Way, n: Vector3<T>, second: T) -> Acceleration<T> {
+    match way {
+        Way::Turn => Acceleration { angular: add_scaled(p.angular, second, n), ..p },
+        Way::Slide => Acceleration { linear: add_scaled(p.linear, second, n), ..p },
+    }
+}
+
+#[inline(always)]
+fn axis<T: Scalar>(stored: &Columns<T>, k: usize) -> Vector3<T> {
+    if k == 0 { stored.x } else { stored.y }
+}
+
+#[inline(always)]
+fn condense<T: Scalar, J, R, W, const K: usize>(
+    joint: &J,
+    outer: R,
+    posture: (&Columns<T>, &[Vector3<T>; 2]),
+    drive: InJoint<Spatial<T>, W>,
+    (position, rate): (&J::Coordinates, &J::Coordinates),
+    springs: W::Springs,
+    kept: &mut [Pivot<T, R::Closures>; K],
+) -> Full<T, R::Closures>
+where
+    J: Axial<T, K>,
+    R: Rigid<T>,
+    W: Sweep<Spatial<T>, Springs: PivotRule<T>>,
+    InJoint<Spatial<T>, W>: Drive<T>,
+{
+    let (stored, bias) = posture;
+    let (position, rate) = (position.list(), rate.list());
+    let mut relation = outer.full();
+    if J::SLIDES {
+        relation = relation.with_mass(joint.lumped());
+    }
+    for k in (0..K).rev() {
+        let force = drive.onto(k, joint.force_onto(k, position[k], rate[k], T::zero()));
+        let stiffness = springs.stiffness(|springs| joint.pivot(k, springs));
+        (relation, kept[k]) = relation.released(J::WAYS[k], axis(stored, k), force, stiffness);
+    }
+    if J::TURNS {
+        relation = relation.turning(bias[1]);
+    }
+    if J::SLIDES {
+        relation = relation.carried(stored.z, bias[0]);
+    }
+    relation
+}
+
+#[inline(always)]
+fn recovered<T: Scalar, J: Axial<T, K>, C: Closures, const K: usize>(
+    inboard: Acceleration<T>,
+    (stored, bias): (&Columns<T>, &[Vector3<T>; 2]),
+    kept: &[Pivot<T, C>; K],
+    multipliers: &C::Each<T>,
+    rate: &mut J::Coordinates,
+) -> Acceleration<T> {
+    let mut p = if J::SLIDES { inboard.shifted(stored.z, bias[0]) } else { inboard };
+    if J::TURNS {
+        p.angular += bias[1];
+    }
+    let mut seconds = [T::zero(); K];
+    for k in 0..K {
+        seconds[k] = kept[k].acceleration(p.linear, p.angular, multipliers);
+        p = pushed(p, J::WAYS[k], axis(stored, k), seconds[k]);
+    }
+    *rate = J::Coordinates::of(seconds);
+    p
+}
+
+#[inline(always)]
+fn responded<T: Scalar, J: Axial<T, K>, C: Closures, const K: usize>(
+    inboard: Acceleration<T>,
+    (stored, _): (&Columns<T>, &[Vector3<T>; 2]),
+    kept: &[Pivot<T, C>; K],
+    multipliers: &C::Each<T>,
+    rate: &mut J::Coordinates,
+) -> Acceleration<T> {
+    let kept = kept.map(|pivot| Pivot { free: T::zero(), ..pivot });
+    let mut p = if J::SLIDES { inboard.swung(stored.z) } else { inboard };
+    let mut seconds = [T::zero(); K];
+    for k in 0..K {
+        seconds[k] = kept[k].acceleration(p.linear, p.angular, multipliers);
+        p = pushed(p, J::WAYS[k], axis(stored, k), seconds[k]);
+    }
+    *rate = J::Coordinates::of(seconds);
+    p
+}
+
+/// Makes axial joints joints that can condense.
+macro_rules! axial {
+    ([$($generics:ident $(: $bound:ident)?),*] $Joint:ty, $K:literal) => {
+        impl<$($generics $(: $bound<T>)?),*> Joint<T> for $Joint where T: Scalar {
+            type Position = <Self as Axial<T, $K>>::Coordinates;
+            type Rate = <Self as Axial<T, $K>>::Coordinates;
+            type Kept<C: Closures> = [Pivot<T, C>; $K];
+
+            fn position() -> Self::Position {
+                Listed::of([T::zero(); $K])
+            }
+            fn rate() -> Self::Rate {
+                Listed::of([T::zero(); $K])
+            }
+            fn kept<C: Closures>() -> Self::Kept<C> {
+                [Pivot::blank(); $K]
+            }
+            fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool {
+                kept.iter().all(Pivot::is_finite)
+            }
+            /// Angles of the joint; its slides stay.
+            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
+                let mut list = Listed::<T, $K>::list(position);
+                for (x, way) in list.iter_mut().zip(<Self as Axial<T, $K>>::WAYS) {
+                    if way == Way::Turn {
+                        *x = next();
+                    }
+                }
+                *position = Listed::of(list);
+                oriented(self, position, &<Self as Joint<T>>::rate(), inboard).0
+            }
+            fn lump(&mut self, mass: T) -> T {
+                Axial::lump(self, mass)
+            }
+            #[inline(always)]
+            fn oriented(
+                &self,
+                position: &Self::Position,
+                rate: &Self::Rate,
+                inboard: Turn<T>,
+            ) -> (Turn<T>, Stored<T>) {
+                oriented(self, position, rate, inboard)
+            }
+            #[inline(always)]
+            fn moved(
+                &self,
+                inboard: Frame<T>,
+                position: &Self::Position,
+                rate: &Self::Rate,
+                acceleration: &Self::Rate,
+            ) -> JointMotion<T> {
+                moved(self, inboard, position, rate, acceleration)
+            }
+            fn check(&self) -> Result<(), Fault> {
+                self.verify()
+            }
+            #[inline(always)]
+            fn recovered<C: Closures>(
+                &self,
+                inboard: Acceleration<T>,
+                stored: (&Columns<T>, &[Vector3<T>; 2]),
+                kept: &Self::Kept<C>,
+                multipliers: &C::Each<T>,
+                rate: &mut Self::Rate,
+            ) -> Acceleration<T> {
+                recovered::<T, Self, C, $K>(inboard, stored, kept, multipliers, rate)
+            }
+            #[inline(always)]
+            fn responded<C: Closures>(
+                &self,
+                inboard: Acceleration<T>,
+                stored: (&Columns<T>, &[Vector3<T>; 2]),
+                kept: &Self::Kept<C>,
+                multipliers: &C::Each<T>,
+                rate: &mut Self::Rate,
+            ) -> Acceleration<T> {
+                responded::<T, Self, C, $K>(inboard, stored, kept, multipliers, rate)
+            }
+        }
+
+        impl<Outer, W, $($generics $(: $bound<T>)?),*> Condense<Spatial<T>, Outer, W> for $Joint
+        where
+            T: Scalar,
+            Outer: Rigid<T>,
+            W: Sweep<Spatial<T>, Springs: PivotRule<T>, Closures = Outer::Closures>,
+            InJoint<Spatial<T>, W>: Drive<T>,
+        {
+            type Out = Full<T, Outer::Closures>;
+
+            #[inline(always)]
+            fn condense(
+                &self,
+                outer: Outer,
+                posture: Posture<'_, Spatial<T>, Self>,
+                given: Given<'_, Spatial<T>, Self, W>,
+                kept: &mut [Pivot<T, Outer::Closures>; $K],
+            ) -> Self::Out {
+                let Given { in_joints, position, rate, springs, .. } = given;
+                let posture = (posture.x, posture.y);
+                condense::<T, Self, Outer, W, $K>(self, outer, posture, *in_joints, (position, rate), springs, kept)
+            }
+        }
+    };
+}
+axial!([T, L: Law] Revolute<T, L>, 1);
+axial!([T, L: Law] Prismatic<T, L>, 1);
+axial!([T, L: Law, M: Law] Universal<T, L, M>, 2);
+axial!([T, L: Law, M: Law] Cylindrical<T, L, M>, 2);

@@ -1,0 +1,195 @@
+//! What a spatial body has to say of itself, and how that makes it an element.
+
+use super::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
+use crate::counts::Counted;
+use crate::element::{Condense, Coordinates, Element, Given, OnBody, Posture, Sweep, Visit};
+use crate::error::{Error, Fault};
+use crate::relation::space::algebra::{Columns, centripetal};
+use crate::relation::space::{Full, Relation};
+use crate::relation::{Closures, Term};
+use crate::scalar::Scalar;
+use core::fmt::Debug;
+use nalgebra::Vector3;
+use typenum::{U0, U1};
+
+/// A rigid body in space, between an inboard end I (the origin of its axes) and an outboard end O.
+///
+/// With these methods a type is a body; the macro `body!` in this file makes it an element.
+pub trait Body<T: Scalar>: Copy + Debug {
+    /// Its inertia.
+    fn inertia(&self) -> Inertia<T>;
+
+    /// O (m), body axes.
+    fn outboard(&self) -> [T; 3];
+
+    /// Takes the point mass that its outboard neighbour lumps at O, hands on its own at I.
+    fn lump(&mut self, mass: T) -> T;
+
+    /// The relation at I from that at O.
+    fn condense<R: Relation<T>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures>;
+
+    /// Rejects parameters that make no mechanics.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn check(&self) -> Result<(), Fault>;
+}
+
+/// Orientation and angular velocity of a body, and what follows for its outboard end.
+#[derive(Clone, Copy, Debug)]
+pub struct Pose<T> {
+    /// The body's axes in inertial axes.
+    pub attitude: Columns<T>,
+    /// Angular velocity ω (rad/s).
+    pub spin: Vector3<T>,
+    /// From the inboard to the outboard end, d (m).
+    pub arm: Vector3<T>,
+    /// ω × (ω × d) (m/s²).
+    pub centripetal: Vector3<T>,
+}
+
+/// Makes spatial bodies elements.
+macro_rules! body {
+    ($($Body:ident),*) => {$(
+        impl<T: Scalar> Element<Spatial<T>> for super::$Body<T> {
+            type Position = ();
+            type Rate = ();
+            type Kept<C: Closures> = ();
+            type PerBody<X: Copy> = X;
+            type PerJoint<X: Copy> = ();
+            type PerAxes<X: Copy> = X;
+
+            const BODIES: Option<usize> = Some(1);
+            const JOINTS: Option<usize> = Some(0);
+            const ABSOLUTE: bool = false;
+
+            fn bodies(&self) -> usize {
+                1
+            }
+            fn joints(&self) -> usize {
+                0
+            }
+            fn check(&self, station: usize) -> Result<(), Error> {
+                Body::check(self).map_err(|fault| Error::new(fault).at_station(station))
+            }
+            fn position(&self) {}
+            fn rate(&self) {}
+            fn kept<C: Closures>(&self) {}
+            fn per_body<X: Copy>(&self, fill: X) -> X {
+                fill
+            }
+            fn per_joint<X: Copy>(&self, _: X) {}
+            fn per_axes<X: Copy>(&self, fill: X) -> X {
+                fill
+            }
+            fn body_entry<'a, X: Copy>(&self, body: &'a X, k: usize) -> Option<&'a X> {
+                (k == 0).then_some(body)
+            }
+            fn entry<'a, X: Copy>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
+                (k == 0).then_some(body)
+            }
+            fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut() -> T) -> Turn<T> {
+                turn
+            }
+            fn lump(&mut self, mass: T) -> T {
+                Body::lump(self, mass)
+            }
+            #[inline(always)]
+            fn orient(
+                &self,
+                _: &(),
+                _: &(),
+                turn: Turn<T>,
+                x: &mut Columns<T>,
+                y: &mut [Vector3<T>; 2],
+            ) -> Turn<T> {
+                *x = turn.attitude;
+                y[0] = turn.spin;
+                turn
+            }
+            fn size(&self, size: &mut Vector3<T>) {
+                *size = Vector3::from(Body::outboard(self));
+            }
+            #[inline(always)]
+            fn resolve(
+                size: &Vector3<T>,
+                x: &mut Columns<T>,
+                y: &mut [Vector3<T>; 2],
+                p: &mut Vector3<T>,
+                q: &mut Vector3<T>,
+            ) {
+                *p = x.apply(*size);
+                *q = centripetal(y[0], *p);
+            }
+            #[inline(always)]
+            fn recover<C: Closures>(
+                &self,
+                acceleration: Acceleration<T>,
+                posture: Posture<'_, Spatial<T>, Self>,
+                _: &(),
+                _: &C::Each<T>,
+                _: &mut (),
+            ) -> Acceleration<T> {
+                acceleration.shifted(*posture.p, *posture.q)
+            }
+            #[inline(always)]
+            fn respond<C: Closures>(
+                &self,
+                acceleration: Acceleration<T>,
+                posture: Posture<'_, Spatial<T>, Self>,
+                _: &(),
+                _: &C::Each<T>,
+                _: &mut (),
+            ) -> Acceleration<T> {
+                acceleration.swung(*posture.p)
+            }
+            #[inline(always)]
+            fn travel<V: Visit<Spatial<T>>>(
+                &self,
+                frame: Frame<T>,
+                _: Coordinates<'_, Spatial<T>, Self>,
+                visit: &mut V,
+                on_body: &mut V::OnBody,
+                _: &mut (),
+            ) -> Frame<T> {
+                let inertia = Body::inertia(self);
+                let turned = |at: [T; 3]| frame.turn.attitude.apply(Vector3::from(at));
+                let arm = turned(Body::outboard(self));
+                let motion = BodyMotion { inboard: frame, arm, to_centre: turned(inertia.centre), inertia };
+                *on_body = visit.body(&motion);
+                motion.outboard()
+            }
+            fn inward<X: Copy>(&self, body: &mut X, _: &mut (), visit: &mut impl FnMut(&mut X)) {
+                visit(body);
+            }
+            fn broken<C: Closures>(&self, _: &(), _: usize) -> Option<usize> {
+                None
+            }
+        }
+
+        impl<T> Counted for super::$Body<T> {
+            type Bodies = U1;
+            type Freedoms = U0;
+        }
+
+        impl<T: Scalar, R: Relation<T>, W: Sweep<Spatial<T>>> Condense<Spatial<T>, R, W> for super::$Body<T>
+        where
+            OnBody<Spatial<T>, W>: Term<Full<T, R::Closures>>,
+        {
+            type Out = Full<T, R::Closures>;
+
+            #[inline(always)]
+            fn condense(
+                &self,
+                outer: R,
+                posture: Posture<'_, Spatial<T>, Self>,
+                given: Given<'_, Spatial<T>, Self, W>,
+                _: &mut (),
+            ) -> Full<T, R::Closures> {
+                let pose = Pose { attitude: *posture.x, spin: posture.y[0], arm: *posture.p, centripetal: *posture.q };
+                given.on_bodies.take_from(Body::condense(self, outer, &pose))
+            }
+        }
+    )*};
+}
+body!(Rod, RigidBody, PointMass);

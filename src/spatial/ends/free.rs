@@ -1,0 +1,54 @@
+//! Free ends.
+
+use super::Floating;
+use crate::ends::{Loose, Root, Tip};
+use crate::error::Error;
+use crate::lift::lift;
+use crate::relation::Open;
+use crate::relation::space::Empty;
+use crate::relation::space::algebra::zero;
+use crate::scalar::Scalar;
+use crate::space::Space;
+use crate::spatial::{Frame, Internal, Spatial};
+use nalgebra::Vector3;
+
+/// An end on which nothing acts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Free;
+
+impl<T: Scalar> Root<Spatial<T>> for Free {
+    type Pairs = (Loose, Loose, Loose, Loose, Loose, Loose);
+    type Joint = Floating<T>;
+
+    fn joint(&self) -> Floating<T> {
+        Floating::new()
+    }
+    fn ground(&self, _: T::Real) -> Frame<T> {
+        Frame::resting(zero())
+    }
+    fn check(&self) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+impl<T: Scalar> Tip<Spatial<T>> for Free {
+    type Pairs = (Loose, Loose, Loose, Loose, Loose, Loose);
+    type Closures = Open;
+    type Relation = Empty;
+
+    #[inline(always)]
+    fn relation(&self, _: T::Real, _: Vector3<T>) -> Empty {
+        Empty
+    }
+    fn internal(&self, (): &()) -> Internal<T> {
+        Spatial::no_force()
+    }
+    fn miss(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
+        [(), ()]
+    }
+    fn check(&self) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+lift!(Free);

@@ -1,0 +1,15 @@
+//! The ends of spatial chains.
+
+mod clamped;
+mod floating;
+mod free;
+mod ground;
+mod hinged;
+mod pinned;
+
+pub use clamped::{Attitude, AttitudeMotion, Clamped, Turning};
+pub use floating::Floating;
+pub use free::Free;
+pub use ground::{Ground, GroundMotion, Moving};
+pub use hinged::Hinged;
+pub use pinned::Pinned;

@@ -1,0 +1,86 @@
+//! Ends held by balls.
+
+use super::{Ground, GroundMotion};
+use crate::ends::{Held, Loose, Root, Tip};
+use crate::error::{Error, Place};
+use crate::lift::Lift;
+use crate::relation::space::Point;
+use crate::relation::space::algebra::{Symmetric3, zero};
+use crate::relation::{Absent, Cut, Cuts};
+use crate::scalar::Scalar;
+use crate::spatial::{Ball, Frame, Internal, Spatial};
+use nalgebra::Vector3;
+use num_traits::Zero;
+
+/// An end held by a smooth ball joint at a place of the ground.
+///
+/// ```
+/// use catena::spatial::{GroundMotion, Moving, Pinned};
+/// let still = Pinned::at(0.0, 1.0, 0.0);
+/// let shaken = Pinned(Moving(|t: f64| GroundMotion {
+///     place: [t.sin(), 0.0, 0.0],
+///     velocity: [t.cos(), 0.0, 0.0],
+///     acceleration: [-t.sin(), 0.0, 0.0],
+/// }));
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Pinned<G>(pub G);
+
+impl<T: Scalar> Pinned<[T; 3]> {
+    /// Held at the origin.
+    pub fn origin() -> Self {
+        Self([T::zero(); 3])
+    }
+    /// Held at a place (m).
+    pub fn at(x: T, y: T, z: T) -> Self {
+        Self([x, y, z])
+    }
+}
+
+impl<T: Scalar, G: Ground<T>> Root<Spatial<T>> for Pinned<G> {
+    type Pairs = (Held, Held, Held, Loose, Loose, Loose);
+    type Joint = Ball;
+
+    fn joint(&self) -> Ball {
+        Ball
+    }
+    fn ground(&self, time: T::Real) -> Frame<T> {
+        self.0.at(time).frame()
+    }
+    fn check(&self) -> Result<(), Error> {
+        self.0.at(T::Real::zero()).check().map_err(|error| error.at(Place::Root))
+    }
+}
+
+impl<T: Scalar, G: Ground<T>> Tip<Spatial<T>> for Pinned<G> {
+    type Pairs = (Held, Held, Held, Loose, Loose, Loose);
+    type Closures = Cut<3>;
+    type Relation = Point<T, Absent, Cut<3>>;
+
+    #[inline(always)]
+    fn relation(&self, time: T::Real, gravity: Vector3<T>) -> Self::Relation {
+        let target = Vector3::from(self.0.at(time).acceleration) - gravity;
+        let (o, i) = (T::zero(), T::one());
+        // λ acts ON the last body, so F on the ground beyond the tip is −λ.
+        let columns = [Vector3::new(-i, o, o), Vector3::new(o, -i, o), Vector3::new(o, o, -i)];
+        let cuts = Cuts::at_tip(columns, [-target.x, -target.y, -target.z]);
+        Point { stiffness: Symmetric3::diagonal(o), offset: zero(), torque: Absent, cuts }
+    }
+    fn internal(&self, multipliers: &[T; 3]) -> Internal<T> {
+        Internal { force: -Vector3::from(*multipliers), torque: zero() }
+    }
+    fn miss(&self, time: T::Real, frame: &Frame<T>) -> [[T; 3]; 2] {
+        let GroundMotion { place, velocity, .. } = self.0.at(time);
+        [(frame.place - Vector3::from(place)).into(), (frame.velocity - Vector3::from(velocity)).into()]
+    }
+    fn check(&self) -> Result<(), Error> {
+        self.0.at(T::Real::zero()).check().map_err(|error| error.at(Place::Tip))
+    }
+}
+
+impl<T: Scalar, U: Scalar> Lift<T, U> for Pinned<[T; 3]> {
+    type Over = Pinned<[U; 3]>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Pinned(self.0.lift(number))
+    }
+}

@@ -1,0 +1,297 @@
+//! What the walks carry in space.
+
+use super::{Inertia, Rotation, Station};
+use crate::element::{Budget, Space, SpaceOver};
+use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot, is_finite, zero};
+use crate::scalar::{Real, Scalar};
+use core::fmt;
+use core::marker::PhantomData;
+use nalgebra::Vector3;
+
+/// Space, with numbers of type `T`.
+#[derive(Clone, Copy)]
+pub struct Spatial<T>(PhantomData<T>);
+
+impl<T> fmt::Debug for Spatial<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Spatial")
+    }
+}
+
+/// Orientation of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn<T> {
+    /// The body's axes in inertial axes.
+    pub attitude: Columns<T>,
+    /// Angular velocity (rad/s), inertial axes.
+    pub spin: Vector3<T>,
+}
+
+/// Acceleration of a station.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Acceleration<T> {
+    /// Of its point (m/s²).
+    pub linear: Vector3<T>,
+    /// Of the body on its inboard side (rad/s²), inertial axes.
+    pub angular: Vector3<T>,
+}
+
+/// Motion of a station: a point of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame<T> {
+    /// Place of the point (m).
+    pub place: Vector3<T>,
+    /// Its velocity (m/s).
+    pub velocity: Vector3<T>,
+    /// Orientation of the body.
+    pub turn: Turn<T>,
+    /// Its acceleration.
+    pub acceleration: Acceleration<T>,
+}
+
+impl<T: Scalar> Frame<T> {
+    /// A frame at rest at a place, unturned.
+    pub fn resting(place: Vector3<T>) -> Self {
+        Self {
+            place,
+            velocity: zero(),
+            turn: Turn { attitude: Columns::identity(), spin: zero() },
+            acceleration: Acceleration::zero(),
+        }
+    }
+
+    /// The same motion with the accelerations left out.
+    #[inline(always)]
+    pub(super) fn without_acceleration(&self) -> Self {
+        Self { acceleration: Acceleration::zero(), ..*self }
+    }
+
+    /// The frame at another point of the same body, at the vector `d` (inertial axes) from this one.
+    #[inline(always)]
+    pub fn shifted(&self, d: Vector3<T>) -> Self {
+        let spin = self.turn.spin;
+        Self {
+            place: self.place + d,
+            velocity: cross_onto(spin, d, self.velocity),
+            turn: self.turn,
+            acceleration: self.acceleration.shifted(d, centripetal(spin, d)),
+        }
+    }
+}
+
+impl<T: Scalar> Acceleration<T> {
+    /// No acceleration.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { linear: zero(), angular: zero() }
+    }
+
+    /// The acceleration of another point, at the vector `d` from this one, which has the acceleration `c` besides that of rigid
+    /// rotation: a + α × d + c. For a point of the same body c = ω × (ω × d).
+    #[inline(always)]
+    pub fn shifted(&self, d: Vector3<T>, c: Vector3<T>) -> Self {
+        Self { linear: cross_onto(self.angular, d, self.linear + c), angular: self.angular }
+    }
+
+    /// The same with a body at rest: a + α × d.
+    #[inline(always)]
+    pub fn swung(&self, d: Vector3<T>) -> Self {
+        Self { linear: cross_onto(self.angular, d, self.linear), angular: self.angular }
+    }
+}
+
+/// Internal force and torque at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Internal<T> {
+    /// Force q (N).
+    pub force: Vector3<T>,
+    /// Torque m (N·m).
+    pub torque: Vector3<T>,
+}
+
+/// A body and its motion at an instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyMotion<T> {
+    /// Motion of its inboard end.
+    pub inboard: Frame<T>,
+    /// From the inboard to the outboard end (m), inertial axes.
+    pub arm: Vector3<T>,
+    /// From the inboard end to the mass centre (m), inertial axes.
+    pub to_centre: Vector3<T>,
+    /// Mass, mass centre and moments of inertia.
+    pub inertia: Inertia<T>,
+}
+
+impl<T: Scalar> BodyMotion<T> {
+    /// Attitude.
+    pub fn attitude(&self) -> Rotation<T> {
+        Rotation::from_matrix(&self.inboard.turn.attitude)
+    }
+    /// Angular velocity (rad/s), body axes.
+    pub fn rate(&self) -> [T; 3] {
+        self.inboard.turn.attitude.transposed(self.inboard.turn.spin).into()
+    }
+    /// Angular acceleration (rad/s²), body axes.
+    pub fn angular_acceleration(&self) -> [T; 3] {
+        self.inboard.turn.attitude.transposed(self.inboard.acceleration.angular).into()
+    }
+    /// Motion of the outboard end.
+    pub fn outboard(&self) -> Frame<T> {
+        self.inboard.shifted(self.arm)
+    }
+    /// Motion of the mass centre.
+    pub fn centre(&self) -> Frame<T> {
+        self.inboard.shifted(self.to_centre)
+    }
+    /// Motion of a point given in body axes from the inboard end (m).
+    pub fn point(&self, at: [T; 3]) -> Frame<T> {
+        self.inboard.shifted(self.turned(at))
+    }
+    /// A vector of body axes in inertial axes.
+    pub fn turned(&self, vector: [T; 3]) -> Vector3<T> {
+        self.inboard.turn.attitude.apply(Vector3::from(vector))
+    }
+    /// Angular momentum about the mass centre (kg·m²/s), inertial axes.
+    pub fn spin_momentum(&self) -> Vector3<T> {
+        let turn = self.inboard.turn;
+        turn.attitude.apply(self.inertia.matrix().apply(turn.attitude.transposed(turn.spin)))
+    }
+    /// Kinetic energy (J).
+    pub fn kinetic_energy(&self) -> T {
+        let velocity = self.centre().velocity;
+        let spinning = dot(self.inboard.turn.spin, self.spin_momentum());
+        (self.inertia.mass * dot(velocity, velocity) + spinning).scale(T::Real::of(0.5))
+    }
+}
+
+/// A joint and its motion at an instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointMotion<T> {
+    /// Motion of its inboard side.
+    pub inboard: Frame<T>,
+    /// Motion of its outboard side.
+    pub outboard: Frame<T>,
+    /// Coordinates of the joint: angles (rad) and slides (m), as many as it has; none of a ball, whose attitudes stand in the frames.
+    pub position: [T; 3],
+    /// Rates of the coordinates; of a ball the relative angular velocity (rad/s) in axes of the outboard body.
+    pub rate: [T; 3],
+    /// Energy stored in its springs (J).
+    pub energy: T,
+}
+
+impl<T: Scalar> JointMotion<T> {
+    /// Attitude of the outboard body relative to the inboard one.
+    pub fn relative(&self) -> Rotation<T> {
+        let of = |frame: &Frame<T>| Rotation::from_matrix(&frame.turn.attitude);
+        of(&self.outboard).relative_to(&of(&self.inboard))
+    }
+}
+
+impl<T: Scalar> Space for Spatial<T> {
+    type Scalar = T;
+    /// From the inboard to the outboard end, body axes.
+    type Size = Vector3<T>;
+    /// Axes of a body; for a joint its axes and its arm.
+    type X = Columns<T>;
+    /// Angular velocity of a body; for a joint the linear and angular acceleration that rates alone cause.
+    type Y = [Vector3<T>; 2];
+    /// Arm of a body.
+    type P = Vector3<T>;
+    /// Centripetal acceleration of its outboard end.
+    type Q = Vector3<T>;
+    type Turn = Turn<T>;
+    type Frame = Frame<T>;
+    type Acceleration = Acceleration<T>;
+    type Internal = Internal<T>;
+    type Station = Station<T>;
+    type Vector = Vector3<T>;
+    type Angles = [T; 3];
+    type Moment = Vector3<T>;
+    type BodyMotion = BodyMotion<T>;
+    type JointMotion = JointMotion<T>;
+
+    fn blank() -> (Columns<T>, [Vector3<T>; 2], Vector3<T>, Vector3<T>) {
+        (Columns::identity(), [zero(); 2], zero(), zero())
+    }
+    fn no_size() -> Vector3<T> {
+        zero()
+    }
+    #[inline(always)]
+    fn turn(frame: &Frame<T>) -> Turn<T> {
+        frame.turn
+    }
+    #[inline(always)]
+    fn falling(frame: &Frame<T>, gravity: Vector3<T>) -> Acceleration<T> {
+        Acceleration { linear: frame.acceleration.linear - gravity, ..frame.acceleration }
+    }
+    fn angles(body: &BodyMotion<T>) -> [T; 3] {
+        super::angles::angles(&body.inboard.turn.attitude)
+    }
+    fn angle_out_of_range(_: &BodyMotion<T>) -> Option<f64> {
+        None // attitudes are quaternions
+    }
+    fn no_acceleration() -> Acceleration<T> {
+        Acceleration::zero()
+    }
+    fn no_force() -> Internal<T> {
+        Internal { force: zero(), torque: zero() }
+    }
+    fn downward(g: T) -> Vector3<T> {
+        Vector3::new(T::zero(), -g, T::zero())
+    }
+    fn no_gravity() -> Vector3<T> {
+        zero()
+    }
+    fn is_finite(vector: Vector3<T>) -> bool {
+        is_finite(vector)
+    }
+    fn frame_is_finite(frame: &Frame<T>) -> bool {
+        let Frame { place, velocity, turn, acceleration } = frame;
+        let Turn { attitude, spin } = turn;
+        let Acceleration { linear, angular } = acceleration;
+        [place, velocity, &attitude.x, &attitude.y, &attitude.z, spin, linear, angular].iter().all(|v| is_finite(**v))
+    }
+    fn body_station(body: &BodyMotion<T>, gravity: Vector3<T>) -> Station<T> {
+        Station::of_body(body, gravity)
+    }
+    fn joint_station(joint: &JointMotion<T>) -> Station<T> {
+        Station::of_joint(joint)
+    }
+    fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
+        Station::at_end(*frame, internal)
+    }
+    fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
+        station.close(outer)
+    }
+    fn no_budget() -> Budget<Self> {
+        Budget { kinetic: T::zero(), potential: T::zero(), momentum: zero(), angular_momentum: zero() }
+    }
+    fn sum(a: Budget<Self>, b: Budget<Self>) -> Budget<Self> {
+        Budget {
+            kinetic: a.kinetic + b.kinetic,
+            potential: a.potential + b.potential,
+            momentum: a.momentum + b.momentum,
+            angular_momentum: a.angular_momentum + b.angular_momentum,
+        }
+    }
+    fn stored(joint: &JointMotion<T>) -> T {
+        joint.energy
+    }
+    fn budget(body: &BodyMotion<T>, gravity: Vector3<T>) -> Budget<Self> {
+        let centre = body.centre();
+        let momentum = centre.velocity * body.inertia.mass;
+        Budget {
+            kinetic: body.kinetic_energy(),
+            potential: -(dot(gravity, centre.place) * body.inertia.mass),
+            momentum,
+            angular_momentum: cross(centre.place, momentum) + body.spin_momentum(),
+        }
+    }
+}
+
+impl<T: Scalar, U: Scalar> SpaceOver<U> for Spatial<T> {
+    type Over = Spatial<U>;
+    fn lift_vector(vector: Vector3<T>, number: &mut impl FnMut(T) -> U) -> Vector3<U> {
+        vector.map(number)
+    }
+}

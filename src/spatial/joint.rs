@@ -1,0 +1,234 @@
+//! What a spatial joint has to say of itself, and how that makes it an element.
+
+use super::{Acceleration, Ball, Cylindrical, Floating, Frame, JointMotion, Prismatic, Revolute, Spatial, Turn};
+use super::{Universal, Weld, spring::Law};
+use crate::counts::Counted;
+use crate::element::{Coordinates, Element, Posture, Visit};
+use crate::error::{Error, Fault};
+use crate::mirror::{Position, Rate};
+use crate::relation::Closures;
+use crate::relation::space::algebra::Columns;
+use crate::scalar::Scalar;
+use core::fmt::Debug;
+use nalgebra::Vector3;
+use typenum::{U0, U1, U2, U3, U6};
+
+/// What a joint stores of its posture: axes and arm, and the accelerations that rates alone cause.
+pub type Stored<T> = (Columns<T>, [Vector3<T>; 2]);
+
+/// A massless joint in space.
+///
+/// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
+/// macro `joint!` in this file makes it an element.
+pub trait Joint<T: Scalar>: Copy + Debug {
+    /// Its coordinates.
+    type Position: Position<T, Rate = Self::Rate>;
+    /// Their rates and accelerations.
+    type Rate: Rate<T>;
+    /// What its elimination keeps for the outward walk.
+    type Kept<C: Closures>: Clone;
+
+    /// The position of an unturned joint.
+    fn position() -> Self::Position;
+    /// The rates of a joint at rest.
+    fn rate() -> Self::Rate;
+    /// Room for the gains.
+    fn kept<C: Closures>() -> Self::Kept<C>;
+    /// Whether all gains are finite.
+    fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
+
+    /// Coordinates for the numbers of [`System::at_rest`](crate::system::System::at_rest).
+    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T>;
+
+    /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide, that is
+    /// as good on the other side.
+    fn lump(&mut self, mass: T) -> T {
+        mass
+    }
+
+    /// The orientation of the outboard body, and what the other walks read.
+    fn oriented(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> (Turn<T>, Stored<T>);
+
+    /// The motion of its outboard side.
+    fn moved(
+        &self,
+        inboard: Frame<T>,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        acceleration: &Self::Rate,
+    ) -> JointMotion<T>;
+
+    /// Rejects parameters that make no mechanics.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn check(&self) -> Result<(), Fault> {
+        Ok(())
+    }
+
+    /// The accelerations of the coordinates, and of the outboard side, from that of the inboard side.
+    fn recovered<C: Closures>(
+        &self,
+        inboard: Acceleration<T>,
+        stored: (&Columns<T>, &[Vector3<T>; 2]),
+        kept: &Self::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut Self::Rate,
+    ) -> Acceleration<T>;
+
+    /// The same without what velocities, loads and springs contribute.
+    fn responded<C: Closures>(
+        &self,
+        inboard: Acceleration<T>,
+        stored: (&Columns<T>, &[Vector3<T>; 2]),
+        kept: &Self::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut Self::Rate,
+    ) -> Acceleration<T>;
+}
+
+/// Makes spatial joints elements.
+macro_rules! joint {
+    ([$($generics:tt)*] $Joint:ty, $absolute:literal) => {
+        impl<$($generics)*> Element<Spatial<T>> for $Joint {
+            type Position = <Self as Joint<T>>::Position;
+            type Rate = <Self as Joint<T>>::Rate;
+            type Kept<C: Closures> = <Self as Joint<T>>::Kept<C>;
+            type PerBody<X: Copy> = ();
+            type PerJoint<X: Copy> = X;
+            type PerAxes<X: Copy> = X;
+
+            const BODIES: Option<usize> = Some(0);
+            const JOINTS: Option<usize> = Some(1);
+            const ABSOLUTE: bool = $absolute;
+
+            fn bodies(&self) -> usize {
+                0
+            }
+            fn joints(&self) -> usize {
+                1
+            }
+            fn check(&self, station: usize) -> Result<(), Error> {
+                Joint::<T>::check(self).map_err(|fault| Error::new(fault).at_station(station))
+            }
+            fn position(&self) -> Self::Position {
+                <Self as Joint<T>>::position()
+            }
+            fn rate(&self) -> Self::Rate {
+                <Self as Joint<T>>::rate()
+            }
+            fn kept<C: Closures>(&self) -> Self::Kept<C> {
+                <Self as Joint<T>>::kept::<C>()
+            }
+            fn per_body<X: Copy>(&self, _: X) {}
+            fn per_joint<X: Copy>(&self, fill: X) -> X {
+                fill
+            }
+            fn per_axes<X: Copy>(&self, fill: X) -> X {
+                fill
+            }
+            fn body_entry<'a, X: Copy>(&self, _: &'a (), _: usize) -> Option<&'a X> {
+                None
+            }
+            fn entry<'a, X: Copy>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
+                (k == 0).then_some(joint)
+            }
+            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
+                Joint::aim(self, position, inboard, next)
+            }
+            fn lump(&mut self, mass: T) -> T {
+                Joint::lump(self, mass)
+            }
+            #[inline(always)]
+            fn orient(
+                &self,
+                position: &Self::Position,
+                rate: &Self::Rate,
+                turn: Turn<T>,
+                x: &mut Columns<T>,
+                y: &mut [Vector3<T>; 2],
+            ) -> Turn<T> {
+                let (outboard, stored) = self.oriented(position, rate, turn);
+                (*x, *y) = stored;
+                outboard
+            }
+            fn size(&self, _: &mut Vector3<T>) {}
+            #[inline(always)]
+            fn resolve(
+                _: &Vector3<T>,
+                _: &mut Columns<T>,
+                _: &mut [Vector3<T>; 2],
+                _: &mut Vector3<T>,
+                _: &mut Vector3<T>,
+            ) {
+            }
+            #[inline(always)]
+            fn recover<C: Closures>(
+                &self,
+                acceleration: Acceleration<T>,
+                posture: Posture<'_, Spatial<T>, Self>,
+                kept: &Self::Kept<C>,
+                multipliers: &C::Each<T>,
+                rate: &mut Self::Rate,
+            ) -> Acceleration<T> {
+                self.recovered::<C>(acceleration, (posture.x, posture.y), kept, multipliers, rate)
+            }
+            #[inline(always)]
+            fn respond<C: Closures>(
+                &self,
+                acceleration: Acceleration<T>,
+                posture: Posture<'_, Spatial<T>, Self>,
+                kept: &Self::Kept<C>,
+                multipliers: &C::Each<T>,
+                rate: &mut Self::Rate,
+            ) -> Acceleration<T> {
+                self.responded::<C>(acceleration, (posture.x, posture.y), kept, multipliers, rate)
+            }
+            #[inline(always)]
+            fn travel<V: Visit<Spatial<T>>>(
+                &self,
+                frame: Frame<T>,
+                motion: Coordinates<'_, Spatial<T>, Self>,
+                visit: &mut V,
+                _: &mut (),
+                in_joint: &mut V::InJoint,
+            ) -> Frame<T> {
+                let motion = self.moved(frame, motion.position, motion.rate, motion.acceleration);
+                *in_joint = visit.joint(&motion);
+                motion.outboard
+            }
+            fn inward<X: Copy>(&self, _: &mut (), joint: &mut X, visit: &mut impl FnMut(&mut X)) {
+                visit(joint);
+            }
+            fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
+                (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)
+            }
+        }
+    };
+}
+joint!([T: Scalar] Ball, true);
+joint!([T: Scalar] Floating<T>, true);
+joint!([T: Scalar] Weld<T>, false);
+joint!([T: Scalar, L: Law<T>] Revolute<T, L>, false);
+joint!([T: Scalar, L: Law<T>] Prismatic<T, L>, false);
+joint!([T: Scalar, L: Law<T>, M: Law<T>] Universal<T, L, M>, false);
+joint!([T: Scalar, L: Law<T>, M: Law<T>] Cylindrical<T, L, M>, false);
+
+/// Gives joints their counts.
+macro_rules! count {
+    ($([$($generics:tt)*] $Joint:ty: $Freedoms:ident;)*) => {$(
+        impl<$($generics)*> Counted for $Joint {
+            type Bodies = U0;
+            type Freedoms = $Freedoms;
+        }
+    )*};
+}
+count! {
+    [] Ball: U3;
+    [T] Floating<T>: U6;
+    [T] Weld<T>: U0;
+    [T, L] Revolute<T, L>: U1;
+    [T, L] Prismatic<T, L>: U1;
+    [T, L, M] Universal<T, L, M>: U2;
+    [T, L, M] Cylindrical<T, L, M>: U2;
+}

@@ -1,0 +1,305 @@
+//! What acts on spatial scenes besides gravity.
+
+use super::{BodyMotion, JointMotion, Spatial, Station};
+use crate::element::{Load, Loading};
+use crate::relation::space::algebra::{Columns, cross, is_finite, zero};
+use crate::relation::space::{Couple, Full};
+use crate::relation::{Absent, Closures, Part, Term};
+use crate::scalar::Scalar;
+use core::ops::Add;
+use nalgebra::Vector3;
+
+/// A force and a torque on a body, about its inboard end, in inertial axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wrench<T> {
+    /// Force (N).
+    pub force: Vector3<T>,
+    /// Torque about the body's inboard end (N·m).
+    pub torque: Vector3<T>,
+}
+
+impl<T: Scalar> Default for Wrench<T> {
+    fn default() -> Self {
+        Self { force: zero(), torque: zero() }
+    }
+}
+
+impl<T: Scalar> Wrench<T> {
+    /// A pure torque (N·m), inertial axes.
+    pub fn torque(torque: [T; 3]) -> Self {
+        Self { torque: Vector3::from(torque), ..Self::default() }
+    }
+}
+
+impl<T: Scalar> Add for Wrench<T> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { force: self.force + other.force, torque: self.torque + other.torque }
+    }
+}
+
+impl<T: Scalar> BodyMotion<T> {
+    /// The wrench of a force (N, inertial axes) at a point of this body (m, body axes from the inboard end).
+    pub fn force_at(&self, point: [T; 3], force: [T; 3]) -> Wrench<T> {
+        let force = Vector3::from(force);
+        Wrench { force, torque: cross(self.turned(point), force) }
+    }
+}
+
+impl<T: Scalar> Load<Spatial<T>> for Wrench<T> {
+    fn act(self, station: &mut Station<T>) {
+        station.inertia_force -= self.force;
+        station.inertia_torque -= self.torque;
+    }
+}
+
+impl<T: Scalar> Part for Wrench<T> {
+    fn is_finite(self) -> bool {
+        is_finite(self.force) && is_finite(self.torque)
+    }
+}
+
+impl<T: Scalar, C: Closures> Term<Full<T, C>> for Wrench<T> {
+    fn none() -> Self {
+        Self::default()
+    }
+    #[inline(always)]
+    fn add_to(self, sum: Full<T, C>) -> Full<T, C> {
+        Full { force: sum.force + self.force, torque: sum.torque + self.torque, ..sum }
+    }
+    #[inline(always)]
+    fn take_from(self, sum: Full<T, C>) -> Full<T, C> {
+        Full { force: sum.force - self.force, torque: sum.torque - self.torque, ..sum }
+    }
+}
+
+/// Generalised forces on the coordinates of a joint, in the order of its rates, ON the outboard body: torques (N·m) about axes,
+/// forces (N) along them; in a ball a torque in axes of the outboard body. What exceeds the coordinates has no effect.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effort<T>(pub [T; 3]);
+
+impl<T: Scalar> Default for Effort<T> {
+    fn default() -> Self {
+        Self([T::zero(); 3])
+    }
+}
+
+impl<T: Scalar> Part for Effort<T> {
+    fn is_finite(self) -> bool {
+        self.0.iter().all(|x| x.is_finite())
+    }
+}
+
+/// What is applied in a joint: an [`Effort`], or nothing.
+pub trait Drive<T: Scalar>: Part {
+    /// A torque in a ball, or nothing.
+    type Couple: Term<Vector3<T>>;
+    /// Nothing.
+    fn none() -> Self;
+    /// Adds the generalised force on coordinate `k` to a sum.
+    fn onto(self, k: usize, sum: T) -> T;
+    /// The torque (inertial axes) in a ball, for an outboard body of this attitude.
+    fn couple(self, attitude: &Columns<T>) -> Self::Couple;
+}
+
+impl<T: Scalar> Drive<T> for Absent {
+    type Couple = Absent;
+    fn none() -> Self {
+        Self
+    }
+    #[inline(always)]
+    fn onto(self, _: usize, sum: T) -> T {
+        sum
+    }
+    #[inline(always)]
+    fn couple(self, _: &Columns<T>) -> Absent {
+        Absent
+    }
+}
+
+impl<T: Scalar> Drive<T> for Effort<T> {
+    type Couple = Couple<T>;
+    fn none() -> Self {
+        Self::default()
+    }
+    #[inline(always)]
+    fn onto(self, k: usize, sum: T) -> T {
+        sum + self.0[k]
+    }
+    #[inline(always)]
+    fn couple(self, attitude: &Columns<T>) -> Couple<T> {
+        Couple(attitude.apply(Vector3::from(self.0)))
+    }
+}
+
+/// Loads on a scene, as functions of time and motion or of values handed in: what is not there is [`Absent`], and free.
+///
+/// Bodies and joints are numbered from 0 at the root; joint 0 is the root's. The motion that a load sees has no
+/// accelerations yet (they read zero): these are what the sweep is about to find.
+///
+/// ```
+/// use catena::spatial::*;
+/// # let rod = Rod::uniform(1.0, 0.1, 1.0);
+/// # let pendulum = System::new(Pinned::origin(), (rod, Ball, rod), Free)?;
+/// let loads = Loads::none()
+///     .in_joints(|_time, _joint, motion: &JointMotion<f64>| Effort(motion.rate.map(|rate| -0.05 * rate)))
+///     .on_bodies(|time: f64, _body, motion: &BodyMotion<f64>| motion.force_at([1.0, 0.0, 0.0], [time.sin(), 0.0, 0.0]));
+/// let start = pendulum.with_accelerations(pendulum.motion(), &loads)?;
+/// # Ok::<(), catena::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Loads<B = Absent, J = Absent> {
+    bodies: B,
+    joints: J,
+}
+
+impl Loads {
+    /// No loads.
+    pub const fn none() -> Self {
+        Self { bodies: Absent, joints: Absent }
+    }
+}
+
+impl<B, J> Loads<B, J> {
+    /// Forces and torques on bodies: a function of time (s), body number and motion.
+    pub fn on_bodies<T: Scalar, F: Fn(T::Real, usize, &BodyMotion<T>) -> Wrench<T>>(
+        self,
+        law: F,
+    ) -> Loads<OnBodies<F>, J> {
+        Loads { bodies: OnBodies(law), joints: self.joints }
+    }
+
+    /// Efforts in joints, ON the outboard body: a function of time (s), joint number and motion.
+    pub fn in_joints<T: Scalar, F: Fn(T::Real, usize, &JointMotion<T>) -> Effort<T>>(
+        self,
+        law: F,
+    ) -> Loads<B, InJoints<F>> {
+        Loads { bodies: self.bodies, joints: InJoints(law) }
+    }
+
+    /// Efforts in joints as values handed in, one for each joint from the root's on; none in joints beyond their number.
+    ///
+    /// Unlike a law, values have a type that can be named: a stepper that takes them can be kept in a struct.
+    pub fn efforts<V>(self, efforts: V) -> Loads<B, Values<V>> {
+        Loads { bodies: self.bodies, joints: Values(efforts) }
+    }
+
+    /// Wrenches on bodies as values handed in, one for each body from the root on; none on bodies beyond their number.
+    pub fn wrenches<V>(self, wrenches: V) -> Loads<Values<V>, J> {
+        Loads { bodies: Values(wrenches), joints: self.joints }
+    }
+}
+
+/// Loads given as values: an array, a slice, a vector.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Values<V>(pub V);
+
+/// A law of forces on bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct OnBodies<F>(F);
+
+/// A law of efforts in joints.
+#[derive(Clone, Copy, Debug)]
+pub struct InJoints<F>(F);
+
+/// The part of a loading that acts on bodies.
+pub trait BodyLaw<T: Scalar> {
+    /// `Wrench` or `Absent`.
+    type Value: Load<Spatial<T>>;
+    /// No load.
+    fn nothing() -> Self::Value;
+    /// Whether there is one.
+    const ON: bool;
+    /// The load on a body.
+    fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Self::Value;
+}
+
+impl<T: Scalar> BodyLaw<T> for Absent {
+    type Value = Absent;
+    fn nothing() -> Absent {
+        Absent
+    }
+    const ON: bool = false;
+    fn at(&self, _: T::Real, _: usize, _: &BodyMotion<T>) -> Absent {
+        Absent
+    }
+}
+
+impl<T: Scalar, F: Fn(T::Real, usize, &BodyMotion<T>) -> Wrench<T>> BodyLaw<T> for OnBodies<F> {
+    type Value = Wrench<T>;
+    fn nothing() -> Wrench<T> {
+        Wrench::default()
+    }
+    const ON: bool = true;
+    fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+        (self.0)(time, body, motion)
+    }
+}
+
+impl<T: Scalar, V: AsRef<[Wrench<T>]>> BodyLaw<T> for Values<V> {
+    type Value = Wrench<T>;
+    fn nothing() -> Wrench<T> {
+        Wrench::default()
+    }
+    const ON: bool = true;
+    fn at(&self, _: T::Real, body: usize, _: &BodyMotion<T>) -> Wrench<T> {
+        self.0.as_ref().get(body).copied().unwrap_or_default()
+    }
+}
+
+/// The part of a loading that acts in joints.
+pub trait JointLaw<T: Scalar> {
+    /// `Effort` or `Absent`.
+    type Value: Drive<T>;
+    /// Whether there is one.
+    const ON: bool;
+    /// The effort in a joint.
+    fn at(&self, time: T::Real, joint: usize, motion: &JointMotion<T>) -> Self::Value;
+}
+
+impl<T: Scalar> JointLaw<T> for Absent {
+    type Value = Absent;
+    const ON: bool = false;
+    fn at(&self, _: T::Real, _: usize, _: &JointMotion<T>) -> Absent {
+        Absent
+    }
+}
+
+impl<T: Scalar, F: Fn(T::Real, usize, &JointMotion<T>) -> Effort<T>> JointLaw<T> for InJoints<F> {
+    type Value = Effort<T>;
+    const ON: bool = true;
+    fn at(&self, time: T::Real, joint: usize, motion: &JointMotion<T>) -> Effort<T> {
+        (self.0)(time, joint, motion)
+    }
+}
+
+impl<T: Scalar, V: AsRef<[Effort<T>]>> JointLaw<T> for Values<V> {
+    type Value = Effort<T>;
+    const ON: bool = true;
+    fn at(&self, _: T::Real, joint: usize, _: &JointMotion<T>) -> Effort<T> {
+        self.0.as_ref().get(joint).copied().unwrap_or_default()
+    }
+}
+
+impl<T: Scalar, B: BodyLaw<T>, J: JointLaw<T>> Loading<Spatial<T>> for Loads<B, J> {
+    type OnBody = B::Value;
+    type InJoint = J::Value;
+    const ON: bool = B::ON || J::ON;
+
+    fn nothing() -> (B::Value, J::Value) {
+        (B::nothing(), J::Value::none())
+    }
+    #[inline(always)]
+    fn on_body(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> B::Value {
+        self.bodies.at(time, body, &BodyMotion { inboard: motion.inboard.without_acceleration(), ..*motion })
+    }
+    #[inline(always)]
+    fn in_joint(&self, time: T::Real, joint: usize, motion: &JointMotion<T>) -> J::Value {
+        let motion = JointMotion {
+            inboard: motion.inboard.without_acceleration(),
+            outboard: motion.outboard.without_acceleration(),
+            ..*motion
+        };
+        self.joints.at(time, joint, &motion)
+    }
+}

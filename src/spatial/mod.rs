@@ -1,0 +1,66 @@
+//! Space: thirteen-state vectors `[r, θ, m, q, 1]`, rigid bodies, joints and ends.
+//!
+//! Names are those of [`planar`](crate::planar). Attitudes are unit quaternions and have no singular place; the paper's angles 1-2-3
+//! serve for input and output.
+//!
+//! ```
+//! use catena::spatial::*;
+//!
+//! let rod = Rod::uniform(1.0, 0.05, 1.0); // length, radius (m), mass (kg)
+//! let pendulum = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity(9.81);
+//! let start = pendulum.at_rest(&[0.0, 0.0, -1.0, 0.0, 0.3, -0.5])?; // absolute angles 1-2-3 of both bodies (rad)
+//! let run = pendulum.simulate(start, Dop853::tolerance(1e-10), 1.0, |now| println!("{:?}", now.angles()))?;
+//! # Ok::<(), catena::Error>(())
+//! ```
+
+mod angles;
+mod axial;
+mod axial_walks;
+mod ball;
+mod body;
+mod closing;
+mod cylindrical;
+mod ends;
+mod frame;
+mod inertia;
+mod joint;
+mod loads;
+pub mod maps;
+mod point_mass;
+mod prismatic;
+mod revolute;
+mod rigid_body;
+mod rod;
+mod rotation;
+mod spring;
+mod station;
+mod universal;
+mod weld;
+
+pub use crate::element::Unloaded;
+pub use crate::stepper::Stepper;
+pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
+pub use axial::{Axial, Listed, Relative};
+pub use ball::Ball;
+pub use body::{Body, Pose};
+pub use cylindrical::Cylindrical;
+pub use ends::{
+    Attitude, AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning,
+};
+pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Spatial, Turn};
+pub use inertia::Inertia;
+pub use joint::{Joint, Stored};
+pub use loads::{Drive, Effort, Loads, Values, Wrench};
+pub use point_mass::PointMass;
+pub use prismatic::Prismatic;
+pub use revolute::Revolute;
+pub use rigid_body::RigidBody;
+pub use rod::Rod;
+pub use rotation::Rotation;
+pub use spring::{Law, PivotRule, Spring};
+pub use station::{Station, index};
+pub use universal::Universal;
+pub use weld::Weld;
+
+/// A spatial scene.
+pub type System<T, R, C, P> = crate::system::System<Spatial<T>, R, C, P>;

@@ -1,0 +1,87 @@
+//! The prismatic joint.
+
+use super::axial::{Axial, Relative, check_axis, unit};
+use super::{Turn, spring::Law, spring::Spring};
+use crate::element::Implicit;
+use crate::error::Fault;
+use crate::lift::Lift;
+use crate::relation::space::Way;
+use crate::relation::space::algebra::zero;
+use crate::scalar::Scalar;
+use nalgebra::Vector3;
+
+/// Two bodies slide along an axis without turning.
+///
+/// Its coordinate is how far (m) the outboard point has moved along the axis, which is fixed to the inboard body. [`System::at_rest`]
+/// leaves it zero; set it in the motion.
+///
+/// [`System::at_rest`]: crate::system::System::at_rest
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prismatic<T, L = Spring> {
+    axis: Vector3<T>,
+    law: L,
+    /// In a scene, the point mass that its outboard neighbour lumps at the outboard point.
+    lumped: T,
+}
+
+impl<T: Scalar> Prismatic<T> {
+    /// Along an axis in body axes, of any length.
+    pub fn along(axis: [T; 3]) -> Self {
+        Self { axis: unit(axis), law: Spring::none(), lumped: T::zero() }
+    }
+
+    /// With a spring, a damper, or both.
+    pub fn with<L: Law<T>>(self, law: L) -> Prismatic<T, L> {
+        Prismatic { axis: self.axis, law, lumped: self.lumped }
+    }
+}
+
+impl<T: Scalar, L: Law<T>> Axial<T, 1> for Prismatic<T, L> {
+    type Coordinates = T;
+    const WAYS: [Way; 1] = [Way::Slide];
+    const SLIDES: bool = true;
+    const TURNS: bool = false;
+
+    #[inline(always)]
+    fn relative(&self, inboard: &Turn<T>, [slide]: [T; 1], [rate]: [T; 1]) -> Relative<T, 1> {
+        let n = inboard.attitude.apply(self.axis);
+        Relative {
+            attitude: inboard.attitude,
+            axes: [n],
+            spin: zero(),
+            arm: n * slide,
+            sliding: n * rate,
+            extra: zero(),
+        }
+    }
+    #[inline(always)]
+    fn force_onto(&self, _: usize, position: T, rate: T, sum: T) -> T {
+        self.law.force_onto(position, rate, sum)
+    }
+    #[inline(always)]
+    fn pivot(&self, _: usize, springs: Implicit<T::Real>) -> T {
+        self.law.pivot(springs)
+    }
+    fn energy(&self, [slide]: [T; 1]) -> T {
+        self.law.energy(slide)
+    }
+    fn lump(&mut self, mass: T) -> T {
+        self.lumped = mass;
+        T::zero()
+    }
+    #[inline(always)]
+    fn lumped(&self) -> T {
+        self.lumped
+    }
+    fn verify(&self) -> Result<(), Fault> {
+        check_axis(self.axis)?;
+        self.law.check()
+    }
+}
+
+impl<T: Scalar, U: Scalar, L: Lift<T, U>> Lift<T, U> for Prismatic<T, L> {
+    type Over = Prismatic<U, L::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Prismatic { axis: self.axis.map(&mut *number), law: self.law.lift(number), lumped: number(self.lumped) }
+    }
+}
