@@ -16,7 +16,7 @@ pub trait Listed<T: Scalar, const K: usize>: Position<T, Rate = Self> + Rate<T> 
     /// The coordinates.
     fn list(&self) -> [T; K];
     /// Coordinates from a list.
-    fn of(list: [T; K]) -> Self;
+    fn from_list(list: [T; K]) -> Self;
 }
 
 impl<T: Scalar> Listed<T, 1> for T {
@@ -25,7 +25,7 @@ impl<T: Scalar> Listed<T, 1> for T {
         [*self]
     }
     #[inline(always)]
-    fn of([x]: [T; 1]) -> T {
+    fn from_list([x]: [T; 1]) -> T {
         x
     }
 }
@@ -36,7 +36,7 @@ impl<T: Scalar> Listed<T, 2> for [T; 2] {
         *self
     }
     #[inline(always)]
-    fn of(list: [T; 2]) -> Self {
+    fn from_list(list: [T; 2]) -> Self {
         list
     }
 }

@@ -151,7 +151,7 @@ fn recovered<T: Scalar, J: Axial<T, K>, C: Closures, const K: usize>(
         seconds[k] = kept[k].acceleration(p.linear, p.angular, multipliers);
         p = pushed(p, J::WAYS[k], axis(stored, k), seconds[k]);
     }
-    *rate = J::Coordinates::of(seconds);
+    *rate = J::Coordinates::from_list(seconds);
     p
 }
 
@@ -170,7 +170,7 @@ fn responded<T: Scalar, J: Axial<T, K>, C: Closures, const K: usize>(
         seconds[k] = kept[k].acceleration(p.linear, p.angular, multipliers);
         p = pushed(p, J::WAYS[k], axis(stored, k), seconds[k]);
     }
-    *rate = J::Coordinates::of(seconds);
+    *rate = J::Coordinates::from_list(seconds);
     p
 }
 
@@ -183,10 +183,10 @@ macro_rules! axial {
             type Kept<C: Closures> = [Pivot<T, C>; $K];
 
             fn position() -> Self::Position {
-                Listed::of([T::zero(); $K])
+                Listed::from_list([T::zero(); $K])
             }
             fn rate() -> Self::Rate {
-                Listed::of([T::zero(); $K])
+                Listed::from_list([T::zero(); $K])
             }
             fn kept<C: Closures>() -> Self::Kept<C> {
                 [Pivot::blank(); $K]
@@ -202,7 +202,7 @@ macro_rules! axial {
                         *x = next();
                     }
                 }
-                *position = Listed::of(list);
+                *position = Listed::from_list(list);
                 oriented(self, position, &<Self as Joint<T>>::rate(), inboard).0
             }
             fn lump(&mut self, mass: T) -> T {

@@ -1,0 +1,152 @@
+//! What makes no mechanics in space is refused, with what and where.
+
+use catena::element::Element;
+use catena::spatial::*;
+use catena::system::Runs;
+use catena::{Error, Fault, Place};
+
+const NAN: f64 = f64::NAN;
+
+fn rod() -> Rod<f64> {
+    Rod::uniform(1.0, 0.1, 1.0)
+}
+
+/// A scene of a good rod, a ball, and a body: the body's inboard end is station 2.
+fn second<B>(body: B) -> Result<(), Fault>
+where
+    B: Element<Spatial<f64>>,
+    System<f64, Pinned<[f64; 3]>, (Rod<f64>, Ball, B), Free>:
+        Runs<Unloaded, Spatial<f64>, Pinned<[f64; 3]>, (Rod<f64>, Ball, B), Free>,
+{
+    System::new(Pinned::origin(), (rod(), Ball, body), Free).map(|_| ()).map_err(|error| {
+        assert_eq!((error.time, error.place), (None, Some(Place::Station(2))));
+        error.fault
+    })
+}
+
+/// A scene of two rods on a joint, at station 1.
+fn joined<J>(joint: J) -> Result<(), Fault>
+where
+    J: Element<Spatial<f64>>,
+    System<f64, Pinned<[f64; 3]>, (Rod<f64>, J, Rod<f64>), Free>:
+        Runs<Unloaded, Spatial<f64>, Pinned<[f64; 3]>, (Rod<f64>, J, Rod<f64>), Free>,
+{
+    System::new(Pinned::origin(), (rod(), joint, rod()), Free).map(|_| ()).map_err(|error| {
+        assert_eq!((error.time, error.place), (None, Some(Place::Station(1))));
+        error.fault
+    })
+}
+
+fn of_moments([a, b, c]: [f64; 3]) -> RigidBody<f64> {
+    RigidBody::new(1.0, [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]], [0.5, 0.0, 0.0], [1.0, 0.0, 0.0])
+}
+
+#[test]
+fn tensors_that_no_body_has_are_refused() {
+    assert_eq!(second(of_moments([1.0, 2.0, 2.5])), Ok(()));
+    assert_eq!(second(of_moments([1.0, 2.0, 3.0])), Ok(())); // a plate
+    assert_eq!(second(of_moments([0.0, 1.0, 1.0])), Ok(())); // a thin rod
+    assert_eq!(second(of_moments([1.0, 2.0, 3.1])), Err(Fault::ImpossibleInertia));
+    assert_eq!(second(of_moments([5.0, 2.0, 2.0])), Err(Fault::ImpossibleInertia));
+    assert_eq!(second(of_moments([-1.0, 2.0, 2.0])), Err(Fault::ImpossibleInertia));
+    let tensor = |xy: f64, yx: f64| {
+        RigidBody::new(1.0, [[1.0, xy, 0.0], [yx, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.5, 0.0, 0.0], [1.0, 0.0, 0.0])
+    };
+    assert_eq!(second(tensor(0.3, 0.3)), Ok(()));
+    assert_eq!(second(tensor(0.3, 0.4)), Err(Fault::NotSymmetric { parameter: "inertia tensor" }));
+    assert_eq!(second(tensor(0.6, 0.6)), Err(Fault::ImpossibleInertia)); // moments 0.4, 1.6, 1
+    assert_eq!(second(tensor(NAN, NAN)), Err(Fault::NotFinite { parameter: "inertia tensor" }));
+}
+
+#[test]
+fn impossible_bodies_are_refused() {
+    let moments = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let body = |mass, centre, outboard| RigidBody::new(mass, moments, [centre, 0.0, 0.0], [0.0, outboard, 0.0]);
+    assert_eq!(second(body(-1.0, 0.0, 1.0)), Err(Fault::Negative { parameter: "mass", value: -1.0 }));
+    assert_eq!(second(body(1.0, NAN, 1.0)), Err(Fault::NotFinite { parameter: "mass centre" }));
+    assert_eq!(second(body(1.0, 0.0, f64::INFINITY)), Err(Fault::NotFinite { parameter: "outboard end" }));
+    assert_eq!(second(Rod::uniform(0.0, 0.1, 1.0)), Err(Fault::NotPositive { parameter: "length", value: 0.0 }));
+    assert_eq!(second(Rod::uniform(1.0, 0.1, 0.0)), Err(Fault::NotPositive { parameter: "mass", value: 0.0 }));
+    assert_eq!(second(Rod::new(1.0, 1.0, 0.5, 0.3, 0.1)), Err(Fault::ImpossibleInertia));
+    assert_eq!(second(Rod::new(1.0, 1.0, 0.5, 0.1, -0.1)), Err(Fault::ImpossibleInertia));
+    let negative = Fault::Negative { parameter: "moment of inertia", value: -0.1 };
+    assert_eq!(second(Rod::new(1.0, 1.0, 0.5, -0.1, 0.1)), Err(negative));
+    assert_eq!(second(PointMass::new(-1.0, 1.0)), Err(Fault::NotPositive { parameter: "length", value: -1.0 }));
+    assert_eq!(second(PointMass::new(1.0, NAN)), Err(Fault::NotFinite { parameter: "mass" }));
+}
+
+#[test]
+fn axes_that_are_none_are_refused() {
+    let none = Fault::NotPositive { parameter: "length of the axis", value: 0.0 };
+    assert_eq!(joined(Revolute::about([0.0, 0.0, 2.0])), Ok(()));
+    assert_eq!(joined(Revolute::about([0.0; 3])), Err(none));
+    assert_eq!(joined(Revolute::about([0.0, NAN, 0.0])), Err(Fault::NotFinite { parameter: "axis" }));
+    assert_eq!(joined(Prismatic::along([0.0; 3])), Err(none));
+    assert_eq!(joined(Cylindrical::on([0.0; 3])), Err(none));
+    assert_eq!(joined(Universal::about([0.0; 3], [1.0, 0.0, 0.0])), Err(none));
+    let slanted = Universal::about([1.0, 0.0, 0.0], [1.0, 0.1, 0.0]);
+    assert_eq!(joined(slanted), Ok(()));
+    assert_eq!(joined(Universal::about([1.0, 2.0, 3.0], [-2.0, -4.0, -6.0])), Err(Fault::ParallelAxes));
+}
+
+#[test]
+fn springs_that_push_out_are_refused() {
+    let hinge = Revolute::about([0.0, 0.0, 1.0]);
+    let negative = |parameter| Err(Fault::Negative { parameter, value: -1.0 });
+    assert_eq!(joined(hinge.with(Spring::stiffness(-1.0))), negative("stiffness"));
+    assert_eq!(joined(hinge.with(Spring::damping(-1.0))), negative("damping"));
+    let rest = hinge.with(Spring::stiffness(1.0).resting_at(NAN));
+    assert_eq!(joined(rest), Err(Fault::NotFinite { parameter: "rest value" }));
+}
+
+#[test]
+fn quaternions_without_length_are_refused() {
+    assert!(Rotation::from_quaternion([2.0, 0.0, 0.0, 0.0]).is_ok_and(|unit| unit == Rotation::identity()));
+    assert!(Rotation::from_quaternion([0.0; 4]).is_err());
+    assert!(Rotation::from_quaternion([NAN, 0.0, 0.0, 1.0]).is_err());
+}
+
+#[test]
+fn ends_that_are_nowhere_are_refused() {
+    let ground = Fault::NotFinite { parameter: "motion of the ground" };
+    let pinned = System::new(Pinned::at(0.0, NAN, 0.0), rod(), Free).map(|_| ());
+    assert_eq!(pinned, Err(Error::new(ground).at(Place::Root)));
+    let held = System::new(Pinned::origin(), rod(), Pinned::at(0.0, 0.0, NAN)).map(|_| ());
+    assert_eq!(held, Err(Error::new(ground).at(Place::Tip)));
+    let hinged = System::new(Hinged::at([0.0; 3], [0.0; 3]), rod(), Free).map(|_| ());
+    let none = Fault::NotPositive { parameter: "length of the axis", value: 0.0 };
+    assert_eq!(hinged, Err(Error::new(none).at(Place::Root)));
+}
+
+#[test]
+fn counts_of_numbers_are_checked() -> Result<(), Error> {
+    let system = System::new(Pinned::origin(), (rod(), Revolute::about([0.0, 0.0, 1.0]), rod()), Free)?;
+    assert!(system.at_rest(&[0.0; 4]).is_ok());
+    let count = |error: Error| error.fault;
+    assert_eq!(system.at_rest(&[0.0; 3]).map_err(count).err(), Some(Fault::Count { expected: 4, given: 3 }));
+    let rates = system.with_rates(system.motion(), &[0.0; 5]).map_err(count).err();
+    assert_eq!(rates, Some(Fault::Count { expected: 4, given: 5 }));
+    Ok(())
+}
+
+/// A bob on a ball may spin about its link as it likes.
+#[test]
+fn a_ball_that_nothing_resists_is_named() -> Result<(), Error> {
+    let system = System::new(Pinned::origin(), (rod(), Ball, PointMass::new(1.0, 1.0)), Free)?.with_gravity(9.81);
+    let error = system.with_accelerations(system.motion(), &Unloaded).err();
+    let singular = Error { time: Some(0.0), place: Some(Place::Station(1)), fault: Fault::SingularJoint };
+    assert_eq!(error, Some(singular));
+    Ok(())
+}
+
+/// Half a turn in one step has no coordinates: the step is refused, and the start given back.
+#[test]
+fn a_step_of_half_a_turn_is_refused() -> Result<(), Error> {
+    let system = System::new(Pinned::origin(), rod(), Free)?;
+    let start = system.with_rates(system.motion(), &[0.0, 0.0, 10.0])?;
+    let interrupted = system.simulate(start, Rk4::step(1.0), 3.0, |_| ()).err();
+    let (fault, last) = interrupted.map(|interrupted| (interrupted.error.fault, interrupted.last)).unzip();
+    assert_eq!(fault, Some(Fault::NonFiniteMotion));
+    assert_eq!(last.map(|last| last.position().0), Some(start.position().0));
+    Ok(())
+}
