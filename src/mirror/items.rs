@@ -96,8 +96,8 @@ macro_rules! mirror_items {
                 }
             }
             #[inline]
-            fn land(&mut self, from: &Self, rate: &mut Self::Rate) {
-                self.iter_mut().zip(from).zip(rate).for_each(|((item, from), rate)| item.land(from, rate));
+            fn land(&self, from: &Self, rate: &mut Self::Rate) {
+                self.iter().zip(from).zip(rate).for_each(|((item, from), rate)| item.land(from, rate));
             }
             #[inline]
             fn unroll(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {

@@ -2,8 +2,8 @@
 //!
 //! A chain `(rod, Pin, rod)` moves with coordinates of type `((), T, ())`, an array of links with an array of them. Time
 //! rules need only two things of such a value: linear combinations of rates ([`Rate::mix_2`]) and positions displaced
-//! by them ([`Position::drift_2`]). In the plane positions are numbers like rates; a rotation in space displaces by its
-//! exponential map instead, and nothing else changes.
+//! by them ([`Position::drift_2`]). In the plane positions are numbers like rates; a rotation in space turns by them instead: for
+//! rules of an order above two it also says how coordinates of a step change with the rates ([`Position::CURVED`]).
 //!
 //! Combinations are written out for each number of terms. One function over an array of terms would have to take the array
 //! apart at every item of every tuple, and a compiler spends more time on that than on all mechanics of a long chain.
@@ -89,10 +89,9 @@ pub trait Position<T: Scalar>: Clone {
     /// up and these two methods translate. Positions that are numbers need neither.
     const CURVED: bool = false;
 
-    /// Turns derivatives of the coordinates of the step that led here from `from` into rates, and lands on a proper position where
-    /// rounding left one.
+    /// Turns derivatives of the coordinates of the step that led here from `from` into rates.
     #[inline(always)]
-    fn land(&mut self, from: &Self, rate: &mut Self::Rate) {
+    fn land(&self, from: &Self, rate: &mut Self::Rate) {
         let _ = (from, rate);
     }
 

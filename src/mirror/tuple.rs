@@ -86,7 +86,7 @@ macro_rules! mirror_tuple {
                 $(self.$i.drift_2(&_from.$i, (_time, &_rate.$i), (_u, &_a.$i), (_v, &_b.$i));)*
             }
             #[inline(always)]
-            fn land(&mut self, _from: &Self, _rate: &mut Self::Rate) {
+            fn land(&self, _from: &Self, _rate: &mut Self::Rate) {
                 $(self.$i.land(&_from.$i, &mut _rate.$i);)*
             }
             #[inline(always)]

@@ -147,7 +147,9 @@ impl<T: Scalar> Position<T> for Rotation<T> {
     ) {
         let mut step = rate.map(|rate| rate.scale(time));
         Rate::accumulate(&mut step, weights, terms);
-        *self = from.stepped(Vector3::from(step));
+        let turned = from.stepped(Vector3::from(step));
+        // Without terms this may be a copy, which must be one to the last bit.
+        *self = if M > 0 { turned.normalised() } else { turned };
     }
     #[inline(always)]
     fn measure(&self, displacement: &[T; 3], note: &mut impl FnMut(T, T::Real)) {
@@ -174,8 +176,7 @@ impl<T: Scalar> Position<T> for Rotation<T> {
 
     // ω = p₀ v̇ + ¼ v (v · v̇) / p₀ − ½ v × v̇
     #[inline(always)]
-    fn land(&mut self, from: &Self, rate: &mut [T; 3]) {
-        *self = self.normalised();
+    fn land(&self, from: &Self, rate: &mut [T; 3]) {
         let step = self.relative_to(from);
         let derivative = Vector3::from(*rate);
         let along = dot(step.v, derivative) / step.w;

@@ -9,7 +9,7 @@ use crate::scalar::{Real, Scalar};
 use crate::system::StiffDynamics;
 use crate::time::Sdirk4;
 use crate::time::sdirk4::{ERROR, GAMMA, STAGES, TABLE};
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// Steps by [`Sdirk4`].
 ///
@@ -77,8 +77,11 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
             sweeps += 1;
             self.at.0.drift_0(&past.position, (real(node) * dt, &past.rate));
             self.at.1.set(&past.rate);
+            if D::Position::CURVED {
+                self.at.0.land(&past.position, &mut self.at.1);
+            }
         } else {
-            self.aim(springs, stage - 1);
+            self.aim(springs, stage - 1, past, real(node) * dt);
         }
         for _ in 0..sweeps {
             let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
@@ -86,15 +89,26 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
             next.multipliers =
                 self.scene.implicit_accelerations(next.time, at, free, springs, loads, &mut self.stiff, acceleration);
             self.sweeps += 1;
-            self.aim(springs, stage);
+            if D::Position::CURVED {
+                next.acceleration.set(&self.slopes[stage]);
+                self.at.0.unroll(&past.position, &self.at.1, &mut self.slopes[stage]);
+            }
+            self.aim(springs, stage, past, real(node) * dt);
         }
     }
 
-    /// Takes the geometry of the next sweep where these accelerations bring the stage under way.
-    fn aim(&mut self, springs: Implicit<TimeIn<D, L>>, slope: usize) {
+    /// Takes the geometry of the next sweep where these accelerations bring the stage under way, `time` after the start.
+    fn aim(&mut self, springs: Implicit<TimeIn<D, L>>, slope: usize, past: &MotionIn<D, L>, time: TimeIn<D, L>) {
         let slope = &self.slopes[slope];
-        self.at.0.drift_1(&self.free.0, (Zero::zero(), &self.zero), (springs.position, slope));
         self.at.1.mix_1(&self.free.1, (springs.rate, slope));
+        if D::Position::CURVED {
+            // Coordinates of the step add up, positions do not.
+            let (increment, own) = ((TimeIn::<D, L>::one(), &self.room), (springs.position, slope));
+            self.at.0.drift_2(&past.position, (time, &past.rate), increment, own);
+            self.at.0.land(&past.position, &mut self.at.1);
+        } else {
+            self.at.0.drift_1(&self.free.0, (Zero::zero(), &self.zero), (springs.position, slope));
+        }
     }
 
     /// All stages, the last of which is the step; then the tip is put back where it is held.
@@ -105,7 +119,9 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
         next.time = past.time + dt;
         next.position.drift_0(&self.at.0, (Zero::zero(), &self.zero));
         next.rate.set(&self.at.1);
-        next.acceleration.set(&self.slopes[STAGES - 1]);
+        if !D::Position::CURVED {
+            next.acceleration.set(&self.slopes[STAGES - 1]);
+        }
         self.scene.project_stiff(next, &mut self.stiff);
     }
 

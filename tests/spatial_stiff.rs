@@ -1,0 +1,126 @@
+//! Implicit rules on spatial joints with springs: orders, stiffness without end, floating chains.
+
+use catena::spatial::*;
+use catena::stepper::Method;
+use catena::time::Rule;
+use catena::{Error, Motion};
+use kit::has_order;
+use nalgebra::Vector3;
+
+mod kit;
+
+type Hinge = Revolute<f64, Spring<f64, f64>>;
+type Slider = Cylindrical<f64, Spring<f64, f64>, Spring<f64>>;
+type Chain = (RigidBody<f64>, Ball, RigidBody<f64>, Hinge, RigidBody<f64>, Slider, RigidBody<f64>);
+type Scene = System<f64, Pinned<[f64; 3]>, Chain, Free>;
+type State = Motion<f64, (Rotation<f64>, ((), Rotation<f64>, (), f64, (), [f64; 2], ()))>;
+
+fn scene(stiffness: f64) -> Result<(Scene, State), Error> {
+    let tensor = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]];
+    let body = RigidBody::new(1.0, tensor, [0.5, 0.03, -0.02], [1.0, 0.0, 0.0]);
+    let damper = 0.02 * stiffness.sqrt();
+    let hinge = Revolute::about([0.2, 1.0, 0.3]).with(Spring::stiffness(stiffness).damped(damper));
+    let slider = Cylindrical::on([1.0, 0.1, 0.0])
+        .with(Spring::stiffness(stiffness).damped(damper), Spring::stiffness(0.5 * stiffness));
+    let system = System::new(Pinned::origin(), (body, Ball, body, hinge, body, slider, body), Free)?.with_gravity(3.0);
+    let start = system.at_rest(&[0.3, 0.2, -0.4, 1.0, -0.6, 0.5, 0.1, -0.2])?;
+    let start = system.with_rates(start, &[1.0, -1.0, 0.5, 2.0, 1.0, -1.0, 0.3, 0.2, -0.4])?;
+    Ok((system, start))
+}
+
+/// Largest difference of attitudes and joint coordinates, and of the force at the root.
+fn errors(system: &Scene, found: &State, exact: &State) -> [f64; 2] {
+    let forces = [found, exact].map(|motion| system.stations(motion, &Unloaded).root().internal.force);
+    let (a, b) = (found.position(), exact.position());
+    let angle = |a: Rotation<f64>, b: Rotation<f64>| Vector3::from(a.relative_to(&b).shortest().log()).norm();
+    let all = [
+        angle(a.0, b.0),
+        angle(a.1.1, b.1.1),
+        (a.1.3 - b.1.3).abs(),
+        (a.1.5[0] - b.1.5[0]).abs(),
+        (a.1.5[1] - b.1.5[1]).abs(),
+    ];
+    [all.into_iter().fold(0.0, f64::max), (forces[0] - forces[1]).norm()]
+}
+
+const END: f64 = 1.0;
+
+fn convergence<'s, M>(
+    steps: &[usize],
+    rule: impl Fn(f64) -> Rule<M, f64>,
+    (system, start): &'s (Scene, State),
+    exact: &State,
+) -> Result<[Vec<(f64, f64)>; 2], Error>
+where
+    M: Method<&'s Scene, Unloaded>,
+{
+    let mut points: [Vec<(f64, f64)>; 2] = Default::default();
+    for n in steps {
+        let h = END / *n as f64;
+        let run = system.simulate(*start, rule(h), END, |_| ())?;
+        for (points, error) in points.iter_mut().zip(errors(system, &run.motion, exact)) {
+            points.push((h, error));
+        }
+    }
+    Ok(points)
+}
+
+#[test]
+fn implicit_rules_have_their_orders_on_attitudes_and_forces() -> Result<(), Error> {
+    let scene = scene(20.0)?;
+    let exact = scene.0.simulate(scene.1, Dop853::tolerance(1e-13), END, |_| ())?.motion;
+    let points = convergence(&[200, 400, 800], |h| GeneralizedAlpha::new(0.8).step(h), &scene, &exact)?;
+    has_order("generalised-α, attitude", 2.0, 1e-12, &points[0]);
+    has_order("generalised-α, force", 2.0, 1e-12, &points[1]);
+    let points = convergence(&[100, 160, 250], |h| Sdirk4::new().step(h), &scene, &exact)?;
+    has_order("SDIRK4, attitude", 4.0, 1e-12, &points[0]);
+    has_order("SDIRK4, force", 4.0, 1e-12, &points[1]);
+    Ok(())
+}
+
+/// Joints of any stiffness are welds but for the reciprocal of it.
+#[test]
+fn stiff_joints_are_welds() -> Result<(), Error> {
+    let tensor = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]];
+    let body = RigidBody::new(1.0, tensor, [0.5, 0.03, -0.02], [1.0, 0.0, 0.0]);
+    let weld = Weld::at(Rotation::identity());
+    let welded = System::new(Pinned::origin(), (body, Ball, body, weld, body, weld, body), Free)?.with_gravity(3.0);
+    let angles = [0.3, 0.2, -0.4, 1.0, -0.6, 0.5];
+    let exact = welded.simulate(welded.at_rest(&angles)?, Dop853::tolerance(1e-13), END, |_| ())?.motion;
+    let force = welded.stations(&exact, &Unloaded).root().internal.force;
+    for stiffness in [1e6, 1e8, 1e10] {
+        let (system, _) = scene(stiffness)?;
+        let start = system.at_rest(&[0.3, 0.2, -0.4, 1.0, -0.6, 0.5, 0.0, 0.0])?;
+        let found = [
+            system.simulate(start, GeneralizedAlpha::new(0.8).step(0.0025), END, |_| ())?.motion,
+            system.simulate(start, Sdirk4::new().step(0.005), END, |_| ())?.motion,
+        ]
+        .map(|motion| (system.stations(&motion, &Unloaded).root().internal.force - force).norm());
+        println!("k = {stiffness:.0e}: generalised-α {:.1e}, SDIRK4 {:.1e}", found[0], found[1]);
+        // Of second order, and of fourth order or 1/k.
+        assert!(found[0] < 5e-4 && found[1] < 2e-5 + 100.0 / stiffness);
+    }
+    Ok(())
+}
+
+/// Springs in joints of a chain that floats change neither momentum nor, by more than the rule, energy.
+#[test]
+fn a_floating_chain_with_springs_keeps_its_momentum() -> Result<(), Error> {
+    let rod = Rod::uniform(0.5, 0.05, 1.0);
+    let hinge = Revolute::about([0.0, 1.0, 0.0]).with(Spring::stiffness(200.0));
+    let slider = Prismatic::along([1.0, 0.0, 0.0]).with(Spring::stiffness(1000.0));
+    let system = System::new(Free, (rod, hinge, rod, slider, rod), Free)?;
+    let start = system.at_rest(&[0.3, 0.2, -0.4, 0.1])?;
+    let start = system.with_rates(start, &[0.0, 0.1, 0.0, 1.0, -0.6, 0.5, 0.3, 0.1])?;
+    let first = system.budget(&start);
+    let run = system.simulate(start, Sdirk4::new().step(0.002), 2.0, |_| ())?;
+    let last = system.budget(&run.motion);
+    let lost = [
+        (last.momentum - first.momentum).norm(),
+        (last.angular_momentum - first.angular_momentum).norm(),
+        f64::abs(last.energy() - first.energy()),
+    ];
+    println!("momentum {:.1e}, angular momentum {:.1e}, energy {:.1e}", lost[0], lost[1], lost[2]);
+    assert!(lost.iter().all(|lost| *lost < 1e-5));
+    Ok(())
+}
