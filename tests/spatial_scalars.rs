@@ -15,19 +15,12 @@ fn outcome<T: Scalar<Real: Real>>([mass, length, angle, rate]: [T; 4], end: f64)
     let body = RigidBody::new(mass, tensor, [0.5, 0.03, -0.02].map(n), [length, T::zero(), T::zero()]);
     let rod = Rod::uniform(length, n(0.1), mass);
     let axis = [0.3, 1.0, -0.2].map(n);
-    let chain = (
-        body,
-        Ball,
-        rod,
-        Universal::about([0.0, 1.0, 0.0].map(n), [0.0, 0.2, 1.0].map(n))
-            .with(Spring::stiffness(n(2.0)).damped(n(0.1)), Spring::none()),
-        body,
-        Cylindrical::on(axis).with(Spring::stiffness(n(30.0)), Spring::damping(n(0.1))),
-        rod,
-    );
+    // One joint of each kind of elimination: compilers take long over such code for dual numbers.
+    let sliding = Cylindrical::on(axis).with(Spring::stiffness(n(30.0)), Spring::damping(n(0.1)));
+    let chain = (body, Ball, rod, sliding, body);
     let system = System::new(Pinned::origin(), chain, Free)?.with_gravity(n(9.81));
-    let start = system.at_rest(&[angle, n(0.2), n(-0.4), n(0.5), n(-0.3), angle, n(0.4), n(0.1), n(-0.2)])?;
-    let mut rates = [n(0.5); 10];
+    let start = system.at_rest(&[angle, n(0.2), n(-0.4), n(0.5), n(-0.3), angle, n(0.4)])?;
+    let mut rates = [n(0.5); 8];
     rates[1] = rate;
     let start = system.with_rates(start, &rates[..])?;
     let step = T::Real::of(0.01);
