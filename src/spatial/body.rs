@@ -102,6 +102,8 @@ macro_rules! body {
                 turn: Turn<T>,
                 x: &mut Columns<T>,
                 y: &mut [Vector3<T>; 2],
+                _: &mut Vector3<T>,
+                _: &mut Vector3<T>,
             ) -> Turn<T> {
                 *x = turn.attitude;
                 y[0] = turn.spin;
@@ -126,7 +128,7 @@ macro_rules! body {
                 &self,
                 acceleration: Acceleration<T>,
                 posture: Posture<'_, Spatial<T>, Self>,
-                _: &(),
+                _: &mut (),
                 _: &C::Each<T>,
                 _: &mut (),
             ) -> Acceleration<T> {

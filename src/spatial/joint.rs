@@ -147,6 +147,8 @@ macro_rules! joint {
                 turn: Turn<T>,
                 x: &mut Columns<T>,
                 y: &mut [Vector3<T>; 2],
+                _: &mut Vector3<T>,
+                _: &mut Vector3<T>,
             ) -> Turn<T> {
                 let (outboard, stored) = self.oriented(position, rate, turn);
                 (*x, *y) = stored;
@@ -167,7 +169,7 @@ macro_rules! joint {
                 &self,
                 acceleration: Acceleration<T>,
                 posture: Posture<'_, Spatial<T>, Self>,
-                kept: &Self::Kept<C>,
+                kept: &mut Self::Kept<C>,
                 multipliers: &C::Each<T>,
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {

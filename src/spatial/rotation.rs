@@ -15,7 +15,7 @@
 
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Position, Term};
 use crate::relation::space::algebra::{Columns, add_scaled, cross, cross_onto, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
@@ -137,19 +137,25 @@ impl<T: Scalar> Position<T> for Rotation<T> {
     type Rate = [T; 3];
 
     #[inline(always)]
-    fn drift<const M: usize>(
+    fn drift_0(&mut self, from: &Self, (time, rate): Term<'_, T, [T; 3]>) {
+        // Not normalised: for no time this is a copy, which must be one to the last bit.
+        *self = from.stepped(Vector3::from(*rate).map(|x| x.scale(time)));
+    }
+    #[inline(always)]
+    fn drift_1(&mut self, from: &Self, (time, rate): Term<'_, T, [T; 3]>, (u, a): Term<'_, T, [T; 3]>) {
+        let step = core::array::from_fn(|i| rate[i].scale(time).add_scaled(u, a[i]));
+        *self = from.stepped(Vector3::from(step)).normalised();
+    }
+    #[inline(always)]
+    fn drift_2(
         &mut self,
         from: &Self,
-        time: T::Real,
-        rate: &[T; 3],
-        weights: &[T::Real; M],
-        terms: [&[T; 3]; M],
+        (time, rate): Term<'_, T, [T; 3]>,
+        (u, a): Term<'_, T, [T; 3]>,
+        (v, b): Term<'_, T, [T; 3]>,
     ) {
-        let mut step = rate.map(|rate| rate.scale(time));
-        Rate::accumulate(&mut step, weights, terms);
-        let turned = from.stepped(Vector3::from(step));
-        // Without terms this may be a copy, which must be one to the last bit.
-        *self = if M > 0 { turned.normalised() } else { turned };
+        let step = core::array::from_fn(|i| rate[i].scale(time).add_scaled(u, a[i]).add_scaled(v, b[i]));
+        *self = from.stepped(Vector3::from(step)).normalised();
     }
     #[inline(always)]
     fn measure(&self, displacement: &[T; 3], note: &mut impl FnMut(T, T::Real)) {

@@ -1,6 +1,6 @@
 //! Ends held fast.
 
-use super::Ground;
+use super::{Compliance, Ground};
 use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
@@ -8,7 +8,7 @@ use crate::relation::space::algebra::{cross, zero};
 use crate::relation::space::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
 use crate::scalar::{Real, Scalar};
-use crate::spatial::{Frame, Internal, Rotation, Spatial, Turn, Weld};
+use crate::spatial::{BodyMotion, Frame, Internal, Rotation, Spatial, Turn, Weld};
 use nalgebra::Vector3;
 use num_traits::Zero;
 
@@ -136,7 +136,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Spatial<T>> for Clamped<G, A> 
         let gap = [-target.x, -target.y, -target.z, -angular.x, -angular.y, -angular.z];
         Full::massless().cut(Cuts::at_tip(core::array::from_fn(column), gap))
     }
-    fn internal(&self, multipliers: &[T; 6]) -> Internal<T> {
+    fn internal(&self, _: T::Real, multipliers: &[T; 6]) -> Internal<T> {
         let [a, b, c, d, e, f] = *multipliers;
         Internal { force: -Vector3::new(a, b, c), torque: Vector3::new(d, e, f) }
     }
@@ -151,6 +151,15 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Spatial<T>> for Clamped<G, A> 
             [place.x, place.y, place.z, turn.x, turn.y, turn.z],
             [velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z],
         ]
+    }
+    fn free_compliance(&self, _: T::Real, body: &BodyMotion<T>) -> [T; 6] {
+        let compliance = Compliance::of(body);
+        let ([x, y, z], turn) = (compliance.along_axes(), compliance.torque);
+        [x, y, z, turn, turn, turn]
+    }
+    fn names(&self) -> [&'static str; 6] {
+        let turns = ["turn of the tip about x", "turn of the tip about y", "turn of the tip about z"];
+        ["x of the tip", "y of the tip", "z of the tip", turns[0], turns[1], turns[2]]
     }
     fn check(&self) -> Result<(), Error> {
         self.verify::<T>().map_err(|error| error.at(Place::Tip))

@@ -9,7 +9,7 @@ use crate::relation::space::Empty;
 use crate::relation::space::algebra::zero;
 use crate::scalar::Scalar;
 use crate::space::Space;
-use crate::spatial::{Frame, Internal, Spatial};
+use crate::spatial::{BodyMotion, Frame, Internal, Spatial};
 use nalgebra::Vector3;
 
 /// An end on which nothing acts.
@@ -40,12 +40,14 @@ impl<T: Scalar> Tip<Spatial<T>> for Free {
     fn relation(&self, _: T::Real, _: Vector3<T>) -> Empty {
         Empty
     }
-    fn internal(&self, (): &()) -> Internal<T> {
+    fn internal(&self, _: T::Real, (): &()) -> Internal<T> {
         Spatial::no_force()
     }
     fn miss(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
         [(), ()]
     }
+    fn free_compliance(&self, _: T::Real, _: &BodyMotion<T>) {}
+    fn names(&self) {}
     fn check(&self) -> Result<(), Error> {
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! The ends of spatial chains.
 
 mod clamped;
+mod compliance;
 mod floating;
 mod free;
 mod ground;
@@ -8,6 +9,7 @@ mod hinged;
 mod pinned;
 
 pub use clamped::{Attitude, AttitudeMotion, Clamped, Turning};
+use compliance::Compliance;
 pub use floating::Floating;
 pub use free::Free;
 pub use ground::{Ground, GroundMotion, Moving};

@@ -1,6 +1,6 @@
 //! Ends held by balls.
 
-use super::{Ground, GroundMotion};
+use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Place};
 use crate::lift::Lift;
@@ -8,7 +8,7 @@ use crate::relation::space::Point;
 use crate::relation::space::algebra::{Symmetric3, zero};
 use crate::relation::{Absent, Cut, Cuts};
 use crate::scalar::Scalar;
-use crate::spatial::{Ball, Frame, Internal, Spatial};
+use crate::spatial::{Ball, BodyMotion, Frame, Internal, Spatial};
 use nalgebra::Vector3;
 use num_traits::Zero;
 
@@ -66,12 +66,18 @@ impl<T: Scalar, G: Ground<T>> Tip<Spatial<T>> for Pinned<G> {
         let cuts = Cuts::at_tip(columns, [-target.x, -target.y, -target.z]);
         Point { stiffness: Symmetric3::diagonal(o), offset: zero(), torque: Absent, cuts }
     }
-    fn internal(&self, multipliers: &[T; 3]) -> Internal<T> {
+    fn internal(&self, _: T::Real, multipliers: &[T; 3]) -> Internal<T> {
         Internal { force: -Vector3::from(*multipliers), torque: zero() }
     }
     fn miss(&self, time: T::Real, frame: &Frame<T>) -> [[T; 3]; 2] {
         let GroundMotion { place, velocity, .. } = self.0.at(time);
         [(frame.place - Vector3::from(place)).into(), (frame.velocity - Vector3::from(velocity)).into()]
+    }
+    fn free_compliance(&self, _: T::Real, body: &BodyMotion<T>) -> [T; 3] {
+        Compliance::of(body).along_axes()
+    }
+    fn names(&self) -> [&'static str; 3] {
+        ["x of the tip", "y of the tip", "z of the tip"]
     }
     fn check(&self) -> Result<(), Error> {
         self.0.at(T::Real::zero()).check().map_err(|error| error.at(Place::Tip))
