@@ -87,6 +87,13 @@ pub enum Fault {
     Shape,
     /// A transfer matrix does not exist here: the joint is the centre of percussion of what lies outboard.
     SingularTransfer,
+    /// The paper's matrix of a smooth pin does not exist here: the pin's pivot vanishes at the centre of percussion.
+    CentreOfPercussion,
+    /// The equations of a step were not met.
+    NotConverged {
+        /// Sweeps taken.
+        sweeps: usize,
+    },
 }
 
 impl Error {
@@ -135,6 +142,13 @@ impl fmt::Display for Error {
                 f,
                 "no transfer matrix exists: the joint is the centre of percussion of what lies outboard; sweep instead"
             ),
+            Fault::CentreOfPercussion => write!(
+                f,
+                "this pin has no transfer matrix (40), for the outboard end of its body is the centre of percussion; solve by Riccati"
+            ),
+            Fault::NotConverged { sweeps } => {
+                write!(f, "the equations of a step are not met after {sweeps} sweeps: take smaller steps")
+            }
         }?;
         match self.place {
             Some(Place::Station(station)) => write!(f, ", at station {station}")?,

@@ -42,7 +42,7 @@
 //! | 4 | [`planar`] |
 //! | 5 | [`solve`], [`observe`] |
 //! | 6 | [`system`] |
-//! | 7 | [`stepper`], [`simulate`], [`observers`] |
+//! | 7 | [`stepper`], [`simulate`], [`observers`]; [`paper`] (the formulation of 2005, apart from all others) |
 //!
 //! # Features
 //!
@@ -67,6 +67,7 @@ pub mod mirror;
 mod motion;
 pub mod observe;
 pub mod observers;
+pub mod paper;
 pub mod planar;
 pub mod relation;
 pub mod scalar;

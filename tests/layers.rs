@@ -14,7 +14,7 @@ const FLOORS: [&[&str]; 8] = [
     &["planar"],
     &["solve", "observe"],
     &["system"],
-    &["stepper", "simulate", "observers"],
+    &["stepper", "simulate", "observers", "paper"],
 ];
 
 fn floor(module: &str) -> Option<usize> {

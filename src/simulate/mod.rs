@@ -183,9 +183,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 }
 
-impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E>
-    Simulation<'a, S, R, C, P, L, M, E>
-{
+impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Simulation<'a, S, R, C, P, L, M, E> {
     /// Under these loads.
     pub fn loads<N: Loading<S>>(self, loads: &'a N) -> Simulation<'a, S, R, C, P, N, M, E> {
         let Self { system, rule, every, event, stop, .. } = self;

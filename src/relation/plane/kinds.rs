@@ -128,10 +128,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Relation<T> for Point<T, M, C> {
             angular: dot(n, coupling),
             force,
             torque: self.torque.add_to(dot(n, force)),
-            cuts: self.cuts.turned(
-                |w| FullColumn { force: w, torque: dot(n, w) },
-                |w| -dot(w, centripetal),
-            ),
+            cuts: self.cuts.turned(|w| FullColumn { force: w, torque: dot(n, w) }, |w| -dot(w, centripetal)),
         }
     }
 }
