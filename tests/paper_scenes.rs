@@ -17,13 +17,14 @@ use kit::slope;
 /// Errors of all angles, and of all forces relative to their largest, against order 8 at three steps: their orders.
 macro_rules! orders {
     ($name:expr, $scene:expr, $start:expr, $loads:expr, $end:expr, $scheme:expr) => {{
-        let scene = &$scene;
-        let start = scene.with_accelerations($start.clone(), &$loads)?;
+        let (scene, loads) = (&$scene, &$loads);
+        let start = scene.with_accelerations($start.clone(), loads)?;
         let (mut angles, mut forces) = (vec![], vec![]);
-        let exact = scene.simulation(Dop853::tolerance(1e-12)).loads($loads).run(start.clone(), $end, |_| ())?.motion;
-        let stations = scene.stations(&exact, &$loads);
-        for dt in [0.01, 0.005, 0.0025] {
-            let mut run = $scheme.start(scene, &start, &$loads, dt)?;
+        let exact = scene.simulation(Dop853::tolerance(1e-12)).loads(loads).run(start.clone(), $end, |_| ())?.motion;
+        let stations = scene.stations(&exact, loads);
+        // At larger steps the printed linearisation shows terms of the next order.
+        for dt in [0.002, 0.001, 0.0005] {
+            let mut run = $scheme.start(scene, &start, loads, dt)?;
             run.run_to($end)?;
             let expected: Vec<f64> = scene.angles(&exact).iter().copied().collect();
             let angle = run.angles().zip(&expected).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
@@ -169,25 +170,38 @@ fn riccati_holds_for_a_hundred_thousand_bodies() -> Result<(), Error> {
     Ok(())
 }
 
-/// Example 2, twenty bodies: angles of an order-8 integration of dense equations, at t = 0.5 s from −60°.
+/// Example 2, twenty bodies: the tip of an order-8 integration of dense equations, at t = 1 s from −60°; errors (m) of another
+/// implementation of joint coordinates, to two digits.
 #[test]
 fn flexible_pendulum_meets_the_reference() -> Result<(), Error> {
     let scene = chain(20)?;
     let start = scene.at_rest(&[-FRAC_PI_3; 20])?;
-    let known = [-1.74835990285, -1.69361309640];
     macro_rules! error {
-        ($scheme:expr, $dt:expr) => {{
+        ($name:expr, $scheme:expr, $dt:expr) => {{
             let mut run = $scheme.start(&scene, &start, &Unloaded, $dt)?;
-            run.run_to(0.5)?;
-            (run.turn(0).unwrap()[0] - known[0]).abs().max((run.turn(19).unwrap()[0] - known[1]).abs())
+            run.run_to(1.0)?;
+            let tip = run.stations().last().unwrap();
+            let error = (tip[X] + 0.43225486262).abs().max((tip[Y] + 0.90061862755).abs());
+            println!("{}, step {}: {error:.2e} m, {} sweeps", $name, $dt, run.sweeps());
+            error
         }};
     }
-    let alpha = Scheme::new(GeneralizedAlpha::new(0.8)).linearized(At::Predictor).solved_by(Solver::Riccati);
-    let [coarse, fine] = [error!(alpha, 0.0025), error!(alpha, 0.00125)];
     let joints = JointScheme::new(Newmark::new(0.25, 0.5));
-    let [joints_coarse, joints_fine] = [error!(joints, 0.0025), error!(joints, 0.00125)];
-    println!("paper {coarse:.1e} {fine:.1e}, joints {joints_coarse:.1e} {joints_fine:.1e}");
-    assert!(fine < 0.4 * coarse && joints_fine < 0.4 * joints_coarse && fine < 1e-3 && joints_fine < 1e-3);
+    for (dt, known) in [(0.01, 1.1e-3), (0.0025, 4e-5), (0.001, 2.2e-6)] {
+        let found = error!("joints", joints, dt);
+        assert!((found / known - 1.0_f64).abs() < 0.1, "{found:e} {known:e}");
+    }
+    for (dt, known) in [(0.01, 1.2e-3), (0.0025, 4.5e-5)] {
+        let found = error!("joints, one sweep", joints.with_sweeps(1), dt);
+        assert!((found / known - 1.0_f64).abs() < 0.1, "{found:e} {known:e}");
+    }
+    let alpha = Scheme::new(GeneralizedAlpha::new(0.8)).solved_by(Solver::Riccati);
+    for at in [At::Previous, At::Predictor, At::Iterated] {
+        let [coarse, fine] =
+            [0.002, 0.001].map(|dt| -> Result<f64, Error> { Ok(error!(format!("{at:?}"), alpha.linearized(at), dt)) });
+        let (coarse, fine): (f64, f64) = (coarse?, fine?);
+        assert!(fine < 0.5 * coarse && fine < 1e-3, "{coarse:e} {fine:e}");
+    }
     Ok(())
 }
 
@@ -226,7 +240,7 @@ fn cantilever_converges_to_the_beam_with_order_two() -> Result<(), Error> {
             motion.force_at([size, 0.0], [0.0, pull])
         });
         let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).linearized(At::Predictor).solved_by(Solver::Riccati);
-        let mut run = scheme.start(&scene, &start, &loads, 2.5e-3)?;
+        let mut run = scheme.start(&scene, &start, &loads, 1e-3)?;
         let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
         for time in [0.25, 0.5, 1.0, 2.0, 5.0, 10.0] {
             run.run_to(time)?;
@@ -240,7 +254,7 @@ fn cantilever_converges_to_the_beam_with_order_two() -> Result<(), Error> {
     assert!((errors[0] / 0.0363 - 1.0).abs() < 0.1, "{errors:?}");
     for pair in errors.windows(2) {
         let fall = pair[0] / pair[1];
-        assert!((fall - 4.0).abs() < 0.8, "{errors:?}");
+        assert!((fall - 4.0).abs() < 0.3, "{errors:?}");
     }
     Ok(())
 }

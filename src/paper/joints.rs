@@ -235,10 +235,22 @@ where
             }
         }
         self.motions.clear();
-        for body in self.parts.iter().filter_map(Part::body) {
+        let mut clamped = S::HELD;
+        for part in &self.parts {
+            let body = match part {
+                Part::Body(body) => body,
+                Part::Joint(joint) => {
+                    clamped &= !joint.turns;
+                    continue;
+                }
+            };
             let step = rule.linearize(&body.angle, dt);
             frame.turn = Turn { angle: body.angle.value + body.found, rate: step.rate_at(body.found) };
             frame.acceleration.angular = step.acceleration_at(body.found);
+            if clamped {
+                // A rule would make vibration of a turn that is given.
+                (frame.turn.rate, frame.acceleration.angular) = (ground.turn.rate, ground.acceleration.angular);
+            }
             let (s, c) = frame.turn.angle.sin_cos();
             let motion = body.rigid.moving(frame, [s, c]);
             self.motions.push(motion);
@@ -350,13 +362,23 @@ where
     fn commit(&mut self, before: &Frame<T>) {
         let (rule, dt) = (self.scheme.rule, self.dt);
         let root = self.root;
-        let mut first = true;
+        let ground = self.scene.ground(self.time() + dt);
+        let (mut first, mut clamped) = (true, S::HELD);
         for part in &mut self.parts {
-            let Part::Body(body) = part else { continue };
+            let body = match part {
+                Part::Body(body) => body,
+                Part::Joint(joint) => {
+                    clamped &= !joint.turns;
+                    continue;
+                }
+            };
             let last = body.angle.value;
             rule.advance(&mut body.angle, dt, body.found);
             if rule.balance() != 1.0 {
                 body.found = body.angle.value - last;
+            }
+            if clamped {
+                (body.angle.rate, body.angle.acceleration) = (ground.turn.rate, ground.acceleration.angular);
             }
             if first && !S::HELD {
                 for (point, acceleration) in body.points[0].iter_mut().zip(root) {
@@ -366,7 +388,7 @@ where
             }
             first = false;
         }
-        let ahead = self.scene.ground(self.time() + dt).turn.angle - before.turn.angle;
+        let ahead = ground.turn.angle - before.turn.angle;
         for k in 0..self.parts.len() {
             let Part::Joint(joint) = self.parts[k] else { continue };
             let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner, ahead);
