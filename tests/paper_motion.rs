@@ -110,7 +110,7 @@ macro_rules! death {
         })?;
         for (time, angles) in simulation.into_iter().skip(1) {
             let outcome = run.step();
-            let off = run.angles().zip(angles).any(|(found, angle)| !((found - angle).abs() <= 1.0));
+            let off = run.angles().zip(angles).any(|(found, angle)| (found - angle).abs() > 1.0 || found.is_nan());
             if off || outcome.is_err() {
                 dead = Some(time);
                 break;

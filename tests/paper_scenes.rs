@@ -114,13 +114,14 @@ fn floating_scene_has_order_two() -> Result<(), Error> {
     Ok(())
 }
 
-fn chain(n: usize) -> Result<System<f64, Pinned<[f64; 2]>, Links, Free>, Error> {
+fn chain(n: usize) -> Result<Chain, Error> {
     let size = 1.0 / n as f64;
     let rod = Rod::uniform(size, size);
     let links = vec![(ElasticHinge::rotary(20.0), rod); n - 1];
     Ok(System::new(Pinned::origin(), (rod, links), Free)?.with_gravity(9.81))
 }
 
+type Chain = System<f64, Pinned<[f64; 2]>, Links, Free>;
 type Links = (Rod<f64>, Vec<(ElasticHinge<catena::planar::Rotary<f64>>, Rod<f64>)>);
 
 /// Bent, and moving.

@@ -16,7 +16,7 @@ pub struct Rotary<T> {
 
 /// (35), rotary part: θ_O = θ_I + (m − μ) / κ. The translation is rigid: U₁₄ = U₁₅ = 0. In the plane U₂₂ is 1.
 ///
-/// A hinge with κ = 0 turns freely and has no such matrix: it is a [pin](super::pin).
+/// A hinge with κ = 0 turns freely and has no such matrix: it is a [pin](super::smooth_pin).
 pub fn rotary_hinge<T: Scalar>(hinge: &Rotary<T>) -> TransferMatrix<T, 7> {
     let compliance = hinge.slope.recip();
     let mut u = TransferMatrix::identity();
