@@ -126,6 +126,7 @@ mod rule;
 mod scene;
 #[cfg(feature = "alloc")]
 mod scheme;
+pub mod spatial;
 
 pub use crate::time::GeneralizedAlpha;
 pub use body::{External, Known, Rigid, lumped_mass, rigid_body};

@@ -4,21 +4,22 @@
 //! What dies of γ = ½ in the [scheme as printed](super::Scheme) are positions integrated beside the angles that determine them. Here
 //! there are none: Newmark's rule with γ = ½ has order 2 in angles and forces and stays.
 
-use super::body::{External, Rigid};
-use super::hinge::Rotary;
-use super::link::{Base, Link};
-use super::parts::{Body, Joint, Part, parts};
-use super::riccati::{self, Gain, Relation};
-use super::rule::Rule;
-use super::scene::{Scene, applied, external};
-use super::scheme::positive_step;
+mod balance;
+mod iterate;
+
 use crate::element::Loading;
 use crate::error::{Error, Fault};
-use crate::planar::index::{M, ONE, QX, QY, THETA, X, Y};
-use crate::planar::{BodyMotion, Frame, JointMotion, Planar, SpringState, Turn};
+use crate::paper::link::{Base, Link};
+use crate::paper::parts::{Body, Joint, Part, parts};
+use crate::paper::riccati::{self, Gain, Relation};
+use crate::paper::rule::Rule;
+use crate::paper::scene::Scene;
+use crate::paper::scheme::positive_step;
+use crate::planar::index::{M, QX, QY, THETA, X, Y};
+use crate::planar::{BodyMotion, Frame, Planar};
 use crate::relation::Term;
 use crate::scalar::{Real, Scalar};
-use crate::state::{StateVector, TransferMatrix};
+use crate::state::StateVector;
 use alloc::{vec, vec::Vec};
 use num_traits::Zero;
 
@@ -219,119 +220,6 @@ where
         }
     }
 
-    /// Kinematics, root to tip.
-    fn travel(&mut self, ground: &Frame<T>) {
-        let (rule, dt) = (self.scheme.rule, self.dt);
-        let mut frame = *ground;
-        if !S::HELD
-            && let Some(body) = self.parts.iter().find_map(Part::body)
-        {
-            for (i, point) in body.points[0].iter().enumerate() {
-                let step = rule.linearize(point, dt);
-                let change = (self.root[i] - step.acceleration).scale(step.chi1.recip());
-                frame.place[i] = point.value + change;
-                frame.velocity[i] = step.rate_at(change);
-                frame.acceleration.linear[i] = self.root[i];
-            }
-        }
-        self.motions.clear();
-        let mut clamped = S::HELD;
-        for part in &self.parts {
-            let body = match part {
-                Part::Body(body) => body,
-                Part::Joint(joint) => {
-                    clamped &= !joint.turns;
-                    continue;
-                }
-            };
-            let step = rule.linearize(&body.angle, dt);
-            frame.turn = Turn { angle: body.angle.value + body.found, rate: step.rate_at(body.found) };
-            frame.acceleration.angular = step.acceleration_at(body.found);
-            if clamped {
-                // A rule would make vibration of a turn that is given.
-                (frame.turn.rate, frame.acceleration.angular) = (ground.turn.rate, ground.acceleration.angular);
-            }
-            let (s, c) = frame.turn.angle.sin_cos();
-            let motion = body.rigid.moving(frame, [s, c]);
-            self.motions.push(motion);
-            frame = motion.outboard();
-        }
-    }
-
-    /// Forces of the iterate, tip to root, and the links of its increments.
-    fn linearise(&mut self, time: T::Real, before: &Frame<T>, ground: &Frame<T>) {
-        let gravity = self.scene.gravity();
-        let zero = T::zero();
-        self.links.clear();
-        self.links.resize(self.parts.len(), Link::Rigid(zero));
-        let (mut body_number, mut joint_number) = (self.motions.len(), self.parts.len() - self.motions.len());
-        let (mut m, mut q) = (zero, [zero; 2]);
-        if let Some(last) = self.motions.last() {
-            self.stations[self.parts.len()] = state(&last.outboard(), m, q);
-        }
-        for k in (0..self.parts.len()).rev() {
-            match &self.parts[k] {
-                Part::Body(body) => {
-                    body_number -= 1;
-                    let motion = self.motions[body_number];
-                    let external = external::<T, L>(&motion, gravity, self.loads.on_body(time, body_number, &motion));
-                    let chi = self.scheme.rule.linearize(&body.angle, self.dt);
-                    let held = self.torque_inboard(k, joint_number, body_number, time, before, ground);
-                    let step = Balance { motion, external, outer: (m, q), held };
-                    let (matrix, inner) = step.linearise(&body.rigid, chi.chi1, chi.chi3);
-                    (m, q) = inner;
-                    self.links[k] = Link::Body { matrix, inertia: T::Real::zero(), percussive: false };
-                    self.stations[k] = state(&motion.inboard, m, q);
-                }
-                Part::Joint(joint) => {
-                    joint_number -= 1;
-                    let outer = self.motions.get(body_number).map_or(*ground, |motion| motion.inboard);
-                    let inner = body_number.checked_sub(1).and_then(|k| self.motions.get(k));
-                    let turn = inner.map_or(ground.turn, |motion| motion.inboard.turn);
-                    self.stations[k] = state(&Frame { turn, ..outer }, m, q);
-                    if joint.turns && (S::HELD || k > 0) {
-                        let chi3 = self.parts[joint.outer]
-                            .body()
-                            .map_or(T::Real::zero(), |body| self.scheme.rule.linearize(&body.angle, self.dt).chi3);
-                        let slope = joint.spring.stiffness + joint.spring.damping.scale(chi3);
-                        self.links[k] =
-                            Link::Turning { law: Rotary { slope, offset: zero }, smooth: joint.is_smooth() };
-                    }
-                }
-            }
-        }
-    }
-
-    /// m at the inboard end of a body, by the law of the joint there if one turns.
-    fn torque_inboard(
-        &self,
-        k: usize,
-        joints: usize,
-        bodies: usize,
-        time: T::Real,
-        before: &Frame<T>,
-        ground: &Frame<T>,
-    ) -> Option<T> {
-        let mut number = joints;
-        for part in self.parts[..k].iter().rev() {
-            let Part::Joint(joint) = part else { return None };
-            number = number.checked_sub(1)?;
-            if joint.turns {
-                let outer = self.motions.get(bodies)?.inboard;
-                let inner = bodies.checked_sub(1).and_then(|k| self.motions.get(k));
-                let turn = inner.map_or(ground.turn, |motion| motion.inboard.turn);
-                let ahead = ground.turn.angle - before.turn.angle;
-                let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner, ahead);
-                let spring = SpringState { torque: T::zero(), energy: T::zero() };
-                let motion = JointMotion { inboard: Frame { turn, ..outer }, outboard: outer, spring, turns: true };
-                let torque = applied::<T, L>(self.loads.in_joint(time, number, &motion));
-                let damping = joint.spring.damping * (outer.turn.rate - turn.rate);
-                return Some(joint.elastic + joint.spring.stiffness * strain + damping - torque);
-            }
-        }
-        None
-    }
-
     /// What the iterate leaves at a root that nothing holds: m, q_x, q_y.
     fn left(&self) -> [T; 3] {
         let z = &self.stations[0];
@@ -407,59 +295,5 @@ impl<T, M> Part<T, M> {
     /// The body, if it is one.
     fn body(&self) -> Option<&Body<T, M>> {
         if let Self::Body(body) = self { Some(body) } else { None }
-    }
-}
-
-fn state<T: Scalar>(frame: &Frame<T>, m: T, [qx, qy]: [T; 2]) -> StateVector<T, 7> {
-    StateVector::new([frame.place.x, frame.place.y, frame.turn.angle, m, qx, qy, T::one()])
-}
-
-/// The balance of a body in an iterate.
-struct Balance<T> {
-    motion: BodyMotion<T>,
-    external: External<T>,
-    /// m and q at the outboard end.
-    outer: (T, [T; 2]),
-    /// m at the inboard end, where a joint's law gives it.
-    held: Option<T>,
-}
-
-impl<T: Scalar> Balance<T> {
-    /// The matrix of increments (δa_x, δa_y, δθ, δm, δq_x, δq_y, 1), of the same shape as (32), and m and q at the inboard end.
-    #[allow(clippy::many_single_char_names)] // the symbols of (19) and (20)
-    fn linearise(&self, body: &Rigid<T>, chi1: T::Real, chi3: T::Real) -> (TransferMatrix<T, 7>, (T, [T; 2])) {
-        let mass = body.inertia.mass;
-        let (o, c) = (self.motion.arm, self.motion.to_centre);
-        let (at, centre) = (self.motion.inboard.acceleration, self.motion.centre().acceleration.linear);
-        let (a, spin) = (at.linear, self.motion.rate());
-        let External { force: [fx, fy], torque } = self.external;
-        let (m_o, [qx, qy]) = self.outer;
-        let about_inboard = body.about_inboard();
-
-        // (19), (20)
-        let q_i = [qx + mass * centre.x - fx, qy + mass * centre.y - fy];
-        let balanced = m_o - (o.x * qy - o.y * qx) - mass * (c.x * a.y - c.y * a.x) + torque + (c.x * fy - c.y * fx)
-            - about_inboard * at.angular;
-        let m_i = self.held.unwrap_or(balanced);
-        let residual = balanced - m_i;
-
-        // How a point at d accelerates with δθ: (χ₁ − θ̇²) n − (2θ̇χ₃ + θ̈) d.
-        let across = T::constant(chi1) - spin * spin;
-        let along = (spin + spin).scale(chi3) + at.angular;
-        let swing = |x: T, y: T| [-(across * y) - along * x, across * x - along * y];
-        let (w_o, w_c) = (swing(o.x, o.y), swing(c.x, c.y));
-        // ∂/∂θ of the torques of forces that stay.
-        let geometric =
-            o.x * qx + o.y * qy + mass * (c.x * a.x + c.y * a.y) - (c.x * fx + c.y * fy) - about_inboard.scale(chi1);
-
-        let mut u = TransferMatrix::identity();
-        (u[(X, THETA)], u[(Y, THETA)]) = (w_o[0], w_o[1]);
-        (u[(QX, X)], u[(QY, Y)]) = (-mass, -mass);
-        (u[(QX, THETA)], u[(QY, THETA)]) = (-(mass * w_c[0]), -(mass * w_c[1]));
-        (u[(M, X)], u[(M, Y)]) = (mass * (o.y - c.y), mass * (c.x - o.x));
-        u[(M, THETA)] = o.x * u[(QY, THETA)] - o.y * u[(QX, THETA)] - geometric;
-        (u[(M, QX)], u[(M, QY)]) = (-o.y, o.x);
-        u[(M, ONE)] = -residual;
-        (u, (m_i, q_i))
     }
 }
