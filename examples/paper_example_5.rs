@@ -23,13 +23,45 @@ use std::path::PathBuf;
 const GRAVITY: f64 = 9.81;
 
 /// What a run of one scheme shows: times and the angles of all bodies, and the force at the root.
-type Record = Vec<(f64, Vec<[f64; 3]>, [f64; 3])>;
+pub type Record = Vec<(f64, Vec<[f64; 3]>, [f64; 3])>;
+
+/// A start, and what is known of it at t = 1 s: angles (rad) and force at the root (N) of integrations of order 8 at 1e-13 that agree
+/// with another rigid-body code to 4e-13.
+pub struct Example {
+    /// Angles (rad) and angular velocities (rad/s) in body axes.
+    pub start: Vec<([f64; 3], Vector3<f64>)>,
+    pub known: Vec<[f64; 3]>,
+    pub force: [f64; 3],
+}
+
+/// One body.
+pub fn example_4() -> Example {
+    Example {
+        start: vec![([0.3, 0.2, -0.4], Vector3::new(1.0, -2.0, 0.5))],
+        known: vec![[0.371281069924, 0.692770393021, -2.728768005859]],
+        force: [3.620248298227, 4.963809523534, 3.596624971111],
+    }
+}
+
+/// Three bodies.
+pub fn example_5() -> Example {
+    let still = ([0.0; 3], Vector3::zeros());
+    Example {
+        start: vec![still, still, ([0.0; 3], Vector3::new(0.0, 0.1, 0.0))],
+        known: vec![
+            [-2.997268232699, 0.013167658531, -1.811532109802],
+            [-1.129140432033, -0.054226025762, -2.256123087488],
+            [0.433760853716, -0.008784990424, -2.677865406295],
+        ],
+        force: [9.470109594365, 50.942943141779, 0.984682053201],
+    }
+}
 
 /// The stand-in body; its inertia about the mass centre, moved to the ball.
 fn body() -> Rigid<f64> {
     let centre = Vector3::new(0.5, 0.03, -0.02);
     let about_centre = Matrix3::new(0.02, 0.001, 0.002, 0.001, 0.09, 0.003, 0.002, 0.003, 0.1);
-    let j = about_centre + Matrix3::identity() * centre.norm_squared() - centre * centre.transpose();
+    let j: Matrix3<f64> = about_centre + Matrix3::identity() * centre.norm_squared() - centre * centre.transpose();
     let rows = core::array::from_fn(|i| core::array::from_fn(|k| j[(i, k)]));
     Rigid { mass: 1.0, centre: centre.into(), outboard: [1.0, 0.0, 0.0], about_inboard: rows }
 }
@@ -132,7 +164,7 @@ struct Moving<M> {
 }
 
 /// The eight steps of section 4 for bodies 2, 4, 6, .. with balls between them.
-fn paper<R: Rule<f64>>(
+pub fn paper<R: Rule<f64>>(
     rule: R,
     at: At,
     start: &[([f64; 3], Vector3<f64>)],
@@ -244,34 +276,16 @@ fn paper<R: Rule<f64>>(
 }
 
 /// Angles at the end against known ones.
-fn miss(record: &Record, known: &[[f64; 3]]) -> f64 {
+pub fn miss(record: &Record, known: &[[f64; 3]]) -> f64 {
     let last = record.last().map(|(_, angles, _)| angles.clone()).unwrap_or_default();
     let pairs = last.iter().flatten().zip(known.iter().flatten());
     pairs.fold(0.0, |worst: f64, (a, b)| worst.max((a - b).abs()))
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // Angles (rad) and force at the root (N) of integrations of order 8 at 1e-13 that agree with another rigid-body code to 4e-13.
-    let known_4 = (
-        1.0,
-        vec![[0.371281069924, 0.692770393021, -2.728768005859]],
-        [3.620248298227, 4.963809523534, 3.596624971111],
-    );
-    let known_5 = (
-        1.0,
-        vec![
-            [-2.997268232699, 0.013167658531, -1.811532109802],
-            [-1.129140432033, -0.054226025762, -2.256123087488],
-            [0.433760853716, -0.008784990424, -2.677865406295],
-        ],
-        [9.470109594365, 50.942943141779, 0.984682053201],
-    );
-    let start_4 = vec![([0.3, 0.2, -0.4], Vector3::new(1.0, -2.0, 0.5))];
-    let still = ([0.0; 3], Vector3::zeros());
-    let start_5 = vec![still, still, ([0.0; 3], Vector3::new(0.0, 0.1, 0.0))];
-
     let mut shown = vec![];
-    for (number, start, (end, known, force)) in [(4, &start_4, known_4), (5, &start_5, known_5)] {
+    for (number, Example { start, known, force }) in [(4, example_4()), (5, example_5())] {
+        let (start, end) = (&start, 1.0);
         println!(
             "Example {number}: {} on smooth balls. Errors at t = {end} s, of angles (rad) and of the force at the root (N)",
             ["one body", "three bodies"][number - 4]

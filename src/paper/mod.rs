@@ -1,6 +1,6 @@
 //! The formulation of 2005, equation by equation: the displacement-level method as X. Rui, B. He, Y. Lu, W. Lu and G. Wang print it
 //! (*Discrete Time Transfer Matrix Method for Multibody System Dynamics*, Multibody System Dynamics 14, 2005), in the plane, with its
-//! corrections marked where they stand.
+//! corrections marked where they stand; of space, its [matrices](spatial).
 //!
 //! It runs the same scenes as the rest of this crate, and nothing in the rest of this crate knows of it. It is here to be read beside the
 //! paper, to be compared with, and to be warned of: see [what it is good for](#what-it-is-good-for).
@@ -36,7 +36,7 @@
 //! | (1), (2) | [`Linearization`], [`Rule`] |
 //! | (3), (4) | [`Newmark`]; other rules: [`GeneralizedAlpha`], [`hht_alpha`], [`Multistep`], [`Wilson`], [`Midpoint`] |
 //! | (5)-(10) | [`Expansion`], [`At`] |
-//! | (11), (12) | not needed in the plane |
+//! | (11), (12) | not needed in the plane; in space in [`spatial::rigid_body`] |
 //! | (13), (14) | [`StateVector`](crate::StateVector), [`index`](crate::planar::index) |
 //! | (15)-(17) | [`TransferMatrix`](crate::TransferMatrix), [`Solver::Product`] |
 //! | (18)-(32) | [`rigid_body`], [`lumped_mass`] |
@@ -44,7 +44,9 @@
 //! | (36)-(40) | [`smooth_pin`] |
 //! | section 4 | [`Scheme`], [`Run`] |
 //! | section 5.5 | [`Solver::Riccati`] |
-//! | (41)-(46), spatial motion; (47)-(60), loops, branches and networks | not here |
+//! | (5)-(12), (18)-(40) in space | [`spatial`]: matrices only |
+//! | (41)-(46) | `examples/paper_example_5.rs` |
+//! | (47)-(60), loops, branches and networks | not here |
 //!
 //! A beam is its segments, rods with hinges of EI/ℓ between them, and of 2EI/ℓ at a clamp.
 //!
