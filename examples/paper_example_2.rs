@@ -120,7 +120,7 @@ fn draw(exact: &Tips, shapes: &[Vec<(f64, f64)>], printed: &Tips, damped: &Tips)
         common::legend(&right, &names)?;
         let xs = |tips: &Tips| tips.iter().filter(|(t, _)| *t <= 3.0).map(|(t, [x, _])| (*t, *x)).collect::<Vec<_>>();
         common::curve(&mut tip, xs(exact), line(GREY, 5.0))?;
-        common::curve(&mut tip, xs(printed), line(ORANGE, 1.6))?;
-        common::curve(&mut tip, xs(damped), line(GREEN, 1.6))
+        common::curve(&mut tip, xs(damped), line(GREEN, 2.6))?;
+        common::curve(&mut tip, xs(printed), line(ORANGE, 1.2))
     })
 }

@@ -30,7 +30,9 @@ pub type Record = Vec<(f64, Vec<[f64; 3]>, [f64; 3])>;
 pub struct Example {
     /// Angles (rad) and angular velocities (rad/s) in body axes.
     pub start: Vec<([f64; 3], Vector3<f64>)>,
+    /// Angles of the bodies at t = 1 s (rad).
     pub known: Vec<[f64; 3]>,
+    /// Force of the ground on the first body (N).
     pub force: [f64; 3],
 }
 

@@ -94,6 +94,11 @@ pub enum Fault {
         /// Sweeps taken.
         sweeps: usize,
     },
+    /// A formulation does not know such an element.
+    Unsupported {
+        /// What it meets.
+        what: &'static str,
+    },
 }
 
 impl Error {
@@ -149,6 +154,7 @@ impl fmt::Display for Error {
             Fault::NotConverged { sweeps } => {
                 write!(f, "the equations of a step are not met after {sweeps} sweeps: take smaller steps")
             }
+            Fault::Unsupported { what } => write!(f, "this formulation does not know {what}"),
         }?;
         match self.place {
             Some(Place::Station(station)) => write!(f, ", at station {station}")?,

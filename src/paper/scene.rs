@@ -3,7 +3,7 @@
 use super::body::{External, Rigid};
 use crate::element::{Coordinates, Element, Loading, Space, Visit};
 use crate::ends::{Pairs, Root, Tip};
-use crate::error::Error;
+use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::planar::{BodyMotion, Frame, JointMotion, Planar};
 use crate::relation::{Open, Term};
@@ -47,7 +47,7 @@ pub trait Scene<T: Scalar, L> {
     /// from zero accelerations would not be one.
     ///
     /// # Errors
-    /// As [`System::with_accelerations`].
+    /// As [`System::with_accelerations`]; [`Fault::Unsupported`] for elements that the paper's matrices cannot say.
     fn items(&self, motion: &Self::Motion, loads: &L) -> Result<(T::Real, Vec<Item<T>>), Error>;
 }
 
@@ -84,6 +84,7 @@ where
         let (zero, one) = (T::zero(), T::one());
         let (rest, turned, turning) = (look(zero, zero), look(one, zero), look(zero, one));
         let mut items = trace(self, &motion);
+        check(&items, &turned)?;
         for (item, looks) in items.iter_mut().zip(rest.iter().zip(turned.iter().zip(&turning))) {
             if let (Item::Joint(_, law), (Item::Joint(rest, _), (Item::Joint(turned, _), Item::Joint(turning, _)))) =
                 (item, looks)
@@ -119,6 +120,29 @@ where
         &mut chain.per_joint(()),
     );
     list.0
+}
+
+/// Refuses what (32) to (40) cannot say: elements that do not follow each other, and joints whose points part.
+fn check<T: Scalar>(items: &[Item<T>], turned: &[Item<T>]) -> Result<(), Error> {
+    let unsupported = |what, k: usize| Err(Error::new(Fault::Unsupported { what }).at_station(k.saturating_sub(1)));
+    let mut last = None;
+    for (k, (item, turned)) in items.iter().zip(turned).enumerate() {
+        let (inboard, outboard) = match item {
+            Item::Body(body) => (body.inboard, body.outboard()),
+            Item::Joint(joint, _) => (joint.inboard, joint.outboard),
+        };
+        if last.is_some_and(|place: Vector2<T>| place != inboard.place) {
+            return unsupported("a chain that branches", k);
+        }
+        last = Some(outboard.place);
+        if let Item::Joint(joint, _) = turned
+            && k > 0
+            && joint.inboard.place != joint.outboard.place
+        {
+            return unsupported("a joint whose points part", k);
+        }
+    }
+    Ok(())
 }
 
 /// Writes down what it meets.

@@ -19,7 +19,7 @@ pub(super) struct Balance<T> {
 impl<T: Scalar> Balance<T> {
     /// The matrix of increments (δa_x, δa_y, δθ, δm, δq_x, δq_y, 1), of the same shape as (32), and m and q at the inboard end.
     #[allow(clippy::many_single_char_names)] // the symbols of (19) and (20)
-    pub fn linearise(&self, body: &Rigid<T>, chi1: T::Real, chi3: T::Real) -> (TransferMatrix<T, 7>, (T, [T; 2])) {
+    pub fn linearize(&self, body: &Rigid<T>, chi1: T::Real, chi3: T::Real) -> (TransferMatrix<T, 7>, (T, [T; 2])) {
         let mass = body.inertia.mass;
         let (o, c) = (self.motion.arm, self.motion.to_centre);
         let (at, centre) = (self.motion.inboard.acceleration, self.motion.centre().acceleration.linear);

@@ -61,7 +61,7 @@ where
     }
 
     /// Forces of the iterate, tip to root, and the links of its increments.
-    pub(super) fn linearise(&mut self, time: T::Real, before: &Frame<T>, ground: &Frame<T>) {
+    pub(super) fn linearize(&mut self, time: T::Real, before: &Frame<T>, ground: &Frame<T>) {
         let gravity = self.scene.gravity();
         let zero = T::zero();
         self.links.clear();
@@ -80,7 +80,7 @@ where
                     let chi = self.scheme.rule.linearize(&body.angle, self.dt);
                     let held = self.torque_inboard(k, joint_number, body_number, time, before, ground);
                     let step = Balance { motion, external, outer: (m, q), held };
-                    let (matrix, inner) = step.linearise(&body.rigid, chi.chi1, chi.chi3);
+                    let (matrix, inner) = step.linearize(&body.rigid, chi.chi1, chi.chi3);
                     (m, q) = inner;
                     self.links[k] = Link::Body { matrix, inertia: T::Real::zero(), percussive: false };
                     self.stations[k] = state(&motion.inboard, m, q);

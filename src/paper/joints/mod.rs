@@ -173,7 +173,7 @@ where
         let limit = 30;
         for sweep in 1.. {
             self.travel(&ground);
-            self.linearise(time, &before, &ground);
+            self.linearize(time, &before, &ground);
             let base = if S::HELD { Base::Held([T::zero(); 3]) } else { Base::Free(self.left()) };
             let change = riccati::solve(&self.links, base, &mut self.relations, &mut self.gains, &mut self.states)
                 .map(|()| self.update());
@@ -194,7 +194,7 @@ where
             }
         }
         self.travel(&ground);
-        self.linearise(time, &before, &ground); // for the forces
+        self.linearize(time, &before, &ground); // for the forces
         self.commit(&before);
         self.steps += 1;
         Ok(())
