@@ -1,5 +1,6 @@
 //! How long a user waits: the time to compile a program with a chain of sixty bodies of three kinds and the pins
-//! between them, in nested tuples of different types, when catena itself is already built.
+//! between them, in nested tuples of different types, when catena itself is already built. Every build is a whole one:
+//! nothing is left over from the build before.
 //!
 //! `cargo bench --bench compile_time`
 
@@ -86,6 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 let start = Instant::now();
                 let output = Command::new(env!("CARGO"))
                     .args(["build", "--quiet", "--offline", "--profile", profile, "--target-dir", "target"])
+                    .env("CARGO_INCREMENTAL", "0") // every build a whole one
                     .current_dir(&user)
                     .output()?;
                 if !output.status.success() {

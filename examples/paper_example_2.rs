@@ -13,13 +13,13 @@ mod common;
 use catena::element::Unloaded;
 use catena::paper::*;
 use catena::planar::index::{X, Y};
-use catena::planar::{Dop853, ElasticHinge, Free, Pinned, Rod, Rotary as Spring, System};
+use catena::planar::{Dop853, ElasticHinge, Free, Pinned, Rod, Spring as HingeSpring, System};
 use common::{BLUE, Drawn, FAINT, GREEN, GREY, ORANGE, blend, line};
 use std::f64::consts::FRAC_PI_3;
 use std::path::PathBuf;
 
 const N: usize = 20;
-type Pendulum = System<f64, Pinned<[f64; 2]>, (Rod<f64>, [(ElasticHinge<Spring<f64>>, Rod<f64>); N - 1]), Free>;
+type Pendulum = System<f64, Pinned<[f64; 2]>, (Rod<f64>, [(ElasticHinge<HingeSpring<f64>>, Rod<f64>); N - 1]), Free>;
 
 /// Tip (m) at t = 1 s: an order-8 integration of dense equations at 1e-13.
 const REFERENCE: [f64; 2] = [-0.43225486262, -0.90061862755];

@@ -12,7 +12,7 @@ mod common;
 
 use catena::element::Unloaded;
 use catena::paper::*;
-use catena::planar::{ElasticHinge, Free, Pinned, Rod, Rotary as Spring, Stepper, System};
+use catena::planar::{ElasticHinge, Free, Pinned, Rod, Spring as HingeSpring, Stepper, System};
 use common::{BLUE, Drawn, GREEN, GREY, INK, ORANGE};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::FRAC_PI_3;
@@ -20,7 +20,7 @@ use std::hint::black_box;
 use std::path::PathBuf;
 use std::time::Instant;
 
-type Chain = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Vec<(ElasticHinge<Spring<f64>>, Rod<f64>)>), Free>;
+type Chain = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Vec<(ElasticHinge<HingeSpring<f64>>, Rod<f64>)>), Free>;
 
 /// Time of one call (s): the median of batches of at least 20 ms in all.
 fn time(mut call: impl FnMut() -> Result<(), catena::Error>) -> Result<f64, catena::Error> {

@@ -133,6 +133,7 @@ pub trait Element<S: Space>: Clone {
     const ABSOLUTE: bool;
 
     /// Carries the orientation outward and stores, for each set of axes, what `resolve` needs.
+    #[allow(clippy::too_many_arguments)] // one store each
     fn orient(
         &self,
         position: &Self::Position,
@@ -140,6 +141,8 @@ pub trait Element<S: Space>: Clone {
         turn: S::Turn,
         x: &mut Self::PerAxes<S::X>,
         y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
     ) -> S::Turn;
 
     /// Writes down, once for a scene, what `resolve` reads of the shapes inside.
@@ -169,7 +172,7 @@ pub trait Element<S: Space>: Clone {
         p: &mut Self::PerAxes<S::P>,
         q: &mut Self::PerAxes<S::Q>,
     ) -> S::Turn {
-        let turn = self.orient(position, rate, turn, x, y);
+        let turn = self.orient(position, rate, turn, x, y, p, q);
         Self::resolve(sizes, x, y, p, q);
         turn
     }
@@ -179,7 +182,7 @@ pub trait Element<S: Space>: Clone {
         &self,
         acceleration: S::Acceleration,
         posture: Posture<'_, S, Self>,
-        kept: &Self::Kept<C>,
+        kept: &mut Self::Kept<C>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration;

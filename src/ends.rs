@@ -76,9 +76,14 @@ pub trait Tip<S: Space> {
     /// The relation it hands on, with the motion it demands (in a frame that falls freely).
     fn relation(&self, time: RealOf<S>, gravity: S::Vector) -> Self::Relation;
     /// Internal force and torque at the tip where it is held by these forces.
-    fn internal(&self, multipliers: &<Self::Closures as Closures>::Each<S::Scalar>) -> S::Internal;
+    fn internal(&self, time: RealOf<S>, multipliers: &<Self::Closures as Closures>::Each<S::Scalar>) -> S::Internal;
     /// By how much a tip that moves with `frame` misses the place demanded at a time, and the velocity.
     fn miss(&self, time: RealOf<S>, frame: &S::Frame) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
+    /// How much the last body would yield to each of the forces if it were free: the measure of Λ, which tells closures that
+    /// say the same twice.
+    fn free_compliance(&self, time: RealOf<S>, body: &S::BodyMotion) -> <Self::Closures as Closures>::Each<S::Scalar>;
+    /// What each of the forces holds, for messages.
+    fn names(&self) -> <Self::Closures as Closures>::Each<&'static str>;
     /// Rejects parameters that make no mechanics.
     fn check(&self) -> Result<(), Error>;
 }

@@ -85,8 +85,37 @@ pub enum Fault {
     NoBodies,
     /// A motion belongs to a scene of another shape.
     Shape,
+    /// Closures do not hold independently of each other: too many for the chain, or one that the chain cannot meet.
+    RedundantClosures {
+        /// What one of those that depend on others holds.
+        closure: &'static str,
+        /// How many are independent.
+        independent: usize,
+        /// Number of closures.
+        of: usize,
+    },
     /// A transfer matrix does not exist here: the joint is the centre of percussion of what lies outboard.
     SingularTransfer,
+    /// The tip cannot be brought to where it is held from this guess.
+    NotClosed {
+        /// By how much it misses (m, or rad for an angle).
+        miss: f64,
+    },
+    /// No equilibrium was found from this guess.
+    NoEquilibrium {
+        /// The largest acceleration of a coordinate that is left (rad/s², or m/s² for a length).
+        residual: f64,
+    },
+    /// A motion does not rest where it is to be linearised.
+    NotAtRest {
+        /// About how far the position of rest is (rad, or m for a length).
+        distance: f64,
+    },
+    /// Forces have no potential, so that there are no modes of vibration with real shapes.
+    NotConservative {
+        /// Asymmetry of the stiffness, relative to its size.
+        asymmetry: f64,
+    },
     /// The paper's matrix of a smooth pin does not exist here: the pin's pivot vanishes at the centre of percussion.
     CentreOfPercussion,
     /// The equations of a step were not met.
@@ -143,10 +172,26 @@ impl fmt::Display for Error {
             Fault::Count { expected, given } => write!(f, "{expected} coordinates needed, {given} given"),
             Fault::NoBodies => write!(f, "the chain has no body"),
             Fault::Shape => write!(f, "the motion belongs to a scene of another shape"),
+            Fault::RedundantClosures { closure, independent, of } => {
+                write!(
+                    f,
+                    "closures are redundant: {independent} of {of} are independent, one that is not holds {closure}"
+                )
+            }
             Fault::SingularTransfer => write!(
                 f,
                 "no transfer matrix exists: the joint is the centre of percussion of what lies outboard; sweep instead"
             ),
+            Fault::NotClosed { miss } => {
+                write!(f, "the tip cannot be brought to where it is held: it misses by {miss}")
+            }
+            Fault::NoEquilibrium { residual } => {
+                write!(f, "no equilibrium found from this guess: an acceleration of {residual} is left")
+            }
+            Fault::NotAtRest { distance } => write!(f, "the motion is not at rest: rest is about {distance} away"),
+            Fault::NotConservative { asymmetry } => {
+                write!(f, "forces have no potential: the stiffness is asymmetric by {asymmetry}")
+            }
             Fault::CentreOfPercussion => write!(
                 f,
                 "this pin has no transfer matrix (40), for the outboard end of its body is the centre of percussion; solve by Riccati"

@@ -36,17 +36,17 @@
 //! | floor | modules |
 //! |---|---|
 //! | 0 | [`scalar`], errors, [`StateVector`] and [`TransferMatrix`] |
-//! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules) |
+//! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
 //! | 2 | [`space`], [`loading`], [`sweep`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions |
 //! | 3 | [`chain`] (composition), [`counts`] |
 //! | 4 | [`planar`] |
 //! | 5 | [`solve`], [`observe`] |
 //! | 6 | [`system`] |
-//! | 7 | [`stepper`], [`simulate`], [`observers`]; [`paper`] (the formulation of 2005, apart from all others) |
+//! | 7 | [`stepper`], [`simulate`], [`observers`], [`modes`]; [`paper`] (the formulation of 2005, apart from all others) |
 //!
 //! # Features
 //!
-//! `std` (default), `alloc` (vectors of elements), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes).
+//! `std` (default, modes of vibration), `alloc` (vectors of elements, static equilibrium), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes).
 //! Without `std` and `libm` the crate compiles but brings no numbers: implement [`Scalar`] for yours.
 
 #[cfg(feature = "alloc")]
@@ -58,12 +58,16 @@ mod tuples;
 
 pub mod chain;
 pub mod counts;
+#[cfg(feature = "alloc")]
+mod dense;
 pub mod element;
 pub mod ends;
 mod error;
 pub mod lift;
 pub mod loading;
 pub mod mirror;
+#[cfg(feature = "std")]
+pub mod modes;
 mod motion;
 pub mod observe;
 pub mod observers;

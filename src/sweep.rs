@@ -1,7 +1,7 @@
 //! What a sweep has to carry, decided by type.
 
 use crate::loading::Loading;
-use crate::relation::{Closures, Open};
+use crate::relation::{Closures, Coefficient, Open};
 use crate::scalar::Scalar;
 use crate::space::Space;
 use core::marker::PhantomData;
@@ -26,13 +26,21 @@ impl<S: Space, L: Loading<S>, K: Springs<S::Scalar>, C: Closures> Sweep<S> for C
 }
 
 /// How springs enter a sweep.
-pub trait Springs<T: Scalar>: Copy {}
+pub trait Springs<T: Scalar>: Copy {
+    /// K̂, what a spring and damper add to the pivot of their coordinate.
+    fn pivot(self, stiffness: T, damping: impl Coefficient<T>) -> T;
+}
 
 /// Springs as torques of the state given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Explicit;
 
-impl<T: Scalar> Springs<T> for Explicit {}
+impl<T: Scalar> Springs<T> for Explicit {
+    #[inline(always)]
+    fn pivot(self, _: T, _: impl Coefficient<T>) -> T {
+        T::zero()
+    }
+}
 
 /// Springs as affine functions of the acceleration sought: a coordinate moves by `position` (s²) and its rate by `rate` (s) for
 /// each unit of its acceleration, so that a joint's pivot gains position · stiffness + rate · damping.
@@ -44,4 +52,9 @@ pub struct Implicit<R> {
     pub rate: R,
 }
 
-impl<T: Scalar> Springs<T> for Implicit<T::Real> {}
+impl<T: Scalar> Springs<T> for Implicit<T::Real> {
+    #[inline(always)]
+    fn pivot(self, stiffness: T, damping: impl Coefficient<T>) -> T {
+        damping.times_onto(T::constant(self.rate), stiffness.scale(self.position))
+    }
+}

@@ -65,7 +65,7 @@ where
     R: Root<Planar<f64>>,
     C: Element<Planar<f64>>,
     L: Loading<Planar<f64>>,
-    M: Method,
+    M: for<'s> Method<&'s System<f64, R, C, Free>, L>,
     System<f64, R, C, Free>: Runs<L, Planar<f64>, R, C, Free> + Runs<Unloaded, Planar<f64>, R, C, Free>,
 {
     let system = System::new(root, chain, Free)?.with_gravity(9.81);

@@ -7,7 +7,7 @@ use catena::planar::*;
 use catena::simulate::Interrupted;
 use catena::stepper::{Method, Stepper};
 use catena::system::{MotionOf, Runs};
-use catena::time::{Rule, Sdirk4};
+use catena::time::{Explicit, Rule, Sdirk4};
 use catena::{Error, Fault, Motion, Place, Scalar};
 use core::fmt::Debug;
 
@@ -199,7 +199,7 @@ where
     R: Root<Planar<f64>>,
     C: Element<Planar<f64>>,
     L: Loading<Planar<f64>>,
-    M: Method,
+    M: for<'s> Method<&'s System<f64, R, C, Free>, L>,
     System<f64, R, C, Free>: Runs<L, Planar<f64>, R, C, Free>,
 {
     let before = bits(past);
@@ -348,7 +348,8 @@ fn motions_of_another_shape_are_refused() -> Result<(), Error> {
 /// Steps to and from motions of another shape by every rule.
 #[test]
 fn steps_refuse_motions_of_another_shape() -> Result<(), Error> {
-    fn refuse<M: Method>(method: M) -> Result<(), Error> {
+    type Scene = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Vec<(Pin, Rod<f64>)>), Free>;
+    fn refuse<M: for<'s> Method<&'s Scene, Unloaded>>(method: M) -> Result<(), Error> {
         let scene = |n| System::new(Pinned::origin(), (rod(), vec![(Pin, rod()); n]), Free);
         let (small, large) = (scene(2)?, scene(3)?);
         let (start, other) = (small.at_rest(&[0.1; 3])?, large.at_rest(&[0.1; 4])?);
@@ -451,7 +452,7 @@ fn steps_too_small_to_advance_time_end_a_run() -> Result<(), Error> {
 }
 
 /// Why a run from the pendulum's start was refused; an error of the test where it was not, or does not end.
-fn refused<M: Method>(rule: Rule<M, f64>, every: Option<f64>, end: f64) -> Result<Fault, Error> {
+fn refused<M: Explicit>(rule: Rule<M, f64>, every: Option<f64>, end: f64) -> Result<Fault, Error> {
     let (system, start) = pendulum()?;
     let mut calls = 0;
     let simulation = system.simulation(rule);

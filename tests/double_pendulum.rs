@@ -6,8 +6,7 @@ mod kit;
 use catena::Error;
 use catena::element::Unloaded;
 use catena::planar::*;
-use catena::stepper::Method;
-use catena::time::Rule;
+use catena::time::{Explicit, Rule};
 use core::f64::consts::FRAC_PI_3;
 use kit::{has_order, near};
 
@@ -22,7 +21,7 @@ fn pendulum() -> Result<Pendulum, Error> {
 }
 
 /// Errors of the angles and of the pivot force at two seconds.
-fn errors<M: Method>(rule: Rule<M, f64>) -> Result<[f64; 2], Error> {
+fn errors<M: Explicit>(rule: Rule<M, f64>) -> Result<[f64; 2], Error> {
     let pendulum = pendulum()?;
     let start = pendulum.at_rest(&[-FRAC_PI_3; 2])?;
     let run = pendulum.simulate(start, rule, 2.0, |_| ())?;
@@ -49,7 +48,7 @@ fn keeps_its_energy_and_its_angles_over_a_minute() -> Result<(), Error> {
     keeps_its_energy(Dop853::step(0.01))
 }
 
-fn keeps_its_energy<M: Method>(rule: Rule<M, f64>) -> Result<(), Error> {
+fn keeps_its_energy<M: Explicit>(rule: Rule<M, f64>) -> Result<(), Error> {
     let pendulum = pendulum()?;
     let start = pendulum.at_rest(&[-FRAC_PI_3; 2])?;
     // −(3/2 + 1/2) m g l sin(π/3) = −√3 · 9.81 J.
@@ -74,7 +73,7 @@ fn every_rule_has_its_order_in_angles_and_in_the_pivot_force() -> Result<(), Err
     has_its_order("DOP853", 8.0, [0.05, 0.04, 0.03125, 0.025], Dop853::step)
 }
 
-fn has_its_order<M: Method, const N: usize>(
+fn has_its_order<M: Explicit, const N: usize>(
     name: &str,
     order: f64,
     steps: [f64; N],

@@ -6,10 +6,10 @@ use catena::element::{Element, Loading, Unloaded};
 use catena::ends::Root;
 use catena::mirror::{Position, Rate};
 use catena::planar::*;
-use catena::stepper::Method;
 use catena::system::{Elements, Runs};
-use catena::time::Rule;
+use catena::time::{Explicit, Rule};
 use catena::{Error, Motion};
+use core::f64::consts::PI;
 use core::mem::{size_of, size_of_val};
 use typenum::Unsigned;
 
@@ -38,7 +38,7 @@ where
     R: Root<Plane>,
     C: Element<Plane>,
     L: Loading<Plane>,
-    M: Method,
+    M: Explicit,
     System<f64, R, C, Free>: Runs<L, Plane, R, C, Free> + Runs<Unloaded, Plane, R, C, Free>,
 {
     let system = System::new(root, chain, Free)?.with_gravity(9.81);
@@ -156,4 +156,46 @@ fn types_count_bodies_and_freedoms_of_composed_scenes() -> Result<(), Error> {
     assert_eq!(by_type.map(|angle| *angle.unwrap()), [0.1, 0.2, 0.3, 0.4]);
     assert_eq!((angles.len(), angles.get(4)), (4, None));
     Ok(())
+}
+
+/// Links without a joint inside hand on a full relation, whatever they meet.
+#[test]
+fn arrays_of_welded_bodies_meet_a_pin() -> Result<(), Error> {
+    let rod = Rod::uniform(0.4, 0.7);
+    let array = System::new(Pinned::origin(), ([rod; 3], Pin, rod), Free)?.with_gravity(9.81);
+    let tuple = System::new(Pinned::origin(), (rod, rod, rod, Pin, rod), Free)?.with_gravity(9.81);
+    let array = array.with_accelerations(array.at_rest(&[0.3, -0.8])?, &Unloaded)?;
+    let tuple = tuple.with_accelerations(tuple.at_rest(&[0.3, -0.8])?, &Unloaded)?;
+    assert_eq!(numbers(array.acceleration()), numbers(tuple.acceleration()));
+    Ok(())
+}
+
+/// A chain that floats and whose tip is pinned is a pendulum seen from its other end.
+#[test]
+fn a_floating_root_with_a_held_tip_is_the_chain_turned_round() -> Result<(), Error> {
+    let (long, short) = (Rod::uniform(0.7_f64, 1.1), Rod::uniform(0.4, 0.5));
+    let angles = [0.3, -0.9];
+    let hanging = System::new(Pinned::origin(), (long, Pin, short), Free)?.with_gravity(9.81);
+    let motion = hanging.with_rates(hanging.at_rest(&angles)?, &[1.2, -0.7])?;
+    let motion = hanging.with_accelerations(motion, &Unloaded)?;
+    // The same bodies from the free end: directions are opposite.
+    let floating = System::new(Free, (short, Pin, long), Pinned::at(0.0, 0.0))?.with_gravity(9.81);
+    let mut turned = floating.at_rest(&[angles[1] + PI, angles[0] + PI])?;
+    let tip = hanging.stations(&motion, &Unloaded).tip().frame;
+    (turned.position_mut().0.0, turned.position_mut().0.1) = (tip.place.x, tip.place.y);
+    *turned.rate_mut() = ((tip.velocity.x, tip.velocity.y, -0.7), ((), 1.2, ()));
+    let turned = floating.with_accelerations(turned, &Unloaded)?;
+    let [a, b] = [numbers(motion.acceleration()), numbers(turned.acceleration())];
+    for (found, expected) in [(b[3], a[0]), (b[2], a[1]), (b[0], tip.acceleration.linear.x)] {
+        assert!((found - expected).abs() < 1e-12, "{found} instead of {expected}");
+    }
+    let force = hanging.stations(&motion, &Unloaded).root().internal.force;
+    assert!((turned.multipliers()[0] - force.x).abs() < 1e-12 && (turned.multipliers()[1] - force.y).abs() < 1e-12);
+    Ok(())
+}
+
+fn numbers(rate: &impl Rate<f64>) -> Vec<f64> {
+    let mut all = vec![];
+    rate.visit(&mut |x| all.push(x));
+    all
 }

@@ -8,13 +8,13 @@ use std::path::{Path, PathBuf};
 /// Modules from the ground up. What they are is said in the crate's own page.
 const FLOORS: [&[&str]; 8] = [
     &["scalar", "error", "state", "tuples"],
-    &["mirror", "relation", "time", "lift"],
+    &["mirror", "relation", "time", "lift", "dense"],
     &["space", "loading", "sweep", "element", "ends", "transfer", "motion"],
     &["chain", "counts"],
     &["planar"],
     &["solve", "observe"],
     &["system"],
-    &["stepper", "simulate", "observers", "paper"],
+    &["stepper", "simulate", "observers", "modes", "paper"],
 ];
 
 fn floor(module: &str) -> Option<usize> {

@@ -64,7 +64,7 @@ impl Noise {
             Joint::Free | Joint::Elastic(_) => Coordinates { u: self.vector(), u_rate: self.vector(), ..angle },
             Joint::Pin | Joint::Rotary { .. } => angle,
             Joint::Weld => Coordinates::angle(angle.phi, 0.0),
-            Joint::Slider { axis } => Coordinates::along(*axis, self.next(), self.next(), angle.phi),
+            Joint::Slider { axis, .. } => Coordinates::along(*axis, self.next(), self.next(), angle.phi),
             Joint::Slot { axis } => Coordinates {
                 phi_rate: angle.phi_rate,
                 ..Coordinates::along(*axis, self.next(), self.next(), angle.phi)
@@ -87,7 +87,7 @@ impl Noise {
 fn mixed_chain(noise: &mut Noise, round: usize) -> (Scene, State, Vec<f64>, Vec<Load>) {
     let roots = [
         Joint::Slot { axis: noise.vector() },
-        Joint::Slider { axis: noise.vector() },
+        Joint::Slider { axis: noise.vector(), spring: [9.0, 0.4, 0.2] },
         noise.elastic(Axes::Inboard),
         noise.elastic(Axes::Fixed),
         noise.elastic(Axes::FixedUnbalanced),
@@ -99,7 +99,7 @@ fn mixed_chain(noise: &mut Noise, round: usize) -> (Scene, State, Vec<f64>, Vec<
         roots[round / 2 % roots.len()],
         Joint::Rotary { stiffness: 7.0, damping: 0.8, rest: 0.3 },
         noise.elastic(Axes::Inboard),
-        Joint::Slider { axis: noise.vector() },
+        Joint::Slider { axis: noise.vector(), spring: [9.0, 0.4, 0.2] },
         Joint::Pin,
         noise.elastic(Axes::Fixed),
         Joint::Weld,
@@ -210,7 +210,7 @@ fn a_bead_in_a_turning_tube_feels_centrifugal_coriolis_and_euler_forces() {
     // The tube passes the axis of rotation at the distance h.
     let (psi, w, alpha, s, s_rate, h, mass, inertia) = (0.8, 1.7, -2.2, 0.6, 0.9, 0.2, 1.4, 0.05);
     let mut scene = Scene::pinned(vec![Body { mass, inertia_c: inertia, centre: [0.0; 2], outboard: [1.0, 0.0] }]);
-    scene.joints[0] = Joint::Slider { axis: [1.0, 0.0] };
+    scene.joints[0] = Joint::Slider { axis: [1.0, 0.0], spring: [0.0; 3] };
     scene.ground = Ground { angle: psi, rate: w, angular_acceleration: alpha, ..Ground::default() };
     let state = scene.place(&[Coordinates { u: [s, h], ..Coordinates::along([1.0, 0.0], s, s_rate, 0.4) }]);
     let a = solve(&scene, &state);
@@ -272,7 +272,7 @@ fn a_free_chain_falls_without_any_section_load() {
     let mut scene = Scene::pinned((0..6).map(|_| noise.body()).collect());
     scene.joints[0] = Joint::Free;
     scene.joints[3] = Joint::Weld;
-    scene.joints[5] = Joint::Slider { axis: [1.0, 2.0] };
+    scene.joints[5] = Joint::Slider { axis: [1.0, 2.0], spring: [0.0; 3] };
     let state = scene.place(&[Coordinates::angle(0.4, 0.0); 6]); // at rest
     let a = solve(&scene, &state);
     for k in 0..6 {
@@ -396,7 +396,7 @@ fn a_spring_pendulum_follows_its_polar_equations() {
     let rod = Body { mass: 0.9, inertia_c: 0.2, centre: [0.6, 0.1], outboard: [0.0, 0.0] };
     let bead = Body { mass: m, inertia_c: 0.03, centre: [0.0; 2], outboard: [0.0; 2] };
     let mut scene = Scene::pinned(vec![rod, bead]);
-    scene.joints[1] = Joint::Slider { axis: [2.0, 0.0] };
+    scene.joints[1] = Joint::Slider { axis: [2.0, 0.0], spring: [0.0; 3] };
     let state = scene.place(&[Coordinates::angle(t, w), Coordinates::along([1.0, 0.0], r, r_rate, 0.0)]);
     let e = rotate(t, [1.0, 0.0]);
     let pull = scale(-k * (r - l), e);
@@ -740,7 +740,7 @@ fn a_bead_leaves_a_steadily_turning_tube_along_a_hyperbolic_cosine() {
     let w = 1.5;
     let mut scene = Scene::pinned(vec![Body { mass: 0.7, inertia_c: 0.1, centre: [0.0; 2], outboard: [1.0, 0.0] }]);
     scene.gravity = [0.0, 0.0];
-    scene.joints[0] = Joint::Slider { axis: [0.0, 1.0] };
+    scene.joints[0] = Joint::Slider { axis: [0.0, 1.0], spring: [0.0; 3] };
     let turn = |t: f64, scene: &mut Scene| scene.ground = Ground { angle: w * t, rate: w, ..Ground::default() };
     let start = [Coordinates::along([0.0, 1.0], 0.3, 0.0, 0.0)];
     let end = scene.integrate_driven(&start, 1.2, 1e-13, turn, |_, _| (vec![], vec![]));
@@ -775,7 +775,7 @@ fn accelerations_alone_keep_every_kind_of_tip_on_its_moving_ground() {
     for tip in tips {
         let mut scene = Scene::pinned(vec![Body::rod(1.0, 1.0); 5]);
         scene.joints[0] = Joint::Slot { axis: [0.2, 1.0] };
-        scene.joints[3] = Joint::Slider { axis: [1.0, 0.5] };
+        scene.joints[3] = Joint::Slider { axis: [1.0, 0.5], spring: [0.0; 3] };
         scene.tip = tip;
         let prepare = |t: f64, scene: &mut Scene| {
             scene.ground = swinging([0.0, 0.0], 0.2, 2.0, t);

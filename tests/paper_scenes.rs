@@ -4,11 +4,11 @@
 mod kit;
 
 use catena::element::Unloaded;
-use catena::paper::*;
+use catena::paper::{At, GeneralizedAlpha, JointScheme, Newmark, Scheme, Solver};
 use catena::planar::index::{M, QX, QY, THETA, X, Y};
 use catena::planar::{
-    BodyMotion, Clamped, Dop853, ElasticHinge, Free, GroundMotion, JointMotion, Loads, Moving, Pin, Pinned, PointMass,
-    RigidBody, Rod, System, Turning, Weld,
+    BodyMotion, Clamped, Dop853, ElasticHinge, Free, GroundMotion, Guided, JointMotion, Loads, Moving, Pin, Pinned,
+    PointMass, RigidBody, Rod, Slider, Spring, System, Turning, Weld,
 };
 use catena::{Error, Fault, Place};
 use core::f64::consts::FRAC_PI_3;
@@ -122,7 +122,7 @@ fn chain(n: usize) -> Result<Chain, Error> {
 }
 
 type Chain = System<f64, Pinned<[f64; 2]>, Links, Free>;
-type Links = (Rod<f64>, Vec<(ElasticHinge<catena::planar::Rotary<f64>>, Rod<f64>)>);
+type Links = (Rod<f64>, Vec<(ElasticHinge<Spring<f64>>, Rod<f64>)>);
 
 /// Bent, and moving.
 fn bent(n: usize) -> (Vec<f64>, Vec<f64>) {
@@ -297,5 +297,30 @@ fn runs_say_what_is_wrong() -> Result<(), Error> {
     let error = run.step().unwrap_err();
     assert_eq!((error.fault, error.time), (Fault::NonFiniteMotion, Some(0.03)));
     assert!(run.time() == 0.02 && run.angles().eq(before));
+    Ok(())
+}
+
+/// What (32) to (40) do not know is refused, with its place.
+#[test]
+fn elements_that_the_paper_has_not_are_refused() -> Result<(), Error> {
+    macro_rules! refused {
+        ($scene:expr) => {{
+            let scene = $scene?;
+            let start = scene.motion();
+            let scheme = Scheme::new(GeneralizedAlpha::new(0.8));
+            let error = scheme.start(&scene, &start, &Unloaded, 0.01).map(|_| ()).unwrap_err();
+            println!("{error}");
+            (error.fault, error.place)
+        }};
+    }
+    let rod = Rod::uniform(0.3, 0.4);
+    let slider = System::new(Pinned::origin(), (rod, Slider::along(0.0), rod), Free);
+    let parts = Fault::Unsupported { what: "a joint whose points part" };
+    assert_eq!(refused!(slider), (parts, Some(Place::Station(1))));
+    let spring = Spring::new(100.0);
+    let soft = System::new(Pinned::origin(), (rod, ElasticHinge::rotary(3.0).with_linear(spring, spring), rod), Free);
+    assert_eq!(refused!(soft), (parts, Some(Place::Station(1))));
+    let guided = System::new(Guided::at(0.0, 0.0, 0.0), (rod, Pin, rod), Free);
+    assert_eq!(refused!(guided), (Fault::Unsupported { what: "a root that is guided" }, Some(Place::Root)));
     Ok(())
 }

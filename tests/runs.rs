@@ -6,15 +6,17 @@ mod oracle;
 use catena::element::Unloaded;
 use catena::mirror::{Position, Rate};
 use catena::planar::*;
+use catena::relation::Absent;
 use catena::stepper::{Method, Stepper};
 use catena::system::MotionOf;
-use catena::time::{Rule, Sdirk4};
+use catena::time::{Explicit, Rule, Sdirk4};
 use catena::{Error, Motion, Real};
 use core::f64::consts::{FRAC_PI_3, PI};
 use kit::{Noise, has_order, near};
 
 type Chain = (Rod<f64>, Pin, Rod<f64>);
 type Pendulum = System<f64, Pinned<[f64; 2]>, Chain, Free>;
+type Torques = Loads<Absent, Values<[f64; 2]>>;
 type Start = MotionOf<Planar<f64>, Pinned<[f64; 2]>, Chain, Free>;
 
 /// A double pendulum that starts with some speed.
@@ -46,7 +48,7 @@ fn exact(time: f64) -> Result<Start, Error> {
 }
 
 /// The error of the dense output inside of one step from the start.
-fn dense_error<M: Method>(method: M, step: f64) -> Result<f64, Error> {
+fn dense_error<M: Explicit>(method: M, step: f64) -> Result<f64, Error> {
     let (system, start) = pendulum()?;
     let (mut next, mut between) = (start, start);
     let mut stepper = system.stepper(method);
@@ -78,7 +80,7 @@ fn dense_output_has_its_order_within_a_step() -> Result<(), Error> {
 }
 
 /// The largest error of samples that are not on steps.
-fn sampled<M: Method>(rule: Rule<M, f64>) -> Result<f64, Error> {
+fn sampled<M: for<'s> Method<&'s Pendulum, Unloaded>>(rule: Rule<M, f64>) -> Result<f64, Error> {
     let (system, start) = pendulum()?;
     let mut worst = 0.0_f64;
     system.simulation(rule).every(0.07).run(start, 0.6, |now| {
@@ -105,7 +107,7 @@ fn samples_between_steps_converge_with_the_order_of_the_steps() -> Result<(), Er
 }
 
 /// Times at which a run is shown.
-fn shown<T: Real, M: Method>(rule: Rule<M, T>, start: f64, every: f64, end: f64) -> Result<Vec<T>, Error> {
+fn shown<T: Real, M: Explicit>(rule: Rule<M, T>, start: f64, every: f64, end: f64) -> Result<Vec<T>, Error> {
     let rod = Rod::uniform(T::of(1.0), T::of(1.0));
     let system = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(T::of(9.81));
     let start = system.at_rest(&[T::of(-0.4), T::of(0.3)])?.at_time(T::of(start));
@@ -224,7 +226,7 @@ fn runs_stop_at_events() -> Result<(), Error> {
 
 #[test]
 fn error_control_meets_its_tolerance() -> Result<(), Error> {
-    fn error<M: Method>(name: &str, rule: Rule<M, f64>, tolerance: f64) -> Result<f64, Error> {
+    fn error<M: Explicit>(name: &str, rule: Rule<M, f64>, tolerance: f64) -> Result<f64, Error> {
         let rod = Rod::uniform(1.0, 1.0);
         let system = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
         let run = system.simulate(system.at_rest(&[-FRAC_PI_3; 2])?, rule, 2.0, |_| ())?;
@@ -302,14 +304,16 @@ const HOLD: f64 = 0.1;
 
 /// The motion after six intervals, each of them in so many steps by one stepper: from accelerations found anew, or from
 /// those that the last step left.
-fn controlled<M: Method>(method: M, steps: usize, anew: bool) -> Result<Start, Error> {
+fn controlled<M>(method: M, steps: usize, anew: bool) -> Result<Start, Error>
+where
+    M: for<'s> Method<&'s Pendulum, Torques>,
+{
     let (system, mut past) = pendulum()?;
     let mut next = past;
-    let hold = |torques: [f64; 2]| Loads::none().in_joints(move |_, joint, _: &JointMotion<f64>| torques[joint]);
     let mut stepper = system.stepper(method);
     let dt = HOLD / steps as f64;
     for interval in 0..6 {
-        let loads = hold(held(interval));
+        let loads = Loads::none().torques(held(interval));
         for _ in 0..steps {
             if anew {
                 stepper.step(&past, &loads, dt, &mut next)?;
@@ -344,9 +348,9 @@ fn a_step_keeps_its_order_where_torques_jump() -> Result<(), Error> {
 
 #[test]
 fn dense_output_and_error_of_such_a_step_are_those_of_its_torques() -> Result<(), Error> {
-    fn same<M: Method + Copy>(method: M) -> Result<(), Error> {
+    fn same<M: for<'s> Method<&'s Pendulum, Torques> + Copy>(method: M) -> Result<(), Error> {
         let (system, stale) = pendulum()?;
-        let loads = Loads::none().in_joints(|_, joint, _: &JointMotion<f64>| [30.0, -20.0][joint]);
+        let loads = Loads::none().torques([30.0, -20.0]);
         let fresh = system.with_accelerations(stale, &loads)?;
         let (mut next, dt) = (stale, 0.01);
         let readings = [&fresh, &stale].map(|past| {
@@ -372,7 +376,10 @@ fn dense_output_and_error_of_such_a_step_are_those_of_its_torques() -> Result<()
 /// bit by bit, and one that remembers something of its last step makes steps as good as with a stepper for each.
 #[test]
 fn a_stepper_serves_several_motions_in_turn() -> Result<(), Error> {
-    fn serves<M: Method + Copy>(method: M, remembers: bool) -> Result<(), Error> {
+    fn serves<M>(method: M, remembers: bool) -> Result<(), Error>
+    where
+        M: for<'s> Method<&'s Pendulum, Unloaded> + Copy,
+    {
         let (system, one) = pendulum()?;
         let other = system.with_rates(system.at_rest(&[0.9, -2.0])?, &[-2.0, 3.0])?;
         let mut together = [one, other];

@@ -24,16 +24,11 @@ fn distance(a: Reading, b: Reading) -> [f64; 2] {
 }
 
 /// What a scene that starts at rest reads at the end of a run.
-fn reading<C, L, M: Method>(
-    scene: &Scene<C>,
-    loads: &L,
-    angles: &[f64],
-    rule: Rule<M, f64>,
-    end: f64,
-) -> Result<Reading, Error>
+fn reading<C, L, M>(scene: &Scene<C>, loads: &L, angles: &[f64], rule: Rule<M, f64>, end: f64) -> Result<Reading, Error>
 where
     C: catena::element::Element<Planar<f64>>,
     L: Loading<Planar<f64>>,
+    M: for<'s> Method<&'s Scene<C>, L>,
     Scene<C>: Runs<L, Planar<f64>, Pinned<[f64; 2]>, C, Free>,
 {
     let motion = scene.simulation(rule).loads(loads).run(scene.at_rest(angles)?, end, |_| ())?.motion;
@@ -136,7 +131,7 @@ fn sdirk4_holds_a_tip_with_order_four() -> Result<(), Error> {
 }
 
 /// Four rods with hinges of a stiffness k (N·m/rad) and a damping of so many √k (N·m·s/rad).
-type Rods = (Rod<f64>, [(ElasticHinge<Rotary<f64, f64>>, Rod<f64>); 3]);
+type Rods = (Rod<f64>, [(ElasticHinge<Spring<f64, f64>>, Rod<f64>); 3]);
 fn rods(stiffness: f64, damping: f64) -> Result<Scene<Rods>, Error> {
     let rod = Rod::uniform(0.3, 0.3);
     let hinge = ElasticHinge::rotary(stiffness).damped(damping * stiffness.sqrt());

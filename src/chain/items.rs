@@ -1,22 +1,12 @@
 //! Arrays and vectors of elements.
 
+#[cfg(feature = "alloc")]
+use super::poses::pose_slices;
+use super::poses::{march, orient_items, pose_items, resolve_items};
 use super::{product, sum};
 use crate::element::{Condense, Coordinates, Element, Given, Posture, Space, Sweep, Visit};
 use crate::error::Error;
 use crate::relation::{Closures, Promote};
-
-/// Binds slices that march together, and leaves where they differ in length: then loops over them need no bounds checks.
-/// Stores are made by the chain that walks them, and motions are compared with their scene before, so they do not differ.
-macro_rules! march {
-    ($n:ident: $first:ident $($slice:ident)*; mut $($change:ident)*; else $otherwise:expr) => {
-        let $n = $first.len();
-        $(let $slice = &$slice[..];)*
-        $(let $change = &mut $change[..];)*
-        if false $(|| $slice.len() != $n)* $(|| $change.len() != $n)* {
-            return $otherwise;
-        }
-    };
-}
 
 /// An array, spelled like a vector.
 type Array<X, const K: usize> = [X; K];
@@ -50,84 +40,6 @@ fn locate<A>(items: &[A], each: Option<usize>, count: impl Fn(&A) -> usize, k: u
         k -= n;
     }
     None
-}
-
-/// `Element::orient` of items. Slices are arguments: of these alone the compiler knows that they do not overlap.
-#[inline(always)]
-fn orient_items<S: Space, A: Element<S>>(
-    items: &[A],
-    position: &[A::Position],
-    rate: &[A::Rate],
-    mut turn: S::Turn,
-    x: &mut [A::PerAxes<S::X>],
-    y: &mut [A::PerAxes<S::Y>],
-) -> S::Turn {
-    march!(n: items position rate; mut x y; else turn);
-    for i in 0..n {
-        turn = items[i].orient(&position[i], &rate[i], turn, &mut x[i], &mut y[i]);
-    }
-    turn
-}
-
-/// `Element::resolve` of items.
-#[inline(always)]
-fn resolve_items<S: Space, A: Element<S>>(
-    sizes: &[A::PerAxes<S::Size>],
-    x: &mut [A::PerAxes<S::X>],
-    y: &mut [A::PerAxes<S::Y>],
-    p: &mut [A::PerAxes<S::P>],
-    q: &mut [A::PerAxes<S::Q>],
-) {
-    march!(n: sizes; mut x y p q; else ());
-    for i in 0..n {
-        A::resolve(&sizes[i], &mut x[i], &mut y[i], &mut p[i], &mut q[i]);
-    }
-}
-
-/// `Element::pose` of items: in one loop where the order does not matter, and in two where only the first has to go in order.
-#[inline(always)]
-#[allow(clippy::too_many_arguments)] // slices that march together
-fn pose_items<S: Space, A: Element<S>>(
-    items: &[A],
-    position: &[A::Position],
-    rate: &[A::Rate],
-    mut turn: S::Turn,
-    sizes: &[A::PerAxes<S::Size>],
-    x: &mut [A::PerAxes<S::X>],
-    y: &mut [A::PerAxes<S::Y>],
-    p: &mut [A::PerAxes<S::P>],
-    q: &mut [A::PerAxes<S::Q>],
-) -> S::Turn {
-    if A::ABSOLUTE {
-        march!(n: items position rate sizes; mut x y p q; else turn);
-        for i in 0..n {
-            let (x, y, p, q) = (&mut x[i], &mut y[i], &mut p[i], &mut q[i]);
-            turn = items[i].pose(&position[i], &rate[i], turn, &sizes[i], x, y, p, q);
-        }
-        turn
-    } else {
-        let turn = orient_items(items, position, rate, turn, x, y);
-        resolve_items::<S, A>(sizes, x, y, p, q);
-        turn
-    }
-}
-
-/// [`pose_items`] as a function of its own: it costs a call and saves to ask whether slices overlap.
-#[cfg(feature = "alloc")]
-#[inline(never)]
-#[allow(clippy::too_many_arguments)]
-fn pose_slices<S: Space, A: Element<S>>(
-    items: &[A],
-    position: &[A::Position],
-    rate: &[A::Rate],
-    turn: S::Turn,
-    sizes: &[A::PerAxes<S::Size>],
-    x: &mut [A::PerAxes<S::X>],
-    y: &mut [A::PerAxes<S::Y>],
-    p: &mut [A::PerAxes<S::P>],
-    q: &mut [A::PerAxes<S::Q>],
-) -> S::Turn {
-    pose_items(items, position, rate, turn, sizes, x, y, p, q)
 }
 
 /// One implementation for arrays and vectors, `$Of<item $extra>`.
@@ -220,8 +132,10 @@ macro_rules! chain_items {
                 turn: S::Turn,
                 x: &mut Self::PerAxes<S::X>,
                 y: &mut Self::PerAxes<S::Y>,
+                p: &mut Self::PerAxes<S::P>,
+                q: &mut Self::PerAxes<S::Q>,
             ) -> S::Turn {
-                orient_items(self, position, rate, turn, x, y)
+                orient_items(self, position, rate, turn, x, y, p, q)
             }
             fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
                 self.iter().zip(sizes).for_each(|(item, size)| item.size(size));
@@ -255,17 +169,17 @@ macro_rules! chain_items {
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<C>,
+                kept: &mut Self::Kept<C>,
                 multipliers: &C::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
                 let Posture { x, y, p, q } = posture;
                 let items = &self[..];
-                march!(n: items x y p q kept; mut rate; else acceleration);
+                march!(n: items x y p q; mut kept rate; else acceleration);
                 let mut acceleration = acceleration;
                 for i in 0..n {
                     let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
-                    acceleration = items[i].recover(acceleration, posture, &kept[i], multipliers, &mut rate[i]);
+                    acceleration = items[i].recover(acceleration, posture, &mut kept[i], multipliers, &mut rate[i]);
                 }
                 acceleration
             }

@@ -6,6 +6,7 @@
 //! the relation stays the same.
 
 mod items;
+mod poses;
 mod tuple;
 
 /// `a + b` of counts that types may or may not decide.

@@ -118,8 +118,18 @@ macro_rules! chain_tuple {
                 turn: S::Turn,
                 x: &mut Self::PerAxes<S::X>,
                 y: &mut Self::PerAxes<S::Y>,
+                p: &mut Self::PerAxes<S::P>,
+                q: &mut Self::PerAxes<S::Q>,
             ) -> S::Turn {
-                $(let turn = self.$i.orient(&position.$i, &rate.$i, turn, &mut x.$i, &mut y.$i);)*
+                $(let turn = self.$i.orient(
+                    &position.$i,
+                    &rate.$i,
+                    turn,
+                    &mut x.$i,
+                    &mut y.$i,
+                    &mut p.$i,
+                    &mut q.$i,
+                );)*
                 turn
             }
             fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
@@ -164,14 +174,14 @@ macro_rules! chain_tuple {
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<Cuts>,
+                kept: &mut Self::Kept<Cuts>,
                 multipliers: &Cuts::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
                 $(let acceleration = self.$i.recover(
                     acceleration,
                     Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
-                    &kept.$i,
+                    &mut kept.$i,
                     multipliers,
                     &mut rate.$i,
                 );)*

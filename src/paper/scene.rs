@@ -3,7 +3,7 @@
 use super::body::{External, Rigid};
 use crate::element::{Coordinates, Element, Loading, Space, Visit};
 use crate::ends::{Pairs, Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::planar::{BodyMotion, Frame, JointMotion, Planar};
 use crate::relation::{Open, Term};
@@ -73,6 +73,9 @@ where
     }
 
     fn items(&self, motion: &Self::Motion, loads: &L) -> Result<(T::Real, Vec<Item<T>>), Error> {
+        if R::Pairs::MOTION.first() != R::Pairs::MOTION.get(1) {
+            return Err(Error::new(Fault::Unsupported { what: "a root that is guided" }).at(Place::Root));
+        }
         let motion = self.with_accelerations(motion.clone(), loads)?;
         // A spring is linear, so three looks tell its law.
         let look = |angle: T, rate: T| {

@@ -181,7 +181,16 @@ macro_rules! body {
                 Body::lump(self, mass)
             }
             #[inline(always)]
-            fn orient(&self, _: &(), _: &(), turn: Turn<T>, x: &mut T, y: &mut T) -> Turn<T> {
+            fn orient(
+                &self,
+                _: &(),
+                _: &(),
+                turn: Turn<T>,
+                x: &mut T,
+                y: &mut T,
+                _: &mut T,
+                _: &mut T,
+            ) -> Turn<T> {
                 *x = turn.angle;
                 *y = -(turn.rate * turn.rate);
                 turn
@@ -199,7 +208,7 @@ macro_rules! body {
                 &self,
                 acceleration: super::Acceleration<T>,
                 posture: Posture<'_, Planar<T>, Self>,
-                _: &(),
+                _: &mut (),
                 _: &C::Each<T>,
                 _: &mut (),
             ) -> super::Acceleration<T> {

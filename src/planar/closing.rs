@@ -3,18 +3,11 @@
 use super::{Acceleration, Planar};
 use crate::element::Close;
 use crate::relation::plane::algebra::dot;
-use crate::relation::plane::{Empty, Full, Known, Point};
+use crate::relation::plane::{Empty, Full, Point};
 use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
 
 impl<T: Scalar> Close<Planar<T>, Open> for Empty {
-    #[inline(always)]
-    fn multipliers(&self, _: &Acceleration<T>) {}
-    #[inline(always)]
-    fn compliance(&self) {}
-}
-
-impl<T: Scalar> Close<Planar<T>, Open> for Known<T> {
     #[inline(always)]
     fn multipliers(&self, _: &Acceleration<T>) {}
     #[inline(always)]

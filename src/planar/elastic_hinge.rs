@@ -1,16 +1,17 @@
 //! The elastic hinge: a joint with springs and dampers.
 
-use super::body::not_negative;
-use super::{Acceleration, Frame, Joint, Planar, SpringState, Turn};
+use super::axes::Coincident;
+use super::spring::SpringLaw;
+use super::{Acceleration, Frame, Joint, Linear, Planar, Spring, SpringState, Turn};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::{Lift, lift};
-use crate::relation::plane::{Full, HingeGain, Point, Rigid};
+use crate::relation::plane::{Full, HingeGain, Point, Rigid, Slides};
 use crate::relation::{Absent, Closures, Coefficient, Term};
-use crate::scalar::{Real, Scalar};
-use num_traits::Zero;
+use crate::scalar::Scalar;
 
-/// A joint with springs and dampers. Its points coincide unless it has linear springs.
+/// A joint with springs and dampers: rotary ones, and linear ones where there are any (see [`Linear`]). Without linear springs
+/// its points coincide.
 ///
 /// A stiffness may have any finite value; an infinite one is a [`Weld`](super::Weld).
 ///
@@ -22,73 +23,63 @@ use num_traits::Zero;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ElasticHinge<R> {
-    rotary: R,
+pub struct ElasticHinge<R, L = Absent> {
+    pub(super) rotary: R,
+    pub(super) linear: L,
 }
 
-/// The rotary part of an elastic hinge: stiffness, and damping and rest angle where there are any.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rotary<T, D = Absent, P = Absent> {
-    stiffness: T,
-    damping: D,
-    rest: P,
-}
-
-impl<T: Scalar> ElasticHinge<Rotary<T>> {
+impl<T: Scalar> ElasticHinge<Spring<T>> {
     /// A pin with a rotary spring of a stiffness (N·m/rad).
     pub fn rotary(stiffness: T) -> Self {
-        Self { rotary: Rotary { stiffness, damping: Absent, rest: Absent } }
+        Self { rotary: Spring::new(stiffness), linear: Absent }
     }
 }
 
-impl<T: Scalar, P> ElasticHinge<Rotary<T, Absent, P>> {
+impl<T: Scalar, X: SpringLaw<T>, Y: SpringLaw<T>> ElasticHinge<Absent, Linear<T, X, Y>> {
+    /// Springs along the axes of the inboard body, between bodies that turn freely.
+    pub fn linear(x: X, y: Y) -> Self {
+        Self { rotary: Absent, linear: Linear::new(x, y) }
+    }
+}
+
+impl<T: Scalar, P, L> ElasticHinge<Spring<T, Absent, P>, L> {
     /// With a rotary damper (N·m·s/rad).
-    pub fn damped(self, damping: T) -> ElasticHinge<Rotary<T, T, P>> {
-        let Rotary { stiffness, rest, .. } = self.rotary;
-        ElasticHinge { rotary: Rotary { stiffness, damping, rest } }
+    pub fn damped(self, damping: T) -> ElasticHinge<Spring<T, T, P>, L> {
+        ElasticHinge { rotary: self.rotary.damped(damping), linear: self.linear }
     }
 }
 
-impl<T: Scalar, D> ElasticHinge<Rotary<T, D, Absent>> {
+impl<T: Scalar, D, L> ElasticHinge<Spring<T, D, Absent>, L> {
     /// With a rest angle (rad) of the outboard body relative to the inboard one.
-    pub fn resting_at(self, rest: T) -> ElasticHinge<Rotary<T, D, T>> {
-        let Rotary { stiffness, damping, .. } = self.rotary;
-        ElasticHinge { rotary: Rotary { stiffness, damping, rest } }
+    pub fn resting_at(self, rest: T) -> ElasticHinge<Spring<T, D, T>, L> {
+        ElasticHinge { rotary: self.rotary.resting_at(rest), linear: self.linear }
     }
 }
 
-impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Rotary<T, D, P> {
-    /// Torque on the outboard body: −k (φ − φ₀) − c φ̇.
-    #[inline(always)]
-    fn torque(&self, angle: T, rate: T) -> T {
-        let strain = self.rest.take_from(angle);
-        self.damping.times_onto(-rate, -(self.stiffness * strain))
+impl<R> ElasticHinge<R> {
+    /// With springs along the axes of the inboard body.
+    pub fn with_linear<T: Scalar, X: SpringLaw<T>, Y: SpringLaw<T>>(
+        self,
+        x: X,
+        y: Y,
+    ) -> ElasticHinge<R, Linear<T, X, Y>> {
+        ElasticHinge { rotary: self.rotary, linear: Linear::new(x, y) }
     }
 }
 
 /// How the rule of a sweep treats a rotary spring.
 pub trait HingeRule<T: Scalar>: Springs<T> {
     /// The relation handed on.
-    type Out<C: Closures>: Copy;
-    /// Eliminates the rotation.
-    fn hinge<C: Closures, D: Coefficient<T>, P: Term<T>>(
-        self,
-        spring: &Rotary<T, D, P>,
-        torque: T,
-        outer: Full<T, C>,
-    ) -> (Self::Out<C>, HingeGain<T, C>);
+    type Out<C: Closures>: Slides<T, Closures = C>;
+    /// Eliminates the rotation against a torque, and what a spring adds to the pivot.
+    fn hinge<C: Closures>(self, torque: T, pivot: T, outer: Full<T, C>) -> (Self::Out<C>, HingeGain<T, C>);
 }
 
 impl<T: Scalar> HingeRule<T> for Explicit {
     type Out<C: Closures> = Point<T, T, C>;
 
     #[inline(always)]
-    fn hinge<C: Closures, D: Coefficient<T>, P: Term<T>>(
-        self,
-        _: &Rotary<T, D, P>,
-        torque: T,
-        outer: Full<T, C>,
-    ) -> (Point<T, T, C>, HingeGain<T, C>) {
+    fn hinge<C: Closures>(self, torque: T, _: T, outer: Full<T, C>) -> (Point<T, T, C>, HingeGain<T, C>) {
         let (relation, gain) = outer.pinned(torque);
         (relation, HingeGain::absolute(gain))
     }
@@ -98,21 +89,16 @@ impl<T: Scalar> HingeRule<T> for Implicit<T::Real> {
     type Out<C: Closures> = Full<T, C>;
 
     #[inline(always)]
-    fn hinge<C: Closures, D: Coefficient<T>, P: Term<T>>(
-        self,
-        spring: &Rotary<T, D, P>,
-        torque: T,
-        outer: Full<T, C>,
-    ) -> (Full<T, C>, HingeGain<T, C>) {
-        let stiffness = spring.damping.times_onto(T::constant(self.rate), spring.stiffness.scale(self.position));
-        outer.hinged(torque, stiffness)
+    fn hinge<C: Closures>(self, torque: T, pivot: T, outer: Full<T, C>) -> (Full<T, C>, HingeGain<T, C>) {
+        outer.hinged(torque, pivot)
     }
 }
 
-impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Rotary<T, D, P>> {
+impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Spring<T, D, P>> {
     type Position = T;
     type Rate = T;
     type Kept<C: Closures> = HingeGain<T, C>;
+    type Axes = Coincident;
 
     const TURNS: bool = true;
 
@@ -127,7 +113,7 @@ impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Rotary<
     }
     #[inline(always)]
     fn homogeneous<C: Closures>(kept: &HingeGain<T, C>) -> HingeGain<T, C> {
-        HingeGain { free: T::zero(), ..*kept }
+        kept.homogeneous()
     }
     fn is_finite<C: Closures>(kept: &HingeGain<T, C>) -> bool {
         kept.is_finite()
@@ -151,22 +137,16 @@ impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Rotary<
         }
     }
     fn spring(&self, position: &T, rate: &T) -> SpringState<T> {
-        let Rotary { stiffness, rest, .. } = self.rotary;
-        let strain = rest.take_from(*position);
-        let energy = (stiffness * strain * strain).scale(T::Real::of(0.5));
-        SpringState { torque: self.rotary.torque(*position, *rate), energy }
+        SpringState { torque: self.rotary.force(*position, *rate), energy: self.rotary.energy(*position) }
     }
     fn check(&self) -> Result<(), Fault> {
-        let Rotary { stiffness, damping, rest } = self.rotary;
-        let none = T::Real::zero();
-        not_negative("stiffness", stiffness, none)?;
-        not_negative("damping", damping.times_onto(T::one(), T::zero()), none)?;
-        if rest.is_finite() { Ok(()) } else { Err(Fault::NotFinite { parameter: "rest angle" }) }
+        self.rotary.check()
     }
     #[inline(always)]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
+        (): (),
         kept: &HingeGain<T, C>,
         multipliers: &C::Each<T>,
         rate: &mut T,
@@ -177,7 +157,7 @@ impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Rotary<
 }
 
 impl<T: Scalar, D: Coefficient<T>, P: Term<T>, R: Rigid<T>, W> Condense<Planar<T>, R, W>
-    for ElasticHinge<Rotary<T, D, P>>
+    for ElasticHinge<Spring<T, D, P>>
 where
     W: Sweep<Planar<T>, Springs: HingeRule<T>, Closures = R::Closures>,
     InJoint<Planar<T>, W>: Term<T>,
@@ -192,20 +172,17 @@ where
         given: Given<'_, Planar<T>, Self, W>,
         kept: &mut HingeGain<T, W::Closures>,
     ) -> Self::Out {
-        let torque = given.in_joints.add_to(self.rotary.torque(*given.position, *given.rate));
-        let (relation, gain) = given.springs.hinge(&self.rotary, torque, outer.full());
+        let torque = given.in_joints.add_to(self.rotary.force(*given.position, *given.rate));
+        let (relation, gain) = given.springs.hinge(torque, self.rotary.pivot(given.springs), outer.full());
         *kept = gain;
         relation
     }
 }
 
-impl<T: Scalar, U: Scalar, D: Lift<T, U>, P: Lift<T, U>> Lift<T, U> for ElasticHinge<Rotary<T, D, P>> {
-    type Over = ElasticHinge<Rotary<U, D::Over, P::Over>>;
+impl<T: Scalar, U: Scalar, R: Lift<T, U>, L: Lift<T, U>> Lift<T, U> for ElasticHinge<R, L> {
+    type Over = ElasticHinge<R::Over, L::Over>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        let Rotary { stiffness, damping, rest } = &self.rotary;
-        let rotary =
-            Rotary { stiffness: stiffness.lift(number), damping: damping.lift(number), rest: rest.lift(number) };
-        ElasticHinge { rotary }
+        ElasticHinge { rotary: self.rotary.lift(number), linear: self.linear.lift(number) }
     }
 }
 

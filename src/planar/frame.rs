@@ -66,6 +66,16 @@ impl<T: Scalar> Frame<T> {
         Self { acceleration: Acceleration { linear: zero(), angular: T::zero() }, ..*self }
     }
 
+    /// The frame of a point that moves relative to the body: its displacement from here, the rate and the acceleration of that
+    /// as seen from the body (m, m/s, m/s²; inertial axes).
+    #[inline(always)]
+    pub fn displaced(&self, [d, rate, acceleration]: [Vector2<T>; 3]) -> Self {
+        let frame = self.shifted(d);
+        let spin = self.turn.rate;
+        let linear = add_scaled(frame.acceleration.linear + acceleration, spin + spin, normal(rate));
+        Self { velocity: frame.velocity + rate, acceleration: Acceleration { linear, ..frame.acceleration }, ..frame }
+    }
+
     /// The frame at another point of the same body, at the vector `d` (inertial axes) from this one.
     #[inline(always)]
     pub fn shifted(&self, d: Vector2<T>) -> Self {
@@ -164,6 +174,9 @@ pub struct JointMotion<T> {
     pub inboard: Frame<T>,
     /// Motion of its outboard side.
     pub outboard: Frame<T>,
+    /// From its inboard to its outboard point (m), as far as its force has a moment about the former; zero where the points
+    /// coincide.
+    pub arm: Vector2<T>,
     /// What its spring and damper do.
     pub spring: SpringState<T>,
     /// Whether its outboard body turns relative to the inboard one.
@@ -254,7 +267,7 @@ impl<T: Scalar> Space for Planar<T> {
         Station::of_body(body, gravity)
     }
     fn joint_station(joint: &JointMotion<T>) -> Station<T> {
-        Station::massless(joint.inboard)
+        Station::of_joint(joint)
     }
     fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
         Station::at_end(*frame, internal)

@@ -1,7 +1,9 @@
 //! What a planar joint has to say of itself, and how that makes it an element.
 
-use super::elastic_hinge::{ElasticHinge, Rotary};
-use super::{Acceleration, Floating, Frame, JointMotion, Pin, Planar, SpringState, Turn, Weld};
+use super::axes::Axes;
+use super::linear::{HingeAxes, Linear};
+use super::spring::{Spring, SpringLaw};
+use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Posture, Visit};
 use crate::error::{Error, Fault};
@@ -9,6 +11,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Coefficient, Term};
 use crate::scalar::Scalar;
 use core::fmt::Debug;
+use nalgebra::Vector2;
 use typenum::{U0, U1, U3};
 
 /// A massless joint in the plane.
@@ -22,6 +25,9 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     type Rate: Rate<T>;
     /// What its elimination keeps for the outward walk.
     type Kept<C: Closures>: Clone;
+
+    /// What it keeps of the place of its outboard side.
+    type Axes: Axes;
 
     /// Whether the outboard body turns relative to the inboard one.
     const TURNS: bool;
@@ -53,6 +59,22 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     /// The orientation of the outboard body.
     fn turned(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> Turn<T>;
 
+    /// The same, and what it stores of the place of the outboard side.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)] // one store each
+    fn orient(
+        &self,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        inboard: Turn<T>,
+        _x: &mut <Self::Axes as Axes>::Per<T>,
+        _y: &mut <Self::Axes as Axes>::Per<T>,
+        _p: &mut <Self::Axes as Axes>::Per<T>,
+        _q: &mut <Self::Axes as Axes>::Per<T>,
+    ) -> Turn<T> {
+        self.turned(position, rate, inboard)
+    }
+
     /// The motion of the outboard side.
     fn moved(
         &self,
@@ -62,11 +84,14 @@ pub trait Joint<T: Scalar>: Copy + Debug {
         acceleration: &Self::Rate,
     ) -> Frame<T>;
 
-    /// The torque of its spring and damper on the outboard body, and the energy stored.
+    /// Torque of its spring and damper on the outboard body, and the energy stored.
     #[inline(always)]
     fn spring(&self, _position: &Self::Position, _rate: &Self::Rate) -> SpringState<T> {
         SpringState { torque: T::zero(), energy: T::zero() }
     }
+
+    /// Whether its points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.
+    const LEVER: bool = false;
 
     /// Rejects parameters that make no mechanics.
     ///
@@ -76,14 +101,34 @@ pub trait Joint<T: Scalar>: Copy + Debug {
         Ok(())
     }
 
+    /// Remembers for the next sweep what it needs of the inboard side's acceleration.
+    #[inline(always)]
+    fn note<C: Closures>(
+        &self,
+        _inboard: Acceleration<T>,
+        _offset: <Self::Axes as Axes>::Offset<T>,
+        _kept: &mut Self::Kept<C>,
+    ) {
+    }
+
     /// The accelerations of the coordinates, and of the outboard side, from that of the inboard side.
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
+        offset: <Self::Axes as Axes>::Offset<T>,
         kept: &Self::Kept<C>,
         multipliers: &C::Each<T>,
         rate: &mut Self::Rate,
     ) -> Acceleration<T>;
+}
+
+/// What the walks read of the outboard side of a joint.
+#[inline(always)]
+pub(super) fn offset<T: Scalar, J>(posture: Posture<'_, Planar<T>, J>) -> <<J as Joint<T>>::Axes as Axes>::Offset<T>
+where
+    J: Joint<T> + Element<Planar<T>, PerAxes<T> = <<J as Joint<T>>::Axes as Axes>::Per<T>>,
+{
+    <J as Joint<T>>::Axes::offset(posture.x, posture.y, posture.p, posture.q)
 }
 
 /// Makes planar joints elements.
@@ -95,7 +140,7 @@ macro_rules! joint {
             type Kept<C: Closures> = <Self as Joint<T>>::Kept<C>;
             type PerBody<X: Copy> = ();
             type PerJoint<X: Copy> = X;
-            type PerAxes<X: Copy> = ();
+            type PerAxes<X: Copy> = <<Self as Joint<T>>::Axes as Axes>::Per<X>;
 
             const BODIES: Option<usize> = Some(0);
             const JOINTS: Option<usize> = Some(1);
@@ -123,7 +168,9 @@ macro_rules! joint {
             fn per_joint<X: Copy>(&self, fill: X) -> X {
                 fill
             }
-            fn per_axes<X: Copy>(&self, _: X) {}
+            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
+                <Self as Joint<T>>::Axes::per(fill)
+            }
             fn body_entry<'a, X: Copy>(&self, _: &'a (), _: usize) -> Option<&'a X> {
                 None
             }
@@ -142,35 +189,48 @@ macro_rules! joint {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: Turn<T>,
-                _: &mut (),
-                _: &mut (),
+                x: &mut Self::PerAxes<T>,
+                y: &mut Self::PerAxes<T>,
+                p: &mut Self::PerAxes<T>,
+                q: &mut Self::PerAxes<T>,
             ) -> Turn<T> {
-                self.turned(position, rate, turn)
+                Joint::orient(self, position, rate, turn, x, y, p, q)
             }
-            fn size(&self, (): &mut ()) {}
+            fn size(&self, _: &mut Self::PerAxes<T>) {}
             #[inline(always)]
-            fn resolve((): &(), _: &mut (), _: &mut (), _: &mut (), _: &mut ()) {}
+            fn resolve(
+                _: &Self::PerAxes<T>,
+                x: &mut Self::PerAxes<T>,
+                y: &mut Self::PerAxes<T>,
+                p: &mut Self::PerAxes<T>,
+                q: &mut Self::PerAxes<T>,
+            ) {
+                <Self as Joint<T>>::Axes::resolve::<T>(x, y, p, q);
+            }
             #[inline(always)]
             fn recover<C: Closures>(
                 &self,
                 acceleration: Acceleration<T>,
-                _: Posture<'_, Planar<T>, Self>,
-                kept: &Self::Kept<C>,
+                posture: Posture<'_, Planar<T>, Self>,
+                kept: &mut Self::Kept<C>,
                 multipliers: &C::Each<T>,
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
-                self.recovered::<C>(acceleration, kept, multipliers, rate)
+                let offset = offset::<T, Self>(posture);
+                self.note::<C>(acceleration, offset, kept);
+                self.recovered::<C>(acceleration, offset, kept, multipliers, rate)
             }
             #[inline(always)]
             fn respond<C: Closures>(
                 &self,
                 acceleration: Acceleration<T>,
-                _: Posture<'_, Planar<T>, Self>,
+                posture: Posture<'_, Planar<T>, Self>,
                 kept: &Self::Kept<C>,
                 multipliers: &C::Each<T>,
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
-                self.recovered::<C>(acceleration, &<Self as Joint<T>>::homogeneous::<C>(kept), multipliers, rate)
+                let offset = <Self as Joint<T>>::Axes::at_rest::<T>(offset::<T, Self>(posture));
+                self.recovered::<C>(acceleration, offset, &<Self as Joint<T>>::homogeneous::<C>(kept), multipliers, rate)
             }
             #[inline(always)]
             fn travel<V: Visit<Planar<T>>>(
@@ -182,9 +242,14 @@ macro_rules! joint {
                 in_joint: &mut V::InJoint,
             ) -> Frame<T> {
                 let outboard = self.moved(frame, motion.position, motion.rate, motion.acceleration);
+                let arm = match <Self as Joint<T>>::LEVER {
+                    true => outboard.place - frame.place,
+                    false => Vector2::new(T::zero(), T::zero()),
+                };
                 *in_joint = visit.joint(&JointMotion {
                     inboard: frame,
                     outboard,
+                    arm,
                     spring: self.spring(motion.position, motion.rate),
                     turns: <Self as Joint<T>>::TURNS,
                 });
@@ -200,9 +265,11 @@ macro_rules! joint {
     };
 }
 joint!([T: Scalar] Pin);
-joint!([T: Scalar] Floating<T>);
 joint!([T: Scalar] Weld<T>);
-joint!([T: Scalar, D: Coefficient<T>, P: Term<T>] ElasticHinge<Rotary<T, D, P>>);
+joint!([T: Scalar, S: SpringLaw<T>] Slider<T, S>);
+joint!([T: Scalar, D: Coefficient<T>, P: Term<T>] ElasticHinge<Spring<T, D, P>>);
+joint!([T: Scalar, R: SpringLaw<T>, F: SpringLaw<T>, G: SpringLaw<T>, A: HingeAxes]
+    ElasticHinge<R, Linear<T, F, G, A>>);
 
 /// Gives joints their counts.
 macro_rules! count {
@@ -214,6 +281,7 @@ macro_rules! count {
     };
 }
 count!([] Pin: U1);
-count!([T] Floating<T>: U3);
 count!([T] Weld<T>: U0);
+count!([T, S] Slider<T, S>: U1);
 count!([R] ElasticHinge<R>: U1);
+count!([R, T, X, Y, A] ElasticHinge<R, Linear<T, X, Y, A>>: U3);

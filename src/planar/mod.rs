@@ -10,17 +10,22 @@
 //! # Ok::<(), catena::Error>(())
 //! ```
 
+pub mod axes;
 mod body;
 mod closing;
 mod elastic_hinge;
 mod ends;
 mod frame;
 mod joint;
+mod linear;
+mod linear_hinge;
 mod loads;
 mod pin;
 mod point_mass;
 mod rigid_body;
 mod rod;
+mod slider;
+mod spring;
 mod station;
 mod transfer;
 mod weld;
@@ -29,15 +34,19 @@ pub use crate::element::Unloaded;
 pub use crate::stepper::Stepper;
 pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
 pub use body::{Body, Inertia, Pose};
-pub use elastic_hinge::{ElasticHinge, HingeRule, Rotary};
-pub use ends::{Attitude, Clamped, Floating, Free, Ground, GroundMotion, Moving, Pinned, Turning};
+pub use elastic_hinge::{ElasticHinge, HingeRule};
+pub use ends::{Attitude, Clamped, Floating, Free, Ground, GroundMotion, Guided, Moving, Pinned, Turning};
 pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Planar, SpringState, Turn};
 pub use joint::Joint;
+pub use linear::{HingeAxes, Linear, Unbalanced};
+pub use linear_hinge::{LinearGains, Rotation};
 pub use loads::{Loads, Values, Wrench};
 pub use pin::Pin;
 pub use point_mass::PointMass;
 pub use rigid_body::RigidBody;
 pub use rod::Rod;
+pub use slider::Slider;
+pub use spring::{Spring, SpringLaw};
 pub use station::{Station, index};
 pub use weld::Weld;
 

@@ -1,5 +1,6 @@
 //! The smooth pin.
 
+use super::axes::Coincident;
 use super::{Acceleration, Frame, Joint, Planar, Turn};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::lift::lift;
@@ -20,6 +21,8 @@ impl<T: Scalar> Joint<T> for Pin {
     type Position = T;
     type Rate = T;
     type Kept<C: Closures> = Gain<T, C>;
+
+    type Axes = Coincident;
 
     const TURNS: bool = true;
     const ABSOLUTE: bool = true;
@@ -60,6 +63,7 @@ impl<T: Scalar> Joint<T> for Pin {
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
+        (): (),
         kept: &Gain<T, C>,
         multipliers: &C::Each<T>,
         rate: &mut T,

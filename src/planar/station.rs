@@ -1,6 +1,6 @@
 //! Stations: what moves there, and what force and torque pass through.
 
-use super::{BodyMotion, Frame, Internal};
+use super::{BodyMotion, Frame, Internal, JointMotion};
 use crate::relation::plane::algebra::{cross, dot, normal};
 use crate::scalar::Scalar;
 use crate::state::StateVector;
@@ -45,6 +45,11 @@ impl<T: Scalar> Station<T> {
         let zero = Vector2::new(T::zero(), T::zero());
         let internal = Internal { force: zero, torque: T::zero() };
         Self { frame, arm: zero, inertia_force: zero, inertia_torque: T::zero(), internal }
+    }
+
+    /// The inboard side of a joint.
+    pub(super) fn of_joint(joint: &JointMotion<T>) -> Self {
+        Self { arm: joint.arm, ..Self::massless(joint.inboard) }
     }
 
     /// The end of a chain, with its force and torque.

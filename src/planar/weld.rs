@@ -1,5 +1,6 @@
 //! The rigid joint.
 
+use super::axes::Coincident;
 use super::{Acceleration, Frame, Joint, Planar, Turn};
 use crate::element::{Condense, Given, Posture, Sweep};
 use crate::error::Fault;
@@ -33,6 +34,8 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     type Rate = ();
     type Kept<C: Closures> = ();
 
+    type Axes = Coincident;
+
     const TURNS: bool = false;
 
     fn position() {}
@@ -60,6 +63,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
+        (): (),
         (): &(),
         _: &C::Each<T>,
         (): &mut (),

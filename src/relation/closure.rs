@@ -5,7 +5,8 @@
 //! independent: the compliance of what lies outboard to these forces. W, Λ and y₀ ride inward with the relation; a chain without
 //! closures has type [`Open`], and none of them.
 
-use crate::scalar::Scalar;
+use super::redundancy::dependent_row;
+use crate::scalar::{Real, Scalar};
 
 /// How many closure forces a sweep carries, decided by type.
 pub trait Closures: Copy + 'static {
@@ -32,6 +33,9 @@ pub trait Closures: Copy + 'static {
     fn minus_outer<T: Scalar>(pairs: &Self::Pairs<T>, a: &Self::Each<T>, b: &Self::Each<T>) -> Self::Pairs<T>;
     /// `sum − a · b`.
     fn plus_dot<T: Scalar>(sum: T, a: &Self::Each<T>, b: &Self::Each<T>) -> T;
+    /// A closure that depends on others, if there is one, and how many are independent: where pivots of Λ vanish, measured by what
+    /// the last body would yield to each force if it were free.
+    fn dependent<T: Scalar>(compliance: &Self::Pairs<T>, measure: &Self::Each<T>) -> Option<(usize, usize)>;
     /// The solution of Λ x = b for the lower triangle Λ; not finite where Λ is singular.
     fn solve<T: Scalar>(compliance: &Self::Pairs<T>, b: &Self::Each<T>) -> Self::Each<T>;
 }
@@ -41,6 +45,9 @@ pub trait Closures: Copy + 'static {
 pub struct Open;
 
 impl Closures for Open {
+    fn dependent<T: Scalar>((): &(), (): &()) -> Option<(usize, usize)> {
+        None
+    }
     type Each<X: Copy> = ();
     type Pairs<T: Copy> = ();
     const COUNT: usize = 0;
@@ -68,6 +75,10 @@ impl Closures for Open {
 pub struct Cut<const L: usize>;
 
 impl<const L: usize> Closures for Cut<L> {
+    fn dependent<T: Scalar>(compliance: &[[T; L]; L], measure: &[T; L]) -> Option<(usize, usize)> {
+        let real = |x: T| x.real().as_f64();
+        dependent_row(compliance.map(|row| row.map(real)), measure.map(real), T::Real::EPSILON.as_f64())
+    }
     type Each<X: Copy> = [X; L];
     type Pairs<T: Copy> = [[T; L]; L];
     const COUNT: usize = L;
@@ -166,6 +177,12 @@ impl<V: Copy, T: Scalar, C: Closures> Cuts<V, T, C> {
             compliance: self.compliance,
             gap: C::zip(&self.gap, &self.columns, |sum, w| sum + gap(w)),
         }
+    }
+
+    /// Columns in other axes of the same station.
+    #[inline(always)]
+    pub fn mapped<X: Copy>(&self, column: impl FnMut(V) -> X) -> Cuts<X, T, C> {
+        Cuts { columns: C::map(&self.columns, column), compliance: self.compliance, gap: self.gap }
     }
 
     /// The elimination of a coordinate with pivot `−1 / minus_inverse` whose acceleration would be `free` without closure forces.

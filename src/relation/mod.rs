@@ -10,6 +10,7 @@
 
 mod closure;
 pub mod plane;
+mod redundancy;
 
 pub use closure::{Closures, Cut, Cuts, Open};
 

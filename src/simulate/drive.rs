@@ -5,6 +5,7 @@ use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
+use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::Dynamics;
@@ -46,6 +47,10 @@ where
     pub(super) fn drive(&mut self, end: RealOf<S>) -> Result<(), Error> {
         let system = self.plan.system;
         system.accept(&self.past)?;
+        if P::Closures::COUNT > 0 {
+            // Whether they are independent, once.
+            system.accelerate(&mut self.next, self.plan.loads, &mut system.workspace())?;
+        }
         if !end.is_finite() || end < self.past.time {
             return Err(Error::new(Fault::NotFinite { parameter: "end of the run after its start" }));
         }

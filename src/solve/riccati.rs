@@ -50,6 +50,13 @@ impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
     }
 }
 
+impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
+    /// Λ of the last sweep.
+    pub(crate) fn compliance(&self) -> &<W::Closures as Closures>::Pairs<S::Scalar> {
+        &self.compliance
+    }
+}
+
 /// Where a sweep takes place: what does not depend on the chain.
 pub struct Site<'a, S: Space, R, L> {
     /// Motion of the ground at the root.
@@ -156,6 +163,10 @@ pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
     time: RealOf<S>,
     motion: Coordinates<'_, S, E>,
 ) -> Option<usize> {
+    // A constant, so that a compiler does not even look at what follows where there are no loads.
+    if const { !L::ON } {
+        return None;
+    }
     let mut check = LoadCheck { pass: LoadPass { loads, time, body: 0, joint: 0 }, broken: None };
     chain.travel(*ground, motion, &mut check, &mut chain.per_body(()), &mut chain.per_joint(()));
     check.broken

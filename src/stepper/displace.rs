@@ -7,29 +7,21 @@ use crate::scalar::{Real, Scalar};
 use num_traits::{One, Zero};
 
 /// `sum = base + scale · Σ weights[j] · slopes[j]`, four terms at a time: one function of moderate size for all rows, however
-/// many coordinates a tuple unrolls.
+/// many coordinates a tuple unrolls. What is no multiple of four comes first, where the base is read.
 #[inline(never)]
 pub(super) fn gather<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Real, weights: &[f64], slopes: &[R]) {
-    if weights.is_empty() {
-        sum.combine(base, &[], []);
+    let count = weights.len().min(slopes.len());
+    let (few, fours) = weights[..count].as_rchunks::<4>();
+    let (few_slopes, fours_of_slopes) = slopes[..count].as_rchunks::<4>();
+    let of = |weight: f64| T::Real::of(weight) * scale;
+    match (few, few_slopes) {
+        (&[u], [a]) => sum.mix_1(base, (of(u), a)),
+        (&[u, v], [a, b]) => sum.mix_2(base, (of(u), a), (of(v), b)),
+        (&[u, v, w], [a, b, c]) => sum.mix_3(base, (of(u), a), (of(v), b), (of(w), c)),
+        _ => sum.set(base),
     }
-    let mut started = false;
-    for (weights, slopes) in weights.chunks(4).zip(slopes.chunks(4)) {
-        let weight = |j: usize| T::Real::of(weights[j]) * scale;
-        macro_rules! terms {
-            ($M:literal) => {{
-                let (weights, terms) = (core::array::from_fn(weight), core::array::from_fn(|j| &slopes[j]));
-                if started { sum.accumulate::<$M>(&weights, terms) } else { sum.combine::<$M>(base, &weights, terms) }
-            }};
-        }
-        match weights.len().min(slopes.len()) {
-            4 => terms!(4),
-            3 => terms!(3),
-            2 => terms!(2),
-            1 => terms!(1),
-            _ => (),
-        }
-        started = true;
+    for (&[u, v, w, x], [a, b, c, d]) in fours.iter().zip(fours_of_slopes) {
+        sum.add_4((of(u), a), (of(v), b), (of(w), c), (of(x), d));
     }
 }
 
@@ -44,7 +36,7 @@ pub(super) fn displace<T: Scalar, P: Position<T>, C: Closures>(
     (position, rate): (&mut P, &mut P::Rate),
 ) {
     gather(increment, zero, dt * dt, weights.0, slopes);
-    position.drift(&past.position, T::Real::of(node) * dt, &past.rate, &[T::Real::one()], [increment]);
+    position.drift_1(&past.position, (T::Real::of(node) * dt, &past.rate), (T::Real::one(), increment));
     gather(rate, &past.rate, dt, weights.1, slopes);
 }
 

@@ -107,7 +107,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         let Motion { time, position, rate, acceleration, multipliers } = next;
         *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
         self.sweeps += 1;
-        self.slopes.as_mut()[M::STAGES].combine(&next.acceleration, &[], []);
+        self.slopes.as_mut()[M::STAGES].set(&next.acceleration);
         match self.scene.accept(next) {
             Ok(()) => Ok(()),
             Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => Err(self.diagnose(past, loads, dt)),
@@ -139,7 +139,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.fits(past, next)?;
-        self.slopes.as_mut()[0].combine(&past.acceleration, &[], []); // a copy that allocates nothing
+        self.slopes.as_mut()[0].set(&past.acceleration);
         self.make(past, loads, dt, next)
     }
 

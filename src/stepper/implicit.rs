@@ -58,8 +58,8 @@ impl<D: Dynamics<L>, L> Memory<D, L> {
     /// Keeps a motion, without its accelerations.
     fn keep(&mut self, motion: &MotionIn<D, L>, size: TimeIn<D, L>, zero: &D::Rate) {
         self.time = Some(motion.time);
-        self.position.drift(&motion.position, TimeIn::<D, L>::zero(), zero, &[], []);
-        self.rate.combine(&motion.rate, &[], []);
+        self.position.drift_0(&motion.position, (TimeIn::<D, L>::zero(), zero));
+        self.rate.set(&motion.rate);
         self.size = size;
     }
 }
@@ -107,7 +107,7 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
             core::mem::swap(&mut self.last, &mut self.before);
         } else if !self.before.is_of(past) {
             self.before.keep(past, dt, &self.zero);
-            self.before.offset.combine(&self.zero, &[], []);
+            self.before.offset.set(&self.zero);
         }
         self.last.time = None;
     }
@@ -117,30 +117,30 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
         let real = TimeIn::<D, L>::of;
         let GeneralizedAlpha { beta, gamma, sweeps, .. } = self.rule;
         // A is the acceleration at a time apart by a share of the step; another size of step needs another one.
-        self.auxiliary.combine(&self.first, &[dt / self.before.size], [&self.before.offset]);
+        self.auxiliary.mix_1(&self.first, (dt / self.before.size, &self.before.offset));
         let [kappa, of_true, of_auxiliary] = self.rule.recurrence();
-        let terms = [&self.first, &self.auxiliary];
+        let Self { first, auxiliary, .. } = self;
         let (position, rate) = &mut self.free;
         let square = dt * dt;
-        let weights = [real(beta * of_true) * square, real(0.5 - beta + beta * of_auxiliary) * square];
-        position.drift(&past.position, dt, &past.rate, &weights, terms);
-        let weights = [real(gamma * of_true) * dt, real(1.0 - gamma + gamma * of_auxiliary) * dt];
-        rate.combine(&past.rate, &weights, terms);
+        let [u, v] = [real(beta * of_true) * square, real(0.5 - beta + beta * of_auxiliary) * square];
+        position.drift_2(&past.position, (dt, &past.rate), (u, first), (v, auxiliary));
+        let [u, v] = [real(gamma * of_true) * dt, real(1.0 - gamma + gamma * of_auxiliary) * dt];
+        rate.mix_2(&past.rate, (u, first), (v, auxiliary));
         let springs = Implicit { position: real(beta * kappa) * square, rate: real(gamma * kappa) * dt };
 
         next.time = past.time + dt;
         let none = TimeIn::<D, L>::zero();
         // The first geometry is a prediction without accelerations: those of stiff joints are too rough for it.
-        self.at.0.drift(&past.position, dt, &past.rate, &[], []);
-        self.at.1.combine(&past.rate, &[], []);
+        self.at.0.drift_0(&past.position, (dt, &past.rate));
+        self.at.1.set(&past.rate);
         for sweep in 0..sweeps {
             if sweep > 0 {
-                let found = [&next.acceleration];
-                self.at.0.drift(&self.free.0, none, &self.zero, &[springs.position], found);
-                self.at.1.combine(&self.free.1, &[springs.rate], found);
+                let found = &next.acceleration;
+                self.at.0.drift_1(&self.free.0, (none, &self.zero), (springs.position, found));
+                self.at.1.mix_1(&self.free.1, (springs.rate, found));
             }
             if sweep + 1 == sweeps {
-                self.earlier.combine(&next.acceleration, &[], []);
+                self.earlier.set(&next.acceleration);
             }
             let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
             let acceleration = &mut next.acceleration;
@@ -148,9 +148,9 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
                 self.scene.implicit_accelerations(next.time, at, free, springs, loads, &mut self.stiff, acceleration);
             self.sweeps += 1;
         }
-        let found = [&next.acceleration];
-        next.position.drift(&self.free.0, none, &self.zero, &[springs.position], found);
-        next.rate.combine(&self.free.1, &[springs.rate], found);
+        let found = &next.acceleration;
+        next.position.drift_1(&self.free.0, (none, &self.zero), (springs.position, found));
+        next.rate.mix_1(&self.free.1, (springs.rate, found));
         self.scene.project_stiff(next, &mut self.stiff);
     }
 
@@ -167,11 +167,12 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
         let (real, one) = (TimeIn::<D, L>::of, TimeIn::<D, L>::one());
         // With a single sweep there is nothing to compare it with.
         let compared = if self.rule.sweeps > 1 { one } else { TimeIn::<D, L>::zero() };
-        self.change.combine(&self.zero, &[compared, -compared], [&next.acceleration, &self.earlier]);
+        self.change.mix_2(&self.zero, (compared, &next.acceleration), (-compared, &self.earlier));
         self.last.keep(next, dt, &self.zero);
         let [kappa, of_true, of_auxiliary] = self.rule.recurrence();
-        let terms = [&next.acceleration, &self.first, &self.auxiliary];
-        self.last.offset.combine(&self.zero, &[real(kappa - 1.0), real(of_true), real(of_auxiliary)], terms);
+        let found = (real(kappa - 1.0), &next.acceleration);
+        let [first, auxiliary] = [(real(of_true), &self.first), (real(of_auxiliary), &self.auxiliary)];
+        self.last.offset.mix_3(&self.zero, found, first, auxiliary);
         match self.scene.accept(next) {
             Err(Error { fault: Fault::NonFiniteMotion, .. }) => Err(self.diagnose(past, loads, dt)),
             outcome => outcome,
@@ -187,6 +188,8 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
     /// Finds where a step went wrong: at its start, or at its end.
     #[cold]
     fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
+        // Joints may remember accelerations of the sweeps that failed.
+        self.stiff = self.scene.stiff_workspace();
         let mut stage = past.clone();
         stage.acceleration.clone_from(&self.first);
         if stage.is_finite() {
@@ -219,7 +222,7 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.check(past, next, dt)?;
-        self.first.combine(&past.acceleration, &[], []); // a copy that allocates nothing
+        self.first.set(&past.acceleration);
         self.make(past, loads, dt, next)
     }
 
@@ -235,12 +238,12 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         let (position, rate) = &mut self.estimate;
         let square = dt * dt;
         let [kappa, ..] = self.rule.recurrence();
-        position.combine(&self.zero, &[real(self.rule.beta * kappa) * square], [&self.change]);
+        position.mix_1(&self.zero, (real(self.rule.beta * kappa) * square, &self.change));
         let geometry = mean_square(next, (position, &self.zero), tolerance);
         let [of_position, of_rate] = self.rule.truncation().map(real);
         let (forth, back) = (of_position * square, of_rate * dt);
-        position.combine(&self.zero, &[forth, -forth], [&next.acceleration, &self.first]);
-        rate.combine(&self.zero, &[back, -back], [&next.acceleration, &self.first]);
+        position.mix_2(&self.zero, (forth, &next.acceleration), (-forth, &self.first));
+        rate.mix_2(&self.zero, (back, &next.acceleration), (-back, &self.first));
         let truncation = mean_square(next, (position, rate), tolerance);
         Some(real(geometry).sqrt() + real(truncation).sqrt())
     }

@@ -75,8 +75,8 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
         let mut sweeps = self.rule.sweeps;
         if stage == 0 {
             sweeps += 1;
-            self.at.0.drift(&past.position, real(node) * dt, &past.rate, &[], []);
-            self.at.1.combine(&past.rate, &[], []);
+            self.at.0.drift_0(&past.position, (real(node) * dt, &past.rate));
+            self.at.1.set(&past.rate);
         } else {
             self.aim(springs, stage - 1);
         }
@@ -92,9 +92,9 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
 
     /// Takes the geometry of the next sweep where these accelerations bring the stage under way.
     fn aim(&mut self, springs: Implicit<TimeIn<D, L>>, slope: usize) {
-        let slope = [&self.slopes[slope]];
-        self.at.0.drift(&self.free.0, Zero::zero(), &self.zero, &[springs.position], slope);
-        self.at.1.combine(&self.free.1, &[springs.rate], slope);
+        let slope = &self.slopes[slope];
+        self.at.0.drift_1(&self.free.0, (Zero::zero(), &self.zero), (springs.position, slope));
+        self.at.1.mix_1(&self.free.1, (springs.rate, slope));
     }
 
     /// All stages, the last of which is the step; then the tip is put back where it is held.
@@ -103,15 +103,17 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
             self.solve(stage, past, loads, dt, next);
         }
         next.time = past.time + dt;
-        next.position.drift(&self.at.0, Zero::zero(), &self.zero, &[], []);
-        next.rate.combine(&self.at.1, &[], []);
-        next.acceleration.combine(&self.slopes[STAGES - 1], &[], []);
+        next.position.drift_0(&self.at.0, (Zero::zero(), &self.zero));
+        next.rate.set(&self.at.1);
+        next.acceleration.set(&self.slopes[STAGES - 1]);
         self.scene.project_stiff(next, &mut self.stiff);
     }
 
     /// Finds where a step went wrong: at its start, or stage by stage.
     #[cold]
     fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
+        // Joints may remember accelerations of the sweeps that failed.
+        self.stiff = self.scene.stiff_workspace();
         let mut stage = past.clone();
         let Self { scene, workspace, .. } = self;
         scene.accelerations(past.time, &past.position, &past.rate, loads, workspace, &mut stage.acceleration);
@@ -120,8 +122,8 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
                 break;
             }
             self.solve(row, past, loads, dt, &mut stage);
-            stage.acceleration.combine(&self.slopes[row], &[], []);
-            stage.position.drift(&past.position, stage.time - past.time, &past.rate, &[], []);
+            stage.acceleration.set(&self.slopes[row]);
+            stage.position.drift_0(&past.position, (stage.time - past.time, &past.rate));
         }
         self.scene.diagnose(&stage, loads, &mut self.workspace)
     }

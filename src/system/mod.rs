@@ -1,10 +1,21 @@
 //! A scene: root, chain and tip, validated once, and its forward and inverse dynamics.
 
 mod dynamics;
+mod hold;
 mod inspect;
+#[cfg(feature = "alloc")]
+mod linear;
 mod reference;
+mod start;
+#[cfg(feature = "alloc")]
+mod statics;
+mod sweeps;
 
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
+#[cfg(feature = "alloc")]
+pub use linear::Inertial;
+#[cfg(feature = "std")]
+pub(crate) use linear::numbers;
 
 use crate::element::{Budget, Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
@@ -204,7 +215,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         motion: &MotionOf<S, R, C, P>,
         loads: &L,
     ) -> Stations<'_, S, Elements<S, R, C>> {
-        let (ground, tip) = (self.root.ground(motion.time), self.tip.internal(&motion.multipliers));
+        let (ground, tip) = (self.root.ground(motion.time), self.tip.internal(motion.time, &motion.multipliers));
         Stations::of(&self.chain, ground, self.gravity, coordinates(motion), motion.time, loads, tip)
     }
 
@@ -253,7 +264,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::SingularJoint`], [`Fault::NonFiniteLoad`] or [`Fault::NonFiniteMotion`], with time and station;
-    /// [`Fault::Shape`] for a motion of another scene.
+    /// [`Fault::RedundantClosures`] where a tip is held twice in the same way; [`Fault::Shape`] for a motion of another scene.
     pub fn with_accelerations<L: Loading<S>>(
         &self,
         mut motion: MotionOf<S, R, C, P>,
@@ -285,8 +296,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             return Err(Error::new(Fault::Shape));
         }
         *multipliers = self.accelerations(*time, position, rate, loads, workspace, acceleration);
+        self.independent(motion, workspace)?;
         let mut finite = true;
-        acceleration.visit(&mut |x| finite &= x.is_finite());
+        motion.acceleration.visit(&mut |x| finite &= x.is_finite());
         if finite { Ok(()) } else { Err(self.diagnose(motion, loads, workspace)) }
     }
 }

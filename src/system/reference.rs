@@ -47,6 +47,15 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     }
 
     #[inline]
+    fn independent(
+        &self,
+        motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
+        workspace: &Self::Workspace,
+    ) -> Result<(), Error> {
+        D::independent(self, motion, workspace)
+    }
+
+    #[inline]
     fn accept(&self, motion: &Motion<Self::Scalar, Self::Position, Self::Closures>) -> Result<(), Error> {
         D::accept(self, motion)
     }

@@ -125,8 +125,9 @@ pub enum Joint {
     Rotary { stiffness: f64, damping: f64, rest: f64 },
     /// The points coincide and the relative angle, whatever it is, stays.
     Weld,
-    /// The outboard point moves along an axis of the inboard frame; the relative angle, whatever it is, stays.
-    Slider { axis: Vector },
+    /// The outboard point moves along an axis of the inboard frame, with a spring, a damper and a rest value; the relative
+    /// angle, whatever it is, stays.
+    Slider { axis: Vector, spring: [f64; 3] },
     /// The outboard point moves along an axis of the inboard frame; the relative angle is free (a pin in a slot).
     Slot { axis: Vector },
     /// Springs and dampers, no constraint.
@@ -151,7 +152,7 @@ impl Tip {
 
     /// O moves along an axis of the ground frame, the angle stays.
     pub fn guided(ground: Ground, axis: Vector) -> Self {
-        Self::Held { joint: Joint::Slider { axis }, ground }
+        Self::Held { joint: Joint::Slider { axis, spring: [0.0; 3] }, ground }
     }
 
     /// O moves along an axis of the ground frame, the angle is free.
@@ -329,7 +330,7 @@ impl Link {
             Joint::Free | Joint::Elastic(_) => vec![],
             Joint::Pin | Joint::Rotary { .. } => pin.to_vec(),
             Joint::Weld => vec![pin[0], pin[1], Row::Angle],
-            Joint::Slider { axis } => vec![across(axis), Row::Angle],
+            Joint::Slider { axis, .. } => vec![across(axis), Row::Angle],
             Joint::Slot { axis } => vec![across(axis)],
         }
     }
@@ -419,6 +420,12 @@ impl Link {
                 let moment = if e.axes == Axes::FixedUnbalanced { 0.0 } else { cross(self.distance(), force) };
                 Wrench { force, torque_outboard: t, torque_inboard: -t - moment }
             }
+            Joint::Slider { axis, spring: [stiffness, damping, rest] } => {
+                let e = unit(axis);
+                let along = -stiffness * (dot(c.u, e) - rest) - damping * dot(c.u_rate, e);
+                let force = rotate(self.axes().0, scale(along, e));
+                Wrench { force, torque_outboard: torque, torque_inboard: -torque - cross(self.distance(), force) }
+            }
             _ => Wrench { force: [0.0; 2], torque_outboard: torque, torque_inboard: -torque },
         }
     }
@@ -431,6 +438,9 @@ impl Link {
             Joint::Elastic(e) => {
                 let stretch = [c.u[0] - e.rest[0], c.u[1] - e.rest[1], c.phi - e.rest[2]];
                 (0..3).map(|i| 0.5 * e.stiffness[i] * stretch[i].powi(2)).sum()
+            }
+            Joint::Slider { axis, spring: [stiffness, _, rest] } => {
+                0.5 * stiffness * (dot(c.u, unit(axis)) - rest).powi(2)
             }
             _ => 0.0,
         }
@@ -445,6 +455,7 @@ impl Link {
                 let rates = [c.u_rate[0], c.u_rate[1], c.phi_rate];
                 (0..3).map(|i| e.damping[i] * rates[i].powi(2)).sum()
             }
+            Joint::Slider { axis, spring: [_, damping, _] } => damping * dot(c.u_rate, unit(axis)).powi(2),
             _ => 0.0,
         }
     }
@@ -838,6 +849,10 @@ impl Scene {
                     let rates = [c.u_rate[0], c.u_rate[1], c.phi_rate];
                     (0..3).map(|i| e.stiffness[i] * stretch[i] * rates[i]).sum()
                 }
+                Joint::Slider { axis, spring: [stiffness, _, rest] } => {
+                    let e = unit(axis);
+                    stiffness * (dot(c.u, e) - rest) * dot(c.u_rate, e)
+                }
                 _ => 0.0,
             }
         });
@@ -920,7 +935,7 @@ impl Scene {
                     rates.push(c.phi_rate);
                 }
                 Joint::Weld => {}
-                Joint::Slider { axis } => {
+                Joint::Slider { axis, .. } => {
                     values.push(dot(unit(*axis), c.u));
                     rates.push(dot(unit(*axis), c.u_rate));
                 }
@@ -948,7 +963,7 @@ impl Scene {
                 Coordinates::angle(phi, phi_rate)
             }
             Joint::Weld => Coordinates::angle(start.phi, 0.0),
-            Joint::Slider { axis } => {
+            Joint::Slider { axis, .. } => {
                 let (s, s_rate) = take();
                 Coordinates::along(*axis, s, s_rate, start.phi)
             }

@@ -17,17 +17,19 @@ const NAMES: [&str; 4] = ["stiffness", "damping", "rest angle", "second stiffnes
 const AT: [f64; 4] = [60.0, 0.4, 0.3, 25.0];
 const READINGS: [&str; 4] = ["first angle", "last angle", "root force x", "root force y"];
 
+type Chain<T> = (Rod<T>, ElasticHinge<Spring<T, T, T>>, Rod<T>, ElasticHinge<Spring<T>>, Rod<T>);
+type Scene<T> = System<T, Pinned<[T; 2]>, Chain<T>, Free>;
+
 /// A few steps of 10 ms by a method.
-fn run<T: Scalar, M: Method>(
-    [stiffness, damping, rest, second]: [T; 4],
-    method: M,
-    steps: f64,
-) -> Result<[T; 4], Error> {
+fn run<T: Scalar, M>([stiffness, damping, rest, second]: [T; 4], method: M, steps: f64) -> Result<[T; 4], Error>
+where
+    M: for<'s> Method<&'s Scene<T>, Unloaded>,
+{
     let number = T::literal;
     let rod = |length| Rod::uniform(number(length), number(0.8));
     let hinge = ElasticHinge::rotary(stiffness).damped(damping).resting_at(rest);
     let chain = (rod(0.5), hinge, rod(0.7), ElasticHinge::rotary(second), rod(0.4));
-    let system = System::new(Pinned::origin(), chain, Free)?.with_gravity(number(9.81));
+    let system: Scene<T> = System::new(Pinned::origin(), chain, Free)?.with_gravity(number(9.81));
     let start = system.with_rates(system.at_rest(&[-0.4, -0.1, -0.3].map(number))?, &[1.0, -0.5, 0.7].map(number))?;
     let of = <T::Real as Real>::of;
     let rule = catena::time::Rule { method, control: catena::time::Control::Fixed(of(0.01)) };
@@ -42,13 +44,19 @@ fn seeded<T: Scalar>(seed: impl Fn(usize, T) -> T) -> [T; 4] {
     core::array::from_fn(|i| seed(i, T::literal(AT[i])))
 }
 
-fn derivative<M: Method>(method: M, i: usize, steps: f64) -> Result<[f64; 4], Error> {
+fn derivative<M>(method: M, i: usize, steps: f64) -> Result<[f64; 4], Error>
+where
+    M: for<'s> Method<&'s Scene<Dual64>, Unloaded>,
+{
     let parameters = seeded(|k, x: Dual64| if k == i { x.derivative() } else { x });
     Ok(run(parameters, method, steps)?.map(|x| x.eps))
 }
 
 /// Central differences of fourth order: h⁴ = 1e-12 times fifth derivatives, and rounding of 1e-15/h = 1e-12 times readings.
-fn difference<M: Method + Copy>(method: M, i: usize, steps: f64) -> Result<[f64; 4], Error> {
+fn difference<M>(method: M, i: usize, steps: f64) -> Result<[f64; 4], Error>
+where
+    M: for<'s> Method<&'s Scene<f64>, Unloaded> + Copy,
+{
     let h = 1e-3 * AT[i];
     let at = |by: f64| run(core::array::from_fn(|k| AT[k] + if k == i { by } else { 0.0 }), method, steps);
     let [b, a, c, d] = [at(-2.0 * h)?, at(-h)?, at(h)?, at(2.0 * h)?];

@@ -7,9 +7,9 @@ use catena::stepper::{Method, Stepper};
 use catena::time::{Rule, Sdirk4};
 use catena::{Error, Fault};
 
-type Hinge = ElasticHinge<Rotary<f64, f64, f64>>;
+type Hinge = ElasticHinge<Spring<f64, f64, f64>>;
 type Scene = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Hinge, Rod<f64>, Hinge, Rod<f64>), Free>;
-type Rods = System<f64, Pinned<[f64; 2]>, (Rod<f64>, [(ElasticHinge<Rotary<f64, f64>>, Rod<f64>); 3]), Free>;
+type Rods = System<f64, Pinned<[f64; 2]>, (Rod<f64>, [(ElasticHinge<Spring<f64, f64>>, Rod<f64>); 3]), Free>;
 type Start = <Scene as catena::system::Dynamics<Unloaded>>::Position;
 
 fn scene() -> Result<Scene, Error> {
@@ -67,7 +67,10 @@ fn generalised_alpha_keeps_its_order_with_steps_of_random_size() -> Result<(), E
 }
 
 /// A run by error control: its errors, steps and rejections.
-fn controlled<M: Method>(rule: Rule<M, f64>, expected: [f64; 5]) -> Result<([f64; 2], usize, usize), Error> {
+fn controlled<M>(rule: Rule<M, f64>, expected: [f64; 5]) -> Result<([f64; 2], usize, usize), Error>
+where
+    M: for<'s> Method<&'s Scene, Unloaded>,
+{
     let scene = scene()?;
     let run = scene.simulate(start(&scene)?, rule, 1.0, |_| ())?;
     Ok((distance(read(&scene, &run.motion), expected), run.steps, run.rejected))
@@ -132,7 +135,10 @@ fn samples_between_steps_are_as_good_as_steps() -> Result<(), Error> {
         exact.push(now.stations().root().internal.force);
     })?;
     // The first two samples are of the vibration with which the hinges take up their load.
-    fn worst<M: Method>(scene: &Rods, rule: Rule<M, f64>, exact: &[nalgebra::Vector2<f64>]) -> Result<f64, Error> {
+    fn worst<M>(scene: &Rods, rule: Rule<M, f64>, exact: &[nalgebra::Vector2<f64>]) -> Result<f64, Error>
+    where
+        M: for<'s> Method<&'s Rods, Unloaded>,
+    {
         let (mut worst, mut sample) = (0.0_f64, 0);
         scene.simulation(rule).every(0.1).run(scene.at_rest(&[-0.5; 4])?, 1.0, |now| {
             let error = (now.stations().root().internal.force - exact[sample]).norm();
@@ -153,7 +159,7 @@ fn samples_between_steps_are_as_good_as_steps() -> Result<(), Error> {
     Ok(())
 }
 
-fn refused<M: Method>(rule: Rule<M, f64>) -> Result<Fault, Error> {
+fn refused<M: for<'s> Method<&'s Scene, Unloaded>>(rule: Rule<M, f64>) -> Result<Fault, Error> {
     let scene = scene()?;
     let outcome = scene.simulate(start(&scene)?, rule, 1.0, |_| ());
     outcome.map_or_else(|broken| Ok(broken.error.fault), |run| panic!("accepted: {:?}", run.motion))
@@ -183,7 +189,7 @@ fn parameters_that_make_no_rule_are_refused() -> Result<(), Error> {
 
 #[test]
 fn steps_and_tolerances_that_are_none_are_refused() -> Result<(), Error> {
-    fn steps<M: Method + Copy>(method: M) -> Result<(), Error> {
+    fn steps<M: for<'s> Method<&'s Scene, Unloaded> + Copy>(method: M) -> Result<(), Error> {
         let scene = scene()?;
         let past = start(&scene)?;
         let mut next = past;

@@ -12,6 +12,7 @@ use crate::planar::{Frame, JointMotion, Planar, SpringState, Turn};
 use crate::relation::Term;
 use crate::scalar::Scalar;
 use crate::state::StateVector;
+use nalgebra::Vector2;
 use num_traits::Zero;
 
 impl<T, S, L, D> JointRun<'_, T, S, L, D>
@@ -125,7 +126,9 @@ where
                 let ahead = ground.turn.angle - before.turn.angle;
                 let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner, ahead);
                 let spring = SpringState { torque: T::zero(), energy: T::zero() };
-                let motion = JointMotion { inboard: Frame { turn, ..outer }, outboard: outer, spring, turns: true };
+                let arm = Vector2::new(T::zero(), T::zero());
+                let inboard = Frame { turn, ..outer };
+                let motion = JointMotion { inboard, outboard: outer, arm, spring, turns: true };
                 let torque = applied::<T, L>(self.loads.in_joint(time, number, &motion));
                 let damping = joint.spring.damping * (outer.turn.rate - turn.rate);
                 return Some(joint.elastic + joint.spring.stiffness * strain + damping - torque);

@@ -12,6 +12,7 @@ use crate::paper::scene::{Scene, Spring, applied, external};
 use crate::planar::{Frame, JointMotion, Planar, SpringState, Turn};
 use crate::relation::Term;
 use crate::scalar::{Real, Scalar};
+use nalgebra::Vector2;
 
 impl<T, S, L, D> Run<'_, T, S, L, D>
 where
@@ -131,7 +132,8 @@ where
         let inner = joint.inner.and_then(body).map_or(ground.turn, |body| body.inboard.turn);
         let inboard = Frame { turn: inner, ..outboard };
         let spring = SpringState { torque: T::zero(), energy: T::zero() };
-        let motion = JointMotion { inboard, outboard, spring, turns: true };
+        let arm = Vector2::new(T::zero(), T::zero());
+        let motion = JointMotion { inboard, outboard, arm, spring, turns: true };
         applied::<T, L>(self.loads.in_joint(time, number, &motion))
     }
 }

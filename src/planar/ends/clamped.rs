@@ -1,10 +1,10 @@
 //! Ends held fast.
 
-use super::Ground;
+use super::{Compliance, Ground};
 use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
-use crate::planar::{Frame, Internal, Planar, Turn, Weld};
+use crate::planar::{BodyMotion, Frame, Internal, Planar, Turn, Weld};
 use crate::relation::plane::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
 use crate::scalar::Scalar;
@@ -59,7 +59,7 @@ impl<T: Scalar> Clamped<[T; 2], T> {
 
 impl<G, A> Clamped<G, A> {
     /// The motion of the ground where it holds the end.
-    fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
+    pub(super) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
     where
         G: Ground<T>,
         A: Attitude<T>,
@@ -71,7 +71,7 @@ impl<G, A> Clamped<G, A> {
         frame
     }
 
-    fn verify<T: Scalar>(&self) -> Result<(), Error>
+    pub(super) fn verify<T: Scalar>(&self) -> Result<(), Error>
     where
         G: Ground<T>,
         A: Attitude<T>,
@@ -117,7 +117,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Planar<T>> for Clamped<G, A> {
         let gap = [-target.x, -target.y, -frame.acceleration.angular];
         Full::massless().cut(Cuts::at_tip(columns, gap))
     }
-    fn internal(&self, multipliers: &[T; 3]) -> Internal<T> {
+    fn internal(&self, _: T::Real, multipliers: &[T; 3]) -> Internal<T> {
         let [x, y, torque] = *multipliers;
         Internal { force: Vector2::new(-x, -y), torque }
     }
@@ -126,6 +126,15 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Planar<T>> for Clamped<G, A> {
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);
         let (angle, rate) = (tip.turn.angle - frame.turn.angle, tip.turn.rate - frame.turn.rate);
         [[place.x, place.y, angle], [velocity.x, velocity.y, rate]]
+    }
+    fn free_compliance(&self, _: T::Real, body: &BodyMotion<T>) -> [T; 3] {
+        let compliance = Compliance::of(body);
+        let (zero, one) = (T::zero(), T::one());
+        let along = |x, y| compliance.along(Vector2::new(x, y));
+        [along(one, zero), along(zero, one), compliance.torque]
+    }
+    fn names(&self) -> [&'static str; 3] {
+        ["x of the tip", "y of the tip", "angle of the tip"]
     }
     fn check(&self) -> Result<(), Error> {
         self.verify::<T>().map_err(|error| error.at(Place::Tip))

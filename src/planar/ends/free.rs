@@ -1,12 +1,11 @@
 //! Free ends.
 
-use super::Floating;
 use crate::ends::{Loose, Root, Tip};
 use crate::error::Error;
 use crate::lift::lift;
-use crate::planar::{Frame, Internal, Planar};
-use crate::relation::Open;
+use crate::planar::{BodyMotion, ElasticHinge, Frame, Internal, Linear, Planar, Unbalanced};
 use crate::relation::plane::Empty;
+use crate::relation::{Absent, Open};
 use crate::scalar::Scalar;
 use crate::space::Space;
 use nalgebra::Vector2;
@@ -15,12 +14,16 @@ use nalgebra::Vector2;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Free;
 
+/// The joint of a chain that floats: coordinates x, y (m) and the absolute angle of its first body (rad), against which nothing
+/// acts.
+pub type Floating<T> = ElasticHinge<Absent, Linear<T, Absent, Absent, Unbalanced>>;
+
 impl<T: Scalar> Root<Planar<T>> for Free {
     type Pairs = (Loose, Loose, Loose);
     type Joint = Floating<T>;
 
     fn joint(&self) -> Floating<T> {
-        Floating::new()
+        ElasticHinge::linear(Absent, Absent).in_unbalanced_axes()
     }
     fn ground(&self, _: T::Real) -> Frame<T> {
         Frame::resting(Vector2::new(T::zero(), T::zero()))
@@ -39,12 +42,14 @@ impl<T: Scalar> Tip<Planar<T>> for Free {
     fn relation(&self, _: T::Real, _: Vector2<T>) -> Empty {
         Empty
     }
-    fn internal(&self, (): &()) -> Internal<T> {
+    fn internal(&self, _: T::Real, (): &()) -> Internal<T> {
         Planar::no_force()
     }
     fn miss(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
         [(), ()]
     }
+    fn free_compliance(&self, _: T::Real, _: &BodyMotion<T>) {}
+    fn names(&self) {}
     fn check(&self) -> Result<(), Error> {
         Ok(())
     }

@@ -1,13 +1,15 @@
 //! The ends of planar chains.
 
 mod clamped;
-mod floating;
+mod compliance;
 mod free;
 mod ground;
+mod guided;
 mod pinned;
 
 pub use clamped::{Attitude, Clamped, Turning};
-pub use floating::Floating;
-pub use free::Free;
+use compliance::Compliance;
+pub use free::{Floating, Free};
 pub use ground::{Ground, GroundMotion, Moving};
+pub use guided::Guided;
 pub use pinned::Pinned;

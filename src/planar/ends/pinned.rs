@@ -1,10 +1,10 @@
 //! Ends held by pins.
 
-use super::{Ground, GroundMotion};
+use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Place};
 use crate::lift::Lift;
-use crate::planar::{Frame, Internal, Pin, Planar};
+use crate::planar::{BodyMotion, Frame, Internal, Pin, Planar};
 use crate::relation::plane::Point;
 use crate::relation::plane::algebra::Symmetric2;
 use crate::relation::{Absent, Cut, Cuts};
@@ -67,7 +67,7 @@ impl<T: Scalar, G: Ground<T>> Tip<Planar<T>> for Pinned<G> {
         let stiffness = Symmetric2::diagonal(zero);
         Point { stiffness, offset: Vector2::new(zero, zero), torque: Absent, cuts }
     }
-    fn internal(&self, multipliers: &[T; 2]) -> Internal<T> {
+    fn internal(&self, _: T::Real, multipliers: &[T; 2]) -> Internal<T> {
         Internal { force: Vector2::new(-multipliers[0], -multipliers[1]), torque: T::zero() }
     }
     fn miss(&self, time: T::Real, frame: &Frame<T>) -> [[T; 2]; 2] {
@@ -75,6 +75,14 @@ impl<T: Scalar, G: Ground<T>> Tip<Planar<T>> for Pinned<G> {
         let place = frame.place - Vector2::from(place);
         let velocity = frame.velocity - Vector2::from(velocity);
         [[place.x, place.y], [velocity.x, velocity.y]]
+    }
+    fn free_compliance(&self, _: T::Real, body: &BodyMotion<T>) -> [T; 2] {
+        let compliance = Compliance::of(body);
+        let (zero, one) = (T::zero(), T::one());
+        [compliance.along(Vector2::new(one, zero)), compliance.along(Vector2::new(zero, one))]
+    }
+    fn names(&self) -> [&'static str; 2] {
+        ["x of the tip", "y of the tip"]
     }
     fn check(&self) -> Result<(), Error> {
         self.0.at(T::Real::zero()).check().map_err(|error| error.at(Place::Tip))

@@ -60,13 +60,18 @@ impl<T: Scalar> Symmetric2<T> {
         )
     }
 
-    /// S⁻¹ v, by elimination of x.
+    /// The same matrix along axes in the direction `d` and its normal.
     #[inline(always)]
-    pub fn solve(self, v: Vector2<T>) -> Vector2<T> {
-        let inverse = self.xx.recip();
-        let ratio = self.xy * inverse;
-        let y = ratio.mul_add(-v.x, v.y) / ratio.mul_add(-self.xy, self.yy);
-        Vector2::new((v.x - self.xy * y) * inverse, y)
+    pub fn along(self, d: Vector2<T>) -> Self {
+        // Rows of S in the new axes, then their components.
+        let (x, y) = (self.apply(d), self.apply(normal(d)));
+        Self { xx: dot(x, d), xy: dot(y, d), yy: dot(y, normal(d)) }
+    }
+
+    /// The same matrix with x and y exchanged.
+    #[inline(always)]
+    pub fn swapped(self) -> Self {
+        Self { xx: self.yy, xy: self.xy, yy: self.xx }
     }
 
     /// S + value·1.

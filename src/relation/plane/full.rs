@@ -3,7 +3,7 @@
 use super::Point;
 use super::algebra::{Symmetric2, add_scaled, dot, normal};
 use super::kinds::Relation;
-use crate::relation::{Absent, Closures, Cuts, Open, Term};
+use crate::relation::{Closures, Cuts, Open, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 
@@ -143,16 +143,6 @@ impl<T: Scalar, C: Closures> Full<T, C> {
     }
 }
 
-impl<T: Scalar> Full<T> {
-    /// The acceleration (a, α) of a station on which nothing acts: S p + e = 0, by block elimination.
-    #[inline(always)]
-    pub fn free(self) -> (Vector2<T>, T) {
-        let (Point { stiffness, offset, .. }, gain) = self.pinned(Absent);
-        let linear = stiffness.solve(-offset);
-        (linear, gain.angular(linear, &()))
-    }
-}
-
 /// A relation that resists rotation: what a joint that turns must find on its outboard side.
 #[diagnostic::on_unimplemented(
     message = "a `Pin`, a hinge or a `Free` root needs a body on its outboard side, but meets `{Self}`",
@@ -223,6 +213,12 @@ impl<T: Scalar, C: Closures> HingeGain<T, C> {
     pub fn is_finite(&self) -> bool {
         let w = self.per_acceleration;
         w.x.is_finite() && w.y.is_finite() && self.per_angular.is_finite() && self.free.is_finite()
+    }
+
+    /// The gain without what velocities, loads and springs contribute.
+    #[inline(always)]
+    pub fn homogeneous(&self) -> Self {
+        Self { free: T::zero(), ..*self }
     }
 
     /// The relative angular acceleration (rad/s²) where the inboard body's end accelerates by `a` and turns with `angular`.

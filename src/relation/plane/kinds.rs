@@ -17,15 +17,6 @@ pub struct Lump<T> {
     pub mass: T,
 }
 
-/// A force that does not depend on accelerations outboard: that of a spring in an explicit sweep.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Known<T> {
-    /// q (N).
-    pub force: Vector2<T>,
-    /// Torque on the outboard part (N·m).
-    pub torque: T,
-}
-
 /// A pin outboard: q = S a + e + W λ, and the moment is the torque M that acts in the pin, if there is one.
 #[derive(Clone, Copy)]
 pub struct Point<T: Copy, M = Absent, C: Closures = Open> {
@@ -92,20 +83,6 @@ impl<T: Scalar> Relation<T> for Lump<T> {
             torque: T::zero(), // the centripetal force has no moment about the station: n · d = 0
             cuts: Cuts::none(),
         }
-    }
-}
-
-impl<T: Scalar> Relation<T> for Known<T> {
-    type Closures = Open;
-    type WithMass = Point<T, T>;
-
-    #[inline(always)]
-    fn with_mass(self, mass: T) -> Point<T, T> {
-        Point { stiffness: Symmetric2::diagonal(mass), offset: self.force, torque: self.torque, cuts: Cuts::none() }
-    }
-    #[inline(always)]
-    fn carried(self, d: Vector2<T>, _: Vector2<T>) -> Full<T> {
-        Full { force: self.force, torque: self.torque + dot(normal(d), self.force), ..Full::massless() }
     }
 }
 

@@ -13,6 +13,8 @@
 pub mod algebra;
 mod full;
 mod kinds;
+mod slide;
 
 pub use full::{Full, FullColumn, Gain, HingeGain, Rigid};
-pub use kinds::{Empty, Known, Lump, Point, Relation};
+pub use kinds::{Empty, Lump, Point, Relation};
+pub use slide::{SlideGain, Slides, along, back};

@@ -1,0 +1,99 @@
+//! Postures of the items of arrays and vectors: loops that vectorise.
+
+use crate::element::{Element, Space};
+
+/// Binds slices that march together, and leaves where they differ in length: then loops over them need no bounds checks.
+/// Stores are made by the chain that walks them, and motions are compared with their scene before, so they do not differ.
+macro_rules! march {
+    ($n:ident: $first:ident $($slice:ident)*; mut $($change:ident)*; else $($otherwise:expr)?) => {
+        let $n = $first.len();
+        $(let $slice = &$slice[..];)*
+        $(let $change = &mut $change[..];)*
+        if false $(|| $slice.len() != $n)* $(|| $change.len() != $n)* {
+            return $($otherwise)?;
+        }
+    };
+}
+pub(super) use march;
+
+/// `Element::orient` of items. Slices are arguments: of these alone the compiler knows that they do not overlap.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)] // slices that march together
+pub(super) fn orient_items<S: Space, A: Element<S>>(
+    items: &[A],
+    position: &[A::Position],
+    rate: &[A::Rate],
+    mut turn: S::Turn,
+    x: &mut [A::PerAxes<S::X>],
+    y: &mut [A::PerAxes<S::Y>],
+    p: &mut [A::PerAxes<S::P>],
+    q: &mut [A::PerAxes<S::Q>],
+) -> S::Turn {
+    march!(n: items position rate; mut x y p q; else turn);
+    for i in 0..n {
+        let (x, y, p, q) = (&mut x[i], &mut y[i], &mut p[i], &mut q[i]);
+        turn = items[i].orient(&position[i], &rate[i], turn, x, y, p, q);
+    }
+    turn
+}
+
+/// `Element::resolve` of items.
+#[inline(always)]
+pub(super) fn resolve_items<S: Space, A: Element<S>>(
+    sizes: &[A::PerAxes<S::Size>],
+    x: &mut [A::PerAxes<S::X>],
+    y: &mut [A::PerAxes<S::Y>],
+    p: &mut [A::PerAxes<S::P>],
+    q: &mut [A::PerAxes<S::Q>],
+) {
+    march!(n: sizes; mut x y p q; else);
+    for i in 0..n {
+        A::resolve(&sizes[i], &mut x[i], &mut y[i], &mut p[i], &mut q[i]);
+    }
+}
+
+/// `Element::pose` of items: in one loop where the order does not matter, and in two where only the first has to go in order.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+pub(super) fn pose_items<S: Space, A: Element<S>>(
+    items: &[A],
+    position: &[A::Position],
+    rate: &[A::Rate],
+    mut turn: S::Turn,
+    sizes: &[A::PerAxes<S::Size>],
+    x: &mut [A::PerAxes<S::X>],
+    y: &mut [A::PerAxes<S::Y>],
+    p: &mut [A::PerAxes<S::P>],
+    q: &mut [A::PerAxes<S::Q>],
+) -> S::Turn {
+    if A::ABSOLUTE {
+        march!(n: items position rate sizes; mut x y p q; else turn);
+        for i in 0..n {
+            let (x, y, p, q) = (&mut x[i], &mut y[i], &mut p[i], &mut q[i]);
+            turn = items[i].pose(&position[i], &rate[i], turn, &sizes[i], x, y, p, q);
+        }
+        turn
+    } else {
+        let turn = orient_items(items, position, rate, turn, x, y, p, q);
+        resolve_items::<S, A>(sizes, x, y, p, q);
+        turn
+    }
+}
+
+/// [`pose_items`] as a function of its own: it costs a call and saves to ask whether slices overlap.
+#[cfg(feature = "alloc")]
+#[inline(never)]
+#[allow(clippy::too_many_arguments)]
+pub(super) fn pose_slices<S: Space, A: Element<S>>(
+    items: &[A],
+    position: &[A::Position],
+    rate: &[A::Rate],
+    turn: S::Turn,
+    sizes: &[A::PerAxes<S::Size>],
+    x: &mut [A::PerAxes<S::X>],
+    y: &mut [A::PerAxes<S::Y>],
+    p: &mut [A::PerAxes<S::P>],
+    q: &mut [A::PerAxes<S::Q>],
+) -> S::Turn {
+    pose_items(items, position, rate, turn, sizes, x, y, p, q)
+}

@@ -1,0 +1,122 @@
+//! Arrays and vectors of mirrors. Mirrors of different lengths change as far as all of them go; motions are compared with
+//! their scene before they come here.
+
+use super::{Position, Rate, Term};
+use crate::scalar::Scalar;
+
+/// One implementation for everything that derefs to a slice of mirrors.
+macro_rules! mirror_items {
+    ([$($generics:tt)*] $container:ty, $rates:ty) => {
+        impl<T: Scalar, A: Rate<T>, $($generics)*> Rate<T> for $container {
+            #[inline]
+            fn set(&mut self, base: &Self) {
+                self.iter_mut().zip(base).for_each(|(item, base)| item.set(base));
+            }
+            #[inline]
+            fn mix_1(&mut self, base: &Self, (u, a): Term<'_, T, Self>) {
+                for ((item, base), a) in self.iter_mut().zip(base).zip(a) {
+                    item.mix_1(base, (u, a));
+                }
+            }
+            #[inline]
+            fn mix_2(&mut self, base: &Self, (u, a): Term<'_, T, Self>, (v, b): Term<'_, T, Self>) {
+                for (((item, base), a), b) in self.iter_mut().zip(base).zip(a).zip(b) {
+                    item.mix_2(base, (u, a), (v, b));
+                }
+            }
+            #[inline]
+            fn mix_3(
+                &mut self,
+                base: &Self,
+                (u, a): Term<'_, T, Self>,
+                (v, b): Term<'_, T, Self>,
+                (w, c): Term<'_, T, Self>,
+            ) {
+                for ((((item, base), a), b), c) in self.iter_mut().zip(base).zip(a).zip(b).zip(c) {
+                    item.mix_3(base, (u, a), (v, b), (w, c));
+                }
+            }
+            #[inline]
+            fn add_4(
+                &mut self,
+                (u, a): Term<'_, T, Self>,
+                (v, b): Term<'_, T, Self>,
+                (w, c): Term<'_, T, Self>,
+                (x, d): Term<'_, T, Self>,
+            ) {
+                for ((((item, a), b), c), d) in self.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                    item.add_4((u, a), (v, b), (w, c), (x, d));
+                }
+            }
+            #[inline]
+            fn add(&mut self, step: &Self) {
+                self.iter_mut().zip(step).for_each(|(item, step)| item.add(step));
+            }
+            #[inline]
+            fn visit(&self, visit: &mut impl FnMut(T)) {
+                self.iter().for_each(|item| item.visit(visit));
+            }
+            #[inline]
+            fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
+                self.iter_mut().for_each(|item| item.replace(make));
+            }
+            #[inline]
+            fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
+                self.len() == other.len() && self.iter().zip(other).all(|(item, other)| item.all(other, test))
+            }
+        }
+
+        impl<T: Scalar, A: Position<T>, $($generics)*> Position<T> for $container {
+            type Rate = $rates;
+
+            #[inline]
+            fn drift_0(&mut self, from: &Self, (time, rate): Term<'_, T, Self::Rate>) {
+                for ((item, from), rate) in self.iter_mut().zip(from).zip(rate) {
+                    item.drift_0(from, (time, rate));
+                }
+            }
+            #[inline]
+            fn drift_1(&mut self, from: &Self, (time, rate): Term<'_, T, Self::Rate>, (u, a): Term<'_, T, Self::Rate>) {
+                for (((item, from), rate), a) in self.iter_mut().zip(from).zip(rate).zip(a) {
+                    item.drift_1(from, (time, rate), (u, a));
+                }
+            }
+            #[inline]
+            fn drift_2(
+                &mut self,
+                from: &Self,
+                (time, rate): Term<'_, T, Self::Rate>,
+                (u, a): Term<'_, T, Self::Rate>,
+                (v, b): Term<'_, T, Self::Rate>,
+            ) {
+                for ((((item, from), rate), a), b) in self.iter_mut().zip(from).zip(rate).zip(a).zip(b) {
+                    item.drift_2(from, (time, rate), (u, a), (v, b));
+                }
+            }
+            #[inline]
+            fn displace(&mut self, step: &Self::Rate) {
+                self.iter_mut().zip(step).for_each(|(item, step)| item.displace(step));
+            }
+            #[inline]
+            fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T::Real)) {
+                self.iter().zip(displacement).for_each(|(item, displacement)| item.measure(displacement, note));
+            }
+            #[inline]
+            fn visit(&self, visit: &mut impl FnMut(T)) {
+                self.iter().for_each(|item| item.visit(visit));
+            }
+            #[inline]
+            fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
+                self.iter_mut().for_each(|item| item.replace(make));
+            }
+            #[inline]
+            fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
+                self.len() == other.len() && self.iter().zip(other).all(|(item, other)| item.all(other, test))
+            }
+        }
+    };
+}
+
+mirror_items!([const K: usize] [A; K], [A::Rate; K]);
+#[cfg(feature = "alloc")]
+mirror_items!([] alloc::vec::Vec<A>, alloc::vec::Vec<A::Rate>);

@@ -1,0 +1,87 @@
+//! Motions have the shape of their scene: a joint's coordinates where the scene has the joint, nothing where it has a body.
+//!
+//! A chain `(rod, Pin, rod)` moves with coordinates of type `((), T, ())`, an array of links with an array of them. Time
+//! rules need only two things of such a value: linear combinations of rates ([`Rate::mix_2`]) and positions displaced
+//! by them ([`Position::drift_2`]). In the plane positions are numbers like rates; a rotation in space displaces by its
+//! exponential map instead, and nothing else changes.
+//!
+//! Combinations are written out for each number of terms. One function over an array of terms would have to take the array
+//! apart at every item of every tuple, and a compiler spends more time on that than on all mechanics of a long chain.
+
+mod items;
+mod number;
+mod tuple;
+
+use crate::scalar::Scalar;
+
+/// A rate or an acceleration with its weight in a sum.
+pub type Term<'a, T, A> = (<T as Scalar>::Real, &'a A);
+
+/// Rates or accelerations of all joint coordinates: a linear space.
+///
+/// Terms of a sum are added one by one from left to right, however many a function takes.
+pub trait Rate<T: Scalar>: Clone {
+    /// `self = base`: a copy that allocates nothing.
+    fn set(&mut self, base: &Self);
+
+    /// `self = base + a`.
+    fn mix_1(&mut self, base: &Self, a: Term<'_, T, Self>);
+
+    /// `self = base + a + b`.
+    fn mix_2(&mut self, base: &Self, a: Term<'_, T, Self>, b: Term<'_, T, Self>);
+
+    /// `self = base + a + b + c`.
+    fn mix_3(&mut self, base: &Self, a: Term<'_, T, Self>, b: Term<'_, T, Self>, c: Term<'_, T, Self>);
+
+    /// `self = self + a + b + c + d`.
+    fn add_4(&mut self, a: Term<'_, T, Self>, b: Term<'_, T, Self>, c: Term<'_, T, Self>, d: Term<'_, T, Self>);
+
+    /// `self = self + step`.
+    fn add(&mut self, step: &Self);
+
+    /// Calls `visit` with each coordinate, root to tip.
+    fn visit(&self, visit: &mut impl FnMut(T));
+
+    /// Replaces each coordinate, root to tip.
+    fn replace(&mut self, make: &mut impl FnMut(T) -> T);
+
+    /// Whether `test` holds for each pair of numbers at the same place, and there are as many (only a `Vec` can differ).
+    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool;
+}
+
+/// Positions of all joint coordinates, with rates of type `Rate`.
+pub trait Position<T: Scalar>: Clone {
+    /// The rates of these coordinates.
+    type Rate: Rate<T>;
+
+    /// `self = from ⊕ rate`: displaced by a rate that lasts for a time (s).
+    fn drift_0(&mut self, from: &Self, rate: Term<'_, T, Self::Rate>);
+
+    /// `self = from ⊕ (rate + a)`: and by accelerations, whose weights (s²) a time rule knows.
+    fn drift_1(&mut self, from: &Self, rate: Term<'_, T, Self::Rate>, a: Term<'_, T, Self::Rate>);
+
+    /// `self = from ⊕ (rate + a + b)`.
+    fn drift_2(
+        &mut self,
+        from: &Self,
+        rate: Term<'_, T, Self::Rate>,
+        a: Term<'_, T, Self::Rate>,
+        b: Term<'_, T, Self::Rate>,
+    );
+
+    /// `self = self ⊕ step`.
+    fn displace(&mut self, step: &Self::Rate);
+
+    /// Calls `note` with each number of a displacement from here, root to tip, and the size by which to measure it relatively
+    /// (that of the coordinate).
+    fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T::Real));
+
+    /// Calls `visit` with each number stored, root to tip.
+    fn visit(&self, visit: &mut impl FnMut(T));
+
+    /// Replaces each number stored, root to tip.
+    fn replace(&mut self, make: &mut impl FnMut(T) -> T);
+
+    /// Whether `test` holds for each pair of numbers at the same place, and there are as many (only a `Vec` can differ).
+    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool;
+}

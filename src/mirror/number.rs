@@ -1,0 +1,86 @@
+//! A number is the coordinate of a joint with one degree of freedom.
+
+use super::{Position, Rate, Term};
+use crate::scalar::{Real, Scalar};
+
+impl<T: Scalar> Rate<T> for T {
+    #[inline(always)]
+    fn set(&mut self, base: &T) {
+        *self = *base;
+    }
+    #[inline(always)]
+    fn mix_1(&mut self, base: &T, (u, a): Term<'_, T, T>) {
+        *self = base.add_scaled(u, *a);
+    }
+    #[inline(always)]
+    fn mix_2(&mut self, base: &T, (u, a): Term<'_, T, T>, (v, b): Term<'_, T, T>) {
+        *self = base.add_scaled(u, *a).add_scaled(v, *b);
+    }
+    #[inline(always)]
+    fn mix_3(&mut self, base: &T, (u, a): Term<'_, T, T>, (v, b): Term<'_, T, T>, (w, c): Term<'_, T, T>) {
+        *self = base.add_scaled(u, *a).add_scaled(v, *b).add_scaled(w, *c);
+    }
+    #[inline(always)]
+    fn add_4(
+        &mut self,
+        (u, a): Term<'_, T, T>,
+        (v, b): Term<'_, T, T>,
+        (w, c): Term<'_, T, T>,
+        (x, d): Term<'_, T, T>,
+    ) {
+        *self = self.add_scaled(u, *a).add_scaled(v, *b).add_scaled(w, *c).add_scaled(x, *d);
+    }
+    #[inline(always)]
+    fn add(&mut self, step: &T) {
+        *self += *step;
+    }
+    #[inline(always)]
+    fn visit(&self, visit: &mut impl FnMut(T)) {
+        visit(*self);
+    }
+    #[inline(always)]
+    fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
+        *self = make(*self);
+    }
+    #[inline(always)]
+    fn all(&self, other: &T, test: &mut impl FnMut(T, T) -> bool) -> bool {
+        test(*self, *other)
+    }
+}
+
+impl<T: Scalar> Position<T> for T {
+    type Rate = T;
+
+    #[inline(always)]
+    fn drift_0(&mut self, from: &T, rate: Term<'_, T, T>) {
+        self.mix_1(from, rate);
+    }
+    #[inline(always)]
+    fn drift_1(&mut self, from: &T, rate: Term<'_, T, T>, a: Term<'_, T, T>) {
+        self.mix_2(from, rate, a);
+    }
+    #[inline(always)]
+    fn drift_2(&mut self, from: &T, rate: Term<'_, T, T>, a: Term<'_, T, T>, b: Term<'_, T, T>) {
+        self.mix_3(from, rate, a, b);
+    }
+    #[inline(always)]
+    fn displace(&mut self, step: &T) {
+        *self += *step;
+    }
+    #[inline(always)]
+    fn measure(&self, displacement: &T, note: &mut impl FnMut(T, T::Real)) {
+        note(*displacement, self.real().abs());
+    }
+    #[inline(always)]
+    fn visit(&self, visit: &mut impl FnMut(T)) {
+        visit(*self);
+    }
+    #[inline(always)]
+    fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
+        *self = make(*self);
+    }
+    #[inline(always)]
+    fn all(&self, other: &T, test: &mut impl FnMut(T, T) -> bool) -> bool {
+        test(*self, *other)
+    }
+}

@@ -1,0 +1,111 @@
+//! Tuples of mirrors, for the arities that chains have, and the mirror of a body: `()`.
+
+use super::{Position, Rate, Term};
+use crate::scalar::Scalar;
+use crate::tuples::for_each_tuple;
+
+macro_rules! mirror_tuple {
+    ($($met:ident)?; $($A:ident $i:tt $out:ident $in:ident),*; $($rest:tt)*) => {
+        impl<T: Scalar, $($A: Rate<T>),*> Rate<T> for ($($A,)*) {
+            #[inline(always)]
+            fn set(&mut self, _base: &Self) {
+                $(self.$i.set(&_base.$i);)*
+            }
+            #[inline(always)]
+            fn mix_1(&mut self, _base: &Self, (_u, _a): Term<'_, T, Self>) {
+                $(self.$i.mix_1(&_base.$i, (_u, &_a.$i));)*
+            }
+            #[inline(always)]
+            fn mix_2(&mut self, _base: &Self, (_u, _a): Term<'_, T, Self>, (_v, _b): Term<'_, T, Self>) {
+                $(self.$i.mix_2(&_base.$i, (_u, &_a.$i), (_v, &_b.$i));)*
+            }
+            #[inline(always)]
+            fn mix_3(
+                &mut self,
+                _base: &Self,
+                (_u, _a): Term<'_, T, Self>,
+                (_v, _b): Term<'_, T, Self>,
+                (_w, _c): Term<'_, T, Self>,
+            ) {
+                $(self.$i.mix_3(&_base.$i, (_u, &_a.$i), (_v, &_b.$i), (_w, &_c.$i));)*
+            }
+            #[inline(always)]
+            fn add_4(
+                &mut self,
+                (_u, _a): Term<'_, T, Self>,
+                (_v, _b): Term<'_, T, Self>,
+                (_w, _c): Term<'_, T, Self>,
+                (_x, _d): Term<'_, T, Self>,
+            ) {
+                $(self.$i.add_4((_u, &_a.$i), (_v, &_b.$i), (_w, &_c.$i), (_x, &_d.$i));)*
+            }
+            #[inline(always)]
+            fn add(&mut self, _step: &Self) {
+                $(self.$i.add(&_step.$i);)*
+            }
+            #[inline(always)]
+            fn visit(&self, _visit: &mut impl FnMut(T)) {
+                $(self.$i.visit(_visit);)*
+            }
+            #[inline(always)]
+            fn replace(&mut self, _make: &mut impl FnMut(T) -> T) {
+                $(self.$i.replace(_make);)*
+            }
+            #[inline(always)]
+            fn all(&self, _other: &Self, _test: &mut impl FnMut(T, T) -> bool) -> bool {
+                true $(&& self.$i.all(&_other.$i, _test))*
+            }
+        }
+
+        impl<T: Scalar, $($A: Position<T>),*> Position<T> for ($($A,)*) {
+            type Rate = ($($A::Rate,)*);
+
+            #[inline(always)]
+            fn drift_0(&mut self, _from: &Self, (_time, _rate): Term<'_, T, Self::Rate>) {
+                $(self.$i.drift_0(&_from.$i, (_time, &_rate.$i));)*
+            }
+            #[inline(always)]
+            fn drift_1(
+                &mut self,
+                _from: &Self,
+                (_time, _rate): Term<'_, T, Self::Rate>,
+                (_u, _a): Term<'_, T, Self::Rate>,
+            ) {
+                $(self.$i.drift_1(&_from.$i, (_time, &_rate.$i), (_u, &_a.$i));)*
+            }
+            #[inline(always)]
+            fn drift_2(
+                &mut self,
+                _from: &Self,
+                (_time, _rate): Term<'_, T, Self::Rate>,
+                (_u, _a): Term<'_, T, Self::Rate>,
+                (_v, _b): Term<'_, T, Self::Rate>,
+            ) {
+                $(self.$i.drift_2(&_from.$i, (_time, &_rate.$i), (_u, &_a.$i), (_v, &_b.$i));)*
+            }
+            #[inline(always)]
+            fn displace(&mut self, _step: &Self::Rate) {
+                $(self.$i.displace(&_step.$i);)*
+            }
+            #[inline(always)]
+            fn measure(&self, _displacement: &Self::Rate, _note: &mut impl FnMut(T, T::Real)) {
+                $(self.$i.measure(&_displacement.$i, _note);)*
+            }
+            #[inline(always)]
+            fn visit(&self, _visit: &mut impl FnMut(T)) {
+                $(self.$i.visit(_visit);)*
+            }
+            #[inline(always)]
+            fn replace(&mut self, _make: &mut impl FnMut(T) -> T) {
+                $(self.$i.replace(_make);)*
+            }
+            #[inline(always)]
+            fn all(&self, _other: &Self, _test: &mut impl FnMut(T, T) -> bool) -> bool {
+                true $(&& self.$i.all(&_other.$i, _test))*
+            }
+        }
+    };
+}
+
+mirror_tuple!(; ;);
+for_each_tuple!(mirror_tuple);

@@ -1,0 +1,182 @@
+//! Natural frequencies and modes of vibration of a scene about a position of rest.
+//!
+//! ```
+//! use catena::element::Unloaded;
+//! use catena::planar::*;
+//! use core::f64::consts::FRAC_PI_2;
+//!
+//! let bob = PointMass::new(1.0, 1.0); // length (m), mass (kg)
+//! let pendulum = System::new(Pinned::origin(), (bob, Pin, bob), Free)?.with_gravity(9.81);
+//! let rest = pendulum.at_rest(&[-FRAC_PI_2; 2])?;
+//! let modes = pendulum.modes(&rest, &Unloaded)?;
+//! let expected = [2.0 - 2f64.sqrt(), 2.0 + 2f64.sqrt()].map(|square| (9.81 * square).sqrt());
+//! for (found, expected) in modes.frequencies().zip(expected) {
+//!     assert!((found - expected).abs() < 1e-12 * expected); // rad/s
+//! }
+//! # Ok::<(), catena::Error>(())
+//! ```
+
+use crate::dense::{Matrix, Tangent};
+use crate::element::{Element, Loading};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::mirror::Rate;
+use crate::scalar::{Real, Scalar};
+use crate::system::{Dynamics, Inertial, MotionOf, Runs, StiffDynamics, System, numbers};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use num_traits::Zero;
+use std::vec::Vec;
+
+/// A position of rest may be off by this much (rad, m).
+const OFF: f64 = 1e-6;
+/// A stiffness may be asymmetric by this much of its size: differences and rounding leave far less.
+const ASYMMETRY: f64 = 1e-6;
+/// Squared frequencies below this share of the largest are rounding.
+const FLAT: f64 = 1e-11;
+
+/// Natural frequencies, ascending, and their modes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modes {
+    modes: Vec<Mode>,
+}
+
+/// A mode of vibration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// ω² (rad²/s²).
+    square: f64,
+    shape: Vec<f64>,
+}
+
+impl Mode {
+    /// Angular frequency ω (rad/s). A negative number −κ stands for a mode that does not swing but departs as exp(κ t): rest is
+    /// unstable. Where nothing drives back it is zero but for rounding.
+    pub fn frequency(&self) -> f64 {
+        self.square.abs().sqrt().copysign(self.square)
+    }
+
+    /// ω² (rad²/s²), negative for a mode that departs.
+    pub fn square(&self) -> f64 {
+        self.square
+    }
+
+    /// Displacements of the joint coordinates, in the order of [`with_rates`](System::with_rates), scaled to unit modal mass:
+    /// as rates they have a kinetic energy of ½ J. The largest is positive.
+    pub fn shape(&self) -> &[f64] {
+        &self.shape
+    }
+}
+
+impl Modes {
+    /// Number of modes: coordinates less conditions of closures.
+    pub fn len(&self) -> usize {
+        self.modes.len()
+    }
+
+    /// Whether nothing can move.
+    pub fn is_empty(&self) -> bool {
+        self.modes.is_empty()
+    }
+
+    /// Mode number `k`, counted from 0 at the lowest frequency.
+    pub fn get(&self, k: usize) -> Option<&Mode> {
+        self.modes.get(k)
+    }
+
+    /// All modes, by ascending frequency.
+    pub fn iter(&self) -> impl Iterator<Item = &Mode> {
+        self.modes.iter()
+    }
+
+    /// All angular frequencies, ascending (rad/s).
+    pub fn frequencies(&self) -> impl Iterator<Item = f64> {
+        self.modes.iter().map(Mode::frequency)
+    }
+}
+
+impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// Natural frequencies and modes about a position of rest under gravity, springs and loads. Dampers do not enter, nor do the
+    /// rates of `rest`; loads that depend on rates count as they are at none. Forces that hold a tip do their part: modes obey
+    /// its closure, and the pull in a held chain makes it stiff.
+    ///
+    /// M q̈ = −K q in joint coordinates: M from the velocities of all bodies, K from sixteen sweeps for each coordinate
+    /// (differences of eighth order, springs apart from the rest), and a dense symmetric eigenvalue problem. An error of ω² is
+    /// some 1e-16 to 1e-15 of the largest ω² of the scene. Measured: ω of hanging chains of 10, 20 and 40 point masses to 5e-15,
+    /// 5e-14 and 8e-14, of a catenary of 30 rods to 2e-12, and of a beam of 80 stiff rods, whose frequencies span four decades,
+    /// to 1e-9.
+    ///
+    /// # Errors
+    /// [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6; [`Fault::NotConservative`] for loads without a
+    /// potential; those of a sweep.
+    pub fn modes<L: Loading<S>>(&self, rest: &MotionOf<S, R, C, P>, loads: &L) -> Result<Modes, Error>
+    where
+        Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
+    {
+        let error = |fault| Error::new(fault).at_time(rest.time.as_f64());
+        let mut workspace = self.workspace();
+        let mut still = rest.clone();
+        still.rate.replace(&mut |_| S::Scalar::zero());
+        self.accelerate(&mut still, loads, &mut workspace)?;
+        let near = self.linearise(&still, loads, &mut self.stiff_workspace());
+        let n = near.tangent.dimension();
+        if n == 0 {
+            return Ok(Modes { modes: Vec::new() });
+        }
+        // Coordinates in which the mass matrix is one: y = R q with weighted velocities Q R.
+        let root = dense(&near.root).qr().r();
+        let singular = || error(Fault::SingularJoint);
+        let image = (&root * dense(&near.response)).transpose();
+        let stiffness = -root.tr_solve_upper_triangular(&image).ok_or_else(singular)?.transpose();
+        let asymmetry = (&stiffness - stiffness.transpose()).amax() / stiffness.amax().max(f64::MIN_POSITIVE);
+        if !stiffness.iter().all(|x| x.is_finite()) {
+            return Err(self.diagnose(&still, loads, &mut workspace));
+        }
+        let symmetric = (&stiffness + stiffness.transpose()) * 0.5;
+        let limit = 1000 * n;
+        let eigen =
+            SymmetricEigen::try_new(symmetric, f64::EPSILON, limit).ok_or_else(|| error(Fault::NonFiniteMotion))?;
+
+        let pull: Vec<S::Scalar> = near.tangent.components(&numbers(&still.acceleration));
+        let pull = &root * DVector::from_iterator(n, pull.iter().map(|x| x.real().as_f64()));
+        let stiffest = eigen.eigenvalues.amax();
+        let mut way = DVector::zeros(n);
+        let mut order: Vec<usize> = (0..n).collect();
+        order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
+        let mut modes = Vec::with_capacity(n);
+        for k in order {
+            let (square, vector) = (eigen.eigenvalues[k], eigen.eigenvectors.column(k));
+            if square.abs() > FLAT * stiffest {
+                way.axpy(vector.dot(&pull) / square, &vector, 1.0);
+            }
+            let along = root.solve_upper_triangular(&vector).ok_or_else(singular)?;
+            modes.push(Mode { square, shape: shape::<S::Scalar>(&near.tangent, along.as_slice()) });
+        }
+        let way = root.solve_upper_triangular(&way).ok_or_else(singular)?;
+        let distance = way.amax();
+        if distance > OFF {
+            return Err(error(Fault::NotAtRest { distance }));
+        }
+        // Forces without a potential only then: away from rest the inertia forces are asymmetric too.
+        if asymmetry > ASYMMETRY {
+            return Err(error(Fault::NotConservative { asymmetry }));
+        }
+        Ok(Modes { modes })
+    }
+}
+
+/// A matrix for nalgebra.
+fn dense<R: Real>(matrix: &Matrix<R>) -> DMatrix<f64> {
+    let entries: Vec<f64> = matrix.rows().flatten().map(|x| x.as_f64()).collect();
+    DMatrix::from_row_slice(entries.len() / matrix.columns(), matrix.columns(), &entries)
+}
+
+/// The coordinates of a shape given along tangent directions, its largest positive.
+fn shape<T: Scalar>(tangent: &Tangent<T::Real>, along: &[f64]) -> Vec<f64> {
+    let along: Vec<T::Real> = along.iter().map(|x| T::Real::of(*x)).collect();
+    let mut shape: Vec<f64> = tangent.vector(&along).iter().map(|x| x.as_f64()).collect();
+    let largest = shape.iter().fold(0.0_f64, |most, x| if x.abs() > most.abs() { *x } else { most });
+    if largest < 0.0 {
+        shape.iter_mut().for_each(|x| *x = -*x);
+    }
+    shape
+}

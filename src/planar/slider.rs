@@ -1,0 +1,155 @@
+//! The joint that slides.
+
+use super::axes::{Inboard, Offset};
+use super::spring::SpringLaw;
+use super::{Acceleration, Frame, Joint, Planar, Spring, SpringState, Turn};
+use crate::element::{Condense, Given, Posture, Sweep};
+use crate::error::Fault;
+use crate::lift::Lift;
+use crate::relation::plane::{Full, SlideGain, Slides, along, back};
+use crate::relation::{Absent, Closures};
+use crate::scalar::Scalar;
+use nalgebra::Vector2;
+
+/// A joint whose outboard point slides along a straight line of the inboard body while the bodies do not turn relative to each
+/// other, with a spring and damper along the line if there are any. Its coordinate is the distance from the inboard point (m).
+///
+/// ```
+/// use catena::planar::*;
+/// let (cart, rod) = (RigidBody::new(2.0, 0.1, [0.0; 2], [0.0; 2]), Rod::uniform(1.0, 0.5));
+/// let track = Slider::along(0.0).sprung(Spring::new(50.0)); // direction (rad) in the axes of the inboard body
+/// let crane = System::new(Clamped::at(0.0, 0.0, 0.0), (track, cart, Pin, rod), Free)?.with_gravity(9.81);
+/// # Ok::<(), catena::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slider<T, S = Absent> {
+    direction: T,
+    spring: S,
+    /// Point mass that the outboard body lumps at its inboard end, in a scene.
+    lumped: T,
+}
+
+impl<T: Scalar> Slider<T> {
+    /// Along a direction (rad) in the axes of the inboard body.
+    pub fn along(direction: T) -> Self {
+        Self { direction, spring: Absent, lumped: T::zero() }
+    }
+
+    /// With a spring along the line.
+    pub fn sprung<D, P>(self, spring: Spring<T, D, P>) -> Slider<T, Spring<T, D, P>> {
+        Slider { direction: self.direction, spring, lumped: self.lumped }
+    }
+}
+
+impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
+    type Position = T;
+    type Rate = T;
+    type Kept<C: Closures> = SlideGain<T, C>;
+    type Axes = Inboard;
+
+    const TURNS: bool = false;
+    const LEVER: bool = true;
+
+    fn position() -> T {
+        T::zero()
+    }
+    fn rate() -> T {
+        T::zero()
+    }
+    fn kept<C: Closures>() -> SlideGain<T, C> {
+        SlideGain::blank()
+    }
+    #[inline(always)]
+    fn homogeneous<C: Closures>(kept: &SlideGain<T, C>) -> SlideGain<T, C> {
+        kept.homogeneous()
+    }
+    fn is_finite<C: Closures>(kept: &SlideGain<T, C>) -> bool {
+        kept.is_finite()
+    }
+    fn aim(&self, _: &mut T, inboard: Turn<T>, _: &mut impl FnMut() -> T) -> Turn<T> {
+        inboard
+    }
+    fn lump(&mut self, mass: T) -> T {
+        self.lumped = mass;
+        T::zero()
+    }
+    #[inline(always)]
+    fn turned(&self, _: &T, _: &T, inboard: Turn<T>) -> Turn<T> {
+        inboard
+    }
+    #[inline(always)]
+    fn orient(
+        &self,
+        position: &T,
+        rate: &T,
+        inboard: Turn<T>,
+        x: &mut [T; 2],
+        y: &mut [T; 2],
+        p: &mut [T; 2],
+        q: &mut [T; 2],
+    ) -> Turn<T> {
+        let axis = Turn { angle: inboard.angle + self.direction, ..inboard };
+        Inboard::keep(axis, [[*position, T::zero()], [*rate, T::zero()]], x, y, p, q);
+        inboard
+    }
+    #[inline(always)]
+    fn moved(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> Frame<T> {
+        let (sine, cosine) = (inboard.turn.angle + self.direction).sin_cos();
+        let line = Vector2::new(cosine, sine);
+        inboard.displaced([line * *position, line * *rate, line * *acceleration])
+    }
+    fn spring(&self, position: &T, rate: &T) -> SpringState<T> {
+        let _ = rate;
+        SpringState { torque: T::zero(), energy: self.spring.energy(*position) }
+    }
+    fn check(&self) -> Result<(), Fault> {
+        if !self.direction.is_finite() {
+            return Err(Fault::NotFinite { parameter: "direction" });
+        }
+        self.spring.check()
+    }
+    #[inline(always)]
+    fn recovered<C: Closures>(
+        &self,
+        inboard: Acceleration<T>,
+        offset: Offset<T>,
+        kept: &SlideGain<T, C>,
+        multipliers: &C::Each<T>,
+        rate: &mut T,
+    ) -> Acceleration<T> {
+        let Offset { direction, arm, acceleration } = offset;
+        let carried = inboard.shifted(arm, acceleration);
+        *rate = kept.relative(along(carried.linear, direction), carried.angular, multipliers);
+        Acceleration { linear: carried.linear + direction * *rate, ..carried }
+    }
+}
+
+impl<T: Scalar, S: SpringLaw<T>, R: Slides<T>, W> Condense<Planar<T>, R, W> for Slider<T, S>
+where
+    W: Sweep<Planar<T>, Closures = R::Closures>,
+{
+    type Out = Full<T, R::Closures>;
+
+    #[inline(always)]
+    fn condense(
+        &self,
+        outer: R,
+        posture: Posture<'_, Planar<T>, Self>,
+        given: Given<'_, Planar<T>, Self, W>,
+        kept: &mut SlideGain<T, W::Closures>,
+    ) -> Self::Out {
+        let Offset { direction, arm, acceleration } = super::joint::offset::<T, Self>(posture);
+        let applied = self.spring.force(*given.position, *given.rate);
+        let (relation, gain) =
+            outer.with_mass(self.lumped).along(direction).slid(applied, self.spring.pivot(given.springs));
+        *kept = gain;
+        relation.along(back(direction)).carried(arm, acceleration)
+    }
+}
+
+impl<T: Scalar, U: Scalar, S: Lift<T, U>> Lift<T, U> for Slider<T, S> {
+    type Over = Slider<U, S::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Slider { direction: number(self.direction), spring: self.spring.lift(number), lumped: number(self.lumped) }
+    }
+}

@@ -1,0 +1,37 @@
+//! Closures that say the same twice.
+
+/// How small a pivot of Λ may be, as a share of its measure, where closures are independent: rounding leaves 1e-16 of a dependent
+/// one, and a mechanism must come within 1e-5 rad of a singular place to have 1e-10.
+const SMALLEST: f64 = 1e-10;
+
+/// A row of a positive semidefinite matrix that depends on others, and the rank: by elimination with diagonal pivots, the largest
+/// share of its measure first. Of the matrix the lower triangle is read; `rounding` is that of its numbers.
+pub(super) fn dependent_row<const L: usize>(
+    matrix: [[f64; L]; L],
+    measure: [f64; L],
+    rounding: f64,
+) -> Option<(usize, usize)> {
+    if !matrix.iter().flatten().all(|entry| entry.is_finite()) {
+        return None; // something else is wrong
+    }
+    let smallest = SMALLEST.max(100.0 * rounding);
+    let mut rest: [[f64; L]; L] =
+        core::array::from_fn(|i| core::array::from_fn(|j| if j <= i { matrix[i][j] } else { matrix[j][i] }));
+    let mut waiting = [true; L];
+    for rank in 0..L {
+        let shares = (0..L).filter(|i| waiting[*i]).map(|i| (rest[i][i] / measure[i], i));
+        let (share, row) = shares.fold((f64::NEG_INFINITY, 0), |best, next| if next.0 > best.0 { next } else { best });
+        if share <= smallest {
+            return Some(((0..L).rev().find(|i| waiting[*i]).unwrap_or(row), rank));
+        }
+        waiting[row] = false;
+        let pivot = rest[row];
+        for other in (0..L).filter(|i| waiting[*i]) {
+            let factor = rest[other][row] / pivot[row];
+            for (entry, above) in rest[other].iter_mut().zip(pivot) {
+                *entry -= factor * above;
+            }
+        }
+    }
+    None
+}

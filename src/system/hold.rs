@@ -1,0 +1,127 @@
+//! Motions with their tip where it is held.
+
+use crate::element::{Element, Loading, RealOf, Space};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::mirror::{Position, Rate};
+use crate::relation::Closures;
+use crate::scalar::{Real, Scalar};
+use crate::system::{Dynamics, MotionOf, Runs, System};
+use num_traits::{One, Zero};
+
+/// Corrections of a guess before it counts as one that leads nowhere.
+const CORRECTIONS: usize = 60;
+/// The longest correction of a coordinate (rad, m) at once.
+const SHARE: f64 = 0.3;
+
+impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// The same motion with its tip where it is held: the least correction of positions and rates, as measured by the inertia
+    /// of the scene (from afar, by the angles), and the accelerations that belong to them. A scene with a free tip is left as it
+    /// is, but for its accelerations. A straight chain cannot tell where to bend: bend it.
+    ///
+    /// ```
+    /// use catena::element::Unloaded;
+    /// use catena::planar::*;
+    /// let rod = |length| Rod::uniform(length, 1.0);
+    /// let four_bar = System::new(Pinned::origin(), (rod(0.5), Pin, rod(1.2), Pin, rod(0.9)), Pinned::at(1.0, 0.0))?;
+    /// let start = four_bar.with_tip_held(four_bar.at_rest(&[1.0, 0.3, -2.0])?, &Unloaded)?;
+    /// let tip = four_bar.stations(&start, &Unloaded).tip().frame.place;
+    /// assert!((tip.x - 1.0_f64).abs() < 1e-15 && tip.y.abs() < 1e-15);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Fault::NotClosed`] where no correction leads there; those of [`with_accelerations`](Self::with_accelerations).
+    pub fn with_tip_held<L: Loading<S>>(
+        &self,
+        mut motion: MotionOf<S, R, C, P>,
+        loads: &L,
+    ) -> Result<MotionOf<S, R, C, P>, Error>
+    where
+        Self: Runs<L, S, R, C, P>,
+    {
+        let mut workspace = self.workspace();
+        self.hold(&mut motion, loads, &mut workspace)?;
+        Ok(motion)
+    }
+
+    /// [`with_tip_held`](Self::with_tip_held) in place.
+    pub(crate) fn hold<L: Loading<S>>(
+        &self,
+        motion: &mut MotionOf<S, R, C, P>,
+        loads: &L,
+        workspace: &mut <Self as Dynamics<L>>::Workspace,
+    ) -> Result<(), Error>
+    where
+        Self: Runs<L, S, R, C, P>,
+    {
+        self.accelerate(motion, loads, workspace)?;
+        if P::Closures::COUNT == 0 {
+            return Ok(());
+        }
+        let real = RealOf::<S>::of;
+        let (small, tiny) = (RealOf::<S>::EPSILON.powf(real(0.6)), RealOf::<S>::EPSILON);
+        let mut last = RealOf::<S>::INFINITY;
+        for _ in 0..CORRECTIONS {
+            let mut corrected = motion.clone();
+            self.project(&mut corrected, workspace);
+            let mut step = RealOf::<S>::zero();
+            corrected.position.all(&motion.position, &mut |a, b| {
+                step = step.max((a - b).real().abs() / b.real().abs().max(RealOf::<S>::one()));
+                true
+            });
+            if step <= real(SHARE) {
+                *motion = corrected;
+            } else {
+                self.approach(motion);
+            }
+            self.accelerate(motion, loads, workspace)?;
+            // Corrections fall until nothing but rounding is left of them.
+            if step <= tiny || (step <= small && step + step >= last) {
+                return Ok(());
+            }
+            last = step;
+        }
+        let miss = self.miss(motion)[0];
+        let mut most = RealOf::<S>::zero();
+        P::Closures::map(&miss, |x| most = most.max(x.real().abs()));
+        Err(Error::new(Fault::NotClosed { miss: most.as_f64() }).at_time(motion.time.as_f64()))
+    }
+
+    /// Moves the tip towards where it is held by the least change of all coordinates alike, and not too far at once. From afar
+    /// this is better than the least effort: the last links of a long chain are so light that they would do all the turning.
+    fn approach(&self, motion: &mut MotionOf<S, R, C, P>) {
+        let mut moving = motion.clone();
+        let mut freedoms = 0;
+        moving.rate.replace(&mut |_| {
+            freedoms += 1;
+            S::Scalar::zero()
+        });
+        let [place, drift] = self.miss(&moving);
+        let mut lever = |j: usize| {
+            let mut i = 0;
+            moving.rate.replace(&mut |_| {
+                i += 1;
+                if i == j + 1 { S::Scalar::one() } else { S::Scalar::zero() }
+            });
+            let [_, velocity] = self.miss(&moving);
+            P::Closures::zip(&velocity, &drift, |with, without| with - without)
+        };
+        let mut pairs = P::Closures::no_pairs();
+        for j in 0..freedoms {
+            let lever = lever(j);
+            pairs = P::Closures::minus_outer(&pairs, &lever, &lever);
+        }
+        let pull = P::Closures::solve(&pairs, &place);
+        let (mut step, mut j, mut most) = (motion.rate.clone(), 0, RealOf::<S>::zero());
+        step.replace(&mut |_| {
+            let x = P::Closures::plus_dot(S::Scalar::zero(), &lever(j), &pull);
+            j += 1;
+            most = most.max(x.real().abs());
+            x
+        });
+        let share = RealOf::<S>::one().min(RealOf::<S>::of(SHARE) / most);
+        step.replace(&mut |x| x.scale(share));
+        motion.position.displace(&step);
+    }
+}

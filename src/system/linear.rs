@@ -1,0 +1,167 @@
+//! A scene linearised about a position: what statics and modes share.
+
+use super::{MotionOf, PositionOf, RateOf, Runs, StiffDynamics, System, coordinates};
+use crate::dense::{Matrix, Tangent};
+use crate::element::{Element, Implicit, Loading, RealOf, Space};
+use crate::ends::{Root, Tip};
+use crate::mirror::{Position, Rate};
+use crate::observe::each_body;
+use crate::planar::{BodyMotion, Planar};
+use crate::relation::Closures;
+use crate::scalar::{Real, Scalar};
+use alloc::vec;
+use alloc::vec::Vec;
+use num_traits::{One, Zero};
+
+/// A space in which the kinetic energy of a body is half a sum of squares.
+pub trait Inertial: Space {
+    /// Notes velocities of a body times the roots of what resists them, so that their squares add up to twice its kinetic
+    /// energy.
+    fn weighted(body: &Self::BodyMotion, note: &mut impl FnMut(RealOf<Self>));
+}
+
+impl<T: Scalar> Inertial for Planar<T> {
+    fn weighted(body: &BodyMotion<T>, note: &mut impl FnMut(T::Real)) {
+        // A moment of inertia may be negative by rounding.
+        let root = |x: T| x.real().max(T::Real::zero()).sqrt();
+        let (mass, about_centre) = (root(body.inertia.mass), root(body.inertia.about_centre));
+        let velocity = body.centre().velocity;
+        note(mass * velocity.x.real());
+        note(mass * velocity.y.real());
+        note(about_centre * body.rate().real());
+    }
+}
+
+/// A scene near a position, in the directions that its closures leave open. Linear maps are real; of dual numbers they hold the
+/// real part.
+pub(crate) struct Linear<R> {
+    /// Those directions.
+    pub tangent: Tangent<R>,
+    /// Root of the mass matrix: weighted velocities of bodies for unit rates, so that M = rootᵀ root.
+    pub root: Matrix<R>,
+    /// Accelerations for unit displacements, −M⁻¹ K at rest.
+    pub response: Matrix<R>,
+    /// The part of it that springs in joints have.
+    pub springs: Matrix<R>,
+}
+
+/// The numbers of a rate, root to tip.
+pub(crate) fn numbers<T: Scalar, V: Rate<T>>(rate: &V) -> Vec<T> {
+    let mut numbers = vec![];
+    rate.visit(&mut |x| numbers.push(x));
+    numbers
+}
+
+/// Sets the numbers of a rate, root to tip.
+pub(crate) fn set<T: Scalar, V: Rate<T>>(rate: &mut V, numbers: impl IntoIterator<Item = T>) {
+    let mut numbers = numbers.into_iter();
+    rate.replace(&mut |_| numbers.next().unwrap_or(T::zero()));
+}
+
+/// Central differences of eighth order: places (in steps) and weights.
+const DIFFERENCES: [(f64, f64); 4] = [(1.0, 0.8), (2.0, -0.2), (3.0, 4.0 / 105.0), (4.0, -1.0 / 280.0)];
+
+impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// Weighted velocities of all bodies where the coordinates of a motion at rest move at a rate.
+    pub(crate) fn weighted(&self, still: &MotionOf<S, R, C, P>, rate: &RateOf<S, R, C>) -> Vec<RealOf<S>> {
+        let mut all = vec![];
+        let moving = super::Coordinates { rate, ..coordinates(still) };
+        each_body(self.elements(), self.ground(still.time), moving, |body| S::weighted(body, &mut |x| all.push(x)));
+        let mut all = all.into_iter();
+        let mut relative = vec![];
+        // The ground may move: its part is not the work of the coordinates.
+        each_body(self.elements(), self.ground(still.time), coordinates(still), |body| {
+            S::weighted(body, &mut |x| relative.extend(all.next().map(|with| with - x)));
+        });
+        relative
+    }
+
+    /// The directions that closures leave open.
+    fn tangent(&self, still: &MotionOf<S, R, C, P>, freedoms: usize) -> Tangent<RealOf<S>> {
+        let mut rows: Vec<Vec<RealOf<S>>> = vec![vec![]; P::Closures::COUNT];
+        let mut moving = still.clone();
+        let [_, drift] = self.miss(still);
+        for j in 0..if rows.is_empty() { 0 } else { freedoms } {
+            set(&mut moving.rate, unit(freedoms, j));
+            let [_, miss] = self.miss(&moving);
+            let mut rows = rows.iter_mut();
+            P::Closures::zip(&miss, &drift, |with, without| {
+                if let Some(row) = rows.next() {
+                    row.push((with - without).real());
+                }
+            });
+        }
+        Tangent::of(freedoms, rows)
+    }
+
+    /// The scene linearised about a motion at rest (whose rates are zero) with its tip where it is held.
+    pub(crate) fn linearise<L: Loading<S>>(
+        &self,
+        still: &MotionOf<S, R, C, P>,
+        loads: &L,
+        workspace: &mut <Self as StiffDynamics<L>>::StiffWorkspace,
+    ) -> Linear<RealOf<S>>
+    where
+        Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
+    {
+        let none = RealOf::<S>::zero();
+        let step = step::<RealOf<S>>();
+        let freedoms = numbers(&still.rate).len();
+        let tangent = self.tangent(still, freedoms);
+        let (mut direction, mut acceleration) = (still.rate.clone(), still.rate.clone());
+        let mut place: PositionOf<S, R, C> = still.position.clone();
+        let mut responses = [(); 2].map(|()| Matrix::zeros(freedoms, freedoms));
+        let mut root = Matrix::zeros(0, freedoms);
+        let mut changes = [(); 2].map(|()| vec![none; freedoms]);
+        // Springs as in an explicit sweep, but apart from the rest: they may be so stiff that the error of a difference in
+        // which the inertia changes too would drown all else.
+        let springs = Implicit { position: none, rate: none };
+        for j in 0..freedoms {
+            set(&mut direction, unit(freedoms, j));
+            let column = self.weighted(still, &direction);
+            if j == 0 {
+                root = Matrix::zeros(column.len(), freedoms);
+            }
+            root.set_column(j, &column);
+            changes.iter_mut().for_each(|change| change.fill(none));
+            for (steps, weight) in DIFFERENCES {
+                for sign in [1.0, -1.0] {
+                    let reach = step * RealOf::<S>::of(sign * steps);
+                    place.drift_0(&still.position, (reach, &direction));
+                    let (here, there) = ((&still.position, &still.rate), (&place, &still.rate));
+                    let weight = RealOf::<S>::of(sign * weight) / step;
+                    for ((at, spring), change) in [(there, here), (here, there)].into_iter().zip(&mut changes) {
+                        let found = &mut acceleration;
+                        self.implicit_accelerations(still.time, at, spring, springs, loads, workspace, found);
+                        let mut sums = change.iter_mut();
+                        acceleration.visit(&mut |x| {
+                            if let Some(sum) = sums.next() {
+                                *sum += weight * x.real();
+                            }
+                        });
+                    }
+                }
+            }
+            for (response, change) in responses.iter_mut().zip(&changes) {
+                response.set_column(j, change);
+            }
+        }
+        let [others, springs] = responses.map(|response| tangent.reduce(&response));
+        Linear { root: tangent.restrict(&root), response: others.plus(RealOf::<S>::one(), &springs), springs, tangent }
+    }
+}
+
+/// The step of the differences. The scale of angles is a radian, and it loses about as much by their order as by rounding. A power
+/// of two adds to an angle without rounding.
+fn step<R: Real>() -> R {
+    let mut step = R::one();
+    while step * step * step * step * step * step > R::EPSILON * R::of(1.0 / 64.0) {
+        step *= R::of(0.5);
+    }
+    step
+}
+
+/// Unit vector `j` of `n`.
+pub(crate) fn unit<T: Scalar>(n: usize, j: usize) -> impl Iterator<Item = T> {
+    (0..n).map(move |i| if i == j { T::one() } else { T::zero() })
+}

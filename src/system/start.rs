@@ -1,0 +1,192 @@
+//! Initial motions from angles and rates of joints or of bodies.
+
+use crate::element::{Element, Visit};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::mirror::{Position, Rate};
+use crate::planar::{BodyMotion, JointMotion, Planar, Turn};
+use crate::scalar::{Real, Scalar};
+use crate::system::{MotionOf, PositionOf, System, coordinates};
+use num_traits::One;
+
+/// A planar scene's motion.
+type PlaneMotion<T, R, C, P> = MotionOf<Planar<T>, R, C, P>;
+
+/// Hands out numbers in turn, and counts how many were asked for.
+struct Feed<'a, T> {
+    numbers: &'a [T],
+    asked: usize,
+}
+
+impl<'a, T: Scalar> Feed<'a, T> {
+    fn of(numbers: &'a [T]) -> Self {
+        Self { numbers, asked: 0 }
+    }
+
+    fn next(&mut self) -> T {
+        self.asked += 1;
+        self.numbers.get(self.asked - 1).copied().unwrap_or(T::zero())
+    }
+
+    fn check(&self, parameter: &'static str) -> Result<(), Error> {
+        let given = self.numbers.len();
+        if self.asked != given {
+            return Err(Error::new(Fault::Count { expected: self.asked, given }));
+        }
+        let finite = self.numbers.iter().all(|x| x.is_finite());
+        if finite { Ok(()) } else { Err(Error::new(Fault::NotFinite { parameter })) }
+    }
+}
+
+impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> System<Planar<T>, R, C, P> {
+    /// A motion at rest with these joint angles (rad): one number for each rotary coordinate, root to tip, the angle of the body
+    /// outboard of the joint relative to the one inboard of it (for the root's joint, relative to the ground).
+    ///
+    /// A hinge with a spring gets its angle to the last digit. Angles of welds are parameters, and not among the numbers.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let arm = System::new(Pinned::origin(), (rod, Weld::at(0.5), rod, Pin, rod), Free)?;
+    /// let start = arm.at_joint_angles(&[0.25, -1.0])?;
+    /// assert_eq!(start, arm.at_rest(&[0.25, -0.25])?);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`].
+    pub fn at_joint_angles(&self, angles: &[T]) -> Result<PlaneMotion<T, R, C, P>, Error> {
+        let mut motion = self.motion();
+        let ground = self.ground(motion.time);
+        let chain = self.elements();
+        let mut feed = Feed::of(angles);
+        // Bodies outboard of joints at angle zero: what a joint then finds inboard of it is the work of welds or of the ground.
+        chain.aim(&mut motion.position, ground.turn, &mut || {
+            feed.next();
+            T::zero()
+        });
+        feed.check("joint angle")?;
+        let (mut bodies, mut joints) = (chain.per_body(None), chain.per_joint(None));
+        let mut unfold = Unfold { angles: Feed::of(angles), absolute: T::zero(), largest: T::Real::one() };
+        chain.travel(ground, coordinates(&motion), &mut unfold, &mut bodies, &mut joints);
+        let mut entries =
+            (0..chain.bodies() + chain.joints()).filter_map(|k| chain.entry(&bodies, &joints, k).copied().flatten());
+        // What is no angle is marked, to be left alone.
+        let mark = T::constant(T::Real::INFINITY);
+        motion.position.replace(&mut |_| mark);
+        chain.aim(&mut motion.position, ground.turn, &mut || entries.next().unwrap_or(T::zero()));
+        // A relative coordinate was found as a difference of absolute angles: the number given has the digits lost there.
+        let lost = unfold.largest * T::Real::EPSILON * T::Real::of(4.0);
+        let mut feed = Feed::of(angles);
+        motion.position.replace(&mut |x| {
+            if !x.real().is_finite() {
+                return T::zero();
+            }
+            let angle = feed.next();
+            if (x - angle).real().abs() <= lost { angle } else { x }
+        });
+        Ok(motion)
+    }
+
+    /// The same motion with these absolute angular velocities (rad/s), one for each rotary coordinate, root to tip: that of the
+    /// body outboard of the joint. Rates of other coordinates are left as they are.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(1.0_f64, 1.0);
+    /// let blade = System::new(Pinned::origin(), (rod, ElasticHinge::rotary(5.0), rod), Free)?;
+    /// let start = blade.with_body_rates(blade.at_rest(&[0.0, 0.0])?, &[1.0, 3.0])?;
+    /// assert_eq!(start, blade.with_rates(blade.at_rest(&[0.0, 0.0])?, &[1.0, 2.0])?); // a hinge's rate is relative
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`].
+    pub fn with_body_rates(
+        &self,
+        motion: PlaneMotion<T, R, C, P>,
+        rates: &[T],
+    ) -> Result<PlaneMotion<T, R, C, P>, Error>
+    where
+        PositionOf<Planar<T>, R, C>: Position<T, Rate = PositionOf<Planar<T>, R, C>> + Rate<T>,
+    {
+        self.spin(motion, rates, |rate, _| rate)
+    }
+
+    /// The same motion with these joint rates (rad/s), one for each rotary coordinate, root to tip: the angular velocity of the
+    /// body outboard of the joint relative to the one inboard of it (for the root's joint, relative to the ground). Rates of
+    /// other coordinates are left as they are.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(1.0_f64, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
+    /// let start = pendulum.with_joint_rates(pendulum.at_rest(&[0.0, 0.0])?, &[1.0, 2.0])?;
+    /// assert_eq!(start, pendulum.with_rates(pendulum.at_rest(&[0.0, 0.0])?, &[1.0, 3.0])?); // a pin's rate is absolute
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`].
+    pub fn with_joint_rates(
+        &self,
+        motion: PlaneMotion<T, R, C, P>,
+        rates: &[T],
+    ) -> Result<PlaneMotion<T, R, C, P>, Error>
+    where
+        PositionOf<Planar<T>, R, C>: Position<T, Rate = PositionOf<Planar<T>, R, C>> + Rate<T>,
+    {
+        self.spin(motion, rates, |rate, inboard| inboard + rate)
+    }
+
+    /// Rates from numbers that, with the rate of the body inboard, give those of the bodies outboard of the joints.
+    fn spin(
+        &self,
+        mut motion: PlaneMotion<T, R, C, P>,
+        rates: &[T],
+        absolute: impl Fn(T, T) -> T,
+    ) -> Result<PlaneMotion<T, R, C, P>, Error>
+    where
+        PositionOf<Planar<T>, R, C>: Position<T, Rate = PositionOf<Planar<T>, R, C>> + Rate<T>,
+    {
+        let turn = |angle| Turn { angle, rate: T::zero() };
+        let chain = self.elements();
+        let inboard = self.ground(motion.time).turn.rate;
+        let (mut feed, mut running) = (Feed::of(rates), inboard);
+        // Rates follow from each other as angles do, except that welds do not add to them: their part is found by itself.
+        let mut aimed = motion.rate.clone();
+        chain.aim(&mut aimed, turn(inboard), &mut || {
+            running = absolute(feed.next(), running);
+            running
+        });
+        feed.check("rate")?;
+        let mut welds = self.motion().position;
+        chain.aim(&mut welds, turn(T::zero()), &mut T::zero);
+        motion.rate.mix_1(&aimed, (-T::Real::one(), &welds));
+        Ok(motion)
+    }
+}
+
+/// Adds up joint angles along a chain.
+struct Unfold<'a, T: Scalar> {
+    angles: Feed<'a, T>,
+    absolute: T,
+    largest: T::Real,
+}
+
+impl<T: Scalar> Visit<Planar<T>> for Unfold<'_, T> {
+    type OnBody = Option<T>;
+    type InJoint = Option<T>;
+
+    fn body(&mut self, _: &BodyMotion<T>) -> Option<T> {
+        None
+    }
+    fn joint(&mut self, joint: &JointMotion<T>) -> Option<T> {
+        if !joint.turns {
+            return None;
+        }
+        self.absolute = self.absolute + joint.inboard.turn.angle + self.angles.next();
+        self.largest = self.largest.max(self.absolute.real().abs());
+        Some(self.absolute)
+    }
+}

@@ -1,0 +1,261 @@
+//! Static equilibrium: the position at which a sweep finds no accelerations.
+
+use super::linear::{Inertial, Linear, numbers, set};
+use super::{Dynamics, MotionOf, Runs, StiffDynamics, System};
+use crate::dense::{Factors, Matrix};
+use crate::element::{Element, Loading, RealOf};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::mirror::{Position, Rate};
+use crate::scalar::{Real, Scalar};
+use alloc::vec::Vec;
+use num_traits::{One, Zero};
+
+/// Steps before a guess counts as one that leads nowhere.
+const STEPS: usize = 500;
+/// Longest step of a coordinate (rad, m).
+const LONGEST: f64 = 0.5;
+/// Steps longer than this many of those are no good even for their direction.
+const FAR: f64 = 40.0;
+/// A guess so near to an equilibrium (rad, m) is meant, whether that is stable or not.
+const NEAR: f64 = 0.01;
+/// Share of the work expected of a step that it must do.
+const GAIN: f64 = 0.2;
+/// Steps so short (rad, m) need no proof that they lead downhill.
+const SHORT: f64 = 1e-4;
+
+impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// The static equilibrium near a guess: the motion at rest with the time of the guess at which the accelerations of all
+    /// coordinates vanish under gravity, springs and loads. Its forces λ at a held tip are in its
+    /// [`multipliers`](crate::Motion::multipliers), internal forces in its [`stations`](Self::stations).
+    ///
+    /// Newton's method on sweeps, (K + μ M) δ = M a, with M, K of [`modes`](Self::modes) and a the accelerations. Far from
+    /// equilibrium, springs alone or an inertia μ M that is large enough lead downhill, as the work done on the way proves; near a
+    /// stable equilibrium μ vanishes, and digits double. An unstable equilibrium is found from a guess within 0.01 rad of it. A
+    /// tip that the guess does not put where it is held is put there first, as by [`with_tip_held`](Self::with_tip_held). Loads
+    /// are arbitrary functions of the motion, with a potential or without.
+    ///
+    /// A step takes sixteen sweeps for each coordinate and dense algebra, so this is for some hundreds of coordinates. What is
+    /// left is rounding: 4e-15 rad for a hundred links with springs, 1e-13 rad for a catenary of 150. Over dual numbers the
+    /// equilibrium has derivatives, to 12 digits. Lanes each have an equilibrium of their own, and are not supported.
+    ///
+    /// ```
+    /// use catena::element::Unloaded;
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(0.1_f64, 0.1);
+    /// let chain = System::new(Pinned::origin(), (rod, [(Pin, rod); 9]), Pinned::at(0.8, 0.0))?.with_gravity(9.81);
+    /// let guess = chain.at_rest(&[-0.5, -0.5, -0.5, -0.5, -0.5, 0.5, 0.5, 0.5, 0.5, 0.5])?;
+    /// let rest = chain.equilibrium(guess, &Unloaded)?;
+    /// assert!((rest.multipliers()[1] - 0.5 * 1.0 * 9.81).abs() < 1e-12); // the tip carries half of the weight (N)
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Fault::NoEquilibrium`] with the acceleration left (a scene that falls freely has no equilibrium);
+    /// [`Fault::NotClosed`] where the tip does not reach; [`Fault::Shape`]; those of a sweep.
+    pub fn equilibrium<L: Loading<S>>(
+        &self,
+        guess: MotionOf<S, R, C, P>,
+        loads: &L,
+    ) -> Result<MotionOf<S, R, C, P>, Error>
+    where
+        Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
+    {
+        let real = RealOf::<S>::of;
+        let mut workspace = self.workspace();
+        let mut stiff = self.stiff_workspace();
+        let mut now = guess;
+        now.rate.replace(&mut |_| S::Scalar::zero());
+        self.settle(&mut now, loads, &mut workspace)?;
+        let (small, tiny) = (RealOf::<S>::EPSILON.powf(real(0.6)), real(2.0) * RealOf::<S>::EPSILON);
+        let (mut last, mut damping) = (RealOf::<S>::INFINITY, RealOf::<S>::zero());
+        let mut near = false;
+        for step in 0..STEPS {
+            let fall = Fall::of(self.linearise(&now, loads, &mut stiff), &numbers(&now.acceleration));
+            if fall.scale.is_zero() {
+                return Ok(now); // nothing pulls, wherever it is
+            }
+            if step == 0 {
+                near = fall.step(RealOf::<S>::zero(), false).is_some_and(|step| step.size <= real(NEAR));
+            }
+            // Any larger damping will do where a smaller one fails: steps become short and point downhill.
+            let mut ladder = RealOf::<S>::zero();
+            let (found, next) = loop {
+                let proven = if ladder.is_zero() {
+                    let step = fall.step(ladder, !near).or_else(|| fall.spring_step());
+                    step.and_then(|found| found.within(real(LONGEST)))
+                } else {
+                    fall.step(ladder, true).filter(|found| found.size <= real(LONGEST))
+                };
+                if let Some(found) = proven
+                    && let Some(next) = self.moved(&now, &found, near, loads, &mut workspace)
+                {
+                    break (found, next);
+                }
+                if ladder > real(1e6) * fall.scale || !ladder.is_finite() {
+                    return Err(self.unsettled(&now));
+                }
+                let least = (real(64.0) * RealOf::<S>::EPSILON * fall.scale).max(damping * real(0.01));
+                ladder = if ladder.is_zero() { least } else { ladder * real(10.0) };
+            };
+            damping = ladder;
+            let settled = residual(&now.acceleration) <= real(64.0) * RealOf::<S>::EPSILON * fall.scale;
+            now = next;
+            let free = ladder <= real(1e6) * RealOf::<S>::EPSILON * fall.scale;
+            let stalled = found.size + found.size >= last && (found.size <= small || settled);
+            // Not the first step, even if it is short: the derivatives of dual numbers follow real parts.
+            if step > 0 && free && (found.size <= tiny || stalled) {
+                return Ok(now);
+            }
+            last = found.size;
+        }
+        Err(self.unsettled(&now))
+    }
+
+    /// Puts the tip where it is held, without rates, and finds the accelerations.
+    fn settle<L: Loading<S>>(
+        &self,
+        motion: &mut MotionOf<S, R, C, P>,
+        loads: &L,
+        workspace: &mut <Self as Dynamics<L>>::Workspace,
+    ) -> Result<(), Error>
+    where
+        Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
+    {
+        self.hold(motion, loads, workspace)?;
+        // A tip whose ground moves has given it rates.
+        motion.rate.replace(&mut |_| S::Scalar::zero());
+        self.accelerate(motion, loads, workspace)
+    }
+
+    /// The motion after a step, unless it leads uphill.
+    fn moved<L: Loading<S>>(
+        &self,
+        from: &MotionOf<S, R, C, P>,
+        step: &Step<S::Scalar>,
+        near: bool,
+        loads: &L,
+        workspace: &mut <Self as Dynamics<L>>::Workspace,
+    ) -> Option<MotionOf<S, R, C, P>>
+    where
+        Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
+    {
+        let mut next = from.clone();
+        let mut displacement = from.rate.clone();
+        set(&mut displacement, step.displacement.iter().copied());
+        next.position.displace(&displacement);
+        self.settle(&mut next, loads, workspace).ok()?;
+        if near || step.size <= RealOf::<S>::of(SHORT) {
+            return Some(next);
+        }
+        // The work of all forces, M a, on the way that it really went, by the trapezoidal rule.
+        set(&mut displacement, difference(&from.position, &next.position));
+        let work = |at: &MotionOf<S, R, C, P>| {
+            let (along, force) = (self.weighted(at, &displacement), self.weighted(at, &at.acceleration));
+            along.iter().zip(force).fold(RealOf::<S>::zero(), |sum, (a, b)| sum + *a * b)
+        };
+        let (start, end) = (work(from), work(&next));
+        (start + end > start.abs() * RealOf::<S>::of(GAIN)).then_some(next)
+    }
+
+    fn unsettled(&self, motion: &MotionOf<S, R, C, P>) -> Error {
+        Error::new(Fault::NoEquilibrium { residual: residual(&motion.acceleration).as_f64() })
+            .at_time(motion.time.as_f64())
+    }
+}
+
+/// The displacement from one position to another: in the plane, positions are numbers like displacements.
+fn difference<T: Scalar, Q: Position<T>>(from: &Q, to: &Q) -> Vec<T> {
+    let mut numbers = Vec::new();
+    to.all(from, &mut |to, from| {
+        numbers.push(to - from);
+        true
+    });
+    numbers
+}
+
+/// The largest acceleration.
+fn residual<T: Scalar, V: Rate<T>>(acceleration: &V) -> T::Real {
+    let mut most = T::Real::zero();
+    acceleration.visit(&mut |x| most = most.max(x.real().abs()));
+    most
+}
+
+/// What pulls a scene towards rest, in the directions that its closures leave open.
+struct Fall<T: Scalar> {
+    linear: Linear<T::Real>,
+    mass: Matrix<T::Real>,
+    stiffness: Matrix<T::Real>,
+    springs: Matrix<T::Real>,
+    force: Vec<T>,
+    /// The size of accelerations that a displacement of one radian causes, or of those there are.
+    scale: T::Real,
+}
+
+/// A step towards rest.
+struct Step<T: Scalar> {
+    /// Of all coordinates.
+    displacement: Vec<T>,
+    /// The largest of them.
+    size: T::Real,
+    /// Work that the forces at its start do on it (J).
+    work: T::Real,
+}
+
+impl<T: Scalar> Step<T> {
+    /// The same step or, if that is too long, one as long as may be in its direction.
+    fn within(mut self, longest: T::Real) -> Option<Self> {
+        if self.size > longest {
+            let share = longest / self.size;
+            if share * T::Real::of(FAR) < T::Real::one() {
+                return None;
+            }
+            self.displacement.iter_mut().for_each(|x| *x = x.scale(share));
+            self.size = longest;
+            self.work *= share;
+        }
+        Some(self)
+    }
+}
+
+impl<T: Scalar> Fall<T> {
+    fn of(linear: Linear<T::Real>, acceleration: &[T]) -> Self {
+        let mass = linear.root.gram();
+        let stiffness = |response: &Matrix<_>| mass.times(response).scaled(-T::Real::one());
+        let (stiffness, springs) = (stiffness(&linear.response), stiffness(&linear.springs));
+        let force = mass.apply(&linear.tangent.components(acceleration));
+        let most = acceleration.iter().fold(T::Real::zero(), |most, x| most.max(x.real().abs()));
+        let scale = linear.response.norm() + most;
+        Self { linear, mass, stiffness, springs, force, scale }
+    }
+
+    /// The step with this damping μ; none where the matrix is singular or, if that is asked for, not definite.
+    fn step(&self, damping: T::Real, definite: bool) -> Option<Step<T>> {
+        self.against(&self.stiffness, damping, definite)
+    }
+
+    /// The step against springs alone, if they resist all directions. Far from rest that is better than all stiffness: what is
+    /// linearised are accelerations, and where they are large the change of inertia with position drowns the rest.
+    fn spring_step(&self) -> Option<Step<T>> {
+        self.against(&self.springs, T::Real::zero(), true)
+    }
+
+    fn against(&self, stiffness: &Matrix<T::Real>, damping: T::Real, definite: bool) -> Option<Step<T>> {
+        // Stiffness that may as well be rounding resists nothing.
+        let margin = self.scale * T::Real::EPSILON * T::Real::of(16.0);
+        if definite && !stiffness.plus(damping - margin, &self.mass).is_definite() {
+            return None;
+        }
+        let along = Factors::of(stiffness.plus(damping, &self.mass))?.solve(&self.force);
+        let work = along.iter().zip(&self.force).fold(T::Real::zero(), |sum, (a, b)| sum + (*a * *b).real());
+        let displacement = self.linear.tangent.vector(&along);
+        let mut size = T::Real::zero();
+        for x in &displacement {
+            if !x.is_finite() {
+                return None;
+            }
+            size = size.max(x.real().abs());
+        }
+        Some(Step { displacement, size, work })
+    }
+}
