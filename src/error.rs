@@ -125,6 +125,18 @@ pub enum Fault {
         /// Asymmetry of the stiffness, relative to its size.
         asymmetry: f64,
     },
+    /// The paper's matrix of a smooth pin does not exist here: the pin's pivot vanishes at the centre of percussion.
+    CentreOfPercussion,
+    /// The equations of a step were not met.
+    NotConverged {
+        /// Sweeps taken.
+        sweeps: usize,
+    },
+    /// A formulation does not know such an element.
+    Unsupported {
+        /// What it meets.
+        what: &'static str,
+    },
 }
 
 impl Error {
@@ -194,6 +206,14 @@ impl fmt::Display for Error {
             Fault::NotConservative { asymmetry } => {
                 write!(f, "forces have no potential: the stiffness is asymmetric by {asymmetry}")
             }
+            Fault::CentreOfPercussion => write!(
+                f,
+                "this pin has no transfer matrix (40), for the outboard end of its body is the centre of percussion; solve by Riccati"
+            ),
+            Fault::NotConverged { sweeps } => {
+                write!(f, "the equations of a step are not met after {sweeps} sweeps: take smaller steps")
+            }
+            Fault::Unsupported { what } => write!(f, "this formulation does not know {what}"),
         }?;
         match self.place {
             Some(Place::Station(station)) => write!(f, ", at station {station}")?,

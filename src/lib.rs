@@ -42,7 +42,7 @@
 //! | 4 | [`planar`], [`spatial`] |
 //! | 5 | [`solve`], [`observe`] |
 //! | 6 | [`system`] |
-//! | 7 | [`stepper`], [`simulate`], [`observers`], [`modes`] |
+//! | 7 | [`stepper`], [`simulate`], [`observers`], [`modes`]; [`paper`] (the formulation of 2005, apart from all others) |
 //!
 //! # Features
 //!
@@ -71,6 +71,7 @@ pub mod modes;
 mod motion;
 pub mod observe;
 pub mod observers;
+pub mod paper;
 pub mod planar;
 pub mod relation;
 pub mod scalar;

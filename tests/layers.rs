@@ -14,7 +14,7 @@ const FLOORS: [&[&str]; 8] = [
     &["planar", "spatial"],
     &["solve", "observe"],
     &["system"],
-    &["stepper", "simulate", "observers", "modes"],
+    &["stepper", "simulate", "observers", "modes", "paper"],
 ];
 
 fn floor(module: &str) -> Option<usize> {

@@ -1,0 +1,133 @@
+//! Figure 10 of the paper: computing time against the number of bodies, of the chain of its section 5.5.
+//!
+//! The paper's chain: n rods of 1/n m and 1/n kg with rotary springs of 20 N·m/rad between them, from rest at −60°. The root, a smooth
+//! pin, and gravity are assumed; so is the "ordinary method": one linear system in all angles, its mass matrix formed and factorised
+//! anew in each step. Times are those of one step of this machine.
+//!
+//! ```text
+//! cargo run --release --example paper_figure_10
+//! ```
+
+mod common;
+
+use catena::element::Unloaded;
+use catena::paper::*;
+use catena::planar::{ElasticHinge, Free, Pinned, Rod, Spring as HingeSpring, Stepper, System};
+use common::{BLUE, Drawn, GREEN, GREY, INK, ORANGE};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::FRAC_PI_3;
+use std::hint::black_box;
+use std::path::PathBuf;
+use std::time::Instant;
+
+type Chain = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Vec<(ElasticHinge<HingeSpring<f64>>, Rod<f64>)>), Free>;
+
+/// Time of one call (s): the median of batches of at least 20 ms in all.
+fn time(mut call: impl FnMut() -> Result<(), catena::Error>) -> Result<f64, catena::Error> {
+    call()?;
+    let mut samples = vec![];
+    let begin = Instant::now();
+    while samples.len() < 5 || begin.elapsed().as_secs_f64() < 0.02 {
+        let start = Instant::now();
+        call()?;
+        samples.push(start.elapsed().as_secs_f64());
+        if begin.elapsed().as_secs_f64() > 2.0 {
+            break;
+        }
+    }
+    samples.sort_by(f64::total_cmp);
+    Ok(samples[samples.len() / 2])
+}
+
+/// Accelerations of n pinned rods from the global equations of all angles: M θ̈ = f, dense.
+fn ordinary(n: usize, angles: &[f64], rates: &[f64]) -> Option<DVector<f64>> {
+    let size = 1.0 / n as f64;
+    let beyond = |k: usize| (n - 1 - k) as f64 + 0.5; // masses outboard of a rod, and half its own
+    let mass = DMatrix::from_fn(n, n, |i, j| {
+        let outer = i.max(j);
+        let first = if i == j { (n - 1 - i) as f64 + 1.0 / 3.0 } else { beyond(outer) };
+        size * size * size * first * (angles[i] - angles[j]).cos()
+    });
+    let force = DVector::from_fn(n, |i, _| {
+        let centrifugal: f64 = (0..n)
+            .filter(|j| *j != i)
+            .map(|j| size * size * size * beyond(i.max(j)) * (angles[i] - angles[j]).sin() * rates[j] * rates[j])
+            .sum();
+        let spring = |a: usize, b: usize| 20.0 * (angles[b] - angles[a]);
+        let inner = if i > 0 { spring(i - 1, i) } else { 0.0 };
+        let outer = if i + 1 < n { spring(i, i + 1) } else { 0.0 };
+        -centrifugal - 9.81 * size * size * beyond(i) * angles[i].cos() - inner + outer
+    });
+    mass.cholesky().map(|factors| factors.solve(&force))
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    println!("Figure 10: time of a step (µs) against the number of bodies, the chain of section 5.5.\n");
+    println!("   bodies   paper, product   paper, Riccati   joint coordinates   this crate   global equations");
+    let mut curves: [Vec<(f64, f64)>; 5] = Default::default();
+    for n in [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 10_000, 100_000] {
+        let size = 1.0 / n as f64;
+        let rod = Rod::uniform(size, size);
+        let links = vec![(ElasticHinge::rotary(20.0), rod); n - 1];
+        let scene: &Chain = &System::new(Pinned::origin(), (rod, links), Free)?.with_gravity(9.81);
+        let start = scene.at_rest(&vec![-FRAC_PI_3; n])?;
+        let dt = 1e-3;
+        let alpha = GeneralizedAlpha::new(0.8);
+        let scheme = Scheme::new(alpha).linearized(At::Predictor);
+        // The same step again and again, of a clone of the run; what cloning takes is taken off.
+        macro_rules! of {
+            ($run:expr) => {{
+                let run = $run;
+                let mut copy = run.clone();
+                let copying = time(|| Ok(_ = black_box(run.clone())))?;
+                let stepping = time(|| {
+                    copy = run.clone();
+                    copy.step()
+                })?;
+                Some(stepping - copying)
+            }};
+        }
+        let product = if n <= 20 { of!(scheme.start(scene, &start, &Unloaded, 0.01)?) } else { None };
+        let riccati = of!(scheme.solved_by(Solver::Riccati).start(scene, &start, &Unloaded, dt)?);
+        let joints = of!(JointScheme::new(alpha).with_sweeps(2).start(scene, &start, &Unloaded, dt)?);
+        let own = {
+            let start = scene.with_accelerations(start.clone(), &Unloaded)?;
+            let mut stepper = scene.stepper(catena::planar::GeneralizedAlpha::new(0.8));
+            let mut next = start.clone();
+            Some(time(|| stepper.step(&start, &Unloaded, dt, &mut next))?)
+        };
+        let global = if n <= 500 {
+            let (angles, rates) = (vec![-FRAC_PI_3; n], vec![0.1; n]);
+            Some(time(|| Ok(_ = black_box(ordinary(n, &angles, &rates))))?)
+        } else {
+            None
+        };
+        let times = [product, riccati, joints, own, global];
+        let [a, b, c, d, e] = times.map(|t| t.map_or("-".to_owned(), |t| format!("{:.2}", t * 1e6)));
+        println!("  {n:7} {a:>16} {b:>16} {c:>19} {d:>12} {e:>18}");
+        for (curve, time) in curves.iter_mut().zip(times) {
+            if let Some(time) = time {
+                curve.push(((n as f64).log10(), (time * 1e6).max(1e-3).log10()));
+            }
+        }
+    }
+    println!("\n  Product: up to 20 bodies; beyond, it has no digits left at steps of 10 ms and less.");
+    println!("\nPicture: {}", draw(curves)?.display());
+    Ok(())
+}
+
+fn draw(curves: [Vec<(f64, f64)>; 5]) -> Drawn<PathBuf> {
+    common::picture("paper_figure_10", (900, 520), |area| {
+        let subtitle = "n rods of 1/n m and 1/n kg with springs of 20 N·m/rad between them. Global equations are formed and factorised densely.";
+        let area = common::heading(area, "Figure 10: time of a step against the number of bodies", subtitle)?;
+        let names = ["paper, product", "paper, Riccati", "joint coordinates", "this crate", "global equations"];
+        let colours = [ORANGE, GREEN, INK, BLUE, GREY];
+        let mut chart = common::chart(&area, "Time of a step (10ˣ µs)", "number of bodies (10ˣ)", 0.0..5.2, -1.0..5.5)?;
+        common::legend(&area, &core::array::from_fn::<_, 5, _>(|k| (names[k], colours[k])))?;
+        for (points, colour) in curves.into_iter().zip(colours) {
+            common::dots(&mut chart, points.clone(), 3.5, colour)?;
+            common::curve(&mut chart, points, common::line(colour, 1.8))?;
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,299 @@
+//! Joint coordinates: only angles are integrated by (1) and (2), positions follow by exact kinematics, and Newton's method solves the
+//! step in increments by the same transform.
+//!
+//! What dies of γ = ½ in the [scheme as printed](super::Scheme) are positions integrated beside the angles that determine them. Here
+//! there are none: Newmark's rule with γ = ½ has order 2 in angles and forces and stays.
+
+mod balance;
+mod iterate;
+
+use crate::element::Loading;
+use crate::error::{Error, Fault};
+use crate::paper::link::{Base, Link};
+use crate::paper::parts::{Body, Joint, Part, parts};
+use crate::paper::riccati::{self, Gain, Relation};
+use crate::paper::rule::Rule;
+use crate::paper::scene::Scene;
+use crate::paper::scheme::positive_step;
+use crate::planar::index::{M, QX, QY, THETA, X, Y};
+use crate::planar::{BodyMotion, Frame, Planar};
+use crate::relation::Term;
+use crate::scalar::{Real, Scalar};
+use crate::state::StateVector;
+use alloc::{vec, vec::Vec};
+use num_traits::Zero;
+
+/// A rule in joint coordinates, its equations solved by Newton's method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointScheme<D> {
+    rule: D,
+    sweeps: Option<usize>,
+}
+
+impl<D> JointScheme<D> {
+    /// Iterated from θ + θ̇ΔT until the step's equations hold.
+    pub fn new(rule: D) -> Self {
+        Self { rule, sweeps: None }
+    }
+
+    /// With a number of sweeps a step, from θ + θ̇ΔT + θ̈ΔT²/2. One is enough for order 2 where hinges are not stiff.
+    #[must_use]
+    pub fn with_sweeps(self, sweeps: usize) -> Self {
+        Self { sweeps: Some(sweeps.max(1)), ..self }
+    }
+
+    /// Starts a run of a scene with steps of `dt` (s).
+    ///
+    /// # Errors
+    /// As [`Scheme::start`](super::Scheme::start).
+    pub fn start<'a, T: Scalar, S: Scene<T, L>, L>(
+        self,
+        scene: &'a S,
+        motion: &S::Motion,
+        loads: &'a L,
+        dt: T::Real,
+    ) -> Result<JointRun<'a, T, S, L, D>, Error>
+    where
+        D: Rule<T>,
+    {
+        self.rule.check().map_err(Error::new)?;
+        positive_step(dt)?;
+        let (time, items) = scene.items(motion, loads)?;
+        let parts = parts(&self.rule, dt, &items);
+        let n = parts.len();
+        let blank = StateVector::new([T::zero(); 7]);
+        let root = parts.iter().find_map(Part::body).map_or([T::zero(); 2], |body| {
+            let [x, y] = body.points[0];
+            [x.acceleration, y.acceleration]
+        });
+        Ok(JointRun {
+            scheme: self,
+            scene,
+            loads,
+            dt,
+            start: time,
+            steps: 0,
+            sweeps: 0,
+            root,
+            motions: Vec::with_capacity(n),
+            links: Vec::with_capacity(n),
+            relations: vec![Relation::free(); n],
+            gains: vec![Gain::blank(); n],
+            states: vec![blank; n + 1],
+            stations: vec![blank; n + 1],
+            parts,
+        })
+    }
+}
+
+/// A run in joint coordinates. It stands at an instant and steps on from there.
+#[derive(Clone, Debug)]
+pub struct JointRun<'a, T: Scalar, S, L, D: Rule<T>> {
+    scheme: JointScheme<D>,
+    scene: &'a S,
+    loads: &'a L,
+    dt: T::Real,
+    start: T::Real,
+    steps: usize,
+    sweeps: usize,
+    parts: Vec<Part<T, D::Memory>>,
+    /// Acceleration of the root, where nothing holds it.
+    root: [T; 2],
+    /// The iterate: bodies and their accelerations.
+    motions: Vec<BodyMotion<T>>,
+    links: Vec<Link<T>>,
+    relations: Vec<Relation<T>>,
+    gains: Vec<Gain<T>>,
+    /// Increments of the iterate.
+    states: Vec<StateVector<T, 7>>,
+    stations: Vec<StateVector<T, 7>>,
+}
+
+impl<T, S, L, D> JointRun<'_, T, S, L, D>
+where
+    T: Scalar,
+    S: Scene<T, L>,
+    L: Loading<Planar<T>, InJoint: Term<T>>,
+    D: Rule<T>,
+{
+    /// Time (s) of angles and rates.
+    pub fn time(&self) -> T::Real {
+        self.start + T::Real::of(self.steps as f64) * self.dt
+    }
+
+    /// Time (s) of the stations, where forces balanced: that of the run, but for rules that balance elsewhere.
+    pub fn balance_time(&self) -> T::Real {
+        self.start + T::Real::of(self.steps as f64 - 1.0 + self.scheme.rule.balance()) * self.dt
+    }
+
+    /// Sweeps so far.
+    pub fn sweeps(&self) -> usize {
+        self.sweeps
+    }
+
+    /// Angle, rate and angular acceleration (rad, s) of body `k`, counted from 0 at the root.
+    pub fn turn(&self, k: usize) -> Option<[T; 3]> {
+        let angle = self.parts.iter().filter_map(Part::body).nth(k)?.angle;
+        Some([angle.value, angle.rate, angle.acceleration])
+    }
+
+    /// The angles of all bodies (rad), root to tip.
+    pub fn angles(&self) -> impl Iterator<Item = T> {
+        self.parts.iter().filter_map(Part::body).map(|body| body.angle.value)
+    }
+
+    /// States (14) of all stations after a step: the ground's side of the root's joint, the inboard end of each element, the tip. Forces
+    /// come from the balance of bodies at the positions, rates and accelerations found.
+    pub fn stations(&self) -> &[StateVector<T, 7>] {
+        &self.stations
+    }
+
+    /// Steps on to a time (s): the nearest number of whole steps.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn run_to(&mut self, end: T::Real) -> Result<(), Error> {
+        while self.time() + T::Real::of(0.5) * self.dt < end {
+            self.step()?;
+        }
+        Ok(())
+    }
+
+    /// One step.
+    ///
+    /// # Errors
+    /// [`Fault::SingularJoint`] with the station, [`Fault::NotConverged`], [`Fault::NonFiniteMotion`]; the run then stands where it stood.
+    pub fn step(&mut self) -> Result<(), Error> {
+        let span = T::Real::of(self.scheme.rule.balance()) * self.dt;
+        let (past, time) = (self.time(), self.time() + span);
+        let at_time = |error: Error| error.at_time(time.as_f64());
+        let (before, ground) = (self.scene.ground(past), self.scene.ground(time));
+        let root = self.root;
+        self.guess(span, ground.turn.angle - before.turn.angle);
+        let limit = 30;
+        for sweep in 1.. {
+            self.travel(&ground);
+            self.linearize(time, &before, &ground);
+            let base = if S::HELD { Base::Held([T::zero(); 3]) } else { Base::Free(self.left()) };
+            let change = riccati::solve(&self.links, base, &mut self.relations, &mut self.gains, &mut self.states)
+                .map(|()| self.update());
+            self.sweeps += 1;
+            let refused = match change {
+                Err(error) => Some(error),
+                Ok(change) if !change.is_finite() => Some(Error::new(Fault::NonFiniteMotion)),
+                Ok(change) => match self.scheme.sweeps {
+                    Some(wanted) if sweep >= wanted => break,
+                    None if change <= T::Real::EPSILON.powf(T::Real::of(2.0 / 3.0)) => break,
+                    None if sweep == limit => Some(Error::new(Fault::NotConverged { sweeps: limit })),
+                    _ => None,
+                },
+            };
+            if let Some(error) = refused {
+                self.root = root;
+                return Err(at_time(error));
+            }
+        }
+        self.travel(&ground);
+        self.linearize(time, &before, &ground); // for the forces
+        self.commit(&before);
+        self.steps += 1;
+        Ok(())
+    }
+
+    /// Where iterations start.
+    fn guess(&mut self, span: T::Real, ground: T) {
+        let half = if self.scheme.sweeps.is_some() { T::Real::of(0.5) } else { T::Real::zero() };
+        let mut inner = ground;
+        let mut rigid = true;
+        for part in &mut self.parts {
+            match part {
+                // What is welded turns alike.
+                Part::Body(body) => {
+                    let angle = body.angle;
+                    let free = angle.rate.scale(span).add_scaled(half * span * span, angle.acceleration);
+                    body.found = if rigid && S::HELD { inner } else { free };
+                    inner = body.found;
+                    rigid = true;
+                }
+                Part::Joint(joint) => rigid &= !joint.turns,
+            }
+        }
+    }
+
+    /// What the iterate leaves at a root that nothing holds: m, q_x, q_y.
+    fn left(&self) -> [T; 3] {
+        let z = &self.stations[0];
+        [z[M], z[QX], z[QY]]
+    }
+
+    /// Adds the increments; tells the largest relative one.
+    fn update(&mut self) -> T::Real {
+        let mut worst = T::Real::zero();
+        if !S::HELD {
+            self.root[0] += self.states[0][X];
+            self.root[1] += self.states[0][Y];
+        }
+        for (part, z) in self.parts.iter_mut().zip(&self.states) {
+            let Part::Body(body) = part else { continue };
+            body.found += z[THETA];
+            let size = T::Real::of(1.0).max(body.angle.value.real().abs());
+            let change = z[THETA].real().abs() / size;
+            // A comparison would lose NaN, and so would derivatives that are not finite.
+            worst = if change <= worst { worst } else { change };
+            if !z[THETA].is_finite() {
+                worst = T::Real::INFINITY;
+            }
+        }
+        worst
+    }
+
+    fn commit(&mut self, before: &Frame<T>) {
+        let (rule, dt) = (self.scheme.rule, self.dt);
+        let root = self.root;
+        let ground = self.scene.ground(self.time() + dt);
+        let (mut first, mut clamped) = (true, S::HELD);
+        for part in &mut self.parts {
+            let body = match part {
+                Part::Body(body) => body,
+                Part::Joint(joint) => {
+                    clamped &= !joint.turns;
+                    continue;
+                }
+            };
+            let last = body.angle.value;
+            rule.advance(&mut body.angle, dt, body.found);
+            if rule.balance() != 1.0 {
+                body.found = body.angle.value - last;
+            }
+            if clamped {
+                (body.angle.rate, body.angle.acceleration) = (ground.turn.rate, ground.acceleration.angular);
+            }
+            if first && !S::HELD {
+                for (point, acceleration) in body.points[0].iter_mut().zip(root) {
+                    let step = rule.linearize(point, dt);
+                    rule.advance(point, dt, (acceleration - step.acceleration).scale(step.chi1.recip()));
+                }
+            }
+            first = false;
+        }
+        let ahead = ground.turn.angle - before.turn.angle;
+        for k in 0..self.parts.len() {
+            let Part::Joint(joint) = self.parts[k] else { continue };
+            let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner, ahead);
+            let elastic = joint.elastic + joint.spring.stiffness * strain;
+            self.parts[k] = Part::Joint(Joint { elastic, ..joint });
+        }
+    }
+
+    /// The increment of a body's angle; of the ground's, for no body.
+    fn found(&self, at: Option<usize>, ground: T) -> T {
+        at.and_then(|k| self.parts.get(k)).and_then(Part::body).map_or(ground, |body| body.found)
+    }
+}
+
+impl<T, M> Part<T, M> {
+    /// The body, if it is one.
+    fn body(&self) -> Option<&Body<T, M>> {
+        if let Self::Body(body) = self { Some(body) } else { None }
+    }
+}

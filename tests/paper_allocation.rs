@@ -1,0 +1,57 @@
+//! Steps of the paper's scheme allocate nothing: a global allocator counts.
+#![cfg(feature = "std")]
+#![allow(unsafe_code)] // an allocator cannot be written otherwise
+
+use catena::Error;
+use catena::element::Unloaded;
+use catena::paper::*;
+use catena::planar::{ElasticHinge, Free, Pin, Pinned, Rod, System};
+use std::alloc::{GlobalAlloc, Layout, System as Heap};
+use std::cell::Cell;
+
+struct Counting;
+
+thread_local! {
+    static COUNT: Cell<usize> = const { Cell::new(0) };
+}
+
+// SAFETY: everything is handed on to the system's allocator; a counter without destructor needs no memory of its own. What is not
+// overridden calls these.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.set(COUNT.get() + 1);
+        // SAFETY: the caller's promise.
+        unsafe { Heap.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, old: *mut u8, layout: Layout) {
+        // SAFETY: the caller's promise.
+        unsafe { Heap.dealloc(old, layout) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+#[test]
+fn steps_allocate_nothing() -> Result<(), Error> {
+    let rod = Rod::uniform(0.2, 0.3);
+    let chain = (rod, Pin, rod, ElasticHinge::rotary(5.0).damped(0.1), rod);
+    let scene = System::new(Pinned::origin(), chain, Free)?.with_gravity(9.81);
+    let start = scene.at_rest(&[-1.0, -0.5, -0.2])?;
+    macro_rules! steps {
+        ($scheme:expr) => {{
+            let before = COUNT.get();
+            let mut run = $scheme.start(&scene, &start, &Unloaded, 0.01)?;
+            assert!(COUNT.get() > before, "the allocator counts");
+            let before = COUNT.get();
+            run.run_to(1.0)?;
+            assert_eq!(COUNT.get(), before, "{:?}", $scheme);
+        }};
+    }
+    let scheme = Scheme::new(GeneralizedAlpha::new(0.8));
+    steps!(scheme);
+    steps!(scheme.linearized(At::Iterated));
+    steps!(scheme.solved_by(Solver::Riccati));
+    steps!(JointScheme::new(Multistep::BDF2));
+    Ok(())
+}
