@@ -1,7 +1,7 @@
 //! The lesser relations, and what a body does with any of them.
 
 use super::algebra::{Symmetric2, dot, normal};
-use super::{Full, FullColumn};
+use super::{Full, FullColumn, Slides};
 use crate::relation::{Absent, Closures, Cuts, Open, Promote, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -131,5 +131,19 @@ impl<T: Scalar, M: Term<T>, C: Closures> Promote<Full<T, C>> for Point<T, M, C> 
 impl<T: Scalar> Promote<Empty> for Full<T> {
     fn promote(_: Empty) -> Self {
         Self::massless()
+    }
+}
+
+/// What a pinned tip demands, where a chain hands on more: links with springs, or with sliders.
+impl<T: Scalar, M: Term<T>, C: Closures> Promote<Point<T, M, C>> for Full<T, C> {
+    fn promote(lesser: Point<T, M, C>) -> Self {
+        Slides::full(lesser)
+    }
+}
+
+impl<T: Scalar, C: Closures> Promote<Point<T, Absent, C>> for Point<T, T, C> {
+    fn promote(lesser: Point<T, Absent, C>) -> Self {
+        let Point { stiffness, offset, cuts, .. } = lesser;
+        Self { stiffness, offset, torque: T::zero(), cuts }
     }
 }
