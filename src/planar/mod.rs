@@ -11,6 +11,7 @@
 //! ```
 
 pub mod axes;
+mod beam;
 mod body;
 mod closing;
 mod elastic_hinge;
@@ -33,6 +34,7 @@ mod weld;
 pub use crate::element::Unloaded;
 pub use crate::stepper::Stepper;
 pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
+pub use beam::{Beam, Segments, Stretch};
 pub use body::{Body, Inertia, Pose};
 pub use elastic_hinge::{ElasticHinge, HingeRule};
 pub use ends::{Attitude, Clamped, Floating, Free, Ground, GroundMotion, Guided, Moving, Pinned, Turning};

@@ -44,6 +44,13 @@ impl<T: Scalar, D> Spring<T, D, Absent> {
     }
 }
 
+impl<T: Scalar, D: Coefficient<T>> Spring<T, D> {
+    /// A spring and a damper in proportion to it, by a time (s).
+    pub(super) fn proportional(stiffness: T, time: D) -> Self {
+        Self { stiffness, damping: time.times(stiffness), rest: Absent }
+    }
+}
+
 /// What acts along a coordinate of a joint: a [`Spring`], or nothing.
 pub trait SpringLaw<T: Scalar>: Part {
     /// Force on the outboard side.

@@ -84,6 +84,8 @@ impl<T: Scalar> Term<T> for T {
 pub trait Coefficient<T>: Part {
     /// `self · factor + sum`.
     fn times_onto(self, factor: T, sum: T) -> T;
+    /// `self · factor`, or nothing.
+    fn times(self, factor: T) -> Self;
 }
 
 impl<T> Coefficient<T> for Absent {
@@ -91,12 +93,18 @@ impl<T> Coefficient<T> for Absent {
     fn times_onto(self, _: T, sum: T) -> T {
         sum
     }
+    fn times(self, _: T) -> Self {
+        self
+    }
 }
 
 impl<T: Scalar> Coefficient<T> for T {
     #[inline(always)]
     fn times_onto(self, factor: T, sum: T) -> T {
         self.mul_add(factor, sum)
+    }
+    fn times(self, factor: T) -> Self {
+        self * factor
     }
 }
 
