@@ -2,7 +2,7 @@
 
 use super::algebra::Symmetric2;
 use super::{Full, FullColumn, Point, Relation};
-use crate::relation::{Closures, Promote, Term};
+use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 
@@ -205,12 +205,6 @@ impl<T: Scalar, M: Term<T>, C: Closures> Slides<T> for Point<T, M, C> {
         let relation = Self { stiffness: pivot.reduce(s), offset: pivot.force(s, applied, offset), torque, cuts };
         let per_acceleration = Vector2::new(-pivot.yielded, s.xy * pivot.minus_inverse);
         (relation, SlideGain { per_acceleration, per_angular: T::zero(), free: pivot.free, per_closure })
-    }
-}
-
-impl<T: Scalar, M: Term<T>, C: Closures> Promote<Point<T, M, C>> for Full<T, C> {
-    fn promote(point: Point<T, M, C>) -> Self {
-        Slides::full(point)
     }
 }
 
