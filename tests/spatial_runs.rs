@@ -37,6 +37,43 @@ fn a_tumbling_pair_keeps_momentum_and_energy() -> Result<(), Error> {
     Ok(())
 }
 
+/// A spring in a ball, of different stiffness about its axes: it stores what it takes, and its torques balance.
+#[test]
+fn an_elastic_ball_keeps_energy_and_momentum() -> Result<(), Error> {
+    let joint = ElasticBall::rotary([3.0, 8.0, 5.0]);
+    let system = System::new(Free, (body(), joint, body()), Free)?;
+    let start = system.at_rest(&[0.3, 0.2, -0.4, 1.3, -0.9, 0.9])?;
+    let start = system.with_rates(start, &[0.0, 0.0, 0.0, 1.0, -0.6, 0.5, 0.3, 1.1, -0.8])?;
+    let first = system.budget(&start);
+    let (mut energy, mut angular, mut stored) = (0.0_f64, 0.0_f64, 0.0_f64);
+    system.simulate(start, Dop853::tolerance(1e-13), 5.0, |now| {
+        let budget = system.budget(now.motion());
+        energy = energy.max((budget.energy() - first.energy()).abs());
+        angular = angular.max((budget.angular_momentum - first.angular_momentum).norm());
+        stored = stored.max(budget.potential);
+    })?;
+    println!("energy {energy:.1e} of {:.1} J, angular momentum {angular:.1e}, stored {stored:.1} J", first.energy());
+    assert!(stored > 1.0 && energy < 1e-11 && angular < 1e-11);
+
+    // The same scene seen from other axes does the same.
+    let accelerations = |base: Rotation<f64>| {
+        let mut turned = start;
+        turned.position_mut().0.1 = base.after(&start.position().0.1);
+        system.with_accelerations(turned, &Unloaded).map(|motion| *motion.acceleration())
+    };
+    let (plain, turned) =
+        (accelerations(Rotation::identity())?, accelerations(Rotation::from_angles([0.7, -1.1, 2.0]))?);
+    for k in 0..3 {
+        assert!((plain.1.1[k] - turned.1.1[k]).abs() < 1e-12 && (plain.0.1[k] - turned.0.1[k]).abs() < 1e-12);
+    }
+    // A damper takes energy and leaves momentum.
+    let system = System::new(Free, (body(), joint.damped(0.1), body()), Free)?;
+    let last = system.budget(&system.simulate(start, Dop853::tolerance(1e-13), 5.0, |_| ())?.motion);
+    let lost = first.energy() - last.energy();
+    assert!(lost > 0.1 && (last.angular_momentum - first.angular_momentum).norm() < 1e-11);
+    Ok(())
+}
+
 /// What Newton's and Euler's laws leave of the torque at smooth balls, which transmit none.
 ///
 /// Inverse dynamics has no balls to start anew from: what is left at a ball is the sum of the residuals of all bodies outboard of it.

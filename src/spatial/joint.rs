@@ -1,13 +1,15 @@
 //! What a spatial joint has to say of itself, and how that makes it an element.
 
-use super::{Acceleration, Ball, Cylindrical, Floating, Frame, JointMotion, Prismatic, Revolute, Spatial, Turn};
+use super::{
+    Acceleration, Ball, Cylindrical, ElasticBall, Floating, Frame, JointMotion, Prismatic, Revolute, Spatial, Turn,
+};
 use super::{Universal, Weld, spring::Law};
 use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Posture, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
-use crate::relation::Closures;
 use crate::relation::space::algebra::Columns;
+use crate::relation::{Closures, Coefficient};
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 use nalgebra::Vector3;
@@ -209,6 +211,7 @@ macro_rules! joint {
     };
 }
 joint!([T: Scalar] Ball, true);
+joint!([T: Scalar, D: Coefficient<T>] ElasticBall<T, D>, false);
 joint!([T: Scalar] Floating<T>, true);
 joint!([T: Scalar] Weld<T>, false);
 joint!([T: Scalar, L: Law<T>] Revolute<T, L>, false);
@@ -227,6 +230,7 @@ macro_rules! count {
 }
 count! {
     [] Ball: U3;
+    [T, D] ElasticBall<T, D>: U3;
     [T] Floating<T>: U6;
     [T] Weld<T>: U0;
     [T, L] Revolute<T, L>: U1;

@@ -105,6 +105,14 @@ pub fn inverse_tangent<T: Scalar>(psi: [T; 3], spin: [T; 3]) -> [T; 3] {
     with_crosses(psi, T::literal(0.5), Half::of(psi).cotangent(), Vector3::from(spin)).into()
 }
 
+/// The gradient of V = ½ φᵀ K φ, φ = log R, for turns of the outboard body in axes of the inboard one: (1 + ½ φ~ + c φ~²) K φ. It is
+/// conservative, and objective, which K times angles would not be.
+#[inline(always)]
+pub(super) fn spring_couple<T: Scalar>(phi: Vector3<T>, stiffness: Vector3<T>) -> Vector3<T> {
+    let force = phi.component_mul(&stiffness);
+    with_crosses(phi, T::literal(0.5), Half::of(phi).cotangent(), force)
+}
+
 /// The rotation by an angle (rad) about a unit axis, as columns.
 #[inline(always)]
 pub(super) fn about<T: Scalar>(axis: Vector3<T>, angle: T) -> Columns<T> {

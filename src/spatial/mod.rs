@@ -20,6 +20,7 @@ mod ball;
 mod body;
 mod closing;
 mod cylindrical;
+mod elastic_ball;
 mod ends;
 mod frame;
 mod inertia;
@@ -44,6 +45,7 @@ pub use axial::{Axial, Listed, Relative};
 pub use ball::Ball;
 pub use body::{Body, Pose};
 pub use cylindrical::Cylindrical;
+pub use elastic_ball::ElasticBall;
 pub use ends::{
     Attitude, AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning,
 };

@@ -16,8 +16,8 @@ use num_traits::Zero;
 ///
 /// ```
 /// use catena::spatial::{Body, Rod};
-/// let rod = Rod::uniform(2.0, 0.1, 3.0); // length, radius (m), mass (kg)
-/// assert_eq!(rod.inertia().about_centre[0][0], 3.0 * 0.01 / 2.0);
+/// let rod = Rod::uniform(2.0, 0.5, 3.0); // length, radius (m), mass (kg)
+/// assert_eq!(rod.inertia().about_centre[0][0], 0.375); // m r² / 2
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Rod<T> {
