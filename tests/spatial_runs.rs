@@ -119,18 +119,15 @@ fn balls_of_long_chains_transmit_no_torque() -> Result<(), Error> {
 fn forms_of_a_scene_are_bit_identical() -> Result<(), Error> {
     let b = body();
     let h = Revolute::about([0.0, 1.0, 1.0]);
-    let numbers = |position: &dyn Fn(&mut dyn FnMut(f64))| {
-        let mut list = vec![];
-        position(&mut |x| list.push(x));
-        list
-    };
     macro_rules! run {
         ($chain:expr) => {{
             use catena::mirror::Position;
             let system = System::new(Pinned::origin(), $chain, Free)?.with_gravity(9.81);
             let start = system.at_rest(&[0.3, 0.2, -0.4, 1.0, 0.5, 0.1, -0.2, 0.7])?;
             let end = system.simulate(start, Rk4::step(1e-2), 0.5, |_| ())?.motion;
-            numbers(&|visit| end.position().visit(&mut |x| visit(x)))
+            let mut numbers = vec![];
+            end.position().visit(&mut |x: f64| numbers.push(x));
+            numbers
         }};
     }
     let flat = run!((b, Ball, b, h, b, h, b));

@@ -124,3 +124,47 @@ fn a_floating_chain_with_springs_keeps_its_momentum() -> Result<(), Error> {
     assert!(lost.iter().all(|lost| *lost < 1e-5));
     Ok(())
 }
+
+/// A chain with springs that is held at its tip by a ball: closed after every step, by either kind of rule, and both agree.
+#[test]
+fn held_chains_stay_closed_under_implicit_rules() -> Result<(), Error> {
+    let rod = Rod::uniform(0.5, 0.05, 1.0);
+    let hinge = Universal::about([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+    let hinge = hinge.with(Spring::stiffness(30.0).damped(0.05), Spring::stiffness(20.0));
+    let chain = (rod, hinge, rod, hinge, rod, Ball, rod);
+    let free = System::new(Pinned::origin(), chain, Free)?;
+    let angles = [0.0, 0.3, 0.8, -0.2, -0.4, 0.3, -0.6, 0.2, -0.1, -0.9];
+    let place = free.stations(&free.at_rest(&angles)?, &Unloaded).tip().frame.place;
+    let system = System::new(Pinned::origin(), chain, Pinned::at(place.x, place.y, place.z))?.with_gravity(9.81);
+    let start = system.at_rest(&angles)?;
+    let exact = system.simulate(start, Dop853::tolerance(1e-12), END, |_| ())?.motion;
+    let mut gap = 0.0_f64;
+    let mut force = |rule: Rule<Sdirk4, f64>| {
+        let run = system.simulate(start, rule, END, |now| {
+            gap = gap.max((now.stations().tip().frame.place - place).norm());
+        })?;
+        Ok::<_, Error>(Vector3::from(*run.motion.multipliers()))
+    };
+    let expected = Vector3::from(*exact.multipliers());
+    let mut points = vec![];
+    for n in [400, 600, 900] {
+        let h = END / f64::from(n);
+        points.push((h, (force(Sdirk4::new().step(h))? - expected).norm()));
+    }
+    has_order("SDIRK4, force that holds the tip", 4.0, 1e-11, &points);
+    println!("gap {gap:.1e}");
+    assert!(gap < 1e-13);
+
+    // Before the chain lashes out, for a rule of second order.
+    let end = 0.3;
+    let exact = system.simulate(start, Dop853::tolerance(1e-12), end, |_| ())?.motion;
+    let expected = Vector3::from(*exact.multipliers());
+    let mut points = vec![];
+    for n in [150, 300, 600] {
+        let h = end / f64::from(n);
+        let motion = system.simulate(start, GeneralizedAlpha::new(0.8).step(h), end, |_| ())?.motion;
+        points.push((h, (Vector3::from(*motion.multipliers()) - expected).norm()));
+    }
+    has_order("generalised-α, force that holds the tip", 2.0, 1e-11, &points);
+    Ok(())
+}
