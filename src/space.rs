@@ -3,7 +3,7 @@
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 
-/// What elements of one space have in common. Implemented by `planar::Planar<T>`.
+/// What elements of one space have in common. Implemented by `planar::Planar<T>` and `spatial::Spatial<T>`.
 pub trait Space: Copy + Debug + 'static {
     /// The numbers of the scene.
     type Scalar: Scalar;

@@ -118,6 +118,28 @@ fn lanes_do_not_see_each_other() -> Result<(), Error> {
     Ok(())
 }
 
+/// A scene lifted to another number is the scene built of it.
+#[test]
+fn lifted_scenes_move_alike() -> Result<(), Error> {
+    let rod = Rod::uniform(0.5, 0.05, 1.0);
+    let hinge = Revolute::about([0.0, 1.0, 0.0]).with(Spring::stiffness(2.0).resting_at(0.1));
+    let chain =
+        (rod, Ball, rod, hinge, rod, ElasticBall::rotary([1.0, 2.0, 3.0]).damped(0.1), PointMass::new(0.3, 0.2));
+    let chain = (chain, Weld::at(Rotation::from_angles([0.1, 0.2, 0.3])), rod);
+    let system = System::new(Pinned::at(0.1, 0.2, 0.3), chain, Free)?.with_gravity(9.81);
+    let lifted = system.lift(|x| Dual64::new(x, 0.0));
+    let angles = [0.3, 0.2, -0.4, 0.5, -0.3, 0.7, 0.4, 0.1, -0.2, 0.6];
+    let start = system.with_accelerations(system.at_rest(&angles)?, &Unloaded)?;
+    let dual = lifted.with_accelerations(start.lift(|x| Dual64::new(x, 0.0)), &Unloaded)?;
+    let mut expected = vec![];
+    catena::mirror::Rate::visit(start.acceleration(), &mut |x: f64| expected.push(x));
+    let mut found = vec![];
+    catena::mirror::Rate::visit(dual.acceleration(), &mut |x: Dual64| found.push(x.re));
+    assert_eq!(found.len(), 10);
+    assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-12 * (1.0 + b.abs())));
+    Ok(())
+}
+
 /// Maps and their inverses, by duals too: the logarithm of an exponential is the vector it came from, with its derivatives, and
 /// tangents are derivatives.
 #[test]
