@@ -96,7 +96,7 @@
 //! For chains of moderate accuracy at a fixed cost: one sweep a step, linear, no iteration; with [`GeneralizedAlpha`] at the predictor it
 //! is second order in forces too. It fails
 //! * with γ = ½, above;
-//! * solved by the product on long chains or at short steps: digits are gone at n ≈ 1000 with steps of 10 ms, at n ≈ 10 with 1 ms.
+//! * solved by the product on long chains or at short steps: hardly a digit is left of 1000 bodies with steps of 10 ms, of 10 with 1 ms.
 //!   [`Solver::Riccati`] works in increments and holds at 100 000 bodies;
 //! * at the centre of percussion, by the product;
 //! * where accuracy is wanted: to 1e-6 rad after 2 s of the pendulum above it takes 5100 sweeps, [`Dop853`](crate::planar::Dop853) 250.
