@@ -55,7 +55,7 @@ pub trait Dynamics<L> {
     /// Whether the closures that hold the tip are independent, after a sweep at this motion.
     ///
     /// # Errors
-    /// [`Fault::RedundantClosures`], which names one that follows from the others (or cannot be met): a clamped tip on two rods, a
+    /// [`RedundantClosures`](crate::error::Fault::RedundantClosures), which names one that follows from the others (or cannot be met): a clamped tip on two rods, a
     /// straight chain of rods between two pins.
     fn independent(
         &self,
@@ -66,7 +66,7 @@ pub trait Dynamics<L> {
     /// Whether a motion may stand: finite, and no angle out of range.
     ///
     /// # Errors
-    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`].
+    /// [`NonFiniteMotion`](crate::error::Fault::NonFiniteMotion) or [`AngleOutOfRange`](crate::error::Fault::AngleOutOfRange).
     fn accept(&self, motion: &Motion<Self::Scalar, Self::Position, Self::Closures>) -> Result<(), Error>;
 
     /// Where and why the sweep at a motion failed, for a motion that came out not finite.
