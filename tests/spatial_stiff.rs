@@ -168,3 +168,49 @@ fn held_chains_stay_closed_under_implicit_rules() -> Result<(), Error> {
     has_order("generalised-α, force that holds the tip", 2.0, 1e-11, &points);
     Ok(())
 }
+
+/// A spring in a ball, soft and stiff.
+#[test]
+fn elastic_balls_have_order_two_and_become_welds() -> Result<(), Error> {
+    let tensor = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]];
+    let body = RigidBody::new(1.0, tensor, [0.5, 0.03, -0.02], [1.0, 0.0, 0.0]);
+    let ball = |k: f64| ElasticBall::rotary([k, 0.5 * k, 2.0 * k]).damped(0.02 * k.sqrt());
+    let system = |k: f64| {
+        System::new(Pinned::origin(), (body, ball(k), body, ball(k), body), Free).map(|scene| scene.with_gravity(3.0))
+    };
+    let soft = system(5.0)?;
+    let start = soft.at_rest(&[0.3, 0.2, -0.4, 1.0, -0.6, 0.5, 0.1, -0.2, 0.4])?;
+    let start = soft.with_rates(start, &[1.0, -1.0, 0.5, 2.0, 1.0, -1.0, 0.3, 0.2, -0.4])?;
+    let exact = soft.simulate(start, Dop853::tolerance(1e-13), END, |_| ())?.motion;
+    macro_rules! force {
+        ($system:expr, $motion:expr) => {
+            $system.stations(&$motion, &Unloaded).root().internal.force
+        };
+    }
+    let mut points = [vec![], vec![]];
+    for n in [200, 400, 800] {
+        let h = END / f64::from(n);
+        let second = soft.simulate(start, GeneralizedAlpha::new(0.8).step(h), END, |_| ())?.motion;
+        points[0].push((h, (force!(soft, second) - force!(soft, exact)).norm()));
+        let fourth = soft.simulate(start, Sdirk4::new().step(h), END, |_| ())?.motion;
+        points[1].push((h, (force!(soft, fourth) - force!(soft, exact)).norm()));
+    }
+    has_order("generalised-α, force", 2.0, 1e-11, &points[0]);
+    has_order("SDIRK4, force", 2.0, 1e-11, &points[1]);
+
+    let weld = Weld::at(Rotation::identity());
+    let welded = System::new(Pinned::origin(), (body, weld, body, weld, body), Free)?.with_gravity(3.0);
+    let exact = welded.simulate(welded.at_rest(&[0.3, 0.2, -0.4])?, Dop853::tolerance(1e-13), END, |_| ())?.motion;
+    let expected = force!(welded, exact);
+    for k in [1e6, 1e8, 1e10] {
+        let stiff = system(k)?;
+        let angles = [0.3, 0.2, -0.4];
+        let start = stiff.at_rest(&[angles, angles, angles].concat())?;
+        let second = stiff.simulate(start, GeneralizedAlpha::new(0.8).step(0.0025), END, |_| ())?.motion;
+        let fourth = stiff.simulate(start, Sdirk4::new().step(0.005), END, |_| ())?.motion;
+        let errors = [force!(stiff, second), force!(stiff, fourth)].map(|force| (force - expected).norm());
+        println!("k = {k:.0e}: generalised-α {:.1e}, SDIRK4 {:.1e}", errors[0], errors[1]);
+        assert!(errors[0] < 5e-4 && errors[1] < 2e-5 + 100.0 / k);
+    }
+    Ok(())
+}

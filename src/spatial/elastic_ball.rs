@@ -2,13 +2,13 @@
 
 use super::inertia::{finite, not_negative};
 use super::loads::Drive;
-use super::maps::spring_couple;
+use super::maps::{spring_couple, spring_slope};
 use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, joint::Stored};
-use crate::element::{Condense, Explicit, Given, InJoint, Posture, Sweep};
+use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
-use crate::relation::space::algebra::{Columns, cross, dot, zero};
-use crate::relation::space::{Couple, Gain, Point, Rigid};
+use crate::relation::space::algebra::{Columns, Symmetric3, cross, dot, zero};
+use crate::relation::space::{BallGain, Couple, Full, Gain, Point, Rigid};
 use crate::relation::{Absent, Closures, Coefficient, Term};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
@@ -20,7 +20,9 @@ use nalgebra::Vector3;
 /// in all inertial axes. The spring follows relative turns of up to one whole turn.
 ///
 /// Its coordinate is the attitude relative to the inboard body, its rate the relative angular velocity in axes of the outboard body.
-/// Explicit rules take it; in implicit ones, springs about axes ([`Revolute`](super::Revolute), [`Universal`](super::Universal)) do.
+/// Explicit rules keep their order on it. Implicit ones take its law at the attitude without the acceleration sought, and have order 2
+/// at any stiffness; that is what [`Sdirk4`](super::Sdirk4) has too, whose order 4 needs springs about axes
+/// ([`Revolute`](super::Revolute), [`Universal`](super::Universal)).
 ///
 /// ```
 /// use catena::spatial::*;
@@ -58,10 +60,61 @@ impl<T: Scalar, D: Coefficient<T>> ElasticBall<T, D> {
     }
 }
 
+/// How the rule of a sweep treats the spring of a ball.
+pub trait BallRule<T: Scalar>: Springs<T> {
+    /// The relation handed on.
+    type Out<C: Closures>: Copy;
+    /// Eliminates the rotation under a torque, of a spring with the slope and the damping given as functions; `bias` is the angular
+    /// acceleration that rates alone cause.
+    fn ball<C: Closures>(
+        self,
+        outer: Full<T, C>,
+        torque: Vector3<T>,
+        slope: impl FnOnce() -> Symmetric3<T>,
+        damping: impl FnOnce(T) -> T,
+        bias: Vector3<T>,
+    ) -> (Self::Out<C>, BallGain<T, C>);
+}
+
+impl<T: Scalar> BallRule<T> for Explicit {
+    type Out<C: Closures> = Point<T, Couple<T>, C>;
+
+    #[inline(always)]
+    fn ball<C: Closures>(
+        self,
+        outer: Full<T, C>,
+        torque: Vector3<T>,
+        _: impl FnOnce() -> Symmetric3<T>,
+        _: impl FnOnce(T) -> T,
+        _: Vector3<T>,
+    ) -> (Self::Out<C>, BallGain<T, C>) {
+        let (relation, gain) = outer.balled(Couple(torque));
+        (relation, BallGain::absolute(gain))
+    }
+}
+
+impl<T: Scalar> BallRule<T> for Implicit<T::Real> {
+    type Out<C: Closures> = Full<T, C>;
+
+    #[inline(always)]
+    fn ball<C: Closures>(
+        self,
+        outer: Full<T, C>,
+        torque: Vector3<T>,
+        slope: impl FnOnce() -> Symmetric3<T>,
+        damping: impl FnOnce(T) -> T,
+        bias: Vector3<T>,
+    ) -> (Full<T, C>, BallGain<T, C>) {
+        let stiffness = slope().scaled(self.position).plus_diagonal(damping(T::constant(self.rate)));
+        let (relation, gain) = outer.sprung(torque, stiffness);
+        (relation.turning(bias), gain)
+    }
+}
+
 impl<T: Scalar, D: Coefficient<T>> Joint<T> for ElasticBall<T, D> {
     type Position = Rotation<T>;
     type Rate = [T; 3];
-    type Kept<C: Closures> = Gain<T, C>;
+    type Kept<C: Closures> = BallGain<T, C>;
 
     fn position() -> Rotation<T> {
         Rotation::identity()
@@ -69,10 +122,10 @@ impl<T: Scalar, D: Coefficient<T>> Joint<T> for ElasticBall<T, D> {
     fn rate() -> [T; 3] {
         [T::zero(); 3]
     }
-    fn kept<C: Closures>() -> Gain<T, C> {
-        Gain::blank()
+    fn kept<C: Closures>() -> BallGain<T, C> {
+        BallGain::blank()
     }
-    fn is_finite<C: Closures>(kept: &Gain<T, C>) -> bool {
+    fn is_finite<C: Closures>(kept: &BallGain<T, C>) -> bool {
         kept.is_finite()
     }
     /// Three absolute angles 1-2-3.
@@ -107,34 +160,35 @@ impl<T: Scalar, D: Coefficient<T>> Joint<T> for ElasticBall<T, D> {
         &self,
         inboard: Acceleration<T>,
         (attitude, [_, bias]): (&Columns<T>, &[Vector3<T>; 2]),
-        kept: &Gain<T, C>,
+        kept: &BallGain<T, C>,
         multipliers: &C::Each<T>,
         rate: &mut [T; 3],
     ) -> Acceleration<T> {
-        let angular = kept.angular(inboard.linear, multipliers);
-        *rate = attitude.transposed(angular - inboard.angular - bias).into();
-        Acceleration { angular, ..inboard }
+        let carried = inboard.angular + bias;
+        let relative = kept.relative(inboard.linear, carried, multipliers);
+        *rate = attitude.transposed(relative).into();
+        Acceleration { angular: carried + relative, ..inboard }
     }
     #[inline(always)]
     fn responded<C: Closures>(
         &self,
         inboard: Acceleration<T>,
         (attitude, _): (&Columns<T>, &[Vector3<T>; 2]),
-        kept: &Gain<T, C>,
+        kept: &BallGain<T, C>,
         multipliers: &C::Each<T>,
         rate: &mut [T; 3],
     ) -> Acceleration<T> {
-        let homogeneous = Gain { free: zero(), ..*kept };
+        let homogeneous = BallGain { absolute: Gain { free: zero(), ..kept.absolute }, ..*kept };
         self.recovered::<C>(inboard, (attitude, &[zero(); 2]), &homogeneous, multipliers, rate)
     }
 }
 
 impl<T: Scalar, D: Coefficient<T>, R: Rigid<T>, W> Condense<Spatial<T>, R, W> for ElasticBall<T, D>
 where
-    W: Sweep<Spatial<T>, Springs = Explicit, Closures = R::Closures>,
+    W: Sweep<Spatial<T>, Springs: BallRule<T>, Closures = R::Closures>,
     InJoint<Spatial<T>, W>: Drive<T>,
 {
-    type Out = Point<T, Couple<T>, W::Closures>;
+    type Out = <W::Springs as BallRule<T>>::Out<W::Closures>;
 
     #[inline(always)]
     fn condense(
@@ -142,11 +196,16 @@ where
         outer: R,
         posture: Posture<'_, Spatial<T>, Self>,
         given: Given<'_, Spatial<T>, Self, W>,
-        kept: &mut Gain<T, W::Closures>,
+        kept: &mut BallGain<T, W::Closures>,
     ) -> Self::Out {
-        let own = self.torque(posture.x, given.position, given.rate);
-        let torque = given.in_joints.couple(posture.x).add_to(own);
-        let (relation, gain) = outer.full().balled(Couple(torque));
+        let (attitude, position) = (posture.x, given.position);
+        let torque = given.in_joints.couple(attitude).add_to(self.torque(attitude, position, given.rate));
+        let slope = || {
+            let own = spring_slope(Vector3::from(position.log()), Vector3::from(self.stiffness));
+            own.turned(&attitude.times(&position.inverse().matrix()))
+        };
+        let damping = |rate: T| self.damping.times_onto(rate, T::zero());
+        let (relation, gain) = given.springs.ball(outer.full(), torque, slope, damping, posture.y[1]);
         *kept = gain;
         relation
     }

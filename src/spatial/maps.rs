@@ -5,7 +5,7 @@
 //! lanes do not part.
 
 use super::Rotation;
-use crate::relation::space::algebra::{Columns, add_scaled, cross, cross_onto, dot};
+use crate::relation::space::algebra::{Columns, Symmetric3, add_scaled, cross, cross_onto, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 
@@ -111,6 +111,27 @@ pub fn inverse_tangent<T: Scalar>(psi: [T; 3], spin: [T; 3]) -> [T; 3] {
 pub(super) fn spring_couple<T: Scalar>(phi: Vector3<T>, stiffness: Vector3<T>) -> Vector3<T> {
     let force = phi.component_mul(&stiffness);
     with_crosses(phi, T::literal(0.5), Half::of(phi).cotangent(), force)
+}
+
+/// How that couple changes with turns of the outboard body (axes of the inboard one), symmetrised: the derivative of
+/// (1 + ½ φ~ + c φ~²) K φ by φ, times dφ = (1 − ½ φ~ + c φ~²) dψ. It serves as the slope of an implicit sweep, which does without
+/// the change of c, of third order in φ.
+#[inline(always)]
+pub(super) fn spring_slope<T: Scalar>(phi: Vector3<T>, stiffness: Vector3<T>) -> Symmetric3<T> {
+    let (half, c) = (T::literal(0.5), Half::of(phi).cotangent());
+    let force = phi.component_mul(&stiffness);
+    let work = dot(phi, force) * c;
+    let column = |e: Vector3<T>| {
+        let turned = with_crosses(phi, -half, c, e);
+        let first = with_crosses(phi, half, c, turned.component_mul(&stiffness));
+        let second = add_scaled(cross(turned, force) * half, work, turned);
+        let third = phi * (dot(force, turned) * c) - force * (dot(phi, turned) * (c + c));
+        first + second + third
+    };
+    let Columns { x, y, z } = Columns::identity();
+    let (x, y, z) = (column(x), column(y), column(z));
+    let mean = |a: T, b: T| (a + b) * half;
+    Symmetric3 { xx: x.x, xy: mean(x.y, y.x), xz: mean(x.z, z.x), yy: y.y, yz: mean(y.z, z.y), zz: z.z }
 }
 
 /// The rotation by an angle (rad) about a unit axis, as columns.

@@ -45,7 +45,7 @@ pub use axial::{Axial, Listed, Relative};
 pub use ball::Ball;
 pub use body::{Body, Pose};
 pub use cylindrical::Cylindrical;
-pub use elastic_ball::ElasticBall;
+pub use elastic_ball::{BallRule, ElasticBall};
 pub use ends::{
     Attitude, AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning,
 };

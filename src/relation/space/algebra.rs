@@ -157,6 +157,14 @@ impl<T: Scalar> Symmetric3<T> {
         }
     }
 
+    /// S · factor.
+    #[inline(always)]
+    pub fn scaled(self, factor: T::Real) -> Self {
+        let of = |x: T| x.scale(factor);
+        let Self { xx, xy, xz, yy, yz, zz } = self;
+        Self { xx: of(xx), xy: of(xy), xz: of(xz), yy: of(yy), yz: of(yz), zz: of(zz) }
+    }
+
     /// The columns.
     #[inline(always)]
     pub fn columns(self) -> Columns<T> {

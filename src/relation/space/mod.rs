@@ -11,4 +11,4 @@ mod pivots;
 
 pub use full::{Full, FullColumn, Rigid};
 pub use kinds::{Couple, Empty, Lump, Point, Relation};
-pub use pivots::{Gain, Pivot, Way};
+pub use pivots::{BallGain, Gain, Pivot, Way};

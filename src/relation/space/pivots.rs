@@ -4,7 +4,7 @@
 //! elimination changes S by one rank, in one triangle, and its pivot Δ = Φᵀ S Φ is the inertia of what lies outboard against that
 //! coordinate.
 
-use super::algebra::{Columns, add_scaled, dot, is_finite, zero};
+use super::algebra::{Columns, Symmetric3, add_scaled, dot, is_finite, zero};
 use super::{Full, FullColumn, Point};
 use crate::relation::{Closures, Cuts, Open, Term};
 use crate::scalar::Scalar;
@@ -76,7 +76,8 @@ impl<T: Scalar, C: Closures> Full<T, C> {
             y: Vector3::new(g.x.y, g.y.y, g.z.y),
             z: Vector3::new(g.x.z, g.y.z, g.z.z),
         };
-        let (cuts, per_closure) = turned_out(&self.cuts, &k, free, |w| -factor.solve(w));
+        let (cuts, per_closure) =
+            turned_out(&self.cuts, free, |w| -factor.solve(w), |w, row| k.apply_onto(row, w.force));
         let relation = Point {
             stiffness: self.linear.plus_product(&k, &rows),
             offset: k.apply_onto(free, self.force),
@@ -85,19 +86,62 @@ impl<T: Scalar, C: Closures> Full<T, C> {
         };
         (relation, Gain { per_acceleration, free, per_closure })
     }
+
+    /// Lets the station turn against a stiff torque τ̂ − K̂ β, with β relative to the inboard body: only the pivot of the elimination,
+    /// H + K̂, knows of it.
+    #[inline(always)]
+    pub fn sprung(self, torque: Vector3<T>, stiffness: Symmetric3<T>) -> (Self, BallGain<T, C>) {
+        let (k, h) = (self.coupling, self.angular);
+        let factor = h.plus(stiffness).factor();
+        let row = |x: T, y: T, z: T| -factor.solve(Vector3::new(x, y, z));
+        let g = Columns { x: row(k.x.x, k.y.x, k.z.x), y: row(k.x.y, k.y.y, k.z.y), z: row(k.x.z, k.y.z, k.z.z) };
+        let rows = Columns {
+            x: Vector3::new(g.x.x, g.y.x, g.z.x),
+            y: Vector3::new(g.x.y, g.y.y, g.z.y),
+            z: Vector3::new(g.x.z, g.y.z, g.z.z),
+        };
+        let own = h.columns();
+        let per_angular = Columns { x: -factor.solve(own.x), y: -factor.solve(own.y), z: -factor.solve(own.z) };
+        let free = factor.solve(torque - self.torque);
+        // What is left of the rotational part, I_a Φ = U Δ⁻¹ K̂: no difference of large numbers.
+        let stiff = stiffness.columns();
+        let left = Columns { x: factor.solve(stiff.x), y: factor.solve(stiff.y), z: factor.solve(stiff.z) };
+        let turned = own.times(&left);
+        let reduce = |w: FullColumn<T>, row: Vector3<T>| FullColumn {
+            force: k.apply_onto(row, w.force),
+            torque: -stiffness.apply(row),
+        };
+        let (cuts, per_closure) = turned_out(&self.cuts, free, |w| -factor.solve(w), reduce);
+        let relation = Self {
+            linear: self.linear.plus_product(&k, &rows),
+            coupling: k.times(&left),
+            angular: Symmetric3 {
+                xx: turned.x.x,
+                xy: turned.x.y,
+                xz: turned.x.z,
+                yy: turned.y.y,
+                yz: turned.y.z,
+                zz: turned.z.z,
+            },
+            force: k.apply_onto(free, self.force),
+            torque: h.apply_onto(free, self.torque),
+            cuts,
+        };
+        (relation, BallGain { absolute: Gain { per_acceleration: g, free, per_closure }, per_angular })
+    }
 }
 
 /// The angular acceleration for each closure force.
 type Rows<T, C> = <C as Closures>::Each<Vector3<T>>;
 
-/// Columns of closure forces where a rotation with the coupling `k` is eliminated: three coordinates at once.
+/// Columns of closure forces where a rotation is eliminated, three coordinates at once: each reduced to what stays of it.
 #[inline(always)]
-fn turned_out<T: Scalar, C: Closures>(
+fn turned_out<T: Scalar, C: Closures, X: Copy>(
     cuts: &Cuts<FullColumn<T>, T, C>,
-    k: &Columns<T>,
     free: Vector3<T>,
     minus_solve: impl Fn(Vector3<T>) -> Vector3<T>,
-) -> (Cuts<Vector3<T>, T, C>, Rows<T, C>) {
+    reduce: impl FnMut(FullColumn<T>, Vector3<T>) -> X,
+) -> (Cuts<X, T, C>, Rows<T, C>) {
     let rows = C::map(&cuts.columns, |w| minus_solve(w.torque));
     let part = |read: fn(Vector3<T>) -> T| (C::map(&cuts.columns, |w| read(w.torque)), C::map(&rows, read));
     let (x, y, z) = (part(|v| v.x), part(|v| v.y), part(|v| v.z));
@@ -105,7 +149,7 @@ fn turned_out<T: Scalar, C: Closures>(
     let compliance = C::minus_outer(&compliance, &y.0, &y.1);
     let compliance = C::minus_outer(&compliance, &z.0, &z.1);
     let reduced = Cuts {
-        columns: C::zip(&cuts.columns, &rows, |w, row| k.apply_onto(row, w.force)),
+        columns: C::zip(&cuts.columns, &rows, reduce),
         compliance,
         gap: C::zip(&cuts.gap, &cuts.columns, |gap, w| gap - dot(w.torque, free)),
     };
@@ -145,6 +189,41 @@ impl<T: Scalar, C: Closures> Gain<T, C> {
             C::plus_dot(open.y, &part(|v| v.y), multipliers),
             C::plus_dot(open.z, &part(|v| v.z), multipliers),
         )
+    }
+}
+
+/// What eliminating a rotation relative to the inboard body leaves behind: β = free + G a + G_α α + rows · λ.
+#[derive(Clone, Copy)]
+pub struct BallGain<T: Copy, C: Closures = Open> {
+    /// All but G_α.
+    pub absolute: Gain<T, C>,
+    /// G_α, for the angular acceleration of the inboard body.
+    pub per_angular: Columns<T>,
+}
+
+impl<T: Scalar, C: Closures> BallGain<T, C> {
+    /// No gain yet.
+    pub fn blank() -> Self {
+        Self::absolute(Gain::blank())
+    }
+
+    /// The gain of an absolute rotation, as one relative to the inboard body: G_α = −1.
+    #[inline(always)]
+    pub fn absolute(absolute: Gain<T, C>) -> Self {
+        let Columns { x, y, z } = Columns::identity();
+        Self { absolute, per_angular: Columns { x: -x, y: -y, z: -z } }
+    }
+
+    /// Whether it is finite.
+    pub fn is_finite(&self) -> bool {
+        let Columns { x, y, z } = self.per_angular;
+        self.absolute.is_finite() && [x, y, z].into_iter().all(is_finite)
+    }
+
+    /// The relative angular acceleration (rad/s²) where the inboard body's end accelerates by (`linear`, `angular`).
+    #[inline(always)]
+    pub fn relative(&self, linear: Vector3<T>, angular: Vector3<T>, multipliers: &C::Each<T>) -> Vector3<T> {
+        self.per_angular.apply_onto(angular, self.absolute.angular(linear, multipliers))
     }
 }
 
