@@ -84,7 +84,7 @@ fn residuals(n: usize) -> Result<[f64; 2], Error> {
     let links: Vec<(Ball, RigidBody<f64>)> = vec![(Ball, body()); n - 1];
     let system = System::new(Pinned::origin(), (body(), links), Free)?.with_gravity(9.81);
     let angles: Vec<f64> = (0..3 * n).map(|_| noise.next()).collect();
-    let rates: Vec<f64> = (0..3 * n).map(|_| 0.1 * noise.next()).collect();
+    let rates: Vec<f64> = (0..3 * n).map(|_| noise.next()).collect();
     let motion = system.with_rates(system.at_rest(&angles)?, &rates)?;
     let motion = system.with_accelerations(motion, &Unloaded)?;
     let stations = system.stations(&motion, &Unloaded);
