@@ -3,6 +3,17 @@
 mod kit;
 mod oracle;
 
+#[path = "held_tips/banded.rs"]
+mod banded;
+#[path = "held_tips/chains.rs"]
+mod chains;
+#[path = "held_tips/dense.rs"]
+mod dense;
+#[path = "held_tips/long.rs"]
+mod long;
+#[path = "held_tips/redundant.rs"]
+mod redundant;
+
 use catena::Error;
 use catena::element::Unloaded;
 use catena::planar::*;
@@ -127,81 +138,5 @@ fn projection_keeps_the_order_of_a_rule() -> Result<(), Error> {
     has_order("RK4, closure force", 4.0, 1e-10, &forces);
     has_order("generalised-alpha, crank", 2.0, 1e-12, &stiff_angles);
     has_order("generalised-alpha, closure force", 2.0, 1e-10, &stiff_forces);
-    Ok(())
-}
-
-/// A bent chain of n different rods at rest: length, mass and angle of each.
-fn bent(n: usize) -> Vec<[f64; 3]> {
-    let rod = |k: usize| [0.5 + 0.1 * (k % 5) as f64, 1.0 + 0.3 * (k % 3) as f64, 0.4 + 1.1 * (1.7 * k as f64).sin()];
-    (0..n).map(rod).collect()
-}
-
-/// The rods joined by pins.
-fn pinned_rods(rods: &[[f64; 3]]) -> (Rod<f64>, Vec<(Pin, Rod<f64>)>) {
-    let make = |[length, mass, _]: &[f64; 3]| Rod::uniform(*length, *mass);
-    (make(&rods[0]), rods[1..].iter().map(|rod| (Pin, make(rod))).collect())
-}
-
-/// The same scene for the oracle, and where its tip is.
-fn dense(rods: &[[f64; 3]]) -> (oracle::Scene, [f64; 2]) {
-    let bodies = rods.iter().map(|[length, mass, _]| oracle::Body::rod(*mass, *length)).collect();
-    let tip = rods.iter().fold([0.0, 0.0], |p, [l, _, angle]| [p[0] + l * angle.cos(), p[1] + l * angle.sin()]);
-    (oracle::Scene::pinned(bodies), tip)
-}
-
-/// The solution of the dense system at rest.
-fn answer(scene: &oracle::Scene, rods: &[[f64; 3]]) -> oracle::Answer {
-    let angles: Vec<f64> = rods.iter().map(|[.., angle]| *angle).collect();
-    scene.solve(&scene.assemble(&angles, &vec![0.0; rods.len()]), &[], &[])
-}
-
-#[test]
-fn chains_pinned_at_both_ends_agree_with_the_dense_system() -> Result<(), Error> {
-    for n in [3, 4, 7, 20, 60] {
-        let rods = bent(n);
-        let (mut scene, [x, y]) = dense(&rods);
-        scene.tip = oracle::Tip::pinned(oracle::Ground::at([x, y]));
-        let expected = answer(&scene, &rods);
-        let held = System::new(Pinned::origin(), pinned_rods(&rods), Pinned::at(x, y))?.with_gravity(9.81);
-        let angles: Vec<f64> = rods.iter().map(|[.., angle]| *angle).collect();
-        let motion = held.with_accelerations(held.at_rest(&angles)?, &Unloaded)?;
-        // Round-off, times the condition of Λ (up to some hundreds), relative to forces of 1e2.
-        let rounding = 1e-10;
-        for (body, expected) in held.body_motions(&motion).iter().zip(&expected.angular_acceleration) {
-            near(body.inboard.acceleration.angular, *expected, rounding);
-        }
-        for k in 0..2 {
-            near(motion.multipliers()[k], expected.tip_force[k], rounding);
-            near(held.stations(&motion, &Unloaded).root().internal.force[k], expected.q_ground[k], rounding);
-        }
-    }
-    Ok(())
-}
-
-#[test]
-fn chains_clamped_at_both_ends_agree_with_the_dense_system() -> Result<(), Error> {
-    for n in [4, 5, 8, 20, 60] {
-        let rods = bent(n);
-        let (first, last) = (rods[0][2], rods[n - 1][2]);
-        let (mut scene, [x, y]) = dense(&rods);
-        scene.joints[0] = oracle::Joint::Weld;
-        scene.tip = oracle::Tip::clamped(oracle::Ground::at([x, y]));
-        let expected = answer(&scene, &rods);
-        let (root, tip) = (Clamped::at(0.0, 0.0, first), Clamped::at(x, y, last));
-        let held = System::new(root, pinned_rods(&rods), tip)?.with_gravity(9.81);
-        let angles: Vec<f64> = rods[1..].iter().map(|[.., angle]| *angle).collect();
-        let motion = held.with_accelerations(held.at_rest(&angles)?, &Unloaded)?;
-        let rounding = 1e-9; // as above; Λ mixes forces and torques, so its condition is larger
-        for (body, expected) in held.body_motions(&motion).iter().zip(&expected.angular_acceleration) {
-            near(body.inboard.acceleration.angular, *expected, rounding);
-        }
-        let [fx, fy, torque] = *motion.multipliers();
-        near(fx, expected.tip_force[0], rounding);
-        near(fy, expected.tip_force[1], rounding);
-        near(torque, expected.tip_torque, rounding);
-        let root = held.stations(&motion, &Unloaded).root().internal;
-        near(root.force.x, expected.q_ground[0], rounding);
-        near(root.torque, expected.m_ground, rounding);
-    }
     Ok(())
 }
