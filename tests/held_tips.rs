@@ -13,6 +13,8 @@ mod dense;
 mod long;
 #[path = "held_tips/redundant.rs"]
 mod redundant;
+#[path = "held_tips/scales.rs"]
+mod scales;
 
 use catena::Error;
 use catena::element::Unloaded;

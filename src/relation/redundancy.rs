@@ -3,6 +3,9 @@
 /// How small a pivot of Λ may be, as a share of its measure, where closures are independent: rounding leaves 1e-16 of a dependent
 /// one, and a mechanism must come within 1e-5 rad of a singular place to have 1e-10.
 const SMALLEST: f64 = 1e-10;
+/// The same for numbers that round coarsely, in roundings: straight chains of up to a thousand rods leave less of a dependent
+/// pivot, and chains that are straight but for a thousandth of a radian have more.
+const ROUNDINGS: f64 = 8.0;
 
 /// A row of a positive semidefinite matrix that depends on others, and the rank: by elimination with diagonal pivots, the largest
 /// share of its measure first. Of the matrix the lower triangle is read; `rounding` is that of its numbers.
@@ -14,7 +17,7 @@ pub(super) fn dependent_row<const L: usize>(
     if !matrix.iter().flatten().all(|entry| entry.is_finite()) {
         return None; // something else is wrong
     }
-    let smallest = SMALLEST.max(100.0 * rounding);
+    let smallest = SMALLEST.max(ROUNDINGS * rounding);
     let mut rest: [[f64; L]; L] =
         core::array::from_fn(|i| core::array::from_fn(|j| if j <= i { matrix[i][j] } else { matrix[j][i] }));
     let mut waiting = [true; L];

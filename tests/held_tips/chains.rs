@@ -11,6 +11,13 @@ pub struct Link {
     pub rate: f64,
 }
 
+impl Link {
+    /// Moment of inertia of a uniform rod about its mass centre.
+    pub fn inertia(&self) -> f64 {
+        self.mass * self.length * self.length / 12.0
+    }
+}
+
 /// A bent chain of n different rods in motion.
 pub fn bent(n: usize) -> Vec<Link> {
     let link = |k: usize| Link {
