@@ -1,5 +1,8 @@
 //! What makes no mechanics is refused, with what, where and when; and what was good before stays as it was.
 
+#[path = "bad_input/joints.rs"]
+mod joints;
+
 use catena::element::{Element, Loading, Unloaded};
 use catena::ends::Root;
 use catena::mirror::{Position, Rate};
