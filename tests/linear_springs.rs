@@ -2,6 +2,8 @@
 //! and the orders of rules on them.
 
 mod kit;
+#[path = "linear_springs/numbers.rs"]
+mod numbers;
 mod oracle;
 
 use catena::Error;
