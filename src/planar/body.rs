@@ -192,7 +192,7 @@ macro_rules! body {
                 _: &mut T,
             ) -> Turn<T> {
                 *x = turn.angle;
-                *y = -(turn.rate * turn.rate);
+                *y = turn.rate;
                 turn
             }
             fn size(&self, size: &mut T) {
@@ -200,7 +200,8 @@ macro_rules! body {
             }
             #[inline(always)]
             fn resolve(size: &T, x: &mut T, y: &mut T, p: &mut T, q: &mut T) {
-                let pose = <Self as Body<T>>::pose(*size, *x, *y);
+                // The square is left to this pass, which goes many bodies at a time where rates add up along the chain.
+                let pose = <Self as Body<T>>::pose(*size, *x, -(*y * *y));
                 (*x, *y, *p, *q) = (pose.x, pose.y, pose.p, pose.q);
             }
             #[inline(always)]

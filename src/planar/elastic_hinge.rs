@@ -7,7 +7,7 @@ use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Spri
 use crate::error::Fault;
 use crate::lift::{Lift, lift};
 use crate::relation::plane::{Full, HingeGain, Point, Rigid, Slides};
-use crate::relation::{Absent, Closures, Coefficient, Term};
+use crate::relation::{Absent, Closures, Coefficient, Minus, Term};
 use crate::scalar::Scalar;
 
 /// A joint with springs and dampers: rotary ones, and linear ones where there are any (see [`Linear`]). Without linear springs
@@ -72,16 +72,17 @@ pub trait HingeRule<T: Scalar>: Springs<T> {
     /// The relation handed on.
     type Out<C: Closures>: Slides<T, Closures = C>;
     /// Eliminates the rotation against a torque, and what a spring adds to the pivot.
-    fn hinge<C: Closures>(self, torque: T, pivot: T, outer: Full<T, C>) -> (Self::Out<C>, HingeGain<T, C>);
+    fn hinge<C: Closures>(self, torque: T, pivot: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Self::Out<C>;
 }
 
 impl<T: Scalar> HingeRule<T> for Explicit {
-    type Out<C: Closures> = Point<T, T, C>;
+    type Out<C: Closures> = Point<T, Minus<T>, C>;
 
     #[inline(always)]
-    fn hinge<C: Closures>(self, torque: T, _: T, outer: Full<T, C>) -> (Point<T, T, C>, HingeGain<T, C>) {
-        let (relation, gain) = outer.pinned(torque);
-        (relation, HingeGain::absolute(gain))
+    fn hinge<C: Closures>(self, torque: T, _: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Self::Out<C> {
+        let (relation, gain) = outer.pinned(Minus(-torque));
+        kept.absolute(gain);
+        relation
     }
 }
 
@@ -89,8 +90,10 @@ impl<T: Scalar> HingeRule<T> for Implicit<T::Real> {
     type Out<C: Closures> = Full<T, C>;
 
     #[inline(always)]
-    fn hinge<C: Closures>(self, torque: T, pivot: T, outer: Full<T, C>) -> (Full<T, C>, HingeGain<T, C>) {
-        outer.hinged(torque, pivot)
+    fn hinge<C: Closures>(self, torque: T, pivot: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Full<T, C> {
+        let (relation, gain) = outer.hinged(torque, pivot);
+        *kept = gain;
+        relation
     }
 }
 
@@ -173,9 +176,7 @@ where
         kept: &mut HingeGain<T, W::Closures>,
     ) -> Self::Out {
         let torque = given.in_joints.add_to(self.rotary.force(*given.position, *given.rate));
-        let (relation, gain) = given.springs.hinge(torque, self.rotary.pivot(given.springs), outer.full());
-        *kept = gain;
-        relation
+        given.springs.hinge(torque, self.rotary.pivot(given.springs), outer.full(), kept)
     }
 }
 

@@ -15,15 +15,15 @@ pub trait Rotation<T: Scalar, K: Springs<T>>: SpringLaw<T> {
     /// The relation with the rotation eliminated.
     type Out<C: Closures>: Slides<T, Closures = C>;
     /// Eliminates the rotation against a torque.
-    fn turn<C: Closures>(&self, springs: K, torque: T, outer: Full<T, C>) -> (Self::Out<C>, HingeGain<T, C>);
+    fn turn<C: Closures>(&self, springs: K, torque: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Self::Out<C>;
 }
 
 impl<T: Scalar, K: HingeRule<T>, D: Coefficient<T>, P: Term<T>> Rotation<T, K> for Spring<T, D, P> {
     type Out<C: Closures> = K::Out<C>;
 
     #[inline(always)]
-    fn turn<C: Closures>(&self, springs: K, torque: T, outer: Full<T, C>) -> (K::Out<C>, HingeGain<T, C>) {
-        springs.hinge(torque, self.pivot(springs), outer)
+    fn turn<C: Closures>(&self, springs: K, torque: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> K::Out<C> {
+        springs.hinge(torque, self.pivot(springs), outer, kept)
     }
 }
 
@@ -31,9 +31,10 @@ impl<T: Scalar, K: Springs<T>> Rotation<T, K> for Absent {
     type Out<C: Closures> = Point<T, T, C>;
 
     #[inline(always)]
-    fn turn<C: Closures>(&self, _: K, torque: T, outer: Full<T, C>) -> (Point<T, T, C>, HingeGain<T, C>) {
+    fn turn<C: Closures>(&self, _: K, torque: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Self::Out<C> {
         let (relation, gain) = outer.pinned(torque);
-        (relation, HingeGain::absolute(gain))
+        kept.absolute(gain);
+        relation
     }
 }
 
@@ -180,10 +181,11 @@ where
         let [kx, ky] = [self.linear.x.pivot(springs), self.linear.y.pivot(springs)];
         let swing = kept.swing;
         let (fx, fy) = (kx.mul_add(-swing.x, fx), ky.mul_add(-swing.y, fy));
-        let (relation, rotation) = self.rotary.turn(springs, torque, outer.full().with_mass(self.linear.lumped));
+        let outer = outer.full().with_mass(self.linear.lumped);
+        let relation = self.rotary.turn(springs, torque, outer, &mut kept.rotation);
         let (relation, y) = A::enter(relation, offset).swapped().slid(fy, ky);
         let (relation, x) = relation.swapped().slid(fx, kx);
-        *kept = LinearGains { rotation, y: y.swapped(), x, swing };
+        (kept.y, kept.x) = (y.swapped(), x);
         A::leave(relation, offset)
     }
 }

@@ -169,13 +169,13 @@ impl<V: Copy, T: Scalar, C: Closures> Cuts<V, T, C> {
         Self { columns, compliance: C::no_pairs(), gap }
     }
 
-    /// Columns moved to another station: each turned, and the motion between the stations added to its gap.
+    /// Columns moved to another station: each turned, and the motion between the stations added to its gap by `gap`.
     #[inline(always)]
-    pub fn turned<X: Copy>(&self, column: impl FnMut(V) -> X, mut gap: impl FnMut(V) -> T) -> Cuts<X, T, C> {
+    pub fn turned<X: Copy>(&self, column: impl FnMut(V) -> X, gap: impl FnMut(T, V) -> T) -> Cuts<X, T, C> {
         Cuts {
             columns: C::map(&self.columns, column),
             compliance: self.compliance,
-            gap: C::zip(&self.gap, &self.columns, |sum, w| sum + gap(w)),
+            gap: C::zip(&self.gap, &self.columns, gap),
         }
     }
 

@@ -80,6 +80,30 @@ impl<T: Scalar> Term<T> for T {
     }
 }
 
+/// A term given by its negative: of a spring that is k φ, and a negation less in every joint of a sweep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Minus<T>(pub T);
+
+impl<T: Scalar> Part for Minus<T> {
+    fn is_finite(self) -> bool {
+        Scalar::is_finite(self.0)
+    }
+}
+
+impl<T: Scalar> Term<T> for Minus<T> {
+    fn none() -> Self {
+        Self(T::zero())
+    }
+    #[inline(always)]
+    fn add_to(self, sum: T) -> T {
+        sum - self.0
+    }
+    #[inline(always)]
+    fn take_from(self, sum: T) -> T {
+        sum + self.0
+    }
+}
+
 /// A coefficient that a scene may or may not have: of damping, for example.
 pub trait Coefficient<T>: Part {
     /// `self · factor + sum`.

@@ -1,7 +1,7 @@
 //! The full relation, and the eliminations that joints make in it.
 
 use super::Point;
-use super::algebra::{Symmetric2, add_scaled, dot, normal};
+use super::algebra::{Symmetric2, add_scaled, dot, minus_dot, normal};
 use super::kinds::Relation;
 use crate::relation::{Closures, Cuts, Open, Term};
 use crate::scalar::Scalar;
@@ -79,7 +79,7 @@ impl<T: Scalar, C: Closures> Relation<T> for Full<T, C> {
             torque: dot(n, force) + dot(self.coupling, centripetal) + self.torque,
             cuts: self.cuts.turned(
                 |w| FullColumn { force: w.force, torque: w.torque + dot(n, w.force) },
-                |w| -dot(w.force, centripetal),
+                |sum, w| minus_dot(sum, w.force, centripetal),
             ),
         }
     }
@@ -199,14 +199,16 @@ impl<T: Scalar, C: Closures> Gain<T, C> {
 impl<T: Scalar, C: Closures> HingeGain<T, C> {
     /// No gain yet.
     pub fn blank() -> Self {
-        Self::absolute(Gain::blank())
+        let Gain { per_acceleration, free, per_closure } = Gain::<T, C>::blank();
+        Self { per_acceleration, per_angular: -T::one(), free, per_closure }
     }
 
-    /// The gain of an absolute angle, as one of the angle relative to the inboard body.
+    /// Takes over the gain of an absolute angle, as one of the angle relative to the inboard body. For a gain that was blank and
+    /// has taken nothing but such gains since: its constant is not stored again.
     #[inline(always)]
-    pub fn absolute(gain: Gain<T, C>) -> Self {
+    pub fn absolute(&mut self, gain: Gain<T, C>) {
         let Gain { per_acceleration, free, per_closure } = gain;
-        Self { per_acceleration, per_angular: -T::one(), free, per_closure }
+        (self.per_acceleration, self.free, self.per_closure) = (per_acceleration, free, per_closure);
     }
 
     /// Whether it is finite.

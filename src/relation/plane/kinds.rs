@@ -1,6 +1,6 @@
 //! The lesser relations, and what a body does with any of them.
 
-use super::algebra::{Symmetric2, dot, normal};
+use super::algebra::{Symmetric2, dot, minus_dot, normal};
 use super::{Full, FullColumn, Slides};
 use crate::relation::{Absent, Closures, Cuts, Open, Promote, Term};
 use crate::scalar::Scalar;
@@ -105,7 +105,9 @@ impl<T: Scalar, M: Term<T>, C: Closures> Relation<T> for Point<T, M, C> {
             angular: dot(n, coupling),
             force,
             torque: self.torque.add_to(dot(n, force)),
-            cuts: self.cuts.turned(|w| FullColumn { force: w, torque: dot(n, w) }, |w| -dot(w, centripetal)),
+            cuts: self
+                .cuts
+                .turned(|w| FullColumn { force: w, torque: dot(n, w) }, |sum, w| minus_dot(sum, w, centripetal)),
         }
     }
 }
