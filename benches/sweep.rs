@@ -1,12 +1,15 @@
 //! What a sweep costs: time and instructions per body, beside loops written by hand.
 //!
-//! `cargo bench --bench sweep` checks that library and hand agree, measures this build and prints a table.
-//! `benches/count.sh` builds for the default target and for x86-64-v3 and prints one table of both.
+//! `cargo bench --bench sweep` checks that library and hand agree, measures this build and prints two tables: scenes beside loops
+//! by hand, and other joints and ends beside pins. `benches/count.sh` builds for the default target and for x86-64-v3 and prints
+//! both builds in one. `--quick` counts the instructions of two rows only.
 
 #[path = "parts/by_hand.rs"]
 mod by_hand;
 #[path = "parts/clock.rs"]
 mod clock;
+#[path = "parts/joints.rs"]
+mod joints;
 #[path = "parts/measure.rs"]
 mod measure;
 #[path = "parts/scenes.rs"]
@@ -19,16 +22,21 @@ use measure::{has_valgrind, instructions, wall, wall_of};
 use scenes::{Row, rows};
 use std::collections::HashMap;
 use std::error::Error;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let rows = rows();
+    let mut rows = rows();
+    let by_hand = rows.len();
+    rows.extend(joints::rows());
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["repeat", name, times] => repeat(&rows, name, times.parse()?),
         ["wall"] => rows.iter().zip(wall(&rows)).for_each(|(row, ns)| println!("{}\t{ns}", row.name())),
-        ["--against", other] => table(&rows, Some(Path::new(other)))?,
-        _ => table(&rows, None)?, // cargo hands arguments of its own
+        ["--quick", "--against", other] => quick(rows, Some(Path::new(other)))?,
+        ["--quick"] => quick(rows, None)?,
+        ["--against", other] => tables(&rows, by_hand, Some(Path::new(other)))?,
+        _ => tables(&rows, by_hand, None)?, // cargo hands arguments of its own
     }
     Ok(())
 }
@@ -84,8 +92,21 @@ fn counted(program: &Path, rows: &[Row], target: &str) -> Vec<f64> {
     })
 }
 
-fn table(rows: &[Row], other: Option<&Path>) -> Result<(), Box<dyn Error>> {
-    println!("Library and hand agree to {:.1e} of the largest acceleration.", check(rows)?);
+/// Instructions of short chains of rods alone.
+fn quick(mut rows: Vec<Row>, other: Option<&Path>) -> Result<(), Box<dyn Error>> {
+    rows.retain(|row| row.scene == "rods" && row.bodies <= 20);
+    println!("Library and hand agree to {:.1e} of the largest acceleration.", check(&rows)?);
+    let this: PathBuf = std::env::current_exe()?;
+    let uncounted = |instructions: Vec<f64>| Column { nanoseconds: vec![f64::NAN; instructions.len()], instructions };
+    let mut columns = vec![uncounted(counted(&this, &rows, "this build"))];
+    columns.extend(other.map(|other| uncounted(counted(other, &rows, "other build"))));
+    print(&rows, 0..rows.len(), &columns, "hand");
+    Ok(())
+}
+
+/// Measures all rows. The first ones, as many as `by_hand`, have loops by hand to compare to; the others compare to pins.
+fn tables(rows: &[Row], by_hand: usize, other: Option<&Path>) -> Result<(), Box<dyn Error>> {
+    println!("Library and hand agree to {:.1e} of the largest acceleration.", check(&rows[..by_hand])?);
     if !has_valgrind() {
         println!("Instructions are not counted: valgrind is not installed.");
     }
@@ -96,20 +117,22 @@ fn table(rows: &[Row], other: Option<&Path>) -> Result<(), Box<dyn Error>> {
         let nanoseconds = rows.iter().map(|row| by_name.get(&row.name()).copied().unwrap_or(f64::NAN)).collect();
         columns.push(Column { instructions: counted(other, rows, "other build"), nanoseconds });
     }
-    print(rows, &columns);
+    print(rows, 0..by_hand, &columns, "hand");
+    print(rows, by_hand..rows.len(), &columns, "pins");
     Ok(())
 }
 
-/// A table in Markdown: instructions of each build, nanoseconds of each build, ratios to the loop by hand.
-fn print(rows: &[Row], columns: &[Column]) {
+/// A table in Markdown: instructions of each build, nanoseconds of each build, ratios to the loop by hand or to the pin chain.
+fn print(rows: &[Row], shown: Range<usize>, columns: &[Column], yardstick: &str) {
     let targets: &[&str] = if columns.len() == 2 { &["default", "v3"] } else { &["this build"] };
     let mut head = "| scene | form | n |".to_owned();
-    for what in ["instr/body", "ns/body", "instr : hand", "ns : hand"] {
+    for what in ["instr/body", "ns/body", &format!("instr : {yardstick}"), &format!("ns : {yardstick}")] {
         targets.iter().for_each(|target| head += &format!(" {what} {target} |"));
     }
     println!("\n{head}\n|---|---|---:|{}", "---:|".repeat(4 * targets.len()));
-    for (i, row) in rows.iter().enumerate() {
-        let hand = row.yardstick(rows).and_then(|hand| rows.iter().position(|row| std::ptr::eq(row, hand)));
+    for (i, row) in rows.iter().enumerate().take(shown.end).skip(shown.start) {
+        let other = if yardstick == "hand" { row.yardstick(rows) } else { row.pins(rows) };
+        let other = other.and_then(|other| rows.iter().position(|row| std::ptr::eq(row, other)));
         let number = |value: f64, digits: usize| match value.is_nan() {
             true => " – |".to_owned(),
             false => format!(" {value:.digits$} |"),
@@ -117,8 +140,8 @@ fn print(rows: &[Row], columns: &[Column]) {
         let mut line = format!("| {} | {} | {} |", row.scene, row.form, row.bodies);
         columns.iter().for_each(|column| line += &number(column.instructions[i], 1));
         columns.iter().for_each(|column| line += &number(column.nanoseconds[i], 1));
-        let ratio = |values: &[f64]| match hand {
-            Some(hand) if !row.is_by_hand() => number(values[i] / values[hand], 2),
+        let ratio = |values: &[f64]| match other {
+            Some(other) if !row.is_by_hand() => number(values[i] / values[other], 2),
             _ => " |".to_owned(),
         };
         columns.iter().for_each(|column| line += &ratio(&column.instructions));

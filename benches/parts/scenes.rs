@@ -36,6 +36,10 @@ impl Row {
     pub fn is_by_hand(&self) -> bool {
         self.form.starts_with("by hand")
     }
+    /// The row of rods, pins and a free tip in the same form.
+    pub fn pins<'r>(&self, rows: &'r [Row]) -> Option<&'r Row> {
+        rows.iter().find(|row| row.scene == "rods" && row.bodies == self.bodies && row.form == self.form)
+    }
     /// The row by hand to which this one compares: lengths known to the compiler, or slices.
     pub fn yardstick<'r>(&self, rows: &'r [Row]) -> Option<&'r Row> {
         let form = if matches!(self.form, "Vec" | "by hand, slices") { "by hand, slices" } else { "by hand, arrays" };
@@ -43,16 +47,16 @@ impl Row {
     }
 }
 
-const GRAVITY: f64 = 9.81;
+pub const GRAVITY: f64 = 9.81;
 const DAMPING: f64 = 0.02;
 
 /// The state of body i: folded and turning, nothing special.
-fn state(i: usize) -> (f64, f64) {
+pub fn state(i: usize) -> (f64, f64) {
     let i = i as f64;
     (-0.3 + 0.5 * i.sin(), 0.5 * i.cos())
 }
 
-struct Library<D: Dynamics<L>, L> {
+pub struct Library<D: Dynamics<L>, L> {
     scene: D,
     loads: L,
     position: D::Position,
@@ -62,7 +66,7 @@ struct Library<D: Dynamics<L>, L> {
 }
 
 impl<T: Scalar<Real = f64>, L, D: Dynamics<L, Scalar = T>> Library<D, L> {
-    fn new(scene: D, loads: L) -> Self {
+    pub fn new(scene: D, loads: L) -> Self {
         let still = scene.still();
         let (mut position, mut rate) = (still.position().clone(), still.rate().clone());
         let mut bodies = 0..;
@@ -114,7 +118,7 @@ impl<S: by_hand::Scene, V: Clone + AsRef<[f64]> + AsMut<[f64]>> Case for by_hand
 }
 
 /// A kind of body: link i of n, its share of a chain of length 1 m and mass 1 kg.
-trait Link<T>: Sized {
+pub trait Link<T>: Sized {
     fn link(n: usize) -> Self;
 }
 
