@@ -2,7 +2,7 @@
 
 use super::algebra::{Symmetric2, dot, minus_dot, normal};
 use super::{Full, FullColumn, Slides};
-use crate::relation::{Absent, Closures, Cuts, Open, Promote, Term};
+use crate::relation::{Absent, Closures, Cuts, Minus, Open, Promote, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 
@@ -143,9 +143,9 @@ impl<T: Scalar, M: Term<T>, C: Closures> Promote<Point<T, M, C>> for Full<T, C> 
     }
 }
 
-impl<T: Scalar, C: Closures> Promote<Point<T, Absent, C>> for Point<T, T, C> {
+impl<T: Scalar, C: Closures> Promote<Point<T, Absent, C>> for Point<T, Minus<T>, C> {
     fn promote(lesser: Point<T, Absent, C>) -> Self {
         let Point { stiffness, offset, cuts, .. } = lesser;
-        Self { stiffness, offset, torque: T::zero(), cuts }
+        Self { stiffness, offset, torque: Minus::none(), cuts }
     }
 }

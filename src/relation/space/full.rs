@@ -107,7 +107,7 @@ impl<T: Scalar, C: Closures> Relation<T> for Full<T, C> {
             torque: cross_onto(d, force, self.torque + k.transposed(centripetal)),
             cuts: self.cuts.turned(
                 |w| FullColumn { force: w.force, torque: cross_onto(d, w.force, w.torque) },
-                |w| -dot(w.force, centripetal),
+                |gap, w| gap - dot(w.force, centripetal),
             ),
         }
     }
@@ -140,7 +140,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
         Self {
             force: turned.linear.apply_onto(linear, turned.force),
             torque: turned.torque + turned.coupling.transposed(linear),
-            cuts: turned.cuts.turned(|w| w, |w| -dot(w.force, linear)),
+            cuts: turned.cuts.turned(|w| w, |gap, w| gap - dot(w.force, linear)),
             ..turned
         }
     }
@@ -151,7 +151,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
         Self {
             force: self.coupling.apply_onto(angular, self.force),
             torque: self.angular.apply_onto(angular, self.torque),
-            cuts: self.cuts.turned(|w| w, |w| -dot(w.torque, angular)),
+            cuts: self.cuts.turned(|w| w, |gap, w| gap - dot(w.torque, angular)),
             ..self
         }
     }

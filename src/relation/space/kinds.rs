@@ -133,7 +133,9 @@ impl<T: Scalar, M: Term<Vector3<T>>, C: Closures> Relation<T> for Point<T, M, C>
             angular: Symmetric3 { xx: nx.x, xy: nx.y, xz: nx.z, yy: ny.y, yz: ny.z, zz: nz.z },
             force,
             torque: self.torque.add_to(cross(d, force)),
-            cuts: self.cuts.turned(|w| FullColumn { force: w, torque: cross(d, w) }, |w| -dot(w, centripetal)),
+            cuts: self
+                .cuts
+                .turned(|w| FullColumn { force: w, torque: cross(d, w) }, |gap, w| gap - dot(w, centripetal)),
         }
     }
 }
