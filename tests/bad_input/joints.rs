@@ -24,8 +24,11 @@ fn negative(parameter: &'static str, value: f64) -> Result<(), Error> {
     at_one(Fault::Negative { parameter, value })
 }
 
+/// A spring, and what is said of it.
+type Refused = (Spring<f64, f64, f64>, Result<(), Error>);
+
 /// Springs with something wrong, and what is wrong with them.
-fn bad_springs() -> Vec<(Spring<f64, f64, f64>, Result<(), Error>)> {
+fn bad_springs() -> Vec<Refused> {
     let spring = |k: f64, c: f64, rest: f64| Spring::new(k).damped(c).resting_at(rest);
     let mut all = vec![
         (spring(-2.0, 0.1, 0.1), negative("stiffness", -2.0)),
