@@ -42,7 +42,8 @@
 //!   elimination, one value per joint in the order of the chain, and outlives the sweep: [`Element::respond`] walks it again for
 //!   corrections of positions and rates, and other right-hand sides can.
 //! * **The paper's displacement level** builds matrices from the same elements and shares no walk with this one.
-//! * **Branches and loops** are elements whose condensation adds the relations of their arms at one station.
+//! * **Branches** are elements whose condensation adds the relation of an arm to that of the chain at one station; walks inward
+//!   add what comes from both ([`Gather`]), walks outward set out from that station twice.
 //!
 //! Joint coordinates are the joint's business: a pin stores the absolute angle of its outboard body, so that a chain of pins
 //! needs no running sums; a hinge with a spring stores the relative angle, because the difference of two absolute angles loses
@@ -120,9 +121,14 @@ pub trait Element<S: Space>: Clone {
         k: usize,
     ) -> Option<&'a X>;
 
-    /// Gives each joint the coordinates that turn its outboard body to an absolute orientation; `next` yields one number
-    /// for each rotary coordinate, root to tip.
-    fn aim(&self, position: &mut Self::Position, inboard: S::Turn, next: &mut impl FnMut() -> S::Scalar) -> S::Turn;
+    /// Gives each joint the coordinates that turn its outboard body to an absolute orientation; `next` is told that of the
+    /// inboard body and yields one number for each rotary coordinate, root to tip.
+    fn aim(
+        &self,
+        position: &mut Self::Position,
+        inboard: S::Turn,
+        next: &mut impl FnMut(S::Turn) -> S::Scalar,
+    ) -> S::Turn;
 
     /// Moves point masses inboard, tip to root, once for a scene: takes the mass (kg) that its outboard neighbour lumps at the
     /// station between them, and hands on what it lumps at its own inboard end instead of adding it in every sweep.
@@ -208,13 +214,14 @@ pub trait Element<S: Space>: Clone {
         in_joints: &mut Self::PerJoint<V::InJoint>,
     ) -> S::Frame;
 
-    /// Walks the entries of bodies and joints from tip to root.
-    fn inward<X: Copy>(
+    /// Walks the entries of bodies and joints from tip to root, with what comes from the outboard side.
+    fn inward<G: Gather>(
         &self,
-        bodies: &mut Self::PerBody<X>,
-        joints: &mut Self::PerJoint<X>,
-        visit: &mut impl FnMut(&mut X),
-    );
+        bodies: &mut Self::PerBody<G::Entry>,
+        joints: &mut Self::PerJoint<G::Entry>,
+        outer: G::Carried,
+        gather: &mut G,
+    ) -> G::Carried;
 
     /// The outermost joint whose gains are not finite: the station, counted from `station`, where a sweep failed.
     fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize>;
@@ -317,4 +324,24 @@ pub trait Visit<S: Space> {
     fn body(&mut self, body: &S::BodyMotion) -> Self::OnBody;
     /// Meets a joint.
     fn joint(&mut self, joint: &S::JointMotion) -> Self::InJoint;
+
+    /// Leaves the chain for an arm of it.
+    fn enter_arm(&mut self) {}
+    /// Comes back to where that arm began.
+    fn leave_arm(&mut self) {}
+}
+
+/// A gatherer of [`Element::inward`]: internal forces that add up from the tips to the root, for example.
+pub trait Gather {
+    /// What it reads or writes of each body and joint.
+    type Entry: Copy;
+    /// What it carries inward.
+    type Carried: Copy;
+
+    /// Meets a body or a joint, with what comes from its outboard side; gives what goes on inward.
+    fn meet(&mut self, entry: &mut Self::Entry, outer: Self::Carried) -> Self::Carried;
+    /// What comes from beyond the tip of an arm.
+    fn beyond_arm(&mut self) -> Self::Carried;
+    /// What goes on inward where an arm joins the chain.
+    fn join(&mut self, chain: Self::Carried, arm: Self::Carried) -> Self::Carried;
 }

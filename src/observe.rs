@@ -1,8 +1,9 @@
 //! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
 
 use crate::counts::HasBody;
-use crate::element::{Budget, Coordinates, Element, Load, Loading, RealOf, Space, Visit};
+use crate::element::{Budget, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
 use core::fmt;
+use core::marker::PhantomData;
 
 /// Something of every body of a scene, by number.
 #[derive(Clone)]
@@ -91,12 +92,7 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
         let (mut bodies, mut joints) = (chain.per_body(None), chain.per_joint(None));
         let mut visit = Balance::<S, L> { gravity, loads, time, body: 0 };
         let end = chain.travel(ground, motion, &mut visit, &mut bodies, &mut joints);
-        let mut internal = tip;
-        chain.inward(&mut bodies, &mut joints, &mut |station| {
-            if let Some(station) = station {
-                internal = S::balance(station, internal);
-            }
-        });
+        let internal = chain.inward(&mut bodies, &mut joints, tip, &mut Internals::<S>(PhantomData));
         let (root, tip) = (S::end_station(&ground, internal), S::end_station(&end, tip));
         Self { chain, bodies, joints, root, tip }
     }
@@ -129,6 +125,24 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
     /// All stations, root to tip.
     pub fn iter(&self) -> impl Iterator<Item = &S::Station> {
         (0..=self.elements()).filter_map(|k| self.get(k))
+    }
+}
+
+/// Internal forces from the tips inward, and the balance of each station closed.
+struct Internals<S>(PhantomData<S>);
+
+impl<S: Space> Gather for Internals<S> {
+    type Entry = Option<S::Station>;
+    type Carried = S::Internal;
+
+    fn meet(&mut self, station: &mut Option<S::Station>, outer: S::Internal) -> S::Internal {
+        station.as_mut().map_or(outer, |station| S::balance(station, outer))
+    }
+    fn beyond_arm(&mut self) -> S::Internal {
+        S::no_force()
+    }
+    fn join(&mut self, chain: S::Internal, arm: S::Internal) -> S::Internal {
+        S::together(chain, arm)
     }
 }
 
@@ -166,6 +180,42 @@ impl<S: Space, F: FnMut(&S::BodyMotion)> Visit<S> for Show<F> {
         (self.0)(body);
     }
     fn joint(&mut self, _: &S::JointMotion) {}
+}
+
+/// The body at the tip of a chain.
+pub(crate) fn last_body<S: Space, E: Element<S>>(
+    chain: &E,
+    ground: S::Frame,
+    motion: Coordinates<'_, S, E>,
+) -> Option<S::BodyMotion> {
+    let mut last = Last::<S> { arms: 0, body: None };
+    chain.travel(ground, motion, &mut last, &mut chain.per_body(()), &mut chain.per_joint(()));
+    last.body
+}
+
+/// Keeps the last body that is not part of an arm.
+struct Last<S: Space> {
+    /// How many arms deep the walk is.
+    arms: usize,
+    body: Option<S::BodyMotion>,
+}
+
+impl<S: Space> Visit<S> for Last<S> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, body: &S::BodyMotion) {
+        if self.arms == 0 {
+            self.body = Some(*body);
+        }
+    }
+    fn joint(&mut self, _: &S::JointMotion) {}
+    fn enter_arm(&mut self) {
+        self.arms += 1;
+    }
+    fn leave_arm(&mut self) {
+        self.arms -= 1;
+    }
 }
 
 /// Energy and momentum of a motion.

@@ -37,6 +37,8 @@ pub trait Space: Copy + Debug + 'static {
     type BodyMotion: Copy + Debug;
     /// A joint and its motion at an instant.
     type JointMotion: Copy + Debug;
+    /// The relation of a free tip.
+    type Nothing: Copy + Default;
 
     /// Nothing has been resolved yet: initial values of the stores of postures.
     fn blank() -> (Self::X, Self::Y, Self::P, Self::Q);
@@ -55,6 +57,8 @@ pub trait Space: Copy + Debug + 'static {
     fn no_acceleration() -> Self::Acceleration;
     /// No force, no torque.
     fn no_force() -> Self::Internal;
+    /// The sum of forces and torques at a station.
+    fn together(a: Self::Internal, b: Self::Internal) -> Self::Internal;
     /// Gravity of magnitude g (m/s²) along −y.
     fn downward(g: Self::Scalar) -> Self::Vector;
     /// No gravity.

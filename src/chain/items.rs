@@ -4,7 +4,7 @@
 use super::poses::pose_slices;
 use super::poses::{march, orient_items, pose_items, resolve_items};
 use super::{product, sum};
-use crate::element::{Condense, Coordinates, Element, Given, Posture, Space, Sweep, Visit};
+use crate::element::{Condense, Coordinates, Element, Gather, Given, Posture, Space, Sweep, Visit};
 use crate::error::Error;
 use crate::relation::{Closures, Promote};
 
@@ -117,7 +117,7 @@ macro_rules! chain_items {
                 &self,
                 position: &mut Self::Position,
                 turn: S::Turn,
-                next: &mut impl FnMut() -> S::Scalar,
+                next: &mut impl FnMut(S::Turn) -> S::Scalar,
             ) -> S::Turn {
                 self.iter().zip(position).fold(turn, |turn, (item, position)| item.aim(position, turn, next))
             }
@@ -222,15 +222,15 @@ macro_rules! chain_items {
                 }
                 frame
             }
-            fn inward<X: Copy>(
+            fn inward<G: Gather>(
                 &self,
-                bodies: &mut Self::PerBody<X>,
-                joints: &mut Self::PerJoint<X>,
-                visit: &mut impl FnMut(&mut X),
-            ) {
-                for ((item, bodies), joints) in self.iter().zip(bodies).zip(joints).rev() {
-                    item.inward(bodies, joints, visit);
-                }
+                bodies: &mut Self::PerBody<G::Entry>,
+                joints: &mut Self::PerJoint<G::Entry>,
+                outer: G::Carried,
+                gather: &mut G,
+            ) -> G::Carried {
+                let items = self.iter().zip(bodies).zip(joints).rev();
+                items.fold(outer, |outer, ((item, bodies), joints)| item.inward(bodies, joints, outer, gather))
             }
             fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
                 let mut station = station;

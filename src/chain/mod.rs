@@ -1,13 +1,16 @@
-//! Composition: tuples (to 16), arrays and vectors of elements are elements.
+//! Composition: tuples (to 16), arrays and vectors of elements are elements, and so are arms that leave them ([`Branch`]).
 //!
 //! Nothing here knows any physics. A chain hands what it carries from item to item, outward from first to last or inward
 //! from last to first, and its stores (gains, directions, loads, coordinates) have its own shape. An array or a vector
 //! that meets a lesser relation than its links hand on, such as a free tip, peels its last link: from then on the type of
 //! the relation stays the same.
 
+mod branch;
 mod items;
 mod poses;
 mod tuple;
+
+pub use branch::Branch;
 
 /// `a + b` of counts that types may or may not decide.
 const fn sum(a: Option<usize>, b: Option<usize>) -> Option<usize> {

@@ -1,7 +1,7 @@
 //! Tuples of elements.
 
 use super::sum;
-use crate::element::{Condense, Coordinates, Element, Given, Posture, Space, Sweep, Visit};
+use crate::element::{Condense, Coordinates, Element, Gather, Given, Posture, Space, Sweep, Visit};
 use crate::error::Error;
 use crate::relation::Closures;
 use crate::tuples::for_each_tuple;
@@ -101,7 +101,7 @@ macro_rules! chain_tuple {
                 &self,
                 position: &mut Self::Position,
                 turn: S::Turn,
-                next: &mut impl FnMut() -> S::Scalar,
+                next: &mut impl FnMut(S::Turn) -> S::Scalar,
             ) -> S::Turn {
                 $(let turn = self.$i.aim(&mut position.$i, turn, next);)*
                 turn
@@ -227,13 +227,15 @@ macro_rules! chain_tuple {
                 );)*
                 frame
             }
-            fn inward<X: Copy>(
+            fn inward<Found: Gather>(
                 &self,
-                bodies: &mut Self::PerBody<X>,
-                joints: &mut Self::PerJoint<X>,
-                visit: &mut impl FnMut(&mut X),
-            ) {
-                $(self.$j.inward(&mut bodies.$j, &mut joints.$j, visit);)*
+                bodies: &mut Self::PerBody<Found::Entry>,
+                joints: &mut Self::PerJoint<Found::Entry>,
+                outer: Found::Carried,
+                gather: &mut Found,
+            ) -> Found::Carried {
+                $(let outer = self.$j.inward(&mut bodies.$j, &mut joints.$j, outer, gather);)*
+                outer
             }
             fn broken<Cuts: Closures>(&self, kept: &Self::Kept<Cuts>, station: usize) -> Option<usize> {
                 let outermost = None;

@@ -121,8 +121,8 @@ impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Spring<
     fn is_finite<C: Closures>(kept: &HingeGain<T, C>) -> bool {
         kept.is_finite()
     }
-    fn aim(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
-        let angle = next();
+    fn aim(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+        let angle = next(inboard);
         *position = angle - inboard.angle;
         Turn { angle, rate: T::zero() }
     }

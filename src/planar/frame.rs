@@ -2,6 +2,7 @@
 
 use super::{Inertia, Station};
 use crate::element::{Budget, Space, SpaceOver};
+use crate::relation::plane::Empty;
 use crate::relation::plane::algebra::{add_scaled, cross, dot, normal};
 use crate::scalar::{Real, Scalar};
 use core::fmt;
@@ -220,6 +221,7 @@ impl<T: Scalar> Space for Planar<T> {
     type Moment = T;
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
+    type Nothing = Empty;
 
     fn blank() -> (T, T, T, T) {
         (T::one(), T::zero(), T::zero(), T::zero())
@@ -247,6 +249,9 @@ impl<T: Scalar> Space for Planar<T> {
     }
     fn no_force() -> Internal<T> {
         Internal { force: zero(), torque: T::zero() }
+    }
+    fn together(a: Internal<T>, b: Internal<T>) -> Internal<T> {
+        Internal { force: a.force + b.force, torque: a.torque + b.torque }
     }
     fn downward(g: T) -> Vector2<T> {
         Vector2::new(T::zero(), -g)

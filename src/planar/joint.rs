@@ -5,7 +5,7 @@ use super::linear::{HingeAxes, Linear};
 use super::spring::{Spring, SpringLaw};
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Posture, Visit};
+use crate::element::{Coordinates, Element, Gather, Posture, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Coefficient, Term};
@@ -48,7 +48,7 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     fn homogeneous<C: Closures>(kept: &Self::Kept<C>) -> Self::Kept<C>;
 
     /// Coordinates that turn the outboard body to an absolute angle.
-    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T>;
+    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T>;
 
     /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide, that is
     /// as good on the other side.
@@ -177,7 +177,7 @@ macro_rules! joint {
             fn entry<'a, X: Copy>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(joint)
             }
-            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
+            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 Joint::aim(self, position, inboard, next)
             }
             fn lump(&mut self, mass: T) -> T {
@@ -255,8 +255,14 @@ macro_rules! joint {
                 });
                 outboard
             }
-            fn inward<X: Copy>(&self, _: &mut (), joint: &mut X, visit: &mut impl FnMut(&mut X)) {
-                visit(joint);
+            fn inward<Found: Gather>(
+                &self,
+                _: &mut (),
+                joint: &mut Found::Entry,
+                outer: Found::Carried,
+                gather: &mut Found,
+            ) -> Found::Carried {
+                gather.meet(joint, outer)
             }
             fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
                 (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)

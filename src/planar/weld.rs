@@ -45,7 +45,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     fn is_finite<C: Closures>((): &()) -> bool {
         true
     }
-    fn aim(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut() -> T) -> Turn<T> {
+    fn aim(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         self.turned(&(), &(), inboard)
     }
     #[inline(always)]

@@ -143,3 +143,40 @@ impl<R> Promote<R> for R {
         lesser
     }
 }
+
+/// A relation, or a part of one, to which that of an arm at the same station can be added.
+#[diagnostic::on_unimplemented(
+    message = "an arm that hands on `{A}` cannot leave the chain where that hands on `{Self}`",
+    label = "these two have no sum",
+    note = "an arm is a chain of the same space and scalar with a free tip, and ends with a body"
+)]
+pub trait Join<A>: Copy {
+    /// The relation of both.
+    type Out: Copy;
+    /// The sum of both.
+    fn join(self, arm: A) -> Self::Out;
+}
+
+impl<A: Copy> Join<A> for Absent {
+    type Out = A;
+    #[inline(always)]
+    fn join(self, arm: A) -> A {
+        arm
+    }
+}
+
+impl<T: Scalar> Join<T> for T {
+    type Out = T;
+    #[inline(always)]
+    fn join(self, arm: T) -> T {
+        self + arm
+    }
+}
+
+impl<T: Scalar> Join<Absent> for T {
+    type Out = T;
+    #[inline(always)]
+    fn join(self, _: Absent) -> T {
+        self
+    }
+}

@@ -3,7 +3,7 @@
 //! It is exact where it exists and loses all digits in f64 beyond some tens of bodies, for entries of the product grow
 //! exponentially while the states stay bounded. Sweeps never use it.
 
-use crate::element::{Coordinates, Element, Load, Loading, RealOf, Space, Visit};
+use crate::element::{Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
 use crate::error::{Error, Fault};
 use crate::relation::Term;
 use crate::scalar::Scalar;
@@ -72,37 +72,69 @@ where
     chain.travel(*ground, motion, &mut form, &mut bodies, &mut joints);
 
     let identity = TransferMatrix::identity();
-    let (mut whole, mut section) = (identity, identity);
-    let mut outer_torque = S::Scalar::zero();
-    let mut outcome = Ok(());
-    // Entries are met from the tip to the root's joint, which is number 0 and stays outside the product.
-    let mut number = chain.bodies() + chain.joints();
-    chain.inward(&mut bodies, &mut joints, &mut |entry: &mut Entry<S, N>| {
-        number -= 1;
+    let mut multiply = Multiply {
+        whole: identity,
+        section: identity,
+        outer_torque: S::Scalar::zero(),
+        outcome: Ok(()),
+        number: chain.bodies() + chain.joints(),
+        each,
+        space: PhantomData::<S>,
+    };
+    chain.inward(&mut bodies, &mut joints, (), &mut multiply);
+    let Multiply { whole, outer_torque, outcome, .. } = multiply;
+    outcome.map(|()| (whole, outer_torque))
+}
+
+/// Multiplies the matrices, inward.
+struct Multiply<'a, S: Space, F, const N: usize> {
+    whole: TransferMatrix<S::Scalar, N>,
+    /// The product up to the next turning joint outboard.
+    section: TransferMatrix<S::Scalar, N>,
+    outer_torque: S::Scalar,
+    outcome: Result<(), Error>,
+    /// That of the entry met last: from the tip to the root's joint, which is number 0 and stays outside the product.
+    number: usize,
+    each: &'a mut F,
+    space: PhantomData<S>,
+}
+
+impl<S: Exact<N>, F: FnMut(usize, &TransferMatrix<S::Scalar, N>), const N: usize> Gather for Multiply<'_, S, F, N> {
+    type Entry = Entry<S, N>;
+    type Carried = ();
+
+    fn meet(&mut self, entry: &mut Entry<S, N>, (): ()) {
+        self.number -= 1;
+        let identity = TransferMatrix::identity();
         let mut turning = false;
         let matrix = match entry {
             Entry::Body(matrix) => *matrix,
             Entry::Joint(joint, applied) => match S::joint_torque(joint, *applied) {
                 None => identity,
                 Some(torque) => {
-                    let outer = core::mem::replace(&mut outer_torque, torque);
-                    if number == 0 {
+                    let outer = core::mem::replace(&mut self.outer_torque, torque);
+                    if self.number == 0 {
                         return;
                     }
                     turning = true;
-                    S::joint_matrix(joint, torque, &section, outer).unwrap_or_else(|error| {
-                        outcome = Err(error.at_station(number - 1));
+                    S::joint_matrix(joint, torque, &self.section, outer).unwrap_or_else(|error| {
+                        self.outcome = Err(error.at_station(self.number - 1));
                         identity
                     })
                 }
             },
             Entry::Blank => identity,
         };
-        whole = matrix.then(&whole);
-        section = if turning { identity } else { matrix.then(&section) };
-        each(number - 1, &matrix);
-    });
-    outcome.map(|()| (whole, outer_torque))
+        self.whole = matrix.then(&self.whole);
+        self.section = if turning { identity } else { matrix.then(&self.section) };
+        (self.each)(self.number - 1, &matrix);
+    }
+    fn beyond_arm(&mut self) {}
+    fn join(&mut self, (): (), (): ()) {
+        // The state at the tip of the chain is a function of that at its root, but no product of its elements' matrices.
+        let error = Error::new(Fault::Unsupported { what: "a chain that branches" });
+        self.outcome = Err(error.at_station(self.number.saturating_sub(1)));
+    }
 }
 
 /// Closes the ends of a pinned or floating chain with a free tip: the state at the chain's inboard end.

@@ -195,11 +195,11 @@ macro_rules! axial {
                 kept.iter().all(Pivot::is_finite)
             }
             /// Angles of the joint; its slides stay.
-            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
+            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 let mut list = Listed::<T, $K>::list(position);
                 for (x, way) in list.iter_mut().zip(<Self as Axial<T, $K>>::WAYS) {
                     if way == Way::Turn {
-                        *x = next();
+                        *x = next(inboard);
                     }
                 }
                 *position = Listed::from_list(list);

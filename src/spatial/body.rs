@@ -2,7 +2,7 @@
 
 use super::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Coordinates, Element, Given, OnBody, Posture, Sweep, Visit};
+use crate::element::{Condense, Coordinates, Element, Gather, Given, OnBody, Posture, Sweep, Visit};
 use crate::error::{Error, Fault};
 use crate::relation::space::algebra::{Columns, centripetal};
 use crate::relation::space::{Full, Relation};
@@ -88,7 +88,7 @@ macro_rules! body {
             fn entry<'a, X: Copy>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
             }
-            fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut() -> T) -> Turn<T> {
+            fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 turn
             }
             fn lump(&mut self, mass: T) -> T {
@@ -161,8 +161,14 @@ macro_rules! body {
                 *on_body = visit.body(&motion);
                 motion.outboard()
             }
-            fn inward<X: Copy>(&self, body: &mut X, _: &mut (), visit: &mut impl FnMut(&mut X)) {
-                visit(body);
+            fn inward<G: Gather>(
+                &self,
+                body: &mut G::Entry,
+                _: &mut (),
+                outer: G::Carried,
+                gather: &mut G,
+            ) -> G::Carried {
+                gather.meet(body, outer)
             }
             fn broken<C: Closures>(&self, _: &(), _: usize) -> Option<usize> {
                 None

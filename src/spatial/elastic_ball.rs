@@ -129,8 +129,8 @@ impl<T: Scalar, D: Coefficient<T>> Joint<T> for ElasticBall<T, D> {
         kept.is_finite()
     }
     /// Three absolute angles 1-2-3.
-    fn aim(&self, position: &mut Rotation<T>, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
-        let absolute = Rotation::from_angles([next(), next(), next()]);
+    fn aim(&self, position: &mut Rotation<T>, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+        let absolute = Rotation::from_angles([(); 3].map(|()| next(inboard)));
         *position = absolute.relative_to(&Rotation::from_matrix(&inboard.attitude)).shortest();
         Turn { attitude: absolute.matrix(), spin: zero() }
     }

@@ -2,6 +2,7 @@
 
 use super::{Inertia, Rotation, Station};
 use crate::element::{Budget, Space, SpaceOver};
+use crate::relation::space::Empty;
 use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot, is_finite, zero};
 use crate::scalar::{Real, Scalar};
 use core::fmt;
@@ -209,6 +210,7 @@ impl<T: Scalar> Space for Spatial<T> {
     type Moment = Vector3<T>;
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
+    type Nothing = Empty;
 
     fn blank() -> (Columns<T>, [Vector3<T>; 2], Vector3<T>, Vector3<T>) {
         (Columns::identity(), [zero(); 2], zero(), zero())
@@ -235,6 +237,9 @@ impl<T: Scalar> Space for Spatial<T> {
     }
     fn no_force() -> Internal<T> {
         Internal { force: zero(), torque: zero() }
+    }
+    fn together(a: Internal<T>, b: Internal<T>) -> Internal<T> {
+        Internal { force: a.force + b.force, torque: a.torque + b.torque }
     }
     fn downward(g: T) -> Vector3<T> {
         Vector3::new(T::zero(), -g, T::zero())

@@ -5,7 +5,7 @@ use super::{
 };
 use super::{Universal, Weld, spring::Law};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Posture, Visit};
+use crate::element::{Coordinates, Element, Gather, Posture, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::space::algebra::Columns;
@@ -40,7 +40,7 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
 
     /// Coordinates for the numbers of [`System::at_rest`](crate::system::System::at_rest).
-    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T>;
+    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T>;
 
     /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide, that is
     /// as good on the other side.
@@ -135,7 +135,7 @@ macro_rules! joint {
             fn entry<'a, X: Copy>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(joint)
             }
-            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
+            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 Joint::aim(self, position, inboard, next)
             }
             fn lump(&mut self, mass: T) -> T {
@@ -201,8 +201,14 @@ macro_rules! joint {
                 *in_joint = visit.joint(&motion);
                 motion.outboard
             }
-            fn inward<X: Copy>(&self, _: &mut (), joint: &mut X, visit: &mut impl FnMut(&mut X)) {
-                visit(joint);
+            fn inward<G: Gather>(
+                &self,
+                _: &mut (),
+                joint: &mut G::Entry,
+                outer: G::Carried,
+                gather: &mut G,
+            ) -> G::Carried {
+                gather.meet(joint, outer)
             }
             fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
                 (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)

@@ -38,6 +38,7 @@ mod station;
 mod universal;
 mod weld;
 
+pub use crate::chain::Branch;
 pub use crate::element::Unloaded;
 pub use crate::stepper::Stepper;
 pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};

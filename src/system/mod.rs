@@ -157,7 +157,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let mut motion = self.motion();
         let ground = self.root.ground(motion.time);
         let mut expected = 0;
-        let mut next = || {
+        let mut next = |_| {
             expected += 1;
             orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         };

@@ -1,12 +1,12 @@
 //! Initial motions from angles and rates of joints or of bodies.
 
-use crate::element::{Element, Visit};
+use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
-use crate::planar::{BodyMotion, JointMotion, Planar, Turn};
+use crate::planar::{Planar, Turn};
 use crate::scalar::{Real, Scalar};
-use crate::system::{MotionOf, PositionOf, System, coordinates};
+use crate::system::{MotionOf, PositionOf, System};
 use num_traits::One;
 
 /// A planar scene's motion.
@@ -59,24 +59,18 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
         let mut motion = self.motion();
         let ground = self.ground(motion.time);
         let chain = self.elements();
-        let mut feed = Feed::of(angles);
-        // Bodies outboard of joints at angle zero: what a joint then finds inboard of it is the work of welds or of the ground.
-        chain.aim(&mut motion.position, ground.turn, &mut || {
-            feed.next();
-            T::zero()
-        });
-        feed.check("joint angle")?;
-        let (mut bodies, mut joints) = (chain.per_body(None), chain.per_joint(None));
-        let mut unfold = Unfold { angles: Feed::of(angles), absolute: T::zero(), largest: T::Real::one() };
-        chain.travel(ground, coordinates(&motion), &mut unfold, &mut bodies, &mut joints);
-        let mut entries =
-            (0..chain.bodies() + chain.joints()).filter_map(|k| chain.entry(&bodies, &joints, k).copied().flatten());
         // What is no angle is marked, to be left alone.
         let mark = T::constant(T::Real::INFINITY);
         motion.position.replace(&mut |_| mark);
-        chain.aim(&mut motion.position, ground.turn, &mut || entries.next().unwrap_or(T::zero()));
+        let (mut feed, mut largest) = (Feed::of(angles), T::Real::one());
+        chain.aim(&mut motion.position, ground.turn, &mut |inboard: Turn<T>| {
+            let absolute = inboard.angle + feed.next();
+            largest = largest.max(absolute.real().abs());
+            absolute
+        });
+        feed.check("joint angle")?;
         // A relative coordinate was found as a difference of absolute angles: the number given has the digits lost there.
-        let lost = unfold.largest * T::Real::EPSILON * T::Real::of(4.0);
+        let lost = largest * T::Real::EPSILON * T::Real::of(4.0);
         let mut feed = Feed::of(angles);
         motion.position.replace(&mut |x| {
             if !x.real().is_finite() {
@@ -152,41 +146,14 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
         let turn = |angle| Turn { angle, rate: T::zero() };
         let chain = self.elements();
         let inboard = self.ground(motion.time).turn.rate;
-        let (mut feed, mut running) = (Feed::of(rates), inboard);
+        let mut feed = Feed::of(rates);
         // Rates follow from each other as angles do, except that welds do not add to them: their part is found by itself.
         let mut aimed = motion.rate.clone();
-        chain.aim(&mut aimed, turn(inboard), &mut || {
-            running = absolute(feed.next(), running);
-            running
-        });
+        chain.aim(&mut aimed, turn(inboard), &mut |inboard: Turn<T>| absolute(feed.next(), inboard.angle));
         feed.check("rate")?;
         let mut welds = self.motion().position;
-        chain.aim(&mut welds, turn(T::zero()), &mut T::zero);
+        chain.aim(&mut welds, turn(T::zero()), &mut |inboard: Turn<T>| absolute(T::zero(), inboard.angle));
         motion.rate.mix_1(&aimed, (-T::Real::one(), &welds));
         Ok(motion)
-    }
-}
-
-/// Adds up joint angles along a chain.
-struct Unfold<'a, T: Scalar> {
-    angles: Feed<'a, T>,
-    absolute: T,
-    largest: T::Real,
-}
-
-impl<T: Scalar> Visit<Planar<T>> for Unfold<'_, T> {
-    type OnBody = Option<T>;
-    type InJoint = Option<T>;
-
-    fn body(&mut self, _: &BodyMotion<T>) -> Option<T> {
-        None
-    }
-    fn joint(&mut self, joint: &JointMotion<T>) -> Option<T> {
-        if !joint.turns {
-            return None;
-        }
-        self.absolute = self.absolute + joint.inboard.turn.angle + self.angles.next();
-        self.largest = self.largest.max(self.absolute.real().abs());
-        Some(self.absolute)
     }
 }

@@ -7,7 +7,7 @@ use crate::element::{
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
-use crate::observe::each_body;
+use crate::observe::{each_body, last_body};
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
@@ -61,11 +61,9 @@ where
         if P::Closures::COUNT == 0 {
             return Ok(());
         }
-        let mut measure = None;
         let ground = self.root.ground(motion.time);
-        each_body(&self.chain, ground, coordinates(motion), |body| {
-            measure = Some(self.tip.free_compliance(motion.time, body)); // that of the last body stays
-        });
+        let last = last_body(&self.chain, ground, coordinates(motion));
+        let measure = last.map(|body| self.tip.free_compliance(motion.time, &body));
         let dependent = measure.and_then(|measure| P::Closures::dependent(workspace.compliance(), &measure));
         let Some((row, independent)) = dependent else {
             return Ok(());

@@ -80,6 +80,12 @@ impl<T: Scalar> Symmetric2<T> {
         Self { xx: self.yy, xy: self.xy, yy: self.xx }
     }
 
+    /// S + `other`.
+    #[inline(always)]
+    pub fn plus(self, other: Self) -> Self {
+        Self { xx: self.xx + other.xx, xy: self.xy + other.xy, yy: self.yy + other.yy }
+    }
+
     /// S + value·1.
     #[inline(always)]
     pub fn plus_diagonal(self, value: T) -> Self {

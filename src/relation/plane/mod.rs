@@ -12,6 +12,7 @@
 
 pub mod algebra;
 mod full;
+mod join;
 mod kinds;
 mod slide;
 

@@ -98,6 +98,12 @@ impl<T: Scalar> Columns<T> {
         Vector3::new(dot(self.x, v), dot(self.y, v), dot(self.z, v))
     }
 
+    /// M + N.
+    #[inline(always)]
+    pub fn plus(&self, other: Self) -> Self {
+        Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
+    }
+
     /// M N.
     #[inline(always)]
     pub fn times(&self, other: &Self) -> Self {

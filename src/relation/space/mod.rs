@@ -6,6 +6,7 @@
 
 pub mod algebra;
 mod full;
+mod join;
 mod kinds;
 mod pivots;
 

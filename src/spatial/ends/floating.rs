@@ -45,7 +45,7 @@ impl<T: Scalar> Joint<T> for Floating<T> {
         T::zero()
     }
     /// Three angles 1-2-3; the place stays.
-    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut() -> T) -> Turn<T> {
+    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         Joint::aim(&Ball, &mut position.1, inboard, next)
     }
     #[inline(always)]

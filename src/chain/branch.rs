@@ -1,0 +1,232 @@
+//! Arms that leave a chain.
+
+use crate::counts::Counted;
+use crate::element::{Carrying, Condense, Coordinates, Element, Gather, Given, Posture, Space, Sweep, Visit};
+use crate::error::Error;
+use crate::lift::Lift;
+use crate::relation::{Closures, Join, Open};
+use crate::scalar::Scalar;
+use num_traits::Zero;
+
+/// An arm that leaves the chain where this stands in it: a chain of its own with a free tip, that begins at this station. The chain
+/// goes on from the same station with what follows.
+///
+/// ```
+/// use catena::planar::*;
+/// let rod = Rod::uniform(1.0, 1.0); // length (m), mass (kg)
+/// // Two rods hang by pins of their own from the end of a third.
+/// let y = System::new(Pinned::origin(), (rod, Branch((Pin, rod)), Pin, rod), Free)?.with_gravity(9.81);
+/// let start = y.at_rest(&[-1.0, -0.5, -2.0])?; // absolute angles (rad): of the third, of the arm, of the one that goes on
+/// assert_eq!(y.angles(&start).body::<1>(), Some(&-0.5));
+/// # Ok::<(), catena::Error>(())
+/// ```
+///
+/// An arm begins with its own joint, or with a body that is then fixed to the body inboard of the station. It may carry
+/// arms. Several arms at a station are several branches, one after the other, in an array or in a vector: `[Branch((Pin, rod)); 3]`. Where
+/// they end the chain, all of them are equal: `(rod, Branch((Pin, rod)), Branch((Pin, rod)))` is the scene above.
+///
+/// Bodies, joints, stations and coordinates are numbered as they are written: the chain up to the arm, the arm, what follows. The tip
+/// of the scene is that of the chain; it alone may be held. The forces inside the elements that meet at a station are those at
+/// *their* inboard ends, and that at the outboard end of the body which carries them is their sum.
+///
+/// Forces that hold the tip do not reach into an arm but through the motion of its station, so its gains know nothing of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Branch<A>(pub A);
+
+impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
+    type Position = A::Position;
+    type Rate = A::Rate;
+    type Kept<C: Closures> = A::Kept<Open>;
+    type PerBody<X: Copy> = A::PerBody<X>;
+    type PerJoint<X: Copy> = A::PerJoint<X>;
+    type PerAxes<X: Copy> = A::PerAxes<X>;
+
+    const BODIES: Option<usize> = A::BODIES;
+    const JOINTS: Option<usize> = A::JOINTS;
+    const ABSOLUTE: bool = false; // what follows depends on what lies inboard
+
+    fn bodies(&self) -> usize {
+        self.0.bodies()
+    }
+    fn joints(&self) -> usize {
+        self.0.joints()
+    }
+    fn check(&self, station: usize) -> Result<(), Error> {
+        self.0.check(station)
+    }
+    fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
+        self.0.fits(position, rate)
+    }
+    fn position(&self) -> Self::Position {
+        self.0.position()
+    }
+    fn rate(&self) -> Self::Rate {
+        self.0.rate()
+    }
+    fn kept<C: Closures>(&self) -> A::Kept<Open> {
+        self.0.kept()
+    }
+    fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
+        self.0.per_body(fill)
+    }
+    fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
+        self.0.per_joint(fill)
+    }
+    fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
+        self.0.per_axes(fill)
+    }
+    fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
+        self.0.body_entry(bodies, k)
+    }
+    fn entry<'a, X: Copy>(
+        &self,
+        bodies: &'a Self::PerBody<X>,
+        joints: &'a Self::PerJoint<X>,
+        k: usize,
+    ) -> Option<&'a X> {
+        self.0.entry(bodies, joints, k)
+    }
+    fn aim(
+        &self,
+        position: &mut Self::Position,
+        turn: S::Turn,
+        next: &mut impl FnMut(S::Turn) -> S::Scalar,
+    ) -> S::Turn {
+        self.0.aim(position, turn, next);
+        turn
+    }
+    fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
+        mass + self.0.lump(S::Scalar::zero())
+    }
+    #[inline]
+    fn orient(
+        &self,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        turn: S::Turn,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
+    ) -> S::Turn {
+        self.0.orient(position, rate, turn, x, y, p, q);
+        turn
+    }
+    fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
+        self.0.size(sizes);
+    }
+    #[inline]
+    fn resolve(
+        sizes: &Self::PerAxes<S::Size>,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
+    ) {
+        A::resolve(sizes, x, y, p, q);
+    }
+    #[inline]
+    fn pose(
+        &self,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        turn: S::Turn,
+        sizes: &Self::PerAxes<S::Size>,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
+    ) -> S::Turn {
+        self.0.pose(position, rate, turn, sizes, x, y, p, q);
+        turn
+    }
+    #[inline]
+    fn recover<C: Closures>(
+        &self,
+        acceleration: S::Acceleration,
+        Posture { x, y, p, q }: Posture<'_, S, Self>,
+        kept: &mut A::Kept<Open>,
+        _: &C::Each<S::Scalar>,
+        rate: &mut Self::Rate,
+    ) -> S::Acceleration {
+        self.0.recover::<Open>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
+        acceleration
+    }
+    #[inline]
+    fn respond<C: Closures>(
+        &self,
+        acceleration: S::Acceleration,
+        Posture { x, y, p, q }: Posture<'_, S, Self>,
+        kept: &A::Kept<Open>,
+        _: &C::Each<S::Scalar>,
+        rate: &mut Self::Rate,
+    ) -> S::Acceleration {
+        self.0.respond::<Open>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
+        acceleration
+    }
+    #[inline]
+    fn travel<V: Visit<S>>(
+        &self,
+        frame: S::Frame,
+        Coordinates { position, rate, acceleration }: Coordinates<'_, S, Self>,
+        visit: &mut V,
+        on_bodies: &mut Self::PerBody<V::OnBody>,
+        in_joints: &mut Self::PerJoint<V::InJoint>,
+    ) -> S::Frame {
+        visit.enter_arm();
+        self.0.travel(frame, Coordinates { position, rate, acceleration }, visit, on_bodies, in_joints);
+        visit.leave_arm();
+        frame
+    }
+    fn inward<G: Gather>(
+        &self,
+        bodies: &mut Self::PerBody<G::Entry>,
+        joints: &mut Self::PerJoint<G::Entry>,
+        outer: G::Carried,
+        gather: &mut G,
+    ) -> G::Carried {
+        let beyond = gather.beyond_arm();
+        let arm = self.0.inward(bodies, joints, beyond, gather);
+        gather.join(outer, arm)
+    }
+    fn broken<C: Closures>(&self, kept: &A::Kept<Open>, station: usize) -> Option<usize> {
+        self.0.broken::<Open>(kept, station)
+    }
+}
+
+/// What a sweep carries into an arm: no closure forces.
+type InArm<S, W> = Carrying<<W as Sweep<S>>::Loads, <W as Sweep<S>>::Springs>;
+
+impl<S, R, W, A> Condense<S, R, W> for Branch<A>
+where
+    S: Space,
+    W: Sweep<S>,
+    A: Condense<S, S::Nothing, InArm<S, W>>,
+    R: Join<A::Out>,
+{
+    type Out = R::Out;
+
+    #[inline]
+    fn condense(
+        &self,
+        outer: R,
+        Posture { x, y, p, q }: Posture<'_, S, Self>,
+        Given { on_bodies, in_joints, position, rate, springs }: Given<'_, S, Self, W>,
+        kept: &mut A::Kept<Open>,
+    ) -> R::Out {
+        let given = Given { on_bodies, in_joints, position, rate, springs };
+        outer.join(self.0.condense(S::Nothing::default(), Posture { x, y, p, q }, given, kept))
+    }
+}
+
+impl<A: Counted> Counted for Branch<A> {
+    type Bodies = A::Bodies;
+    type Freedoms = A::Freedoms;
+}
+
+impl<T: Scalar, U: Scalar, A: Lift<T, U>> Lift<T, U> for Branch<A> {
+    type Over = Branch<A::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Branch(self.0.lift(number))
+    }
+}
