@@ -118,7 +118,7 @@ impl<S: Exact<N>, F: FnMut(usize, &TransferMatrix<S::Scalar, N>), const N: usize
                     }
                     turning = true;
                     S::joint_matrix(joint, torque, &self.section, outer).unwrap_or_else(|error| {
-                        self.outcome = Err(error.at_station(self.number - 1));
+                        self.outcome = self.outcome.and(Err(error.at_station(self.number - 1)));
                         identity
                     })
                 }

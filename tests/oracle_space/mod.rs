@@ -10,7 +10,8 @@
 //! the list of its conditions, differentiated twice by hand.
 //!
 //! SI units. A body has an inboard point I (the origin of its axes), an outboard point O and a mass centre C; its spin is the angular
-//! velocity in inertial axes. Joint 0 is that between the ground and body 0.
+//! velocity in inertial axes. Joint k lies between body k and its parent, which is the ground or a body of lower number: a chain is the
+//! tree in which each body has the one before as its parent.
 
 #![allow(dead_code)] // every test binary uses its own part of this module
 
@@ -115,10 +116,14 @@ struct Row {
 }
 
 /// Place of the inboard points, attitudes, spins and velocities of all bodies.
-fn kinematics(ground: Frame, bodies: &[Body], joints: &[Joint]) -> Vec<Frame> {
-    let mut frames = vec![];
-    let mut inboard = ground;
-    for (body, joint) in bodies.iter().zip(joints) {
+fn kinematics(ground: Frame, parents: &[Option<usize>], bodies: &[Body], joints: &[Joint]) -> Vec<Frame> {
+    let mut frames: Vec<Frame> = vec![];
+    for (parent, joint) in parents.iter().zip(joints) {
+        let inboard = parent.map_or(ground, |j| {
+            let frame = frames[j];
+            let arm = frame.attitude * bodies[j].outboard;
+            Frame { place: frame.place + arm, velocity: frame.velocity + frame.spin.cross(&arm), ..frame }
+        });
         let Frame { place, velocity, attitude, spin, .. } = inboard;
         let mut frame = inboard;
         match *joint {
@@ -159,8 +164,6 @@ fn kinematics(ground: Frame, bodies: &[Body], joints: &[Joint]) -> Vec<Frame> {
             }
         }
         frames.push(frame);
-        let arm = frame.attitude * body.outboard;
-        inboard = Frame { place: frame.place + arm, velocity: frame.velocity + frame.spin.cross(&arm), ..frame };
     }
     frames
 }
@@ -174,8 +177,21 @@ fn across(n: Vector) -> [Vector; 2] {
 
 /// Solves a chain.
 pub fn solve(ground: Frame, gravity: Vector, bodies: &[Body], joints: &[Joint], tip: Tip) -> Answer {
+    let parents: Vec<Option<usize>> = (0..bodies.len()).map(|k| k.checked_sub(1)).collect();
+    solve_tree(ground, gravity, &parents, bodies, joints, (bodies.len() - 1, tip))
+}
+
+/// Solves a tree, of which the outboard point of one body is held.
+pub fn solve_tree(
+    ground: Frame,
+    gravity: Vector,
+    parents: &[Option<usize>],
+    bodies: &[Body],
+    joints: &[Joint],
+    (last, tip): (usize, Tip),
+) -> Answer {
     let n = bodies.len();
-    let frames = kinematics(ground, bodies, joints);
+    let frames = kinematics(ground, parents, bodies, joints);
     // Vectors from mass centres, inertial axes.
     let to_inboard: Vec<Vector> = (0..n).map(|k| -(frames[k].attitude * bodies[k].centre)).collect();
     let to_outboard: Vec<Vector> =
@@ -194,14 +210,15 @@ pub fn solve(ground: Frame, gravity: Vector, bodies: &[Body], joints: &[Joint], 
     let (mut effort_force, mut effort_torque) = (vec![Vector::zeros(); n], vec![Vector::zeros(); n]);
     let mut rows: Vec<(usize, Row)> = vec![]; // with the joint; `n` is the tip
     for k in 0..n {
-        // Inboard side: ground or body k − 1.
-        let (inner, spin_i, attitude_i, inner_arm, place_i, velocity_i) = if k == 0 {
-            (None, ground.spin, ground.attitude, Vector::zeros(), ground.place, ground.velocity)
-        } else {
-            let (frame, body) = (&frames[k - 1], &bodies[k - 1]);
-            let arm = frame.attitude * body.outboard;
-            let velocity = frame.velocity + frame.spin.cross(&arm);
-            (Some(k - 1), frame.spin, frame.attitude, to_outboard[k - 1], frame.place + arm, velocity)
+        // Inboard side.
+        let (inner, spin_i, attitude_i, inner_arm, place_i, velocity_i) = match parents[k] {
+            None => (None, ground.spin, ground.attitude, Vector::zeros(), ground.place, ground.velocity),
+            Some(j) => {
+                let (frame, body) = (&frames[j], &bodies[j]);
+                let arm = frame.attitude * body.outboard;
+                let velocity = frame.velocity + frame.spin.cross(&arm);
+                (Some(j), frame.spin, frame.attitude, to_outboard[j], frame.place + arm, velocity)
+            }
         };
         let frame = &frames[k];
         let spin_o = frame.spin;
@@ -211,7 +228,7 @@ pub fn solve(ground: Frame, gravity: Vector, bodies: &[Body], joints: &[Joint], 
         let drift = frame.velocity - velocity_i;
         let centripetal = |spin: Vector, arm: Vector| spin.cross(&spin.cross(&arm));
         // a_P = a_C + α × r + ω × (ω × r); the ground's point has its own.
-        let known_i = if k == 0 { ground.linear } else { centripetal(spin_i, arm_i) };
+        let known_i = if inner.is_none() { ground.linear } else { centripetal(spin_i, arm_i) };
         let known_o = centripetal(spin_o, arm_o);
         // t · (a_O − a_I) = value, with t × and lever arms
         let point = |t: Vector, extra: Vector, value: f64| {
@@ -282,7 +299,6 @@ pub fn solve(ground: Frame, gravity: Vector, bodies: &[Body], joints: &[Joint], 
             torque[j] -= effort_torque[k] + (arm_i + d).cross(&effort_force[k]);
         }
     }
-    let last = n - 1;
     let held = |t: Vector, value: f64| {
         let arm = to_outboard[last];
         let spin = frames[last].spin;

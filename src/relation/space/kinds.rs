@@ -176,3 +176,10 @@ impl<T: Scalar, M: Term<Vector3<T>>, C: Closures> Promote<Point<T, M, C>> for Fu
         point.carried(zero(), zero())
     }
 }
+
+impl<T: Scalar, C: Closures> Promote<Point<T, Absent, C>> for Point<T, Couple<T>, C> {
+    fn promote(lesser: Point<T, Absent, C>) -> Self {
+        let Point { stiffness, offset, cuts, .. } = lesser;
+        Self { stiffness, offset, torque: Couple(zero()), cuts }
+    }
+}
