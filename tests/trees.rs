@@ -50,7 +50,7 @@ fn the_y_pendulum_follows_its_table() -> Result<(), Error> {
         let found = stations.root().internal.force;
         near(found.x, force[0], 1e-9);
         near(found.y, force[1], 1e-9);
-        near(y.budget(&motion).energy(), energy, 1e-11); // of 26 J
+        near(y.budget(&motion).energy(), energy, 1e-11); // of 19 J
     }
     Ok(())
 }

@@ -98,7 +98,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         mass + self.0.lump(S::Scalar::zero())
     }
-    #[inline]
+    #[inline(always)]
     fn orient(
         &self,
         position: &Self::Position,
@@ -115,7 +115,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
         self.0.size(sizes);
     }
-    #[inline]
+    #[inline(always)]
     fn resolve(
         sizes: &Self::PerAxes<S::Size>,
         x: &mut Self::PerAxes<S::X>,
@@ -125,7 +125,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     ) {
         A::resolve(sizes, x, y, p, q);
     }
-    #[inline]
+    #[inline(always)]
     fn pose(
         &self,
         position: &Self::Position,
@@ -140,7 +140,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         self.0.pose(position, rate, turn, sizes, x, y, p, q);
         turn
     }
-    #[inline]
+    #[inline(always)]
     fn recover<C: Closures>(
         &self,
         acceleration: S::Acceleration,
@@ -152,7 +152,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         self.0.recover::<Open>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
         acceleration
     }
-    #[inline]
+    #[inline(always)]
     fn respond<C: Closures>(
         &self,
         acceleration: S::Acceleration,
@@ -164,7 +164,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         self.0.respond::<Open>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
         acceleration
     }
-    #[inline]
+    #[inline(always)]
     fn travel<V: Visit<S>>(
         &self,
         frame: S::Frame,
@@ -206,7 +206,7 @@ where
 {
     type Out = R::Out;
 
-    #[inline]
+    #[inline(always)]
     fn condense(
         &self,
         outer: R,

@@ -1,5 +1,6 @@
 //! The tip of an arm is free as it is, and takes no end.
-//@ `Free` is not an element of the chain's space `Planar<f64>`
+//@ `Free` cannot take what lies outboard of it
+//@ end a chain with a body
 
 use catena::planar::*;
 
