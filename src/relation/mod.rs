@@ -180,3 +180,35 @@ impl<T: Scalar> Join<Absent> for T {
         self
     }
 }
+
+impl<T: Scalar> Join<Minus<T>> for T {
+    type Out = T;
+    #[inline(always)]
+    fn join(self, arm: Minus<T>) -> T {
+        arm.add_to(self)
+    }
+}
+
+impl<T: Scalar> Join<T> for Minus<T> {
+    type Out = T;
+    #[inline(always)]
+    fn join(self, arm: T) -> T {
+        self.add_to(arm)
+    }
+}
+
+impl<T: Scalar> Join<Self> for Minus<T> {
+    type Out = Self;
+    #[inline(always)]
+    fn join(self, arm: Self) -> Self {
+        Self(self.0 + arm.0)
+    }
+}
+
+impl<T: Scalar> Join<Absent> for Minus<T> {
+    type Out = Self;
+    #[inline(always)]
+    fn join(self, _: Absent) -> Self {
+        self
+    }
+}

@@ -149,3 +149,10 @@ impl<T: Scalar, C: Closures> Promote<Point<T, Absent, C>> for Point<T, Minus<T>,
         Self { stiffness, offset, torque: Minus::none(), cuts }
     }
 }
+
+impl<T: Scalar, C: Closures> Promote<Point<T, Absent, C>> for Point<T, T, C> {
+    fn promote(lesser: Point<T, Absent, C>) -> Self {
+        let Point { stiffness, offset, cuts, .. } = lesser;
+        Self { stiffness, offset, torque: T::zero(), cuts }
+    }
+}
