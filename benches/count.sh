@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds the benchmark of sweeps for the default target and for x86-64-v3, runs both and prints one table.
-# Instructions need valgrind; without it times are printed alone.
+# Instructions need valgrind; without it times are printed alone. Arguments are words that the rows must contain.
 set -eu
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-target}
@@ -13,4 +13,4 @@ build() {
 
 default=$(build "" "$target/count-default")
 v3=$(build "-C target-cpu=x86-64-v3" "$target/count-v3")
-exec "$default" --against "$v3"
+exec "$default" --against "$v3" "$@"

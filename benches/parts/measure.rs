@@ -47,8 +47,8 @@ pub fn wall(rows: &[Row]) -> Vec<f64> {
 }
 
 /// Wall times that another build of this program measures, by the name of the row.
-pub fn wall_of(program: &Path) -> Result<HashMap<String, f64>, String> {
-    let output = Command::new(program).arg("wall").stderr(std::process::Stdio::inherit()).output();
+pub fn wall_of(program: &Path, words: &[&str]) -> Result<HashMap<String, f64>, String> {
+    let output = Command::new(program).arg("wall").args(words).stderr(std::process::Stdio::inherit()).output();
     let output = output.map_err(|error| error.to_string())?;
     if !output.status.success() {
         return Err(format!("{} does not run on this machine: {}", program.display(), output.status));
