@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench sweep` checks that library and hand agree, and in space that accelerations solve the equations of motion; then it
 //! measures this build and prints a table. `benches/count.sh` builds for the default target and for x86-64-v3 and prints one
-//! table of both. Arguments that rows must contain restrict either: `benches/count.sh balls`.
+//! table of both. Arguments restrict either to rows whose names contain one: `benches/count.sh balls`.
 
 #[path = "parts/by_hand.rs"]
 mod by_hand;
@@ -44,9 +44,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The rows whose names contain every word.
+/// The rows whose names contain one of the words; all where there is none.
 fn with_words(rows: Vec<Row>, words: &[&str]) -> Vec<Row> {
-    rows.into_iter().filter(|row| words.iter().all(|word| row.name().contains(word))).collect()
+    rows.into_iter().filter(|row| words.is_empty() || words.iter().any(|word| row.name().contains(word))).collect()
 }
 
 /// Sweeps one row a number of times: what is run under valgrind.
@@ -95,21 +95,21 @@ struct Column {
     nanoseconds: Vec<f64>,
 }
 
+/// Instructions per body of each row; nothing where valgrind is missing or does not know an instruction.
 fn counted(program: &Path, rows: &[Row], target: &str) -> Vec<f64> {
-    let nothing = vec![f64::NAN; rows.len()];
     if !has_valgrind() {
-        return nothing;
+        return vec![f64::NAN; rows.len()];
     }
     let counts = rows.iter().enumerate().map(|(i, row)| {
         progress(&format!("instructions, {target}: {} of {}", i + 1, rows.len()));
-        instructions(program, row)
+        instructions(program, row).unwrap_or_else(|error| {
+            eprintln!("{error}");
+            f64::NAN
+        })
     });
-    let counts: Result<_, _> = counts.collect();
+    let counts = counts.collect();
     progress("");
-    counts.unwrap_or_else(|error| {
-        eprintln!("{error}");
-        nothing
-    })
+    counts
 }
 
 fn table(rows: &[Row], other: Option<&Path>, words: &[&str]) -> Result<(), Box<dyn Error>> {

@@ -5,7 +5,7 @@
 //! lanes do not part.
 
 use super::Rotation;
-use crate::relation::space::algebra::{Columns, add_scaled, cross, cross_onto, dot};
+use crate::relation::space::algebra::{Columns, add_scaled, cross, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 
