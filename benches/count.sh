@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds the benchmark of sweeps for the default target and for x86-64-v3, runs both and prints one table.
-# Instructions need valgrind; without it times are printed alone. Arguments are words, of which rows must contain one.
+# Instructions need valgrind; without it times are printed alone. Arguments are words, of which scenes must contain one.
 set -eu
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-target}

@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench sweep` checks that library and hand agree, and in space that accelerations solve the equations of motion; then it
 //! measures this build and prints a table. `benches/count.sh` builds for the default target and for x86-64-v3 and prints one
-//! table of both. Arguments restrict either to rows whose names contain one: `benches/count.sh balls`.
+//! table of both. Arguments restrict either to scenes whose names contain one: `benches/count.sh balls`.
 
 #[path = "parts/by_hand.rs"]
 mod by_hand;
@@ -44,9 +44,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The rows whose names contain one of the words; all where there is none.
+/// The rows of scenes whose names contain one of the words; all where there is none.
 fn with_words(rows: Vec<Row>, words: &[&str]) -> Vec<Row> {
-    rows.into_iter().filter(|row| words.is_empty() || words.iter().any(|word| row.name().contains(word))).collect()
+    rows.into_iter().filter(|row| words.is_empty() || words.iter().any(|word| row.scene.contains(word))).collect()
 }
 
 /// Sweeps one row a number of times: what is run under valgrind.
