@@ -68,7 +68,7 @@ fn check(rows: &[Row]) -> Result<[f64; 2], String> {
     for row in rows {
         let (got, residual) = swept(row);
         if let Some(residual) = residual {
-            if !residual.lt(&10.0) {
+            if !residual.lt(&100.0) {
                 return Err(format!(
                     "{} leaves moments in its joints {residual:.1e} times what rounding leaves",
                     row.name()
