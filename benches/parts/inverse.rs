@@ -2,7 +2,7 @@
 //!
 //! From coordinates, rates and accelerations follow the accelerations of all mass centres, and from these the forces and moments in the
 //! joints, with 3 × 3 matrices and nothing of the library. Accelerations are right if and only if no moment acts in a ball, and
-//! none about the axis of a revolute joint.
+//! none about the axis of a revolute joint, but for what rounding makes of it.
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
 
@@ -34,23 +34,25 @@ struct Moving {
     linear: Vector3<f64>,
 }
 
-/// The largest moment that acts where none may, as a share of the moments that make it up, in a chain of equal bodies with gravity g along −y.
-pub fn residual(body: &Body, joints: &[Joint], g: f64, position: &[f64], rate: &[f64], second: &[f64]) -> f64 {
+/// The moments that act where none may, in a chain of equal bodies with gravity g along −y: for accelerations `second`.
+pub fn moments(body: &Body, joints: &[Joint], g: f64, position: &[f64], rate: &[f64], second: &[f64]) -> Vec<f64> {
     let (centre, outboard) = (Vector3::from(body.centre), Vector3::from(body.outboard));
     let tensor = Matrix3::from(body.about_centre); // symmetric
     let chain = moving(outboard, joints, g, position, rate, second);
     let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
-    let (mut size, mut worst) = (0.0_f64, 0.0_f64);
+    let mut moments = Vec::new();
     for Moving { attitude, axis, spin, angular, linear } in chain.iter().rev() {
         let (r, d, inertia) = (attitude * centre, attitude * outboard, attitude * tensor * attitude.transpose());
         let own = body.mass * (linear + relative(spin, angular, &r));
         let turning = inertia * angular + spin.cross(&(inertia * spin));
-        size = size.max(turning.norm() + r.norm() * own.norm() + d.norm() * force.norm());
         moment += turning + r.cross(&own) + d.cross(&force);
         force += own;
-        worst = worst.max(axis.map_or_else(|| moment.norm(), |n| n.dot(&moment).abs()));
+        match axis {
+            Some(n) => moments.push(n.dot(&moment)),
+            None => moments.extend_from_slice(moment.as_slice()),
+        }
     }
-    worst / size
+    moments
 }
 
 /// Acceleration of a point of a body, at the vector d, relative to its inboard end.

@@ -74,6 +74,9 @@ fn count(program: &Path, row: &Row, times: usize) -> Result<u64, String> {
         .output()
         .map_err(|error| format!("valgrind does not start: {error}"))?;
     let text = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        return Err(format!("valgrind fails at {}: {text}", row.name())); // it may not know an instruction
+    }
     let number = text.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok());
     number.ok_or_else(|| format!("no count for {} from valgrind: {text}", row.name()))
 }

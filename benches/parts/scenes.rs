@@ -16,8 +16,8 @@ pub trait Case {
     fn sweep(&mut self, times: usize);
     /// The accelerations that the last sweep found.
     fn accelerations(&self) -> Vec<f64>;
-    /// What they leave of the equations of motion by an independent reckoning, where nothing by hand compares: as a multiple of what
-    /// remains where their last digits are changed.
+    /// What they leave of the equations of motion by an independent reckoning, where nothing by hand compares: as a multiple of
+    /// what a change of their last digits makes of it.
     fn residual(&self) -> Option<f64> {
         None
     }

@@ -25,13 +25,15 @@ impl<D: Dynamics<Unloaded, Scalar = f64>> Case for Checked<D> {
         let (mut position, mut rate) = (Vec::new(), Vec::new());
         self.library.position.visit(&mut |x| position.push(x));
         self.library.rate.visit(&mut |x| rate.push(x));
-        let left = |second: &[f64]| {
-            inverse::residual(&self.body, &self.joints, GRAVITY, &position, &rate, second).max(f64::EPSILON)
-        };
+        let moments = |second: &[f64]| inverse::moments(&self.body, &self.joints, GRAVITY, &position, &rate, second);
         let found = self.library.accelerations();
         let rounded = |(i, x): (usize, &f64)| x * (1.0 + f64::EPSILON * (12.9898 * i as f64).sin());
         let rounded: Vec<f64> = found.iter().enumerate().map(rounded).collect();
-        Some(left(&found) / left(&rounded))
+        let (left, rounded) = (moments(&found), moments(&rounded));
+        let largest = |size: f64, x: f64| size.max(x.abs());
+        let noise = left.iter().zip(&rounded).map(|(x, y)| x - y).fold(f64::MIN_POSITIVE, largest);
+        let sum: f64 = left.iter().sum(); // not a number where one of them is not
+        Some(left.iter().copied().fold(0.0, largest) / noise + 0.0 * sum)
     }
 }
 
