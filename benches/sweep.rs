@@ -1,19 +1,23 @@
 //! What a sweep costs: time and instructions per body, beside loops written by hand.
 //!
 //! `cargo bench --bench sweep` checks that library and hand agree, measures this build and prints two tables: scenes beside loops
-//! by hand, and other joints and ends beside pins. `benches/count.sh` builds for the default target and for x86-64-v3 and prints
+//! by hand, other joints and ends beside pins, and chains in space. `benches/count.sh` builds for the default target and for x86-64-v3 and prints
 //! both builds in one. `--quick` counts the instructions of two rows only.
 
 #[path = "parts/by_hand.rs"]
 mod by_hand;
 #[path = "parts/clock.rs"]
 mod clock;
+#[path = "parts/inverse.rs"]
+mod inverse;
 #[path = "parts/joints.rs"]
 mod joints;
 #[path = "parts/measure.rs"]
 mod measure;
 #[path = "parts/scenes.rs"]
 mod scenes;
+#[path = "parts/scenes_in_space.rs"]
+mod scenes_in_space;
 #[path = "parts/system_sine.rs"]
 mod system_sine;
 
@@ -29,14 +33,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut rows = rows();
     let by_hand = rows.len();
     rows.extend(joints::rows());
+    let in_plane = rows.len();
+    rows.extend(scenes_in_space::rows());
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["repeat", name, times] => repeat(&rows, name, times.parse()?),
-        ["wall"] => rows.iter().zip(wall(&rows)).for_each(|(row, ns)| println!("{}\t{ns}", row.name())),
+        ["wall", ..] => rows.iter().zip(wall(&rows)).for_each(|(row, ns)| println!("{}\t{ns}", row.name())),
         ["--quick", "--against", other] => quick(rows, Some(Path::new(other)))?,
         ["--quick"] => quick(rows, None)?,
-        ["--against", other] => tables(&rows, by_hand, Some(Path::new(other)))?,
-        _ => tables(&rows, by_hand, None)?, // cargo hands arguments of its own
+        ["--against", other] => tables(&rows, [by_hand, in_plane], Some(Path::new(other)))?,
+        _ => tables(&rows, [by_hand, in_plane], None)?, // cargo hands arguments of its own
     }
     Ok(())
 }
@@ -48,17 +54,25 @@ fn repeat(rows: &[Row], name: &str, times: usize) {
     }
 }
 
-/// Compares each row with the loop by hand: the largest difference as a share of the largest acceleration.
+/// Compares each row with the loop by hand: the largest difference as a share of the largest acceleration. A case with a reckoning
+/// of its own must leave little more than rounding does.
 fn check(rows: &[Row]) -> Result<f64, String> {
     let swept = |row: &Row| {
         let mut case = (row.make)();
         case.sweep(1);
-        case.accelerations()
+        (case.accelerations(), case.residual())
     };
     let mut largest = 0.0_f64;
     for row in rows {
+        let (got, residual) = swept(row);
+        if let Some(residual) = residual {
+            if !residual.lt(&100.0) {
+                return Err(format!("{} leaves {residual:.1e} times what rounding leaves", row.name()));
+            }
+            continue;
+        }
         let hand = row.yardstick(rows).ok_or_else(|| format!("nothing by hand for {}", row.name()))?;
-        let (got, want) = (swept(row), swept(hand));
+        let (want, _) = swept(hand);
         let size = want.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         let errors: Vec<f64> = got.iter().zip(&want).map(|(x, y)| (x - y).abs() / size).collect();
         if got.len() != want.len() || !errors.iter().all(|error| *error < 1e-12) {
@@ -104,8 +118,10 @@ fn quick(mut rows: Vec<Row>, other: Option<&Path>) -> Result<(), Box<dyn Error>>
     Ok(())
 }
 
-/// Measures all rows. The first ones, as many as `by_hand`, have loops by hand to compare to; the others compare to pins.
-fn tables(rows: &[Row], by_hand: usize, other: Option<&Path>) -> Result<(), Box<dyn Error>> {
+/// Measures all rows. The first ones, as many as `by_hand`, have loops by hand to compare to; the others in the plane compare to
+/// pins, those in space to nothing.
+fn tables(rows: &[Row], [by_hand, in_plane]: [usize; 2], other: Option<&Path>) -> Result<(), Box<dyn Error>> {
+    check(&rows[in_plane..])?;
     println!("Library and hand agree to {:.1e} of the largest acceleration.", check(&rows[..by_hand])?);
     if !has_valgrind() {
         println!("Instructions are not counted: valgrind is not installed.");
@@ -113,12 +129,13 @@ fn tables(rows: &[Row], by_hand: usize, other: Option<&Path>) -> Result<(), Box<
     let this: PathBuf = std::env::current_exe()?;
     let mut columns = vec![Column { instructions: counted(&this, rows, "this build"), nanoseconds: wall(rows) }];
     if let Some(other) = other {
-        let by_name: HashMap<String, f64> = wall_of(other)?;
+        let by_name: HashMap<String, f64> = wall_of(other, &[])?;
         let nanoseconds = rows.iter().map(|row| by_name.get(&row.name()).copied().unwrap_or(f64::NAN)).collect();
         columns.push(Column { instructions: counted(other, rows, "other build"), nanoseconds });
     }
     print(rows, 0..by_hand, &columns, "hand");
-    print(rows, by_hand..rows.len(), &columns, "pins");
+    print(rows, by_hand..in_plane, &columns, "pins");
+    print(rows, in_plane..rows.len(), &columns, "nothing");
     Ok(())
 }
 
@@ -131,7 +148,11 @@ fn print(rows: &[Row], shown: Range<usize>, columns: &[Column], yardstick: &str)
     }
     println!("\n{head}\n|---|---|---:|{}", "---:|".repeat(4 * targets.len()));
     for (i, row) in rows.iter().enumerate().take(shown.end).skip(shown.start) {
-        let other = if yardstick == "hand" { row.yardstick(rows) } else { row.pins(rows) };
+        let other = match yardstick {
+            "hand" => row.yardstick(rows),
+            "pins" => row.pins(rows),
+            _ => None,
+        };
         let other = other.and_then(|other| rows.iter().position(|row| std::ptr::eq(row, other)));
         let number = |value: f64, digits: usize| match value.is_nan() {
             true => " – |".to_owned(),

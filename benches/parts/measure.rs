@@ -47,8 +47,8 @@ pub fn wall(rows: &[Row]) -> Vec<f64> {
 }
 
 /// Wall times that another build of this program measures, by the name of the row.
-pub fn wall_of(program: &Path) -> Result<HashMap<String, f64>, String> {
-    let output = Command::new(program).arg("wall").stderr(std::process::Stdio::inherit()).output();
+pub fn wall_of(program: &Path, words: &[&str]) -> Result<HashMap<String, f64>, String> {
+    let output = Command::new(program).arg("wall").args(words).stderr(std::process::Stdio::inherit()).output();
     let output = output.map_err(|error| error.to_string())?;
     if !output.status.success() {
         return Err(format!("{} does not run on this machine: {}", program.display(), output.status));
@@ -74,6 +74,9 @@ fn count(program: &Path, row: &Row, times: usize) -> Result<u64, String> {
         .output()
         .map_err(|error| format!("valgrind does not start: {error}"))?;
     let text = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        return Err(format!("valgrind fails at {}: {text}", row.name())); // it may not know an instruction
+    }
     let number = text.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok());
     number.ok_or_else(|| format!("no count for {} from valgrind: {text}", row.name()))
 }

@@ -16,6 +16,11 @@ pub trait Case {
     fn sweep(&mut self, times: usize);
     /// The accelerations that the last sweep found.
     fn accelerations(&self) -> Vec<f64>;
+    /// What they leave of the equations of motion by an independent reckoning, where nothing by hand compares: as a multiple of
+    /// what a change of their last digits makes of it.
+    fn residual(&self) -> Option<f64> {
+        None
+    }
 }
 
 /// A row of the table.
@@ -59,20 +64,29 @@ pub fn state(i: usize) -> (f64, f64) {
 pub struct Library<D: Dynamics<L>, L> {
     scene: D,
     loads: L,
-    position: D::Position,
-    rate: D::Rate,
+    pub position: D::Position,
+    pub rate: D::Rate,
     workspace: D::Workspace,
     acceleration: D::Rate,
 }
 
 impl<T: Scalar<Real = f64>, L, D: Dynamics<L, Scalar = T>> Library<D, L> {
     pub fn new(scene: D, loads: L) -> Self {
+        Self::of(scene, loads, (0..).map(|i| state(i).0), (0..).map(|i| state(i).1))
+    }
+
+    /// With the numbers of all positions and rates, from the root on.
+    pub fn at(scene: D, loads: L, positions: &[f64], rates: &[f64]) -> Self {
+        Self::of(scene, loads, positions.iter().copied(), rates.iter().copied())
+    }
+
+    fn of(scene: D, loads: L, positions: impl Iterator<Item = f64>, rates: impl Iterator<Item = f64>) -> Self {
         let still = scene.still();
         let (mut position, mut rate) = (still.position().clone(), still.rate().clone());
-        let mut bodies = 0..;
-        position.replace(&mut |_| T::constant(state(bodies.next().unwrap_or(0)).0));
-        let mut bodies = 0..;
-        rate.replace(&mut |_| T::constant(state(bodies.next().unwrap_or(0)).1));
+        let (mut positions, mut rates) = (positions, rates);
+        let number = |next: Option<f64>| T::constant(next.unwrap_or(f64::NAN));
+        position.replace(&mut |_| number(positions.next()));
+        rate.replace(&mut |_| number(rates.next()));
         let workspace = scene.workspace();
         Self { scene, loads, position, acceleration: rate.clone(), rate, workspace }
     }

@@ -13,8 +13,18 @@ macro_rules! first {
     };
 }
 
+/// Pairs are the links of arrays and vectors. What they hand on is large in space: by way of a call it would pass through memory.
 macro_rules! chain_tuple {
-    ($met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
+    (X2; $($rest:tt)*) => {
+        chain_of!([inline(always)] X2; $($rest)*);
+    };
+    ($met:ident; $($rest:tt)*) => {
+        chain_of!([inline] $met; $($rest)*);
+    };
+}
+
+macro_rules! chain_of {
+    ([$($inline:tt)*] $met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
         impl<S: Space, $($A: Element<S>),*> Element<S> for ($($A,)*) {
             type Position = ($($A::Position,)*);
             type Rate = ($($A::Rate,)*);
@@ -110,7 +120,7 @@ macro_rules! chain_tuple {
                 $(let mass = self.$j.lump(mass);)*
                 mass
             }
-            #[inline]
+            #[$($inline)*]
             fn orient(
                 &self,
                 position: &Self::Position,
@@ -145,7 +155,7 @@ macro_rules! chain_tuple {
             ) {
                 $($A::resolve(&sizes.$i, &mut x.$i, &mut y.$i, &mut p.$i, &mut q.$i);)*
             }
-            #[inline]
+            #[$($inline)*]
             fn pose(
                 &self,
                 position: &Self::Position,
@@ -169,7 +179,7 @@ macro_rules! chain_tuple {
                 );)*
                 turn
             }
-            #[inline]
+            #[$($inline)*]
             fn recover<Cuts: Closures>(
                 &self,
                 acceleration: S::Acceleration,
@@ -253,7 +263,7 @@ macro_rules! chain_tuple {
         {
             type Out = X0;
 
-            #[inline]
+            #[$($inline)*]
             fn condense(
                 &self,
                 outer: $met,

@@ -218,6 +218,19 @@ macro_rules! axial {
                 oriented(self, position, rate, inboard)
             }
             #[inline(always)]
+            fn store((axes, bias): Stored<T>, x: &mut Columns<T>, y: &mut [Vector3<T>; 2]) {
+                x.x = axes.x;
+                if $K > 1 {
+                    x.y = axes.y;
+                }
+                if <Self as Axial<T, $K>>::SLIDES {
+                    (x.z, y[0]) = (axes.z, bias[0]);
+                }
+                if <Self as Axial<T, $K>>::TURNS {
+                    y[1] = bias[1];
+                }
+            }
+            #[inline(always)]
             fn moved(
                 &self,
                 inboard: Frame<T>,

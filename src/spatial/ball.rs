@@ -48,6 +48,10 @@ impl<T: Scalar> Joint<T> for Ball {
         (Turn { attitude, spin }, (attitude, [zero(); 2]))
     }
     #[inline(always)]
+    fn store((attitude, _): Stored<T>, x: &mut Columns<T>, _: &mut [Vector3<T>; 2]) {
+        *x = attitude;
+    }
+    #[inline(always)]
     fn moved(&self, inboard: Frame<T>, position: &Rotation<T>, rate: &[T; 3], acceleration: &[T; 3]) -> JointMotion<T> {
         let (turn, (attitude, _)) = self.oriented(position, rate, inboard.turn);
         let angular = attitude.apply(Vector3::from(*acceleration));

@@ -25,6 +25,12 @@ pub trait Body<T: Scalar>: Copy + Debug {
     /// Takes the point mass that its outboard neighbour lumps at O, hands on its own at I.
     fn lump(&mut self, mass: T) -> T;
 
+    /// Whether [`condense`](Self::condense) reads the attitude of the pose: if not, it is not stored.
+    const AXES: bool;
+
+    /// What its orientation makes of it.
+    fn pose(&self, turn: &Turn<T>) -> Pose<T>;
+
     /// The relation at I from that at O.
     fn condense<R: Relation<T>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures>;
 
@@ -35,17 +41,26 @@ pub trait Body<T: Scalar>: Copy + Debug {
     fn check(&self) -> Result<(), Fault>;
 }
 
-/// Orientation and angular velocity of a body, and what follows for its outboard end.
+/// What the orientation and the angular velocity of a body make of it, in inertial axes: formed on the way outward, read on the way
+/// inward.
 #[derive(Clone, Copy, Debug)]
 pub struct Pose<T> {
-    /// The body's axes in inertial axes.
+    /// The body's axes.
     pub attitude: Columns<T>,
-    /// Angular velocity ω (rad/s).
-    pub spin: Vector3<T>,
+    /// Angular velocity ω (rad/s), or what else a body needs of it: a rod its gyroscopic torque (N·m).
+    pub turning: Vector3<T>,
     /// From the inboard to the outboard end, d (m).
     pub arm: Vector3<T>,
     /// ω × (ω × d) (m/s²).
     pub centripetal: Vector3<T>,
+}
+
+impl<T: Scalar> Pose<T> {
+    /// With the arm d.
+    #[inline(always)]
+    pub fn with_arm(turn: &Turn<T>, d: Vector3<T>) -> Self {
+        Self { attitude: turn.attitude, turning: turn.spin, arm: d, centripetal: centripetal(turn.spin, d) }
+    }
 }
 
 /// Makes spatial bodies elements.
@@ -102,26 +117,25 @@ macro_rules! body {
                 turn: Turn<T>,
                 x: &mut Columns<T>,
                 y: &mut [Vector3<T>; 2],
-                _: &mut Vector3<T>,
-                _: &mut Vector3<T>,
-            ) -> Turn<T> {
-                *x = turn.attitude;
-                y[0] = turn.spin;
-                turn
-            }
-            fn size(&self, size: &mut Vector3<T>) {
-                *size = Vector3::from(Body::outboard(self));
-            }
-            #[inline(always)]
-            fn resolve(
-                size: &Vector3<T>,
-                x: &mut Columns<T>,
-                y: &mut [Vector3<T>; 2],
                 p: &mut Vector3<T>,
                 q: &mut Vector3<T>,
+            ) -> Turn<T> {
+                let pose = Body::pose(self, &turn);
+                if <Self as Body<T>>::AXES {
+                    *x = pose.attitude;
+                }
+                (y[0], *p, *q) = (pose.turning, pose.arm, pose.centripetal);
+                turn
+            }
+            fn size(&self, (): &mut ()) {}
+            #[inline(always)]
+            fn resolve(
+                (): &(),
+                _: &mut Columns<T>,
+                _: &mut [Vector3<T>; 2],
+                _: &mut Vector3<T>,
+                _: &mut Vector3<T>,
             ) {
-                *p = x.apply(*size);
-                *q = centripetal(y[0], *p);
             }
             #[inline(always)]
             fn recover<C: Closures>(
@@ -194,7 +208,7 @@ macro_rules! body {
                 given: Given<'_, Spatial<T>, Self, W>,
                 _: &mut (),
             ) -> Full<T, R::Closures> {
-                let pose = Pose { attitude: *posture.x, spin: posture.y[0], arm: *posture.p, centripetal: *posture.q };
+                let pose = Pose { attitude: *posture.x, turning: posture.y[0], arm: *posture.p, centripetal: *posture.q };
                 given.on_bodies.take_from(Body::condense(self, outer, &pose))
             }
         }

@@ -190,11 +190,11 @@ impl<T: Scalar> JointMotion<T> {
 
 impl<T: Scalar> Space for Spatial<T> {
     type Scalar = T;
-    /// From the inboard to the outboard end, body axes.
-    type Size = Vector3<T>;
-    /// Axes of a body; for a joint its axes and its arm.
+    /// Nothing: bodies form their postures while they are oriented.
+    type Size = ();
+    /// Axes of a body that needs them; for a joint its axes and its arm.
     type X = Columns<T>;
-    /// Angular velocity of a body; for a joint the linear and angular acceleration that rates alone cause.
+    /// Angular velocity of a body, or what follows from it; for a joint the linear and angular acceleration that rates alone cause.
     type Y = [Vector3<T>; 2];
     /// Arm of a body.
     type P = Vector3<T>;
@@ -215,9 +215,7 @@ impl<T: Scalar> Space for Spatial<T> {
     fn blank() -> (Columns<T>, [Vector3<T>; 2], Vector3<T>, Vector3<T>) {
         (Columns::identity(), [zero(); 2], zero(), zero())
     }
-    fn no_size() -> Vector3<T> {
-        zero()
-    }
+    fn no_size() {}
     #[inline(always)]
     fn turn(frame: &Frame<T>) -> Turn<T> {
         frame.turn

@@ -51,6 +51,12 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     /// The orientation of the outboard body, and what the other walks read.
     fn oriented(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> (Turn<T>, Stored<T>);
 
+    /// Stores what the other walks read; what they do not read stays as it is.
+    #[inline(always)]
+    fn store(stored: Stored<T>, x: &mut Columns<T>, y: &mut [Vector3<T>; 2]) {
+        (*x, *y) = stored;
+    }
+
     /// The motion of its outboard side.
     fn moved(
         &self,
@@ -153,13 +159,13 @@ macro_rules! joint {
                 _: &mut Vector3<T>,
             ) -> Turn<T> {
                 let (outboard, stored) = self.oriented(position, rate, turn);
-                (*x, *y) = stored;
+                <Self as Joint<T>>::store(stored, x, y);
                 outboard
             }
-            fn size(&self, _: &mut Vector3<T>) {}
+            fn size(&self, (): &mut ()) {}
             #[inline(always)]
             fn resolve(
-                _: &Vector3<T>,
+                (): &(),
                 _: &mut Columns<T>,
                 _: &mut [Vector3<T>; 2],
                 _: &mut Vector3<T>,

@@ -5,7 +5,7 @@
 //! lanes do not part.
 
 use super::Rotation;
-use crate::relation::space::algebra::{Columns, Symmetric3, add_scaled, cross, cross_onto, dot};
+use crate::relation::space::algebra::{Columns, Symmetric3, add_scaled, cross, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 
@@ -138,8 +138,10 @@ pub(super) fn spring_slope<T: Scalar>(phi: Vector3<T>, stiffness: Vector3<T>) ->
 #[inline(always)]
 pub(super) fn about<T: Scalar>(axis: Vector3<T>, angle: T) -> Columns<T> {
     let (sine, cosine) = angle.sin_cos();
-    let versine = axis * (T::one() - cosine);
-    let column = |e: Vector3<T>, along: T| cross_onto(axis * sine, e, add_scaled(e * cosine, along, versine));
-    let Columns { x, y, z } = Columns::identity();
-    Columns { x: column(x, axis.x), y: column(y, axis.y), z: column(z, axis.z) }
+    let (s, v) = (axis * sine, axis * (T::one() - cosine));
+    Columns {
+        x: Vector3::new(v.x.mul_add(axis.x, cosine), v.y.mul_add(axis.x, s.z), v.z.mul_add(axis.x, -s.y)),
+        y: Vector3::new(v.x.mul_add(axis.y, -s.z), v.y.mul_add(axis.y, cosine), v.z.mul_add(axis.y, s.x)),
+        z: Vector3::new(v.x.mul_add(axis.z, s.y), v.y.mul_add(axis.z, -s.x), v.z.mul_add(axis.z, cosine)),
+    }
 }

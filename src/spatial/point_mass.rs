@@ -1,7 +1,7 @@
 //! A point mass on a massless link.
 
 use super::inertia::{not_negative, positive};
-use super::{Body, Inertia, Pose};
+use super::{Body, Inertia, Pose, Turn};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::space::{Full, Relation};
@@ -45,6 +45,13 @@ impl<T: Scalar> Body<T> for PointMass<T> {
     fn lump(&mut self, mass: T) -> T {
         self.lumped = self.mass + mass;
         T::zero()
+    }
+
+    const AXES: bool = false;
+
+    #[inline(always)]
+    fn pose(&self, turn: &Turn<T>) -> Pose<T> {
+        Pose::with_arm(turn, turn.attitude.x * self.length)
     }
 
     #[inline(always)]

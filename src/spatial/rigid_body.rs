@@ -1,7 +1,7 @@
 //! A rigid body with its mass centre and its outboard end anywhere.
 
 use super::inertia::finite;
-use super::{Body, Inertia, Pose};
+use super::{Body, Inertia, Pose, Turn};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::space::algebra::Symmetric3;
@@ -55,13 +55,20 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
         self.inertia.mass
     }
 
+    const AXES: bool = true;
+
+    #[inline(always)]
+    fn pose(&self, turn: &Turn<T>) -> Pose<T> {
+        Pose::with_arm(turn, turn.attitude.apply(Vector3::from(self.outboard)))
+    }
+
     #[inline(always)]
     fn condense<R: Relation<T>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures> {
         outer
             .with_mass(self.lumped)
             .carried(pose.arm, pose.centripetal)
-            .with_first_moment(pose.attitude.apply(Vector3::from(self.moment)), pose.spin)
-            .with_inertia(self.about_inboard.turned(&pose.attitude), pose.spin)
+            .with_first_moment(pose.attitude.apply(Vector3::from(self.moment)), pose.turning)
+            .with_inertia(self.about_inboard.turned(&pose.attitude), pose.turning)
     }
 
     fn check(&self) -> Result<(), Fault> {

@@ -1,10 +1,10 @@
 //! A body that is alike around the line between its ends.
 
 use super::inertia::{not_negative, positive};
-use super::{Body, Inertia, Pose};
+use super::{Body, Inertia, Pose, Turn};
 use crate::error::Fault;
 use crate::lift::lift;
-use crate::relation::space::algebra::{Symmetric3, add_scaled, cross, dot};
+use crate::relation::space::algebra::{cross, dot};
 use crate::relation::space::{Full, Relation};
 use crate::scalar::{Real, Scalar};
 use num_traits::Zero;
@@ -77,14 +77,23 @@ impl<T: Scalar> Body<T> for Rod<T> {
         self.inner
     }
 
+    const AXES: bool = false;
+
     // J′ = J′⊥ 1 + (J∥ − J′⊥) d dᵀ / l², so that ω × J′ ω = (J∥ − J′⊥) (d·ω) ω × d / l².
     #[inline(always)]
+    fn pose(&self, turn: &Turn<T>) -> Pose<T> {
+        let pose = Pose::with_arm(turn, turn.attitude.x * self.length);
+        let share = dot(pose.arm, turn.spin) * self.excess;
+        Pose { turning: cross(turn.spin, pose.arm) * share, ..pose }
+    }
+
+    #[inline(always)]
     fn condense<R: Relation<T>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures> {
-        let (d, scaled) = (pose.arm, pose.arm * self.excess);
+        let d = pose.arm;
         let full = outer.with_mass(self.lumped).carried(d, pose.centripetal);
         Full {
-            angular: full.angular.plus(Symmetric3::diagonal(self.rest).plus_outer(d, scaled)),
-            torque: add_scaled(full.torque, dot(scaled, pose.spin), cross(pose.spin, d)),
+            angular: full.angular.plus_diagonal(self.rest).plus_outer(d, d * self.excess),
+            torque: full.torque + pose.turning,
             ..full
         }
     }

@@ -16,6 +16,12 @@ pub fn dot<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> T {
     a.x.mul_add(b.x, a.y.mul_add(b.y, a.z * b.z))
 }
 
+/// `sum` + a · b.
+#[inline(always)]
+pub fn dot_onto<T: Scalar>(a: Vector3<T>, b: Vector3<T>, sum: T) -> T {
+    a.x.mul_add(b.x, a.y.mul_add(b.y, a.z.mul_add(b.z, sum)))
+}
+
 /// a × b.
 #[inline(always)]
 pub fn cross<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
@@ -102,6 +108,12 @@ impl<T: Scalar> Columns<T> {
     #[inline(always)]
     pub fn plus(&self, other: Self) -> Self {
         Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
+    }
+
+    /// `sum` + Mᵀ v.
+    #[inline(always)]
+    pub fn transposed_onto(&self, v: Vector3<T>, sum: Vector3<T>) -> Vector3<T> {
+        Vector3::new(dot_onto(self.x, v, sum.x), dot_onto(self.y, v, sum.y), dot_onto(self.z, v, sum.z))
     }
 
     /// M N.

@@ -88,15 +88,17 @@ impl<T: Scalar, C: Closures> Relation<T> for Full<T, C> {
         let (k, h) = (self.coupling, self.angular);
         let coupling = levered(self.linear, d, k);
         // H + d~ K' + (d~ K)ᵀ
-        let (nx, ny, nz) = (cross(d, coupling.x), cross(d, coupling.y), cross(d, coupling.z));
-        let (kx, ky, kz) = (cross(d, k.x), cross(d, k.y), cross(d, k.z));
+        let n = &coupling;
+        let crossed_x = |v: Vector3<T>, sum: T| d.y.mul_add(v.z, (-d.z).mul_add(v.y, sum));
+        let crossed_y = |v: Vector3<T>, sum: T| d.z.mul_add(v.x, (-d.x).mul_add(v.z, sum));
+        let crossed_z = |v: Vector3<T>, sum: T| d.x.mul_add(v.y, (-d.y).mul_add(v.x, sum));
         let angular = Symmetric3 {
-            xx: h.xx + nx.x + kx.x,
-            xy: h.xy + nx.y + ky.x,
-            xz: h.xz + nx.z + kz.x,
-            yy: h.yy + ny.y + ky.y,
-            yz: h.yz + ny.z + kz.y,
-            zz: h.zz + nz.z + kz.z,
+            xx: crossed_x(k.x, crossed_x(n.x, h.xx)),
+            xy: crossed_x(k.y, crossed_y(n.x, h.xy)),
+            xz: crossed_x(k.z, crossed_z(n.x, h.xz)),
+            yy: crossed_y(k.y, crossed_y(n.y, h.yy)),
+            yz: crossed_y(k.z, crossed_z(n.y, h.yz)),
+            zz: crossed_z(k.z, crossed_z(n.z, h.zz)),
         };
         let force = self.linear.apply_onto(centripetal, self.force);
         Self {
@@ -104,7 +106,7 @@ impl<T: Scalar, C: Closures> Relation<T> for Full<T, C> {
             coupling,
             angular,
             force,
-            torque: cross_onto(d, force, self.torque + k.transposed(centripetal)),
+            torque: cross_onto(d, force, k.transposed_onto(centripetal, self.torque)),
             cuts: self.cuts.turned(
                 |w| FullColumn { force: w.force, torque: cross_onto(d, w.force, w.torque) },
                 |gap, w| gap - dot(w.force, centripetal),
@@ -139,7 +141,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
         let turned = self.turning(angular);
         Self {
             force: turned.linear.apply_onto(linear, turned.force),
-            torque: turned.torque + turned.coupling.transposed(linear),
+            torque: turned.coupling.transposed_onto(linear, turned.torque),
             cuts: turned.cuts.turned(|w| w, |gap, w| gap - dot(w.force, linear)),
             ..turned
         }

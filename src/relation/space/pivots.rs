@@ -4,7 +4,7 @@
 //! elimination changes S by one rank, in one triangle, and its pivot Δ = Φᵀ S Φ is the inertia of what lies outboard against that
 //! coordinate.
 
-use super::algebra::{Columns, Symmetric3, add_scaled, dot, is_finite, zero};
+use super::algebra::{Columns, Symmetric3, add_scaled, dot, dot_onto, is_finite, zero};
 use super::{Full, FullColumn, Point};
 use crate::relation::{Closures, Cuts, Open, Term};
 use crate::scalar::Scalar;
@@ -254,7 +254,7 @@ impl<T: Scalar, C: Closures> Pivot<T, C> {
     /// The acceleration of the coordinate where its station accelerates by (`linear`, `angular`).
     #[inline(always)]
     pub fn acceleration(&self, linear: Vector3<T>, angular: Vector3<T>, multipliers: &C::Each<T>) -> T {
-        let open = self.free + dot(self.per_linear, linear) + dot(self.per_angular, angular);
+        let open = dot_onto(self.per_linear, linear, dot_onto(self.per_angular, angular, self.free));
         C::plus_dot(open, &self.per_closure, multipliers)
     }
 }
