@@ -91,7 +91,7 @@ fn draw(readings: &[Reading]) -> Drawn<PathBuf> {
 
         // One metre is as long across as it is down.
         let title = "First swing (every 0.1 s) and paths of the ends, 4 s (m)";
-        let mut path = common::chart(&left, title, "", -1.1..1.1, -2.2..0.205)?;
+        let mut path = common::chart(&left, title, "", -1.25..1.25, -2.3..0.433)?;
         let swing: Vec<_> = readings.iter().take(71).step_by(10).collect();
         for (k, reading) in swing.iter().enumerate() {
             let share = k as f64 / (swing.len() - 1) as f64;

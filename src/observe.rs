@@ -70,6 +70,9 @@ impl<S: Space, E: Element<S>, X: Copy + fmt::Debug> fmt::Debug for PerBody<'_, S
 }
 
 /// Motion, internal force and torque at every station: the root, the inboard end of every element, the tip.
+///
+/// Where an arm leaves the chain, several elements begin at one place. Each has its own force there, and the body that carries them is
+/// loaded by their sum.
 #[derive(Clone)]
 pub struct Stations<'a, S: Space, E: Element<S>> {
     chain: &'a E,
