@@ -53,6 +53,7 @@ use crate::error::Error;
 pub use crate::loading::{Load, Loading, Unloaded};
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
 pub use crate::sweep::{Carrying, Explicit, Implicit, Springs, Sweep};
+pub use crate::visit::{Gather, Visit};
 
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
@@ -313,36 +314,3 @@ macro_rules! copy_references {
     )*};
 }
 copy_references!(Posture<>, Given<W: Sweep>, Coordinates<>);
-
-/// A visitor of [`Element::travel`].
-pub trait Visit<S: Space> {
-    /// Entry written for each body.
-    type OnBody: Copy;
-    /// Entry written for each joint.
-    type InJoint: Copy;
-
-    /// Meets a body.
-    fn body(&mut self, body: &S::BodyMotion) -> Self::OnBody;
-    /// Meets a joint.
-    fn joint(&mut self, joint: &S::JointMotion) -> Self::InJoint;
-
-    /// Leaves the chain for an arm of it.
-    fn enter_arm(&mut self) {}
-    /// Comes back to where that arm began.
-    fn leave_arm(&mut self) {}
-}
-
-/// A gatherer of [`Element::inward`]: internal forces that add up from the tips to the root, for example.
-pub trait Gather {
-    /// What it reads or writes of each body and joint.
-    type Entry: Copy;
-    /// What it carries inward.
-    type Carried: Copy;
-
-    /// Meets a body or a joint, with what comes from its outboard side; gives what goes on inward.
-    fn meet(&mut self, entry: &mut Self::Entry, outer: Self::Carried) -> Self::Carried;
-    /// What comes from beyond the tip of an arm.
-    fn beyond_arm(&mut self) -> Self::Carried;
-    /// What goes on inward where an arm joins the chain.
-    fn join(&mut self, chain: Self::Carried, arm: Self::Carried) -> Self::Carried;
-}

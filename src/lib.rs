@@ -37,7 +37,7 @@
 //! |---|---|
 //! | 0 | [`scalar`], errors, [`StateVector`] and [`TransferMatrix`] |
 //! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
-//! | 2 | [`space`], [`loading`], [`sweep`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions |
+//! | 2 | [`space`], [`loading`], [`sweep`], [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions |
 //! | 3 | [`chain`] (composition), [`counts`] |
 //! | 4 | [`planar`], [`spatial`] |
 //! | 5 | [`solve`], [`observe`] |
@@ -85,6 +85,7 @@ pub mod sweep;
 pub mod system;
 pub mod time;
 pub mod transfer;
+pub mod visit;
 
 pub use error::{Error, Fault, Place};
 pub use motion::Motion;

@@ -112,6 +112,8 @@ macro_rules! no_scene_allocates {
         let hinge = ElasticHinge::rotary(20.0);
         assert_eq!(in_steps(root, (rod, vec![(hinge, plate); 5]), &loads, $method)?, [0; 3], "hinges under loads");
         assert_eq!(in_steps(Free, (rod, vec![(Pin, plate); 5]), &Unloaded, $method)?, [0; 3], "floating vector");
+        let tree = (rod, vec![(Branch(vec![(hinge, rod); 2]), Pin, plate); 2]);
+        assert_eq!(in_steps(root, tree, &loads, $method)?, [0; 3], "tree under loads");
     }};
 }
 

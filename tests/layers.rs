@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 const FLOORS: [&[&str]; 8] = [
     &["scalar", "error", "state", "tuples"],
     &["mirror", "relation", "time", "lift", "dense"],
-    &["space", "loading", "sweep", "element", "ends", "transfer", "motion"],
+    &["space", "loading", "sweep", "visit", "element", "ends", "transfer", "motion"],
     &["chain", "counts"],
     &["planar", "spatial"],
     &["solve", "observe"],
