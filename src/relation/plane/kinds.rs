@@ -40,7 +40,8 @@ pub trait Relation<T: Scalar>: Copy {
     /// Adds a point mass (kg) at the station.
     fn with_mass(self, mass: T) -> Self::WithMass;
 
-    /// Moves the station inboard by −d on a rigid body, whose outboard end has the centripetal acceleration −ω² d:
+    /// Moves the station inboard by −d on a rigid body, whose outboard end has the centripetal acceleration −ω² d; where it slides
+    /// on the body, that of Coriolis is added, and what lies outboard is more than a lump:
     /// p_O = (a + α n − ω² d, α), hence F_I = Xᵀ F_O with X = [[1, n], [0, 1]].
     fn carried(self, d: Vector2<T>, centripetal: Vector2<T>) -> Full<T, Self::Closures>;
 }
@@ -80,7 +81,7 @@ impl<T: Scalar> Relation<T> for Lump<T> {
             coupling,
             angular: dot(n, coupling),
             force: centripetal * self.mass,
-            torque: T::zero(), // the centripetal force has no moment about the station: n · d = 0
+            torque: T::zero(), // only bodies meet lumps, and their centripetal force has no moment about the station: n · d = 0
             cuts: Cuts::none(),
         }
     }
