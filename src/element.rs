@@ -53,7 +53,7 @@ use crate::error::Error;
 pub use crate::loading::{Load, Loading, Unloaded};
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
 pub use crate::sweep::{Carrying, Explicit, Implicit, Springs, Sweep};
-pub use crate::visit::{Gather, Visit};
+pub use crate::visit::{Gather, Level, Visit, look};
 
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
@@ -204,6 +204,42 @@ pub trait Element<S: Space>: Clone {
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration;
+
+    /// How deep loops are nested inside.
+    const LOOPS: usize = 0;
+
+    /// `respond` where loops are to be closed: each finds the forces that move its ends together by what they miss each other at
+    /// this motion. Walks outward with complete kinematics too.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)] // two walks at once
+    fn restore<C: Closures>(
+        &self,
+        frame: S::Frame,
+        motion: Coordinates<'_, S, Self>,
+        level: Level,
+        acceleration: S::Acceleration,
+        posture: Posture<'_, S, Self>,
+        kept: &Self::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
+        rate: &mut Self::Rate,
+    ) -> (S::Frame, S::Acceleration) {
+        let _ = level;
+        let frame = look(self, frame, motion);
+        (frame, self.respond::<C>(acceleration, posture, kept, multipliers, rate))
+    }
+
+    /// Fails where the closures of a loop do not hold independently of each other, as the last sweep saw it. Walks outward with complete
+    /// kinematics.
+    fn independent<C: Closures>(
+        &self,
+        frame: S::Frame,
+        motion: Coordinates<'_, S, Self>,
+        kept: &Self::Kept<C>,
+        station: usize,
+    ) -> Result<S::Frame, Error> {
+        let _ = (kept, station);
+        Ok(look(self, frame, motion))
+    }
 
     /// Walks outward with complete kinematics and lets a visitor write an entry for each body and joint.
     fn travel<V: Visit<S>>(

@@ -6,7 +6,7 @@
 
 use crate::element::{Element, RealOf, Space};
 use crate::error::Error;
-use crate::relation::Closures;
+use crate::relation::{Closures, Solvable};
 
 /// Which of a conjugate pair an end makes known.
 pub trait Choice {
@@ -73,7 +73,7 @@ pub trait Tip<S: Space> {
     /// What is known of each conjugate pair.
     type Pairs: Pairs;
     /// Forces that hold it.
-    type Closures: Closures;
+    type Closures: Solvable;
     /// The relation it hands on.
     type Relation: Copy;
 

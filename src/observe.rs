@@ -144,6 +144,9 @@ impl<S: Space> Gather for Internals<S> {
     fn beyond_arm(&mut self) -> S::Internal {
         S::no_force()
     }
+    fn opposite(&mut self, closing: S::Internal) -> S::Internal {
+        S::opposite(closing)
+    }
     fn join(&mut self, chain: S::Internal, arm: S::Internal) -> S::Internal {
         S::together(chain, arm)
     }
@@ -272,5 +275,8 @@ impl<S: Space, L: Loading<S>> Visit<S> for Balance<'_, S, L> {
     }
     fn joint(&mut self, joint: &S::JointMotion) -> Option<S::Station> {
         Some(S::joint_station(joint))
+    }
+    fn closing(&mut self, joint: &S::JointMotion, internal: S::Internal) -> Option<S::Station> {
+        Some(S::closing_station(joint, internal))
     }
 }

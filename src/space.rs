@@ -37,6 +37,8 @@ pub trait Space: Copy + Debug + 'static {
     type BodyMotion: Copy + Debug;
     /// A joint and its motion at an instant.
     type JointMotion: Copy + Debug;
+    /// A column of W: the force and torque on the outboard part for a unit closure force.
+    type Column: Copy;
     /// The relation of a free tip.
     type Nothing: Copy + Default;
 
@@ -59,6 +61,12 @@ pub trait Space: Copy + Debug + 'static {
     fn no_force() -> Self::Internal;
     /// The sum of forces and torques at a station.
     fn together(a: Self::Internal, b: Self::Internal) -> Self::Internal;
+    /// The force and torque on the other side.
+    fn opposite(internal: Self::Internal) -> Self::Internal;
+    /// A column of nothing.
+    fn no_column() -> Self::Column;
+    /// w · p, a column's work on an acceleration.
+    fn work(column: Self::Column, acceleration: &Self::Acceleration) -> Self::Scalar;
     /// Gravity of magnitude g (m/s²) along −y.
     fn downward(g: Self::Scalar) -> Self::Vector;
     /// No gravity.
@@ -71,6 +79,8 @@ pub trait Space: Copy + Debug + 'static {
     fn body_station(body: &Self::BodyMotion, gravity: Self::Vector) -> Self::Station;
     /// The inboard station of a joint.
     fn joint_station(joint: &Self::JointMotion) -> Self::Station;
+    /// The inboard station of what closes a loop, which passes this force and torque on.
+    fn closing_station(joint: &Self::JointMotion, internal: Self::Internal) -> Self::Station;
     /// The station at the end of a chain.
     fn end_station(frame: &Self::Frame, internal: Self::Internal) -> Self::Station;
     /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.

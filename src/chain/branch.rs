@@ -1,7 +1,7 @@
 //! Arms that leave a chain.
 
 use crate::counts::Counted;
-use crate::element::{Carrying, Condense, Coordinates, Element, Gather, Given, Posture, Space, Sweep, Visit};
+use crate::element::{Carrying, Condense, Coordinates, Element, Gather, Given, Level, Posture, Space, Sweep, Visit};
 use crate::error::Error;
 use crate::lift::Lift;
 use crate::relation::{Closures, Join, Open};
@@ -163,6 +163,32 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     ) -> S::Acceleration {
         self.0.respond::<Open>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
         acceleration
+    }
+    const LOOPS: usize = A::LOOPS;
+    fn restore<C: Closures>(
+        &self,
+        frame: S::Frame,
+        Coordinates { position, rate, acceleration: at }: Coordinates<'_, S, Self>,
+        level: Level,
+        acceleration: S::Acceleration,
+        Posture { x, y, p, q }: Posture<'_, S, Self>,
+        kept: &A::Kept<Open>,
+        _: &C::Each<S::Scalar>,
+        step: &mut Self::Rate,
+    ) -> (S::Frame, S::Acceleration) {
+        let (motion, posture) = (Coordinates { position, rate, acceleration: at }, Posture { x, y, p, q });
+        self.0.restore::<Open>(frame, motion, level, acceleration, posture, kept, &(), step);
+        (frame, acceleration)
+    }
+    fn independent<C: Closures>(
+        &self,
+        frame: S::Frame,
+        Coordinates { position, rate, acceleration }: Coordinates<'_, S, Self>,
+        kept: &A::Kept<Open>,
+        station: usize,
+    ) -> Result<S::Frame, Error> {
+        self.0.independent::<Open>(frame, Coordinates { position, rate, acceleration }, kept, station)?;
+        Ok(frame)
     }
     #[inline(always)]
     fn travel<V: Visit<S>>(

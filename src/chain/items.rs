@@ -4,7 +4,7 @@
 use super::poses::pose_slices;
 use super::poses::{march, orient_items, pose_items, resolve_items};
 use super::{product, sum};
-use crate::element::{Condense, Coordinates, Element, Gather, Given, Posture, Space, Sweep, Visit};
+use crate::element::{Condense, Coordinates, Element, Gather, Given, Level, Posture, Space, Sweep, Visit};
 use crate::error::Error;
 use crate::relation::{Closures, Promote};
 
@@ -40,6 +40,17 @@ fn locate<A>(items: &[A], each: Option<usize>, count: impl Fn(&A) -> usize, k: u
         k -= n;
     }
     None
+}
+
+/// The coordinates of an item.
+macro_rules! item_motion {
+    ($motion:ident, $i:ident) => {
+        Coordinates {
+            position: &$motion.position[$i],
+            rate: &$motion.rate[$i],
+            acceleration: &$motion.acceleration[$i],
+        }
+    };
 }
 
 /// One implementation for arrays and vectors, `$Of<item $extra>`.
@@ -201,6 +212,42 @@ macro_rules! chain_items {
                     acceleration = items[i].respond(acceleration, posture, &kept[i], multipliers, &mut rate[i]);
                 }
                 acceleration
+            }
+            const LOOPS: usize = A::LOOPS;
+            fn restore<C: Closures>(
+                &self,
+                frame: S::Frame,
+                motion: Coordinates<'_, S, Self>,
+                level: Level,
+                acceleration: S::Acceleration,
+                posture: Posture<'_, S, Self>,
+                kept: &Self::Kept<C>,
+                multipliers: &C::Each<S::Scalar>,
+                rate: &mut Self::Rate,
+            ) -> (S::Frame, S::Acceleration) {
+                let Posture { x, y, p, q } = posture;
+                let (mut frame, mut acceleration) = (frame, acceleration);
+                for (i, item) in self.iter().enumerate() {
+                    let motion = item_motion!(motion, i);
+                    let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
+                    (frame, acceleration) =
+                        item.restore(frame, motion, level, acceleration, posture, &kept[i], multipliers, &mut rate[i]);
+                }
+                (frame, acceleration)
+            }
+            fn independent<C: Closures>(
+                &self,
+                frame: S::Frame,
+                motion: Coordinates<'_, S, Self>,
+                kept: &Self::Kept<C>,
+                station: usize,
+            ) -> Result<S::Frame, Error> {
+                let (mut frame, mut station) = (frame, station);
+                for (i, item) in self.iter().enumerate() {
+                    frame = item.independent(frame, item_motion!(motion, i), &kept[i], station)?;
+                    station += item.bodies() + item.joints();
+                }
+                Ok(frame)
             }
             #[inline]
             fn travel<V: Visit<S>>(

@@ -7,10 +7,12 @@
 
 mod branch;
 mod items;
+mod network;
 mod poses;
 mod tuple;
 
 pub use branch::Branch;
+pub use network::{CloseOff, Closing, Network};
 
 /// `a + b` of counts that types may or may not decide.
 const fn sum(a: Option<usize>, b: Option<usize>) -> Option<usize> {
@@ -18,6 +20,11 @@ const fn sum(a: Option<usize>, b: Option<usize>) -> Option<usize> {
         (Some(a), Some(b)) => Some(a + b),
         _ => None,
     }
+}
+
+/// The larger depth.
+const fn deeper(a: usize, b: usize) -> usize {
+    if a > b { a } else { b }
 }
 
 /// `a · b` of a count that types may or may not decide.

@@ -1,7 +1,7 @@
 //! Tuples of elements.
 
-use super::sum;
-use crate::element::{Condense, Coordinates, Element, Gather, Given, Posture, Space, Sweep, Visit};
+use super::{deeper, sum};
+use crate::element::{Condense, Coordinates, Element, Gather, Given, Level, Posture, Space, Sweep, Visit};
 use crate::error::Error;
 use crate::relation::Closures;
 use crate::tuples::for_each_tuple;
@@ -214,6 +214,61 @@ macro_rules! chain_of {
                     &mut rate.$i,
                 );)*
                 acceleration
+            }
+            const LOOPS: usize = {
+                let deepest = 0;
+                $(let deepest = deeper(deepest, $A::LOOPS);)*
+                deepest
+            };
+            fn restore<Cuts: Closures>(
+                &self,
+                frame: S::Frame,
+                motion: Coordinates<'_, S, Self>,
+                level: Level,
+                acceleration: S::Acceleration,
+                posture: Posture<'_, S, Self>,
+                kept: &Self::Kept<Cuts>,
+                multipliers: &Cuts::Each<S::Scalar>,
+                rate: &mut Self::Rate,
+            ) -> (S::Frame, S::Acceleration) {
+                $(let (frame, acceleration) = self.$i.restore(
+                    frame,
+                    Coordinates {
+                        position: &motion.position.$i,
+                        rate: &motion.rate.$i,
+                        acceleration: &motion.acceleration.$i,
+                    },
+                    level,
+                    acceleration,
+                    Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
+                    &kept.$i,
+                    multipliers,
+                    &mut rate.$i,
+                );)*
+                (frame, acceleration)
+            }
+            fn independent<Cuts: Closures>(
+                &self,
+                frame: S::Frame,
+                motion: Coordinates<'_, S, Self>,
+                kept: &Self::Kept<Cuts>,
+                station: usize,
+            ) -> Result<S::Frame, Error> {
+                $(
+                    let frame = self.$i.independent(
+                        frame,
+                        Coordinates {
+                            position: &motion.position.$i,
+                            rate: &motion.rate.$i,
+                            acceleration: &motion.acceleration.$i,
+                        },
+                        &kept.$i,
+                        station,
+                    )?;
+                    let station = station + self.$i.bodies() + self.$i.joints();
+                )*
+                let _ = station;
+                Ok(frame)
             }
             #[inline]
             fn travel<V: Visit<S>>(

@@ -10,7 +10,10 @@
 
 mod items;
 mod number;
+mod tied;
 mod tuple;
+
+pub use tied::{Tied, TiedPosition};
 
 use crate::scalar::Scalar;
 

@@ -4,7 +4,7 @@ use super::{Acceleration, Planar};
 use crate::element::Close;
 use crate::relation::plane::algebra::dot;
 use crate::relation::plane::{Empty, Full, Point};
-use crate::relation::{Closures, Open};
+use crate::relation::{Open, Solvable};
 use crate::scalar::Scalar;
 
 impl<T: Scalar> Close<Planar<T>, Open> for Empty {
@@ -14,7 +14,7 @@ impl<T: Scalar> Close<Planar<T>, Open> for Empty {
     fn compliance(&self) {}
 }
 
-impl<T: Scalar, M: Copy, C: Closures> Close<Planar<T>, C> for Point<T, M, C> {
+impl<T: Scalar, M: Copy, C: Solvable> Close<Planar<T>, C> for Point<T, M, C> {
     #[inline(always)]
     fn multipliers(&self, root: &Acceleration<T>) -> C::Each<T> {
         let cuts = &self.cuts;
@@ -27,7 +27,7 @@ impl<T: Scalar, M: Copy, C: Closures> Close<Planar<T>, C> for Point<T, M, C> {
     }
 }
 
-impl<T: Scalar, C: Closures> Close<Planar<T>, C> for Full<T, C> {
+impl<T: Scalar, C: Solvable> Close<Planar<T>, C> for Full<T, C> {
     #[inline(always)]
     fn multipliers(&self, root: &Acceleration<T>) -> C::Each<T> {
         let cuts = &self.cuts;

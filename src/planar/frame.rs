@@ -2,8 +2,8 @@
 
 use super::{Inertia, Station};
 use crate::element::{Budget, Space, SpaceOver};
-use crate::relation::plane::Empty;
 use crate::relation::plane::algebra::{add_scaled, cross, dot, normal};
+use crate::relation::plane::{Empty, FullColumn};
 use crate::scalar::{Real, Scalar};
 use core::fmt;
 use core::marker::PhantomData;
@@ -221,6 +221,7 @@ impl<T: Scalar> Space for Planar<T> {
     type Moment = T;
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
+    type Column = FullColumn<T>;
     type Nothing = Empty;
 
     fn blank() -> (T, T, T, T) {
@@ -253,6 +254,16 @@ impl<T: Scalar> Space for Planar<T> {
     fn together(a: Internal<T>, b: Internal<T>) -> Internal<T> {
         Internal { force: a.force + b.force, torque: a.torque + b.torque }
     }
+    fn opposite(internal: Internal<T>) -> Internal<T> {
+        Internal { force: -internal.force, torque: -internal.torque }
+    }
+    fn no_column() -> FullColumn<T> {
+        FullColumn { force: zero(), torque: T::zero() }
+    }
+    #[inline(always)]
+    fn work(column: FullColumn<T>, acceleration: &Acceleration<T>) -> T {
+        column.torque.mul_add(acceleration.angular, dot(column.force, acceleration.linear))
+    }
     fn downward(g: T) -> Vector2<T> {
         Vector2::new(T::zero(), -g)
     }
@@ -273,6 +284,9 @@ impl<T: Scalar> Space for Planar<T> {
     }
     fn joint_station(joint: &JointMotion<T>) -> Station<T> {
         Station::of_joint(joint)
+    }
+    fn closing_station(joint: &JointMotion<T>, internal: Internal<T>) -> Station<T> {
+        Station::of_closing(joint, internal)
     }
     fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
         Station::at_end(*frame, internal)

@@ -27,6 +27,12 @@ pub struct RigidBody<T> {
 }
 
 impl<T: Scalar> RigidBody<T> {
+    /// A body without mass that reaches to an outboard end (m, body axes): a distance between two joints that turns with them, or
+    /// from the ground to a joint.
+    pub fn massless(outboard: [T; 2]) -> Self {
+        Self::new(T::zero(), T::zero(), [T::zero(); 2], outboard)
+    }
+
     /// A body with mass (kg), moment of inertia about its mass centre (kg·m²), mass centre and outboard end (m, body axes).
     pub fn new(mass: T, about_centre: T, centre: [T; 2], outboard: [T; 2]) -> Self {
         let [x, y] = centre;

@@ -52,6 +52,12 @@ impl<T: Scalar> Station<T> {
         Self { arm: joint.arm, ..Self::massless(joint.inboard) }
     }
 
+    /// The inboard side of what closes a loop, which passes a force and torque on.
+    pub(super) fn of_closing(joint: &JointMotion<T>, internal: Internal<T>) -> Self {
+        let station = Self::massless(joint.inboard);
+        Self { inertia_force: internal.force, inertia_torque: -internal.torque, ..station }
+    }
+
     /// The end of a chain, with its force and torque.
     pub(super) fn at_end(frame: Frame<T>, internal: Internal<T>) -> Self {
         Self { internal, ..Self::massless(frame) }

@@ -27,6 +27,11 @@ impl<T: Scalar> Weld<T> {
     pub fn at(angle: T) -> Self {
         Self { angle }
     }
+
+    /// That angle (rad).
+    pub fn angle(&self) -> T {
+        self.angle
+    }
 }
 
 impl<T: Scalar> Joint<T> for Weld<T> {

@@ -33,6 +33,10 @@ pub trait Closures: Copy + 'static {
     fn minus_outer<T: Scalar>(pairs: &Self::Pairs<T>, a: &Self::Each<T>, b: &Self::Each<T>) -> Self::Pairs<T>;
     /// `sum − a · b`.
     fn plus_dot<T: Scalar>(sum: T, a: &Self::Each<T>, b: &Self::Each<T>) -> T;
+}
+
+/// Closure forces that can be found from their own equations.
+pub trait Solvable: Closures {
     /// A closure that depends on others, if there is one, and how many are independent: where pivots of Λ vanish, measured by what
     /// the last body would yield to each force if it were free.
     fn dependent<T: Scalar>(compliance: &Self::Pairs<T>, measure: &Self::Each<T>) -> Option<(usize, usize)>;
@@ -45,9 +49,6 @@ pub trait Closures: Copy + 'static {
 pub struct Open;
 
 impl Closures for Open {
-    fn dependent<T: Scalar>((): &(), (): &()) -> Option<(usize, usize)> {
-        None
-    }
     type Each<X: Copy> = ();
     type Pairs<T: Copy> = ();
     const COUNT: usize = 0;
@@ -66,6 +67,12 @@ impl Closures for Open {
     fn plus_dot<T: Scalar>(sum: T, (): &(), (): &()) -> T {
         sum
     }
+}
+
+impl Solvable for Open {
+    fn dependent<T: Scalar>((): &(), (): &()) -> Option<(usize, usize)> {
+        None
+    }
     #[inline(always)]
     fn solve<T: Scalar>((): &(), (): &()) {}
 }
@@ -75,10 +82,6 @@ impl Closures for Open {
 pub struct Cut<const L: usize>;
 
 impl<const L: usize> Closures for Cut<L> {
-    fn dependent<T: Scalar>(compliance: &[[T; L]; L], measure: &[T; L]) -> Option<(usize, usize)> {
-        let real = |x: T| x.real().as_f64();
-        dependent_row(compliance.map(|row| row.map(real)), measure.map(real), T::Real::EPSILON.as_f64())
-    }
     type Each<X: Copy> = [X; L];
     type Pairs<T: Copy> = [[T; L]; L];
     const COUNT: usize = L;
@@ -108,6 +111,13 @@ impl<const L: usize> Closures for Cut<L> {
     #[inline(always)]
     fn plus_dot<T: Scalar>(sum: T, a: &[T; L], b: &[T; L]) -> T {
         (0..L).fold(sum, |sum, j| a[j].mul_add(b[j], sum))
+    }
+}
+
+impl<const L: usize> Solvable for Cut<L> {
+    fn dependent<T: Scalar>(compliance: &[[T; L]; L], measure: &[T; L]) -> Option<(usize, usize)> {
+        let real = |x: T| x.real().as_f64();
+        dependent_row(compliance.map(|row| row.map(real)), measure.map(real), T::Real::EPSILON.as_f64())
     }
     #[inline(always)]
     fn solve<T: Scalar>(compliance: &[[T; L]; L], b: &[T; L]) -> [T; L] {

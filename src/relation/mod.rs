@@ -9,11 +9,13 @@
 //! antisymmetric rounding doubles with every body (a chain of 60 is lost); stored as a triangle it holds at 100 000.
 
 mod closure;
+mod looped;
 pub mod plane;
 mod redundancy;
 pub mod space;
 
-pub use closure::{Closures, Cut, Cuts, Open};
+pub use closure::{Closures, Cut, Cuts, Open, Solvable};
+pub use looped::{Carry, LoopGain, Looped, Own, Settle, Twisted};
 
 use crate::scalar::Scalar;
 use core::fmt::Debug;
@@ -77,6 +79,30 @@ impl<T: Scalar> Term<T> for T {
     #[inline(always)]
     fn take_from(self, sum: T) -> T {
         sum - self
+    }
+}
+
+/// A term whose opposite is one too: the torque in a joint, and what it does on the other side.
+pub trait Reacting: Copy {
+    /// The opposite.
+    type Reaction: Copy;
+    /// −self.
+    fn reaction(self) -> Self::Reaction;
+}
+
+impl Reacting for Absent {
+    type Reaction = Self;
+    #[inline(always)]
+    fn reaction(self) -> Self {
+        self
+    }
+}
+
+impl<T: Scalar> Reacting for T {
+    type Reaction = Minus<T>;
+    #[inline(always)]
+    fn reaction(self) -> Minus<T> {
+        Minus(self)
     }
 }
 

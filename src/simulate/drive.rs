@@ -5,7 +5,6 @@ use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
-use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::Dynamics;
@@ -47,7 +46,7 @@ where
     pub(super) fn drive(&mut self, end: RealOf<S>) -> Result<(), Error> {
         let system = self.plan.system;
         system.accept(&self.past)?;
-        if P::Closures::COUNT > 0 {
+        if System::<S, R, C, P>::CLOSED > 0 {
             // Whether they are independent, once.
             system.accelerate(&mut self.next, self.plan.loads, &mut system.workspace())?;
         }

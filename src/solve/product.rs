@@ -130,6 +130,7 @@ impl<S: Exact<N>, F: FnMut(usize, &TransferMatrix<S::Scalar, N>), const N: usize
         (self.each)(self.number - 1, &matrix);
     }
     fn beyond_arm(&mut self) {}
+    fn opposite(&mut self, (): ()) {}
     fn join(&mut self, (): (), (): ()) {
         // The state at the tip of the chain is a function of that at its root, but no product of its elements' matrices.
         let error = Error::new(Fault::Unsupported { what: "a chain that branches" });

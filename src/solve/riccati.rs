@@ -4,9 +4,9 @@
 //! of what lies outboard about a joint.
 
 use crate::element::{
-    Close, Condense, Coordinates, Element, Given, InJoint, Loading, OnBody, Posture, RealOf, Space, Sweep, Visit,
+    Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, RealOf, Space, Sweep, Visit,
 };
-use crate::relation::{Closures, Part};
+use crate::relation::{Closures, Part, Solvable};
 use num_traits::Zero;
 
 /// Room for the sweeps of one scene: reused, never reallocated.
@@ -45,7 +45,7 @@ impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
             kept: chain.kept(),
             multipliers: W::Closures::each(|_| S::Scalar::zero()),
             compliance: W::Closures::no_pairs(),
-            correction: (W::Closures::COUNT > 0).then(|| chain.rate()),
+            correction: (W::Closures::COUNT + E::LOOPS > 0).then(|| chain.rate()),
         }
     }
 }
@@ -114,18 +114,26 @@ pub fn sweep<S: Space, E, W, R>(
     chain.recover::<W::Closures>(root, posture, kept, multipliers, acceleration);
 }
 
-/// The correction of joint coordinates that moves the tip by −`miss`, through the gains and the Λ of the last sweep: the least
-/// one, measured by the inertia (and the stiffness, if the sweep was implicit) that those stand for.
-pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S>>(
+/// The correction of joint coordinates that moves the tip by −`miss` and closes loops, through the gains and the Λ of the last sweep:
+/// the least one, measured by the inertia (and the stiffness, if the sweep was implicit) that those stand for. A loop closes without moving
+/// the station where it begins.
+pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S, Closures: Solvable>>(
     chain: &E,
-    workspace: &'w mut Workspace<S, E, W>,
+    ground: S::Frame,
+    motion: Coordinates<'_, S, E>,
+    level: Level,
     miss: &<W::Closures as Closures>::Each<S::Scalar>,
+    workspace: &'w mut Workspace<S, E, W>,
 ) -> Option<&'w E::Rate> {
     let Workspace { x, y, p, q, kept, compliance, correction, .. } = workspace;
     let correction = correction.as_mut()?;
     let force = W::Closures::solve(compliance, &W::Closures::map(miss, |miss| -miss));
-    let posture = Posture { x, y, p, q };
-    chain.respond::<W::Closures>(S::no_acceleration(), posture, kept, &force, correction);
+    let (still, posture) = (S::no_acceleration(), Posture { x, y, p, q });
+    if const { E::LOOPS == 0 } {
+        chain.respond::<W::Closures>(still, posture, kept, &force, correction);
+    } else {
+        chain.restore::<W::Closures>(ground, motion, level, still, posture, kept, &force, correction);
+    }
     Some(correction)
 }
 

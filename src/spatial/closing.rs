@@ -4,7 +4,7 @@ use super::{Acceleration, Spatial};
 use crate::element::Close;
 use crate::relation::space::algebra::dot;
 use crate::relation::space::{Empty, Full, FullColumn, Point};
-use crate::relation::{Closures, Open};
+use crate::relation::{Open, Solvable};
 use crate::scalar::Scalar;
 
 impl<T: Scalar> Close<Spatial<T>, Open> for Empty {
@@ -14,7 +14,7 @@ impl<T: Scalar> Close<Spatial<T>, Open> for Empty {
     fn compliance(&self) {}
 }
 
-impl<T: Scalar, M: Copy, C: Closures> Close<Spatial<T>, C> for Point<T, M, C> {
+impl<T: Scalar, M: Copy, C: Solvable> Close<Spatial<T>, C> for Point<T, M, C> {
     #[inline(always)]
     fn multipliers(&self, root: &Acceleration<T>) -> C::Each<T> {
         let cuts = &self.cuts;
@@ -27,7 +27,7 @@ impl<T: Scalar, M: Copy, C: Closures> Close<Spatial<T>, C> for Point<T, M, C> {
     }
 }
 
-impl<T: Scalar, C: Closures> Close<Spatial<T>, C> for Full<T, C> {
+impl<T: Scalar, C: Solvable> Close<Spatial<T>, C> for Full<T, C> {
     #[inline(always)]
     fn multipliers(&self, root: &Acceleration<T>) -> C::Each<T> {
         let cuts = &self.cuts;

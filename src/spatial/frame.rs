@@ -2,8 +2,8 @@
 
 use super::{Inertia, Rotation, Station};
 use crate::element::{Budget, Space, SpaceOver};
-use crate::relation::space::Empty;
 use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot, is_finite, zero};
+use crate::relation::space::{Empty, FullColumn};
 use crate::scalar::{Real, Scalar};
 use core::fmt;
 use core::marker::PhantomData;
@@ -210,6 +210,7 @@ impl<T: Scalar> Space for Spatial<T> {
     type Moment = Vector3<T>;
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
+    type Column = FullColumn<T>;
     type Nothing = Empty;
 
     fn blank() -> (Columns<T>, [Vector3<T>; 2], Vector3<T>, Vector3<T>) {
@@ -239,6 +240,16 @@ impl<T: Scalar> Space for Spatial<T> {
     fn together(a: Internal<T>, b: Internal<T>) -> Internal<T> {
         Internal { force: a.force + b.force, torque: a.torque + b.torque }
     }
+    fn opposite(internal: Internal<T>) -> Internal<T> {
+        Internal { force: -internal.force, torque: -internal.torque }
+    }
+    fn no_column() -> FullColumn<T> {
+        FullColumn { force: zero(), torque: zero() }
+    }
+    #[inline(always)]
+    fn work(column: FullColumn<T>, acceleration: &Acceleration<T>) -> T {
+        dot(column.force, acceleration.linear) + dot(column.torque, acceleration.angular)
+    }
     fn downward(g: T) -> Vector3<T> {
         Vector3::new(T::zero(), -g, T::zero())
     }
@@ -259,6 +270,9 @@ impl<T: Scalar> Space for Spatial<T> {
     }
     fn joint_station(joint: &JointMotion<T>) -> Station<T> {
         Station::of_joint(joint)
+    }
+    fn closing_station(joint: &JointMotion<T>, internal: Internal<T>) -> Station<T> {
+        Station::of_closing(joint, internal)
     }
     fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
         Station::at_end(*frame, internal)

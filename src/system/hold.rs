@@ -4,7 +4,7 @@ use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
-use crate::relation::Closures;
+use crate::relation::{Closures, Solvable};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Dynamics, MotionOf, Runs, System};
 use num_traits::{One, Zero};
@@ -56,7 +56,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<L, S, R, C, P>,
     {
         self.accelerate(motion, loads, workspace)?;
-        if P::Closures::COUNT == 0 {
+        if Self::CLOSED == 0 {
             return Ok(());
         }
         let real = RealOf::<S>::of;

@@ -2,13 +2,13 @@
 
 use super::dynamics::{Dynamics, Held, Runs, StiffDynamics};
 use crate::element::{
-    Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Loading, RealOf, Space, Sweep, Visit,
+    Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Level, Loading, RealOf, Space, Sweep, look,
 };
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::observe::{each_body, last_body};
-use crate::relation::Closures;
+use crate::relation::{Closures, Solvable};
 use crate::scalar::{Real, Scalar};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
@@ -58,10 +58,15 @@ where
     }
 
     fn independent(&self, motion: &MotionOf<S, R, C, P>, workspace: &Self::Workspace) -> Result<(), Error> {
+        let ground = self.root.ground(motion.time);
+        if const { <Elements<S, R, C> as Element<S>>::LOOPS > 0 } {
+            self.chain
+                .independent::<P::Closures>(ground, coordinates(motion), &workspace.kept, 0)
+                .map_err(|error| error.at_time(motion.time.as_f64()))?;
+        }
         if P::Closures::COUNT == 0 {
             return Ok(());
         }
-        let ground = self.root.ground(motion.time);
         let last = last_body(&self.chain, ground, coordinates(motion));
         let measure = last.map(|body| self.tip.free_compliance(motion.time, &body));
         let dependent = measure.and_then(|measure| P::Closures::dependent(workspace.compliance(), &measure));
@@ -173,43 +178,40 @@ where
 }
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// How deep closures are nested: loops, and the ground to which a tip is held.
+    pub(crate) const CLOSED: usize = C::LOOPS + (P::Closures::COUNT > 0) as usize;
+
     fn project_by<W: Sweep<S, Closures = P::Closures>>(
         &self,
         motion: &mut MotionOf<S, R, C, P>,
         workspace: &mut Workspace<S, Elements<S, R, C>, W>,
     ) {
-        // A constant, so that a compiler does not even look at what follows where the tip is free.
-        if const { P::Closures::COUNT == 0 } {
+        // A constant, so that a compiler does not even look at what follows where nothing is closed.
+        if const { Self::CLOSED == 0 } {
             return;
         }
-        // The gains belong to a configuration nearby, so one correction leaves an error of second order: two passes.
-        for _ in 0..2 {
+        // The gains belong to a configuration nearby, so one correction leaves an error of second order: twice. And where loops are
+        // nested, an outer one closes by what inner ones miss no more.
+        for _ in 0..=Self::CLOSED {
             let [place, _] = self.miss(motion);
-            if let Some(step) = correction(&self.chain, workspace, &place) {
+            let ground = self.root.ground(motion.time);
+            if let Some(step) = correction(&self.chain, ground, coordinates(motion), Level::Place, &place, workspace) {
                 motion.position.displace(step);
             }
         }
-        let [_, velocity] = self.miss(motion);
-        if let Some(step) = correction(&self.chain, workspace, &velocity) {
-            motion.rate.add(step);
+        for _ in 0..Self::CLOSED {
+            let [_, velocity] = self.miss(motion);
+            let ground = self.root.ground(motion.time);
+            let level = Level::Velocity;
+            if let Some(step) = correction(&self.chain, ground, coordinates(motion), level, &velocity, workspace) {
+                motion.rate.add(step);
+            }
         }
     }
 
     /// By how much the tip misses its place and velocity.
     pub(super) fn miss(&self, motion: &MotionOf<S, R, C, P>) -> [<P::Closures as Closures>::Each<S::Scalar>; 2] {
-        let (mut bodies, mut joints) = (self.chain.per_body(()), self.chain.per_joint(()));
-        let ground = self.root.ground(motion.time);
-        let frame = self.chain.travel(ground, coordinates(motion), &mut Look, &mut bodies, &mut joints);
+        let frame = look(&self.chain, self.root.ground(motion.time), coordinates(motion));
         self.tip.miss(motion.time, &frame)
     }
-}
-
-/// Looks at nothing: for the frame at the end of the walk.
-struct Look;
-
-impl<S: Space> Visit<S> for Look {
-    type OnBody = ();
-    type InJoint = ();
-    fn body(&mut self, _: &S::BodyMotion) {}
-    fn joint(&mut self, _: &S::JointMotion) {}
 }

@@ -8,7 +8,7 @@ mod guided;
 mod pinned;
 
 pub use clamped::{Attitude, Clamped, Turning};
-use compliance::Compliance;
+pub(super) use compliance::Compliance;
 pub use free::{Floating, Free};
 pub use ground::{Ground, GroundMotion, Moving};
 pub use guided::Guided;

@@ -14,6 +14,7 @@ pub mod algebra;
 mod full;
 mod join;
 mod kinds;
+mod looped;
 mod slide;
 
 pub use full::{Full, FullColumn, Gain, HingeGain, Rigid};

@@ -1,0 +1,423 @@
+//! Arms in parallel, between two stations.
+
+use super::{deeper, sum};
+use crate::element::{
+    Carrying, Condense, Coordinates, Element, Gather, Given, InJoint, Level, Posture, Space, Sweep, Visit, look,
+};
+use crate::error::{Error, Fault};
+use crate::lift::Lift;
+use crate::mirror::{Tied, TiedPosition};
+use crate::observe::last_body;
+use crate::relation::{Closures, LoopGain, Looped, Own, Settle, Solvable};
+use crate::scalar::Scalar;
+use core::ops::Add;
+use typenum::{Sum, Unsigned};
+
+/// A joint that can close a loop: it holds the ends of two arms together.
+///
+/// What it holds does not depend on where the scene is, so that it needs no walk of its own.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot close a loop in `{S}`",
+    label = "not a joint that closes loops",
+    note = "in the plane `Pin` and `Weld` do, in space `Ball` and `Weld`: cut the loop at one of these"
+)]
+pub trait Closing<S: Space>: Clone {
+    /// Its closure forces, ON the last body of the side arm.
+    type Closures: Own;
+
+    /// The joint and its motion: from the side arm to the main one.
+    fn joint(&self, side: &S::Frame, main: &S::Frame) -> S::JointMotion;
+    /// The force and torque that it passes on.
+    fn internal(&self, forces: &<Self::Closures as Closures>::Each<S::Scalar>) -> S::Internal;
+    /// By how much the end of the side arm misses that of the main one, in place and in velocity.
+    fn miss(&self, side: &S::Frame, main: &S::Frame) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
+    /// How much the outboard end of a free body would yield to each of the forces.
+    fn free_compliance(&self, body: &S::BodyMotion) -> <Self::Closures as Closures>::Each<S::Scalar>;
+    /// What each of the forces holds, for messages.
+    fn names(&self) -> <Self::Closures as Closures>::Each<&'static str>;
+    /// Rejects parameters that make no mechanics.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn check(&self) -> Result<(), Fault>;
+}
+
+/// A joint that closes a loop where the chain hands on `R`, and a torque of type `Q` acts in it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot close a loop where the chain hands on `{R}`",
+    label = "this joint does not hold the two arms together here"
+)]
+pub trait CloseOff<S: Space, R, Q>: Closing<S> {
+    /// What the main arm meets.
+    type Main: Copy;
+    /// What the side arm meets.
+    type Side: Copy;
+    /// Cuts the loop.
+    fn close_off(&self, outer: R, torque: Q) -> (Self::Main, Self::Side);
+}
+
+/// Two arms in parallel: both begin at this station, and end at the same one, where the chain goes on from the main arm. The side arm
+/// is joined to the end of the main arm by a joint of its own, which closes the loop: a `Pin` or `Weld` in the plane, a `Ball` or
+/// `Weld` in space.
+///
+/// ```
+/// use catena::element::Unloaded;
+/// use catena::planar::*;
+/// let rod = Rod::uniform(0.5, 1.0); // length (m), mass (kg)
+/// // A rod, and from its end two pairs of rods that meet again.
+/// let net = System::new(Pinned::origin(), (rod, Network::new((Pin, rod, Pin, rod), (Pin, rod, Pin, rod), Pin)), Free)?;
+/// let net = net.with_gravity(9.81);
+/// let start = net.at_rest(&[-1.5, -1.0, -2.0, -2.0, -1.0])?; // absolute angles (rad): the rod, the main arm, the side arm
+/// let start = net.with_tip_held(start, &Unloaded)?; // closes the loop to the last digit, if it is not
+/// let run = net.simulate(start, Rk4::step(1e-3), 0.1, |_| ())?;
+/// # Ok::<(), catena::Error>(())
+/// ```
+///
+/// Three arms are a network whose main or side arm is a network. Arms may carry branches, loops and springs, and begin with a joint or
+/// a body. An arm that comes back to its own body is a `ClosedLoop`. A loop through the ground has its arms begin there: at a
+/// root `Clamped` to the ground, with massless bodies ([`RigidBody::massless`](crate::planar::RigidBody::massless)) that reach to where each arm is held.
+///
+/// The forces that close a loop are eliminated where the loop begins: it costs nothing outside of it. They must be independent of each other
+/// *within the loop*; if not, [`Fault::RedundantClosures`] names one. Forces and station of the closing joint
+/// come after those of both arms: bodies, joints, stations and coordinates are numbered main arm, side arm, closing joint, what
+/// follows. The force at its station is that which the side arm passes on to the main arm, and positive as in any joint of the side arm.
+///
+/// Motions keep the coordinates of both arms, more than there are freedoms: steps keep them closed by projection of positions and
+/// rates through the gains of the sweep. An end of an arm between a joint and the closing joint must have inertia, as
+/// everywhere: cut a loop at a smooth joint, and let springs sit elsewhere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Network<M, A, K> {
+    arms: (M, A),
+    closing: K,
+}
+
+impl<M, A, K> Network<M, A, K> {
+    /// A main arm, from whose end the chain goes on, a side arm, and the joint of the latter to the end of the former.
+    pub const fn new(main: M, side: A, closing: K) -> Self {
+        Self { arms: (main, side), closing }
+    }
+
+    /// The main arm.
+    pub fn main(&self) -> &M {
+        &self.arms.0
+    }
+
+    /// The side arm.
+    pub fn side(&self) -> &A {
+        &self.arms.1
+    }
+}
+
+/// Closure forces of the loop.
+type OwnOf<S, K> = <K as Closing<S>>::Closures;
+/// Closure forces in the main arm.
+type Inside<S, C, K> = Looped<C, OwnOf<S, K>>;
+/// Gains of the loop.
+type Gains<S, C, K> = LoopGain<<S as Space>::Column, <S as Space>::Scalar, C, OwnOf<S, K>>;
+
+impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Network<M, A, K> {
+    type Position = TiedPosition<(M::Position, A::Position), S::Scalar, OwnOf<S, K>>;
+    type Rate = Tied<(M::Rate, A::Rate), S::Scalar, OwnOf<S, K>>;
+    type Kept<C: Closures> = (M::Kept<Inside<S, C, K>>, A::Kept<OwnOf<S, K>>, Gains<S, C, K>);
+    type PerBody<X: Copy> = (M::PerBody<X>, A::PerBody<X>);
+    type PerJoint<X: Copy> = (M::PerJoint<X>, A::PerJoint<X>, X);
+    type PerAxes<X: Copy> = (M::PerAxes<X>, A::PerAxes<X>);
+
+    const BODIES: Option<usize> = sum(M::BODIES, A::BODIES);
+    const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
+    const ABSOLUTE: bool = false; // what follows depends on what lies inboard
+    const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
+
+    fn bodies(&self) -> usize {
+        self.arms.bodies()
+    }
+    fn joints(&self) -> usize {
+        self.arms.joints() + 1
+    }
+    fn check(&self, station: usize) -> Result<(), Error> {
+        self.arms.check(station)?;
+        let closing = station + self.arms.bodies() + self.arms.joints();
+        self.closing.check().map_err(|fault| Error::new(fault).at_station(closing))
+    }
+    fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
+        self.arms.fits(&position.arms, &rate.arms)
+    }
+    fn position(&self) -> Self::Position {
+        TiedPosition::of(self.arms.position())
+    }
+    fn rate(&self) -> Self::Rate {
+        Tied { arms: self.arms.rate(), forces: OwnOf::<S, K>::each(|_| num_traits::Zero::zero()) }
+    }
+    fn kept<C: Closures>(&self) -> Self::Kept<C> {
+        (self.main().kept(), self.side().kept(), LoopGain::blank(S::no_column()))
+    }
+    fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
+        self.arms.per_body(fill)
+    }
+    fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
+        (self.main().per_joint(fill), self.side().per_joint(fill), fill)
+    }
+    fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
+        self.arms.per_axes(fill)
+    }
+    fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
+        self.arms.body_entry(bodies, k)
+    }
+    fn entry<'a, X: Copy>(
+        &self,
+        bodies: &'a Self::PerBody<X>,
+        joints: &'a Self::PerJoint<X>,
+        k: usize,
+    ) -> Option<&'a X> {
+        let in_main = self.main().bodies() + self.main().joints();
+        let Some(k) = k.checked_sub(in_main) else {
+            return self.main().entry(&bodies.0, &joints.0, k);
+        };
+        let in_side = self.side().bodies() + self.side().joints();
+        let Some(k) = k.checked_sub(in_side) else {
+            return self.side().entry(&bodies.1, &joints.1, k);
+        };
+        (k == 0).then_some(&joints.2)
+    }
+    fn aim(
+        &self,
+        position: &mut Self::Position,
+        turn: S::Turn,
+        next: &mut impl FnMut(S::Turn) -> S::Scalar,
+    ) -> S::Turn {
+        let outboard = self.main().aim(&mut position.arms.0, turn, next);
+        self.side().aim(&mut position.arms.1, turn, next);
+        outboard
+    }
+    fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
+        self.arms.0.lump(mass) + self.arms.1.lump(num_traits::Zero::zero())
+    }
+    #[inline(always)]
+    fn orient(
+        &self,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        turn: S::Turn,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
+    ) -> S::Turn {
+        let (position, rate) = (&position.arms, &rate.arms);
+        self.side().orient(&position.1, &rate.1, turn, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
+        self.main().orient(&position.0, &rate.0, turn, &mut x.0, &mut y.0, &mut p.0, &mut q.0)
+    }
+    fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
+        self.arms.size(sizes);
+    }
+    #[inline(always)]
+    fn resolve(
+        sizes: &Self::PerAxes<S::Size>,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
+    ) {
+        <(M, A)>::resolve(sizes, x, y, p, q);
+    }
+    #[inline(always)]
+    fn recover<C: Closures>(
+        &self,
+        acceleration: S::Acceleration,
+        Posture { x, y, p, q }: Posture<'_, S, Self>,
+        (main, side, gain): &mut Self::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
+        rate: &mut Self::Rate,
+    ) -> S::Acceleration {
+        let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, gain.gap());
+        rate.forces = forces;
+        let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
+        self.side().recover::<OwnOf<S, K>>(acceleration, posture, side, &forces, &mut rate.arms.1);
+        let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
+        self.main().recover::<Inside<S, C, K>>(acceleration, posture, main, &all, &mut rate.arms.0)
+    }
+    #[inline(always)]
+    fn respond<C: Closures>(
+        &self,
+        acceleration: S::Acceleration,
+        Posture { x, y, p, q }: Posture<'_, S, Self>,
+        (main, side, gain): &Self::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
+        rate: &mut Self::Rate,
+    ) -> S::Acceleration {
+        let still = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
+        let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, &still);
+        rate.forces = forces;
+        let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
+        self.side().respond::<OwnOf<S, K>>(acceleration, posture, side, &forces, &mut rate.arms.1);
+        let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
+        self.main().respond::<Inside<S, C, K>>(acceleration, posture, main, &all, &mut rate.arms.0)
+    }
+    fn restore<C: Closures>(
+        &self,
+        frame: S::Frame,
+        motion: Coordinates<'_, S, Self>,
+        level: Level,
+        acceleration: S::Acceleration,
+        Posture { x, y, p, q }: Posture<'_, S, Self>,
+        (main, side, gain): &Self::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
+        rate: &mut Self::Rate,
+    ) -> (S::Frame, S::Acceleration) {
+        let (in_main, in_side) = arms(motion);
+        let (main_end, side_end) = (look(self.main(), frame, in_main), look(self.side(), frame, in_side));
+        let [place, velocity] = self.closing.miss(&side_end, &main_end);
+        let miss = match level {
+            Level::Place => place,
+            Level::Velocity => velocity,
+        };
+        let gap = OwnOf::<S, K>::reduced(gain, &miss);
+        let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, &gap);
+        rate.forces = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
+        let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
+        let step = &mut rate.arms.1;
+        self.side().restore::<OwnOf<S, K>>(frame, in_side, level, acceleration, posture, side, &forces, step);
+        let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
+        let step = &mut rate.arms.0;
+        self.main().restore::<Inside<S, C, K>>(frame, in_main, level, acceleration, posture, main, &all, step)
+    }
+    fn independent<C: Closures>(
+        &self,
+        frame: S::Frame,
+        motion: Coordinates<'_, S, Self>,
+        (main, side, gain): &Self::Kept<C>,
+        station: usize,
+    ) -> Result<S::Frame, Error> {
+        let (in_main, in_side) = arms(motion);
+        let end = self.main().independent::<Inside<S, C, K>>(frame, in_main, main, station)?;
+        let station = station + self.main().bodies() + self.main().joints();
+        self.side().independent::<OwnOf<S, K>>(frame, in_side, side, station)?;
+        let station = station + self.side().bodies() + self.side().joints();
+        // What the last bodies of both arms would yield to the forces if they were free.
+        let mut measure = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
+        for body in [last_body(self.main(), frame, in_main), last_body(self.side(), frame, in_side)].iter().flatten() {
+            measure = OwnOf::<S, K>::zip(&measure, &self.closing.free_compliance(body), |a: S::Scalar, b| a + b);
+        }
+        let Some((row, independent)) = OwnOf::<S, K>::dependent(gain.compliance(), &measure) else {
+            return Ok(end);
+        };
+        let (mut closure, mut number) = ("", 0);
+        OwnOf::<S, K>::map(&self.closing.names(), |name| {
+            if number == row {
+                closure = name;
+            }
+            number += 1;
+        });
+        let of = OwnOf::<S, K>::COUNT;
+        Err(Error::new(Fault::RedundantClosures { closure, independent, of }).at_station(station))
+    }
+    #[inline(always)]
+    fn travel<V: Visit<S>>(
+        &self,
+        frame: S::Frame,
+        motion: Coordinates<'_, S, Self>,
+        visit: &mut V,
+        on_bodies: &mut Self::PerBody<V::OnBody>,
+        in_joints: &mut Self::PerJoint<V::InJoint>,
+    ) -> S::Frame {
+        let (in_main, in_side) = arms(motion);
+        let main = self.main().travel(frame, in_main, visit, &mut on_bodies.0, &mut in_joints.0);
+        visit.enter_arm();
+        let side = self.side().travel(frame, in_side, visit, &mut on_bodies.1, &mut in_joints.1);
+        let internal = self.closing.internal(&motion.acceleration.forces);
+        in_joints.2 = visit.closing(&self.closing.joint(&side, &main), internal);
+        visit.leave_arm();
+        main
+    }
+    fn inward<G: Gather>(
+        &self,
+        bodies: &mut Self::PerBody<G::Entry>,
+        joints: &mut Self::PerJoint<G::Entry>,
+        outer: G::Carried,
+        gather: &mut G,
+    ) -> G::Carried {
+        let beyond = gather.beyond_arm();
+        let closing = gather.meet(&mut joints.2, beyond);
+        let side = self.side().inward(&mut bodies.1, &mut joints.1, closing, gather);
+        let opposite = gather.opposite(closing);
+        let outer = gather.join(outer, opposite);
+        let main = self.main().inward(&mut bodies.0, &mut joints.0, outer, gather);
+        gather.join(main, side)
+    }
+    fn broken<C: Closures>(&self, (main, side, gain): &Self::Kept<C>, station: usize) -> Option<usize> {
+        let after_main = station + self.main().bodies() + self.main().joints();
+        let closing = after_main + self.side().bodies() + self.side().joints();
+        let in_arms = self.side().broken(side, after_main).or_else(|| self.main().broken(main, station));
+        in_arms.or_else(|| (!gain.is_finite()).then_some(closing))
+    }
+}
+
+/// The coordinates of both arms.
+fn arms<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>>(
+    motion: Coordinates<'_, S, Network<M, A, K>>,
+) -> (Coordinates<'_, S, M>, Coordinates<'_, S, A>) {
+    let Coordinates { position, rate, acceleration } = motion;
+    let ((p, q), (r, s), (a, b)) = (&position.arms, &rate.arms, &acceleration.arms);
+    (Coordinates { position: p, rate: r, acceleration: a }, Coordinates { position: q, rate: s, acceleration: b })
+}
+
+/// What a sweep carries into the main arm.
+type InMain<S, W, K> =
+    Carrying<<W as Sweep<S>>::Loads, <W as Sweep<S>>::Springs, Inside<S, <W as Sweep<S>>::Closures, K>>;
+/// What it carries into the side arm.
+type InSide<S, W, K> = Carrying<<W as Sweep<S>>::Loads, <W as Sweep<S>>::Springs, OwnOf<S, K>>;
+
+impl<S, R, W, M, A, K> Condense<S, R, W> for Network<M, A, K>
+where
+    S: Space,
+    W: Sweep<S>,
+    K: CloseOff<S, R, InJoint<S, W>>,
+    M: Condense<S, K::Main, InMain<S, W, K>>,
+    A: Condense<S, K::Side, InSide<S, W, K>>,
+    M::Out: Settle<S::Column, S::Scalar, A::Out, W::Closures, OwnOf<S, K>>,
+{
+    type Out = <M::Out as Settle<S::Column, S::Scalar, A::Out, W::Closures, OwnOf<S, K>>>::Out;
+
+    #[inline(always)]
+    fn condense(
+        &self,
+        outer: R,
+        Posture { x, y, p, q }: Posture<'_, S, Self>,
+        Given { on_bodies, in_joints, position, rate, springs }: Given<'_, S, Self, W>,
+        kept: &mut Self::Kept<W::Closures>,
+    ) -> Self::Out {
+        let (main, side) = self.closing.close_off(outer, in_joints.2);
+        let (position, rate) = (&position.arms, &rate.arms);
+        let main = self.main().condense(
+            main,
+            Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 },
+            Given { on_bodies: &on_bodies.0, in_joints: &in_joints.0, position: &position.0, rate: &rate.0, springs },
+            &mut kept.0,
+        );
+        let side = self.side().condense(
+            side,
+            Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 },
+            Given { on_bodies: &on_bodies.1, in_joints: &in_joints.1, position: &position.1, rate: &rate.1, springs },
+            &mut kept.1,
+        );
+        let (relation, gain) = main.settle(side);
+        kept.2 = gain;
+        relation
+    }
+}
+
+impl<M, A, K> crate::counts::Counted for Network<M, A, K>
+where
+    M: crate::counts::Counted<Bodies: Add<A::Bodies, Output: Unsigned>, Freedoms: Add<A::Freedoms, Output: Unsigned>>,
+    A: crate::counts::Counted,
+{
+    type Bodies = Sum<M::Bodies, A::Bodies>;
+    type Freedoms = Sum<M::Freedoms, A::Freedoms>;
+}
+
+impl<T: Scalar, U: Scalar, M: Lift<T, U>, A: Lift<T, U>, K: Lift<T, U>> Lift<T, U> for Network<M, A, K> {
+    type Over = Network<M::Over, A::Over, K::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Network { arms: self.arms.lift(number), closing: self.closing.lift(number) }
+    }
+}
