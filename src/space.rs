@@ -1,5 +1,6 @@
 //! What elements of one space have in common.
 
+use crate::mirror::Rate;
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 
@@ -37,6 +38,8 @@ pub trait Space: Copy + Debug + 'static {
     type BodyMotion: Copy + Debug;
     /// A joint and its motion at an instant.
     type JointMotion: Copy + Debug;
+    /// Internal force and torque, as numbers that add up.
+    type Numbers: Rate<Self::Scalar> + Copy;
     /// A column of W: the force and torque on the outboard part for a unit closure force.
     type Column: Copy;
     /// The relation of a free tip.
@@ -63,6 +66,10 @@ pub trait Space: Copy + Debug + 'static {
     fn together(a: Self::Internal, b: Self::Internal) -> Self::Internal;
     /// The force and torque on the other side.
     fn opposite(internal: Self::Internal) -> Self::Internal;
+    /// Internal force and torque as numbers.
+    fn numbers(internal: Self::Internal) -> Self::Numbers;
+    /// Internal force and torque from their numbers.
+    fn internal(numbers: Self::Numbers) -> Self::Internal;
     /// A column of nothing.
     fn no_column() -> Self::Column;
     /// w · p, a column's work on an acceleration.

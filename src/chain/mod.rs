@@ -12,7 +12,7 @@ mod poses;
 mod tuple;
 
 pub use branch::Branch;
-pub use network::{CloseOff, Closing, Network};
+pub use network::{CloseOff, Closing, Ends, Network};
 
 /// `a + b` of counts that types may or may not decide.
 const fn sum(a: Option<usize>, b: Option<usize>) -> Option<usize> {

@@ -14,21 +14,35 @@ use core::ops::Add;
 use typenum::{Sum, Unsigned};
 
 /// A joint that can close a loop: it holds the ends of two arms together.
-///
-/// What it holds does not depend on where the scene is, so that it needs no walk of its own.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot close a loop in `{S}`",
     label = "not a joint that closes loops",
-    note = "in the plane `Pin` and `Weld` do, in space `Ball` and `Weld`: cut the loop at one of these"
+    note = "in the plane `Pin` and `Weld` do, in space `Ball`, `Revolute` and `Weld`: cut the loop at one of these"
 )]
 pub trait Closing<S: Space>: Clone {
     /// Its closure forces, ON the last body of the side arm.
     type Closures: Own;
+    /// What it keeps of the orientations of both ends.
+    type PerAxes<X: Copy>: Clone;
+
+    /// Room for that.
+    fn per_axes<X: Copy>(fill: X) -> Self::PerAxes<X>;
+    /// Keeps what it needs of the orientations of both ends.
+    #[allow(clippy::too_many_arguments)] // one store each
+    fn orient(
+        &self,
+        side: S::Turn,
+        main: S::Turn,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
+    );
 
     /// The joint and its motion: from the side arm to the main one.
     fn joint(&self, side: &S::Frame, main: &S::Frame) -> S::JointMotion;
-    /// The force and torque that it passes on.
-    fn internal(&self, forces: &<Self::Closures as Closures>::Each<S::Scalar>) -> S::Internal;
+    /// The force and torque that closure forces are.
+    fn internal(&self, forces: &<Self::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> S::Internal;
     /// By how much the end of the side arm misses that of the main one, in place and in velocity.
     fn miss(&self, side: &S::Frame, main: &S::Frame) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
     /// How much the outboard end of a free body would yield to each of the forces.
@@ -52,13 +66,25 @@ pub trait CloseOff<S: Space, R, Q>: Closing<S> {
     type Main: Copy;
     /// What the side arm meets.
     type Side: Copy;
-    /// Cuts the loop.
-    fn close_off(&self, outer: R, torque: Q) -> (Self::Main, Self::Side);
+    /// Cuts the loop; the torque too is passed on.
+    fn close_off(&self, outer: R, torque: Q, axes: Ends<'_, S, Self>) -> (Self::Main, Self::Side, S::Internal);
+}
+
+/// What a closing joint has kept of the orientations of both ends.
+pub struct Ends<'a, S: Space, K: Closing<S>> {
+    /// First values.
+    pub x: &'a K::PerAxes<S::X>,
+    /// Second values.
+    pub y: &'a K::PerAxes<S::Y>,
+    /// Third values.
+    pub p: &'a K::PerAxes<S::P>,
+    /// Fourth values.
+    pub q: &'a K::PerAxes<S::Q>,
 }
 
 /// Two arms in parallel: both begin at this station, and end at the same one, where the chain goes on from the main arm. The side arm
-/// is joined to the end of the main arm by a joint of its own, which closes the loop: a `Pin` or `Weld` in the plane, a `Ball` or
-/// `Weld` in space.
+/// is joined to the end of the main arm by a joint of its own, which closes the loop: a `Pin` or `Weld` in the plane, a `Ball`,
+/// `Revolute` or `Weld` in space.
 ///
 /// ```
 /// use catena::element::Unloaded;
@@ -112,16 +138,16 @@ impl<M, A, K> Network<M, A, K> {
 type OwnOf<S, K> = <K as Closing<S>>::Closures;
 /// Closure forces in the main arm.
 type Inside<S, C, K> = Looped<C, OwnOf<S, K>>;
-/// Gains of the loop.
+/// Gains of the loop, whose columns are those of the space.
 type Gains<S, C, K> = LoopGain<<S as Space>::Column, <S as Space>::Scalar, C, OwnOf<S, K>>;
 
 impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Network<M, A, K> {
-    type Position = TiedPosition<(M::Position, A::Position), S::Scalar, OwnOf<S, K>>;
-    type Rate = Tied<(M::Rate, A::Rate), S::Scalar, OwnOf<S, K>>;
-    type Kept<C: Closures> = (M::Kept<Inside<S, C, K>>, A::Kept<OwnOf<S, K>>, Gains<S, C, K>);
+    type Position = TiedPosition<(M::Position, A::Position), S::Numbers>;
+    type Rate = Tied<(M::Rate, A::Rate), S::Numbers>;
+    type Kept<C: Closures> = (M::Kept<Inside<S, C, K>>, A::Kept<OwnOf<S, K>>, Gains<S, C, K>, S::Internal);
     type PerBody<X: Copy> = (M::PerBody<X>, A::PerBody<X>);
     type PerJoint<X: Copy> = (M::PerJoint<X>, A::PerJoint<X>, X);
-    type PerAxes<X: Copy> = (M::PerAxes<X>, A::PerAxes<X>);
+    type PerAxes<X: Copy> = (M::PerAxes<X>, A::PerAxes<X>, K::PerAxes<X>);
 
     const BODIES: Option<usize> = sum(M::BODIES, A::BODIES);
     const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
@@ -146,10 +172,10 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         TiedPosition::of(self.arms.position())
     }
     fn rate(&self) -> Self::Rate {
-        Tied { arms: self.arms.rate(), forces: OwnOf::<S, K>::each(|_| num_traits::Zero::zero()) }
+        Tied { arms: self.arms.rate(), closing: S::numbers(S::no_force()) }
     }
     fn kept<C: Closures>(&self) -> Self::Kept<C> {
-        (self.main().kept(), self.side().kept(), LoopGain::blank(S::no_column()))
+        (self.main().kept(), self.side().kept(), LoopGain::blank(S::no_column()), S::no_force())
     }
     fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
         self.arms.per_body(fill)
@@ -158,7 +184,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         (self.main().per_joint(fill), self.side().per_joint(fill), fill)
     }
     fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-        self.arms.per_axes(fill)
+        (self.main().per_axes(fill), self.side().per_axes(fill), K::per_axes(fill))
     }
     fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
         self.arms.body_entry(bodies, k)
@@ -204,11 +230,14 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         q: &mut Self::PerAxes<S::Q>,
     ) -> S::Turn {
         let (position, rate) = (&position.arms, &rate.arms);
-        self.side().orient(&position.1, &rate.1, turn, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
-        self.main().orient(&position.0, &rate.0, turn, &mut x.0, &mut y.0, &mut p.0, &mut q.0)
+        let side = self.side().orient(&position.1, &rate.1, turn, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
+        let main = self.main().orient(&position.0, &rate.0, turn, &mut x.0, &mut y.0, &mut p.0, &mut q.0);
+        self.closing.orient(side, main, &mut x.2, &mut y.2, &mut p.2, &mut q.2);
+        main
     }
     fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
-        self.arms.size(sizes);
+        self.main().size(&mut sizes.0);
+        self.side().size(&mut sizes.1);
     }
     #[inline(always)]
     fn resolve(
@@ -218,19 +247,21 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         p: &mut Self::PerAxes<S::P>,
         q: &mut Self::PerAxes<S::Q>,
     ) {
-        <(M, A)>::resolve(sizes, x, y, p, q);
+        M::resolve(&sizes.0, &mut x.0, &mut y.0, &mut p.0, &mut q.0);
+        A::resolve(&sizes.1, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
     }
     #[inline(always)]
     fn recover<C: Closures>(
         &self,
         acceleration: S::Acceleration,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
-        (main, side, gain): &mut Self::Kept<C>,
+        (main, side, gain, driven): &mut Self::Kept<C>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration {
         let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, gain.gap());
-        rate.forces = forces;
+        let ends = Ends { x: &x.2, y: &y.2, p: &p.2, q: &q.2 };
+        rate.closing = S::numbers(S::together(*driven, self.closing.internal(&forces, ends)));
         let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
         self.side().recover::<OwnOf<S, K>>(acceleration, posture, side, &forces, &mut rate.arms.1);
         let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
@@ -241,13 +272,12 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         &self,
         acceleration: S::Acceleration,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
-        (main, side, gain): &Self::Kept<C>,
+        (main, side, gain, _): &Self::Kept<C>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration {
         let still = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
         let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, &still);
-        rate.forces = forces;
         let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
         self.side().respond::<OwnOf<S, K>>(acceleration, posture, side, &forces, &mut rate.arms.1);
         let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
@@ -260,7 +290,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         level: Level,
         acceleration: S::Acceleration,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
-        (main, side, gain): &Self::Kept<C>,
+        (main, side, gain, _): &Self::Kept<C>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> (S::Frame, S::Acceleration) {
@@ -273,7 +303,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         };
         let gap = OwnOf::<S, K>::reduced(gain, &miss);
         let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, &gap);
-        rate.forces = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
         let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
         let step = &mut rate.arms.1;
         self.side().restore::<OwnOf<S, K>>(frame, in_side, level, acceleration, posture, side, &forces, step);
@@ -285,7 +314,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         &self,
         frame: S::Frame,
         motion: Coordinates<'_, S, Self>,
-        (main, side, gain): &Self::Kept<C>,
+        (main, side, gain, _): &Self::Kept<C>,
         station: usize,
     ) -> Result<S::Frame, Error> {
         let (in_main, in_side) = arms(motion);
@@ -293,10 +322,12 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         let station = station + self.main().bodies() + self.main().joints();
         self.side().independent::<OwnOf<S, K>>(frame, in_side, side, station)?;
         let station = station + self.side().bodies() + self.side().joints();
-        // What the last bodies of both arms would yield to the forces if they were free.
+        // What the last bodies of both arms would yield to the forces if they were free; one without mass is not.
         let mut measure = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
         for body in [last_body(self.main(), frame, in_main), last_body(self.side(), frame, in_side)].iter().flatten() {
-            measure = OwnOf::<S, K>::zip(&measure, &self.closing.free_compliance(body), |a: S::Scalar, b| a + b);
+            let yields = self.closing.free_compliance(body);
+            let add = |a: S::Scalar, b: S::Scalar| if b.is_finite() { a + b } else { a };
+            measure = OwnOf::<S, K>::zip(&measure, &yields, add);
         }
         let Some((row, independent)) = OwnOf::<S, K>::dependent(gain.compliance(), &measure) else {
             return Ok(end);
@@ -324,8 +355,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         let main = self.main().travel(frame, in_main, visit, &mut on_bodies.0, &mut in_joints.0);
         visit.enter_arm();
         let side = self.side().travel(frame, in_side, visit, &mut on_bodies.1, &mut in_joints.1);
-        let internal = self.closing.internal(&motion.acceleration.forces);
-        in_joints.2 = visit.closing(&self.closing.joint(&side, &main), internal);
+        in_joints.2 = visit.closing(&self.closing.joint(&side, &main), S::internal(motion.acceleration.closing));
         visit.leave_arm();
         main
     }
@@ -344,7 +374,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         let main = self.main().inward(&mut bodies.0, &mut joints.0, outer, gather);
         gather.join(main, side)
     }
-    fn broken<C: Closures>(&self, (main, side, gain): &Self::Kept<C>, station: usize) -> Option<usize> {
+    fn broken<C: Closures>(&self, (main, side, gain, _): &Self::Kept<C>, station: usize) -> Option<usize> {
         let after_main = station + self.main().bodies() + self.main().joints();
         let closing = after_main + self.side().bodies() + self.side().joints();
         let in_arms = self.side().broken(side, after_main).or_else(|| self.main().broken(main, station));
@@ -386,7 +416,8 @@ where
         Given { on_bodies, in_joints, position, rate, springs }: Given<'_, S, Self, W>,
         kept: &mut Self::Kept<W::Closures>,
     ) -> Self::Out {
-        let (main, side) = self.closing.close_off(outer, in_joints.2);
+        let (main, side, driven) =
+            self.closing.close_off(outer, in_joints.2, Ends { x: &x.2, y: &y.2, p: &p.2, q: &q.2 });
         let (position, rate) = (&position.arms, &rate.arms);
         let main = self.main().condense(
             main,
@@ -401,7 +432,7 @@ where
             &mut kept.1,
         );
         let (relation, gain) = main.settle(side);
-        kept.2 = gain;
+        (kept.2, kept.3) = (gain, driven);
         relation
     }
 }

@@ -2,83 +2,54 @@
 
 use super::{Position, Rate, Term};
 use crate::lift::Lift;
-use crate::relation::Closures;
 use crate::scalar::Scalar;
 use core::marker::PhantomData;
 
-/// Rates or accelerations of the coordinates of a loop. The forces that close it belong to its accelerations and are no coordinates:
-/// they are carried along in sums, but not counted, visited or replaced.
-pub struct Tied<X, T: Copy, O: Closures> {
+/// Rates or accelerations of the coordinates of a loop. The force that closes it belongs to its accelerations and is no coordinate:
+/// it is carried along in sums, but not counted, visited or replaced.
+#[derive(Clone, Copy, Debug)]
+pub struct Tied<X, F> {
     /// Rates or accelerations of the arms.
     pub arms: X,
-    /// Closure forces (N, N·m).
-    pub forces: O::Each<T>,
+    /// Internal force and torque where the loop is closed (N, N·m).
+    pub closing: F,
 }
 
 /// Positions of the coordinates of a loop.
-pub struct TiedPosition<X, T, O> {
+#[derive(Clone, Copy, Debug)]
+pub struct TiedPosition<X, F> {
     /// Positions of the arms.
     pub arms: X,
-    closing: PhantomData<(T, O)>,
+    closing: PhantomData<F>,
 }
 
-impl<X: Clone, T: Copy, O: Closures> Clone for Tied<X, T, O> {
-    #[inline(always)]
-    fn clone(&self) -> Self {
-        Self { arms: self.arms.clone(), forces: self.forces }
-    }
-}
-impl<X: Copy, T: Copy, O: Closures> Copy for Tied<X, T, O> {}
-
-impl<X: Clone, T, O> Clone for TiedPosition<X, T, O> {
-    #[inline(always)]
-    fn clone(&self) -> Self {
-        Self::of(self.arms.clone())
-    }
-}
-impl<X: Copy, T, O> Copy for TiedPosition<X, T, O> {}
-
-impl<X, T, O> TiedPosition<X, T, O> {
+impl<X, F> TiedPosition<X, F> {
     /// Positions of the arms.
     pub fn of(arms: X) -> Self {
         Self { arms, closing: PhantomData }
     }
 }
 
-impl<X: Rate<T>, T: Scalar, O: Closures> Tied<X, T, O> {
-    /// Adds scaled forces.
-    #[inline(always)]
-    fn pull(&mut self, (weight, term): Term<'_, T, Self>) {
-        self.forces = O::zip(&self.forces, &term.forces, |sum, x| sum.add_scaled(weight, x));
-    }
-}
-
-impl<X: Rate<T>, T: Scalar, O: Closures> Rate<T> for Tied<X, T, O> {
+impl<T: Scalar, X: Rate<T>, F: Rate<T>> Rate<T> for Tied<X, F> {
     #[inline(always)]
     fn set(&mut self, base: &Self) {
         self.arms.set(&base.arms);
-        self.forces = base.forces;
+        self.closing.set(&base.closing);
     }
     #[inline(always)]
     fn mix_1(&mut self, base: &Self, (u, a): Term<'_, T, Self>) {
         self.arms.mix_1(&base.arms, (u, &a.arms));
-        self.forces = base.forces;
-        self.pull((u, a));
+        self.closing.mix_1(&base.closing, (u, &a.closing));
     }
     #[inline(always)]
     fn mix_2(&mut self, base: &Self, (u, a): Term<'_, T, Self>, (v, b): Term<'_, T, Self>) {
         self.arms.mix_2(&base.arms, (u, &a.arms), (v, &b.arms));
-        self.forces = base.forces;
-        self.pull((u, a));
-        self.pull((v, b));
+        self.closing.mix_2(&base.closing, (u, &a.closing), (v, &b.closing));
     }
     #[inline(always)]
     fn mix_3(&mut self, base: &Self, (u, a): Term<'_, T, Self>, (v, b): Term<'_, T, Self>, (w, c): Term<'_, T, Self>) {
         self.arms.mix_3(&base.arms, (u, &a.arms), (v, &b.arms), (w, &c.arms));
-        self.forces = base.forces;
-        self.pull((u, a));
-        self.pull((v, b));
-        self.pull((w, c));
+        self.closing.mix_3(&base.closing, (u, &a.closing), (v, &b.closing), (w, &c.closing));
     }
     #[inline(always)]
     fn add_4(
@@ -89,15 +60,12 @@ impl<X: Rate<T>, T: Scalar, O: Closures> Rate<T> for Tied<X, T, O> {
         (x, d): Term<'_, T, Self>,
     ) {
         self.arms.add_4((u, &a.arms), (v, &b.arms), (w, &c.arms), (x, &d.arms));
-        self.pull((u, a));
-        self.pull((v, b));
-        self.pull((w, c));
-        self.pull((x, d));
+        self.closing.add_4((u, &a.closing), (v, &b.closing), (w, &c.closing), (x, &d.closing));
     }
     #[inline(always)]
     fn add(&mut self, step: &Self) {
         self.arms.add(&step.arms);
-        self.forces = O::zip(&self.forces, &step.forces, |a, b| a + b);
+        self.closing.add(&step.closing);
     }
     #[inline(always)]
     fn visit(&self, visit: &mut impl FnMut(T)) {
@@ -113,8 +81,8 @@ impl<X: Rate<T>, T: Scalar, O: Closures> Rate<T> for Tied<X, T, O> {
     }
 }
 
-impl<X: Position<T>, T: Scalar, O: Closures> Position<T> for TiedPosition<X, T, O> {
-    type Rate = Tied<X::Rate, T, O>;
+impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
+    type Rate = Tied<X::Rate, F>;
 
     const CURVED: bool = X::CURVED;
 
@@ -166,15 +134,15 @@ impl<X: Position<T>, T: Scalar, O: Closures> Position<T> for TiedPosition<X, T, 
     }
 }
 
-impl<X: Lift<T, U>, T: Scalar, U: Scalar, O: Closures> Lift<T, U> for Tied<X, T, O> {
-    type Over = Tied<X::Over, U, O>;
+impl<T: Scalar, U: Scalar, X: Lift<T, U>, F: Lift<T, U>> Lift<T, U> for Tied<X, F> {
+    type Over = Tied<X::Over, F::Over>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Tied { arms: self.arms.lift(number), forces: O::map(&self.forces, number) }
+        Tied { arms: self.arms.lift(number), closing: self.closing.lift(number) }
     }
 }
 
-impl<X: Lift<T, U>, T: Scalar, U: Scalar, O: Closures> Lift<T, U> for TiedPosition<X, T, O> {
-    type Over = TiedPosition<X::Over, U, O>;
+impl<T: Scalar, U: Scalar, X: Lift<T, U>, F: Lift<T, U>> Lift<T, U> for TiedPosition<X, F> {
+    type Over = TiedPosition<X::Over, F::Over>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
         TiedPosition::of(self.arms.lift(number))
     }

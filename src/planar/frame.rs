@@ -221,6 +221,7 @@ impl<T: Scalar> Space for Planar<T> {
     type Moment = T;
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
+    type Numbers = [T; 3];
     type Column = FullColumn<T>;
     type Nothing = Empty;
 
@@ -256,6 +257,14 @@ impl<T: Scalar> Space for Planar<T> {
     }
     fn opposite(internal: Internal<T>) -> Internal<T> {
         Internal { force: -internal.force, torque: -internal.torque }
+    }
+    #[inline(always)]
+    fn numbers(internal: Internal<T>) -> [T; 3] {
+        [internal.force.x, internal.force.y, internal.torque]
+    }
+    #[inline(always)]
+    fn internal([x, y, torque]: [T; 3]) -> Internal<T> {
+        Internal { force: Vector2::new(x, y), torque }
     }
     fn no_column() -> FullColumn<T> {
         FullColumn { force: zero(), torque: T::zero() }

@@ -1,13 +1,14 @@
 //! Joints that close loops in the plane.
 
 use super::ends::Compliance;
-use super::{BodyMotion, Frame, Internal, JointMotion, Pin, Planar, RigidBody, SpringState, Weld};
-use crate::chain::{Branch, CloseOff, Closing, Network};
+use super::{BodyMotion, Frame, Internal, JointMotion, Pin, Planar, RigidBody, SpringState, Turn, Weld};
+use crate::chain::{Branch, CloseOff, Closing, Ends, Network};
 use crate::error::Fault;
 use crate::relation::plane::algebra::Symmetric2;
 use crate::relation::plane::{Full, FullColumn, Point};
-use crate::relation::{Carry, Closures, Cut, Cuts, Reacting, Twisted};
+use crate::relation::{Carry, Closures, Cut, Cuts, Reacting, Term, Twisted};
 use crate::scalar::Scalar;
+use crate::space::Space;
 use nalgebra::Vector2;
 
 /// An arm that comes back to the body from which it leaves: a branch which is a loop. The chain goes on from the station where it stands.
@@ -45,11 +46,16 @@ fn joint<T: Scalar>(side: &Frame<T>, main: &Frame<T>, turns: bool) -> JointMotio
 /// Forces of a pin: along x and y.
 impl<T: Scalar> Closing<Planar<T>> for Pin {
     type Closures = Cut<2>;
+    type PerAxes<X: Copy> = ();
 
+    fn per_axes<X: Copy>(_: X) {}
+    #[inline(always)]
+    fn orient(&self, _: Turn<T>, _: Turn<T>, (): &mut (), (): &mut (), (): &mut (), (): &mut ()) {}
     fn joint(&self, side: &Frame<T>, main: &Frame<T>) -> JointMotion<T> {
         joint(side, main, true)
     }
-    fn internal(&self, &[x, y]: &[T; 2]) -> Internal<T> {
+    #[inline(always)]
+    fn internal(&self, &[x, y]: &[T; 2], _: Ends<'_, Planar<T>, Self>) -> Internal<T> {
         Internal { force: Vector2::new(-x, -y), torque: T::zero() }
     }
     fn miss(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 2]; 2] {
@@ -77,30 +83,37 @@ fn pulls<T: Scalar>(one: T) -> [Vector2<T>; 2] {
 impl<T, R, Q> CloseOff<Planar<T>, R, Q> for Pin
 where
     T: Scalar,
-    Q: Reacting,
+    Q: Reacting + Term<T>,
     R: Carry<T, Cut<2>, Vector2<T>, Out: Twisted<Q::Reaction>>,
 {
     type Main = <R::Out as Twisted<Q::Reaction>>::Out;
     type Side = Point<T, Q, Cut<2>>;
 
     #[inline(always)]
-    fn close_off(&self, outer: R, torque: Q) -> (Self::Main, Self::Side) {
+    fn close_off(&self, outer: R, torque: Q, _: Ends<'_, Planar<T>, Self>) -> (Self::Main, Self::Side, Internal<T>) {
         // λ acts ON the side arm, so F on what lies outboard of it is −λ, and the opposite on what the main arm meets.
         let cuts = Cuts::at_tip(pulls(-T::one()), [T::zero(); 2]);
         let offset = Vector2::new(T::zero(), T::zero());
         let side = Point { stiffness: Symmetric2::diagonal(T::zero()), offset, torque, cuts };
-        (outer.carry(pulls(T::one())).twisted(torque.reaction()), side)
+        // A torque τ ON the main arm's body is m = −τ.
+        let passed = Internal { force: offset, torque: torque.take_from(T::zero()) };
+        (outer.carry(pulls(T::one())).twisted(torque.reaction()), side, passed)
     }
 }
 
 /// Forces of a weld: along x and y, and a torque. The main arm's last body stands at the angle of the weld to the side arm's.
 impl<T: Scalar> Closing<Planar<T>> for Weld<T> {
     type Closures = Cut<3>;
+    type PerAxes<X: Copy> = ();
 
+    fn per_axes<X: Copy>(_: X) {}
+    #[inline(always)]
+    fn orient(&self, _: Turn<T>, _: Turn<T>, (): &mut (), (): &mut (), (): &mut (), (): &mut ()) {}
     fn joint(&self, side: &Frame<T>, main: &Frame<T>) -> JointMotion<T> {
         joint(side, main, false)
     }
-    fn internal(&self, &[x, y, torque]: &[T; 3]) -> Internal<T> {
+    #[inline(always)]
+    fn internal(&self, &[x, y, torque]: &[T; 3], _: Ends<'_, Planar<T>, Self>) -> Internal<T> {
         Internal { force: Vector2::new(-x, -y), torque }
     }
     fn miss(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 3]; 2] {
@@ -134,8 +147,8 @@ impl<T: Scalar, R: Carry<T, Cut<3>, FullColumn<T>>, Q> CloseOff<Planar<T>, R, Q>
     type Side = Full<T, Cut<3>>;
 
     #[inline(always)]
-    fn close_off(&self, outer: R, _: Q) -> (Self::Main, Self::Side) {
+    fn close_off(&self, outer: R, _: Q, _: Ends<'_, Planar<T>, Self>) -> (Self::Main, Self::Side, Internal<T>) {
         let side = Full::massless().cut(Cuts::at_tip(holds(-T::one()), <Cut<3> as Closures>::each(|_| T::zero())));
-        (outer.carry(holds(T::one())), side)
+        (outer.carry(holds(T::one())), side, Planar::no_force())
     }
 }

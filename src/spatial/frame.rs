@@ -210,6 +210,7 @@ impl<T: Scalar> Space for Spatial<T> {
     type Moment = Vector3<T>;
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
+    type Numbers = [T; 6];
     type Column = FullColumn<T>;
     type Nothing = Empty;
 
@@ -242,6 +243,14 @@ impl<T: Scalar> Space for Spatial<T> {
     }
     fn opposite(internal: Internal<T>) -> Internal<T> {
         Internal { force: -internal.force, torque: -internal.torque }
+    }
+    #[inline(always)]
+    fn numbers(Internal { force: q, torque: m }: Internal<T>) -> [T; 6] {
+        [q.x, q.y, q.z, m.x, m.y, m.z]
+    }
+    #[inline(always)]
+    fn internal([a, b, c, d, e, f]: [T; 6]) -> Internal<T> {
+        Internal { force: Vector3::new(a, b, c), torque: Vector3::new(d, e, f) }
     }
     fn no_column() -> FullColumn<T> {
         FullColumn { force: zero(), torque: zero() }

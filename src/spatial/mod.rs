@@ -26,6 +26,7 @@ mod frame;
 mod inertia;
 mod joint;
 mod loads;
+mod loops;
 pub mod maps;
 mod point_mass;
 mod prismatic;
@@ -38,7 +39,7 @@ mod station;
 mod universal;
 mod weld;
 
-pub use crate::chain::Branch;
+pub use crate::chain::{Branch, Network};
 pub use crate::element::Unloaded;
 pub use crate::stepper::Stepper;
 pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
@@ -54,6 +55,7 @@ pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Spatial,
 pub use inertia::Inertia;
 pub use joint::{Joint, Stored};
 pub use loads::{Drive, Effort, Loads, Values, Wrench};
+pub use loops::ClosedLoop;
 pub use point_mass::PointMass;
 pub use prismatic::Prismatic;
 pub use revolute::Revolute;

@@ -36,6 +36,11 @@ impl<T: Scalar> Revolute<T> {
         Self { axis: unit(axis), law: Spring::none() }
     }
 
+    /// The axis, a unit vector in body axes.
+    pub fn axis(&self) -> Vector3<T> {
+        self.axis
+    }
+
     /// With a spring, a damper, or both.
     pub fn with<L: Law<T>>(self, law: L) -> Revolute<T, L> {
         Revolute { axis: self.axis, law }

@@ -32,6 +32,12 @@ pub struct RigidBody<T> {
 }
 
 impl<T: Scalar> RigidBody<T> {
+    /// A body without mass that reaches to an outboard end (m, body axes): a distance between two joints that turns with them, or
+    /// from the ground to a joint.
+    pub fn massless(outboard: [T; 3]) -> Self {
+        Self::new(T::zero(), [[T::zero(); 3]; 3], [T::zero(); 3], outboard)
+    }
+
     /// A body with mass (kg), inertia tensor about its mass centre (kg·m²), mass centre and outboard end (m), in body axes.
     pub fn new(mass: T, about_centre: [[T; 3]; 3], centre: [T; 3], outboard: [T; 3]) -> Self {
         let inertia = Inertia { mass, centre, about_centre };

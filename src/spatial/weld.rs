@@ -28,6 +28,11 @@ impl<T: Scalar> Weld<T> {
     pub fn at(attitude: Rotation<T>) -> Self {
         Self { attitude: attitude.matrix() }
     }
+
+    /// That attitude: axes of the outboard body in those of the inboard one.
+    pub fn attitude(&self) -> &Columns<T> {
+        &self.attitude
+    }
 }
 
 impl<T: Scalar> Joint<T> for Weld<T> {

@@ -3,7 +3,7 @@
 use super::algebra::{Columns, Symmetric3, cross, dot, zero};
 use super::full::levered;
 use super::{Full, FullColumn};
-use crate::relation::{Absent, Closures, Cuts, Open, Part, Promote, Term};
+use crate::relation::{Absent, Closures, Cuts, Open, Part, Promote, Reacting, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -52,6 +52,14 @@ impl<T: Scalar> Term<Vector3<T>> for Couple<T> {
     #[inline(always)]
     fn take_from(self, sum: Vector3<T>) -> Vector3<T> {
         sum - self.0
+    }
+}
+
+impl<T: Scalar> Reacting for Couple<T> {
+    type Reaction = Self;
+    #[inline(always)]
+    fn reaction(self) -> Self {
+        Self(-self.0)
     }
 }
 

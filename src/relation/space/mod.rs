@@ -8,6 +8,7 @@ pub mod algebra;
 mod full;
 mod join;
 mod kinds;
+mod looped;
 mod pivots;
 
 pub use full::{Full, FullColumn, Rigid};

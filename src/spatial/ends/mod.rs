@@ -9,7 +9,7 @@ mod hinged;
 mod pinned;
 
 pub use clamped::{Attitude, AttitudeMotion, Clamped, Turning};
-use compliance::Compliance;
+pub(super) use compliance::Compliance;
 pub use floating::Floating;
 pub use free::Free;
 pub use ground::{Ground, GroundMotion, Moving};
