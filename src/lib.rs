@@ -81,6 +81,7 @@ pub mod space;
 pub mod spatial;
 mod state;
 pub mod stepper;
+pub mod struts;
 pub mod sweep;
 pub mod system;
 pub mod time;

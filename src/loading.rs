@@ -10,13 +10,24 @@ pub trait Loading<S: Space> {
     /// Torque in a joint, or `Absent`.
     type InJoint: Part;
 
+    /// What has to be seen of the whole scene before a load is known: nothing, unless a load on one body depends on another.
+    type Seen: Clone;
+
     /// Whether there is anything to evaluate.
     const ON: bool;
+    /// Whether there is anything to see first.
+    const SURVEYS: bool = false;
 
     /// No load, to fill stores with.
     fn nothing() -> (Self::OnBody, Self::InJoint);
+    /// Nothing has been seen yet.
+    fn unseen() -> Self::Seen;
+    /// Sees a body.
+    fn survey(&self, seen: &mut Self::Seen, body: usize, motion: &S::BodyMotion) {
+        let _ = (seen, body, motion);
+    }
     /// The load on body number `body` at a time.
-    fn on_body(&self, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> Self::OnBody;
+    fn on_body(&self, seen: &Self::Seen, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> Self::OnBody;
     /// The torque in joint number `joint` (0 is the root's) at a time.
     fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> Self::InJoint;
 }
@@ -38,12 +49,14 @@ pub struct Unloaded;
 impl<S: Space> Loading<S> for Unloaded {
     type OnBody = Absent;
     type InJoint = Absent;
+    type Seen = ();
     const ON: bool = false;
 
+    fn unseen() {}
     fn nothing() -> (Absent, Absent) {
         (Absent, Absent)
     }
-    fn on_body(&self, _: RealOf<S>, _: usize, _: &S::BodyMotion) -> Absent {
+    fn on_body(&self, (): &(), _: RealOf<S>, _: usize, _: &S::BodyMotion) -> Absent {
         Absent
     }
     fn in_joint(&self, _: RealOf<S>, _: usize, _: &S::JointMotion) -> Absent {

@@ -2,6 +2,7 @@
 
 use crate::counts::HasBody;
 use crate::element::{Budget, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::visit::survey;
 use core::fmt;
 use core::marker::PhantomData;
 
@@ -93,7 +94,8 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
         tip: S::Internal,
     ) -> Self {
         let (mut bodies, mut joints) = (chain.per_body(None), chain.per_joint(None));
-        let mut visit = Balance::<S, L> { gravity, loads, time, body: 0 };
+        let seen = survey(chain, ground, motion, loads);
+        let mut visit = Balance::<S, L> { gravity, loads, seen, time, body: 0 };
         let end = chain.travel(ground, motion, &mut visit, &mut bodies, &mut joints);
         let internal = chain.inward(&mut bodies, &mut joints, tip, &mut Internals::<S>(PhantomData));
         let (root, tip) = (S::end_station(&ground, internal), S::end_station(&end, tip));
@@ -188,42 +190,6 @@ impl<S: Space, F: FnMut(&S::BodyMotion)> Visit<S> for Show<F> {
     fn joint(&mut self, _: &S::JointMotion) {}
 }
 
-/// The body at the tip of a chain.
-pub(crate) fn last_body<S: Space, E: Element<S>>(
-    chain: &E,
-    ground: S::Frame,
-    motion: Coordinates<'_, S, E>,
-) -> Option<S::BodyMotion> {
-    let mut last = Last::<S> { arms: 0, body: None };
-    chain.travel(ground, motion, &mut last, &mut chain.per_body(()), &mut chain.per_joint(()));
-    last.body
-}
-
-/// Keeps the last body that is not part of an arm.
-struct Last<S: Space> {
-    /// How many arms deep the walk is.
-    arms: usize,
-    body: Option<S::BodyMotion>,
-}
-
-impl<S: Space> Visit<S> for Last<S> {
-    type OnBody = ();
-    type InJoint = ();
-
-    fn body(&mut self, body: &S::BodyMotion) {
-        if self.arms == 0 {
-            self.body = Some(*body);
-        }
-    }
-    fn joint(&mut self, _: &S::JointMotion) {}
-    fn enter_arm(&mut self) {
-        self.arms += 1;
-    }
-    fn leave_arm(&mut self) {
-        self.arms -= 1;
-    }
-}
-
 /// Energy and momentum of a motion.
 pub(crate) fn budget<S: Space, E: Element<S>>(
     chain: &E,
@@ -256,9 +222,10 @@ impl<S: Space> Visit<S> for Audit<S> {
 }
 
 /// Sets up the balance of forces at each station.
-struct Balance<'a, S: Space, L> {
+struct Balance<'a, S: Space, L: Loading<S>> {
     gravity: S::Vector,
     loads: &'a L,
+    seen: L::Seen,
     time: RealOf<S>,
     body: usize,
 }
@@ -269,7 +236,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for Balance<'_, S, L> {
 
     fn body(&mut self, body: &S::BodyMotion) -> Option<S::Station> {
         let mut station = S::body_station(body, self.gravity);
-        self.loads.on_body(self.time, self.body, body).act(&mut station);
+        self.loads.on_body(&self.seen, self.time, self.body, body).act(&mut station);
         self.body += 1;
         Some(station)
     }

@@ -1,6 +1,7 @@
 //! What walks over a scene do at its bodies, at its joints and where arms leave.
 
 use crate::element::{Coordinates, Element};
+use crate::loading::Loading;
 use crate::space::Space;
 
 /// A visitor of [`Element::travel`](crate::element::Element::travel).
@@ -65,5 +66,74 @@ impl<S: Space> Visit<S> for Look {
     type OnBody = ();
     type InJoint = ();
     fn body(&mut self, _: &S::BodyMotion) {}
+    fn joint(&mut self, _: &S::JointMotion) {}
+}
+
+/// The body at the tip of a chain.
+pub(crate) fn last_body<S: Space, E: Element<S>>(
+    chain: &E,
+    ground: S::Frame,
+    motion: Coordinates<'_, S, E>,
+) -> Option<S::BodyMotion> {
+    let mut last = Last::<S> { arms: 0, body: None };
+    chain.travel(ground, motion, &mut last, &mut chain.per_body(()), &mut chain.per_joint(()));
+    last.body
+}
+
+/// Keeps the last body that is not part of an arm.
+struct Last<S: Space> {
+    /// How many arms deep the walk is.
+    arms: usize,
+    body: Option<S::BodyMotion>,
+}
+
+impl<S: Space> Visit<S> for Last<S> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, body: &S::BodyMotion) {
+        if self.arms == 0 {
+            self.body = Some(*body);
+        }
+    }
+    fn joint(&mut self, _: &S::JointMotion) {}
+    fn enter_arm(&mut self) {
+        self.arms += 1;
+    }
+    fn leave_arm(&mut self) {
+        self.arms -= 1;
+    }
+}
+
+/// What loads have to see of a whole scene first.
+pub(crate) fn survey<S: Space, E: Element<S>, L: Loading<S>>(
+    chain: &E,
+    ground: S::Frame,
+    motion: Coordinates<'_, S, E>,
+    loads: &L,
+) -> L::Seen {
+    let mut surveyor = Surveyor { loads, seen: L::unseen(), body: 0 };
+    // A constant, so that a compiler does not even look at what follows where there is nothing to see.
+    if const { L::SURVEYS } {
+        chain.travel(ground, motion, &mut surveyor, &mut chain.per_body(()), &mut chain.per_joint(()));
+    }
+    surveyor.seen
+}
+
+/// Lets loads see each body.
+struct Surveyor<'a, S: Space, L: Loading<S>> {
+    loads: &'a L,
+    seen: L::Seen,
+    body: usize,
+}
+
+impl<S: Space, L: Loading<S>> Visit<S> for Surveyor<'_, S, L> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, body: &S::BodyMotion) {
+        self.loads.survey(&mut self.seen, self.body, body);
+        self.body += 1;
+    }
     fn joint(&mut self, _: &S::JointMotion) {}
 }

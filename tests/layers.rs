@@ -10,7 +10,7 @@ const FLOORS: [&[&str]; 8] = [
     &["scalar", "error", "state", "tuples"],
     &["mirror", "relation", "time", "lift", "dense"],
     &["space", "loading", "sweep", "visit", "element", "ends", "transfer", "motion"],
-    &["chain", "counts"],
+    &["chain", "counts", "struts"],
     &["planar", "spatial"],
     &["solve", "observe"],
     &["system"],

@@ -7,9 +7,9 @@ use crate::element::{
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Tied, TiedPosition};
-use crate::observe::last_body;
 use crate::relation::{Closures, LoopGain, Looped, Own, Settle, Solvable};
 use crate::scalar::Scalar;
+use crate::visit::last_body;
 use core::ops::Add;
 use typenum::{Sum, Unsigned};
 

@@ -77,6 +77,9 @@ where
         if R::Pairs::MOTION.first() != R::Pairs::MOTION.get(1) {
             return Err(Error::new(Fault::Unsupported { what: "a root that is guided" }).at(Place::Root));
         }
+        if L::SURVEYS {
+            return Err(Error::new(Fault::Unsupported { what: "loads between bodies" }));
+        }
         let motion = self.with_accelerations(motion.clone(), loads)?;
         // A spring is linear, so three looks tell its law.
         let look = |angle: T, rate: T| {

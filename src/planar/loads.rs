@@ -1,11 +1,12 @@
 //! What acts on planar scenes besides gravity.
 
-use super::{BodyMotion, JointMotion, Planar, Station};
+use super::{BodyMotion, Frame, JointMotion, Planar, Station};
 use crate::element::{Load, Loading};
 use crate::relation::plane::Full;
 use crate::relation::plane::algebra::cross;
 use crate::relation::{Absent, Closures, Part, Term};
 use crate::scalar::Scalar;
+use crate::struts::Points;
 use core::ops::Add;
 use nalgebra::Vector2;
 
@@ -56,6 +57,30 @@ impl<T: Scalar> Load<Planar<T>> for Wrench<T> {
 impl<T: Scalar> Part for Wrench<T> {
     fn is_finite(self) -> bool {
         self.force.x.is_finite() && self.force.y.is_finite() && self.torque.is_finite()
+    }
+}
+
+impl<T: Scalar> Points<2> for Planar<T> {
+    type Wrench = Wrench<T>;
+
+    fn point(body: &BodyMotion<T>, at: [T; 2]) -> [Vector2<T>; 2] {
+        let Frame { place, velocity, .. } = body.point(at);
+        [place, velocity]
+    }
+    fn pull(body: &BodyMotion<T>, at: [T; 2], force: Vector2<T>) -> Wrench<T> {
+        body.force_at(at, force.into())
+    }
+}
+
+impl<T: Scalar> Term<Self> for Wrench<T> {
+    fn none() -> Self {
+        Self::default()
+    }
+    fn add_to(self, sum: Self) -> Self {
+        sum + self
+    }
+    fn take_from(self, sum: Self) -> Self {
+        Self { force: sum.force - self.force, torque: sum.torque - self.torque }
     }
 }
 
@@ -226,13 +251,15 @@ impl<T: Scalar, F: Fn(T::Real, usize, &JointMotion<T>) -> T> JointLaw<T> for InJ
 impl<T: Scalar, B: BodyLaw<T>, J: JointLaw<T>> Loading<Planar<T>> for Loads<B, J> {
     type OnBody = B::Value;
     type InJoint = J::Value;
+    type Seen = ();
     const ON: bool = B::ON || J::ON;
 
+    fn unseen() {}
     fn nothing() -> (B::Value, J::Value) {
         (B::nothing(), J::Value::none())
     }
     #[inline(always)]
-    fn on_body(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> B::Value {
+    fn on_body(&self, (): &(), time: T::Real, body: usize, motion: &BodyMotion<T>) -> B::Value {
         self.bodies.at(time, body, &BodyMotion { inboard: motion.inboard.without_acceleration(), ..*motion })
     }
     #[inline(always)]

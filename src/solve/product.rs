@@ -9,6 +9,7 @@ use crate::relation::Term;
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};
 use crate::transfer::Exact;
+use crate::visit::survey;
 use core::marker::PhantomData;
 use num_traits::Zero;
 
@@ -23,8 +24,9 @@ enum Entry<S: Space, const N: usize> {
 }
 
 /// Forms the entries, outward.
-struct Form<'a, S: Space, L, const N: usize> {
+struct Form<'a, S: Space, L: Loading<S>, const N: usize> {
     loads: &'a L,
+    seen: L::Seen,
     time: RealOf<S>,
     gravity: S::Vector,
     body: usize,
@@ -41,7 +43,7 @@ where
     type InJoint = Entry<S, N>;
 
     fn body(&mut self, body: &S::BodyMotion) -> Entry<S, N> {
-        let load = self.loads.on_body(self.time, self.body, body);
+        let load = self.loads.on_body(&self.seen, self.time, self.body, body);
         self.body += 1;
         Entry::Body(S::body_matrix(body, self.gravity, load))
     }
@@ -68,7 +70,8 @@ where
     L::InJoint: Term<S::Scalar>,
 {
     let (mut bodies, mut joints) = (chain.per_body(Entry::Blank), chain.per_joint(Entry::Blank));
-    let mut form = Form { loads, time, gravity, body: 0, joint: 0, space: PhantomData };
+    let seen = survey(chain, *ground, motion, loads);
+    let mut form = Form { loads, seen, time, gravity, body: 0, joint: 0, space: PhantomData };
     chain.travel(*ground, motion, &mut form, &mut bodies, &mut joints);
 
     let identity = TransferMatrix::identity();

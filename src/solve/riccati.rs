@@ -7,6 +7,7 @@ use crate::element::{
     Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, RealOf, Space, Sweep, Visit,
 };
 use crate::relation::{Closures, Part, Solvable};
+use crate::visit::survey;
 use num_traits::Zero;
 
 /// Room for the sweeps of one scene: reused, never reallocated.
@@ -100,8 +101,9 @@ pub fn sweep<S: Space, E, W, R>(
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
     chain.pose(position, rate, S::turn(ground), sizes, x, y, p, q);
     if W::Loads::ON {
-        let mut pass = LoadPass { loads: *loads, time: *time, body: 0, joint: 0 };
         let motion = Coordinates { position, rate, acceleration };
+        let seen = survey(chain, *ground, motion, *loads);
+        let mut pass = LoadPass { loads: *loads, seen, time: *time, body: 0, joint: 0 };
         chain.travel(*ground, motion, &mut pass, on_bodies, in_joints);
     }
     let posture = Posture { x, y, p, q };
@@ -138,8 +140,9 @@ pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S, Closures: Solvable>>(
 }
 
 /// Evaluates the loads, body by body and joint by joint.
-struct LoadPass<'a, S: Space, L> {
+struct LoadPass<'a, S: Space, L: Loading<S>> {
     loads: &'a L,
+    seen: L::Seen,
     time: RealOf<S>,
     body: usize,
     joint: usize,
@@ -151,7 +154,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for LoadPass<'_, S, L> {
 
     #[inline(always)]
     fn body(&mut self, motion: &S::BodyMotion) -> L::OnBody {
-        let load = self.loads.on_body(self.time, self.body, motion);
+        let load = self.loads.on_body(&self.seen, self.time, self.body, motion);
         self.body += 1;
         load
     }
@@ -175,12 +178,13 @@ pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
     if const { !L::ON } {
         return None;
     }
-    let mut check = LoadCheck { pass: LoadPass { loads, time, body: 0, joint: 0 }, broken: None };
+    let seen = survey(chain, *ground, motion, loads);
+    let mut check = LoadCheck { pass: LoadPass { loads, seen, time, body: 0, joint: 0 }, broken: None };
     chain.travel(*ground, motion, &mut check, &mut chain.per_body(()), &mut chain.per_joint(()));
     check.broken
 }
 
-struct LoadCheck<'a, S: Space, L> {
+struct LoadCheck<'a, S: Space, L: Loading<S>> {
     pass: LoadPass<'a, S, L>,
     broken: Option<usize>,
 }

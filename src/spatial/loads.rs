@@ -1,11 +1,12 @@
 //! What acts on spatial scenes besides gravity.
 
-use super::{BodyMotion, JointMotion, Spatial, Station};
+use super::{BodyMotion, Frame, JointMotion, Spatial, Station};
 use crate::element::{Load, Loading};
 use crate::relation::space::algebra::{Columns, cross, is_finite, zero};
 use crate::relation::space::{Couple, Full};
 use crate::relation::{Absent, Closures, Part, Term};
 use crate::scalar::Scalar;
+use crate::struts::Points;
 use core::ops::Add;
 use nalgebra::Vector3;
 
@@ -56,6 +57,30 @@ impl<T: Scalar> Load<Spatial<T>> for Wrench<T> {
 impl<T: Scalar> Part for Wrench<T> {
     fn is_finite(self) -> bool {
         is_finite(self.force) && is_finite(self.torque)
+    }
+}
+
+impl<T: Scalar> Points<3> for Spatial<T> {
+    type Wrench = Wrench<T>;
+
+    fn point(body: &BodyMotion<T>, at: [T; 3]) -> [Vector3<T>; 2] {
+        let Frame { place, velocity, .. } = body.point(at);
+        [place, velocity]
+    }
+    fn pull(body: &BodyMotion<T>, at: [T; 3], force: Vector3<T>) -> Wrench<T> {
+        body.force_at(at, force.into())
+    }
+}
+
+impl<T: Scalar> Term<Self> for Wrench<T> {
+    fn none() -> Self {
+        Self::default()
+    }
+    fn add_to(self, sum: Self) -> Self {
+        sum + self
+    }
+    fn take_from(self, sum: Self) -> Self {
+        Self { force: sum.force - self.force, torque: sum.torque - self.torque }
     }
 }
 
@@ -284,13 +309,15 @@ impl<T: Scalar, V: AsRef<[Effort<T>]>> JointLaw<T> for Values<V> {
 impl<T: Scalar, B: BodyLaw<T>, J: JointLaw<T>> Loading<Spatial<T>> for Loads<B, J> {
     type OnBody = B::Value;
     type InJoint = J::Value;
+    type Seen = ();
     const ON: bool = B::ON || J::ON;
 
+    fn unseen() {}
     fn nothing() -> (B::Value, J::Value) {
         (B::nothing(), J::Value::none())
     }
     #[inline(always)]
-    fn on_body(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> B::Value {
+    fn on_body(&self, (): &(), time: T::Real, body: usize, motion: &BodyMotion<T>) -> B::Value {
         self.bodies.at(time, body, &BodyMotion { inboard: motion.inboard.without_acceleration(), ..*motion })
     }
     #[inline(always)]

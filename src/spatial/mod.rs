@@ -42,6 +42,7 @@ mod weld;
 pub use crate::chain::{Branch, Network};
 pub use crate::element::Unloaded;
 pub use crate::stepper::Stepper;
+pub use crate::struts::{Strut, Struts};
 pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
 pub use axial::{Axial, Listed, Relative};
 pub use ball::Ball;

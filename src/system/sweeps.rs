@@ -7,11 +7,12 @@ use crate::element::{
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
-use crate::observe::{each_body, last_body};
+use crate::observe::each_body;
 use crate::relation::{Closures, Solvable};
 use crate::scalar::{Real, Scalar};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
+use crate::visit::last_body;
 
 impl<S, R, C, P, L> Dynamics<L> for System<S, R, C, P>
 where

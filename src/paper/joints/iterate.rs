@@ -77,7 +77,11 @@ where
                 Part::Body(body) => {
                     body_number -= 1;
                     let motion = self.motions[body_number];
-                    let external = external::<T, L>(&motion, gravity, self.loads.on_body(time, body_number, &motion));
+                    let external = external::<T, L>(
+                        &motion,
+                        gravity,
+                        self.loads.on_body(&L::unseen(), time, body_number, &motion),
+                    );
                     let chi = self.scheme.rule.linearize(&body.angle, self.dt);
                     let held = self.torque_inboard(k, joint_number, body_number, time, before, ground);
                     let step = Balance { motion, external, outer: (m, q), held };

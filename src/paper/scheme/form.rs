@@ -45,7 +45,7 @@ where
             self.links.push(match part {
                 Part::Body(body) => {
                     let moving = body.guessed(self.later(body, span), body.expansion.barred, span);
-                    let load = self.loads.on_body(time, body_number, &moving);
+                    let load = self.loads.on_body(&L::unseen(), time, body_number, &moving);
                     body_number += 1;
                     let external = external::<T, L>(&moving, gravity, load);
                     let chi1 = self.chi(&body.angle).chi1;

@@ -1,0 +1,208 @@
+//! Springs and dampers between any two points of a scene, or a point and the ground.
+
+use crate::element::{Load, Loading, RealOf, Space};
+use crate::lift::Lift;
+use crate::relation::Term;
+use crate::scalar::Scalar;
+use nalgebra::SVector;
+use num_traits::Zero;
+
+/// A space of `D` dimensions, in which points of bodies can be pulled at.
+pub trait Points<const D: usize>: Space {
+    /// A force and torque on a body.
+    type Wrench: Load<Self> + Term<Self::Wrench>;
+
+    /// Place (m) and velocity (m/s) of a point given in body axes from the inboard end (m).
+    fn point(body: &Self::BodyMotion, at: [Self::Scalar; D]) -> [SVector<Self::Scalar, D>; 2];
+    /// A force (N, inertial axes) at such a point.
+    fn pull(body: &Self::BodyMotion, at: [Self::Scalar; D], force: SVector<Self::Scalar, D>) -> Self::Wrench;
+}
+
+/// An end of a strut: a point of a body (its number, and the point in its axes from its inboard end), or of the ground (m).
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum End<T, const D: usize> {
+    Body(usize, [T; D]),
+    Ground([T; D]),
+}
+
+/// A massless spring and damper between two points. Its force acts along the line between them: k (ℓ − ℓ₀) + c ℓ̇ pulls the ends
+/// together.
+///
+/// ```
+/// use catena::planar::*;
+/// let rod = Rod::uniform(1.0, 1.0);
+/// let scene = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+/// // From the middle of the first rod to the tip of the second, and from there to the ground.
+/// let inside = Strut::between((0, [0.5, 0.0]), (1, [1.0, 0.0])).with_stiffness(40.0).with_length(1.0);
+/// let outside = Strut::to_ground((1, [1.0, 0.0]), [2.5, 0.0]).with_stiffness(20.0).with_damping(0.5);
+/// let loads = Struts::of([inside, outside]);
+/// let start = scene.at_rest(&[0.0, 0.3])?;
+/// let run = scene.simulation(Dop853::tolerance(1e-10)).loads(&loads).run(start, 1.0, |_| ())?;
+/// # Ok::<(), catena::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strut<T, const D: usize> {
+    ends: [End<T, D>; 2],
+    stiffness: T,
+    damping: T,
+    length: T,
+}
+
+impl<T: Scalar, const D: usize> Strut<T, D> {
+    /// Between points of two bodies: the number of each, and the point in its axes from its inboard end (m).
+    pub fn between((body, at): (usize, [T; D]), (other, there): (usize, [T; D])) -> Self {
+        Self::new(End::Body(body, at), End::Body(other, there))
+    }
+
+    /// Between a point of a body and a place of the ground (m).
+    pub fn to_ground((body, at): (usize, [T; D]), place: [T; D]) -> Self {
+        Self::new(End::Body(body, at), End::Ground(place))
+    }
+
+    fn new(from: End<T, D>, to: End<T, D>) -> Self {
+        Self { ends: [from, to], stiffness: T::zero(), damping: T::zero(), length: T::zero() }
+    }
+
+    /// With a stiffness (N/m).
+    #[must_use]
+    pub fn with_stiffness(self, stiffness: T) -> Self {
+        Self { stiffness, ..self }
+    }
+
+    /// With a damping (N·s/m).
+    #[must_use]
+    pub fn with_damping(self, damping: T) -> Self {
+        Self { damping, ..self }
+    }
+
+    /// With a length (m) at which the spring does not pull; else it always does.
+    #[must_use]
+    pub fn with_length(self, length: T) -> Self {
+        Self { length, ..self }
+    }
+
+    /// Energy stored (J), for the places of its ends (m).
+    pub fn energy(&self, from: SVector<T, D>, to: SVector<T, D>) -> T {
+        let stretch = norm(to - from) - self.length;
+        (self.stiffness * stretch * stretch).scale(crate::scalar::Real::of(0.5))
+    }
+
+    /// Force (N) on its first end, for place and velocity of both.
+    fn force(&self, [from, to]: [[SVector<T, D>; 2]; 2]) -> SVector<T, D> {
+        let (apart, parting) = (to[0] - from[0], to[1] - from[1]);
+        let none = T::zero();
+        // A spring without length and a damper that is not there have no need of a direction: their ends may meet.
+        let slack = self.length.real() != none.real();
+        if !slack && self.damping.real() == none.real() {
+            return apart * self.stiffness;
+        }
+        let direction = apart * norm(apart).recip();
+        let stretch = norm(apart) - self.length;
+        direction * self.damping.mul_add(dot(direction, parting), self.stiffness * stretch)
+    }
+}
+
+fn dot<T: Scalar, const D: usize>(a: SVector<T, D>, b: SVector<T, D>) -> T {
+    a.iter().zip(b.iter()).fold(T::zero(), |sum, (a, b)| a.mul_add(*b, sum))
+}
+
+fn norm<T: Scalar, const D: usize>(a: SVector<T, D>) -> T {
+    dot(a, a).sqrt()
+}
+
+/// Struts of a scene, beside other loads.
+///
+/// They are loads: explicit rules take them as they are, and implicit ones where the geometry of a sweep is, so that a strut's
+/// stiffness does not enter the pivots of joints as that of a hinge does. A step must resolve its vibration: h ω < 2.8 for `Rk4`, and for
+/// implicit rules about as much. A strut sees the whole scene, which costs a walk more in each sweep, and nothing where there are none.
+#[derive(Clone, Copy, Debug)]
+pub struct Struts<T, const D: usize, const N: usize, L = crate::loading::Unloaded> {
+    struts: [Strut<T, D>; N],
+    others: L,
+}
+
+impl<T, const D: usize, const N: usize> Struts<T, D, N> {
+    /// These struts, and no other loads.
+    pub const fn of(struts: [Strut<T, D>; N]) -> Self {
+        Self { struts, others: crate::loading::Unloaded }
+    }
+
+    /// Other loads besides.
+    pub fn and<L>(self, others: L) -> Struts<T, D, N, L> {
+        Struts { struts: self.struts, others }
+    }
+}
+
+impl<T, const D: usize, const N: usize, L> Struts<T, D, N, L> {
+    /// The struts.
+    pub fn struts(&self) -> &[Strut<T, D>; N] {
+        &self.struts
+    }
+}
+
+/// Places and velocities of the ends of struts that are on bodies.
+type Seen<T, const D: usize, const N: usize> = [[[SVector<T, D>; 2]; 2]; N];
+
+impl<S, L, const D: usize, const N: usize> Loading<S> for Struts<S::Scalar, D, N, L>
+where
+    S: Points<D>,
+    L: Loading<S, OnBody: Term<S::Wrench>>,
+{
+    type OnBody = S::Wrench;
+    type InJoint = L::InJoint;
+    type Seen = (Seen<S::Scalar, D, N>, L::Seen);
+    const ON: bool = true;
+    const SURVEYS: bool = true;
+
+    fn nothing() -> (S::Wrench, L::InJoint) {
+        (S::Wrench::none(), L::nothing().1)
+    }
+    fn unseen() -> Self::Seen {
+        // A body that does not exist is nowhere: its strut's force is not a number, which says so.
+        let nowhere = SVector::repeat(S::Scalar::literal(f64::NAN));
+        ([[[nowhere; 2]; 2]; N], L::unseen())
+    }
+    fn survey(&self, (ends, others): &mut Self::Seen, body: usize, motion: &S::BodyMotion) {
+        for (strut, seen) in self.struts.iter().zip(ends) {
+            for (end, seen) in strut.ends.iter().zip(seen) {
+                match end {
+                    End::Body(k, at) if *k == body => *seen = S::point(motion, *at),
+                    End::Ground(place) => *seen = [SVector::from(*place), SVector::repeat(S::Scalar::zero())],
+                    End::Body(..) => {}
+                }
+            }
+        }
+        if L::SURVEYS {
+            self.others.survey(others, body, motion);
+        }
+    }
+    fn on_body(&self, (ends, others): &Self::Seen, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> S::Wrench {
+        let mut sum = S::Wrench::none();
+        for (strut, seen) in self.struts.iter().zip(ends) {
+            for (end, sign) in strut.ends.iter().zip([1.0, -1.0]) {
+                if let End::Body(k, at) = end
+                    && *k == body
+                {
+                    let force = strut.force(*seen) * S::Scalar::literal(sign);
+                    sum = S::pull(motion, *at, force).add_to(sum);
+                }
+            }
+        }
+        if L::ON { self.others.on_body(others, time, body, motion).add_to(sum) } else { sum }
+    }
+    fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> L::InJoint {
+        self.others.in_joint(time, joint, motion)
+    }
+}
+
+impl<T: Scalar, U: Scalar, const D: usize> Lift<T, U> for Strut<T, D> {
+    type Over = Strut<U, D>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Strut<U, D> {
+        let ends = self.ends.map(|end| match end {
+            End::Body(k, at) => End::Body(k, at.map(&mut *number)),
+            End::Ground(place) => End::Ground(place.map(&mut *number)),
+        });
+        let [stiffness, damping, length] = [self.stiffness, self.damping, self.length].map(&mut *number);
+        Strut { ends, stiffness, damping, length }
+    }
+}
