@@ -37,7 +37,8 @@
 //!   closure force. The ground's condition at the root turns Λ into λ, and the outward walk uses it.
 //! * **An implicit rule.** Only a joint's pivot gains K̂ and its torque an affine term. A stiff joint is the same element
 //!   condensed for another type of springs, [`Implicit`], after which the relation is full; rods and pins neither know nor pay.
-//!   Springs are read where coordinates would be without the acceleration sought, which makes a linear law exact.
+//!   Springs are read where coordinates would be without the acceleration sought, which makes a linear law exact; those of
+//!   rotations, which are not linear, where the last sweep has led ([`Reading`]).
 //! * **Projections and a tangent sweep through stored gains.** [`Element::Kept`] holds what the outward walk needs of each
 //!   elimination, one value per joint in the order of the chain, and outlives the sweep: [`Element::respond`] walks it again for
 //!   corrections of positions and rates, and other right-hand sides can.
@@ -52,7 +53,7 @@
 use crate::error::Error;
 pub use crate::loading::{Load, Loading, Unloaded};
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
-pub use crate::sweep::{Carrying, Explicit, Implicit, Springs, Sweep};
+pub use crate::sweep::{Carrying, Explicit, Implicit, Reading, Springs, Sweep};
 pub use crate::visit::{Gather, Level, Visit, look};
 
 use crate::mirror::{Position, Rate};
@@ -319,9 +320,18 @@ pub struct Given<'a, S: Space, E: Element<S>, W: Sweep<S>> {
     pub position: &'a E::Position,
     /// Their rates for dampers, likewise.
     pub rate: &'a E::Rate,
+    /// Where laws that are not linear in the coordinates are read.
+    pub reading: ReadingOf<'a, S, E, W>,
     /// How springs enter.
     pub springs: W::Springs,
 }
+
+/// Where the laws of an element that are not linear are read.
+pub type ReadingOf<'a, S, E, W> = <<W as Sweep<S>>::Springs as Springs<<S as Space>::Scalar>>::Reading<
+    'a,
+    <E as Element<S>>::Position,
+    <E as Element<S>>::Rate,
+>;
 
 /// The load on a body in a sweep.
 pub type OnBody<S, W> = <<W as Sweep<S>>::Loads as Loading<S>>::OnBody;

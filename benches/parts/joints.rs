@@ -1,8 +1,8 @@
 //! Chains of rods with other joints and ends than those of the main table: beside the pin chain with a free tip.
 
 use crate::scenes::{Case, GRAVITY, Library, Link, Row, state};
-use catena::element::Implicit;
 use catena::element::Unloaded;
+use catena::element::{Implicit, Reading};
 use catena::mirror::{Position, Rate};
 use catena::planar::*;
 use catena::system::StiffDynamics;
@@ -46,7 +46,8 @@ fn sweep_once<D: StiffDynamics<Unloaded, Scalar = f64>>(
     acceleration: &mut D::Rate,
 ) {
     let at = (position, rate);
-    scene.implicit_accelerations(0.0, at, at, springs, &Unloaded, workspace, acceleration);
+    let reading = Reading { position, rate, acceleration: rate };
+    scene.implicit_accelerations(0.0, at, at, reading, springs, &Unloaded, workspace, acceleration);
 }
 
 impl<D: StiffDynamics<Unloaded, Scalar = f64>> Case for Stiff<D> {

@@ -237,10 +237,10 @@ where
         &self,
         outer: R,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
-        Given { on_bodies, in_joints, position, rate, springs }: Given<'_, S, Self, W>,
+        Given { on_bodies, in_joints, position, rate, reading, springs }: Given<'_, S, Self, W>,
         kept: &mut A::Kept<Open>,
     ) -> R::Out {
-        let given = Given { on_bodies, in_joints, position, rate, springs };
+        let given = Given { on_bodies, in_joints, position, rate, reading, springs };
         outer.join(self.0.condense(S::Nothing::default(), Posture { x, y, p, q }, given, kept))
     }
 }

@@ -4,7 +4,7 @@
 use super::poses::pose_slices;
 use super::poses::{march, orient_items, pose_items, resolve_items};
 use super::{product, sum};
-use crate::element::{Condense, Coordinates, Element, Gather, Given, Level, Posture, Space, Sweep, Visit};
+use crate::element::{Condense, Coordinates, Element, Gather, Given, Level, Posture, Space, Springs, Sweep, Visit};
 use crate::error::Error;
 use crate::relation::{Closures, Promote};
 
@@ -306,7 +306,7 @@ macro_rules! chain_items {
                 kept: &mut Self::Kept<W::Closures>,
             ) -> Q {
                 let Posture { x, y, p, q } = posture;
-                let Given { on_bodies, in_joints, position, rate, springs } = given;
+                let Given { on_bodies, in_joints, position, rate, reading, springs } = given;
                 let items = &self[..];
                 march!(
                     n: items x y p q on_bodies in_joints position rate;
@@ -327,6 +327,12 @@ macro_rules! chain_items {
                             in_joints: &in_joints[i],
                             position: &position[i],
                             rate: &rate[i],
+                            // As long as the others, which a compiler does not know; where nothing reads it, nothing is left of it.
+                            reading: W::Springs::part(
+                                reading,
+                                |items| items.get(i).unwrap_or(&position[i]),
+                                |items| items.get(i).unwrap_or(&rate[i]),
+                            ),
                             springs,
                         };
                         <A as Condense<S, $met, W>>::condense(&items[i], $outer, posture, given, &mut kept[i])

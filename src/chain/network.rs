@@ -2,7 +2,8 @@
 
 use super::{deeper, sum};
 use crate::element::{
-    Carrying, Condense, Coordinates, Element, Gather, Given, InJoint, Level, Posture, Space, Sweep, Visit, look,
+    Carrying, Condense, Coordinates, Element, Gather, Given, InJoint, Level, Posture, Space, Springs, Sweep, Visit,
+    look,
 };
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
@@ -413,22 +414,38 @@ where
         &self,
         outer: R,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
-        Given { on_bodies, in_joints, position, rate, springs }: Given<'_, S, Self, W>,
+        Given { on_bodies, in_joints, position, rate, reading, springs }: Given<'_, S, Self, W>,
         kept: &mut Self::Kept<W::Closures>,
     ) -> Self::Out {
         let (main, side, driven) =
             self.closing.close_off(outer, in_joints.2, Ends { x: &x.2, y: &y.2, p: &p.2, q: &q.2 });
         let (position, rate) = (&position.arms, &rate.arms);
+        let in_main = W::Springs::part(reading, |position| &position.arms.0, |rate| &rate.arms.0);
+        let in_side = W::Springs::part(reading, |position| &position.arms.1, |rate| &rate.arms.1);
         let main = self.main().condense(
             main,
             Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 },
-            Given { on_bodies: &on_bodies.0, in_joints: &in_joints.0, position: &position.0, rate: &rate.0, springs },
+            Given {
+                on_bodies: &on_bodies.0,
+                in_joints: &in_joints.0,
+                position: &position.0,
+                rate: &rate.0,
+                reading: in_main,
+                springs,
+            },
             &mut kept.0,
         );
         let side = self.side().condense(
             side,
             Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 },
-            Given { on_bodies: &on_bodies.1, in_joints: &in_joints.1, position: &position.1, rate: &rate.1, springs },
+            Given {
+                on_bodies: &on_bodies.1,
+                in_joints: &in_joints.1,
+                position: &position.1,
+                rate: &rate.1,
+                reading: in_side,
+                springs,
+            },
             &mut kept.1,
         );
         let (relation, gain) = main.settle(side);

@@ -4,7 +4,8 @@
 //! of what lies outboard about a joint.
 
 use crate::element::{
-    Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, RealOf, Space, Sweep, Visit,
+    Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, ReadingOf, RealOf, Space,
+    Sweep, Visit,
 };
 use crate::relation::{Closures, Part, Solvable};
 use crate::visit::survey;
@@ -73,24 +74,26 @@ pub struct Site<'a, S: Space, R, L> {
 }
 
 /// How springs enter a sweep, and where they are.
-pub struct Spring<'a, P, V, K> {
+pub struct Spring<'a, S: Space, E: Element<S>, W: Sweep<S>> {
     /// Positions for springs.
-    pub position: &'a P,
+    pub position: &'a E::Position,
     /// Rates for dampers.
-    pub rate: &'a V,
+    pub rate: &'a E::Rate,
+    /// Where laws that are not linear are read.
+    pub reading: ReadingOf<'a, S, E, W>,
     /// How they enter.
-    pub springs: K,
+    pub springs: W::Springs,
 }
 
 /// One sweep: the accelerations of all joint coordinates, from their positions and rates.
 #[inline]
-pub fn sweep<S: Space, E, W, R>(
+pub fn sweep<'a, S: Space, E, W, R>(
     chain: &E,
     site: &Site<'_, S, R, W::Loads>,
     position: &E::Position,
     rate: &E::Rate,
-    spring: &Spring<'_, E::Position, E::Rate, W::Springs>,
-    workspace: &mut Workspace<S, E, W>,
+    spring: &Spring<'a, S, E, W>,
+    workspace: &'a mut Workspace<S, E, W>,
     acceleration: &mut E::Rate,
 ) where
     W: Sweep<S>,
@@ -107,8 +110,8 @@ pub fn sweep<S: Space, E, W, R>(
         chain.travel(*ground, motion, &mut pass, on_bodies, in_joints);
     }
     let posture = Posture { x, y, p, q };
-    let &Spring { position, rate, springs } = spring;
-    let given = Given { on_bodies, in_joints, position, rate, springs };
+    let &Spring { position, rate, reading, springs } = spring;
+    let given = Given { on_bodies, in_joints, position, rate, reading, springs };
     let root = S::falling(ground, *gravity);
     let relation = chain.condense(*tip, posture, given, kept);
     *multipliers = relation.multipliers(&root);

@@ -4,7 +4,7 @@
 //! c = (ω × (ω × d) + 2 ω × ḋ, ω × ω_rel + …), ω that of the inboard body.
 
 use super::axial::{Axial, Listed, Relative};
-use super::joint::{Joint, Stored};
+use super::joint::{Joint, One, Stored};
 use super::loads::Drive;
 use super::spring::{Law, PivotRule};
 use super::{Acceleration, Cylindrical, Frame, JointMotion, Prismatic, Revolute, Spatial, Turn, Universal};
@@ -12,7 +12,7 @@ use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
 use crate::relation::Closures;
 use crate::relation::space::algebra::{Columns, add_scaled, centripetal, cross, cross_onto, zero};
-use crate::relation::space::{Full, Pivot, Relation, Rigid, Way};
+use crate::relation::space::{Full, Pivot, Relation, Rigid, Slides, Way};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -99,24 +99,23 @@ fn axis<T: Scalar>(stored: &Columns<T>, k: usize) -> Vector3<T> {
 }
 
 #[inline(always)]
-fn condense<T: Scalar, J, R, W, const K: usize>(
+fn condense<T: Scalar, J, C: Closures, W, const K: usize>(
     joint: &J,
-    outer: R,
+    outer: Full<T, C>,
     posture: (&Columns<T>, &[Vector3<T>; 2]),
     drive: InJoint<Spatial<T>, W>,
     (position, rate): (&J::Coordinates, &J::Coordinates),
     springs: W::Springs,
-    kept: &mut [Pivot<T, R::Closures>; K],
-) -> Full<T, R::Closures>
+    kept: &mut [Pivot<T, C>; K],
+) -> Full<T, C>
 where
     J: Axial<T, K>,
-    R: Rigid<T>,
     W: Sweep<Spatial<T>, Springs: PivotRule<T>>,
     InJoint<Spatial<T>, W>: Drive<T>,
 {
     let (stored, bias) = posture;
     let (position, rate) = (position.list(), rate.list());
-    let mut relation = outer.full();
+    let mut relation = outer;
     if J::SLIDES {
         relation = relation.with_mass(joint.lumped());
     }
@@ -176,11 +175,12 @@ fn responded<T: Scalar, J: Axial<T, K>, C: Closures, const K: usize>(
 
 /// Makes axial joints joints that can condense.
 macro_rules! axial {
-    ([$($generics:ident $(: $bound:ident)?),*] $Joint:ty, $K:literal) => {
+    ([$($generics:ident $(: $bound:ident)?),*] $Joint:ty, $K:literal, $Takes:ident.$full:ident) => {
         impl<$($generics $(: $bound<T>)?),*> Joint<T> for $Joint where T: Scalar {
             type Position = <Self as Axial<T, $K>>::Coordinates;
             type Rate = <Self as Axial<T, $K>>::Coordinates;
             type Kept<C: Closures> = [Pivot<T, C>; $K];
+            type Sets = One;
 
             fn position() -> Self::Position {
                 Listed::from_list([T::zero(); $K])
@@ -270,7 +270,7 @@ macro_rules! axial {
         impl<Outer, W, $($generics $(: $bound<T>)?),*> Condense<Spatial<T>, Outer, W> for $Joint
         where
             T: Scalar,
-            Outer: Rigid<T>,
+            Outer: $Takes<T>,
             W: Sweep<Spatial<T>, Springs: PivotRule<T>, Closures = Outer::Closures>,
             InJoint<Spatial<T>, W>: Drive<T>,
         {
@@ -286,12 +286,13 @@ macro_rules! axial {
             ) -> Self::Out {
                 let Given { in_joints, position, rate, springs, .. } = given;
                 let posture = (posture.x, posture.y);
-                condense::<T, Self, Outer, W, $K>(self, outer, posture, *in_joints, (position, rate), springs, kept)
+                condense::<T, Self, Outer::Closures, W, $K>(self, outer.$full(), posture, *in_joints, (position, rate), springs, kept)
             }
         }
     };
 }
-axial!([T, L: Law] Revolute<T, L>, 1);
-axial!([T, L: Law] Prismatic<T, L>, 1);
-axial!([T, L: Law, M: Law] Universal<T, L, M>, 2);
-axial!([T, L: Law, M: Law] Cylindrical<T, L, M>, 2);
+axial!([T, L: Law] Revolute<T, L>, 1, Rigid.full);
+// A ball resists no rotation, but displacement.
+axial!([T, L: Law] Prismatic<T, L>, 1, Slides.whole);
+axial!([T, L: Law, M: Law] Universal<T, L, M>, 2, Rigid.full);
+axial!([T, L: Law, M: Law] Cylindrical<T, L, M>, 2, Rigid.full);

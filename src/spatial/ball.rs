@@ -1,7 +1,7 @@
 //! The ball joint.
 
 use super::loads::Drive;
-use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, joint::Stored};
+use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, joint::One, joint::Stored};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::lift::lift;
 use crate::relation::Closures;
@@ -23,6 +23,7 @@ impl<T: Scalar> Joint<T> for Ball {
     type Position = Rotation<T>;
     type Rate = [T; 3];
     type Kept<C: Closures> = Gain<T, C>;
+    type Sets = One;
 
     fn position() -> Rotation<T> {
         Rotation::identity()

@@ -1,22 +1,58 @@
 //! What a spatial joint has to say of itself, and how that makes it an element.
 
 use super::{
-    Acceleration, Ball, Cylindrical, ElasticBall, Floating, Frame, JointMotion, Prismatic, Revolute, Spatial, Turn,
+    Acceleration, Ball, Cylindrical, ElasticHinge, Floating, Frame, JointMotion, Linear, Prismatic, Revolute,
+    RotaryLaw, Spatial, Turn,
 };
 use super::{Universal, Weld, spring::Law};
 use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Gather, Posture, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
+use crate::relation::Closures;
 use crate::relation::space::algebra::Columns;
-use crate::relation::{Closures, Coefficient};
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use typenum::{U0, U1, U2, U3, U6};
 
-/// What a joint stores of its posture: axes and arm, and the accelerations that rates alone cause.
+/// What a joint with one set of axes stores of its posture: axes and arm, and the accelerations that rates alone cause.
 pub type Stored<T> = (Columns<T>, [Vector3<T>; 2]);
+
+/// How many sets of axes a joint stores.
+pub trait Sets {
+    /// One `X` for each.
+    type Per<X: Copy>: Copy;
+    /// `fill` for each.
+    fn per<X: Copy>(fill: X) -> Self::Per<X>;
+}
+
+/// One set of axes.
+#[derive(Clone, Copy, Debug)]
+pub struct One;
+
+/// Two sets of axes: those of the outboard body and those of the inboard one.
+#[derive(Clone, Copy, Debug)]
+pub struct Two;
+
+impl Sets for One {
+    type Per<X: Copy> = X;
+    fn per<X: Copy>(fill: X) -> X {
+        fill
+    }
+}
+
+impl Sets for Two {
+    type Per<X: Copy> = [X; 2];
+    fn per<X: Copy>(fill: X) -> [X; 2] {
+        [fill; 2]
+    }
+}
+
+/// Axes that a joint stores.
+pub type Axes<T, J> = <<J as Joint<T>>::Sets as Sets>::Per<Columns<T>>;
+/// Vectors that it stores beside them.
+pub type Biases<T, J> = <<J as Joint<T>>::Sets as Sets>::Per<[Vector3<T>; 2]>;
 
 /// A massless joint in space.
 ///
@@ -29,6 +65,8 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     type Rate: Rate<T>;
     /// What its elimination keeps for the outward walk.
     type Kept<C: Closures>: Clone;
+    /// How many sets of axes it stores.
+    type Sets: Sets;
 
     /// The position of an unturned joint.
     fn position() -> Self::Position;
@@ -49,11 +87,16 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     }
 
     /// The orientation of the outboard body, and what the other walks read.
-    fn oriented(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> (Turn<T>, Stored<T>);
+    fn oriented(
+        &self,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        inboard: Turn<T>,
+    ) -> (Turn<T>, (Axes<T, Self>, Biases<T, Self>));
 
     /// Stores what the other walks read; what they do not read stays as it is.
     #[inline(always)]
-    fn store(stored: Stored<T>, x: &mut Columns<T>, y: &mut [Vector3<T>; 2]) {
+    fn store(stored: (Axes<T, Self>, Biases<T, Self>), x: &mut Axes<T, Self>, y: &mut Biases<T, Self>) {
         (*x, *y) = stored;
     }
 
@@ -78,7 +121,7 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
-        stored: (&Columns<T>, &[Vector3<T>; 2]),
+        stored: (&Axes<T, Self>, &Biases<T, Self>),
         kept: &Self::Kept<C>,
         multipliers: &C::Each<T>,
         rate: &mut Self::Rate,
@@ -88,7 +131,7 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     fn responded<C: Closures>(
         &self,
         inboard: Acceleration<T>,
-        stored: (&Columns<T>, &[Vector3<T>; 2]),
+        stored: (&Axes<T, Self>, &Biases<T, Self>),
         kept: &Self::Kept<C>,
         multipliers: &C::Each<T>,
         rate: &mut Self::Rate,
@@ -104,7 +147,7 @@ macro_rules! joint {
             type Kept<C: Closures> = <Self as Joint<T>>::Kept<C>;
             type PerBody<X: Copy> = ();
             type PerJoint<X: Copy> = X;
-            type PerAxes<X: Copy> = X;
+            type PerAxes<X: Copy> = <<Self as Joint<T>>::Sets as Sets>::Per<X>;
 
             const BODIES: Option<usize> = Some(0);
             const JOINTS: Option<usize> = Some(1);
@@ -132,8 +175,8 @@ macro_rules! joint {
             fn per_joint<X: Copy>(&self, fill: X) -> X {
                 fill
             }
-            fn per_axes<X: Copy>(&self, fill: X) -> X {
-                fill
+            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
+                <Self as Joint<T>>::Sets::per(fill)
             }
             fn body_entry<'a, X: Copy>(&self, _: &'a (), _: usize) -> Option<&'a X> {
                 None
@@ -153,23 +196,23 @@ macro_rules! joint {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: Turn<T>,
-                x: &mut Columns<T>,
-                y: &mut [Vector3<T>; 2],
-                _: &mut Vector3<T>,
-                _: &mut Vector3<T>,
+                x: &mut Self::PerAxes<Columns<T>>,
+                y: &mut Self::PerAxes<[Vector3<T>; 2]>,
+                _: &mut Self::PerAxes<Vector3<T>>,
+                _: &mut Self::PerAxes<Vector3<T>>,
             ) -> Turn<T> {
                 let (outboard, stored) = self.oriented(position, rate, turn);
                 <Self as Joint<T>>::store(stored, x, y);
                 outboard
             }
-            fn size(&self, (): &mut ()) {}
+            fn size(&self, _: &mut Self::PerAxes<()>) {}
             #[inline(always)]
             fn resolve(
-                (): &(),
-                _: &mut Columns<T>,
-                _: &mut [Vector3<T>; 2],
-                _: &mut Vector3<T>,
-                _: &mut Vector3<T>,
+                _: &Self::PerAxes<()>,
+                _: &mut Self::PerAxes<Columns<T>>,
+                _: &mut Self::PerAxes<[Vector3<T>; 2]>,
+                _: &mut Self::PerAxes<Vector3<T>>,
+                _: &mut Self::PerAxes<Vector3<T>>,
             ) {
             }
             #[inline(always)]
@@ -223,7 +266,8 @@ macro_rules! joint {
     };
 }
 joint!([T: Scalar] Ball, true);
-joint!([T: Scalar, D: Coefficient<T>] ElasticBall<T, D>, false);
+joint!([T: Scalar, R: RotaryLaw<T>] ElasticHinge<R>, false);
+joint!([T: Scalar, R: RotaryLaw<T>, L: Law<T>, M: Law<T>, N: Law<T>] ElasticHinge<R, Linear<T, L, M, N>>, false);
 joint!([T: Scalar] Floating<T>, true);
 joint!([T: Scalar] Weld<T>, false);
 joint!([T: Scalar, L: Law<T>] Revolute<T, L>, false);
@@ -242,7 +286,8 @@ macro_rules! count {
 }
 count! {
     [] Ball: U3;
-    [T, D] ElasticBall<T, D>: U3;
+    [R] ElasticHinge<R>: U3;
+    [R, T, X, Y, Z] ElasticHinge<R, Linear<T, X, Y, Z>>: U6;
     [T] Floating<T>: U6;
     [T] Weld<T>: U0;
     [T, L] Revolute<T, L>: U1;

@@ -105,21 +105,19 @@ pub fn inverse_tangent<T: Scalar>(psi: [T; 3], spin: [T; 3]) -> [T; 3] {
     with_crosses(psi, T::literal(0.5), Half::of(psi).cotangent(), Vector3::from(spin)).into()
 }
 
-/// The gradient of V = ½ φᵀ K φ, φ = log R, for turns of the outboard body in axes of the inboard one: (1 + ½ φ~ + c φ~²) K φ. It is
-/// conservative, and objective, which K times angles would not be.
+/// The gradient of V(φ), φ = log R, for turns of the outboard body in axes of the inboard one, where ∂V/∂φ = `force`:
+/// (1 + ½ φ~ + c φ~²) ∂V/∂φ. It is conservative, and objective, which K times angles would not be.
 #[inline(always)]
-pub(super) fn spring_couple<T: Scalar>(phi: Vector3<T>, stiffness: Vector3<T>) -> Vector3<T> {
-    let force = phi.component_mul(&stiffness);
+pub(super) fn spring_couple<T: Scalar>(phi: Vector3<T>, force: Vector3<T>) -> Vector3<T> {
     with_crosses(phi, T::literal(0.5), Half::of(phi).cotangent(), force)
 }
 
 /// How that couple changes with turns of the outboard body (axes of the inboard one), symmetrised: the derivative of
-/// (1 + ½ φ~ + c φ~²) K φ by φ, times dφ = (1 − ½ φ~ + c φ~²) dψ. It serves as the slope of an implicit sweep, which does without
-/// the change of c, of third order in φ.
+/// (1 + ½ φ~ + c φ~²) ∂V/∂φ by φ, times dφ = (1 − ½ φ~ + c φ~²) dψ, for ∂²V/∂φ² = diag(`stiffness`). It serves as the slope of an
+/// implicit sweep, which does without the change of c, of third order in φ.
 #[inline(always)]
-pub(super) fn spring_slope<T: Scalar>(phi: Vector3<T>, stiffness: Vector3<T>) -> Symmetric3<T> {
+pub(super) fn spring_slope<T: Scalar>(phi: Vector3<T>, stiffness: Vector3<T>, force: Vector3<T>) -> Symmetric3<T> {
     let (half, c) = (T::literal(0.5), Half::of(phi).cotangent());
-    let force = phi.component_mul(&stiffness);
     let work = dot(phi, force) * c;
     let column = |e: Vector3<T>| {
         let turned = with_crosses(phi, -half, c, e);

@@ -1,6 +1,6 @@
 //! The rigid joint.
 
-use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, joint::Stored};
+use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, joint::One, joint::Stored};
 use crate::element::{Condense, Given, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::lift;
@@ -39,6 +39,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     type Position = ();
     type Rate = ();
     type Kept<C: Closures> = ();
+    type Sets = One;
 
     fn position() {}
     fn rate() {}

@@ -2,7 +2,7 @@
 
 use super::displace::mean_square;
 use super::{Method, MotionIn, Stepper, TimeIn, check};
-use crate::element::Implicit;
+use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
@@ -143,9 +143,10 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
                 self.earlier.set(&next.acceleration);
             }
             let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
-            let acceleration = &mut next.acceleration;
+            let reading = Reading { position: free.0, rate: free.1, acceleration: &self.zero };
+            let (found, stiff) = (&mut next.acceleration, &mut self.stiff);
             next.multipliers =
-                self.scene.implicit_accelerations(next.time, at, free, springs, loads, &mut self.stiff, acceleration);
+                self.scene.implicit_accelerations(next.time, at, free, reading, springs, loads, stiff, found);
             self.sweeps += 1;
         }
         let found = &next.acceleration;

@@ -2,7 +2,7 @@
 
 use super::displace::{displace, gather, mean_square};
 use super::{Method, MotionIn, Stepper, TimeIn, check};
-use crate::element::Implicit;
+use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
@@ -25,6 +25,8 @@ pub struct SdirkStepper<D: StiffDynamics<L>, L> {
     free: (D::Position, D::Rate),
     /// Where the geometry of a sweep is taken.
     at: (D::Position, D::Rate),
+    /// The acceleration that led there.
+    led: D::Rate,
     still: MotionIn<D, L>,
     zero: D::Rate,
     /// Room for increments of positions.
@@ -48,6 +50,7 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for Sdirk4 {
             slopes: core::array::from_fn(|_| zero.clone()),
             free: place.clone(),
             at: place,
+            led: zero.clone(),
             room: zero.clone(),
             estimate: (zero.clone(), zero.clone()),
             zero,
@@ -78,6 +81,7 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
             self.at.0.drift_0(&past.position, (real(node) * dt, &past.rate));
             self.at.1.set(&past.rate);
             if D::Position::CURVED {
+                self.led.set(&self.zero);
                 self.at.0.land(&past.position, &mut self.at.1);
             }
         } else {
@@ -85,12 +89,18 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
         }
         for _ in 0..sweeps {
             let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
-            let acceleration = &mut self.slopes[stage];
+            let reading = if D::Position::CURVED {
+                Reading { position: at.0, rate: at.1, acceleration: &self.led }
+            } else {
+                Reading { position: free.0, rate: free.1, acceleration: &self.zero }
+            };
+            let (found, stiff) = (&mut self.slopes[stage], &mut self.stiff);
             next.multipliers =
-                self.scene.implicit_accelerations(next.time, at, free, springs, loads, &mut self.stiff, acceleration);
+                self.scene.implicit_accelerations(next.time, at, free, reading, springs, loads, stiff, found);
             self.sweeps += 1;
             if D::Position::CURVED {
                 next.acceleration.set(&self.slopes[stage]);
+                self.led.set(&self.slopes[stage]);
                 self.at.0.unroll(&past.position, &self.at.1, &mut self.slopes[stage]);
             }
             self.aim(springs, stage, past, real(node) * dt);

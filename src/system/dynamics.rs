@@ -1,6 +1,6 @@
 //! What a stepper needs of a scene.
 
-use crate::element::{Element, Implicit, Space};
+use crate::element::{Element, Implicit, Reading, Space};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::mirror::{Position, Rate};
@@ -88,13 +88,15 @@ pub trait StiffDynamics<L>: Dynamics<L> {
     fn stiff_workspace(&self) -> Self::StiffWorkspace;
 
     /// One linearly implicit sweep: accelerations from the geometry `at` (positions, rates) and springs that stand at `spring`
-    /// (positions, rates) without, and move with, the accelerations sought.
+    /// (positions, rates) without, and move with, the accelerations sought. Laws that are not linear in their coordinates are read
+    /// at a `reading` instead.
     #[allow(clippy::too_many_arguments)] // the data flow of the method, one value each
     fn implicit_accelerations(
         &self,
         time: <Self::Scalar as Scalar>::Real,
         at: (&Self::Position, &Self::Rate),
         spring: (&Self::Position, &Self::Rate),
+        reading: Reading<'_, Self::Position, Self::Rate>,
         springs: Implicit<<Self::Scalar as Scalar>::Real>,
         loads: &L,
         workspace: &mut Self::StiffWorkspace,

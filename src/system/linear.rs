@@ -2,7 +2,7 @@
 
 use super::{MotionOf, PositionOf, RateOf, Runs, StiffDynamics, System, coordinates};
 use crate::dense::{Matrix, Tangent};
-use crate::element::{Element, Implicit, Loading, RealOf, Space};
+use crate::element::{Element, Implicit, Loading, Reading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::mirror::{Position, Rate};
 use crate::observe::each_body;
@@ -132,7 +132,9 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                     let weight = RealOf::<S>::of(sign * weight) / step;
                     for ((at, spring), change) in [(there, here), (here, there)].into_iter().zip(&mut changes) {
                         let found = &mut acceleration;
-                        self.implicit_accelerations(still.time, at, spring, springs, loads, workspace, found);
+                        // No acceleration: the rates are zero.
+                        let reading = Reading { position: spring.0, rate: spring.1, acceleration: &still.rate };
+                        self.implicit_accelerations(still.time, at, spring, reading, springs, loads, workspace, found);
                         let mut sums = change.iter_mut();
                         acceleration.visit(&mut |x| {
                             if let Some(sum) = sums.next() {

@@ -1,7 +1,7 @@
 //! A reference to a scene will do where a scene does.
 
 use super::dynamics::{Dynamics, Held, StiffDynamics};
-use crate::element::Implicit;
+use crate::element::{Implicit, Reading};
 use crate::error::Error;
 use crate::motion::Motion;
 use crate::scalar::Scalar;
@@ -85,12 +85,13 @@ impl<D: StiffDynamics<L>, L> StiffDynamics<L> for &D {
         time: <Self::Scalar as Scalar>::Real,
         at: (&Self::Position, &Self::Rate),
         spring: (&Self::Position, &Self::Rate),
+        reading: Reading<'_, Self::Position, Self::Rate>,
         springs: Implicit<<Self::Scalar as Scalar>::Real>,
         loads: &L,
         workspace: &mut Self::StiffWorkspace,
         acceleration: &mut Self::Rate,
     ) -> Held<D, L> {
-        D::implicit_accelerations(self, time, at, spring, springs, loads, workspace, acceleration)
+        D::implicit_accelerations(self, time, at, spring, reading, springs, loads, workspace, acceleration)
     }
 
     #[inline]

@@ -2,7 +2,8 @@
 
 use super::dynamics::{Dynamics, Held, Runs, StiffDynamics};
 use crate::element::{
-    Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Level, Loading, RealOf, Space, Sweep, look,
+    Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Level, Loading, Reading, RealOf, Space, Sweep,
+    look,
 };
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
@@ -49,7 +50,7 @@ where
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L> {
         let site = self.site(time, loads);
-        let spring = Spring { position, rate, springs: Explicit };
+        let spring = Spring { position, rate, reading: (), springs: Explicit };
         sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
         workspace.multipliers
     }
@@ -162,13 +163,14 @@ where
         time: RealOf<S>,
         (position, rate): (&Self::Position, &Self::Rate),
         spring: (&Self::Position, &Self::Rate),
+        reading: Reading<'_, Self::Position, Self::Rate>,
         springs: Implicit<RealOf<S>>,
         loads: &L,
         workspace: &mut Self::StiffWorkspace,
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L> {
         let site = self.site(time, loads);
-        let spring = Spring { position: spring.0, rate: spring.1, springs };
+        let spring = Spring { position: spring.0, rate: spring.1, reading, springs };
         sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
         workspace.multipliers
     }

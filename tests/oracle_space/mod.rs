@@ -65,6 +65,9 @@ pub enum Joint {
     Cylindrical { axis: Vector, position: [f64; 2], rates: [f64; 2], efforts: [f64; 2] },
     /// A relative attitude.
     Weld { attitude: Matrix },
+    /// Place and its rate in axes of the inboard body, relative attitude, relative spin (axes of the outboard body); force at the
+    /// outboard point and torque in axes of the inboard body.
+    Elastic { place: Vector, rate: Vector, attitude: Matrix, spin: Vector, force: Vector, torque: Vector },
     /// Place, velocity, attitude, spin (axes of the body).
     Free { place: Vector, velocity: Vector, attitude: Matrix, spin: Vector },
 }
@@ -153,6 +156,12 @@ fn kinematics(ground: Frame, parents: &[Option<usize>], bodies: &[Body], joints:
                 frame.spin = spin + n * rates[1];
             }
             Joint::Weld { attitude: relative } => frame.attitude = attitude * relative,
+            Joint::Elastic { place: d, rate, attitude: relative, spin: own, .. } => {
+                frame.place = place + attitude * d;
+                frame.velocity = velocity + attitude * rate + spin.cross(&(attitude * d));
+                frame.attitude = attitude * relative;
+                frame.spin = spin + frame.attitude * own;
+            }
             Joint::Free { place: at, velocity: moving, attitude, spin } => {
                 frame = Frame {
                     place: place + at,
@@ -288,6 +297,10 @@ pub fn solve_tree(
             Joint::Weld { .. } => {
                 rows.extend(unit.map(|t| (k, point(t, Vector::zeros(), 0.0))));
                 rows.extend(unit.map(|t| (k, turn(t, 0.0))));
+            }
+            Joint::Elastic { force: own, torque: couple, .. } => {
+                effort_force[k] = attitude_i * own;
+                effort_torque[k] = attitude_i * couple;
             }
             Joint::Free { .. } => (),
         }

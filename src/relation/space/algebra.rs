@@ -156,6 +156,13 @@ impl<T: Scalar> Symmetric3<T> {
         Self { xx: value, xy: o, xz: o, yy: value, yz: o, zz: value }
     }
 
+    /// These values on the diagonal.
+    #[inline(always)]
+    pub fn of_diagonal(values: Vector3<T>) -> Self {
+        let o = T::zero();
+        Self { xx: values.x, xy: o, xz: o, yy: values.y, yz: o, zz: values.z }
+    }
+
     /// S + value·1.
     #[inline(always)]
     pub fn plus_diagonal(self, value: T) -> Self {

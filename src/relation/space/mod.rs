@@ -10,7 +10,9 @@ mod join;
 mod kinds;
 mod looped;
 mod pivots;
+mod slides;
 
 pub use full::{Full, FullColumn, Rigid};
 pub use kinds::{Couple, Empty, Lump, Point, Relation};
 pub use pivots::{BallGain, Gain, Pivot, Way};
+pub use slides::Slides;

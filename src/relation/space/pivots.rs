@@ -77,7 +77,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
             z: Vector3::new(g.x.z, g.y.z, g.z.z),
         };
         let (cuts, per_closure) =
-            turned_out(&self.cuts, free, |w| -factor.solve(w), |w, row| k.apply_onto(row, w.force));
+            turned_out(&self.cuts, |w| w.torque, free, |w| -factor.solve(w), |w, row| k.apply_onto(row, w.force));
         let relation = Point {
             stiffness: self.linear.plus_product(&k, &rows),
             offset: k.apply_onto(free, self.force),
@@ -111,7 +111,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
             force: k.apply_onto(row, w.force),
             torque: -stiffness.apply(row),
         };
-        let (cuts, per_closure) = turned_out(&self.cuts, free, |w| -factor.solve(w), reduce);
+        let (cuts, per_closure) = turned_out(&self.cuts, |w| w.torque, free, |w| -factor.solve(w), reduce);
         let relation = Self {
             linear: self.linear.plus_product(&k, &rows),
             coupling: k.times(&left),
@@ -132,18 +132,20 @@ impl<T: Scalar, C: Closures> Full<T, C> {
 }
 
 /// The angular acceleration for each closure force.
-type Rows<T, C> = <C as Closures>::Each<Vector3<T>>;
+pub(super) type Rows<T, C> = <C as Closures>::Each<Vector3<T>>;
 
-/// Columns of closure forces where a rotation is eliminated, three coordinates at once: each reduced to what stays of it.
+/// Columns of closure forces where three coordinates are eliminated at once, whose share of a column `share` reads: each reduced to
+/// what stays of it.
 #[inline(always)]
-fn turned_out<T: Scalar, C: Closures, X: Copy>(
-    cuts: &Cuts<FullColumn<T>, T, C>,
+pub(super) fn turned_out<T: Scalar, C: Closures, V: Copy, X: Copy>(
+    cuts: &Cuts<V, T, C>,
+    share: impl Fn(V) -> Vector3<T>,
     free: Vector3<T>,
     minus_solve: impl Fn(Vector3<T>) -> Vector3<T>,
-    reduce: impl FnMut(FullColumn<T>, Vector3<T>) -> X,
+    reduce: impl FnMut(V, Vector3<T>) -> X,
 ) -> (Cuts<X, T, C>, Rows<T, C>) {
-    let rows = C::map(&cuts.columns, |w| minus_solve(w.torque));
-    let part = |read: fn(Vector3<T>) -> T| (C::map(&cuts.columns, |w| read(w.torque)), C::map(&rows, read));
+    let rows = C::map(&cuts.columns, |w| minus_solve(share(w)));
+    let part = |read: fn(Vector3<T>) -> T| (C::map(&cuts.columns, |w| read(share(w))), C::map(&rows, read));
     let (x, y, z) = (part(|v| v.x), part(|v| v.y), part(|v| v.z));
     let compliance = C::minus_outer(&cuts.compliance, &x.0, &x.1);
     let compliance = C::minus_outer(&compliance, &y.0, &y.1);
@@ -151,7 +153,7 @@ fn turned_out<T: Scalar, C: Closures, X: Copy>(
     let reduced = Cuts {
         columns: C::zip(&cuts.columns, &rows, reduce),
         compliance,
-        gap: C::zip(&cuts.gap, &cuts.columns, |gap, w| gap - dot(w.torque, free)),
+        gap: C::zip(&cuts.gap, &cuts.columns, |gap, w| gap - dot(share(w), free)),
     };
     (reduced, rows)
 }
@@ -212,6 +214,12 @@ impl<T: Scalar, C: Closures> BallGain<T, C> {
     pub fn absolute(absolute: Gain<T, C>) -> Self {
         let Columns { x, y, z } = Columns::identity();
         Self { absolute, per_angular: Columns { x: -x, y: -y, z: -z } }
+    }
+
+    /// The same without what velocities, loads and springs contribute.
+    #[inline(always)]
+    pub fn homogeneous(&self) -> Self {
+        Self { absolute: Gain { free: zero(), ..self.absolute }, ..*self }
     }
 
     /// Whether it is finite.

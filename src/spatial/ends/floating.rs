@@ -5,7 +5,7 @@ use crate::relation::space::algebra::{Columns, is_finite, zero};
 use crate::relation::space::{Empty, Relation, Rigid};
 use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
-use crate::spatial::joint::Stored;
+use crate::spatial::joint::{One, Stored};
 use crate::spatial::{Acceleration, Ball, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
 use nalgebra::Vector3;
 
@@ -27,6 +27,7 @@ impl<T: Scalar> Joint<T> for Floating<T> {
     type Position = ([T; 3], Rotation<T>);
     type Rate = ([T; 3], [T; 3]);
     type Kept<C: Closures> = Acceleration<T>;
+    type Sets = One;
 
     fn position() -> Self::Position {
         ([T::zero(); 3], Rotation::identity())
