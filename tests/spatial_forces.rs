@@ -10,6 +10,8 @@ use kit::Noise;
 use oracle_space as oracle;
 use oracle_space::{Answer, Vector};
 
+#[path = "spatial_forces/hinges.rs"]
+mod hinges;
 mod kit;
 mod oracle_space;
 

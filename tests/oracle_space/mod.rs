@@ -15,6 +15,8 @@
 
 #![allow(dead_code)] // every test binary uses its own part of this module
 
+pub mod elastic;
+
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 pub type Vector = Vector3<f64>;
@@ -66,8 +68,16 @@ pub enum Joint {
     /// A relative attitude.
     Weld { attitude: Matrix },
     /// Place and its rate in axes of the inboard body, relative attitude, relative spin (axes of the outboard body); force at the
-    /// outboard point and torque in axes of the inboard body.
-    Elastic { place: Vector, rate: Vector, attitude: Matrix, spin: Vector, force: Vector, torque: Vector },
+    /// outboard point and torque in axes of the inboard body. `together`: its points coincide.
+    Elastic {
+        place: Vector,
+        rate: Vector,
+        attitude: Matrix,
+        spin: Vector,
+        force: Vector,
+        torque: Vector,
+        together: bool,
+    },
     /// Place, velocity, attitude, spin (axes of the body).
     Free { place: Vector, velocity: Vector, attitude: Matrix, spin: Vector },
 }
@@ -119,7 +129,7 @@ struct Row {
 }
 
 /// Place of the inboard points, attitudes, spins and velocities of all bodies.
-fn kinematics(ground: Frame, parents: &[Option<usize>], bodies: &[Body], joints: &[Joint]) -> Vec<Frame> {
+pub fn kinematics(ground: Frame, parents: &[Option<usize>], bodies: &[Body], joints: &[Joint]) -> Vec<Frame> {
     let mut frames: Vec<Frame> = vec![];
     for (parent, joint) in parents.iter().zip(joints) {
         let inboard = parent.map_or(ground, |j| {
@@ -298,7 +308,10 @@ pub fn solve_tree(
                 rows.extend(unit.map(|t| (k, point(t, Vector::zeros(), 0.0))));
                 rows.extend(unit.map(|t| (k, turn(t, 0.0))));
             }
-            Joint::Elastic { force: own, torque: couple, .. } => {
+            Joint::Elastic { force: own, torque: couple, together, .. } => {
+                if together {
+                    rows.extend(unit.map(|t| (k, point(t, Vector::zeros(), 0.0))));
+                }
                 effort_force[k] = attitude_i * own;
                 effort_torque[k] = attitude_i * couple;
             }
