@@ -77,8 +77,8 @@ pub trait Tip<S: Space> {
     /// The relation it hands on.
     type Relation: Copy;
 
-    /// The relation it hands on, with the motion it demands (in a frame that falls freely).
-    fn relation(&self, time: RealOf<S>, gravity: S::Vector) -> Self::Relation;
+    /// The relation it hands on, with the motion it demands (in a frame that falls freely) of a tip that turns like this.
+    fn relation(&self, time: RealOf<S>, gravity: S::Vector, turn: &S::Turn) -> Self::Relation;
     /// Internal force and torque at the tip where it is held by these forces.
     fn internal(&self, time: RealOf<S>, multipliers: &<Self::Closures as Closures>::Each<S::Scalar>) -> S::Internal;
     /// By how much a tip that moves with `frame` misses the place demanded at a time, and the velocity.

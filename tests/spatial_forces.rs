@@ -182,7 +182,7 @@ fn every_joint_in_general_position() -> Result<(), Error> {
 /// Rods and bobs are rigid bodies with fewer numbers; ends move and turn, float, and hold.
 #[test]
 fn every_end_in_general_position() -> Result<(), Error> {
-    let mut worst = [0.0_f64; 6];
+    let mut worst = [0.0_f64; 9];
     for seed in 100..120 {
         let mut noise = Noise::new(seed);
         let (b0, t0) = body(&mut noise);
@@ -273,6 +273,14 @@ fn every_end_in_general_position() -> Result<(), Error> {
         compare!(4, pinned, first, rate, still, root_ball, oracle::Tip::Pinned(linear));
         let clamped = System::new(Pinned::origin(), chain, clamp);
         compare!(5, clamped, first, rate, still, root_ball, oracle::Tip::Clamped(linear, angular));
+
+        let still_hinge = Hinged::at([0.0; 3], axes[2].into());
+        let pinned = System::new(Pinned::origin(), chain, still_hinge);
+        compare!(6, pinned, first, rate, still, root_ball, oracle::Tip::Hinged(still, axes[2]));
+        let pinned = System::new(Pinned::origin(), chain, Hinged::on(clamp, axes[2].into()));
+        compare!(7, pinned, first, rate, still, root_ball, oracle::Tip::Hinged(turned, axes[2]));
+        let hinged = System::new(Hinged::on(clamp, axes[0].into()), chain, Free);
+        compare!(8, hinged, 0.7, -0.4, turned, hinge, oracle::Tip::Free);
 
         // A bob hangs from a universal joint, which keeps it from spinning.
         let chain = (b0, Universal::about([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]), PointMass::new(short, bob));

@@ -109,6 +109,11 @@ macro_rules! mirror_items {
                 self.iter_mut().zip(step).for_each(|(item, step)| item.displace(step));
             }
             #[inline]
+            fn apart(&self, from: &Self, displacement: &mut Self::Rate) {
+                let items = self.iter().zip(from).zip(displacement);
+                items.for_each(|((item, from), displacement)| item.apart(from, displacement));
+            }
+            #[inline]
             fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T::Real)) {
                 self.iter().zip(displacement).for_each(|(item, displacement)| item.measure(displacement, note));
             }

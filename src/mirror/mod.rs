@@ -75,6 +75,9 @@ pub trait Position<T: Scalar>: Clone {
     /// `self = self ⊕ step`.
     fn displace(&mut self, step: &Self::Rate);
 
+    /// Sets the displacement that leads here from `from`: the inverse of [`displace`](Self::displace).
+    fn apart(&self, from: &Self, displacement: &mut Self::Rate);
+
     /// Calls `note` with each number of a displacement from here, root to tip, and the size by which to measure it relatively
     /// (that of the coordinate).
     fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T::Real));

@@ -68,6 +68,10 @@ impl<T: Scalar> Position<T> for T {
         *self += *step;
     }
     #[inline(always)]
+    fn apart(&self, from: &T, displacement: &mut T) {
+        *displacement = *self - *from;
+    }
+    #[inline(always)]
     fn measure(&self, displacement: &T, note: &mut impl FnMut(T, T::Real)) {
         note(*displacement, self.real().abs());
     }

@@ -109,6 +109,10 @@ impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
         self.arms.displace(&step.arms);
     }
     #[inline(always)]
+    fn apart(&self, from: &Self, displacement: &mut Self::Rate) {
+        self.arms.apart(&from.arms, &mut displacement.arms);
+    }
+    #[inline(always)]
     fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T::Real)) {
         self.arms.measure(&displacement.arms, note);
     }

@@ -98,6 +98,10 @@ macro_rules! mirror_tuple {
                 $(self.$i.displace(&_step.$i);)*
             }
             #[inline(always)]
+            fn apart(&self, _from: &Self, _displacement: &mut Self::Rate) {
+                $(self.$i.apart(&_from.$i, &mut _displacement.$i);)*
+            }
+            #[inline(always)]
             fn measure(&self, _displacement: &Self::Rate, _note: &mut impl FnMut(T, T::Real)) {
                 $(self.$i.measure(&_displacement.$i, _note);)*
             }

@@ -7,6 +7,7 @@ use crate::element::{
     Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, ReadingOf, RealOf, Space,
     Sweep, Visit,
 };
+use crate::ends::Tip;
 use crate::relation::{Closures, Part, Solvable};
 use crate::visit::survey;
 use num_traits::Zero;
@@ -60,13 +61,13 @@ impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
 }
 
 /// Where a sweep takes place: what does not depend on the chain.
-pub struct Site<'a, S: Space, R, L> {
+pub struct Site<'a, S: Space, P, L> {
     /// Motion of the ground at the root.
     pub ground: S::Frame,
     /// Gravity. It enters as an acceleration of the ground: the sweep takes place in a frame that falls freely.
     pub gravity: S::Vector,
-    /// The relation that the last element meets.
-    pub tip: R,
+    /// What the last element meets.
+    pub tip: &'a P,
     /// Loads.
     pub loads: &'a L,
     /// Time (s).
@@ -87,9 +88,9 @@ pub struct Spring<'a, S: Space, E: Element<S>, W: Sweep<S>> {
 
 /// One sweep: the accelerations of all joint coordinates, from their positions and rates.
 #[inline]
-pub fn sweep<'a, S: Space, E, W, R>(
+pub fn sweep<'a, S: Space, E, W, P>(
     chain: &E,
-    site: &Site<'_, S, R, W::Loads>,
+    site: &Site<'_, S, P, W::Loads>,
     position: &E::Position,
     rate: &E::Rate,
     spring: &Spring<'a, S, E, W>,
@@ -97,12 +98,12 @@ pub fn sweep<'a, S: Space, E, W, R>(
     acceleration: &mut E::Rate,
 ) where
     W: Sweep<S>,
-    R: Copy,
-    E: Condense<S, R, W, Out: Close<S, W::Closures>>,
+    P: Tip<S>,
+    E: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
 {
     let Site { ground, gravity, tip, loads, time } = site;
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
-    chain.pose(position, rate, S::turn(ground), sizes, x, y, p, q);
+    let turn = chain.pose(position, rate, S::turn(ground), sizes, x, y, p, q);
     if W::Loads::ON {
         let motion = Coordinates { position, rate, acceleration };
         let seen = survey(chain, *ground, motion, *loads);
@@ -113,7 +114,7 @@ pub fn sweep<'a, S: Space, E, W, R>(
     let &Spring { position, rate, reading, springs } = spring;
     let given = Given { on_bodies, in_joints, position, rate, reading, springs };
     let root = S::falling(ground, *gravity);
-    let relation = chain.condense(*tip, posture, given, kept);
+    let relation = chain.condense(tip.relation(*time, *gravity, &turn), posture, given, kept);
     *multipliers = relation.multipliers(&root);
     *compliance = relation.compliance();
     chain.recover::<W::Closures>(root, posture, kept, multipliers, acceleration);

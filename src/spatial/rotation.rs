@@ -162,6 +162,11 @@ impl<T: Scalar> Position<T> for Rotation<T> {
         displacement.iter().for_each(|x| note(*x, T::Real::zero()));
     }
     #[inline(always)]
+    fn apart(&self, from: &Self, displacement: &mut [T; 3]) {
+        let step = self.relative_to(from).shortest();
+        *displacement = (step.v + step.v).into();
+    }
+    #[inline(always)]
     fn displace(&mut self, step: &[T; 3]) {
         *self = self.stepped(Vector3::from(*step)).normalised();
     }

@@ -66,9 +66,12 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let mut corrected = motion.clone();
             self.project(&mut corrected, workspace);
             let mut step = RealOf::<S>::zero();
-            corrected.position.all(&motion.position, &mut |a, b| {
-                step = step.max((a - b).real().abs() / b.real().abs().max(RealOf::<S>::one()));
-                true
+            let mut displacement = motion.rate.clone();
+            corrected.position.apart(&motion.position, &mut displacement);
+            motion.position.measure(&displacement, &mut |x, size| {
+                let share = x.real().abs() / size.max(RealOf::<S>::one());
+                // A rotation by more than half a turn has no coordinates.
+                step = if share.is_finite() { step.max(share) } else { RealOf::<S>::INFINITY };
             });
             if step <= real(SHARE) {
                 *motion = corrected;

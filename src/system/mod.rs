@@ -119,14 +119,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// Where a sweep at a time takes place.
-    pub(crate) fn site<'l, L>(&self, time: RealOf<S>, loads: &'l L) -> Site<'l, S, P::Relation, L> {
-        Site {
-            ground: self.root.ground(time),
-            gravity: self.gravity,
-            tip: self.tip.relation(time, self.gravity),
-            loads,
-            time,
-        }
+    pub(crate) fn site<'l, L>(&'l self, time: RealOf<S>, loads: &'l L) -> Site<'l, S, P, L> {
+        Site { ground: self.root.ground(time), gravity: self.gravity, tip: &self.tip, loads, time }
     }
 
     /// Number of bodies.

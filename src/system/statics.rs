@@ -149,7 +149,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             return Some(next);
         }
         // The work of all forces, M a, on the way that it really went, by the trapezoidal rule.
-        set(&mut displacement, difference(&from.position, &next.position));
+        next.position.apart(&from.position, &mut displacement);
         let work = |at: &MotionOf<S, R, C, P>| {
             let (along, force) = (self.weighted(at, &displacement), self.weighted(at, &at.acceleration));
             along.iter().zip(force).fold(RealOf::<S>::zero(), |sum, (a, b)| sum + *a * b)
@@ -162,16 +162,6 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Error::new(Fault::NoEquilibrium { residual: residual(&motion.acceleration).as_f64() })
             .at_time(motion.time.as_f64())
     }
-}
-
-/// The displacement from one position to another: in the plane, positions are numbers like displacements.
-fn difference<T: Scalar, Q: Position<T>>(from: &Q, to: &Q) -> Vec<T> {
-    let mut numbers = Vec::new();
-    to.all(from, &mut |to, from| {
-        numbers.push(to - from);
-        true
-    });
-    numbers
 }
 
 /// The largest acceleration.

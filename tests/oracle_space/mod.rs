@@ -109,6 +109,8 @@ pub enum Tip {
     Pinned(Vector),
     /// Its point and its body accelerate like this.
     Clamped(Vector, Vector),
+    /// Its point moves with this ground, against which its body turns about an axis (axes of the ground).
+    Hinged(Frame, Vector),
 }
 
 /// Accelerations of mass centres, angular accelerations, and force and torque ON each body at its inboard point; force and torque
@@ -332,12 +334,22 @@ pub fn solve_tree(
         Row { terms: vec![(Some(last), t, arm.cross(&t))], value: value - t.dot(&known) }
     };
     let unit = [Vector::x(), Vector::y(), Vector::z()];
-    if let Tip::Pinned(a) | Tip::Clamped(a, _) = tip {
+    if let Tip::Pinned(a) | Tip::Clamped(a, _) | Tip::Hinged(Frame { linear: a, .. }, _) = tip {
         rows.extend(unit.map(|t| (n, held(t, t.dot(&a)))));
     }
     if let Tip::Clamped(_, angular) = tip {
         let row = |t: Vector| Row { terms: vec![(Some(last), Vector::zeros(), t)], value: t.dot(&angular) };
         rows.extend(unit.map(|t| (n, row(t))));
+    }
+
+    if let Tip::Hinged(ground, axis) = tip {
+        // t · (ω − ω_g) = 0, differentiated, for t that turn with the ground.
+        let relative = frames[last].spin - ground.spin;
+        let row = |t: Vector| Row {
+            terms: vec![(Some(last), Vector::zeros(), t)],
+            value: t.dot(&ground.angular) - ground.spin.cross(&t).dot(&relative),
+        };
+        rows.extend(across(ground.attitude * axis.normalize()).map(|t| (n, row(t))));
     }
 
     let (unknowns, conditions) = (6 * n, rows.len());

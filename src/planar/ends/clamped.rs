@@ -104,7 +104,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Planar<T>> for Clamped<G, A> {
     type Relation = Full<T, Cut<3>>;
 
     #[inline(always)]
-    fn relation(&self, time: T::Real, gravity: Vector2<T>) -> Self::Relation {
+    fn relation(&self, time: T::Real, gravity: Vector2<T>, _: &Turn<T>) -> Self::Relation {
         let frame = self.frame(time);
         let target = frame.acceleration.linear - gravity;
         let (zero, one) = (T::zero(), T::one());

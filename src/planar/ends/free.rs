@@ -3,7 +3,7 @@
 use crate::ends::{Loose, Root, Tip};
 use crate::error::Error;
 use crate::lift::lift;
-use crate::planar::{BodyMotion, ElasticHinge, Frame, Internal, Linear, Planar, Unbalanced};
+use crate::planar::{BodyMotion, ElasticHinge, Frame, Internal, Linear, Planar, Turn, Unbalanced};
 use crate::relation::plane::Empty;
 use crate::relation::{Absent, Open};
 use crate::scalar::Scalar;
@@ -39,7 +39,7 @@ impl<T: Scalar> Tip<Planar<T>> for Free {
     type Relation = Empty;
 
     #[inline(always)]
-    fn relation(&self, _: T::Real, _: Vector2<T>) -> Empty {
+    fn relation(&self, _: T::Real, _: Vector2<T>, _: &Turn<T>) -> Empty {
         Empty
     }
     fn internal(&self, _: T::Real, (): &()) -> Internal<T> {

@@ -4,7 +4,7 @@ use super::{Attitude, Clamped, Compliance, Ground};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
-use crate::planar::{BodyMotion, Frame, Internal, Planar, Slider};
+use crate::planar::{BodyMotion, Frame, Internal, Planar, Slider, Turn};
 use crate::relation::plane::algebra::dot;
 use crate::relation::plane::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
@@ -85,7 +85,7 @@ impl<T: Scalar, G: Ground<T>> Tip<Planar<T>> for Guided<G, T, T> {
     type Relation = Full<T, Cut<2>>;
 
     #[inline(always)]
-    fn relation(&self, time: T::Real, gravity: Vector2<T>) -> Self::Relation {
+    fn relation(&self, time: T::Real, gravity: Vector2<T>, _: &Turn<T>) -> Self::Relation {
         let frame = self.ground.frame(time);
         let normal = self.normal(&frame);
         let (zero, one) = (T::zero(), T::one());

@@ -4,7 +4,7 @@ use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Place};
 use crate::lift::Lift;
-use crate::planar::{BodyMotion, Frame, Internal, Pin, Planar};
+use crate::planar::{BodyMotion, Frame, Internal, Pin, Planar, Turn};
 use crate::relation::plane::Point;
 use crate::relation::plane::algebra::Symmetric2;
 use crate::relation::{Absent, Cut, Cuts};
@@ -58,7 +58,7 @@ impl<T: Scalar, G: Ground<T>> Tip<Planar<T>> for Pinned<G> {
     type Relation = Point<T, Absent, Cut<2>>;
 
     #[inline(always)]
-    fn relation(&self, time: T::Real, gravity: Vector2<T>) -> Self::Relation {
+    fn relation(&self, time: T::Real, gravity: Vector2<T>, _: &Turn<T>) -> Self::Relation {
         let target = Vector2::from(self.0.at(time).acceleration) - gravity;
         let (zero, one) = (T::zero(), T::one());
         // λ acts ON the last body, so F on the ground beyond the tip is −λ.

@@ -75,7 +75,7 @@ impl<T: Scalar> Clamped<[T; 3], Rotation<T>> {
 
 impl<G, A> Clamped<G, A> {
     /// The motion of the ground where it holds the end.
-    fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
+    pub(super) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
     where
         G: Ground<T>,
         A: Attitude<T>,
@@ -87,7 +87,7 @@ impl<G, A> Clamped<G, A> {
         frame
     }
 
-    fn verify<T: Scalar>(&self) -> Result<(), Error>
+    pub(super) fn verify<T: Scalar>(&self) -> Result<(), Error>
     where
         G: Ground<T>,
         A: Attitude<T>,
@@ -121,7 +121,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Spatial<T>> for Clamped<G, A> 
     type Relation = Full<T, Cut<6>>;
 
     #[inline(always)]
-    fn relation(&self, time: T::Real, gravity: Vector3<T>) -> Self::Relation {
+    fn relation(&self, time: T::Real, gravity: Vector3<T>, _: &Turn<T>) -> Self::Relation {
         let frame = self.frame(time);
         let (target, angular) = (frame.acceleration.linear - gravity, frame.acceleration.angular);
         let unit = |k: usize| Vector3::from_fn(|i, _| if i == k { -T::one() } else { T::zero() });

@@ -9,7 +9,7 @@ use crate::relation::space::Empty;
 use crate::relation::space::algebra::zero;
 use crate::scalar::Scalar;
 use crate::space::Space;
-use crate::spatial::{BodyMotion, Frame, Internal, Spatial};
+use crate::spatial::{BodyMotion, Frame, Internal, Spatial, Turn};
 use nalgebra::Vector3;
 
 /// An end on which nothing acts.
@@ -37,7 +37,7 @@ impl<T: Scalar> Tip<Spatial<T>> for Free {
     type Relation = Empty;
 
     #[inline(always)]
-    fn relation(&self, _: T::Real, _: Vector3<T>) -> Empty {
+    fn relation(&self, _: T::Real, _: Vector3<T>, _: &Turn<T>) -> Empty {
         Empty
     }
     fn internal(&self, _: T::Real, (): &()) -> Internal<T> {

@@ -8,7 +8,7 @@ use crate::relation::space::Point;
 use crate::relation::space::algebra::{Symmetric3, zero};
 use crate::relation::{Absent, Cut, Cuts};
 use crate::scalar::Scalar;
-use crate::spatial::{Ball, BodyMotion, Frame, Internal, Spatial};
+use crate::spatial::{Ball, BodyMotion, Frame, Internal, Spatial, Turn};
 use nalgebra::Vector3;
 use num_traits::Zero;
 
@@ -58,7 +58,7 @@ impl<T: Scalar, G: Ground<T>> Tip<Spatial<T>> for Pinned<G> {
     type Relation = Point<T, Absent, Cut<3>>;
 
     #[inline(always)]
-    fn relation(&self, time: T::Real, gravity: Vector3<T>) -> Self::Relation {
+    fn relation(&self, time: T::Real, gravity: Vector3<T>, _: &Turn<T>) -> Self::Relation {
         let target = Vector3::from(self.0.at(time).acceleration) - gravity;
         let (o, i) = (T::zero(), T::one());
         // λ acts ON the last body, so F on the ground beyond the tip is −λ.
