@@ -60,7 +60,8 @@ impl Mode {
         self.square
     }
 
-    /// Displacements of the joint coordinates, in the order of [`with_rates`](System::with_rates), scaled to unit modal mass:
+    /// Displacements of the joint coordinates (of a ball, turns in axes of its outboard body (rad)), in the order of
+    /// [`with_rates`](System::with_rates), scaled to unit modal mass:
     /// as rates they have a kinetic energy of ½ J. The largest is positive.
     pub fn shape(&self) -> &[f64] {
         &self.shape

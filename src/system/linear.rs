@@ -6,9 +6,10 @@ use crate::element::{Element, Implicit, Loading, Reading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::mirror::{Position, Rate};
 use crate::observe::each_body;
-use crate::planar::{BodyMotion, Planar};
+use crate::planar::{self, Planar};
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
+use crate::spatial::{self, Spatial};
 use alloc::vec;
 use alloc::vec::Vec;
 use num_traits::{One, Zero};
@@ -21,7 +22,7 @@ pub trait Inertial: Space {
 }
 
 impl<T: Scalar> Inertial for Planar<T> {
-    fn weighted(body: &BodyMotion<T>, note: &mut impl FnMut(T::Real)) {
+    fn weighted(body: &planar::BodyMotion<T>, note: &mut impl FnMut(T::Real)) {
         // A moment of inertia may be negative by rounding.
         let root = |x: T| x.real().max(T::Real::zero()).sqrt();
         let (mass, about_centre) = (root(body.inertia.mass), root(body.inertia.about_centre));
@@ -29,6 +30,27 @@ impl<T: Scalar> Inertial for Planar<T> {
         note(mass * velocity.x.real());
         note(mass * velocity.y.real());
         note(about_centre * body.rate().real());
+    }
+}
+
+impl<T: Scalar> Inertial for Spatial<T> {
+    fn weighted(body: &spatial::BodyMotion<T>, note: &mut impl FnMut(T::Real)) {
+        let mass = body.inertia.mass.real().max(T::Real::zero()).sqrt();
+        body.centre().velocity.iter().for_each(|v| note(mass * v.real()));
+        // J = L Lᵀ, column by column; what has no moment about an axis (or less than none, by rounding) has no column.
+        let mut rest = body.inertia.about_centre.map(|row| row.map(|x| x.real()));
+        let spin = body.rate().map(|x| x.real());
+        for k in 0..3 {
+            let mut column = [T::Real::zero(); 3];
+            if rest[k][k] > T::Real::zero() {
+                let inverse = rest[k][k].sqrt().recip();
+                (k..3).for_each(|i| column[i] = rest[i][k] * inverse);
+            }
+            for i in k..3 {
+                (k..3).for_each(|j| rest[i][j] -= column[i] * column[j]);
+            }
+            note((k..3).fold(T::Real::zero(), |sum, i| sum + column[i] * spin[i]));
+        }
     }
 }
 
