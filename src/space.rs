@@ -42,6 +42,8 @@ pub trait Space: Copy + Debug + 'static {
     type Numbers: Rate<Self::Scalar> + Copy;
     /// A column of W: the force and torque on the outboard part for a unit closure force.
     type Column: Copy;
+    /// What a joint lets move, for its transfer matrix.
+    type Release: Copy + Debug;
     /// The relation of a free tip.
     type Nothing: Copy + Default;
 

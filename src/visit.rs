@@ -15,6 +15,12 @@ pub trait Visit<S: Space> {
     fn body(&mut self, body: &S::BodyMotion) -> Self::OnBody;
     /// Meets a joint.
     fn joint(&mut self, joint: &S::JointMotion) -> Self::InJoint;
+    /// The same, for those who want to know what the joint lets move.
+    #[inline(always)]
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> S::Release) -> Self::InJoint {
+        let _ = release;
+        self.joint(joint)
+    }
 
     /// Meets what closes a loop, the force and torque that it passes on: a joint too.
     fn closing(&mut self, joint: &S::JointMotion, internal: S::Internal) -> Self::InJoint {

@@ -72,3 +72,12 @@ fn point_masses_behind_pins_have_no_matrix() -> Result<(), Error> {
     assert_eq!((error.fault, error.place), (Fault::SingularTransfer, Some(Place::Station(1))));
     Ok(())
 }
+
+#[test]
+fn joints_that_slide_have_no_matrix() -> Result<(), Error> {
+    let rod = Rod::uniform(1.0, 1.0);
+    let scene = System::new(Pinned::origin(), (rod, Slider::along(0.3), rod), Free)?;
+    let error = scene.transfer_matrix(&scene.motion(), &Unloaded, |_, _: &TransferMatrix<f64, 7>| ()).unwrap_err();
+    assert!(matches!(error.fault, Fault::Unsupported { .. }) && error.place == Some(Place::Station(1)), "{error:?}");
+    Ok(())
+}

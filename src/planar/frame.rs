@@ -223,6 +223,8 @@ impl<T: Scalar> Space for Planar<T> {
     type JointMotion = JointMotion<T>;
     type Numbers = [T; 3];
     type Column = FullColumn<T>;
+    /// Number of coordinates.
+    type Release = usize;
     type Nothing = Empty;
 
     fn blank() -> (T, T, T, T) {

@@ -12,7 +12,7 @@ use crate::relation::{Closures, Coefficient, Term};
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 use nalgebra::Vector2;
-use typenum::{U0, U1, U3};
+use typenum::{U0, U1, U3, Unsigned};
 
 /// A massless joint in the plane.
 ///
@@ -246,13 +246,10 @@ macro_rules! joint {
                     true => outboard.place - frame.place,
                     false => Vector2::new(T::zero(), T::zero()),
                 };
-                *in_joint = visit.joint(&JointMotion {
-                    inboard: frame,
-                    outboard,
-                    arm,
-                    spring: self.spring(motion.position, motion.rate),
-                    turns: <Self as Joint<T>>::TURNS,
-                });
+                let spring = self.spring(motion.position, motion.rate);
+                let turns = <Self as Joint<T>>::TURNS;
+                let motion = JointMotion { inboard: frame, outboard, arm, spring, turns };
+                *in_joint = visit.joint_with(&motion, || <<Self as Counted>::Freedoms as Unsigned>::USIZE);
                 outboard
             }
             fn inward<Found: Gather>(

@@ -6,13 +6,22 @@
 use super::index::{M, ONE, QX, QY, THETA, X, Y};
 use super::{BodyMotion, Frame, JointMotion, Planar, Station};
 use crate::element::Load;
-use crate::error::{Error, Fault};
 use crate::relation::plane::algebra::cross;
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};
-use crate::transfer::Exact;
+use crate::transfer::{Efforts, Exact, Passage};
 use nalgebra::Vector2;
-use num_traits::Zero;
+
+impl<T: Scalar> Efforts<Planar<T>> for T {
+    fn efforts(self) -> [T; 3] {
+        [self, T::zero(), T::zero()]
+    }
+}
+
+/// A row or column with a one.
+fn unit<T: Scalar>(at: usize) -> [T; 7] {
+    core::array::from_fn(|i| if i == at { T::one() } else { T::zero() })
+}
 
 impl<T: Scalar> Exact<7> for Planar<T> {
     fn body_matrix(body: &BodyMotion<T>, gravity: Vector2<T>, load: impl Load<Self>) -> TransferMatrix<T, 7> {
@@ -47,32 +56,29 @@ impl<T: Scalar> Exact<7> for Planar<T> {
         u
     }
 
-    fn joint_matrix(
-        joint: &JointMotion<T>,
-        torque: T,
-        section: &TransferMatrix<T, 7>,
-        outer_torque: T,
-    ) -> Result<TransferMatrix<T, 7>, Error> {
-        if !joint.turns {
-            return Ok(TransferMatrix::identity());
+    fn passage(joint: &JointMotion<T>, coordinates: &usize, efforts: [T; 3]) -> Option<Passage<T, 7>> {
+        let mut fixed = TransferMatrix::identity();
+        match (*coordinates, joint.turns) {
+            (0, _) => Some(Passage::of(fixed)),
+            (1, true) => {
+                // The coordinate is the angle itself; m = −τ.
+                fixed[(THETA, THETA)] = T::zero();
+                Some(Passage::of(fixed).with(unit(THETA), unit(M), -(joint.spring.torque + efforts[0])))
+            }
+            _ => None,
         }
-        let pivot = section[(M, THETA)]; // Ū₄₃
-        if pivot.real().is_zero() || !pivot.is_finite() {
-            return Err(Error::new(Fault::SingularTransfer));
-        }
-        // (40): m at the outboard end of the section is −τ of the joint there; it fixes θ̈ outboard of this one.
-        let mut u = TransferMatrix::identity();
-        for column in [X, Y, QX, QY] {
-            u[(THETA, column)] = -(section[(M, column)] / pivot);
-        }
-        u[(THETA, THETA)] = T::zero();
-        u[(THETA, M)] = T::zero();
-        u[(THETA, ONE)] = -((section[(M, ONE)] + outer_torque - section[(M, M)] * torque) / pivot);
-        Ok(u)
     }
 
-    fn joint_torque(joint: &JointMotion<T>, applied: T) -> Option<T> {
-        joint.turns.then(|| joint.spring.torque + applied)
+    fn root_passage(joint: &JointMotion<T>, _: &usize, efforts: [T; 3], held: &[bool]) -> Option<Passage<T, 7>> {
+        let mut passage = Passage::of(TransferMatrix::identity());
+        for ((position, force), held) in [(X, QX), (Y, QY), (THETA, M)].into_iter().zip(held) {
+            if !held {
+                passage.fixed[(position, position)] = T::zero();
+                let effort = if force == M { -(joint.spring.torque + efforts[0]) } else { T::zero() };
+                passage = passage.with(unit(position), unit(force), effort);
+            }
+        }
+        Some(passage)
     }
 
     fn acceleration_state(frame: &Frame<T>) -> StateVector<T, 7> {

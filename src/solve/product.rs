@@ -3,24 +3,22 @@
 //! It is exact where it exists and loses all digits in f64 beyond some tens of bodies, for entries of the product grow
 //! exponentially while the states stay bounded. Sweeps never use it.
 
-use crate::element::{Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::element::{Coordinates, Element, Gather, Loading, RealOf, Space, Visit};
 use crate::error::{Error, Fault};
-use crate::relation::Term;
-use crate::scalar::Scalar;
-use crate::state::{StateVector, TransferMatrix};
-use crate::transfer::Exact;
+use crate::scalar::{Real, Scalar};
+use crate::state::TransferMatrix;
+use crate::transfer::{Efforts, Exact, Passage, Whole};
 use crate::visit::survey;
 use core::marker::PhantomData;
 use num_traits::Zero;
 
-/// The matrix of one element, before its neighbours are known.
+/// What an element does to the state, before its neighbours are known.
 #[derive(Clone, Copy)]
 enum Entry<S: Space, const N: usize> {
-    /// Not yet visited.
+    /// Not yet visited, or not known to this view.
     Blank,
     Body(TransferMatrix<S::Scalar, N>),
-    /// A joint, and the torque in it.
-    Joint(S::JointMotion, S::Scalar),
+    Joint(Passage<S::Scalar, N>),
 }
 
 /// Forms the entries, outward.
@@ -29,6 +27,8 @@ struct Form<'a, S: Space, L: Loading<S>, const N: usize> {
     seen: L::Seen,
     time: RealOf<S>,
     gravity: S::Vector,
+    /// Which conjugate pairs the root holds.
+    held: &'a [bool],
     body: usize,
     joint: usize,
     space: PhantomData<S>,
@@ -36,8 +36,7 @@ struct Form<'a, S: Space, L: Loading<S>, const N: usize> {
 
 impl<S: Exact<N>, L: Loading<S>, const N: usize> Visit<S> for Form<'_, S, L, N>
 where
-    L::OnBody: Load<S>,
-    L::InJoint: Term<S::Scalar>,
+    L::InJoint: Efforts<S>,
 {
     type OnBody = Entry<S, N>;
     type InJoint = Entry<S, N>;
@@ -47,56 +46,65 @@ where
         self.body += 1;
         Entry::Body(S::body_matrix(body, self.gravity, load))
     }
-    fn joint(&mut self, joint: &S::JointMotion) -> Entry<S, N> {
-        let torque = self.loads.in_joint(self.time, self.joint, joint);
+    fn joint(&mut self, _: &S::JointMotion) -> Entry<S, N> {
+        Entry::Blank
+    }
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> S::Release) -> Entry<S, N> {
+        let efforts = self.loads.in_joint(self.time, self.joint, joint).efforts();
+        let passage = match self.joint {
+            0 => S::root_passage(joint, &release(), efforts, self.held),
+            _ => S::passage(joint, &release(), efforts),
+        };
         self.joint += 1;
-        Entry::Joint(*joint, torque.add_to(S::Scalar::zero()))
+        passage.map_or(Entry::Blank, Entry::Joint)
     }
 }
 
-/// The overall transfer matrix of a chain, from the outboard side of the root's joint to the tip, and the torque in the root's
-/// joint. `each` is shown every element's number (from the tip inward) and matrix.
+/// The overall transfer matrix of a chain with a free tip, from the outboard side of the root's joint to the tip, and what that joint
+/// does. `each` is shown every element's number (from the tip inward) and matrix.
 #[allow(clippy::too_many_arguments)] // the data flow of the method, one value each
 pub fn product<S: Exact<N>, E: Element<S>, L: Loading<S>, const N: usize>(
     chain: &E,
     ground: &S::Frame,
+    held: &[bool],
     gravity: S::Vector,
     loads: &L,
     time: RealOf<S>,
     motion: Coordinates<'_, S, E>,
     each: &mut impl FnMut(usize, &TransferMatrix<S::Scalar, N>),
-) -> Result<(TransferMatrix<S::Scalar, N>, S::Scalar), Error>
+) -> Result<Whole<S, N>, Error>
 where
-    L::InJoint: Term<S::Scalar>,
+    L::InJoint: Efforts<S>,
 {
     let (mut bodies, mut joints) = (chain.per_body(Entry::Blank), chain.per_joint(Entry::Blank));
     let seen = survey(chain, *ground, motion, loads);
-    let mut form = Form { loads, seen, time, gravity, body: 0, joint: 0, space: PhantomData };
+    let mut form = Form { loads, seen, time, gravity, held, body: 0, joint: 0, space: PhantomData };
     chain.travel(*ground, motion, &mut form, &mut bodies, &mut joints);
 
     let identity = TransferMatrix::identity();
     let mut multiply = Multiply {
         whole: identity,
-        section: identity,
-        outer_torque: S::Scalar::zero(),
+        root: Passage::of(identity),
         outcome: Ok(()),
+        inertia: RealOf::<S>::zero(),
         number: chain.bodies() + chain.joints(),
         each,
         space: PhantomData::<S>,
     };
     chain.inward(&mut bodies, &mut joints, (), &mut multiply);
-    let Multiply { whole, outer_torque, outcome, .. } = multiply;
-    outcome.map(|()| (whole, outer_torque))
+    let Multiply { whole, root, outcome, .. } = multiply;
+    outcome.map(|()| (whole, root))
 }
 
 /// Multiplies the matrices, inward.
 struct Multiply<'a, S: Space, F, const N: usize> {
     whole: TransferMatrix<S::Scalar, N>,
-    /// The product up to the next turning joint outboard.
-    section: TransferMatrix<S::Scalar, N>,
-    outer_torque: S::Scalar,
+    /// The joint that stays outside the product.
+    root: Passage<S::Scalar, N>,
     outcome: Result<(), Error>,
-    /// That of the entry met last: from the tip to the root's joint, which is number 0 and stays outside the product.
+    /// The largest force or torque for a unit acceleration that a body has (kg, kg·m, kg·m²).
+    inertia: RealOf<S>,
+    /// That of the entry met last: from the tip to the root's joint, which is number 0.
     number: usize,
     each: &'a mut F,
     space: PhantomData<S>,
@@ -108,29 +116,30 @@ impl<S: Exact<N>, F: FnMut(usize, &TransferMatrix<S::Scalar, N>), const N: usize
 
     fn meet(&mut self, entry: &mut Entry<S, N>, (): ()) {
         self.number -= 1;
-        let identity = TransferMatrix::identity();
-        let mut turning = false;
-        let matrix = match entry {
-            Entry::Body(matrix) => *matrix,
-            Entry::Joint(joint, applied) => match S::joint_torque(joint, *applied) {
-                None => identity,
-                Some(torque) => {
-                    let outer = core::mem::replace(&mut self.outer_torque, torque);
-                    if self.number == 0 {
-                        return;
-                    }
-                    turning = true;
-                    S::joint_matrix(joint, torque, &self.section, outer).unwrap_or_else(|error| {
-                        self.outcome = self.outcome.and(Err(error.at_station(self.number - 1)));
-                        identity
-                    })
+        let found = match entry {
+            Entry::Body(matrix) => {
+                for (force, motion) in (N / 2..N - 1).flat_map(|i| (0..N / 2).map(move |j| (i, j))) {
+                    self.inertia = self.inertia.max(matrix[(force, motion)].real().abs());
                 }
-            },
-            Entry::Blank => identity,
+                Ok(*matrix)
+            }
+            Entry::Joint(passage) if self.number == 0 => {
+                self.root = *passage;
+                return;
+            }
+            Entry::Joint(passage) => passage.matrix(&self.whole, self.inertia).ok_or(Fault::SingularTransfer),
+            Entry::Blank => Err(Fault::Unsupported { what: "a joint like this" }),
         };
-        self.whole = matrix.then(&self.whole);
-        self.section = if turning { identity } else { matrix.then(&self.section) };
-        (self.each)(self.number - 1, &matrix);
+        match found {
+            Ok(matrix) => {
+                self.whole = matrix.then(&self.whole);
+                (self.each)(self.number.saturating_sub(1), &matrix);
+            }
+            Err(fault) => {
+                let error = Error::new(fault).at_station(self.number.saturating_sub(1));
+                self.outcome = self.outcome.and(Err(error));
+            }
+        }
     }
     fn beyond_arm(&mut self) {}
     fn opposite(&mut self, (): ()) {}
@@ -139,35 +148,4 @@ impl<S: Exact<N>, F: FnMut(usize, &TransferMatrix<S::Scalar, N>), const N: usize
         let error = Error::new(Fault::Unsupported { what: "a chain that branches" });
         self.outcome = Err(error.at_station(self.number.saturating_sub(1)));
     }
-}
-
-/// Closes the ends of a pinned or floating chain with a free tip: the state at the chain's inboard end.
-///
-/// `motion` says which of the three conjugate pairs the root holds (as the state at acceleration level).
-pub fn close<T: Scalar>(
-    whole: &TransferMatrix<T, 7>,
-    known: StateVector<T, 7>,
-    held: &[bool],
-) -> Result<StateVector<T, 7>, Error> {
-    // Position i is conjugate to force (4, 5 for x, y; 3 for the angle).
-    const CONJUGATE: [usize; 3] = [4, 5, 3];
-    let singular = Error::new(Fault::SingularTransfer);
-    let mut unknown = [0; 3];
-    for (pair, slot) in unknown.iter_mut().enumerate() {
-        *slot = if *held.get(pair).ok_or(singular)? { CONJUGATE[pair] } else { pair };
-    }
-    let mut z = known;
-    for index in unknown {
-        z[index] = T::zero();
-    }
-    // The tip's force and torque vanish.
-    let residual = *whole * z;
-    let rows = [3, 4, 5];
-    let a = rows.map(|row| unknown.map(|column| whole[(row, column)]));
-    let b = rows.map(|row| -residual[row]);
-    let x = crate::transfer::solve_dense(a, b).ok_or(singular)?;
-    for (index, value) in unknown.into_iter().zip(x) {
-        z[index] = value;
-    }
-    Ok(z)
 }

@@ -37,7 +37,10 @@ fn outboard<T: Scalar, J: Axial<T, K>, const K: usize>(inboard: Turn<T>, relativ
 }
 
 #[inline(always)]
-fn linear_bias<T: Scalar, J: Axial<T, K>, const K: usize>(inboard: &Turn<T>, relative: &Relative<T, K>) -> Vector3<T> {
+pub(super) fn linear_bias<T: Scalar, J: Axial<T, K>, const K: usize>(
+    inboard: &Turn<T>,
+    relative: &Relative<T, K>,
+) -> Vector3<T> {
     if J::SLIDES {
         let twice = relative.sliding + relative.sliding;
         cross_onto(inboard.spin, twice, centripetal(inboard.spin, relative.arm))
@@ -47,7 +50,10 @@ fn linear_bias<T: Scalar, J: Axial<T, K>, const K: usize>(inboard: &Turn<T>, rel
 }
 
 #[inline(always)]
-fn angular_bias<T: Scalar, J: Axial<T, K>, const K: usize>(inboard: &Turn<T>, relative: &Relative<T, K>) -> Vector3<T> {
+pub(super) fn angular_bias<T: Scalar, J: Axial<T, K>, const K: usize>(
+    inboard: &Turn<T>,
+    relative: &Relative<T, K>,
+) -> Vector3<T> {
     if !J::TURNS {
         zero()
     } else if K == 1 {

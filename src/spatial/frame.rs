@@ -1,6 +1,6 @@
 //! What the walks carry in space.
 
-use super::{Inertia, Rotation, Station};
+use super::{Inertia, Release, Rotation, Station};
 use crate::element::{Budget, Space, SpaceOver};
 use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot, is_finite, zero};
 use crate::relation::space::{Empty, FullColumn};
@@ -212,6 +212,7 @@ impl<T: Scalar> Space for Spatial<T> {
     type JointMotion = JointMotion<T>;
     type Numbers = [T; 6];
     type Column = FullColumn<T>;
+    type Release = Option<Release<T>>;
     type Nothing = Empty;
 
     fn blank() -> (Columns<T>, [Vector3<T>; 2], Vector3<T>, Vector3<T>) {

@@ -4,7 +4,7 @@ use super::{
     Acceleration, Ball, Cylindrical, ElasticHinge, Floating, Frame, JointMotion, Linear, Prismatic, Revolute,
     RotaryLaw, Spatial, Turn,
 };
-use super::{Universal, Weld, spring::Law};
+use super::{Universal, Weld, release, spring::Law};
 use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Gather, Posture, Visit};
 use crate::error::{Error, Fault};
@@ -138,9 +138,19 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     ) -> Acceleration<T>;
 }
 
-/// Makes spatial joints elements.
+/// What a joint lets move, if it says so.
+macro_rules! release {
+    ($joint:expr, $motion:expr, $position:expr, $rate:expr) => {
+        None
+    };
+    ($joint:expr, $motion:expr, $position:expr, $rate:expr, $release:path) => {
+        Some($release($joint, $motion, $position, $rate))
+    };
+}
+
+/// Makes spatial joints elements. What they let move serves transfer matrices, and may be left out.
 macro_rules! joint {
-    ([$($generics:tt)*] $Joint:ty, $absolute:literal) => {
+    ([$($generics:tt)*] $Joint:ty, $absolute:literal $(, $release:path)?) => {
         impl<$($generics)*> Element<Spatial<T>> for $Joint {
             type Position = <Self as Joint<T>>::Position;
             type Rate = <Self as Joint<T>>::Rate;
@@ -246,8 +256,9 @@ macro_rules! joint {
                 _: &mut (),
                 in_joint: &mut V::InJoint,
             ) -> Frame<T> {
-                let motion = self.moved(frame, motion.position, motion.rate, motion.acceleration);
-                *in_joint = visit.joint(&motion);
+                let Coordinates { position, rate, acceleration } = motion;
+                let motion = self.moved(frame, position, rate, acceleration);
+                *in_joint = visit.joint_with(&motion, || release!(self, &motion, position, rate $(, $release)?));
                 motion.outboard
             }
             fn inward<G: Gather>(
@@ -265,15 +276,15 @@ macro_rules! joint {
         }
     };
 }
-joint!([T: Scalar] Ball, true);
-joint!([T: Scalar, R: RotaryLaw<T>] ElasticHinge<R>, false);
-joint!([T: Scalar, R: RotaryLaw<T>, L: Law<T>, M: Law<T>, N: Law<T>] ElasticHinge<R, Linear<T, L, M, N>>, false);
-joint!([T: Scalar] Floating<T>, true);
-joint!([T: Scalar] Weld<T>, false);
-joint!([T: Scalar, L: Law<T>] Revolute<T, L>, false);
-joint!([T: Scalar, L: Law<T>] Prismatic<T, L>, false);
-joint!([T: Scalar, L: Law<T>, M: Law<T>] Universal<T, L, M>, false);
-joint!([T: Scalar, L: Law<T>, M: Law<T>] Cylindrical<T, L, M>, false);
+joint!([T: Scalar] Ball, true, release::ball);
+joint!([T: Scalar, R: RotaryLaw<T>] ElasticHinge<R>, false, release::rotary);
+joint!([T: Scalar, R: RotaryLaw<T>, L: Law<T>, M: Law<T>, N: Law<T>] ElasticHinge<R, Linear<T, L, M, N>>, false, release::elastic);
+joint!([T: Scalar] Floating<T>, true, release::floating);
+joint!([T: Scalar] Weld<T>, false, release::weld);
+joint!([T: Scalar, L: Law<T>] Revolute<T, L>, false, release::axial);
+joint!([T: Scalar, L: Law<T>] Prismatic<T, L>, false, release::axial);
+joint!([T: Scalar, L: Law<T>, M: Law<T>] Universal<T, L, M>, false, release::axial);
+joint!([T: Scalar, L: Law<T>, M: Law<T>] Cylindrical<T, L, M>, false, release::axial);
 
 /// Gives joints their counts.
 macro_rules! count {

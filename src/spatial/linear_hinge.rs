@@ -36,7 +36,7 @@ impl<T: Scalar, X: Law<T>, Y: Law<T>, Z: Law<T>> Linear<T, X, Y, Z> {
 
     /// Forces along the axes.
     #[inline(always)]
-    fn force(&self, [x, y, z]: [T; 3], [u, v, w]: [T; 3]) -> Vector3<T> {
+    pub(super) fn force(&self, [x, y, z]: [T; 3], [u, v, w]: [T; 3]) -> Vector3<T> {
         let none = T::zero();
         Vector3::new(self.x.force_onto(x, u, none), self.y.force_onto(y, v, none), self.z.force_onto(z, w, none))
     }

@@ -38,7 +38,7 @@ pub struct Station<T> {
 
 impl<T: Scalar> Station<T> {
     /// Where an element without mass or extent begins.
-    fn massless(frame: Frame<T>) -> Self {
+    pub(super) fn massless(frame: Frame<T>) -> Self {
         let internal = Internal { force: zero(), torque: zero() };
         Self { frame, arm: zero(), inertia_force: zero(), inertia_torque: zero(), internal }
     }

@@ -2,18 +2,15 @@
 
 use crate::element::{Coordinates, Element, Loading, Space};
 use crate::ends::{Pairs, Root, Tip};
-use crate::error::Error;
-use crate::planar::index::{M, THETA};
-use crate::relation::Term;
-use crate::solve::product::{close, product};
+use crate::error::{Error, Fault};
+use crate::solve::product::product;
 use crate::state::{StateVector, TransferMatrix};
 use crate::system::{MotionOf, System};
-use crate::transfer::Exact;
-use num_traits::Zero;
+use crate::transfer::{Efforts, Exact, Whole, close};
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// The overall transfer matrix at acceleration level, (16) and (17): z at the tip = U z at the inboard end of the chain,
-    /// with exact matrices of bodies (32) and pins (40). `each` is shown the matrices of the elements and their numbers, from
+    /// with exact matrices of bodies (32) and pins (40), in space (20)-(31) and (40) generalised to all joints. `each` is shown the matrices of the elements and their numbers, from
     /// the tip inward.
     ///
     /// A view for short chains: the product loses all digits beyond some tens of bodies.
@@ -30,7 +27,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// ```
     ///
     /// # Errors
-    /// [`Fault::SingularTransfer`](crate::Fault::SingularTransfer) where a pin is the centre of percussion of what lies outboard.
+    /// [`Fault::SingularTransfer`](crate::Fault::SingularTransfer) where a joint is a centre of percussion of what lies outboard;
+    /// [`Fault::Unsupported`](crate::Fault::Unsupported) for arms, and in the plane for joints that slide.
     pub fn transfer_matrix<L: Loading<S>, const N: usize>(
         &self,
         motion: &MotionOf<S, R, C, P>,
@@ -39,7 +37,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ) -> Result<TransferMatrix<S::Scalar, N>, Error>
     where
         S: Exact<N>,
-        L::InJoint: Term<S::Scalar>,
+        L::InJoint: Efforts<S>,
     {
         self.product(motion, loads, &mut each).map(|(whole, _)| whole)
     }
@@ -49,15 +47,15 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         motion: &MotionOf<S, R, C, P>,
         loads: &L,
         each: &mut impl FnMut(usize, &TransferMatrix<S::Scalar, N>),
-    ) -> Result<(TransferMatrix<S::Scalar, N>, S::Scalar), Error>
+    ) -> Result<Whole<S, N>, Error>
     where
         S: Exact<N>,
-        L::InJoint: Term<S::Scalar>,
+        L::InJoint: Efforts<S>,
     {
         let (position, rate, acceleration) = (motion.position(), motion.rate(), motion.acceleration());
         let coordinates = Coordinates { position, rate, acceleration };
         let ground = self.ground(motion.time());
-        product(self.elements(), &ground, self.gravity(), loads, motion.time(), coordinates, each)
+        product(self.elements(), &ground, R::Pairs::MOTION, self.gravity(), loads, motion.time(), coordinates, each)
     }
 
     /// The acceleration state at the inboard end of the chain, from the plain product and the boundary conditions: what a
@@ -65,19 +63,17 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::SingularTransfer`](crate::Fault::SingularTransfer) at a centre of percussion.
-    pub fn root_state<L: Loading<S>>(
+    pub fn root_state<L: Loading<S>, const N: usize>(
         &self,
         motion: &MotionOf<S, R, C, P>,
         loads: &L,
-    ) -> Result<StateVector<S::Scalar, 7>, Error>
+    ) -> Result<StateVector<S::Scalar, N>, Error>
     where
-        S: Exact<7>,
-        L::InJoint: Term<S::Scalar>,
+        S: Exact<N>,
+        L::InJoint: Efforts<S>,
     {
-        let (whole, torque) = self.product(motion, loads, &mut |_, _| ())?;
-        let mut known = S::acceleration_state(&self.ground(motion.time()));
-        known[M] = -torque;
-        known[THETA] = S::Scalar::zero();
-        close(&whole, known, R::Pairs::MOTION)
+        let (whole, root) = self.product(motion, loads, &mut |_, _| ())?;
+        let ground = S::acceleration_state(&self.ground(motion.time()));
+        close(&whole, &root, ground).ok_or(Error::new(Fault::SingularTransfer))
     }
 }
