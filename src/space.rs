@@ -58,6 +58,8 @@ pub trait Space: Copy + Debug + 'static {
     fn angles(body: &Self::BodyMotion) -> Self::Angles;
     /// The angle (rad) of a body that is too large for accurate sines, if it is.
     fn angle_out_of_range(body: &Self::BodyMotion) -> Option<f64>;
+    /// The same of an angle that a joint has turned by.
+    fn turn_out_of_range(joint: &Self::JointMotion, release: &Self::Release) -> Option<f64>;
     /// The acceleration of a frame as seen by one that falls freely: a − g.
     fn falling(frame: &Self::Frame, gravity: Self::Vector) -> Self::Acceleration;
     /// No acceleration.

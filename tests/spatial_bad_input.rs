@@ -3,7 +3,7 @@
 use catena::element::Element;
 use catena::spatial::*;
 use catena::system::Runs;
-use catena::{Error, Fault, Place};
+use catena::{Error, Fault, Place, Scalar};
 
 const NAN: f64 = f64::NAN;
 
@@ -148,5 +148,45 @@ fn a_step_of_half_a_turn_is_refused() -> Result<(), Error> {
     let (fault, last) = interrupted.map(|interrupted| (interrupted.error.fault, interrupted.last)).unzip();
     assert_eq!(fault, Some(Fault::NonFiniteMotion));
     assert_eq!(last.map(|last| last.position().0), Some(start.position().0));
+    Ok(())
+}
+
+/// Angles of joints have a range, in which sines are accurate. Slides have none, nor has the turning of balls.
+#[test]
+fn an_angle_out_of_range_is_named() -> Result<(), Error> {
+    let range = <f64 as Scalar>::ANGLE_RANGE;
+    let o = [0.0, 0.0, 1.0];
+    let cardan = Universal::about([0.0, 1.0, 0.0], o);
+    let chain = (rod(), Revolute::about(o), rod(), cardan, rod(), Cylindrical::on([1.0, 0.0, 0.0]), rod());
+    let scene = System::new(Pinned::origin(), chain, Free)?;
+    let run = |revolute: f64, second: f64, cylindrical: [f64; 2]| {
+        let mut motion = scene.motion().at_time(0.25);
+        motion.position_mut().1.1 = revolute;
+        motion.position_mut().1.3[1] = second;
+        motion.position_mut().1.5 = cylindrical;
+        scene.simulate(motion, Rk4::step(0.01), 0.26, |_| ()).map(|_| ()).map_err(|interrupted| interrupted.error)
+    };
+    let too_far = |angle: f64| Err(Error::new(Fault::AngleOutOfRange { angle }).at_time(0.25));
+    assert_eq!(run(range - 1.0, 1.0 - range, [2.0 * range, range - 1.0]), Ok(()));
+    assert_eq!(run(range + 1.0, 0.0, [0.0; 2]), too_far(range + 1.0));
+    assert_eq!(run(0.0, -1e9, [0.0; 2]), too_far(-1e9));
+    assert_eq!(run(0.0, 0.0, [0.0, 1e6]), too_far(1e6));
+
+    // Spun up to where it leaves the range within a step: 1 rad goes by in half a step.
+    let wheel = System::new(Hinged::at([0.0; 3], o), rod(), Free)?;
+    let mut fast = wheel.motion();
+    (*fast.position_mut(), *fast.rate_mut()) = ((range - 1.0, ()), (200.0, ()));
+    let error = wheel.simulate(fast, Rk4::step(0.01), 1.0, |_| ()).err().map(|interrupted| interrupted.error);
+    let Some(Error { time: Some(time), fault: Fault::AngleOutOfRange { angle }, .. }) = error else {
+        panic!("{error:?}");
+    };
+    assert!(angle > range && angle < range + 2.0 && time < 0.02, "{angle} at {time}");
+
+    // A ball has no angle that could leave a range: hundreds of turns.
+    let ball = System::new(Pinned::origin(), rod(), Free)?;
+    let fast = ball.with_rates(ball.motion(), &[300.0, 0.0, 0.0])?;
+    let run = ball.simulate(fast, Dop853::step(1e-3), 10.0, |_| ()).map_err(|interrupted| interrupted.error)?;
+
+    assert!((run.motion.rate().0[0] - 300.0).abs() < 1e-6);
     Ok(())
 }

@@ -244,6 +244,9 @@ impl<T: Scalar> Space for Planar<T> {
     fn angles(body: &BodyMotion<T>) -> T {
         body.angle()
     }
+    fn turn_out_of_range(_: &JointMotion<T>, _: &usize) -> Option<f64> {
+        None // sines are taken of the angles of bodies
+    }
     fn angle_out_of_range(body: &BodyMotion<T>) -> Option<f64> {
         let angle = body.angle().real();
         (angle.abs() > T::ANGLE_RANGE).then(|| angle.as_f64())

@@ -3,7 +3,7 @@
 use super::{Inertia, Release, Rotation, Station};
 use crate::element::{Budget, Space, SpaceOver};
 use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot, is_finite, zero};
-use crate::relation::space::{Empty, FullColumn};
+use crate::relation::space::{Empty, FullColumn, Way};
 use crate::scalar::{Real, Scalar};
 use core::fmt;
 use core::marker::PhantomData;
@@ -232,6 +232,11 @@ impl<T: Scalar> Space for Spatial<T> {
     }
     fn angle_out_of_range(_: &BodyMotion<T>) -> Option<f64> {
         None // attitudes are quaternions
+    }
+    fn turn_out_of_range(joint: &JointMotion<T>, release: &Option<Release<T>>) -> Option<f64> {
+        let coordinates = release.as_ref()?.coordinates.iter().flatten().zip(joint.position);
+        let mut turns = coordinates.filter(|((way, ..), _)| *way == Way::Turn).map(|(_, angle)| angle.real());
+        turns.find(|angle| angle.abs() > T::ANGLE_RANGE).map(Real::as_f64)
     }
     fn no_acceleration() -> Acceleration<T> {
         Acceleration::zero()

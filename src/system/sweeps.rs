@@ -3,12 +3,11 @@
 use super::dynamics::{Dynamics, Held, Runs, StiffDynamics};
 use crate::element::{
     Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Level, Loading, Reading, RealOf, Space, Sweep,
-    look,
+    Visit, look,
 };
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
-use crate::observe::each_body;
 use crate::relation::{Closures, Solvable};
 use crate::scalar::{Real, Scalar};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
@@ -99,10 +98,10 @@ where
             return error(Fault::NonFiniteMotion);
         }
         if far {
-            let mut angle = None;
-            let ground = self.root.ground(motion.time);
-            each_body(&self.chain, ground, coordinates(motion), |body| angle = angle.or(S::angle_out_of_range(body)));
-            if let Some(angle) = angle {
+            let (mut look, ground) = (LookForAngles(None), self.root.ground(motion.time));
+            let (mut bodies, mut joints) = (self.chain.per_body(()), self.chain.per_joint(()));
+            self.chain.travel(ground, coordinates(motion), &mut look, &mut bodies, &mut joints);
+            if let Some(angle) = look.0 {
                 return error(Fault::AngleOutOfRange { angle });
             }
         }
@@ -216,5 +215,20 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     pub(super) fn miss(&self, motion: &MotionOf<S, R, C, P>) -> [<P::Closures as Closures>::Each<S::Scalar>; 2] {
         let frame = look(&self.chain, self.root.ground(motion.time), coordinates(motion));
         self.tip.miss(motion.time, &frame)
+    }
+}
+
+/// Looks for an angle out of range.
+struct LookForAngles(Option<f64>);
+
+impl<S: Space> Visit<S> for LookForAngles {
+    type OnBody = ();
+    type InJoint = ();
+    fn body(&mut self, body: &S::BodyMotion) {
+        self.0 = self.0.or_else(|| S::angle_out_of_range(body));
+    }
+    fn joint(&mut self, _: &S::JointMotion) {}
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> S::Release) {
+        self.0 = self.0.or_else(|| S::turn_out_of_range(joint, &release()));
     }
 }
