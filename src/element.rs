@@ -54,7 +54,7 @@ use crate::error::Error;
 pub use crate::loading::{Load, Loading, Unloaded};
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
 pub use crate::sweep::{Carrying, Explicit, Implicit, Reading, Springs, Sweep};
-pub use crate::visit::{Gather, Level, Visit, look};
+pub use crate::visit::{Closed, Gather, Level, Visit, look};
 
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;

@@ -105,7 +105,7 @@ pub enum Fault {
     },
     /// A transfer matrix does not exist here: the joint is the centre of percussion of what lies outboard.
     SingularTransfer,
-    /// The tip cannot be brought to where it is held from this guess.
+    /// The tip cannot be brought to where it is held, or the ends of a loop to each other, from this guess.
     NotClosed {
         /// By how much it misses (m, or rad for an angle).
         miss: f64,
@@ -197,7 +197,7 @@ impl fmt::Display for Error {
                 "no transfer matrix exists: the joint is the centre of percussion of what lies outboard; sweep instead"
             ),
             Fault::NotClosed { miss } => {
-                write!(f, "the tip cannot be brought to where it is held: it misses by {miss}")
+                write!(f, "what is held together cannot be brought there from this guess: it misses by {miss}")
             }
             Fault::NoEquilibrium { residual } => {
                 write!(f, "no equilibrium found from this guess: an acceleration of {residual} is left")

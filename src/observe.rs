@@ -1,10 +1,13 @@
 //! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
 
 use crate::counts::HasBody;
-use crate::element::{Budget, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::mirror::Rate;
+use crate::scalar::{Real, Scalar};
 use crate::visit::survey;
 use core::fmt;
 use core::marker::PhantomData;
+use num_traits::Zero;
 
 /// Something of every body of a scene, by number.
 #[derive(Clone)]
@@ -190,6 +193,76 @@ impl<S: Space, F: FnMut(&S::BodyMotion)> Visit<S> for Show<F> {
     fn joint(&mut self, _: &S::JointMotion) {}
 }
 
+/// By how much the ends of a loop miss each other: the largest (m, rad), and the station of the joint that should close it.
+pub(crate) fn loops_miss<S: Space, E: Element<S>>(
+    chain: &E,
+    ground: S::Frame,
+    motion: Coordinates<'_, S, E>,
+) -> (RealOf<S>, usize) {
+    let mut open = OpenLoop::<S> { entries: 0, worst: (Zero::zero(), 0) };
+    chain.travel(ground, motion, &mut open, &mut chain.per_body(()), &mut chain.per_joint(()));
+    open.worst
+}
+
+/// Calls `note` with what each condition that closes a loop is missed by: in place (m, rad) and in velocity.
+pub(crate) fn each_miss<S: Space, E: Element<S>>(
+    chain: &E,
+    ground: S::Frame,
+    motion: Coordinates<'_, S, E>,
+    note: impl FnMut([S::Scalar; 2]),
+) {
+    chain.travel(ground, motion, &mut Misses(note), &mut chain.per_body(()), &mut chain.per_joint(()));
+}
+
+/// Shows by how much loops miss.
+struct Misses<F>(F);
+
+impl<S: Space, F: FnMut([S::Scalar; 2])> Visit<S> for Misses<F> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, _: &S::BodyMotion) {}
+    fn joint(&mut self, _: &S::JointMotion) {}
+    fn closing(&mut self, closed: &Closed<S>) {
+        let [place, velocity] = &closed.miss;
+        let mut count = 0;
+        place.all(velocity, &mut |place, velocity| {
+            if count < closed.conditions {
+                (self.0)([place, velocity]);
+            }
+            count += 1;
+            true
+        });
+    }
+}
+
+/// Keeps the loop that misses most.
+struct OpenLoop<S: Space> {
+    /// Bodies and joints met; the first is the root's joint.
+    entries: usize,
+    worst: (RealOf<S>, usize),
+}
+
+impl<S: Space> Visit<S> for OpenLoop<S> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, _: &S::BodyMotion) {
+        self.entries += 1;
+    }
+    fn joint(&mut self, _: &S::JointMotion) {
+        self.entries += 1;
+    }
+    fn closing(&mut self, closed: &Closed<S>) {
+        self.entries += 1;
+        closed.miss[0].visit(&mut |x| {
+            if x.real().abs() > self.worst.0 {
+                self.worst = (x.real().abs(), self.entries - 2);
+            }
+        });
+    }
+}
+
 /// Energy and momentum of a motion.
 pub(crate) fn budget<S: Space, E: Element<S>>(
     chain: &E,
@@ -243,7 +316,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for Balance<'_, S, L> {
     fn joint(&mut self, joint: &S::JointMotion) -> Option<S::Station> {
         Some(S::joint_station(joint))
     }
-    fn closing(&mut self, joint: &S::JointMotion, internal: S::Internal) -> Option<S::Station> {
-        Some(S::closing_station(joint, internal))
+    fn closing(&mut self, closed: &Closed<S>) -> Option<S::Station> {
+        Some(S::closing_station(&closed.joint, closed.internal))
     }
 }

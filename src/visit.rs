@@ -22,16 +22,27 @@ pub trait Visit<S: Space> {
         self.joint(joint)
     }
 
-    /// Meets what closes a loop, the force and torque that it passes on: a joint too.
-    fn closing(&mut self, joint: &S::JointMotion, internal: S::Internal) -> Self::InJoint {
-        let _ = internal;
-        self.joint(joint)
+    /// Meets what closes a loop: a joint too.
+    fn closing(&mut self, closed: &Closed<S>) -> Self::InJoint {
+        self.joint(&closed.joint)
     }
 
     /// Leaves the chain for an arm of it.
     fn enter_arm(&mut self) {}
     /// Comes back to where that arm began.
     fn leave_arm(&mut self) {}
+}
+
+/// A joint that closes a loop.
+pub struct Closed<S: Space> {
+    /// The joint, from the side arm to the main one.
+    pub joint: S::JointMotion,
+    /// The force and torque that it passes on.
+    pub internal: S::Internal,
+    /// How many conditions it imposes.
+    pub conditions: usize,
+    /// By how much these are missed, in place and in velocity; the numbers after them are zero.
+    pub miss: [S::Numbers; 2],
 }
 
 /// A gatherer of [`Element::inward`](crate::element::Element::inward): internal forces that add up from the tips to the root, for example.

@@ -2,12 +2,12 @@
 
 use super::{deeper, sum};
 use crate::element::{
-    Carrying, Condense, Coordinates, Element, Gather, Given, InJoint, Level, Posture, Space, Springs, Sweep, Visit,
-    look,
+    Carrying, Closed, Condense, Coordinates, Element, Gather, Given, InJoint, Level, Posture, Space, Springs, Sweep,
+    Visit, look,
 };
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::mirror::{Tied, TiedPosition};
+use crate::mirror::{Rate, Tied, TiedPosition};
 use crate::relation::{Closures, LoopGain, Looped, Own, Settle, Solvable};
 use crate::scalar::Scalar;
 use crate::visit::last_body;
@@ -95,7 +95,7 @@ pub struct Ends<'a, S: Space, K: Closing<S>> {
 /// let net = System::new(Pinned::origin(), (rod, Network::new((Pin, rod, Pin, rod), (Pin, rod, Pin, rod), Pin)), Free)?;
 /// let net = net.with_gravity(9.81);
 /// let start = net.at_rest(&[-1.5, -1.0, -2.0, -2.0, -1.0])?; // absolute angles (rad): the rod, the main arm, the side arm
-/// let start = net.with_tip_held(start, &Unloaded)?; // closes the loop to the last digit, if it is not
+/// let start = net.assembled(start, &Unloaded)?; // closes the loop to the last digit, if it is not
 /// let run = net.simulate(start, Rk4::step(1e-3), 0.1, |_| ())?;
 /// # Ok::<(), catena::Error>(())
 /// ```
@@ -356,7 +356,23 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         let main = self.main().travel(frame, in_main, visit, &mut on_bodies.0, &mut in_joints.0);
         visit.enter_arm();
         let side = self.side().travel(frame, in_side, visit, &mut on_bodies.1, &mut in_joints.1);
-        in_joints.2 = visit.closing(&self.closing.joint(&side, &main), S::internal(motion.acceleration.closing));
+        in_joints.2 = visit.closing(&Closed {
+            joint: self.closing.joint(&side, &main),
+            internal: S::internal(motion.acceleration.closing),
+            conditions: OwnOf::<S, K>::COUNT,
+            miss: self.closing.miss(&side, &main).map(|miss| {
+                let (mut numbers, mut k) = (S::numbers(S::no_force()), 0);
+                OwnOf::<S, K>::map(&miss, |x| {
+                    let mut at = 0;
+                    numbers.replace(&mut |old| {
+                        at += 1;
+                        if at == k + 1 { x } else { old }
+                    });
+                    k += 1;
+                });
+                numbers
+            }),
+        });
         visit.leave_arm();
         main
     }

@@ -7,6 +7,7 @@
 
 use super::redundancy::dependent_row;
 use crate::scalar::{Real, Scalar};
+use num_traits::Zero;
 
 /// How many closure forces a sweep carries, decided by type.
 pub trait Closures: Copy + 'static {
@@ -42,6 +43,13 @@ pub trait Solvable: Closures {
     fn dependent<T: Scalar>(compliance: &Self::Pairs<T>, measure: &Self::Each<T>) -> Option<(usize, usize)>;
     /// The solution of Λ x = b for the lower triangle Λ; not finite where Λ is singular.
     fn solve<T: Scalar>(compliance: &Self::Pairs<T>, b: &Self::Each<T>) -> Self::Each<T>;
+}
+
+/// The largest of numbers of closures, without their signs.
+pub fn largest<T: Scalar, C: Closures>(numbers: &C::Each<T>) -> T::Real {
+    let mut most = T::Real::zero();
+    C::map(numbers, |x| most = x.real().abs().max(most));
+    most
 }
 
 /// No closures.

@@ -14,7 +14,7 @@ pub mod plane;
 mod redundancy;
 pub mod space;
 
-pub use closure::{Closures, Cut, Cuts, Open, Solvable};
+pub use closure::{Closures, Cut, Cuts, Open, Solvable, largest};
 pub use looped::{Carry, LoopGain, Looped, Own, Settle, Twisted};
 
 use crate::scalar::Scalar;

@@ -8,7 +8,8 @@ const SMALLEST: f64 = 1e-10;
 const ROUNDINGS: f64 = 8.0;
 
 /// A row of a positive semidefinite matrix that depends on others, and the rank: by elimination with diagonal pivots, the largest
-/// share of its measure first. Of the matrix the lower triangle is read; `rounding` is that of its numbers.
+/// share of its measure first. Of the matrix the lower triangle is read; `rounding` is that of its numbers. What has no measure is
+/// measured by its own diagonal.
 pub(super) fn dependent_row<const L: usize>(
     matrix: [[f64; L]; L],
     measure: [f64; L],
@@ -20,6 +21,7 @@ pub(super) fn dependent_row<const L: usize>(
     let smallest = SMALLEST.max(ROUNDINGS * rounding);
     let mut rest: [[f64; L]; L] =
         core::array::from_fn(|i| core::array::from_fn(|j| if j <= i { matrix[i][j] } else { matrix[j][i] }));
+    let measure: [f64; L] = core::array::from_fn(|i| if measure[i] > 0.0 { measure[i] } else { rest[i][i] });
     let mut waiting = [true; L];
     for rank in 0..L {
         let shares = (0..L).filter(|i| waiting[*i]).map(|i| (rest[i][i] / measure[i], i));

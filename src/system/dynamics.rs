@@ -52,6 +52,15 @@ pub trait Dynamics<L> {
         workspace: &mut Self::Workspace,
     );
 
+    /// Moves a motion whose loops are far from closed towards it, as [`project`](Self::project) does, but no coordinate by more than
+    /// a share (rad, m).
+    fn draw(
+        &self,
+        motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        share: <Self::Scalar as Scalar>::Real,
+        workspace: &mut Self::Workspace,
+    );
+
     /// Whether the closures that hold the tip are independent, after a sweep at this motion.
     ///
     /// # Errors

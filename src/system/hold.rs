@@ -1,12 +1,13 @@
-//! Motions with their tip where it is held.
+//! Motions with their tip where it is held and their loops closed.
 
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
-use crate::relation::{Closures, Solvable};
+use crate::observe::loops_miss;
+use crate::relation::{Closures, Solvable, largest};
 use crate::scalar::{Real, Scalar};
-use crate::system::{Dynamics, MotionOf, Runs, System};
+use crate::system::{Dynamics, Elements, MotionOf, Runs, System, coordinates};
 use num_traits::{One, Zero};
 
 /// Corrections of a guess before it counts as one that leads nowhere.
@@ -15,24 +16,24 @@ const CORRECTIONS: usize = 60;
 const SHARE: f64 = 0.3;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// The same motion with its tip where it is held: the least correction of positions and rates, as measured by the inertia
-    /// of the scene (from afar, by the angles), and the accelerations that belong to them. A scene with a free tip is left as it
-    /// is, but for its accelerations. A straight chain cannot tell where to bend: bend it.
+    /// The same motion with its loops closed and its tip where it is held: the least correction of positions and rates, as measured
+    /// by the inertia of the scene (of a chain without loops from afar, by the angles), and the accelerations that belong to them. A
+    /// scene with neither is left as it is, but for its accelerations. A straight chain or loop cannot tell where to bend: bend it.
     ///
     /// ```
     /// use catena::element::Unloaded;
     /// use catena::planar::*;
     /// let rod = |length| Rod::uniform(length, 1.0);
     /// let four_bar = System::new(Pinned::origin(), (rod(0.5), Pin, rod(1.2), Pin, rod(0.9)), Pinned::at(1.0, 0.0))?;
-    /// let start = four_bar.with_tip_held(four_bar.at_rest(&[1.0, 0.3, -2.0])?, &Unloaded)?;
+    /// let start = four_bar.assembled(four_bar.at_rest(&[1.0, 0.3, -2.0])?, &Unloaded)?;
     /// let tip = four_bar.stations(&start, &Unloaded).tip().frame.place;
     /// assert!((tip.x - 1.0_f64).abs() < 1e-15 && tip.y.abs() < 1e-15);
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
     /// # Errors
-    /// [`Fault::NotClosed`] where no correction leads there; those of [`with_accelerations`](Self::with_accelerations).
-    pub fn with_tip_held<L: Loading<S>>(
+    /// [`Fault::NotClosed`] where no correction leads there, at the place that misses most; those of [`with_accelerations`](Self::with_accelerations).
+    pub fn assembled<L: Loading<S>>(
         &self,
         mut motion: MotionOf<S, R, C, P>,
         loads: &L,
@@ -45,7 +46,25 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(motion)
     }
 
-    /// [`with_tip_held`](Self::with_tip_held) in place.
+    /// [`assembled`](Self::assembled), under the name it has for a chain.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn with_tip_held<L: Loading<S>>(
+        &self,
+        motion: MotionOf<S, R, C, P>,
+        loads: &L,
+    ) -> Result<MotionOf<S, R, C, P>, Error>
+    where
+        Self: Runs<L, S, R, C, P>,
+    {
+        self.assembled(motion, loads)
+    }
+
+    /// Whether there are loops.
+    const LOOPED: bool = <Elements<S, R, C> as Element<S>>::LOOPS > 0;
+
+    /// [`assembled`](Self::assembled) in place.
     pub(crate) fn hold<L: Loading<S>>(
         &self,
         motion: &mut MotionOf<S, R, C, P>,
@@ -75,20 +94,29 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             });
             if step <= real(SHARE) {
                 *motion = corrected;
+            } else if const { Self::LOOPED } {
+                self.draw(motion, real(SHARE), workspace);
             } else {
                 self.approach(motion);
             }
-            self.accelerate(motion, loads, workspace)?;
+            let outcome = self.accelerate(motion, loads, workspace);
+            // On the way a loop may be where it could not stay.
+            let passing = Self::LOOPED
+                && step > real(SHARE)
+                && matches!(outcome, Err(Error { fault: Fault::RedundantClosures { .. }, .. }));
+            if !passing {
+                outcome?;
+            }
             // Corrections fall until nothing but rounding is left of them.
             if step <= tiny || (step <= small && step + step >= last) {
                 return Ok(());
             }
             last = step;
         }
-        let miss = self.miss(motion)[0];
-        let mut most = RealOf::<S>::zero();
-        P::Closures::map(&miss, |x| most = most.max(x.real().abs()));
-        Err(Error::new(Fault::NotClosed { miss: most.as_f64() }).at_time(motion.time.as_f64()))
+        let at_tip = largest::<S::Scalar, P::Closures>(&self.miss(motion)[0]);
+        let (in_loop, station) = loops_miss(&self.chain, self.root.ground(motion.time), coordinates(motion));
+        let (miss, place) = if in_loop > at_tip { (in_loop, Place::Station(station)) } else { (at_tip, Place::Tip) };
+        Err(Error::new(Fault::NotClosed { miss: miss.as_f64() }).at(place).at_time(motion.time.as_f64()))
     }
 
     /// Moves the tip towards where it is held by the least change of all coordinates alike, and not too far at once. From afar

@@ -5,7 +5,7 @@ use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, Implicit, Loading, Reading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::mirror::{Position, Rate};
-use crate::observe::each_body;
+use crate::observe::{each_body, each_miss};
 use crate::planar::{self, Planar};
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
@@ -98,20 +98,24 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         relative
     }
 
+    /// By how much all that is held misses its velocity: the tip, and ends of loops.
+    fn drift(&self, motion: &MotionOf<S, R, C, P>) -> Vec<RealOf<S>> {
+        let mut drift = vec![];
+        P::Closures::map(&self.miss(motion)[1], |x| drift.push(x.real()));
+        each_miss(self.elements(), self.ground(motion.time), coordinates(motion), |[_, x]| drift.push(x.real()));
+        drift
+    }
+
     /// The directions that closures leave open.
     fn tangent(&self, still: &MotionOf<S, R, C, P>, freedoms: usize) -> Tangent<RealOf<S>> {
-        let mut rows: Vec<Vec<RealOf<S>>> = vec![vec![]; P::Closures::COUNT];
+        let drift = self.drift(still);
+        let mut rows: Vec<Vec<RealOf<S>>> = vec![vec![]; drift.len()];
         let mut moving = still.clone();
-        let [_, drift] = self.miss(still);
         for j in 0..if rows.is_empty() { 0 } else { freedoms } {
             set(&mut moving.rate, unit(freedoms, j));
-            let [_, miss] = self.miss(&moving);
-            let mut rows = rows.iter_mut();
-            P::Closures::zip(&miss, &drift, |with, without| {
-                if let Some(row) = rows.next() {
-                    row.push((with - without).real());
-                }
-            });
+            for (row, (with, without)) in rows.iter_mut().zip(self.drift(&moving).into_iter().zip(&drift)) {
+                row.push(with - *without);
+            }
         }
         Tangent::of(freedoms, rows)
     }

@@ -47,6 +47,16 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     }
 
     #[inline]
+    fn draw(
+        &self,
+        motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        share: <Self::Scalar as Scalar>::Real,
+        workspace: &mut Self::Workspace,
+    ) {
+        D::draw(self, motion, share, workspace)
+    }
+
+    #[inline]
     fn independent(
         &self,
         motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,

@@ -58,6 +58,18 @@ where
         self.project_by(motion, workspace);
     }
 
+    fn draw(&self, motion: &mut MotionOf<S, R, C, P>, share: RealOf<S>, workspace: &mut Self::Workspace) {
+        let [place, _] = self.miss(motion);
+        let ground = self.root.ground(motion.time);
+        if let Some(step) = correction(&self.chain, ground, coordinates(motion), Level::Place, &place, workspace) {
+            let mut step = step.clone();
+            let mut most = share;
+            step.visit(&mut |x| most = x.real().abs().max(most));
+            step.replace(&mut |x| x.scale(share / most));
+            motion.position.displace(&step);
+        }
+    }
+
     fn independent(&self, motion: &MotionOf<S, R, C, P>, workspace: &Self::Workspace) -> Result<(), Error> {
         let ground = self.root.ground(motion.time);
         if const { <Elements<S, R, C> as Element<S>>::LOOPS > 0 } {
