@@ -67,7 +67,7 @@ fn four_bar() -> Result<System<f64, Clamped<[f64; 2], f64>, FourBar, Free>, Erro
 fn a_four_bar_follows_its_table() -> Result<(), Error> {
     let scene = four_bar()?;
     let start = scene.at_rest(&[START[0], START[1], START[2] + PI])?;
-    let start = scene.with_tip_held(start, &Unloaded)?;
+    let start = scene.assembled(start, &Unloaded)?;
     for ((time, angles, force), on_rocker) in FOUR_BAR.into_iter().zip(ON_ROCKER) {
         let motion = scene.simulate(start, Dop853::tolerance(1e-13), time, |_| ())?.motion;
         let found = scene.angles(&motion);
@@ -94,7 +94,7 @@ fn a_network_follows_its_table() -> Result<(), Error> {
     let chain = (rod(0.8), Network::new(upper, lower, Pin));
     let scene = System::new(Pinned::origin(), chain, Free)?.with_gravity(9.81);
     let start = scene.at_rest(&[-FRAC_PI_3, -FRAC_PI_6, -2.094395102393, -1.977311259432, -0.620259990849])?;
-    let start = scene.with_tip_held(start, &Unloaded)?;
+    let start = scene.assembled(start, &Unloaded)?;
     for (time, angles, force) in NETWORK {
         let motion = scene.simulate(start, Dop853::tolerance(1e-13), time, |_| ())?.motion;
         println!("{time}: {:?}", scene.angles(&motion));

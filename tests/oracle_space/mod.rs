@@ -101,6 +101,18 @@ impl Frame {
     }
 }
 
+/// What closes a loop: it holds the outboard points of two bodies together along some directions, and the bodies about some axes
+/// (inertial axes).
+#[derive(Clone, Debug)]
+pub struct Closing {
+    pub main: usize,
+    pub side: usize,
+    pub along: Vec<Vector>,
+    pub about: Vec<Vector>,
+    /// Torque in it ON the main body (inertial axes).
+    pub torque: Vector,
+}
+
 /// How the tip is held.
 #[derive(Clone, Copy, Debug)]
 pub enum Tip {
@@ -122,6 +134,10 @@ pub struct Answer {
     pub forces: Vec<Vector>,
     pub torques: Vec<Vector>,
     pub tip: [Vector; 2],
+    /// Force and torque ON the main body at each closing.
+    pub closings: Vec<[Vector; 2]>,
+    /// By how much the ends of loops miss each other, in place and velocity along what is held.
+    pub miss: f64,
 }
 
 /// A condition row: Σ linear·a + angular·α over bodies (None is the ground) = value.
@@ -209,7 +225,20 @@ pub fn solve_tree(
     parents: &[Option<usize>],
     bodies: &[Body],
     joints: &[Joint],
+    held: (usize, Tip),
+) -> Answer {
+    solve_closed(ground, gravity, parents, bodies, joints, held, &[])
+}
+
+/// Solves a tree with loops.
+pub fn solve_closed(
+    ground: Frame,
+    gravity: Vector,
+    parents: &[Option<usize>],
+    bodies: &[Body],
+    joints: &[Joint],
     (last, tip): (usize, Tip),
+    closings: &[Closing],
 ) -> Answer {
     let n = bodies.len();
     let frames = kinematics(ground, parents, bodies, joints);
@@ -229,7 +258,7 @@ pub fn solve_tree(
         torque.push(body.torque + arm.cross(&body.force) - frame.spin.cross(&(inertia * frame.spin)));
     }
     let (mut effort_force, mut effort_torque) = (vec![Vector::zeros(); n], vec![Vector::zeros(); n]);
-    let mut rows: Vec<(usize, Row)> = vec![]; // with the joint; `n` is the tip
+    let mut rows: Vec<(usize, Row)> = vec![]; // with the joint; `n` is the tip, and closings follow
     for k in 0..n {
         // Inboard side.
         let (inner, spin_i, attitude_i, inner_arm, place_i, velocity_i) = match parents[k] {
@@ -341,6 +370,31 @@ pub fn solve_tree(
         let row = |t: Vector| Row { terms: vec![(Some(last), Vector::zeros(), t)], value: t.dot(&angular) };
         rows.extend(unit.map(|t| (n, row(t))));
     }
+    let mut miss = 0.0_f64;
+    for (number, Closing { main, side, along, about, torque: own }) in closings.iter().enumerate() {
+        let end = |k: usize| {
+            let (frame, arm) = (&frames[k], frames[k].attitude * bodies[k].outboard);
+            let known = frame.spin.cross(&frame.spin.cross(&to_outboard[k]));
+            (frame.place + arm, frame.velocity + frame.spin.cross(&arm), known)
+        };
+        let (outer, inner) = (end(*main), end(*side));
+        for t in along {
+            miss = miss.max(t.dot(&(outer.0 - inner.0)).abs()).max(t.dot(&(outer.1 - inner.1)).abs());
+            let (a, b) = (to_outboard[*main].cross(t), to_outboard[*side].cross(t));
+            let terms = vec![(Some(*main), *t, a), (Some(*side), -t, -b)];
+            rows.push((n + 1 + number, Row { terms, value: -t.dot(&(outer.2 - inner.2)) }));
+        }
+        for t in about {
+            miss = miss.max(t.dot(&(frames[*main].spin - frames[*side].spin)).abs());
+            let none = Vector::zeros();
+            rows.push((
+                n + 1 + number,
+                Row { terms: vec![(Some(*main), none, *t), (Some(*side), none, -t)], value: 0.0 },
+            ));
+        }
+        torque[*main] += own;
+        torque[*side] -= own;
+    }
 
     if let Tip::Hinged(ground, axis) = tip {
         // t · (ω − ω_g) = 0, differentiated, for t that turn with the ground.
@@ -390,16 +444,20 @@ pub fn solve_tree(
     // Force and torque about I ON each body from its inboard joint: multipliers and efforts, the torque moved from C to I.
     let (mut forces, mut torques) = (effort_force.clone(), effort_torque.clone());
     let mut at_tip = [Vector::zeros(); 2];
+    let mut at_closings: Vec<[Vector; 2]> = closings.iter().map(|closing| [Vector::zeros(), closing.torque]).collect();
     for (r, (joint, row)) in rows.iter().enumerate() {
         let multiplier = solution[unknowns + r];
         let (_, linear, angular) = row.terms[0];
         if *joint == n {
             at_tip[0] += linear * multiplier;
             at_tip[1] += (angular - to_outboard[last].cross(&linear)) * multiplier;
+        } else if let Some(number) = joint.checked_sub(n + 1) {
+            at_closings[number][0] += linear * multiplier;
+            at_closings[number][1] += (angular - to_outboard[closings[number].main].cross(&linear)) * multiplier;
         } else {
             forces[*joint] += linear * multiplier;
             torques[*joint] += (angular - to_inboard[*joint].cross(&linear)) * multiplier;
         }
     }
-    Answer { linear, angular, forces, torques, tip: at_tip }
+    Answer { linear, angular, forces, torques, tip: at_tip, closings: at_closings, miss }
 }
