@@ -229,16 +229,17 @@ pub trait Element<S: Space>: Clone {
         (frame, self.respond::<C>(acceleration, posture, kept, multipliers, rate))
     }
 
-    /// Fails where the closures of a loop do not hold independently of each other, as the last sweep saw it. Walks outward with complete
-    /// kinematics.
+    /// Fails where the closures of a loop do not hold independently of each other, as the last sweep saw it; where they need not, tells
+    /// stations and names of forces that the motion does not decide. Walks outward with complete kinematics.
     fn independent<C: Closures>(
         &self,
         frame: S::Frame,
         motion: Coordinates<'_, S, Self>,
         kept: &Self::Kept<C>,
         station: usize,
+        tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<S::Frame, Error> {
-        let _ = (kept, station);
+        let _ = (kept, station, tell);
         Ok(look(self, frame, motion))
     }
 

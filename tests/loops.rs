@@ -108,3 +108,34 @@ fn a_network_follows_its_table() -> Result<(), Error> {
     }
     Ok(())
 }
+
+/// Three parallel cranks carry a platform: any two of them would hold it.
+#[test]
+fn a_third_crank_shares_the_load_in_the_least_way() -> Result<(), Error> {
+    let (crank, half) = (Rod::uniform(1.0, 0.3), Rod::uniform(1.0, 0.5));
+    let reach = |x| RigidBody::massless([x, 0.0]);
+    // The platform is the main arm's; the second and the third crank meet it at its middle and at its end.
+    let inner = Network::new((Pin, crank, Pin, half), (reach(1.0), Pin, crank), Pin);
+    let net = Network::new((inner, half), (reach(2.0), Pin, crank), LeastNorm(Pin));
+    let scene = System::new(Clamped::at(0.0, 0.0, 0.0), net, Free)?.with_gravity(9.81);
+    let angle = 1.1_f64;
+    let start = scene.with_accelerations(scene.at_rest(&[angle, 0.0, angle, angle])?, &Unloaded)?;
+    // By Lagrange: all cranks turn alike, the platform only moves. (3 m_c/3 + m_p) α = −(3 m_c/2 + m_p) g cos θ.
+    let expected = -(3.0 * 0.3 / 2.0 + 1.0) * 9.81 * angle.cos() / (0.3 + 1.0);
+    let bodies = scene.body_motions(&start);
+    for k in [0, 3, 6] {
+        near(bodies.get(k).map_or(f64::NAN, |body| body.inboard.acceleration.angular), expected, 1e-12);
+    }
+    // A tension along the third crank does nothing but strain the platform: the least closing force has no part along it.
+    let mut told = vec![];
+    scene.shared_forces(&start, &Unloaded, |station, name| told.push((station, name)))?;
+    assert_eq!(told, [(12, "x of the ends of a loop"), (12, "y of the ends of a loop")]);
+    let stations = scene.stations(&start, &Unloaded);
+    let force = stations.get(12).map(|station| station.internal.force).unwrap_or_default();
+    near(force.x * angle.cos() + force.y * angle.sin(), 0.0, 1e-12);
+    // It does not stay at rest, and what it does keeps its energy.
+    let energy = scene.budget(&start).energy();
+    let end = scene.simulate(start, Dop853::tolerance(1e-11), 1.0, |_| ())?.motion;
+    near(scene.budget(&end).energy(), energy, 1e-9);
+    Ok(())
+}

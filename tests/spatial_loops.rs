@@ -2,11 +2,11 @@
 
 mod kit;
 
-use catena::Error;
 use catena::element::{Element, Unloaded};
 use catena::ends::{Root, Tip};
 use catena::spatial::{self, *};
 use catena::system::MotionOf;
+use catena::{Error, Fault, Place};
 use kit::near;
 use nalgebra::Vector3;
 
@@ -108,5 +108,67 @@ fn a_linkage_moves_alike_wherever_it_is_cut() -> Result<(), Error> {
             assert!(apart(k) < 1e-9, "{name}: {:?} {:?}", at_ball[k], other[k]);
         }
     }
+    Ok(())
+}
+
+/// The four-bar linkage of `loops`, of revolutes about z in space: four joints of which one would do without three of its closures.
+#[test]
+fn a_linkage_that_is_held_too_often_moves_as_in_the_plane() -> Result<(), Error> {
+    let (hinge, rod) = (Revolute::about([0.0, 0.0, 1.0]), |length| Rod::uniform(length, 1e-3, length));
+    let arms = (hinge, rod(0.5), hinge, rod(1.2));
+    let net = |closing| Network::new(arms, (RigidBody::massless([1.0, 0.0, 0.0]), hinge, rod(0.9)), closing);
+    let scene = System::new(Clamped::origin(), net(LeastNorm(hinge)), Free)?.with_gravity(9.81);
+    let (a, b, c) = (1.047197551197, 0.321105014831, -2.017338833372);
+    let start = scene.assembled(scene.at_rest(&[a, b - a, c + core::f64::consts::PI])?, &Unloaded)?;
+    // Of the same rods, but for their moments across (a radius of 1 mm adds 2e-7 of them): what the plane finds at t = 0.5.
+    let plane = {
+        use catena::planar::{Clamped, Network, Pin, RigidBody, Rod, System};
+        let rod = |length: f64| {
+            let across = length * (3.0 * 1e-6 + length * length) / 12.0;
+            Rod::new(length, length, length / 2.0, across)
+        };
+        let arms = (Pin, rod(0.5), Pin, rod(1.2));
+        let net = Network::new(arms, (RigidBody::massless([1.0, 0.0]), Pin, rod(0.9)), Pin);
+        let scene = System::new(Clamped::at(0.0, 0.0, 0.0), net, catena::planar::Free)?.with_gravity(9.81);
+        let start = scene.assembled(scene.at_rest(&[a, b, c + core::f64::consts::PI])?, &Unloaded)?;
+        let motion = scene.simulate(start, Dop853::tolerance(1e-12), 0.5, |_| ())?.motion;
+        let angles = scene.angles(&motion);
+        let force = scene.stations(&motion, &Unloaded).get(7).map(|station| station.internal.force).unwrap_or_default();
+        ([0, 1, 3].map(|k| angles.get(k).copied().unwrap_or_default()), force)
+    };
+    let motion = scene.simulate(start, Dop853::tolerance(1e-12), 0.5, |_| ())?.motion;
+    let bodies = scene.body_motions(&motion);
+    for (k, angle) in [0, 1, 3].into_iter().zip(plane.0) {
+        let axis = bodies.get(k).map(|body| body.turned([1.0, 0.0, 0.0])).unwrap_or_default();
+        near(axis.x, angle.cos(), 1e-9);
+        near(axis.y, angle.sin(), 1e-9);
+        near(axis.z, 0.0, 1e-12);
+    }
+    let closing = scene.stations(&motion, &Unloaded).get(7).map(|station| station.internal);
+    let closing = closing.expect("the joint that closes the loop");
+    near(closing.force.x, plane.1.x, 1e-8);
+    near(closing.force.y, plane.1.y, 1e-8);
+    // Of least norm: nothing where nothing is needed.
+    near(closing.force.z, 0.0, 1e-10);
+    near(closing.torque.norm(), 0.0, 1e-10);
+    let mut told = vec![];
+    scene.shared_forces(&motion, &Unloaded, |station, name| told.push((station, name)))?;
+    let tilt = "tilt of the ends of a loop";
+    assert_eq!(told, [(7, "z of the ends of a loop"), (7, tilt), (7, tilt)]);
+
+    Ok(())
+}
+
+/// Unless it is asked for, nobody decides how redundant closures share a load.
+#[test]
+fn redundant_closures_are_named() -> Result<(), Error> {
+    let (hinge, rod) = (Revolute::about([0.0, 0.0, 1.0]), Rod::uniform(0.5, 0.02, 0.5));
+    let arms = (hinge, rod, hinge, Rod::uniform(1.0, 0.02, 1.0));
+    let net = Network::new(arms, (RigidBody::massless([1.0, 0.0, 0.0]), hinge, rod), hinge);
+    let scene = System::new(Clamped::origin(), net, Free)?;
+    let start = scene.at_rest(&[1.5, -1.5, 1.5])?;
+    let error = scene.with_accelerations(start, &Unloaded).unwrap_err();
+    assert!(matches!(error.fault, Fault::RedundantClosures { independent: 2, of: 5, .. }), "{error}");
+    assert_eq!(error.place, Some(Place::Station(7)));
     Ok(())
 }

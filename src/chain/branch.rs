@@ -186,8 +186,9 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         Coordinates { position, rate, acceleration }: Coordinates<'_, S, Self>,
         kept: &A::Kept<Open>,
         station: usize,
+        tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<S::Frame, Error> {
-        self.0.independent::<Open>(frame, Coordinates { position, rate, acceleration }, kept, station)?;
+        self.0.independent::<Open>(frame, Coordinates { position, rate, acceleration }, kept, station, tell)?;
         Ok(frame)
     }
     #[inline(always)]

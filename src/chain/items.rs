@@ -241,10 +241,11 @@ macro_rules! chain_items {
                 motion: Coordinates<'_, S, Self>,
                 kept: &Self::Kept<C>,
                 station: usize,
+        tell: &mut impl FnMut(usize, &'static str),
             ) -> Result<S::Frame, Error> {
                 let (mut frame, mut station) = (frame, station);
                 for (i, item) in self.iter().enumerate() {
-                    frame = item.independent(frame, item_motion!(motion, i), &kept[i], station)?;
+                    frame = item.independent(frame, item_motion!(motion, i), &kept[i], station, tell)?;
                     station += item.bodies() + item.joints();
                 }
                 Ok(frame)

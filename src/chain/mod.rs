@@ -7,11 +7,13 @@
 
 mod branch;
 mod items;
+mod least_norm;
 mod network;
 mod poses;
 mod tuple;
 
 pub use branch::Branch;
+pub use least_norm::LeastNorm;
 pub use network::{CloseOff, Closing, Ends, Network};
 
 /// `a + b` of counts that types may or may not decide.

@@ -317,12 +317,18 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         motion: Coordinates<'_, S, Self>,
         (main, side, gain, _): &Self::Kept<C>,
         station: usize,
+        tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<S::Frame, Error> {
         let (in_main, in_side) = arms(motion);
-        let end = self.main().independent::<Inside<S, C, K>>(frame, in_main, main, station)?;
+        let end = self.main().independent::<Inside<S, C, K>>(frame, in_main, main, station, tell)?;
         let station = station + self.main().bodies() + self.main().joints();
-        self.side().independent::<OwnOf<S, K>>(frame, in_side, side, station)?;
+        self.side().independent::<OwnOf<S, K>>(frame, in_side, side, station, tell)?;
         let station = station + self.side().bodies() + self.side().joints();
+        OwnOf::<S, K>::zip(&OwnOf::<S, K>::undetermined(gain), &self.closing.names(), |open, name| {
+            if open {
+                tell(station, name);
+            }
+        });
         // What the last bodies of both arms would yield to the forces if they were free; one without mass is not.
         let mut measure = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
         for body in [last_body(self.main(), frame, in_main), last_body(self.side(), frame, in_side)].iter().flatten() {

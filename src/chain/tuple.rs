@@ -253,6 +253,7 @@ macro_rules! chain_of {
                 motion: Coordinates<'_, S, Self>,
                 kept: &Self::Kept<Cuts>,
                 station: usize,
+        tell: &mut impl FnMut(usize, &'static str),
             ) -> Result<S::Frame, Error> {
                 $(
                     let frame = self.$i.independent(
@@ -264,6 +265,7 @@ macro_rules! chain_of {
                         },
                         &kept.$i,
                         station,
+                        tell,
                     )?;
                     let station = station + self.$i.bodies() + self.$i.joints();
                 )*

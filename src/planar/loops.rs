@@ -2,11 +2,11 @@
 
 use super::ends::Compliance;
 use super::{BodyMotion, Frame, Internal, JointMotion, Pin, Planar, RigidBody, SpringState, Turn, Weld};
-use crate::chain::{Branch, CloseOff, Closing, Ends, Network};
+use crate::chain::{Branch, CloseOff, Closing, Ends, LeastNorm, Network};
 use crate::error::Fault;
 use crate::relation::plane::algebra::Symmetric2;
 use crate::relation::plane::{Full, FullColumn, Point};
-use crate::relation::{Carry, Closures, Cut, Cuts, Reacting, Term, Twisted};
+use crate::relation::{Carry, Cut, Cuts, Own, Reacting, Shared, Term, Twisted};
 use crate::scalar::Scalar;
 use crate::space::Space;
 use nalgebra::Vector2;
@@ -80,26 +80,69 @@ fn pulls<T: Scalar>(one: T) -> [Vector2<T>; 2] {
     [Vector2::new(one, T::zero()), Vector2::new(T::zero(), one)]
 }
 
-impl<T, R, Q> CloseOff<Planar<T>, R, Q> for Pin
+/// A pin that closes a loop with the forces `O`, two of them.
+#[inline(always)]
+fn close_pin<T, O, R, Q>(outer: R, torque: Q) -> (<R::Out as Twisted<Q::Reaction>>::Out, Point<T, Q, O>, Internal<T>)
 where
     T: Scalar,
+    O: Own,
+    R: Carry<T, O, Vector2<T>, Out: Twisted<Q::Reaction>>,
     Q: Reacting + Term<T>,
-    R: Carry<T, Cut<2>, Vector2<T>, Out: Twisted<Q::Reaction>>,
 {
-    type Main = <R::Out as Twisted<Q::Reaction>>::Out;
-    type Side = Point<T, Q, Cut<2>>;
-
-    #[inline(always)]
-    fn close_off(&self, outer: R, torque: Q, _: Ends<'_, Planar<T>, Self>) -> (Self::Main, Self::Side, Internal<T>) {
-        // λ acts ON the side arm, so F on what lies outboard of it is −λ, and the opposite on what the main arm meets.
-        let cuts = Cuts::at_tip(pulls(-T::one()), [T::zero(); 2]);
-        let offset = Vector2::new(T::zero(), T::zero());
-        let side = Point { stiffness: Symmetric2::diagonal(T::zero()), offset, torque, cuts };
-        // A torque τ ON the main arm's body is m = −τ.
-        let passed = Internal { force: offset, torque: torque.take_from(T::zero()) };
-        (outer.carry(pulls(T::one())).twisted(torque.reaction()), side, passed)
-    }
+    // λ acts ON the side arm, so F on what lies outboard of it is −λ, and the opposite on what the main arm meets.
+    let (pull, push) = (pulls(-T::one()), pulls(T::one()));
+    let cuts = Cuts::at_tip(O::each(|k| pull[k]), O::each(|_| T::zero()));
+    let offset = Vector2::new(T::zero(), T::zero());
+    let side = Point { stiffness: Symmetric2::diagonal(T::zero()), offset, torque, cuts };
+    // A torque τ ON the main arm's body is m = −τ.
+    let passed = Internal { force: offset, torque: torque.take_from(T::zero()) };
+    (outer.carry(O::each(|k| push[k])).twisted(torque.reaction()), side, passed)
 }
+
+/// A weld that does, three of them.
+#[inline(always)]
+fn close_weld<T: Scalar, O: Own, R: Carry<T, O, FullColumn<T>>>(outer: R) -> (R::Out, Full<T, O>, Internal<T>) {
+    let (pull, push) = (holds(-T::one()), holds(T::one()));
+    let side = Full::massless().cut(Cuts::at_tip(O::each(|k| pull[k]), O::each(|_| T::zero())));
+    (outer.carry(O::each(|k| push[k])), side, Planar::no_force())
+}
+
+macro_rules! close_off {
+    ($Pin:ty, $Weld:ty, $Own:ident) => {
+        impl<T, R, Q> CloseOff<Planar<T>, R, Q> for $Pin
+        where
+            T: Scalar,
+            Q: Reacting + Term<T>,
+            R: Carry<T, $Own<2>, Vector2<T>, Out: Twisted<Q::Reaction>>,
+        {
+            type Main = <R::Out as Twisted<Q::Reaction>>::Out;
+            type Side = Point<T, Q, $Own<2>>;
+
+            #[inline(always)]
+            fn close_off(
+                &self,
+                outer: R,
+                torque: Q,
+                _: Ends<'_, Planar<T>, Self>,
+            ) -> (Self::Main, Self::Side, Internal<T>) {
+                close_pin(outer, torque)
+            }
+        }
+
+        /// A torque in a weld does nothing.
+        impl<T: Scalar, R: Carry<T, $Own<3>, FullColumn<T>>, Q> CloseOff<Planar<T>, R, Q> for $Weld {
+            type Main = R::Out;
+            type Side = Full<T, $Own<3>>;
+
+            #[inline(always)]
+            fn close_off(&self, outer: R, _: Q, _: Ends<'_, Planar<T>, Self>) -> (Self::Main, Self::Side, Internal<T>) {
+                close_weld(outer)
+            }
+        }
+    };
+}
+close_off!(Pin, Weld<T>, Cut);
+close_off!(LeastNorm<Pin>, LeastNorm<Weld<T>>, Shared);
 
 /// Forces of a weld: along x and y, and a torque. The main arm's last body stands at the angle of the weld to the side arm's.
 impl<T: Scalar> Closing<Planar<T>> for Weld<T> {
@@ -139,16 +182,4 @@ fn holds<T: Scalar>(one: T) -> [FullColumn<T>; 3] {
     let zero = Vector2::new(T::zero(), T::zero());
     let [x, y] = pulls(one);
     [FullColumn::of_force(x), FullColumn::of_force(y), FullColumn { force: zero, torque: one }]
-}
-
-/// A torque in a weld does nothing.
-impl<T: Scalar, R: Carry<T, Cut<3>, FullColumn<T>>, Q> CloseOff<Planar<T>, R, Q> for Weld<T> {
-    type Main = R::Out;
-    type Side = Full<T, Cut<3>>;
-
-    #[inline(always)]
-    fn close_off(&self, outer: R, _: Q, _: Ends<'_, Planar<T>, Self>) -> (Self::Main, Self::Side, Internal<T>) {
-        let side = Full::massless().cut(Cuts::at_tip(holds(-T::one()), <Cut<3> as Closures>::each(|_| T::zero())));
-        (outer.carry(holds(T::one())), side, Planar::no_force())
-    }
 }

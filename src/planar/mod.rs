@@ -32,7 +32,7 @@ mod station;
 mod transfer;
 mod weld;
 
-pub use crate::chain::{Branch, Network};
+pub use crate::chain::{Branch, LeastNorm, Network};
 pub use crate::element::Unloaded;
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};

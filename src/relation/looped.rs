@@ -56,17 +56,17 @@ impl<C: Closures, O: Closures> Closures for Looped<C, O> {
 #[derive(Clone, Copy)]
 pub struct LoopGain<V: Copy, T: Copy, C: Closures, O: Closures> {
     /// w_k: each column as its elimination met it.
-    columns: O::Each<V>,
+    pub(super) columns: O::Each<V>,
     /// 1 / Λ_kk, likewise.
-    inverse: O::Each<T>,
+    pub(super) inverse: O::Each<T>,
     /// Λ_kx / Λ_kk for the forces x that ride on.
-    riding: O::Each<C::Each<T>>,
+    pub(super) riding: O::Each<C::Each<T>>,
     /// Λ_ik / Λ_kk below the diagonal.
-    factors: O::Pairs<T>,
+    pub(super) factors: O::Pairs<T>,
     /// y_k.
-    gap: O::Each<T>,
+    pub(super) gap: O::Each<T>,
     /// Λ before the elimination.
-    compliance: O::Pairs<T>,
+    pub(super) compliance: O::Pairs<T>,
 }
 
 /// Closure forces of a loop, which its own station can eliminate.
@@ -75,6 +75,7 @@ pub trait Own: Solvable {
     fn plus_pairs<T: Scalar>(a: &Self::Pairs<T>, b: &Self::Pairs<T>) -> Self::Pairs<T>;
 
     /// Eliminates them: `absorb(w, 1/Λ, y/Λ)` adds w wᵀ/Λ to S and takes w y/Λ from e; `add(v, s, w)` is v + s w.
+    #[allow(clippy::type_complexity)] // what is left, and how it is found again
     fn eliminate<V: Copy, T: Scalar, C: Closures>(
         cuts: Cuts<V, T, Looped<C, Self>>,
         add: impl Fn(V, T, V) -> V,
@@ -91,6 +92,11 @@ pub trait Own: Solvable {
         riding: &C::Each<T>,
         gap: &Self::Each<T>,
     ) -> Self::Each<T>;
+
+    /// Which of the forces the motion does not decide.
+    fn undetermined<V: Copy, T: Scalar, C: Closures>(_: &LoopGain<V, T, C, Self>) -> Self::Each<bool> {
+        Self::each(|_| false)
+    }
 }
 
 impl<const L: usize> Own for Cut<L> {

@@ -12,10 +12,12 @@ mod closure;
 mod looped;
 pub mod plane;
 mod redundancy;
+mod shared;
 pub mod space;
 
 pub use closure::{Closures, Cut, Cuts, Open, Solvable, largest};
 pub use looped::{Carry, LoopGain, Looped, Own, Settle, Twisted};
+pub use shared::Shared;
 
 use crate::scalar::Scalar;
 use core::fmt::Debug;

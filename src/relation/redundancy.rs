@@ -7,6 +7,11 @@ const SMALLEST: f64 = 1e-10;
 /// pivot, and chains that are straight but for a thousandth of a radian have more.
 const ROUNDINGS: f64 = 8.0;
 
+/// How small a pivot may be, as a share of its measure, for numbers of this rounding.
+pub(super) fn smallest_share(rounding: f64) -> f64 {
+    SMALLEST.max(ROUNDINGS * rounding)
+}
+
 /// A row of a positive semidefinite matrix that depends on others, and the rank: by elimination with diagonal pivots, the largest
 /// share of its measure first. Of the matrix the lower triangle is read; `rounding` is that of its numbers. What has no measure is
 /// measured by its own diagonal.
@@ -18,7 +23,7 @@ pub(super) fn dependent_row<const L: usize>(
     if !matrix.iter().flatten().all(|entry| entry.is_finite()) {
         return None; // something else is wrong
     }
-    let smallest = SMALLEST.max(ROUNDINGS * rounding);
+    let smallest = smallest_share(rounding);
     let mut rest: [[f64; L]; L] =
         core::array::from_fn(|i| core::array::from_fn(|j| if j <= i { matrix[i][j] } else { matrix[j][i] }));
     let measure: [f64; L] = core::array::from_fn(|i| if measure[i] > 0.0 { measure[i] } else { rest[i][i] });

@@ -2,11 +2,11 @@
 
 use super::ends::Compliance;
 use super::{Ball, BodyMotion, Drive, Frame, Internal, Joint, JointMotion, Revolute, RigidBody, Spatial, Turn, Weld};
-use crate::chain::{Branch, CloseOff, Closing, Ends, Network};
+use crate::chain::{Branch, CloseOff, Closing, Ends, LeastNorm, Network};
 use crate::error::Fault;
 use crate::relation::space::algebra::{Columns, Symmetric3, cross, dot, zero};
 use crate::relation::space::{Couple, Full, FullColumn, Point};
-use crate::relation::{Carry, Cut, Cuts, Reacting, Term, Twisted};
+use crate::relation::{Carry, Cut, Cuts, Reacting, Shared, Term, Twisted};
 use crate::scalar::{Real, Scalar};
 use crate::space::Space;
 use nalgebra::Vector3;
@@ -85,32 +85,6 @@ impl<T: Scalar> Closing<Spatial<T>> for Ball {
 
 const PLACES: [&str; 3] = ["x of the ends of a loop", "y of the ends of a loop", "z of the ends of a loop"];
 
-impl<T, R, Q> CloseOff<Spatial<T>, R, Q> for Ball
-where
-    T: Scalar,
-    Q: Drive<T, Couple: Reacting>,
-    R: Carry<T, Cut<3>, Vector3<T>, Out: Twisted<<Q::Couple as Reacting>::Reaction>>,
-{
-    type Main = <R::Out as Twisted<<Q::Couple as Reacting>::Reaction>>::Out;
-    type Side = Point<T, Q::Couple, Cut<3>>;
-
-    #[inline(always)]
-    fn close_off(
-        &self,
-        outer: R,
-        torque: Q,
-        axes: Ends<'_, Spatial<T>, Self>,
-    ) -> (Self::Main, Self::Side, Internal<T>) {
-        // λ acts ON the side arm, so F on what lies outboard of it is −λ, and the opposite on what the main arm meets.
-        let cuts = Cuts::at_tip(pulls(-T::one()), [T::zero(); 3]);
-        let torque = torque.couple(axes.x);
-        let side = Point { stiffness: Symmetric3::diagonal(T::zero()), offset: zero(), torque, cuts };
-        // A torque τ ON the main arm's body is m = −τ.
-        let passed = Internal { force: zero(), torque: torque.take_from(zero()) };
-        (outer.carry(pulls(T::one())).twisted(torque.reaction()), side, passed)
-    }
-}
-
 /// Columns of forces along x, y and z, and of torques.
 #[inline(always)]
 fn holds<T: Scalar, const L: usize>(one: T, torques: impl Fn(usize) -> Vector3<T>) -> [FullColumn<T>; L] {
@@ -165,19 +139,6 @@ impl<T: Scalar> Closing<Spatial<T>> for Weld<T> {
     }
     fn check(&self) -> Result<(), Fault> {
         Joint::check(self)
-    }
-}
-
-/// Efforts in a weld do nothing.
-impl<T: Scalar, R: Carry<T, Cut<6>, FullColumn<T>>, Q> CloseOff<Spatial<T>, R, Q> for Weld<T> {
-    type Main = R::Out;
-    type Side = Full<T, Cut<6>>;
-
-    #[inline(always)]
-    fn close_off(&self, outer: R, _: Q, _: Ends<'_, Spatial<T>, Self>) -> (Self::Main, Self::Side, Internal<T>) {
-        let axes = pulls(T::one());
-        let cuts = Cuts::at_tip(holds(-T::one(), |k| axes[k]), [T::zero(); 6]);
-        (outer.carry(holds(T::one(), |k| axes[k])), Full::massless().cut(cuts), Spatial::no_force())
     }
 }
 
@@ -253,24 +214,78 @@ impl<T: Scalar> Closing<Spatial<T>> for Revolute<T> {
     }
 }
 
-impl<T: Scalar, R: Carry<T, Cut<5>, FullColumn<T>, Out: Twisted<Couple<T>>>, Q: Drive<T>> CloseOff<Spatial<T>, R, Q>
-    for Revolute<T>
-{
-    type Main = <R::Out as Twisted<Couple<T>>>::Out;
-    type Side = Full<T, Cut<5>>;
+macro_rules! close_off {
+    ($Ball:ty, $Weld:ty, $Revolute:ty, $Own:ident) => {
+        impl<T, R, Q> CloseOff<Spatial<T>, R, Q> for $Ball
+        where
+            T: Scalar,
+            Q: Drive<T, Couple: Reacting>,
+            R: Carry<T, $Own<3>, Vector3<T>, Out: Twisted<<Q::Couple as Reacting>::Reaction>>,
+        {
+            type Main = <R::Out as Twisted<<Q::Couple as Reacting>::Reaction>>::Out;
+            type Side = Point<T, Q::Couple, $Own<3>>;
 
-    #[inline(always)]
-    fn close_off(
-        &self,
-        outer: R,
-        effort: Q,
-        Ends { y: normal, p: demand, .. }: Ends<'_, Spatial<T>, Self>,
-    ) -> (Self::Main, Self::Side, Internal<T>) {
-        let none = T::zero();
-        let cuts = Cuts::at_tip(holds(-T::one(), |k| normal[k]), [none, none, none, demand.x, demand.y]);
-        let torque = cross(normal[0], normal[1]) * effort.onto(0, none);
-        let side = Full { torque, ..Full::massless().cut(cuts) };
-        let passed = Internal { force: zero(), torque: -torque };
-        (outer.carry(holds(T::one(), |k| normal[k])).twisted(Couple(-torque)), side, passed)
-    }
+            #[inline(always)]
+            fn close_off(
+                &self,
+                outer: R,
+                torque: Q,
+                axes: Ends<'_, Spatial<T>, Self>,
+            ) -> (Self::Main, Self::Side, Internal<T>) {
+                // λ acts ON the side arm, so F on what lies outboard of it is −λ, and the opposite on what the main arm meets.
+                let cuts = Cuts::at_tip(pulls(-T::one()), [T::zero(); 3]);
+                let torque = torque.couple(axes.x);
+                let side = Point { stiffness: Symmetric3::diagonal(T::zero()), offset: zero(), torque, cuts };
+                // A torque τ ON the main arm's body is m = −τ.
+                let passed = Internal { force: zero(), torque: torque.take_from(zero()) };
+                (outer.carry(pulls(T::one())).twisted(torque.reaction()), side, passed)
+            }
+        }
+
+        /// Efforts in a weld do nothing.
+        impl<T: Scalar, R: Carry<T, $Own<6>, FullColumn<T>>, Q> CloseOff<Spatial<T>, R, Q> for $Weld {
+            type Main = R::Out;
+            type Side = Full<T, $Own<6>>;
+
+            #[inline(always)]
+            fn close_off(
+                &self,
+                outer: R,
+                _: Q,
+                _: Ends<'_, Spatial<T>, Self>,
+            ) -> (Self::Main, Self::Side, Internal<T>) {
+                let axes = pulls(T::one());
+                let cuts = Cuts::at_tip(holds(-T::one(), |k| axes[k]), [T::zero(); 6]);
+                (outer.carry(holds(T::one(), |k| axes[k])), Full::massless().cut(cuts), Spatial::no_force())
+            }
+        }
+
+        impl<T, R, Q> CloseOff<Spatial<T>, R, Q> for $Revolute
+        where
+            T: Scalar,
+            Q: Drive<T>,
+            R: Carry<T, $Own<5>, FullColumn<T>, Out: Twisted<Couple<T>>>,
+        {
+            type Main = <R::Out as Twisted<Couple<T>>>::Out;
+            type Side = Full<T, $Own<5>>;
+
+            #[inline(always)]
+            fn close_off(
+                &self,
+                outer: R,
+                effort: Q,
+                Ends { y: normal, p: demand, .. }: Ends<'_, Spatial<T>, Self>,
+            ) -> (Self::Main, Self::Side, Internal<T>) {
+                let none = T::zero();
+                let gap = [none, none, none, demand.x, demand.y];
+                let cuts = Cuts::at_tip(holds(-T::one(), |k| normal[k]), gap);
+                let torque = cross(normal[0], normal[1]) * effort.onto(0, none);
+                let side = Full { torque, ..Full::massless().cut(cuts) };
+                let passed = Internal { force: zero(), torque: -torque };
+                (outer.carry(holds(T::one(), |k| normal[k])).twisted(Couple(-torque)), side, passed)
+            }
+        }
+    };
 }
+close_off!(Ball, Weld<T>, Revolute<T>, Cut);
+close_off!(LeastNorm<Ball>, LeastNorm<Weld<T>>, LeastNorm<Revolute<T>>, Shared);

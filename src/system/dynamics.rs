@@ -61,7 +61,8 @@ pub trait Dynamics<L> {
         workspace: &mut Self::Workspace,
     );
 
-    /// Whether the closures that hold the tip are independent, after a sweep at this motion.
+    /// Whether the closures that hold the tip and close loops are independent, after a sweep at this motion; tells entries (0 is the
+    /// root's joint) and names of those that need not be.
     ///
     /// # Errors
     /// [`RedundantClosures`](crate::error::Fault::RedundantClosures), which names one that follows from the others (or cannot be met): a clamped tip on two rods, a
@@ -70,6 +71,7 @@ pub trait Dynamics<L> {
         &self,
         motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
         workspace: &Self::Workspace,
+        tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error>;
 
     /// Whether a motion may stand: finite, and no angle out of range.

@@ -61,6 +61,25 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         self.assembled(motion, loads)
     }
 
+    /// Tells which closure forces the motion does not decide, by the station of the joint that closes the loop and by what they hold:
+    /// those of loops that are held more often than they can move, where [`LeastNorm`](crate::chain::LeastNorm) has chosen among them.
+    ///
+    /// # Errors
+    /// Those of [`with_accelerations`](Self::with_accelerations).
+    pub fn shared_forces<L: Loading<S>>(
+        &self,
+        motion: &MotionOf<S, R, C, P>,
+        loads: &L,
+        mut tell: impl FnMut(usize, &'static str),
+    ) -> Result<(), Error>
+    where
+        Self: Runs<L, S, R, C, P>,
+    {
+        let (mut motion, mut workspace) = (motion.clone(), self.workspace());
+        self.accelerate(&mut motion, loads, &mut workspace)?;
+        self.independent(&motion, &workspace, &mut |entry, name| tell(entry.saturating_sub(1), name))
+    }
+
     /// Whether there are loops.
     const LOOPED: bool = <Elements<S, R, C> as Element<S>>::LOOPS > 0;
 

@@ -61,8 +61,9 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
         &self,
         motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
         workspace: &Self::Workspace,
+        tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error> {
-        D::independent(self, motion, workspace)
+        D::independent(self, motion, workspace, tell)
     }
 
     #[inline]

@@ -1,0 +1,90 @@
+//! Loops that are held more often than they can move.
+
+use super::network::{Closing, Ends};
+use crate::element::Space;
+use crate::error::Fault;
+use crate::lift::Lift;
+use crate::relation::{Cut, Shared};
+use crate::scalar::Scalar;
+
+/// A joint that closes a loop where some of its closures follow from others, as in a planar linkage of revolutes in space. It moves as
+/// with the joint itself; of all forces that cause this motion those of least norm are taken (the sum of squares in N² and (N·m)²).
+/// [`System::shared_forces`](crate::system::System::shared_forces) says which of them are not unique: rigid bodies do not decide how
+/// these are shared out.
+///
+/// ```
+/// use catena::element::Unloaded;
+/// use catena::spatial::*;
+/// // A four-bar linkage: revolutes about z hold it in its plane, and so would the last one.
+/// let (hinge, rod) = (Revolute::about([0.0, 0.0, 1.0]), Rod::uniform(0.5_f64, 0.02, 0.5));
+/// let arms = (hinge, rod, hinge, Rod::uniform(1.0, 0.02, 1.0));
+/// let (reach, last) = (RigidBody::massless([1.0, 0.0, 0.0]), LeastNorm(hinge));
+/// let scene = System::new(Clamped::origin(), Network::new(arms, (reach, hinge, rod), last), Free)?.with_gravity(9.81);
+/// let start = scene.assembled(scene.at_rest(&[1.5, -1.4, 1.6])?, &Unloaded)?;
+/// let mut shared = 0;
+/// scene.shared_forces(&start, &Unloaded, |_station, _name| shared += 1)?;
+/// assert_eq!(shared, 3); // z of the ends, and both torques across the axis
+/// # Ok::<(), catena::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeastNorm<K>(pub K);
+
+impl<S: Space, K: Closing<S, Closures = Cut<L>>, const L: usize> Closing<S> for LeastNorm<K> {
+    type Closures = Shared<L>;
+    type PerAxes<X: Copy> = K::PerAxes<X>;
+
+    fn per_axes<X: Copy>(fill: X) -> K::PerAxes<X> {
+        K::per_axes(fill)
+    }
+    #[inline(always)]
+    fn orient(
+        &self,
+        side: S::Turn,
+        main: S::Turn,
+        x: &mut K::PerAxes<S::X>,
+        y: &mut K::PerAxes<S::Y>,
+        p: &mut K::PerAxes<S::P>,
+        q: &mut K::PerAxes<S::Q>,
+    ) {
+        self.0.orient(side, main, x, y, p, q);
+    }
+    fn joint(&self, side: &S::Frame, main: &S::Frame) -> S::JointMotion {
+        self.0.joint(side, main)
+    }
+    fn internal(&self, forces: &[S::Scalar; L], axes: Ends<'_, S, Self>) -> S::Internal {
+        self.0.internal(forces, axes.of())
+    }
+    fn miss(&self, side: &S::Frame, main: &S::Frame) -> [[S::Scalar; L]; 2] {
+        self.0.miss(side, main)
+    }
+    fn free_compliance(&self, body: &S::BodyMotion) -> [S::Scalar; L] {
+        self.0.free_compliance(body)
+    }
+    fn names(&self) -> [&'static str; L] {
+        self.0.names()
+    }
+    fn check(&self) -> Result<(), Fault> {
+        self.0.check()
+    }
+}
+
+impl<'a, S: Space, K: Closing<S>> Ends<'a, S, LeastNorm<K>>
+where
+    LeastNorm<K>: Closing<S, PerAxes<S::X> = K::PerAxes<S::X>>
+        + Closing<S, PerAxes<S::Y> = K::PerAxes<S::Y>>
+        + Closing<S, PerAxes<S::P> = K::PerAxes<S::P>>
+        + Closing<S, PerAxes<S::Q> = K::PerAxes<S::Q>>,
+{
+    /// What the joint itself has kept.
+    #[inline(always)]
+    pub fn of(self) -> Ends<'a, S, K> {
+        Ends { x: self.x, y: self.y, p: self.p, q: self.q }
+    }
+}
+
+impl<T: Scalar, U: Scalar, K: Lift<T, U>> Lift<T, U> for LeastNorm<K> {
+    type Over = LeastNorm<K::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        LeastNorm(self.0.lift(number))
+    }
+}
