@@ -185,8 +185,9 @@ pub trait Element<S: Space>: Clone {
         turn
     }
 
-    /// Recovers the accelerations of the joint coordinates from that of the inboard station, outward.
-    fn recover<C: Closures>(
+    /// Recovers the accelerations of the joint coordinates from that of the inboard station, outward, after a sweep in which
+    /// springs entered by `By`.
+    fn recover<C: Closures, By: Springs<S::Scalar>>(
         &self,
         acceleration: S::Acceleration,
         posture: Posture<'_, S, Self>,

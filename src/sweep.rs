@@ -29,6 +29,8 @@ impl<S: Space, L: Loading<S>, K: Springs<S::Scalar>, C: Closures> Sweep<S> for C
 pub trait Springs<T: Scalar>: Copy {
     /// Where laws are read that are not linear in the coordinates: nothing where that is the state given.
     type Reading<'a, P: 'a, V: 'a>: Copy;
+    /// Whether they add to pivots. Where they are torques given instead, gains are those of absolute angles.
+    const STIFF: bool;
 
     /// K̂, what a spring and damper add to the pivot of their coordinate.
     fn pivot(self, stiffness: T, damping: impl Coefficient<T>) -> T;
@@ -47,6 +49,7 @@ pub struct Explicit;
 
 impl<T: Scalar> Springs<T> for Explicit {
     type Reading<'a, P: 'a, V: 'a> = ();
+    const STIFF: bool = false;
 
     #[inline(always)]
     fn pivot(self, _: T, _: impl Coefficient<T>) -> T {
@@ -90,6 +93,7 @@ impl<P, V> Copy for Reading<'_, P, V> {}
 
 impl<T: Scalar> Springs<T> for Implicit<T::Real> {
     type Reading<'a, P: 'a, V: 'a> = Reading<'a, P, V>;
+    const STIFF: bool = true;
 
     #[inline(always)]
     fn pivot(self, stiffness: T, damping: impl Coefficient<T>) -> T {

@@ -1,7 +1,9 @@
 //! Arms that leave a chain.
 
 use crate::counts::Counted;
-use crate::element::{Carrying, Condense, Coordinates, Element, Gather, Given, Level, Posture, Space, Sweep, Visit};
+use crate::element::{
+    Carrying, Condense, Coordinates, Element, Gather, Given, Level, Posture, Space, Springs, Sweep, Visit,
+};
 use crate::error::Error;
 use crate::lift::Lift;
 use crate::relation::{Closures, Join, Open};
@@ -141,7 +143,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         turn
     }
     #[inline(always)]
-    fn recover<C: Closures>(
+    fn recover<C: Closures, By: Springs<S::Scalar>>(
         &self,
         acceleration: S::Acceleration,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
@@ -149,7 +151,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         _: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration {
-        self.0.recover::<Open>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
+        self.0.recover::<Open, By>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
         acceleration
     }
     #[inline(always)]

@@ -176,7 +176,7 @@ macro_rules! chain_items {
                 $pose(self, position, rate, turn, sizes, x, y, p, q)
             }
             #[inline]
-            fn recover<C: Closures>(
+            fn recover<C: Closures, By: Springs<S::Scalar>>(
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
@@ -190,7 +190,8 @@ macro_rules! chain_items {
                 let mut acceleration = acceleration;
                 for i in 0..n {
                     let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
-                    acceleration = items[i].recover(acceleration, posture, &mut kept[i], multipliers, &mut rate[i]);
+                    acceleration =
+                        items[i].recover::<C, By>(acceleration, posture, &mut kept[i], multipliers, &mut rate[i]);
                 }
                 acceleration
             }

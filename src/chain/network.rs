@@ -252,7 +252,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         A::resolve(&sizes.1, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
     }
     #[inline(always)]
-    fn recover<C: Closures>(
+    fn recover<C: Closures, By: Springs<S::Scalar>>(
         &self,
         acceleration: S::Acceleration,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
@@ -264,9 +264,9 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         let ends = Ends { x: &x.2, y: &y.2, p: &p.2, q: &q.2 };
         rate.closing = S::numbers(S::together(*driven, self.closing.internal(&forces, ends)));
         let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
-        self.side().recover::<OwnOf<S, K>>(acceleration, posture, side, &forces, &mut rate.arms.1);
+        self.side().recover::<OwnOf<S, K>, By>(acceleration, posture, side, &forces, &mut rate.arms.1);
         let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
-        self.main().recover::<Inside<S, C, K>>(acceleration, posture, main, &all, &mut rate.arms.0)
+        self.main().recover::<Inside<S, C, K>, By>(acceleration, posture, main, &all, &mut rate.arms.0)
     }
     #[inline(always)]
     fn respond<C: Closures>(

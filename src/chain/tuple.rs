@@ -180,7 +180,7 @@ macro_rules! chain_of {
                 turn
             }
             #[$($inline)*]
-            fn recover<Cuts: Closures>(
+            fn recover<Cuts: Closures, By: Springs<S::Scalar>>(
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
@@ -188,7 +188,7 @@ macro_rules! chain_of {
                 multipliers: &Cuts::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
-                $(let acceleration = self.$i.recover(
+                $(let acceleration = self.$i.recover::<Cuts, By>(
                     acceleration,
                     Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
                     &mut kept.$i,

@@ -2,7 +2,7 @@
 
 use super::{BodyMotion, Frame, Planar, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Coordinates, Element, Gather, Given, OnBody, Posture, Sweep, Visit};
+use crate::element::{Condense, Coordinates, Element, Gather, Given, OnBody, Posture, Springs, Sweep, Visit};
 use crate::error::{Error, Fault};
 use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
@@ -205,7 +205,7 @@ macro_rules! body {
                 (*x, *y, *p, *q) = (pose.x, pose.y, pose.p, pose.q);
             }
             #[inline(always)]
-            fn recover<C: Closures>(
+            fn recover<C: Closures, By: Springs<T>>(
                 &self,
                 acceleration: super::Acceleration<T>,
                 posture: Posture<'_, Planar<T>, Self>,

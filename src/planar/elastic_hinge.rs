@@ -157,6 +157,23 @@ impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Spring<
         *rate = kept.relative(inboard.linear, inboard.angular, multipliers);
         Acceleration { angular: inboard.angular + *rate, ..inboard }
     }
+    #[inline(always)]
+    fn recovered_after<C: Closures, By: Springs<T>>(
+        &self,
+        inboard: Acceleration<T>,
+        (): (),
+        kept: &HingeGain<T, C>,
+        multipliers: &C::Each<T>,
+        rate: &mut T,
+    ) -> Acceleration<T> {
+        if By::STIFF {
+            return self.recovered::<C>(inboard, (), kept, multipliers, rate);
+        }
+        // As behind a pin, so that no body waits for the sum with the one before.
+        let angular = kept.angular(inboard.linear, multipliers);
+        *rate = angular - inboard.angular;
+        Acceleration { angular, ..inboard }
+    }
 }
 
 impl<T: Scalar, D: Coefficient<T>, P: Term<T>, R: Rigid<T>, W> Condense<Planar<T>, R, W>

@@ -5,7 +5,7 @@ use super::linear::{HingeAxes, Linear};
 use super::spring::{Spring, SpringLaw};
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Gather, Posture, Visit};
+use crate::element::{Coordinates, Element, Gather, Posture, Springs, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Coefficient, Term};
@@ -120,6 +120,19 @@ pub trait Joint<T: Scalar>: Copy + Debug {
         multipliers: &C::Each<T>,
         rate: &mut Self::Rate,
     ) -> Acceleration<T>;
+
+    /// The same after a sweep in which springs entered by `By`, for a joint that can do with less then.
+    #[inline(always)]
+    fn recovered_after<C: Closures, By: Springs<T>>(
+        &self,
+        inboard: Acceleration<T>,
+        offset: <Self::Axes as Axes>::Offset<T>,
+        kept: &Self::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut Self::Rate,
+    ) -> Acceleration<T> {
+        self.recovered::<C>(inboard, offset, kept, multipliers, rate)
+    }
 }
 
 /// What the walks read of the outboard side of a joint.
@@ -208,7 +221,7 @@ macro_rules! joint {
                 <Self as Joint<T>>::Axes::resolve::<T>(x, y, p, q);
             }
             #[inline(always)]
-            fn recover<C: Closures>(
+            fn recover<C: Closures, By: Springs<T>>(
                 &self,
                 acceleration: Acceleration<T>,
                 posture: Posture<'_, Planar<T>, Self>,
@@ -218,7 +231,7 @@ macro_rules! joint {
             ) -> Acceleration<T> {
                 let offset = offset::<T, Self>(posture);
                 self.note::<C>(acceleration, offset, kept);
-                self.recovered::<C>(acceleration, offset, kept, multipliers, rate)
+                self.recovered_after::<C, By>(acceleration, offset, kept, multipliers, rate)
             }
             #[inline(always)]
             fn respond<C: Closures>(

@@ -117,7 +117,7 @@ pub fn sweep<'a, S: Space, E, W, P>(
     let relation = chain.condense(tip.relation(*time, *gravity, &turn), posture, given, kept);
     *multipliers = relation.multipliers(&root);
     *compliance = relation.compliance();
-    chain.recover::<W::Closures>(root, posture, kept, multipliers, acceleration);
+    chain.recover::<W::Closures, W::Springs>(root, posture, kept, multipliers, acceleration);
 }
 
 /// The correction of joint coordinates that moves the tip by −`miss` and closes loops, through the gains and the Λ of the last sweep:

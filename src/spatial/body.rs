@@ -2,7 +2,7 @@
 
 use super::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Coordinates, Element, Gather, Given, OnBody, Posture, Sweep, Visit};
+use crate::element::{Condense, Coordinates, Element, Gather, Given, OnBody, Posture, Springs, Sweep, Visit};
 use crate::error::{Error, Fault};
 use crate::relation::space::algebra::{Columns, centripetal};
 use crate::relation::space::{Full, Relation};
@@ -138,7 +138,7 @@ macro_rules! body {
             ) {
             }
             #[inline(always)]
-            fn recover<C: Closures>(
+            fn recover<C: Closures, By: Springs<T>>(
                 &self,
                 acceleration: Acceleration<T>,
                 posture: Posture<'_, Spatial<T>, Self>,

@@ -6,7 +6,7 @@ use super::{
 };
 use super::{Universal, Weld, release, spring::Law};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Gather, Posture, Visit};
+use crate::element::{Coordinates, Element, Gather, Posture, Springs, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
@@ -226,7 +226,7 @@ macro_rules! joint {
             ) {
             }
             #[inline(always)]
-            fn recover<C: Closures>(
+            fn recover<C: Closures, By: Springs<T>>(
                 &self,
                 acceleration: Acceleration<T>,
                 posture: Posture<'_, Spatial<T>, Self>,

@@ -223,6 +223,13 @@ impl<T: Scalar, C: Closures> HingeGain<T, C> {
         Self { free: T::zero(), ..*self }
     }
 
+    /// The angular acceleration (rad/s²) of the outboard body, for a gain taken over from an absolute angle.
+    #[inline(always)]
+    pub fn angular(&self, a: Vector2<T>, multipliers: &C::Each<T>) -> T {
+        let Self { per_acceleration, free, per_closure, .. } = *self;
+        Gain::<T, C> { per_acceleration, free, per_closure }.angular(a, multipliers)
+    }
+
     /// The relative angular acceleration (rad/s²) where the inboard body's end accelerates by `a` and turns with `angular`.
     #[inline(always)]
     pub fn relative(&self, a: Vector2<T>, angular: T, multipliers: &C::Each<T>) -> T {
