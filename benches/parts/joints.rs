@@ -10,6 +10,9 @@ use std::hint::black_box;
 
 /// Stiffness of the rotary springs (N·m/rad).
 const STIFFNESS: f64 = 20.0;
+/// Damping (N·m·s/rad) and rest angle (rad) of those that have them.
+const DAMPING: f64 = 0.01;
+const REST: f64 = 0.1;
 /// How springs enter a linearly implicit sweep of a step of 0.01 s.
 const SPRINGS: Implicit<f64> = Implicit { position: 2.5e-5, rate: 5e-3 };
 
@@ -86,11 +89,18 @@ macro_rules! row {
     };
 }
 
+/// A hinge with all that a rotary spring may have.
+fn damped() -> ElasticHinge<Spring<f64, f64, f64>> {
+    ElasticHinge::rotary(STIFFNESS).damped(DAMPING).resting_at(REST)
+}
+
 /// All rows.
 pub fn rows() -> Vec<Row> {
     vec![
         row!("rotary springs" "array" 20, Free, explicit, |b| [(ElasticHinge::rotary(STIFFNESS), b); 20]),
         row!("rotary springs" "Vec" 1000, Free, explicit, |b| vec![(ElasticHinge::rotary(STIFFNESS), b); 1000]),
+        row!("rotary springs, dampers, rests" "array" 20, Free, explicit, |b| [(damped(), b); 20]),
+        row!("rotary springs, dampers, rests" "Vec" 1000, Free, explicit, |b| vec![(damped(), b); 1000]),
         row!("rotary springs, implicit" "array" 20, Free, implicit, |b| [(ElasticHinge::rotary(STIFFNESS), b); 20]),
         row!("rotary springs, implicit" "Vec" 1000, Free, implicit, |b| vec![(ElasticHinge::rotary(STIFFNESS), b); 1000]),
         row!("pinned tip" "array" 20, Pinned::at(0.3, 0.2), explicit, |b| [(Pin, b); 20]),
