@@ -7,7 +7,7 @@ use crate::mirror::{Position, Rate};
 use crate::observe::loops_miss;
 use crate::relation::{Closures, Solvable, largest};
 use crate::scalar::{Real, Scalar};
-use crate::system::{Dynamics, Elements, MotionOf, Runs, System, coordinates};
+use crate::system::{Dynamics, MotionOf, Runs, System, coordinates};
 use num_traits::{One, Zero};
 
 /// Corrections of a guess before it counts as one that leads nowhere.
@@ -79,9 +79,6 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         self.accelerate(&mut motion, loads, &mut workspace)?;
         self.independent(&motion, &workspace, &mut |entry, name| tell(entry.saturating_sub(1), name))
     }
-
-    /// Whether there are loops.
-    const LOOPED: bool = <Elements<S, R, C> as Element<S>>::LOOPS > 0;
 
     /// [`assembled`](Self::assembled) in place.
     pub(crate) fn hold<L: Loading<S>>(

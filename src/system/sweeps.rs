@@ -204,7 +204,14 @@ where
     }
 }
 
+/// Corrections of a motion with loops at most.
+const MOST_CORRECTIONS: usize = 12;
+/// How long (in roundings of coordinates) a correction may be that needs no other: those that follow are shorter by far.
+const ROUNDINGS: f64 = 4.0;
+
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// Whether there are loops.
+    pub(super) const LOOPED: bool = <Elements<S, R, C> as Element<S>>::LOOPS > 0;
     /// How deep closures are nested: loops, and the ground to which a tip is held.
     pub(crate) const CLOSED: usize = C::LOOPS + (P::Closures::COUNT > 0) as usize;
 
@@ -218,12 +225,24 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             return;
         }
         // The gains belong to a configuration nearby, so one correction leaves an error of second order: twice. And where loops are
-        // nested, an outer one closes by what inner ones miss no more.
-        for _ in 0..=Self::CLOSED {
+        // nested, an outer one closes by what inner ones miss no more. Near where a loop is straight it takes more of them.
+        let most = if Self::LOOPED { MOST_CORRECTIONS } else { Self::CLOSED };
+        let mut last = RealOf::<S>::INFINITY;
+        for count in 0..=most {
             let [place, _] = self.miss(motion);
             let ground = self.root.ground(motion.time);
             if let Some(step) = correction(&self.chain, ground, coordinates(motion), Level::Place, &place, workspace) {
                 motion.position.displace(step);
+                if Self::LOOPED && count >= Self::CLOSED {
+                    let (mut size, mut length) = (RealOf::<S>::of(1.0), RealOf::<S>::of(0.0));
+                    motion.position.visit(&mut |x| size = x.real().abs().max(size));
+                    step.visit(&mut |x| length = x.real().abs().max(length));
+                    // Also where rounding moves it to and fro.
+                    if length <= size * RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS) || length >= last {
+                        break;
+                    }
+                    last = length;
+                }
             }
         }
         for _ in 0..Self::CLOSED {
