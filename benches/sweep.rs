@@ -1,7 +1,7 @@
 //! What a sweep costs: time and instructions per body, beside loops written by hand.
 //!
-//! `cargo bench --bench sweep` checks that library and hand agree, measures this build and prints two tables: scenes beside loops
-//! by hand, other joints and ends beside pins, and chains in space. `benches/count.sh` builds for the default target and for x86-64-v3 and prints
+//! `cargo bench --bench sweep` checks that library and hand agree, measures this build and prints three tables: scenes beside loops
+//! by hand, other joints, ends and topologies beside pins, and chains in space. `benches/count.sh` builds for the default target and for x86-64-v3 and prints
 //! both builds in one. `--quick` counts the instructions of two rows only.
 
 #[path = "parts/by_hand.rs"]
@@ -20,6 +20,8 @@ mod scenes;
 mod scenes_in_space;
 #[path = "parts/system_sine.rs"]
 mod system_sine;
+#[path = "parts/topologies.rs"]
+mod topologies;
 
 use clock::progress;
 use measure::{has_valgrind, instructions, wall, wall_of};
@@ -33,6 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut rows = rows();
     let by_hand = rows.len();
     rows.extend(joints::rows());
+    rows.extend(topologies::rows());
     let in_plane = rows.len();
     rows.extend(scenes_in_space::rows());
     let arguments: Vec<String> = std::env::args().skip(1).collect();

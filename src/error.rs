@@ -157,6 +157,16 @@ impl Error {
         Self { place: Some(place), ..self }
     }
 
+    /// The same fault at its place in the chain, where stations were counted from the root's joint on.
+    #[must_use]
+    pub(crate) const fn beyond_root(self) -> Self {
+        match self.place {
+            Some(Place::Station(0)) => self.at(Place::Root),
+            Some(Place::Station(entry)) => self.at_station(entry - 1),
+            _ => self,
+        }
+    }
+
     /// The same fault, at a time (s).
     #[must_use]
     pub const fn at_time(self, time: f64) -> Self {

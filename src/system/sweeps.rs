@@ -14,11 +14,6 @@ use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
 
-/// Where an entry is: number 0 is the root's joint.
-fn place(entry: usize) -> Place {
-    entry.checked_sub(1).map_or(Place::Root, Place::Station)
-}
-
 impl<S, R, C, P, L> Dynamics<L> for System<S, R, C, P>
 where
     S: Space,
@@ -83,13 +78,9 @@ where
     ) -> Result<(), Error> {
         let ground = self.root.ground(motion.time);
         if const { <Elements<S, R, C> as Element<S>>::LOOPS > 0 } {
-            self.chain.independent::<P::Closures>(ground, coordinates(motion), &workspace.kept, 0, tell).map_err(
-                |error| {
-                    let at = error.place;
-                    let error = error.at_time(motion.time.as_f64());
-                    if let Some(Place::Station(entry)) = at { error.at(place(entry)) } else { error }
-                },
-            )?;
+            self.chain
+                .independent::<P::Closures>(ground, coordinates(motion), &workspace.kept, 0, tell)
+                .map_err(|error| error.at_time(motion.time.as_f64()).beyond_root())?;
         }
         if P::Closures::COUNT == 0 {
             return Ok(());
@@ -136,6 +127,7 @@ where
 
     fn diagnose(&self, motion: &MotionOf<S, R, C, P>, loads: &L, workspace: &mut Self::Workspace) -> Error {
         let time = motion.time;
+        let place = |entry: usize| entry.checked_sub(1).map_or(Place::Root, Place::Station); // entry 0: the root's joint
         let error = |fault| Error::new(fault).at_time(time.as_f64());
         let mut finite = true;
         motion.position.visit(&mut |x| finite &= x.is_finite());
