@@ -100,6 +100,35 @@ fn springs_that_push_out_are_refused() {
 }
 
 #[test]
+fn hinges_that_push_out_are_refused() {
+    let negative = |parameter| Err(Fault::Negative { parameter, value: -1.0 });
+    let infinite = |parameter| Err(Fault::NotFinite { parameter });
+    let hinge = ElasticHinge::rotary([1.0, 0.0, 2.0]);
+    let good = Spring::stiffness(1.0).damped(0.1).resting_at(0.1);
+    assert_eq!(joined(hinge), Ok(()));
+    assert_eq!(joined(hinge.with_linear(good, good, Spring::none())), Ok(()));
+    for k in 0..3 {
+        let with = |x: f64| core::array::from_fn(|i| if i == k { x } else { 1.0 });
+        assert_eq!(joined(ElasticHinge::rotary(with(-1.0))), negative("stiffness"));
+        assert_eq!(joined(ElasticHinge::rotary(with(NAN))), infinite("stiffness"));
+        assert_eq!(joined(ElasticHinge::rotary(with(f64::INFINITY))), infinite("stiffness"));
+        assert_eq!(joined(hinge.damped_about(with(-1.0))), negative("damping"));
+        assert_eq!(joined(hinge.damped_about(with(NAN))), infinite("damping"));
+        assert_eq!(joined(hinge.resting_at(with(NAN))), infinite("rest value"));
+        let pick = |bad| core::array::from_fn(|i| if i == k { bad } else { good });
+        let along = |bad| {
+            let [x, y, z] = pick(bad);
+            joined(hinge.with_linear(x, y, z))
+        };
+        assert_eq!(along(Spring::stiffness(-1.0).damped(0.1).resting_at(0.1)), negative("stiffness"));
+        assert_eq!(along(Spring::stiffness(1.0).damped(-1.0).resting_at(0.1)), negative("damping"));
+        assert_eq!(along(Spring::stiffness(1.0).damped(NAN).resting_at(0.1)), infinite("damping"));
+        assert_eq!(along(Spring::stiffness(1.0).damped(0.1).resting_at(NAN)), infinite("rest value"));
+    }
+    assert_eq!(joined(hinge.damped(-1.0)), negative("damping"));
+}
+
+#[test]
 fn quaternions_without_length_are_refused() {
     assert!(Rotation::from_quaternion([2.0, 0.0, 0.0, 0.0]).is_ok_and(|unit| unit == Rotation::identity()));
     assert!(Rotation::from_quaternion([0.0; 4]).is_err());

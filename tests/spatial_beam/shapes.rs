@@ -154,3 +154,52 @@ fn beams_stretch_and_shear_by_their_stiffness() -> Result<(), Error> {
     }
     Ok(())
 }
+
+/// Strongly bent, a beam that stretches and shears follows the rods inboard of its springs, not what is between them and their
+/// neighbours: first order. (E. Reissner 1972: r′ = (1 + N/EA) t + Q/GA n, M′ = −r′ × (0, P).)
+#[test]
+fn strongly_bent_beams_that_stretch_and_shear_converge_at_first_order() -> Result<(), Error> {
+    // So soft that first order shows beside the second of bending.
+    let (ea, ga) = (8.0, 20.0);
+    let p = 3.0 * EI[1] / (L * L);
+    const N: usize = 4000;
+    let h = L / N as f64;
+    let shoot = |moment: f64| {
+        let slope = |[theta, m, _, _]: [f64; 4]| {
+            let (along, across) = (1.0 + p * theta.sin() / ea, p * theta.cos() / ga);
+            let x = along * theta.cos() - across * theta.sin();
+            let y = along * theta.sin() + across * theta.cos();
+            [m / EI[1], -p * x, x, y]
+        };
+        let plus = |a: [f64; 4], s: f64, b: [f64; 4]| core::array::from_fn(|i| a[i] + s * b[i]);
+        let mut y = [0.0, moment, 0.0, 0.0];
+        for _ in 0..N {
+            let a = slope(y);
+            let b = slope(plus(y, 0.5 * h, a));
+            let c = slope(plus(y, 0.5 * h, b));
+            let d = slope(plus(y, h, c));
+            y = core::array::from_fn(|i| y[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]));
+        }
+        y
+    };
+    let (mut low, mut high) = (0.0, 2.0 * p * L);
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if shoot(middle)[1] > 0.0 { high = middle } else { low = middle }
+    }
+    let [_, _, x, y] = shoot(0.5 * (low + high));
+    let mut errors = vec![];
+    for n in [16, 32, 64] {
+        let half = 0.5 * L / n as f64;
+        let push = Loads::none().on_bodies(move |_: f64, body, motion: &BodyMotion<f64>| {
+            motion.force_at([half, 0.0, 0.0], [0.0, if body == n { p } else { 0.0 }, 0.0])
+        });
+        let scene =
+            System::new(Clamped::origin(), beam().with_extension_and_shear(ea, [ga; 2]).segments_in_vec(n), Free)?;
+        let rest = equilibrium(&scene, &push)?;
+        let place = scene.stations(&rest, &push).tip().frame.place;
+        errors.push((1.0 / n as f64, (place - Vector3::new(x, y, 0.0)).norm()));
+    }
+    has_order("stretched, sheared and bent", 1.0, 1e-9, &errors);
+    Ok(())
+}
