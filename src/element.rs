@@ -322,18 +322,11 @@ pub struct Given<'a, S: Space, E: Element<S>, W: Sweep<S>> {
     pub position: &'a E::Position,
     /// Their rates for dampers, likewise.
     pub rate: &'a E::Rate,
-    /// Where laws that are not linear in the coordinates are read.
-    pub reading: ReadingOf<'a, S, E, W>,
+    /// Where laws that are not linear in the coordinates are read in an implicit sweep.
+    pub reading: Reading<'a, E::Position, E::Rate>,
     /// How springs enter.
     pub springs: W::Springs,
 }
-
-/// Where the laws of an element that are not linear are read.
-pub type ReadingOf<'a, S, E, W> = <<W as Sweep<S>>::Springs as Springs<<S as Space>::Scalar>>::Reading<
-    'a,
-    <E as Element<S>>::Position,
-    <E as Element<S>>::Rate,
->;
 
 /// The load on a body in a sweep.
 pub type OnBody<S, W> = <<W as Sweep<S>>::Loads as Loading<S>>::OnBody;

@@ -27,20 +27,11 @@ impl<S: Space, L: Loading<S>, K: Springs<S::Scalar>, C: Closures> Sweep<S> for C
 
 /// How springs enter a sweep.
 pub trait Springs<T: Scalar>: Copy {
-    /// Where laws are read that are not linear in the coordinates: nothing where that is the state given.
-    type Reading<'a, P: 'a, V: 'a>: Copy;
     /// Whether they add to pivots. Where they are torques given instead, gains are those of absolute angles.
     const STIFF: bool;
 
     /// K̂, what a spring and damper add to the pivot of their coordinate.
     fn pivot(self, stiffness: T, damping: impl Coefficient<T>) -> T;
-
-    /// The reading of a part of what one is for.
-    fn part<'a, P: 'a, V: 'a, Q: 'a, U: 'a>(
-        reading: Self::Reading<'a, P, V>,
-        position: impl Fn(&'a P) -> &'a Q,
-        rate: impl Fn(&'a V) -> &'a U,
-    ) -> Self::Reading<'a, Q, U>;
 }
 
 /// Springs as torques of the state given.
@@ -48,15 +39,12 @@ pub trait Springs<T: Scalar>: Copy {
 pub struct Explicit;
 
 impl<T: Scalar> Springs<T> for Explicit {
-    type Reading<'a, P: 'a, V: 'a> = ();
     const STIFF: bool = false;
 
     #[inline(always)]
     fn pivot(self, _: T, _: impl Coefficient<T>) -> T {
         T::zero()
     }
-    #[inline(always)]
-    fn part<'a, P: 'a, V: 'a, Q: 'a, U: 'a>((): (), _: impl Fn(&'a P) -> &'a Q, _: impl Fn(&'a V) -> &'a U) {}
 }
 
 /// Springs as affine functions of the acceleration sought: a coordinate moves by `position` (s²) and its rate by `rate` (s) for
@@ -72,7 +60,7 @@ pub struct Implicit<R> {
 /// A state that an acceleration leads to: the law of a spring is τ(q, v) + K̂ a less K̂ times the acceleration sought.
 ///
 /// For a linear law any such state will do, that without acceleration among them. Others are exact where the acceleration is the one
-/// sought, so that sweeps which repeat for it converge to them.
+/// sought, so that sweeps which repeat for it converge to them. An explicit sweep reads none.
 #[derive(Debug)]
 pub struct Reading<'a, P, V> {
     /// q.
@@ -92,23 +80,10 @@ impl<P, V> Clone for Reading<'_, P, V> {
 impl<P, V> Copy for Reading<'_, P, V> {}
 
 impl<T: Scalar> Springs<T> for Implicit<T::Real> {
-    type Reading<'a, P: 'a, V: 'a> = Reading<'a, P, V>;
     const STIFF: bool = true;
 
     #[inline(always)]
     fn pivot(self, stiffness: T, damping: impl Coefficient<T>) -> T {
         damping.times_onto(T::constant(self.rate), stiffness.scale(self.position))
-    }
-    #[inline(always)]
-    fn part<'a, P: 'a, V: 'a, Q: 'a, U: 'a>(
-        reading: Reading<'a, P, V>,
-        position: impl Fn(&'a P) -> &'a Q,
-        rate: impl Fn(&'a V) -> &'a U,
-    ) -> Reading<'a, Q, U> {
-        Reading {
-            position: position(reading.position),
-            rate: rate(reading.rate),
-            acceleration: rate(reading.acceleration),
-        }
     }
 }

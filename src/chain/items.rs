@@ -4,7 +4,9 @@
 use super::poses::pose_slices;
 use super::poses::{march, orient_items, pose_items, resolve_items};
 use super::{product, sum};
-use crate::element::{Condense, Coordinates, Element, Gather, Given, Level, Posture, Space, Springs, Sweep, Visit};
+use crate::element::{
+    Condense, Coordinates, Element, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
+};
 use crate::error::Error;
 use crate::relation::{Closures, Promote};
 
@@ -329,12 +331,12 @@ macro_rules! chain_items {
                             in_joints: &in_joints[i],
                             position: &position[i],
                             rate: &rate[i],
-                            // As long as the others, which a compiler does not know; where nothing reads it, nothing is left of it.
-                            reading: W::Springs::part(
-                                reading,
-                                |items| items.get(i).unwrap_or(&position[i]),
-                                |items| items.get(i).unwrap_or(&rate[i]),
-                            ),
+                            // As many as the others, which a compiler does not know. Where nothing reads it, nothing is left of it.
+                            reading: Reading {
+                                position: reading.position.get(i).unwrap_or(&position[i]),
+                                rate: reading.rate.get(i).unwrap_or(&rate[i]),
+                                acceleration: reading.acceleration.get(i).unwrap_or(&rate[i]),
+                            },
                             springs,
                         };
                         <A as Condense<S, $met, W>>::condense(&items[i], $outer, posture, given, &mut kept[i])

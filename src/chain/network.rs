@@ -2,8 +2,8 @@
 
 use super::{deeper, sum};
 use crate::element::{
-    Carrying, Closed, Condense, Coordinates, Element, Gather, Given, InJoint, Level, Posture, Space, Springs, Sweep,
-    Visit, look,
+    Carrying, Closed, Condense, Coordinates, Element, Gather, Given, InJoint, Level, Posture, Reading, Space, Springs,
+    Sweep, Visit, look,
 };
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
@@ -442,8 +442,9 @@ where
         let (main, side, driven) =
             self.closing.close_off(outer, in_joints.2, Ends { x: &x.2, y: &y.2, p: &p.2, q: &q.2 });
         let (position, rate) = (&position.arms, &rate.arms);
-        let in_main = W::Springs::part(reading, |position| &position.arms.0, |rate| &rate.arms.0);
-        let in_side = W::Springs::part(reading, |position| &position.arms.1, |rate| &rate.arms.1);
+        let Reading { position: read, rate: read_rate, acceleration } = reading;
+        let in_main = Reading { position: &read.arms.0, rate: &read_rate.arms.0, acceleration: &acceleration.arms.0 };
+        let in_side = Reading { position: &read.arms.1, rate: &read_rate.arms.1, acceleration: &acceleration.arms.1 };
         let main = self.main().condense(
             main,
             Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 },

@@ -1,7 +1,9 @@
 //! Tuples of elements.
 
 use super::{deeper, sum};
-use crate::element::{Condense, Coordinates, Element, Gather, Given, Level, Posture, Space, Springs, Sweep, Visit};
+use crate::element::{
+    Condense, Coordinates, Element, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
+};
 use crate::error::Error;
 use crate::relation::Closures;
 use crate::tuples::for_each_tuple;
@@ -336,7 +338,11 @@ macro_rules! chain_of {
                         in_joints: &given.in_joints.$j,
                         position: &given.position.$j,
                         rate: &given.rate.$j,
-                        reading: W::Springs::part(given.reading, |position| &position.$j, |rate| &rate.$j),
+                        reading: Reading {
+                            position: &given.reading.position.$j,
+                            rate: &given.reading.rate.$j,
+                            acceleration: &given.reading.acceleration.$j,
+                        },
                         springs: given.springs,
                     },
                     &mut kept.$j,

@@ -4,7 +4,7 @@
 //! of what lies outboard about a joint.
 
 use crate::element::{
-    Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, ReadingOf, RealOf, Space,
+    Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, Reading, RealOf, Space,
     Sweep, Visit,
 };
 use crate::ends::Tip;
@@ -75,26 +75,26 @@ pub struct Site<'a, S: Space, P, L> {
 }
 
 /// How springs enter a sweep, and where they are.
-pub struct Spring<'a, S: Space, E: Element<S>, W: Sweep<S>> {
+pub struct Spring<'a, P, V, K> {
     /// Positions for springs.
-    pub position: &'a E::Position,
+    pub position: &'a P,
     /// Rates for dampers.
-    pub rate: &'a E::Rate,
+    pub rate: &'a V,
     /// Where laws that are not linear are read.
-    pub reading: ReadingOf<'a, S, E, W>,
+    pub reading: Reading<'a, P, V>,
     /// How they enter.
-    pub springs: W::Springs,
+    pub springs: K,
 }
 
 /// One sweep: the accelerations of all joint coordinates, from their positions and rates.
 #[inline]
-pub fn sweep<'a, S: Space, E, W, P>(
+pub fn sweep<S: Space, E, W, P>(
     chain: &E,
     site: &Site<'_, S, P, W::Loads>,
     position: &E::Position,
     rate: &E::Rate,
-    spring: &Spring<'a, S, E, W>,
-    workspace: &'a mut Workspace<S, E, W>,
+    spring: &Spring<'_, E::Position, E::Rate, W::Springs>,
+    workspace: &mut Workspace<S, E, W>,
     acceleration: &mut E::Rate,
 ) where
     W: Sweep<S>,

@@ -105,23 +105,24 @@ fn axis<T: Scalar>(stored: &Columns<T>, k: usize) -> Vector3<T> {
 }
 
 #[inline(always)]
-fn condense<T: Scalar, J, C: Closures, W, const K: usize>(
+fn condense<T: Scalar, J, R, W, const K: usize>(
     joint: &J,
-    outer: Full<T, C>,
+    outer: R,
     posture: (&Columns<T>, &[Vector3<T>; 2]),
     drive: InJoint<Spatial<T>, W>,
     (position, rate): (&J::Coordinates, &J::Coordinates),
     springs: W::Springs,
-    kept: &mut [Pivot<T, C>; K],
-) -> Full<T, C>
+    kept: &mut [Pivot<T, R::Closures>; K],
+) -> Full<T, R::Closures>
 where
     J: Axial<T, K>,
+    R: Rigid<T>,
     W: Sweep<Spatial<T>, Springs: PivotRule<T>>,
     InJoint<Spatial<T>, W>: Drive<T>,
 {
     let (stored, bias) = posture;
     let (position, rate) = (position.list(), rate.list());
-    let mut relation = outer;
+    let mut relation = outer.full();
     if J::SLIDES {
         relation = relation.with_mass(joint.lumped());
     }
@@ -181,7 +182,7 @@ fn responded<T: Scalar, J: Axial<T, K>, C: Closures, const K: usize>(
 
 /// Makes axial joints joints that can condense.
 macro_rules! axial {
-    ([$($generics:ident $(: $bound:ident)?),*] $Joint:ty, $K:literal, $Takes:ident.$full:ident) => {
+    ([$($generics:ident $(: $bound:ident)?),*] $Joint:ty, $K:literal, $Takes:ident, |$outer:ident| $rigid:expr) => {
         impl<$($generics $(: $bound<T>)?),*> Joint<T> for $Joint where T: Scalar {
             type Position = <Self as Axial<T, $K>>::Coordinates;
             type Rate = <Self as Axial<T, $K>>::Coordinates;
@@ -292,13 +293,14 @@ macro_rules! axial {
             ) -> Self::Out {
                 let Given { in_joints, position, rate, springs, .. } = given;
                 let posture = (posture.x, posture.y);
-                condense::<T, Self, Outer::Closures, W, $K>(self, outer.$full(), posture, *in_joints, (position, rate), springs, kept)
+                let rigid = |$outer: Outer| $rigid;
+                condense::<T, Self, _, W, $K>(self, rigid(outer), posture, *in_joints, (position, rate), springs, kept)
             }
         }
     };
 }
-axial!([T, L: Law] Revolute<T, L>, 1, Rigid.full);
+axial!([T, L: Law] Revolute<T, L>, 1, Rigid, |outer| outer);
 // A ball resists no rotation, but displacement.
-axial!([T, L: Law] Prismatic<T, L>, 1, Slides.whole);
-axial!([T, L: Law, M: Law] Universal<T, L, M>, 2, Rigid.full);
-axial!([T, L: Law, M: Law] Cylindrical<T, L, M>, 2, Rigid.full);
+axial!([T, L: Law] Prismatic<T, L>, 1, Slides, |outer| outer.whole());
+axial!([T, L: Law, M: Law] Universal<T, L, M>, 2, Rigid, |outer| outer);
+axial!([T, L: Law, M: Law] Cylindrical<T, L, M>, 2, Rigid, |outer| outer);

@@ -4,7 +4,7 @@ use super::loads::Drive;
 use super::rotary_spring::{RotaryLaw, RotarySpring};
 use super::{Acceleration, Frame, Joint, JointMotion, Law, Linear, Rotation, Spatial, Turn};
 use super::{joint::One, joint::Stored};
-use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
+use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::space::algebra::{Columns, cross, zero};
@@ -106,13 +106,13 @@ impl<R> ElasticHinge<R> {
 
 /// Where a rotary spring is read: the attitude of the outboard body, and relative attitude and angular velocity, from a reading
 /// where there is one.
-pub struct Place<'a, T: Scalar, K: BallRule<T>> {
+pub struct Place<'a, T> {
     /// Attitude of the outboard body.
     pub attitude: Columns<T>,
     /// Where laws are read in an explicit sweep.
     pub state: (&'a Rotation<T>, &'a [T; 3]),
     /// Where they are read in an implicit one.
-    pub reading: K::Reading<'a, Rotation<T>, [T; 3]>,
+    pub reading: Reading<'a, Rotation<T>, [T; 3]>,
 }
 
 /// How the rule of a sweep treats the spring of a ball.
@@ -125,7 +125,7 @@ pub trait BallRule<T: Scalar>: Springs<T> {
         outer: Full<T, C>,
         law: &impl RotaryLaw<T>,
         drive: impl Term<Vector3<T>>,
-        place: Place<'_, T, Self>,
+        place: Place<'_, T>,
         bias: Vector3<T>,
     ) -> (Self::Out<C>, BallGain<T, C>);
 }
@@ -139,7 +139,7 @@ impl<T: Scalar> BallRule<T> for Explicit {
         outer: Full<T, C>,
         law: &impl RotaryLaw<T>,
         drive: impl Term<Vector3<T>>,
-        place: Place<'_, T, Self>,
+        place: Place<'_, T>,
         _: Vector3<T>,
     ) -> (Self::Out<C>, BallGain<T, C>) {
         let torque = drive.add_to(place.attitude.apply(law.torque(place.state.0, place.state.1)));
@@ -157,7 +157,7 @@ impl<T: Scalar> BallRule<T> for Implicit<T::Real> {
         outer: Full<T, C>,
         law: &impl RotaryLaw<T>,
         drive: impl Term<Vector3<T>>,
-        Place { attitude, reading, .. }: Place<'_, T, Self>,
+        Place { attitude, reading, .. }: Place<'_, T>,
         bias: Vector3<T>,
     ) -> (Full<T, C>, BallGain<T, C>) {
         let pivot = law.pivot(reading.position, self).turned(&attitude.times(&reading.position.inverse().matrix()));

@@ -5,7 +5,7 @@ use super::joint::{Axes, Biases, Two};
 use super::loads::Drive;
 use super::rotary_spring::{RotaryDamper, RotaryLaw, RotarySpring};
 use super::{Acceleration, ElasticHinge, Frame, Joint, JointMotion, Law, Rotation, Spatial, Turn};
-use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
+use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::space::algebra::{Columns, Symmetric3, centripetal, cross, cross_onto, zero};
@@ -97,7 +97,7 @@ pub trait RotaryElimination<T: Scalar, K: BallRule<T>>: RotaryLaw<T> {
         springs: K,
         outer: Full<T, C>,
         drive: M,
-        place: Place<'_, T, K>,
+        place: Place<'_, T>,
         bias: Vector3<T>,
     ) -> (Self::Out<M, C>, BallGain<T, C>);
 }
@@ -111,7 +111,7 @@ impl<T: Scalar, K: BallRule<T>> RotaryElimination<T, K> for Absent {
         _: K,
         outer: Full<T, C>,
         drive: M,
-        _: Place<'_, T, K>,
+        _: Place<'_, T>,
         _: Vector3<T>,
     ) -> (Point<T, M, C>, BallGain<T, C>) {
         let (relation, gain) = outer.balled(drive);
@@ -130,7 +130,7 @@ impl<T: Scalar, K: BallRule<T>, D: RotaryDamper<T>, P: Term<Vector3<T>>> RotaryE
         springs: K,
         outer: Full<T, C>,
         drive: M,
-        place: Place<'_, T, K>,
+        place: Place<'_, T>,
         bias: Vector3<T>,
     ) -> (K::Out<C>, BallGain<T, C>) {
         springs.ball(outer, self, drive, place, bias)
@@ -295,7 +295,8 @@ where
     ) -> Self::Out {
         let Given { in_joints, position, rate, reading, springs, .. } = given;
         let ([outboard, inboard], [[linear, bias], [arm, _]]) = (posture.x, posture.y);
-        let reading = <W::Springs as Springs<T>>::part(reading, |position| &position.1, |rate| &rate.1);
+        let Reading { position: there, rate: moving, acceleration: led } = reading;
+        let reading = Reading { position: &there.1, rate: &moving.1, acceleration: &led.1 };
         let place = Place { attitude: *outboard, state: (&position.1, &rate.1), reading };
         let outer = outer.full().with_mass(self.linear.lumped);
         let (relation, rotation) = self.rotary.turn(springs, outer, in_joints.couple(outboard), place, *bias);

@@ -49,7 +49,8 @@ where
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L> {
         let site = self.site(time, loads);
-        let spring = Spring { position, rate, reading: (), springs: Explicit };
+        let reading = Reading { position, rate, acceleration: rate };
+        let spring = Spring { position, rate, reading, springs: Explicit };
         sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
         workspace.multipliers
     }
