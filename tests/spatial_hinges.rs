@@ -14,7 +14,6 @@ mod extrapolation;
 mod kit;
 #[path = "spatial_hinges/numbers.rs"]
 mod numbers;
-#[allow(dead_code)]
 mod oracle_space;
 
 const TENSOR: [[f64; 3]; 3] = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]];
@@ -131,10 +130,10 @@ fn motions_are_those_of_the_oracle() -> Result<(), Error> {
     let run = system.simulate(start, Dop853::tolerance(1e-14), END, |_| ())?;
     let stations = system.stations(&run.motion, &Unloaded);
     let mut errors = vec![];
-    for k in 0..3 {
+    for (k, frame) in frames.iter().enumerate() {
         let station = stations.get(2 * k).expect("a body's inboard end");
-        errors.push((station.frame.place - frames[k].place).norm());
-        errors.push((station.frame.turn.attitude.x - frames[k].attitude.column(0)).norm());
+        errors.push((station.frame.place - frame.place).norm());
+        errors.push((station.frame.turn.attitude.x - frame.attitude.column(0)).norm());
         errors.push((station.internal.force - answer.forces[k]).norm());
         errors.push((station.torque_outboard() - answer.torques[k]).norm());
     }

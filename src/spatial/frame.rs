@@ -172,9 +172,10 @@ pub struct JointMotion<T> {
     pub inboard: Frame<T>,
     /// Motion of its outboard side.
     pub outboard: Frame<T>,
-    /// Coordinates of the joint: angles (rad) and slides (m), as many as it has; none of a ball, whose attitudes stand in the frames.
+    /// Coordinates of the joint: angles (rad) and slides (m), as many as it has; of an elastic hinge its rotation vector (rad), while
+    /// its displacement lies between the frames; none of a ball, whose attitudes stand in the frames.
     pub position: [T; 3],
-    /// Rates of the coordinates; of a ball the relative angular velocity (rad/s) in axes of the outboard body.
+    /// Rates of the coordinates; of a ball or an elastic hinge the relative angular velocity (rad/s) in axes of the outboard body.
     pub rate: [T; 3],
     /// Energy stored in its springs (J).
     pub energy: T,

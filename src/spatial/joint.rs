@@ -53,6 +53,8 @@ impl Sets for Two {
 pub type Axes<T, J> = <<J as Joint<T>>::Sets as Sets>::Per<Columns<T>>;
 /// Vectors that it stores beside them.
 pub type Biases<T, J> = <<J as Joint<T>>::Sets as Sets>::Per<[Vector3<T>; 2]>;
+/// Both.
+pub type StoredIn<T, J> = (Axes<T, J>, Biases<T, J>);
 
 /// A massless joint in space.
 ///
@@ -87,16 +89,11 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     }
 
     /// The orientation of the outboard body, and what the other walks read.
-    fn oriented(
-        &self,
-        position: &Self::Position,
-        rate: &Self::Rate,
-        inboard: Turn<T>,
-    ) -> (Turn<T>, (Axes<T, Self>, Biases<T, Self>));
+    fn oriented(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> (Turn<T>, StoredIn<T, Self>);
 
     /// Stores what the other walks read; what they do not read stays as it is.
     #[inline(always)]
-    fn store(stored: (Axes<T, Self>, Biases<T, Self>), x: &mut Axes<T, Self>, y: &mut Biases<T, Self>) {
+    fn store(stored: StoredIn<T, Self>, x: &mut Axes<T, Self>, y: &mut Biases<T, Self>) {
         (*x, *y) = stored;
     }
 

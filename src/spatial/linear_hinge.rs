@@ -1,7 +1,7 @@
 //! The elastic hinge with linear springs.
 
 use super::elastic_hinge::{BallRule, Place};
-use super::joint::{Axes, Biases, Two};
+use super::joint::{StoredIn, Two};
 use super::loads::Drive;
 use super::rotary_spring::{RotaryDamper, RotaryLaw, RotarySpring};
 use super::{Acceleration, ElasticHinge, Frame, Joint, JointMotion, Law, Rotation, Spatial, Turn};
@@ -204,12 +204,7 @@ where
         ElasticHinge { rotary: self.rotary, linear: Absent }.aim(&mut position.1, inboard, next)
     }
     #[inline(always)]
-    fn oriented(
-        &self,
-        position: &Self::Position,
-        rate: &Self::Rate,
-        inboard: Turn<T>,
-    ) -> (Turn<T>, (Axes<T, Self>, Biases<T, Self>)) {
+    fn oriented(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> (Turn<T>, StoredIn<T, Self>) {
         let (inner, spin) = (inboard.attitude, inboard.spin);
         let outer = inner.times(&position.1.matrix());
         let relative = outer.apply(Vector3::from(rate.1));

@@ -60,11 +60,11 @@ fn implicit_steps_are_differentiated_by_every_parameter() -> Result<(), Error> {
     let mut worst = 0.0_f64;
     for (plain, dual) in rules {
         let values = plain(AT)?;
-        for k in 0..18 {
+        for (k, at) in AT.into_iter().enumerate() {
             let found = dual(core::array::from_fn(|i| Dual64::new(AT[i], if i == k { 1.0 } else { 0.0 })))?;
             let expected = differences(plain, k)?;
             let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-            assert!(size * AT[k].abs() > 1e-5, "parameter {k} must matter");
+            assert!(size * at.abs() > 1e-5, "parameter {k} must matter");
             for i in 0..9 {
                 near(found[i].re, values[i], 1e-12);
                 worst = worst.max((found[i].eps - expected[i]).abs() / size);
