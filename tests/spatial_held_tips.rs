@@ -3,10 +3,13 @@
 mod kit;
 
 use catena::element::Unloaded;
+use catena::relation::Cut;
 use catena::spatial::*;
-use catena::{Error, Fault, Place};
+use catena::{Error, Fault, Motion, Place, Scalar};
+use core::f64::consts::FRAC_PI_3;
 use kit::has_order;
 use nalgebra::Vector3;
+use num_dual::Dual64;
 
 /// A body without symmetry, and the same body with its ends exchanged.
 fn body(length: f64) -> [RigidBody<f64>; 2] {
@@ -142,10 +145,8 @@ fn a_chain_told_backwards_moves_alike() -> Result<(), Error> {
     Ok(())
 }
 
-/// The ground of all kinds of tips moves, and turns where that matters. The tip follows, and the work of the forces that move it is
-/// what the scene gains.
-#[test]
-fn tips_follow_ground_that_moves_and_turns() -> Result<(), Error> {
+/// A ground that moves, and turns about a fixed slanted axis.
+fn ground() -> (impl Ground<f64> + Copy, impl Attitude<f64> + Copy) {
     let moving = Moving(|t: f64| GroundMotion {
         place: [0.9 + 0.1 * t.sin(), 0.1, -0.2 + 0.05 * (2.0 * t).sin()],
         velocity: [0.1 * t.cos(), 0.0, 0.1 * (2.0 * t).cos()],
@@ -161,6 +162,14 @@ fn tips_follow_ground_that_moves_and_turns() -> Result<(), Error> {
             acceleration: (slant * second).into(),
         }
     });
+    (moving, turning)
+}
+
+/// The ground of all kinds of tips moves, and turns where that matters. The tip follows, and the work of the forces that move it is
+/// what the scene gains.
+#[test]
+fn tips_follow_ground_that_moves_and_turns() -> Result<(), Error> {
+    let (moving, turning) = ground();
     let clamp = Clamped { place: moving, attitude: turning };
     let chain = (body(0.5)[0], Ball, body(0.8)[0], Ball, body(0.6)[0]);
     let axis = Vector3::new(0.3, 1.0, 0.2).normalize();
@@ -173,8 +182,7 @@ fn tips_follow_ground_that_moves_and_turns() -> Result<(), Error> {
             let (mut worst, mut power) = (0.0_f64, vec![]);
             let run = scene.simulation(Dop853::tolerance(1e-12)).every(0.005).run(start, 2.0, |now| {
                 let tip = *now.stations().tip();
-                let ground = Ground::<f64>::at(&moving, now.time());
-                let held = Attitude::<f64>::at(&turning, now.time());
+                let (ground, held) = (moving.at(now.time()), turning.at(now.time()));
                 worst = worst.max((tip.frame.place - Vector3::from(ground.place)).amax());
                 let turned: f64 = $turn(&tip.frame.turn.attitude, &held.attitude);
                 worst = worst.max(turned);
@@ -202,13 +210,84 @@ fn tips_follow_ground_that_moves_and_turns() -> Result<(), Error> {
     Ok(())
 }
 
+/// A hinge on ground that turns demands accelerations that depend on how fast its body turns on it.
+#[test]
+fn rules_keep_their_order_on_ground_that_moves_and_turns() -> Result<(), Error> {
+    let (place, attitude) = ground();
+    let chain = (body(0.5)[0], Ball, body(0.8)[0], Ball, body(0.6)[0]);
+    let hinge = Hinged::on(Clamped { place, attitude }, [0.3, 1.0, 0.2]);
+    let scene = System::new(Pinned::origin(), chain, hinge)?.with_gravity(9.81);
+    let guess = scene.at_rest(&[0.2, 0.1, -0.8, 0.1, -0.3, 0.4, 0.0, 0.1, 0.3])?;
+    let start = scene.with_tip_held(guess, &Unloaded)?;
+    let reference = scene.simulate(start, Dop853::tolerance(1e-13), 0.5, |_| ())?.motion;
+    let [mut attitudes, mut torques, mut stiff_attitudes, mut stiff_torques] = [vec![], vec![], vec![], vec![]];
+    let look = |attitude: Rotation<f64>, multipliers: &[f64; 5]| {
+        let turned = Vector3::from(attitude.relative_to(&reference.position().0).shortest().log()).norm();
+        let off = |k: usize| (multipliers[k] - reference.multipliers()[k]).powi(2);
+        (turned, (0..5).map(off).sum::<f64>().sqrt())
+    };
+    for h in [0.02, 0.01, 0.005] {
+        let motion = scene.simulate(start, Rk4::step(h), 0.5, |_| ())?.motion;
+        let (turned, torque) = look(motion.position().0, motion.multipliers());
+        attitudes.push((h, turned));
+        torques.push((h, torque));
+    }
+    for h in [0.005, 0.0025, 0.00125] {
+        let motion = scene.simulate(start, GeneralizedAlpha::new(0.8).step(h), 0.5, |_| ())?.motion;
+        let (turned, torque) = look(motion.position().0, motion.multipliers());
+        stiff_attitudes.push((h, turned));
+        stiff_torques.push((h, torque));
+    }
+    has_order("RK4, attitude", 4.0, 1e-12, &attitudes);
+    has_order("RK4, closure forces", 4.0, 1e-12, &torques);
+    has_order("generalised-alpha, attitude", 2.0, 1e-12, &stiff_attitudes);
+    has_order("generalised-alpha, closure forces", 2.0, 1e-12, &stiff_torques);
+    Ok(())
+}
+
+/// Closure forces of a hinge differentiate, by gravity and by the direction of its axis.
+#[test]
+fn closure_forces_of_a_hinge_have_derivatives() -> Result<(), Error> {
+    type Position<T> = (Rotation<T>, ((), Rotation<T>, (), Rotation<T>, ()));
+    // From a closed position, so that corrections are small: from afar they are measured, and measures have no derivatives.
+    fn closed<T: Scalar<Real = f64>>(
+        x: T,
+        near: Option<&Motion<f64, Position<f64>, Cut<5>>>,
+    ) -> Result<Motion<T, Position<T>, Cut<5>>, Error> {
+        let number = T::literal;
+        let rod = |length: f64| Rod::uniform(number(length), number(0.02), number(1.0));
+        let chain = (rod(0.5), Ball, rod(0.8), Ball, rod(0.6));
+        let hinge = Hinged::at([0.9, 0.1, -0.2].map(number), [number(0.3) + x, number(1.0), number(0.2)]);
+        let scene = System::new(Pinned::origin(), chain, hinge)?.with_gravity(number(9.81) + x);
+        let guess = match near {
+            Some(near) => near.lift(T::literal),
+            None => scene.at_rest(&[0.2, 0.1, -0.8, 0.1, -0.3, 0.4, 0.0, 0.1, 0.3].map(number))?,
+        };
+        let rates = [0.3, -0.4, 0.5, 1.0, -0.3, 0.2, 0.1, 0.7, -0.5].map(number);
+        scene.with_tip_held(scene.with_rates(guess, &rates)?, &Unloaded)
+    }
+    fn forces<T: Scalar<Real = f64>>(x: T) -> Result<[T; 5], Error> {
+        let near = closed(0.0, None)?;
+        closed(x, Some(&near)).map(|motion| *motion.multipliers())
+    }
+    let own = forces(Dual64::from(0.0).derivative())?;
+    let h = 1e-3;
+    let [a, b, c, d] = [forces(-2.0 * h)?, forces(-h)?, forces(h)?, forces(2.0 * h)?];
+    for k in 0..5 {
+        let difference = (a[k] - 8.0 * b[k] + 8.0 * c[k] - d[k]) / (12.0 * h);
+        println!("force {k}: derivative {:.9}, difference {difference:.9}", own[k].eps);
+        assert!((own[k].eps - difference).abs() < 1e-8 * difference.abs().max(1.0)); // h⁴, 1e-15 / h
+    }
+    Ok(())
+}
+
 /// Hinges with parallel axes hold more than a plane mechanism needs; one that follows from the others is named.
 #[test]
 fn parallel_hinges_are_redundant() -> Result<(), Error> {
     let (along, rod) = ([0.0, 0.0, 1.0], |length| Rod::uniform(length, 0.02, 1.0));
     let chain = (rod(0.5), Revolute::about(along), rod(1.2), Revolute::about(along), rod(0.9));
     let four_bar = System::new(Hinged::at([0.0; 3], along), chain, Hinged::at([1.0, 0.0, 0.0], along))?;
-    let start = four_bar.at_rest(&[1.047197551196598, -0.726092536365, -2.338443848203])?;
+    let start = four_bar.at_rest(&[FRAC_PI_3, -0.726092536365, -2.338443848203])?;
     let error = four_bar.with_accelerations(start, &Unloaded).err();
     let fault = error.map(|error| (error.fault, error.place));
     println!("{error:?}");

@@ -97,7 +97,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let real = RealOf::<S>::of;
         let (small, tiny) = (RealOf::<S>::EPSILON.powf(real(0.6)), RealOf::<S>::EPSILON);
         let mut last = RealOf::<S>::INFINITY;
-        for _ in 0..CORRECTIONS {
+        for pass in 0..CORRECTIONS {
             let mut corrected = motion.clone();
             self.project(&mut corrected, workspace);
             let mut step = RealOf::<S>::zero();
@@ -123,8 +123,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             if !passing {
                 outcome?;
             }
-            // Corrections fall until nothing but rounding is left of them.
-            if step <= tiny || (step <= small && step + step >= last) {
+            // Corrections fall until nothing but rounding is left of them. Not the first one, even if it is small: derivatives of
+            // dual numbers follow real parts.
+            if pass > 0 && (step <= tiny || (step <= small && step + step >= last)) {
                 return Ok(());
             }
             last = step;

@@ -27,8 +27,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// ```
     ///
     /// # Errors
-    /// [`Fault::SingularTransfer`](crate::Fault::SingularTransfer) where a joint is a centre of percussion of what lies outboard;
-    /// [`Fault::Unsupported`](crate::Fault::Unsupported) for arms, and in the plane for joints that slide.
+    /// [`Fault::SingularTransfer`] where a joint is a centre of percussion of what lies outboard;
+    /// [`Fault::Unsupported`] for arms, and in the plane for joints that slide.
     pub fn transfer_matrix<L: Loading<S>, const N: usize>(
         &self,
         motion: &MotionOf<S, R, C, P>,
@@ -62,7 +62,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// sweep finds by other means.
     ///
     /// # Errors
-    /// [`Fault::SingularTransfer`](crate::Fault::SingularTransfer) at a centre of percussion.
+    /// [`Fault::SingularTransfer`] at a centre of percussion.
     pub fn root_state<L: Loading<S>, const N: usize>(
         &self,
         motion: &MotionOf<S, R, C, P>,
