@@ -171,6 +171,7 @@ impl<S: Space, X: Copy, F: FnMut(&S::BodyMotion) -> X> Visit<S> for Collect<F> {
 }
 
 /// Walks outward and shows each body; keeps nothing.
+#[cfg(feature = "alloc")]
 pub(crate) fn each_body<S: Space, E: Element<S>>(
     chain: &E,
     ground: S::Frame,
@@ -181,8 +182,10 @@ pub(crate) fn each_body<S: Space, E: Element<S>>(
 }
 
 /// Shows each body.
+#[cfg(feature = "alloc")]
 struct Show<F>(F);
 
+#[cfg(feature = "alloc")]
 impl<S: Space, F: FnMut(&S::BodyMotion)> Visit<S> for Show<F> {
     type OnBody = ();
     type InJoint = ();
