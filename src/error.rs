@@ -127,6 +127,11 @@ pub enum Fault {
     },
     /// The paper's matrix of a smooth pin does not exist here: the pin's pivot vanishes at the centre of percussion.
     CentreOfPercussion,
+    /// The angles 1-2-3 of a body cannot say its orientation: at θ₂ = ±π/2 two of them turn about the same axis.
+    SingularAngles {
+        /// θ₂ (rad).
+        angle: f64,
+    },
     /// The equations of a step were not met.
     NotConverged {
         /// Sweeps taken.
@@ -219,6 +224,10 @@ impl fmt::Display for Error {
             Fault::CentreOfPercussion => write!(
                 f,
                 "this pin has no transfer matrix (40), for the outboard end of its body is the centre of percussion; solve by Riccati"
+            ),
+            Fault::SingularAngles { angle } => write!(
+                f,
+                "the angles 1-2-3 are singular where theta2 = {angle} rad is a right angle; let rotation vectors stand in their slot"
             ),
             Fault::NotConverged { sweeps } => {
                 write!(f, "the equations of a step are not met after {sweeps} sweeps: take smaller steps")

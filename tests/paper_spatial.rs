@@ -3,19 +3,12 @@
 
 mod kit;
 
-/// Its run is what the last tests are about.
-#[allow(dead_code)]
-#[path = "../examples/paper_example_5.rs"]
-mod example;
-
 use catena::paper::spatial::{
     ANGLES, Attitude, External, FORCE, ONE, PLACE, Rigid, Rotary, Step, TORQUE, Vector, rigid_body, rotary_hinge,
     smooth_ball,
 };
-use catena::paper::{At, GeneralizedAlpha, Newmark, Rule};
 use catena::{Fault, StateVector, TransferMatrix};
-use example::{Example, example_4, example_5, miss, paper};
-use kit::{Noise, has_order, slope};
+use kit::{Noise, slope};
 use nalgebra::{Matrix3, Vector3};
 
 type State = StateVector<f64, 13>;
@@ -364,7 +357,7 @@ fn ball_matrix_lets_no_torque_through_its_section() {
     let mut noise = Noise::new(8);
     let at = Attitude::printed([0.3, 0.2, -0.4], [1.0, -2.0, 0.5], [0.3, 0.1, 0.2], 0.01);
     let section = plain(&body(), &at, 4e4);
-    let ball = smooth_ball(&section, 4e4).unwrap();
+    let ball = smooth_ball(&section, [[0.0; 3]; 2], 4e4).unwrap();
     let mut z: State = StateVector::new([0.0; 13].map(|_: f64| noise.next()));
     z[ONE] = 1.0;
     (0..3).for_each(|k| z[TORQUE + k] = 0.0);
@@ -381,41 +374,6 @@ fn ball_matrix_lets_no_torque_through_its_section() {
         about_inboard: [[1e-3, 0.0, 0.0], [0.0, j, 0.0], [0.0, 0.0, j]],
     };
     let still = Attitude::about([0.3, 0.2, -0.4], [0.0; 3]);
-    let error = smooth_ball(&plain(&rod, &still, 4e4), 4e4).unwrap_err();
+    let error = smooth_ball(&plain(&rod, &still, 4e4), [[0.0; 3]; 2], 4e4).unwrap_err();
     assert_eq!(error.fault, Fault::CentreOfPercussion);
-}
-
-/// Orders in angles and in the force at the root of one body, and of three in a row, in space.
-#[test]
-fn rules_have_their_orders_in_space() {
-    fn order<R: Rule<f64>>(name: &str, order: f64, rule: R, at: At, example: &Example) {
-        let Example { start, known, force } = example;
-        let (mut angles, mut forces) = (vec![], vec![]);
-        for dt in [0.0025, 0.00125, 0.000625] {
-            let record = paper(rule, at, start, dt, 1.0).unwrap();
-            let root = record.last().unwrap().2;
-            angles.push((dt, miss(&record, known)));
-            forces.push((dt, root.iter().zip(force).fold(0.0, |worst: f64, (a, b)| worst.max((a - b).abs()))));
-        }
-        has_order(&format!("{name}, angles"), order, 1e-9, &angles);
-        has_order(&format!("{name}, forces"), order, 1e-8, &forces);
-    }
-    for (name, example) in [("one body", example_4()), ("three bodies", example_5())] {
-        order(&format!("{name}, generalised-alpha"), 2.0, GeneralizedAlpha::new(0.8), At::Previous, &example);
-        order(&format!("{name}, at the predictor"), 2.0, GeneralizedAlpha::new(0.8), At::Predictor, &example);
-        order(&format!("{name}, Newmark 0.6"), 1.0, Newmark::damped(0.6), At::Previous, &example);
-    }
-}
-
-/// As printed with γ = ½ forces do not converge in space either.
-#[test]
-fn forces_of_the_printed_scheme_alternate_in_space() {
-    let Example { start, known, force } = example_4();
-    for dt in [0.0025, 0.00125] {
-        let record = paper(Newmark::new(0.25, 0.5), At::Previous, &start, dt, 1.0).unwrap();
-        let root = record.last().unwrap().2;
-        let off = root.iter().zip(force).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
-        println!("step {dt}: angles {:.1e} rad, force {off:.1} N of 7", miss(&record, &known));
-        assert!((off / 15.0 - 1.0).abs() < 0.1); // known to two digits, at both steps
-    }
 }

@@ -1,37 +1,147 @@
-//! What an element of a chain is in one step: the links that a solver joins.
+//! What an element of a chain is in one step, the links that a solver joins, and what is known at the ends.
+//!
+//! A state has N = 2H + 1 entries: p, which is P places and A angles, then A torques and P forces, and one. The plane has
+//! N, H, P, A = 7, 3, 2, 1, space 13, 6, 3, 3.
 
 use super::hinge::Rotary;
 use crate::scalar::Scalar;
 use crate::state::TransferMatrix;
 
-/// An element in one step.
+/// (34) in one step, m = K_O θ_O − K_I θ_I + μ.
 #[derive(Clone, Copy, Debug)]
-pub enum Link<T: Scalar> {
-    /// A body.
-    Body {
-        /// (32).
-        matrix: TransferMatrix<T, 7>,
-        /// The size of the terms of u₄₃: (J_I + m |d_C| |d_O|) χ₁.
-        inertia: T::Real,
-        /// Whether a pin at its inboard end has no matrix (40).
-        percussive: bool,
-    },
-    /// A joint that turns: an elastic hinge, or a pin where it is smooth.
-    Turning {
-        /// m = κ (θ_O − θ_I) + μ.
-        law: Rotary<T>,
-        /// Whether κ is zero by construction.
-        smooth: bool,
-    },
-    /// A joint that does not turn: the angle (rad) by which its outboard side is ahead, none in increments.
-    Rigid(T),
+pub struct Law<T, const A: usize> {
+    /// K_O (N·m/rad).
+    pub outer: [[T; A]; A],
+    /// K_I (N·m/rad).
+    pub inner: [[T; A]; A],
+    /// μ (N·m).
+    pub offset: [T; A],
 }
 
-/// How the root of a chain is held.
+impl<T: Scalar> From<Rotary<T>> for Law<T, 1> {
+    fn from(Rotary { slope, offset }: Rotary<T>) -> Self {
+        Self { outer: [[slope]], inner: [[slope]], offset: [offset] }
+    }
+}
+
+impl<T: Scalar, const A: usize> Law<T, A> {
+    /// A joint that turns freely but for a torque.
+    pub fn smooth(offset: [T; A]) -> Self {
+        let none = [[T::zero(); A]; A];
+        Self { outer: none, inner: none, offset }
+    }
+}
+
+/// An element in one step.
 #[derive(Clone, Copy, Debug)]
-pub enum Base<T> {
-    /// At x, y, θ; what the first joint does not hold is of no consequence.
-    Held([T; 3]),
-    /// Not at all; of a balance under iteration, m, q_x and q_y that are left there.
-    Free([T; 3]),
+pub enum Link<T: Scalar, const N: usize, const A: usize> {
+    /// A body.
+    Body {
+        /// (32), (31).
+        matrix: TransferMatrix<T, N>,
+        /// The size of the terms of u₄₃, of Ū₃₂: (J_I + m |d_C| |d_O|) χ₁.
+        inertia: T::Real,
+        /// Whether a smooth joint at its inboard end has no matrix (40).
+        percussive: bool,
+    },
+    /// A joint that turns: an elastic hinge, or a pin or ball where it is smooth.
+    Turning {
+        /// Its torque.
+        law: Law<T, A>,
+        /// Whether K_O and K_I are zero by construction.
+        smooth: bool,
+    },
+    /// A joint that does not turn, θ_O = R θ_I + `ahead`.
+    Rigid {
+        /// R; none where it is one.
+        turn: Option<[[T; A]; A]>,
+        /// By how much (rad) its outboard side is ahead; not at all in increments.
+        ahead: [T; A],
+    },
+}
+
+impl<T: Scalar, const N: usize, const A: usize> Link<T, N, A> {
+    /// A joint that changes nothing, as that of the root, which the boundary conditions speak for.
+    pub fn nothing() -> Self {
+        Self::Rigid { turn: None, ahead: [T::zero(); A] }
+    }
+}
+
+/// What is known at an end: along each of H orthonormal directions of p either the motion or the force.
+#[derive(Clone, Copy, Debug)]
+pub struct End<T, const H: usize> {
+    /// The directions.
+    pub axes: [[T; H]; H],
+    /// Along which the motion is known.
+    pub held: [bool; H],
+    /// What is known there: a component of p, or of the force and torque (q, m) at the end.
+    pub known: [T; H],
+}
+
+impl<T: Scalar, const H: usize> End<T, H> {
+    /// An end along the axes of the ground.
+    pub fn along_axes(held: [bool; H], known: [T; H]) -> Self {
+        let axes = core::array::from_fn(|i| core::array::from_fn(|j| if i == j { T::one() } else { T::zero() }));
+        Self { axes, held, known }
+    }
+
+    /// An end that nothing holds and nothing pulls.
+    pub fn free() -> Self {
+        Self::along_axes([false; H], [T::zero(); H])
+    }
+
+    /// Whether anything holds it.
+    pub fn is_held(&self) -> bool {
+        self.held.iter().any(|held| *held)
+    }
+
+    /// Directions that are not orthonormal axes yet made such: those given are held.
+    pub fn holding(directions: &[[T; H]], known: &[T]) -> Self {
+        let mut end = Self::free();
+        let mut count = 0;
+        for (direction, known) in directions.iter().zip(known).take(H) {
+            (end.axes[count], end.held[count], end.known[count]) = (*direction, true, *known);
+            count += 1;
+        }
+        // The rest: of the unit vectors, those that lie farthest from what is there (Gram and Schmidt).
+        while count < H {
+            let left = (0..H).map(|k| {
+                let unit: [T; H] = core::array::from_fn(|i| if i == k { T::one() } else { T::zero() });
+                end.axes[..count].iter().fold(unit, |rest, axis| {
+                    let along = dot(&unit, axis);
+                    core::array::from_fn(|i| rest[i] - along * axis[i])
+                })
+            });
+            let longest = left.reduce(|a, b| if dot(&b, &b).real() > dot(&a, &a).real() { b } else { a });
+            let rest = longest.unwrap_or([T::zero(); H]);
+            let length = dot(&rest, &rest).sqrt().recip();
+            (end.axes[count], end.held[count], end.known[count]) = (rest.map(|x| x * length), false, T::zero());
+            count += 1;
+        }
+        end
+    }
+}
+
+/// a · b.
+pub fn dot<T: Scalar, const H: usize>(a: &[T; H], b: &[T; H]) -> T {
+    (0..H).fold(T::zero(), |sum, i| sum + a[i] * b[i])
+}
+
+/// The place in f = (m, q) of what is conjugate to entry `k` of p.
+pub fn conjugate<const P: usize, const A: usize>(k: usize) -> usize {
+    if k < P { A + k } else { k - P }
+}
+
+/// The inverse of a number or of three by three, by cofactors: not finite where it is singular.
+pub fn inverse<T: Scalar, const A: usize>(a: &[[T; A]; A]) -> [[T; A]; A] {
+    if A == 1 {
+        return a.map(|row| row.map(T::recip));
+    }
+    let minor = |i: usize, j: usize| {
+        let (i1, i2, j1, j2) = ((i + 1) % A, (i + 2) % A, (j + 1) % A, (j + 2) % A);
+        a[i1][j1] * a[i2][j2] - a[i1][j2] * a[i2][j1]
+    };
+    let determinant = (0..A).fold(T::zero(), |sum, j| sum + a[0][j] * minor(0, j));
+    let reciprocal = determinant.recip();
+    core::array::from_fn(|i| core::array::from_fn(|j| minor(j, i) * reciprocal))
 }

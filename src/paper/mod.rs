@@ -1,6 +1,6 @@
 //! The formulation of 2005, equation by equation: the displacement-level method as X. Rui, B. He, Y. Lu, W. Lu and G. Wang print it
-//! (*Discrete Time Transfer Matrix Method for Multibody System Dynamics*, Multibody System Dynamics 14, 2005), in the plane, with its
-//! corrections marked where they stand; of space, its [matrices](spatial).
+//! (*Discrete Time Transfer Matrix Method for Multibody System Dynamics*, Multibody System Dynamics 14, 2005), in the plane, and in
+//! [space](spatial), with its corrections marked where they stand.
 //!
 //! It runs the same scenes as the rest of this crate, and nothing in the rest of this crate knows of it. It is here to be read beside the
 //! paper, to be compared with, and to be warned of: see [what it is good for](#what-it-is-good-for).
@@ -42,9 +42,9 @@
 //! | (18)-(32) | [`rigid_body`], [`lumped_mass`] |
 //! | (33)-(35) | [`rotary_hinge`], [`linear_hinge`] |
 //! | (36)-(40) | [`smooth_pin`] |
-//! | section 4 | [`Scheme`], [`Run`] |
+//! | section 4 | [`Scheme`], [`Run`], in the plane and in space |
 //! | section 5.5 | [`Solver::Riccati`] |
-//! | (5)-(12), (18)-(40) in space | [`spatial`]: matrices only |
+//! | (5)-(12), (18)-(40) in space | [`spatial`]; [`Slots`] |
 //! | (41)-(46) | `examples/paper_example_5.rs` |
 //! | (47)-(60), loops, branches and networks | not here |
 //!
@@ -104,7 +104,9 @@
 //! For anything but comparison use the crate's own [`simulate`](crate::simulate); for stiff hinges its
 //! [`GeneralizedAlpha`] at acceleration level, which costs less a step.
 //!
-//! Runs ask for feature `alloc`; rules and matrices do not. Tips are free.
+//! Runs ask for feature `alloc`; rules and matrices do not. Ends may be free, pinned, clamped or guided in the plane, roots free, pinned or
+//! clamped and tips free or pinned in space: boundary conditions of an overall equation ask for nothing else. Joints are pins, balls,
+//! welds and hinges with rotary springs. [`JointScheme`] runs chains in the plane with free tips.
 
 mod body;
 mod collocation;
@@ -112,14 +114,16 @@ mod expansion;
 mod hinge;
 #[cfg(feature = "alloc")]
 mod joints;
-#[cfg(feature = "alloc")]
 mod link;
 mod multistep;
 mod newmark;
+mod orient;
 #[cfg(feature = "alloc")]
 mod parts;
 mod pin;
+mod plane;
 #[cfg(feature = "alloc")]
+mod plane_scene;
 mod product;
 #[cfg(feature = "alloc")]
 mod riccati;
@@ -142,6 +146,6 @@ pub use newmark::{Newmark, hht_alpha};
 pub use pin::{is_percussive, smooth_pin};
 pub use rule::{Coordinate, Linearization, Rule};
 #[cfg(feature = "alloc")]
-pub use scene::{Item, Scene, Spring};
+pub use scene::{Scene, Slots};
 #[cfg(feature = "alloc")]
 pub use scheme::{Run, Scheme, Solver};

@@ -3,32 +3,50 @@
 //! For short chains and not too short steps: entries of the product grow like exp(L (ρA χ₁ / 4EI)^¼) while states stay bounded, so
 //! that *smaller* steps lose *more* digits.
 
-use super::hinge::rotary_hinge;
-use super::link::{Base, Link};
-use super::pin::smooth_pin;
-use crate::error::{Error, Fault};
-use crate::planar::index::{M, ONE, QX, QY, THETA, X, Y};
+use super::link::{End, Law, Link, conjugate};
+use crate::error::{Error, Fault, Place};
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};
 use crate::transfer::solve_dense;
 use num_traits::Zero;
 
+/// How a space forms (35) and (40).
+pub trait Hinges<T: Scalar, const N: usize, const A: usize> {
+    /// (35), rotary part.
+    fn elastic(law: &Law<T, A>) -> TransferMatrix<T, N>;
+    /// (36) to (40), from the matrix of the section outboard, the torques in this joint and at the section's end, and the size of
+    /// its inertia.
+    ///
+    /// # Errors
+    /// [`Fault::CentreOfPercussion`].
+    fn smooth(
+        section: &TransferMatrix<T, N>,
+        torques: [[T; A]; 2],
+        inertia: T::Real,
+    ) -> Result<TransferMatrix<T, N>, Error>;
+}
+
 /// Solves a chain by the product of its matrices, which it leaves in `matrices` (that of the root's joint is left out); writes the
 /// states of all stations, the inboard ends of all links and the tip.
 ///
 /// # Errors
-/// [`Fault::CentreOfPercussion`] at a pin that has no matrix.
-pub fn solve<T: Scalar>(
-    links: &[Link<T>],
-    base: Base<T>,
-    matrices: &mut [TransferMatrix<T, 7>],
-    states: &mut [StateVector<T, 7>],
-) -> Result<TransferMatrix<T, 7>, Error> {
+/// [`Fault::CentreOfPercussion`] at a pin or ball that has no matrix; [`Fault::Unsupported`] at a tip whose torque (40) would need to know.
+pub fn solve<X, T, const N: usize, const H: usize, const P: usize, const A: usize>(
+    links: &[Link<T, N, A>],
+    [root, tip]: [&End<T, H>; 2],
+    matrices: &mut [TransferMatrix<T, N>],
+    states: &mut [StateVector<T, N>],
+) -> Result<(), Error>
+where
+    T: Scalar,
+    X: Hinges<T, N, A>,
+{
     let identity = TransferMatrix::identity();
+    let zero = T::zero();
     // (17), from the tip inward; the section is the product up to the next pin outboard, sections 3.4.1 to 3.4.3.
     let (mut whole, mut section) = (identity, identity);
-    let (mut inertia, mut outer_torque) = (T::Real::zero(), T::zero());
-    let (mut bodies, mut percussive) = (0, false);
+    let (mut inertia, mut outer_torque) = (T::Real::zero(), [zero; A]);
+    let (mut bodies, mut percussive, mut ends) = (0, false, false);
     for (k, link) in links.iter().enumerate().skip(1).rev() {
         let matrix = match link {
             Link::Body { matrix, inertia: own, percussive: alone } => {
@@ -37,20 +55,37 @@ pub fn solve<T: Scalar>(
                 percussive = *alone;
                 *matrix
             }
-            Link::Turning { law, smooth: false } => rotary_hinge(law),
+            Link::Turning { law, smooth: false } => X::elastic(law),
             Link::Turning { law, smooth: true } => {
+                let clamped = tip
+                    .axes
+                    .iter()
+                    .zip(tip.held)
+                    .any(|(axis, held)| held && axis[P..].iter().any(|x| x.real() != T::Real::zero()));
+                if clamped && !ends {
+                    let what = "a smooth joint next to a tip that is clamped, by the product: solve by Riccati";
+                    return Err(Error::new(Fault::Unsupported { what }).at_station(k - 1));
+                }
+                ends = true;
                 let singular = Error::new(Fault::CentreOfPercussion);
                 let pin = if bodies == 1 && percussive {
                     Err(singular)
                 } else {
-                    smooth_pin(&section, [law.offset, outer_torque], inertia)
+                    X::smooth(&section, [law.offset, outer_torque], inertia)
                 };
                 outer_torque = law.offset;
                 pin.map_err(|error| error.at_station(k - 1))?
             }
-            Link::Rigid(angle) => {
+            Link::Rigid { turn, ahead } => {
                 let mut matrix = identity;
-                matrix[(THETA, ONE)] = *angle;
+                for i in 0..A {
+                    matrix[(P + i, N - 1)] = ahead[i];
+                    if let Some(turn) = turn {
+                        for j in 0..A {
+                            matrix[(P + i, P + j)] = turn[i][j];
+                        }
+                    }
+                }
                 matrix
             }
         };
@@ -63,42 +98,43 @@ pub fn solve<T: Scalar>(
         }
     }
 
-    // Step 5: what the ends leave unknown, from the tip's m = q = 0. Everything known goes into z, zeros stand for the rest.
-    let zero = T::zero();
-    let mut z = StateVector::new([zero, zero, zero, zero, zero, zero, T::one()]);
-    let unknown = match (base, links.first()) {
-        (Base::Free([m, qx, qy]), _) => {
-            (z[M], z[QX], z[QY]) = (-m, -qx, -qy);
-            [X, Y, THETA]
+    // Step 5: what the ends leave unknown. Everything known of the root goes into z, zeros stand for the rest.
+    let mut z = StateVector::new([zero; N]);
+    z[N - 1] = T::one();
+    // Along a direction of the root: a state of motion, or of force.
+    let along = |k: usize, force: bool| {
+        let mut basis = StateVector::<T, N>::new([zero; N]);
+        for (i, x) in root.axes[k].iter().enumerate() {
+            basis[if force { H + conjugate::<P, A>(i) } else { i }] = *x;
         }
-        (Base::Held([x, y, _]), Some(Link::Turning { law, .. })) => {
-            (z[X], z[Y], z[M]) = (x, y, law.offset);
-            [THETA, QX, QY]
-        }
-        (Base::Held([x, y, angle]), first) => {
-            let ahead = if let Some(Link::Rigid(ahead)) = first { *ahead } else { zero };
-            (z[X], z[Y], z[THETA]) = (x, y, angle + ahead);
-            [M, QX, QY]
-        }
+        basis
     };
-    let left = whole * z;
-    let rows = [M, QX, QY];
+    for k in 0..H {
+        let (known, basis) = (root.known[k], along(k, !root.held[k]));
+        (0..2 * H).for_each(|i| z[i] += known * basis[i]);
+    }
+    // What is known along a direction of the tip.
+    let read = |k: usize, state: &StateVector<T, N>| {
+        let axis = &tip.axes[k];
+        (0..H).fold(zero, |sum, i| sum + axis[i] * state[if tip.held[k] { i } else { H + conjugate::<P, A>(i) }])
+    };
+    let reached = whole * z;
+    let moved: [StateVector<T, N>; H] = core::array::from_fn(|k| whole * along(k, root.held[k]));
     // m at the tip is that of its free end, which an applied torque cannot change: section 3.4.2.
-    let a = rows.map(|row| unknown.map(|column| whole[(row, column)]));
-    let found = solve_dense(a, rows.map(|row| -left[row])).ok_or(Error::new(Fault::SingularTransfer))?;
-    for (index, value) in unknown.into_iter().zip(found) {
-        z[index] = value;
+    let a = core::array::from_fn(|row| core::array::from_fn(|k| read(row, &moved[k])));
+    let b = core::array::from_fn(|row| tip.known[row] - read(row, &reached));
+    let singular = Error::new(Fault::SingularTransfer).at(Place::Root);
+    let found: [T; H] = solve_dense(a, b).ok_or(singular)?;
+    for (k, found) in found.into_iter().enumerate() {
+        let basis = along(k, root.held[k]);
+        (0..2 * H).for_each(|i| z[i] += found * basis[i]);
     }
     // Step 6, (15).
-    if let Base::Held([x, y, angle]) = base {
-        states[0] = StateVector::new([x, y, angle, z[M], z[QX], z[QY], T::one()]);
-    } else {
-        states[0] = z;
-    }
+    states[0] = z;
     for k in 1..links.len() {
         states[k] = z;
         z = matrices[k] * z;
     }
     states[links.len()] = z;
-    Ok(whole)
+    Ok(())
 }

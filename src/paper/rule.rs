@@ -79,6 +79,11 @@ pub trait Rule<T: Scalar>: Copy + Debug {
         false
     }
 
+    /// Whether it remembers values of steps before the last, so that a coordinate cannot be counted from another zero in each step.
+    fn looks_back(&self) -> bool {
+        false
+    }
+
     /// The memory of a coordinate that starts with these values, before its first step of size `dt` (s).
     fn remember(&self, value: T, rate: T, acceleration: T, dt: T::Real) -> Self::Memory;
 

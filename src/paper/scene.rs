@@ -1,213 +1,133 @@
 //! A scene read element by element: what section 2.2 calls the discretisation of a system.
 
-use super::body::{External, Rigid};
-use crate::element::{Coordinates, Element, Loading, Space, Visit};
-use crate::ends::{Pairs, Root, Tip};
-use crate::error::{Error, Fault, Place};
-use crate::mirror::{Position, Rate};
-use crate::planar::{BodyMotion, Frame, JointMotion, Planar};
-use crate::relation::{Open, Term};
-use crate::scalar::{Real, Scalar};
-use crate::system::{MotionOf, Runs, System};
+use super::link::End;
+use super::orient::Orient;
+use super::parts::Item;
+use crate::element::{Coordinates, Element, Space, Visit};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::scalar::Scalar;
+use crate::system::{MotionOf, System};
 use alloc::vec::Vec;
-use nalgebra::Vector2;
-use num_traits::Zero;
 
-/// A body or a joint of a scene, and how it moves at the start.
-#[derive(Clone, Copy, Debug)]
-pub enum Item<T> {
-    /// A body.
-    Body(BodyMotion<T>),
-    /// A joint and the law of its spring.
-    Joint(JointMotion<T>, Spring<T>),
+/// What a scene is read as.
+#[derive(Clone, Debug)]
+pub struct Chain<T: Scalar, E: Orient<T, N, P, A>, const N: usize, const P: usize, const A: usize> {
+    /// Time (s) of the motion it was read from.
+    pub time: T::Real,
+    /// Its elements, the root's joint first.
+    pub items: Vec<Item<T, E, N, P, A>>,
+    /// The direction, in axes of the ground, along which the root is guided.
+    pub guide: Option<[T; P]>,
 }
 
-/// The law of a linear rotary spring and damper: m = k′φ − k′φ₀ + c′φ̇.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spring<T> {
-    /// k′ (N·m/rad).
-    pub stiffness: T,
-    /// c′ (N·m·s/rad).
-    pub damping: T,
-    /// k′φ₀ (N·m).
-    pub preload: T,
-}
-
-/// A planar scene that this formulation can run: a chain with a free tip. One implementor, [`System`], whose bounds are long.
-pub trait Scene<T: Scalar, L> {
+/// A scene that this formulation can run: a chain whose places at the ends are held, guided or free. One implementor, the
+/// [`System`](crate::system::System) of either space, whose bounds are long.
+pub trait Scene<T: Scalar, L, const N: usize, const H: usize, const P: usize, const A: usize> {
     /// Its motion.
     type Motion;
-    /// Whether the ground holds the root.
+    /// Its orientations.
+    type Orient: Orient<T, N, P, A>;
+    /// Whether the ground holds the root, and where it does not guide it.
     const HELD: bool;
+    /// Whether the ground holds the root along some directions of a plane and lets it go along others.
+    const GUIDED: bool;
 
     /// The ground at the root.
-    fn ground(&self, time: T::Real) -> Frame<T>;
-    /// Gravity (m/s²).
-    fn gravity(&self) -> Vector2<T>;
-    /// Time (s) and elements of a motion, the root's joint first, with the accelerations that positions, rates and loads cause: a start
-    /// from zero accelerations would not be one.
+    fn ground(&self, time: T::Real) -> <Self::Orient as Orient<T, N, P, A>>::Frame;
+    /// The root's directions.
+    fn root(&self, guide: Option<[T; P]>, ground: &<Self::Orient as Orient<T, N, P, A>>::Frame) -> End<T, H>;
+    /// What is known at the tip, in absolute coordinates.
+    fn tip(&self, time: T::Real) -> End<T, H>;
+    /// Elements of a motion with the accelerations that positions, rates and loads cause: a start from zero accelerations would not be
+    /// one.
     ///
     /// # Errors
-    /// As [`System::with_accelerations`]; [`Fault::Unsupported`] for elements that the paper's matrices cannot say.
-    fn items(&self, motion: &Self::Motion, loads: &L) -> Result<(T::Real, Vec<Item<T>>), Error>;
+    /// As [`System::with_accelerations`](crate::system::System::with_accelerations);
+    /// [`Fault::Unsupported`](crate::Fault::Unsupported) for what the paper's matrices cannot say.
+    fn chain(&self, motion: &Self::Motion, loads: &L, slots: Slots) -> Result<Chain<T, Self::Orient, N, P, A>, Error>;
+    /// f_C and m_C of a body, gravity among them.
+    fn external(
+        &self,
+        loads: &L,
+        time: T::Real,
+        number: usize,
+        body: &<Self::Orient as Orient<T, N, P, A>>::Motion,
+    ) -> <Self::Orient as Orient<T, N, P, A>>::External;
+    /// The torque applied in a joint, ON the outboard body (N·m), between two bodies or the ground and one.
+    fn effort(
+        &self,
+        loads: &L,
+        time: T::Real,
+        number: usize,
+        sides: [Option<&<Self::Orient as Orient<T, N, P, A>>::Motion>; 2],
+        ground: &<Self::Orient as Orient<T, N, P, A>>::Frame,
+    ) -> [T; A];
 }
 
-impl<T, R, C, P, L> Scene<T, L> for System<Planar<T>, R, C, P>
-where
-    T: Scalar,
-    R: Root<Planar<T>>,
-    C: Element<Planar<T>>,
-    P: Tip<Planar<T>, Closures = Open>,
-    L: Loading<Planar<T>>,
-    Self: Runs<L, Planar<T>, R, C, P>,
-{
-    type Motion = MotionOf<Planar<T>, R, C, P>;
-    // Plane ends that hold a place are pins and clamps: what they leave free, their joint lets go.
-    const HELD: bool = R::Pairs::MOTION[0];
-
-    fn ground(&self, time: T::Real) -> Frame<T> {
-        System::ground(self, time)
-    }
-
-    fn gravity(&self) -> Vector2<T> {
-        System::gravity(self)
-    }
-
-    fn items(&self, motion: &Self::Motion, loads: &L) -> Result<(T::Real, Vec<Item<T>>), Error> {
-        if R::Pairs::MOTION.first() != R::Pairs::MOTION.get(1) {
-            return Err(Error::new(Fault::Unsupported { what: "a root that is guided" }).at(Place::Root));
-        }
-        if L::SURVEYS {
-            return Err(Error::new(Fault::Unsupported { what: "loads between bodies" }));
-        }
-        let motion = self.with_accelerations(motion.clone(), loads)?;
-        // A spring is linear, so three looks tell its law.
-        let look = |angle: T, rate: T| {
-            let mut probe = motion.clone();
-            probe.position_mut().replace(&mut |_| angle);
-            probe.rate_mut().replace(&mut |_| rate);
-            trace(self, &probe)
-        };
-        let (zero, one) = (T::zero(), T::one());
-        let (rest, turned, turning) = (look(zero, zero), look(one, zero), look(zero, one));
-        let mut items = trace(self, &motion);
-        check(&items, &turned)?;
-        for (item, looks) in items.iter_mut().zip(rest.iter().zip(turned.iter().zip(&turning))) {
-            if let (Item::Joint(_, law), (Item::Joint(rest, _), (Item::Joint(turned, _), Item::Joint(turning, _)))) =
-                (item, looks)
-            {
-                let preload = rest.spring.torque;
-                *law = Spring {
-                    stiffness: preload - turned.spring.torque,
-                    damping: preload - turning.spring.torque,
-                    preload,
-                };
-            }
-        }
-        Ok((motion.time(), items))
-    }
+/// What stands in the slot of the angles in space. In the plane both are the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Slots {
+    /// The space-three-angles 1-2-3 of section 2.1, as printed: singular at θ₂ = ±90°.
+    #[default]
+    Angles,
+    /// The rotation vector of the step, A(t_i) = A(t_{i−1}) exp ψ̃, with ω = χ₃ψ + χ₄ and ω̇ = χ₁ψ + χ₂ in body axes: (3) and (4) hold
+    /// as printed with ψ(t_{i−1}) = 0, and no orientation is singular.
+    RotationVectors,
 }
 
-fn trace<T, R, C, P>(system: &System<Planar<T>, R, C, P>, motion: &MotionOf<Planar<T>, R, C, P>) -> Vec<Item<T>>
+/// A body or a joint that a walk met.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Met<S: Space> {
+    Body(S::BodyMotion),
+    Joint(S::JointMotion),
+}
+
+/// The elements of a motion, the root's joint first.
+///
+/// # Errors
+/// [`Fault::Unsupported`] where an arm leaves the chain.
+pub(super) fn trace<S, R, C, P>(
+    system: &System<S, R, C, P>,
+    motion: &MotionOf<S, R, C, P>,
+) -> Result<Vec<Met<S>>, Error>
 where
-    T: Scalar,
-    R: Root<Planar<T>>,
-    C: Element<Planar<T>>,
-    P: Tip<Planar<T>>,
+    S: Space,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
 {
     let chain = system.elements();
     let (position, rate, acceleration) = (motion.position(), motion.rate(), motion.acceleration());
-    let mut list = List(Vec::with_capacity(chain.bodies() + chain.joints()));
+    let mut list = List::<S> { met: Vec::with_capacity(chain.bodies() + chain.joints()), arm: None };
     let coordinates = Coordinates { position, rate, acceleration };
-    chain.travel(
-        system.ground(motion.time()),
-        coordinates,
-        &mut list,
-        &mut chain.per_body(()),
-        &mut chain.per_joint(()),
-    );
-    list.0
-}
-
-/// Refuses what (32) to (40) cannot say: elements that do not follow each other, and joints whose points part.
-fn check<T: Scalar>(items: &[Item<T>], turned: &[Item<T>]) -> Result<(), Error> {
-    let unsupported = |what, k: usize| Err(Error::new(Fault::Unsupported { what }).at_station(k.saturating_sub(1)));
-    let mut last = None;
-    for (k, (item, turned)) in items.iter().zip(turned).enumerate() {
-        let (inboard, outboard) = match item {
-            Item::Body(body) => (body.inboard, body.outboard()),
-            Item::Joint(joint, _) => (joint.inboard, joint.outboard),
-        };
-        if last.is_some_and(|place: Vector2<T>| place != inboard.place) {
-            return unsupported("a chain that branches", k);
-        }
-        last = Some(outboard.place);
-        if let Item::Joint(joint, _) = turned {
-            // Not finite where a long chain was turned beyond the range of sines, which says nothing.
-            let apart = joint.outboard.place - joint.inboard.place;
-            if k > 0 && (apart.x.real().abs() > T::Real::zero() || apart.y.real().abs() > T::Real::zero()) {
-                return unsupported("a joint whose points part", k);
-            }
-        }
+    let ground = system.ground(motion.time());
+    chain.travel(ground, coordinates, &mut list, &mut chain.per_body(()), &mut chain.per_joint(()));
+    match list.arm {
+        Some(station) => Err(Error::new(Fault::Unsupported { what: "a chain that branches" }).at_station(station)),
+        None => Ok(list.met),
     }
-    Ok(())
 }
 
 /// Writes down what it meets.
-struct List<T>(Vec<Item<T>>);
+struct List<S: Space> {
+    met: Vec<Met<S>>,
+    /// The station where an arm leaves.
+    arm: Option<usize>,
+}
 
-impl<T: Scalar> Visit<Planar<T>> for List<T> {
+impl<S: Space> Visit<S> for List<S> {
     type OnBody = ();
     type InJoint = ();
 
-    fn body(&mut self, body: &BodyMotion<T>) {
-        self.0.push(Item::Body(*body));
+    fn body(&mut self, body: &S::BodyMotion) {
+        self.met.push(Met::Body(*body));
     }
-    fn joint(&mut self, joint: &JointMotion<T>) {
-        let none = T::zero();
-        self.0.push(Item::Joint(*joint, Spring { stiffness: none, damping: none, preload: none }));
+    fn joint(&mut self, joint: &S::JointMotion) {
+        self.met.push(Met::Joint(*joint));
     }
-}
-
-impl<T: Scalar> Rigid<T> {
-    /// What is constant in a body that moves.
-    pub fn of(body: &BodyMotion<T>) -> Self {
-        // The arm in body axes.
-        let (arm, [c, s]) = (body.arm, [body.direction.x, body.direction.y]);
-        Self { inertia: body.inertia, outboard: [c * arm.x + s * arm.y, c * arm.y - s * arm.x] }
+    fn enter_arm(&mut self) {
+        // Stations are counted from the first element outboard of the root's joint.
+        self.arm = self.arm.or(Some(self.met.len().saturating_sub(1)));
     }
-
-    /// This body with its inboard end at `frame`, its axes along (`s`, `c`).
-    pub(super) fn moving(&self, frame: Frame<T>, [s, c]: [T; 2]) -> BodyMotion<T> {
-        let zero = Vector2::new(T::zero(), T::zero());
-        let inertia = self.inertia;
-        let still = BodyMotion { inboard: frame, arm: zero, to_centre: zero, direction: Vector2::new(c, s), inertia };
-        BodyMotion { arm: still.turned(self.outboard), to_centre: still.turned(inertia.centre), ..still }
-    }
-}
-
-/// f_C and m_C of a body under a load and gravity.
-pub(super) fn external<T: Scalar, L: Loading<Planar<T>>>(
-    body: &BodyMotion<T>,
-    gravity: Vector2<T>,
-    load: L::OnBody,
-) -> External<T> {
-    use crate::element::Load;
-    let nothing = Planar::<T>::no_force();
-    let mut station = Planar::end_station(&body.inboard, nothing);
-    load.act(&mut station);
-    // The balance of a station without mass shows what acts there: −f, and the torque about the inboard end.
-    let shown = Planar::balance(&mut station, nothing);
-    let force = -shown.force;
-    let torque = shown.torque - (body.to_centre.x * force.y - body.to_centre.y * force.x);
-    let total = force + gravity * body.inertia.mass;
-    External { force: [total.x, total.y], torque }
-}
-
-/// The torque applied in a joint, ON the outboard body (N·m).
-pub(super) fn applied<T: Scalar, L: Loading<Planar<T>>>(torque: L::InJoint) -> T
-where
-    L::InJoint: Term<T>,
-{
-    torque.add_to(T::zero())
 }

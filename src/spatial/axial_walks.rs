@@ -87,7 +87,9 @@ fn moved<T: Scalar, J: Axial<T, K>, const K: usize>(
     };
     let padded = |list: [T; K]| core::array::from_fn(|k| if k < K { list[k] } else { T::zero() });
     let energy = joint.energy(position.list());
-    JointMotion { inboard, outboard, position: padded(position.list()), rate: padded(rate.list()), energy }
+    let (position, rate) = (position.list(), rate.list());
+    let effort = padded(core::array::from_fn(|k| joint.force_onto(k, position[k], rate[k], T::zero())));
+    JointMotion { inboard, outboard, position: padded(position), rate: padded(rate), effort, energy }
 }
 
 /// An acceleration with a coordinate's added.

@@ -58,7 +58,8 @@ impl<T: Scalar> Joint<T> for Ball {
         let angular = attitude.apply(Vector3::from(*acceleration));
         let outboard = Frame { turn, acceleration: Acceleration { angular, ..inboard.acceleration }, ..inboard };
         let relative = attitude.transposed(turn.spin - inboard.turn.spin);
-        JointMotion { inboard, outboard, position: [T::zero(); 3], rate: relative.into(), energy: T::zero() }
+        let none = [T::zero(); 3];
+        JointMotion { inboard, outboard, position: none, rate: relative.into(), effort: none, energy: T::zero() }
     }
     #[inline(always)]
     fn recovered<C: Closures>(

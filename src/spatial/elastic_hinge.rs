@@ -204,7 +204,8 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
         let (turn, (attitude, [_, bias])) = self.oriented(position, rate, inboard.turn);
         let angular = attitude.apply_onto(Vector3::from(*acceleration), inboard.acceleration.angular + bias);
         let outboard = Frame { turn, acceleration: Acceleration { angular, ..inboard.acceleration }, ..inboard };
-        JointMotion { inboard, outboard, position: position.log(), rate: *rate, energy: self.rotary.energy(position) }
+        let (effort, energy) = (self.rotary.torque(position, rate).into(), self.rotary.energy(position));
+        JointMotion { inboard, outboard, position: position.log(), rate: *rate, effort, energy }
     }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()

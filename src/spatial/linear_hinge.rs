@@ -231,7 +231,8 @@ where
         let velocity = cross_onto(inboard.turn.spin, arm, inboard.velocity + sliding);
         let energy = self.rotary.energy(&position.1) + self.linear.energy(position.0);
         let outboard = Frame { place, velocity, turn, acceleration };
-        JointMotion { inboard, outboard, position: position.1.log(), rate: rate.1, energy }
+        let effort = self.rotary.torque(&position.1, &rate.1).into();
+        JointMotion { inboard, outboard, position: position.1.log(), rate: rate.1, effort, energy }
     }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()?;

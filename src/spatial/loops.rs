@@ -32,7 +32,15 @@ impl<T: Scalar, A, K> ClosedLoop<T, A, K> {
 
 fn joint<T: Scalar>(side: &Frame<T>, main: &Frame<T>) -> JointMotion<T> {
     let relative = main.turn.attitude.transposed(main.turn.spin - side.turn.spin);
-    JointMotion { inboard: *side, outboard: *main, position: [T::zero(); 3], rate: relative.into(), energy: T::zero() }
+    let none = [T::zero(); 3];
+    JointMotion {
+        inboard: *side,
+        outboard: *main,
+        position: none,
+        rate: relative.into(),
+        effort: none,
+        energy: T::zero(),
+    }
 }
 
 /// The pull of forces along x, y and z.

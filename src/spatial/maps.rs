@@ -14,7 +14,7 @@ const TERMS: usize = 16;
 
 /// 1 − x²/((n + 1)(n + 2)) · (1 − x²/((n + 3)(n + 4)) · (…)): cos x for n = 0, sin x / x for n = 1.
 #[inline(always)]
-fn alternating<T: Scalar>(square: T, n: usize) -> T {
+pub(crate) fn alternating<T: Scalar>(square: T, n: usize) -> T {
     (0..TERMS).rev().fold(T::one(), |sum, k| {
         let (a, b) = ((n + 2 * k + 1) as f64, (n + 2 * k + 2) as f64);
         (square * sum).scale(T::Real::of(-1.0 / (a * b))) + T::one()
@@ -108,7 +108,7 @@ pub fn inverse_tangent<T: Scalar>(psi: [T; 3], spin: [T; 3]) -> [T; 3] {
 /// The gradient of V(φ), φ = log R, for turns of the outboard body in axes of the inboard one, where ∂V/∂φ = `force`:
 /// (1 + ½ φ~ + c φ~²) ∂V/∂φ. It is conservative, and objective, which K times angles would not be.
 #[inline(always)]
-pub(super) fn spring_couple<T: Scalar>(phi: Vector3<T>, force: Vector3<T>) -> Vector3<T> {
+pub(crate) fn spring_couple<T: Scalar>(phi: Vector3<T>, force: Vector3<T>) -> Vector3<T> {
     with_crosses(phi, T::literal(0.5), Half::of(phi).cotangent(), force)
 }
 
@@ -116,7 +116,7 @@ pub(super) fn spring_couple<T: Scalar>(phi: Vector3<T>, force: Vector3<T>) -> Ve
 /// (1 + ½ φ~ + c φ~²) ∂V/∂φ by φ, times dφ = (1 − ½ φ~ + c φ~²) dψ, for ∂²V/∂φ² = diag(`stiffness`). It serves as the slope of an
 /// implicit sweep, which does without the change of c, of third order in φ.
 #[inline(always)]
-pub(super) fn spring_slope<T: Scalar>(phi: Vector3<T>, stiffness: Vector3<T>, force: Vector3<T>) -> Symmetric3<T> {
+pub(crate) fn spring_slope<T: Scalar>(phi: Vector3<T>, stiffness: Vector3<T>, force: Vector3<T>) -> Symmetric3<T> {
     let (half, c) = (T::literal(0.5), Half::of(phi).cotangent());
     let work = dot(phi, force) * c;
     let column = |e: Vector3<T>| {

@@ -58,7 +58,8 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     #[inline(always)]
     fn moved(&self, inboard: Frame<T>, (): &(), (): &(), (): &()) -> JointMotion<T> {
         let outboard = Frame { turn: self.oriented(&(), &(), inboard.turn).0, ..inboard };
-        JointMotion { inboard, outboard, position: [T::zero(); 3], rate: [T::zero(); 3], energy: T::zero() }
+        let none = [T::zero(); 3];
+        JointMotion { inboard, outboard, position: none, rate: none, effort: none, energy: T::zero() }
     }
     fn check(&self) -> Result<(), Fault> {
         let Columns { x, y, z } = self.attitude;

@@ -118,6 +118,11 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         self.root.ground(time)
     }
 
+    /// The far end.
+    pub(crate) fn tip_end(&self) -> &P {
+        &self.tip
+    }
+
     /// Where a sweep at a time takes place.
     pub(crate) fn site<'l, L>(&'l self, time: RealOf<S>, loads: &'l L) -> Site<'l, S, P, L> {
         Site { ground: self.root.ground(time), gravity: self.gravity, tip: &self.tip, loads, time }

@@ -2,24 +2,21 @@
 
 use super::JointRun;
 use super::balance::Balance;
-use crate::element::Loading;
+use crate::paper::expansion::Expansion;
 use crate::paper::hinge::Rotary;
 use crate::paper::link::Link;
 use crate::paper::parts::Part;
 use crate::paper::rule::Rule;
-use crate::paper::scene::{Scene, applied, external};
-use crate::planar::{Frame, JointMotion, Planar, SpringState, Turn};
-use crate::relation::Term;
+use crate::paper::scene::Scene;
+use crate::planar::{Frame, Turn};
 use crate::scalar::Scalar;
 use crate::state::StateVector;
-use nalgebra::Vector2;
 use num_traits::Zero;
 
 impl<T, S, L, D> JointRun<'_, T, S, L, D>
 where
     T: Scalar,
-    S: Scene<T, L>,
-    L: Loading<Planar<T>, InJoint: Term<T>>,
+    S: Scene<T, L, 7, 3, 2, 1, Orient = Expansion<T>>,
     D: Rule<T>,
 {
     /// Kinematics, root to tip.
@@ -47,9 +44,9 @@ where
                     continue;
                 }
             };
-            let step = rule.linearize(&body.angle, dt);
-            frame.turn = Turn { angle: body.angle.value + body.found, rate: step.rate_at(body.found) };
-            frame.acceleration.angular = step.acceleration_at(body.found);
+            let step = rule.linearize(&body.angles[0], dt);
+            frame.turn = Turn { angle: body.angles[0].value + body.found[0], rate: step.rate_at(body.found[0]) };
+            frame.acceleration.angular = step.acceleration_at(body.found[0]);
             if clamped {
                 // A rule would make vibration of a turn that is given.
                 (frame.turn.rate, frame.acceleration.angular) = (ground.turn.rate, ground.acceleration.angular);
@@ -63,10 +60,9 @@ where
 
     /// Forces of the iterate, tip to root, and the links of its increments.
     pub(super) fn linearize(&mut self, time: T::Real, before: &Frame<T>, ground: &Frame<T>) {
-        let gravity = self.scene.gravity();
         let zero = T::zero();
         self.links.clear();
-        self.links.resize(self.parts.len(), Link::Rigid(zero));
+        self.links.resize(self.parts.len(), Link::nothing());
         let (mut body_number, mut joint_number) = (self.motions.len(), self.parts.len() - self.motions.len());
         let (mut m, mut q) = (zero, [zero; 2]);
         if let Some(last) = self.motions.last() {
@@ -77,12 +73,8 @@ where
                 Part::Body(body) => {
                     body_number -= 1;
                     let motion = self.motions[body_number];
-                    let external = external::<T, L>(
-                        &motion,
-                        gravity,
-                        self.loads.on_body(&L::unseen(), time, body_number, &motion),
-                    );
-                    let chi = self.scheme.rule.linearize(&body.angle, self.dt);
+                    let external = self.scene.external(self.loads, time, body_number, &motion);
+                    let chi = self.scheme.rule.linearize(&body.angles[0], self.dt);
                     let held = self.torque_inboard(k, joint_number, body_number, time, before, ground);
                     let step = Balance { motion, external, outer: (m, q), held };
                     let (matrix, inner) = step.linearize(&body.rigid, chi.chi1, chi.chi3);
@@ -99,10 +91,10 @@ where
                     if joint.turns && (S::HELD || k > 0) {
                         let chi3 = self.parts[joint.outer]
                             .body()
-                            .map_or(T::Real::zero(), |body| self.scheme.rule.linearize(&body.angle, self.dt).chi3);
-                        let slope = joint.spring.stiffness + joint.spring.damping.scale(chi3);
+                            .map_or(T::Real::zero(), |body| self.scheme.rule.linearize(&body.angles[0], self.dt).chi3);
+                        let slope = joint.spring.stiffness[0] + joint.spring.damping[0].scale(chi3);
                         self.links[k] =
-                            Link::Turning { law: Rotary { slope, offset: zero }, smooth: joint.is_smooth() };
+                            Link::Turning { law: Rotary { slope, offset: zero }.into(), smooth: joint.is_smooth() };
                     }
                 }
             }
@@ -124,18 +116,14 @@ where
             let Part::Joint(joint) = part else { return None };
             number = number.checked_sub(1)?;
             if joint.turns {
-                let outer = self.motions.get(bodies)?.inboard;
+                let outer = self.motions.get(bodies)?;
                 let inner = bodies.checked_sub(1).and_then(|k| self.motions.get(k));
-                let turn = inner.map_or(ground.turn, |motion| motion.inboard.turn);
+                let rate = inner.map_or(ground.turn, |motion| motion.inboard.turn).rate;
                 let ahead = ground.turn.angle - before.turn.angle;
                 let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner, ahead);
-                let spring = SpringState { torque: T::zero(), energy: T::zero() };
-                let arm = Vector2::new(T::zero(), T::zero());
-                let inboard = Frame { turn, ..outer };
-                let motion = JointMotion { inboard, outboard: outer, arm, spring, turns: true };
-                let torque = applied::<T, L>(self.loads.in_joint(time, number, &motion));
-                let damping = joint.spring.damping * (outer.turn.rate - turn.rate);
-                return Some(joint.elastic + joint.spring.stiffness * strain + damping - torque);
+                let [torque] = self.scene.effort(self.loads, time, number, [inner, Some(outer)], ground);
+                let damping = joint.spring.damping[0] * (outer.rate() - rate);
+                return Some(joint.elastic[0] + joint.spring.stiffness[0] * strain + damping - torque);
             }
         }
         None

@@ -7,17 +7,16 @@
 mod balance;
 mod iterate;
 
-use crate::element::Loading;
-use crate::error::{Error, Fault};
-use crate::paper::link::{Base, Link};
-use crate::paper::parts::{Body, Joint, Part, parts};
-use crate::paper::riccati::{self, Gain, Relation};
+use crate::error::{Error, Fault, Place};
+use crate::paper::expansion::Expansion;
+use crate::paper::link::{End, Link};
+use crate::paper::parts::{Joint, Part, parts};
+use crate::paper::riccati::Room;
 use crate::paper::rule::Rule;
-use crate::paper::scene::Scene;
+use crate::paper::scene::{Chain, Scene, Slots};
 use crate::paper::scheme::positive_step;
 use crate::planar::index::{M, QX, QY, THETA, X, Y};
-use crate::planar::{BodyMotion, Frame, Planar};
-use crate::relation::Term;
+use crate::planar::{BodyMotion, Frame};
 use crate::scalar::{Real, Scalar};
 use crate::state::StateVector;
 use alloc::{vec, vec::Vec};
@@ -46,7 +45,7 @@ impl<D> JointScheme<D> {
     ///
     /// # Errors
     /// As [`Scheme::start`](super::Scheme::start).
-    pub fn start<'a, T: Scalar, S: Scene<T, L>, L>(
+    pub fn start<'a, T: Scalar, S: Scene<T, L, 7, 3, 2, 1, Orient = Expansion<T>>, L>(
         self,
         scene: &'a S,
         motion: &S::Motion,
@@ -58,7 +57,17 @@ impl<D> JointScheme<D> {
     {
         self.rule.check().map_err(Error::new)?;
         positive_step(dt)?;
-        let (time, items) = scene.items(motion, loads)?;
+        let Chain { time, items, guide } = scene.chain(motion, loads, Slots::Angles)?;
+        if guide.is_some() {
+            return Err(
+                Error::new(Fault::Unsupported { what: "a root that is guided, in joint coordinates" }).at(Place::Root)
+            );
+        }
+        if scene.tip(time).is_held() {
+            return Err(
+                Error::new(Fault::Unsupported { what: "a tip that is held, in joint coordinates" }).at(Place::Tip)
+            );
+        }
         let parts = parts(&self.rule, dt, &items);
         let n = parts.len();
         let blank = StateVector::new([T::zero(); 7]);
@@ -77,8 +86,7 @@ impl<D> JointScheme<D> {
             root,
             motions: Vec::with_capacity(n),
             links: Vec::with_capacity(n),
-            relations: vec![Relation::free(); n],
-            gains: vec![Gain::blank(); n],
+            room: Room::new(n),
             states: vec![blank; n + 1],
             stations: vec![blank; n + 1],
             parts,
@@ -96,14 +104,13 @@ pub struct JointRun<'a, T: Scalar, S, L, D: Rule<T>> {
     start: T::Real,
     steps: usize,
     sweeps: usize,
-    parts: Vec<Part<T, D::Memory>>,
+    parts: Vec<Part<T, D::Memory, Expansion<T>, 7, 2, 1>>,
     /// Acceleration of the root, where nothing holds it.
     root: [T; 2],
     /// The iterate: bodies and their accelerations.
     motions: Vec<BodyMotion<T>>,
-    links: Vec<Link<T>>,
-    relations: Vec<Relation<T>>,
-    gains: Vec<Gain<T>>,
+    links: Vec<Link<T, 7, 1>>,
+    room: Room<T, 3, 2, 1>,
     /// Increments of the iterate.
     states: Vec<StateVector<T, 7>>,
     stations: Vec<StateVector<T, 7>>,
@@ -112,8 +119,7 @@ pub struct JointRun<'a, T: Scalar, S, L, D: Rule<T>> {
 impl<T, S, L, D> JointRun<'_, T, S, L, D>
 where
     T: Scalar,
-    S: Scene<T, L>,
-    L: Loading<Planar<T>, InJoint: Term<T>>,
+    S: Scene<T, L, 7, 3, 2, 1, Orient = Expansion<T>>,
     D: Rule<T>,
 {
     /// Time (s) of angles and rates.
@@ -133,13 +139,13 @@ where
 
     /// Angle, rate and angular acceleration (rad, s) of body `k`, counted from 0 at the root.
     pub fn turn(&self, k: usize) -> Option<[T; 3]> {
-        let angle = self.parts.iter().filter_map(Part::body).nth(k)?.angle;
+        let angle = self.parts.iter().filter_map(Part::body).nth(k)?.angles[0];
         Some([angle.value, angle.rate, angle.acceleration])
     }
 
     /// The angles of all bodies (rad), root to tip.
     pub fn angles(&self) -> impl Iterator<Item = T> {
-        self.parts.iter().filter_map(Part::body).map(|body| body.angle.value)
+        self.parts.iter().filter_map(Part::body).map(|body| body.angles[0].value)
     }
 
     /// States (14) of all stations after a step: the ground's side of the root's joint, the inboard end of each element, the tip. Forces
@@ -174,9 +180,8 @@ where
         for sweep in 1.. {
             self.travel(&ground);
             self.linearize(time, &before, &ground);
-            let base = if S::HELD { Base::Held([T::zero(); 3]) } else { Base::Free(self.left()) };
-            let change = riccati::solve(&self.links, base, &mut self.relations, &mut self.gains, &mut self.states)
-                .map(|()| self.update());
+            let base = self.root_end();
+            let change = self.room.solve(&self.links, [&base, &End::free()], &mut self.states).map(|()| self.update());
             self.sweeps += 1;
             let refused = match change {
                 Err(error) => Some(error),
@@ -209,10 +214,10 @@ where
             match part {
                 // What is welded turns alike.
                 Part::Body(body) => {
-                    let angle = body.angle;
+                    let angle = body.angles[0];
                     let free = angle.rate.scale(span).add_scaled(half * span * span, angle.acceleration);
-                    body.found = if rigid && S::HELD { inner } else { free };
-                    inner = body.found;
+                    body.found[0] = if rigid && S::HELD { inner } else { free };
+                    inner = body.found[0];
                     rigid = true;
                 }
                 Part::Joint(joint) => rigid &= !joint.turns,
@@ -220,10 +225,13 @@ where
         }
     }
 
-    /// What the iterate leaves at a root that nothing holds: m, q_x, q_y.
-    fn left(&self) -> [T; 3] {
+    /// What is known of increments at the root. One that nothing holds takes back what the iterate leaves there.
+    fn root_end(&self) -> End<T, 3> {
+        if S::HELD {
+            return End::along_axes([true; 3], [T::zero(); 3]);
+        }
         let z = &self.stations[0];
-        [z[M], z[QX], z[QY]]
+        End::along_axes([false; 3], [-z[QX], -z[QY], -z[M]])
     }
 
     /// Adds the increments; tells the largest relative one.
@@ -235,8 +243,8 @@ where
         }
         for (part, z) in self.parts.iter_mut().zip(&self.states) {
             let Part::Body(body) = part else { continue };
-            body.found += z[THETA];
-            let size = T::Real::of(1.0).max(body.angle.value.real().abs());
+            body.found[0] += z[THETA];
+            let size = T::Real::of(1.0).max(body.angles[0].value.real().abs());
             let change = z[THETA].real().abs() / size;
             // A comparison would lose NaN, and so would derivatives that are not finite.
             worst = if change <= worst { worst } else { change };
@@ -260,13 +268,13 @@ where
                     continue;
                 }
             };
-            let last = body.angle.value;
-            rule.advance(&mut body.angle, dt, body.found);
+            let last = body.angles[0].value;
+            rule.advance(&mut body.angles[0], dt, body.found[0]);
             if rule.balance() != 1.0 {
-                body.found = body.angle.value - last;
+                body.found[0] = body.angles[0].value - last;
             }
             if clamped {
-                (body.angle.rate, body.angle.acceleration) = (ground.turn.rate, ground.acceleration.angular);
+                (body.angles[0].rate, body.angles[0].acceleration) = (ground.turn.rate, ground.acceleration.angular);
             }
             if first && !S::HELD {
                 for (point, acceleration) in body.points[0].iter_mut().zip(root) {
@@ -280,20 +288,13 @@ where
         for k in 0..self.parts.len() {
             let Part::Joint(joint) = self.parts[k] else { continue };
             let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner, ahead);
-            let elastic = joint.elastic + joint.spring.stiffness * strain;
+            let elastic = [joint.elastic[0] + joint.spring.stiffness[0] * strain];
             self.parts[k] = Part::Joint(Joint { elastic, ..joint });
         }
     }
 
     /// The increment of a body's angle; of the ground's, for no body.
     fn found(&self, at: Option<usize>, ground: T) -> T {
-        at.and_then(|k| self.parts.get(k)).and_then(Part::body).map_or(ground, |body| body.found)
-    }
-}
-
-impl<T, M> Part<T, M> {
-    /// The body, if it is one.
-    fn body(&self) -> Option<&Body<T, M>> {
-        if let Self::Body(body) = self { Some(body) } else { None }
+        at.and_then(|k| self.parts.get(k)).and_then(Part::body).map_or(ground, |body| body.found[0])
     }
 }

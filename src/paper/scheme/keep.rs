@@ -1,109 +1,112 @@
 //! Step 7: rates from what was found, and what a run keeps of it.
 
+use super::form::Grounds;
 use super::{Run, Solver};
-use crate::element::Loading;
-use crate::paper::expansion::Expansion;
 use crate::paper::link::Link;
-use crate::paper::parts::{Joint, Part, Point};
-use crate::paper::rule::Rule;
+use crate::paper::orient::{Orient, each};
+use crate::paper::parts::{Joint, Part};
+use crate::paper::rule::{Coordinate, Rule};
 use crate::paper::scene::Scene;
-use crate::planar::index::{M, QX, QY, THETA, X, Y};
-use crate::planar::{Frame, Planar};
-use crate::relation::Term;
 use crate::scalar::{Real, Scalar};
-use crate::state::StateVector;
 use num_traits::Zero;
 
-impl<T, S, L, D> Run<'_, T, S, L, D>
+impl<T, S, L, D, const N: usize, const H: usize, const P: usize, const A: usize> Run<'_, T, S, L, D, N, H, P, A>
 where
     T: Scalar,
-    S: Scene<T, L>,
-    L: Loading<Planar<T>, InJoint: Term<T>>,
+    S: Scene<T, L, N, H, P, A>,
     D: Rule<T>,
 {
     /// Step 7.
-    pub(super) fn commit(&mut self, before: &Frame<T>) {
-        self.keep_stations(before);
+    pub(super) fn commit(&mut self, grounds: Grounds<T, S::Orient, N, P, A>) {
+        self.keep_stations(grounds);
         let absolute = self.scheme.solver == Solver::Product;
         let (rule, dt) = (self.scheme.rule, self.dt);
         let whole = rule.balance() == 1.0;
+        let turned = self.ground_turned(grounds);
         for k in 0..self.parts.len() {
-            let changes = match &self.parts[k] {
-                Part::Body(body) => self.changes(body),
-                Part::Joint(_) => continue,
-            };
+            let Some(changes) = self.body(Some(k)).map(|body| self.changes(body)) else { continue };
             let (inner, outer) = (self.states[k], self.states[k + 1]);
             let Part::Body(body) = &mut self.parts[k] else { continue };
-            let steps = |z: &StateVector<T, 7>, [x, y]: &Point<T, D::Memory>| {
-                if absolute { [z[X] - x.value, z[Y] - y.value] } else { [z[X], z[Y]] }
+            let steps = |z: &crate::StateVector<T, N>, point: &[Coordinate<T, D::Memory>; P]| -> [T; P] {
+                core::array::from_fn(|i| if absolute { z[i] - point[i].value } else { z[i] })
             };
             let inboard = steps(&inner, &body.points[0]);
             let outboard = steps(&outer, &body.points[2]);
+            let arms = S::Orient::arms(&body.rigid);
             // (25) in increments
-            let [cx, cy] = body.expansion.turned(body.rigid.inertia.centre);
-            let centre = [inboard[0] - cy * body.found + changes[0][0], inboard[1] + cx * body.found + changes[0][1]];
+            let psi = body.expansion.psi(arms[0]);
+            let centre = core::array::from_fn(|i| {
+                (0..A).fold(inboard[i], |sum, j| sum + psi[i][j] * body.found[j]) + changes[0][i]
+            });
             for (point, step) in body.points.iter_mut().zip([inboard, centre, outboard]) {
                 for (coordinate, step) in point.iter_mut().zip(step) {
                     rule.advance(coordinate, dt, step);
                 }
             }
-            let last = body.angle.value;
-            rule.advance(&mut body.angle, dt, body.found);
-            let arms = [body.rigid.inertia.centre, body.rigid.outboard];
+            let last = each(&body.angles, |angle| angle.value);
+            for (angle, found) in body.angles.iter_mut().zip(body.found) {
+                rule.advance(angle, dt, found);
+            }
+            let angles = each(&body.angles, |angle| angle.value);
             body.defects = core::array::from_fn(|k| {
                 if whole {
-                    return body.expansion.remainder(arms[k], body.angle.value);
+                    return body.expansion.remainder(&body.base, arms[k], &angles);
                 }
                 // The arm at t_i is what the rule makes of that where forces balance.
-                let [x, y] = Expansion::about(body.angle.value).turned(arms[k]);
-                let [[xi, yi], [xk, yk]] = [body.points[0], body.points[k + 1]].map(|point| point.map(|c| c.value));
-                [xk - xi - x, yk - yi - y]
+                let turned = S::Orient::turned(&body.base, arms[k], &angles);
+                core::array::from_fn(|i| body.points[k + 1][i].value - body.points[0][i].value - turned[i])
             });
             if !whole {
-                body.found = body.angle.value - last;
+                body.found = core::array::from_fn(|i| angles[i] - last[i]);
             }
+            body.shown = S::Orient::shown(&body.base, &angles, &body.shown);
+            S::Orient::land(&mut body.base, &mut body.angles);
         }
-        let turned = self.scene.ground(self.time() + dt).turn.angle - before.turn.angle;
         for k in 0..self.parts.len() {
             let Part::Joint(joint) = self.parts[k] else { continue };
-            let strain = self.found(Some(joint.outer), turned) - self.found(joint.inner, turned);
-            let elastic = joint.elastic + joint.spring.stiffness * strain;
+            let [outer, inner] =
+                [Some(joint.outer), joint.inner].map(|at| self.body(at).map_or(turned, |body| body.found));
+            let elastic =
+                core::array::from_fn(|i| joint.elastic[i] + joint.spring.stiffness[i] * (outer[i] - inner[i]));
             self.parts[k] = Part::Joint(Joint { elastic, ..joint });
         }
     }
 
-    /// By how much a body turned in this step; the ground, for no body.
-    fn found(&self, at: Option<usize>, ground: T) -> T {
-        match at.and_then(|k| self.parts.get(k)) {
-            Some(Part::Body(body)) => body.found,
-            _ => ground,
-        }
+    /// By how much the ground turned since t_{i−1}, where angles say it.
+    fn ground_turned(&self, [before, now]: Grounds<T, S::Orient, N, P, A>) -> [T; A] {
+        let past = S::Orient::angles(before, &[T::zero(); A]);
+        let angles = S::Orient::angles(now, &past);
+        core::array::from_fn(|i| angles[i] - past[i])
     }
 
-    /// The states in absolute coordinates; those of t_{i−1} are still there to be added to.
-    fn keep_stations(&mut self, before: &Frame<T>) {
+    /// The states in absolute coordinates, with angles for a reader; those of t_{i−1} are still there to be added to.
+    fn keep_stations(&mut self, [before, now]: Grounds<T, S::Orient, N, P, A>) {
         self.stations.copy_from_slice(&self.states);
-        if self.scheme.solver == Solver::Product {
-            return;
-        }
-        let place = |point: &Point<T, D::Memory>| [point[0].value, point[1].value];
-        let body = |k: usize| if let Some(Part::Body(body)) = self.parts.get(k) { Some(body) } else { None };
+        let absolute = self.scheme.solver == Solver::Product;
         let last = self.parts.len() - 1;
-        for (k, z) in self.stations.iter_mut().enumerate() {
-            let ([x, y], angle) = match self.parts.get(k) {
-                Some(Part::Body(body)) => (place(&body.points[0]), body.angle.value),
-                Some(Part::Joint(joint)) => (
-                    body(joint.outer).map_or([T::zero(); 2], |body| place(&body.points[0])),
-                    joint.inner.and_then(body).map_or(before.turn.angle, |body| body.angle.value),
-                ),
-                None => match body(last) {
-                    Some(body) => (place(&body.points[2]), body.angle.value),
-                    None => continue,
-                },
+        for k in 0..self.stations.len() {
+            // The body whose angles the station has, and the point that it is.
+            let (of, point, at) = match self.parts.get(k) {
+                Some(Part::Body(_)) => (Some(k), Some(k), 0),
+                Some(Part::Joint(joint)) => (joint.inner, Some(joint.outer), 0),
+                None => (Some(last), Some(last), 2),
             };
-            z[X] += x;
-            z[Y] += y;
-            z[THETA] += angle;
+            let mut z = self.stations[k];
+            if let (false, Some(body)) = (absolute, self.body(point)) {
+                (0..P).for_each(|i| z[i] += body.points[at][i].value);
+            }
+            let found: [T; A] = core::array::from_fn(|i| z[P + i]);
+            let angles = match self.body(of) {
+                Some(body) => {
+                    let past = each(&body.angles, |angle| angle.value);
+                    let coordinates = if absolute { found } else { core::array::from_fn(|i| past[i] + found[i]) };
+                    S::Orient::shown(&body.base, &coordinates, &body.shown)
+                }
+                None if S::HELD => S::Orient::angles(now, &S::Orient::angles(before, &[T::zero(); A])),
+                None => found,
+            };
+            (0..A).for_each(|i| z[P + i] = angles[i]);
+            self.stations[k] = z;
         }
     }
 
@@ -113,9 +116,9 @@ where
         let mut worst = T::Real::zero();
         for (k, link) in self.links.iter().enumerate() {
             let Link::Body { matrix: u, .. } = link else { continue };
-            for row in [M, QX, QY] {
+            for row in H..2 * H {
                 let (mut sum, mut scale) = (-self.states[k + 1][row], self.states[k + 1][row].real().abs());
-                for column in 0..7 {
+                for column in 0..N {
                     let term = u[(row, column)] * self.states[k][column];
                     sum += term;
                     scale += term.real().abs();

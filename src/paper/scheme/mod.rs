@@ -1,20 +1,17 @@
-//! The eight steps of section 4: a run of the paper's scheme.
+//! The eight steps of section 4: a run of the paper's scheme, in the plane and in space.
 
 mod form;
 mod keep;
 
-use crate::element::Loading;
 use crate::error::{Error, Fault};
-use crate::paper::expansion::{At, Expansion};
-use crate::paper::link::{Base, Link};
+use crate::paper::expansion::At;
+use crate::paper::link::{End, Link};
+use crate::paper::orient::Orient;
 use crate::paper::parts::{Body, Part, parts};
-use crate::paper::riccati::{Gain, Relation};
+use crate::paper::product;
+use crate::paper::riccati::Room;
 use crate::paper::rule::Rule;
-use crate::paper::scene::Scene;
-use crate::paper::{product, riccati};
-use crate::planar::index::THETA;
-use crate::planar::{Frame, Planar};
-use crate::relation::Term;
+use crate::paper::scene::{Chain, Scene, Slots};
 use crate::scalar::{Real, Scalar};
 use crate::state::{StateVector, TransferMatrix};
 use alloc::{vec, vec::Vec};
@@ -36,12 +33,13 @@ pub struct Scheme<D> {
     rule: D,
     at: At,
     solver: Solver,
+    slots: Slots,
 }
 
 impl<D> Scheme<D> {
-    /// As printed: linearised at t_{i−1}, solved by the plain product.
+    /// As printed: linearised at t_{i−1}, solved by the plain product, with angles 1-2-3 in space.
     pub fn new(rule: D) -> Self {
-        Self { rule, at: At::Previous, solver: Solver::Product }
+        Self { rule, at: At::Previous, solver: Solver::Product, slots: Slots::Angles }
     }
 
     /// Linearised elsewhere.
@@ -56,26 +54,38 @@ impl<D> Scheme<D> {
         Self { solver, ..self }
     }
 
+    /// With other coordinates in the slot of the angles, which matters in space.
+    #[must_use]
+    pub fn turning_by(self, slots: Slots) -> Self {
+        Self { slots, ..self }
+    }
+
     /// Steps 1 and 2: starts a run of a scene with steps of `dt` (s).
     ///
     /// # Errors
     /// What is wrong with the rule or the step; what [`System::with_accelerations`](crate::system::System::with_accelerations)
-    /// refuses, for a run starts from the accelerations of its motion.
-    pub fn start<'a, T: Scalar, S: Scene<T, L>, L>(
+    /// refuses, for a run starts from the accelerations of its motion; [`Fault::Unsupported`] for what the paper cannot say.
+    pub fn start<'a, T, S, L, const N: usize, const H: usize, const P: usize, const A: usize>(
         self,
         scene: &'a S,
         motion: &S::Motion,
         loads: &'a L,
         dt: T::Real,
-    ) -> Result<Run<'a, T, S, L, D>, Error>
+    ) -> Result<Run<'a, T, S, L, D, N, H, P, A>, Error>
     where
+        T: Scalar,
+        S: Scene<T, L, N, H, P, A>,
         D: Rule<T>,
     {
         self.rule.check().map_err(Error::new)?;
         positive_step(dt)?;
-        let (time, items) = scene.items(motion, loads)?;
+        let Chain { time, items, guide } = scene.chain(motion, loads, self.slots)?;
+        if A > 1 && self.slots == Slots::RotationVectors && self.rule.looks_back() {
+            let what = "rotation vectors of steps before the last: take a rule of one step";
+            return Err(Error::new(Fault::Unsupported { what }));
+        }
         let parts = parts(&self.rule, dt, &items);
-        let blank = StateVector::new([T::zero(); 7]);
+        let blank = StateVector::new([T::zero(); N]);
         let n = parts.len();
         Ok(Run {
             scheme: self,
@@ -84,9 +94,10 @@ impl<D> Scheme<D> {
             dt,
             start: time,
             steps: 0,
+            guide,
+            drive: [T::zero(); A],
             links: Vec::with_capacity(n),
-            relations: vec![Relation::free(); n],
-            gains: vec![Gain::blank(); n],
+            room: Room::new(if self.solver == Solver::Riccati { n } else { 0 }),
             matrices: vec![TransferMatrix::identity(); if self.solver == Solver::Product { n } else { 0 }],
             states: vec![blank; n + 1],
             stations: vec![blank; n + 1],
@@ -109,30 +120,36 @@ pub(super) fn positive_step<R: Real>(dt: R) -> Result<(), Error> {
 
 /// A run of the scheme. It stands at an instant and steps on from there.
 #[derive(Clone, Debug)]
-pub struct Run<'a, T: Scalar, S, L, D: Rule<T>> {
+pub struct Run<'a, T, S, L, D, const N: usize, const H: usize, const P: usize, const A: usize>
+where
+    T: Scalar,
+    S: Scene<T, L, N, H, P, A>,
+    D: Rule<T>,
+{
     scheme: Scheme<D>,
     scene: &'a S,
     loads: &'a L,
     dt: T::Real,
     start: T::Real,
     steps: usize,
-    parts: Vec<Part<T, D::Memory>>,
-    links: Vec<Link<T>>,
-    relations: Vec<Relation<T>>,
-    gains: Vec<Gain<T>>,
-    matrices: Vec<TransferMatrix<T, 7>>,
+    guide: Option<[T; P]>,
+    /// The torque applied in the root's joint.
+    drive: [T; A],
+    parts: Vec<Part<T, D::Memory, S::Orient, N, P, A>>,
+    links: Vec<Link<T, N, A>>,
+    room: Room<T, H, P, A>,
+    matrices: Vec<TransferMatrix<T, N>>,
     /// As solved: absolute, or in increments.
-    states: Vec<StateVector<T, 7>>,
+    states: Vec<StateVector<T, N>>,
     /// Absolute.
-    stations: Vec<StateVector<T, 7>>,
+    stations: Vec<StateVector<T, N>>,
     sweeps: usize,
 }
 
-impl<T, S, L, D> Run<'_, T, S, L, D>
+impl<T, S, L, D, const N: usize, const H: usize, const P: usize, const A: usize> Run<'_, T, S, L, D, N, H, P, A>
 where
     T: Scalar,
-    S: Scene<T, L>,
-    L: Loading<Planar<T>, InJoint: Term<T>>,
+    S: Scene<T, L, N, H, P, A>,
     D: Rule<T>,
 {
     /// Time (s) of angles and rates.
@@ -150,25 +167,24 @@ where
         self.sweeps
     }
 
-    /// Angle, rate and angular acceleration (rad, s) of body `k`, counted from 0 at the root.
-    pub fn turn(&self, k: usize) -> Option<[T; 3]> {
-        let body = bodies(&self.parts).nth(k)?;
-        Some([body.angle.value, body.angle.rate, body.angle.acceleration])
+    fn bodies(&self) -> impl DoubleEndedIterator<Item = &Body<T, D::Memory, S::Orient, N, P, A>> {
+        self.parts.iter().filter_map(Part::body)
     }
 
-    /// The angles of all bodies (rad), root to tip.
-    pub fn angles(&self) -> impl Iterator<Item = T> {
-        bodies(&self.parts).map(|body| body.angle.value)
+    /// The angles (rad) of body `k`, counted from 0 at the root: one in the plane; in space those of section 2.1, followed from step to
+    /// step and not wrapped.
+    pub fn attitude(&self, k: usize) -> Option<[T; A]> {
+        self.bodies().nth(k).map(|body| body.shown)
     }
 
-    /// States (14) of all stations after a step: the ground's side of the root's joint, the inboard end of each element, the tip.
-    pub fn stations(&self) -> &[StateVector<T, 7>] {
+    /// States (14), (13) of all stations after a step: the ground's side of the root's joint, the inboard end of each element, the tip.
+    pub fn stations(&self) -> &[StateVector<T, N>] {
         &self.stations
     }
 
     /// The matrices of the last step, as multiplied: those of (17), root to tip, after one for the root's joint that is not used. Empty
     /// where no product is formed.
-    pub fn matrices(&self) -> &[TransferMatrix<T, 7>] {
+    pub fn matrices(&self) -> &[TransferMatrix<T, N>] {
         &self.matrices
     }
 
@@ -186,18 +202,20 @@ where
     /// Steps 3 to 8.
     ///
     /// # Errors
-    /// [`Fault::CentreOfPercussion`] or [`Fault::SingularJoint`] with the station, [`Fault::NotConverged`],
+    /// [`Fault::CentreOfPercussion`], [`Fault::SingularAngles`] or [`Fault::SingularJoint`] with the station, [`Fault::NotConverged`],
     /// [`Fault::NonFiniteMotion`] where a run breaks down; the run then stands where it stood.
     pub fn step(&mut self) -> Result<(), Error> {
         let span = T::Real::of(self.scheme.rule.balance()) * self.dt;
         let (past, time) = (self.time(), self.time() + span);
         let at_time = |error: Error| error.at_time(time.as_f64());
-        let (before, ground) = (self.scene.ground(past), self.scene.ground(time));
+        let (before, now) = (self.scene.ground(past), self.scene.ground(time));
+        let grounds = [&before, &now];
         self.guess(span);
         let mut again = usize::MAX; // sweeps after that with which the equations held
         for sweep in 0.. {
-            self.form(span, time, &before, &ground);
-            self.solve(&before, &ground).map_err(at_time)?;
+            self.form(span, time, grounds).map_err(at_time)?;
+            let ends = self.ends(time, grounds);
+            self.solve(&ends).map_err(at_time)?;
             self.sweeps += 1;
             let change = self.find();
             if !change.is_finite() {
@@ -214,40 +232,22 @@ where
             } else if sweep == 30 {
                 return Err(at_time(Error::new(Fault::NotConverged { sweeps: 30 })));
             }
-            for part in &mut self.parts {
-                if let Part::Body(body) = part {
-                    body.expansion = Expansion::about(body.angle.value + body.found);
-                }
-            }
+            self.guess_again();
         }
-        if !self.states.iter().all(|z| (0..7).all(|i| z[i].is_finite())) {
+        if !self.states.iter().all(|z| (0..N).all(|i| z[i].is_finite())) {
             return Err(at_time(Error::new(Fault::NonFiniteMotion)));
         }
-        self.commit(&before);
+        self.commit(grounds);
         self.steps += 1;
         Ok(())
     }
 
     /// Steps 5 and 6.
-    fn solve(&mut self, before: &Frame<T>, ground: &Frame<T>) -> Result<(), Error> {
-        let zero = T::zero();
-        let Self { links, relations, gains, matrices, states, parts, .. } = self;
-        let place = [ground.place.x, ground.place.y, ground.turn.angle];
+    fn solve(&mut self, [root, tip]: &[End<T, H>; 2]) -> Result<(), Error> {
+        let Self { links, room, matrices, states, .. } = self;
         match self.scheme.solver {
-            Solver::Product => {
-                let base = if S::HELD { Base::Held(place) } else { Base::Free([zero; 3]) };
-                product::solve(links, base, matrices, states).map(|_| ())
-            }
-            Solver::Riccati => {
-                let first = bodies(parts).next();
-                let last = first.map_or(place, |body| {
-                    let [x, y] = body.points[0];
-                    [x.value, y.value, clamped_at(parts).unwrap_or(before.turn.angle)]
-                });
-                let step = core::array::from_fn(|i| place[i] - last[i]);
-                let base = if S::HELD { Base::Held(step) } else { Base::Free([zero; 3]) };
-                riccati::solve(links, base, relations, gains, states)
-            }
+            Solver::Product => product::solve::<S::Orient, T, N, H, P, A>(links, [root, tip], matrices, states),
+            Solver::Riccati => room.solve(links, [root, tip], states),
         }
     }
 
@@ -257,9 +257,9 @@ where
         let mut worst = T::Real::zero();
         for (part, z) in self.parts.iter_mut().zip(&self.states) {
             let Part::Body(body) = part else { continue };
-            let past = body.angle.value;
-            body.found = if absolute { z[THETA] - past } else { z[THETA] };
-            let miss = (past + body.found - body.expansion.angle).real().abs();
+            let past = body.angles.each_ref().map(|angle| angle.value);
+            body.found = core::array::from_fn(|i| if absolute { z[P + i] - past[i] } else { z[P + i] });
+            let miss = body.expansion.miss(&core::array::from_fn(|i| past[i] + body.found[i]));
             // A comparison would lose NaN.
             worst = if miss <= worst { worst } else { miss };
         }
@@ -267,14 +267,20 @@ where
     }
 }
 
-/// The angle at t_{i−1} of a ground that clamps a body, by what the rule made of the body.
-fn clamped_at<T: Scalar, M>(parts: &[Part<T, M>]) -> Option<T> {
-    match parts {
-        [Part::Joint(joint), Part::Body(body), ..] if !joint.turns => Some(body.angle.value - joint.ahead),
-        _ => None,
+impl<T, S, L, D> Run<'_, T, S, L, D, 7, 3, 2, 1>
+where
+    T: Scalar,
+    S: Scene<T, L, 7, 3, 2, 1>,
+    D: Rule<T>,
+{
+    /// Angle, rate and angular acceleration (rad, s) of body `k`, counted from 0 at the root.
+    pub fn turn(&self, k: usize) -> Option<[T; 3]> {
+        let [angle] = &self.bodies().nth(k)?.angles;
+        Some([angle.value, angle.rate, angle.acceleration])
     }
-}
 
-fn bodies<T, M>(parts: &[Part<T, M>]) -> impl Iterator<Item = &Body<T, M>> {
-    parts.iter().filter_map(|part| if let Part::Body(body) = part { Some(body) } else { None })
+    /// The angles of all bodies (rad), root to tip.
+    pub fn angles(&self) -> impl Iterator<Item = T> {
+        self.bodies().map(|body| body.angles[0].value)
+    }
 }

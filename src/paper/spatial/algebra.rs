@@ -1,6 +1,9 @@
 //! Three by three: products without tests for zero, which would lose derivatives.
 
+use crate::relation::space::algebra::Columns;
 use crate::scalar::{Real, Scalar};
+use crate::spatial::{Rotation, maps};
+use nalgebra::Vector3;
 use num_traits::Zero;
 
 /// A column of three.
@@ -58,4 +61,48 @@ pub fn inverse<T: Scalar>(a: &Matrix<T>, scale: T::Real) -> Option<Matrix<T>> {
 /// The largest magnitude.
 pub fn size<T: Scalar>(a: &Matrix<T>) -> T::Real {
     a.iter().flatten().fold(T::Real::zero(), |size, x| size.max(x.real().abs()))
+}
+
+pub fn identity<T: Scalar>() -> Matrix<T> {
+    from_fn(|i, j| if i == j { T::one() } else { T::zero() })
+}
+
+pub fn transposed<T: Scalar>(a: &Matrix<T>) -> Matrix<T> {
+    from_fn(|i, j| a[j][i])
+}
+
+pub fn difference<T: Scalar>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// The rows of orthonormal columns.
+pub fn rows<T: Scalar>(axes: &Columns<T>) -> Matrix<T> {
+    columns([axes.x.into(), axes.y.into(), axes.z.into()])
+}
+
+pub fn axes<T: Scalar>(a: &Matrix<T>) -> Columns<T> {
+    let column = |j: usize| Vector3::new(a[0][j], a[1][j], a[2][j]);
+    Columns { x: column(0), y: column(1), z: column(2) }
+}
+
+/// exp ψ̃.
+pub fn exponential<T: Scalar>(psi: Vector<T>) -> Matrix<T> {
+    rows(&Rotation::exp(psi).matrix())
+}
+
+/// ψ of the least turn with exp ψ̃ = R.
+pub fn logarithm<T: Scalar>(turn: &Matrix<T>) -> Vector<T> {
+    Rotation::from_matrix(&axes(turn)).shortest().log()
+}
+
+/// T(ψ), ω = T ψ̇ in body axes.
+pub fn tangent<T: Scalar>(psi: Vector<T>) -> Matrix<T> {
+    columns(identity().map(|unit| maps::tangent(psi, unit)))
+}
+
+/// A rotation matrix brought back to one from which rounding led.
+pub fn orthonormal<T: Scalar>(a: &Matrix<T>) -> Matrix<T> {
+    let square = times(&transposed(a), a);
+    let half = T::Real::of(0.5);
+    times(a, &from_fn(|i, j| (if i == j { T::literal(3.0) } else { T::zero() } - square[i][j]).scale(half)))
 }

@@ -90,7 +90,14 @@ impl<T: Scalar> Attitude<T> {
 
     /// Φ r of (21) and (25), (8): what its place is at θ = 0.
     pub fn phi(&self, point: Vector<T>) -> Vector<T> {
-        use super::algebra::cross;
+        use super::algebra::{cross, scaled};
+        let back = (0..3).fold(point, |sum_of, k| sum(sum_of, scaled(-self.angles[k], cross(self.tangents[k], point))));
+        sum(apply(&self.matrix, back), self.curvature(point))
+    }
+
+    /// The terms of second order in (8).
+    fn curvature(&self, point: Vector<T>) -> Vector<T> {
+        use super::algebra::{cross, scaled};
         let [t1, t2, t3] = self.tangents;
         let [a1, a2, a3] = self.advance;
         let half = T::literal(0.5);
@@ -103,13 +110,44 @@ impl<T: Scalar> Attitude<T> {
             (a2 * a1, twice(t2, t1)),
             (a3 * a1, twice(t3, t1)),
             (a3 * a2, twice(t3, t2)),
-            (-self.angles[0], cross(t1, point)),
-            (-self.angles[1], cross(t2, point)),
-            (-self.angles[2], cross(t3, point)),
         ];
-        let body =
-            terms.into_iter().fold(point, |sum_of, (weight, term)| sum(sum_of, super::algebra::scaled(weight, term)));
+        let body = terms.into_iter().fold([T::zero(); 3], |sum_of, (weight, term)| sum(sum_of, scaled(weight, term)));
         apply(&self.matrix, body)
+    }
+
+    /// By how much (7) of a vector differs from the true A(θ) r, to all its digits: formed by turning about x, y and z in turn, each time
+    /// of what is linear in the differences of the angles, and of the rest.
+    pub(super) fn remainder(&self, point: Vector<T>, angles: Vector<T>) -> Vector<T> {
+        use super::algebra::{cross, difference, scaled};
+        let half = T::literal(0.5);
+        let (zero, one) = (T::zero(), T::one());
+        let units = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
+        // So far turned by the angles of (7), by them linearly, and all the rest.
+        let (mut base, mut linear, mut rest) = (point, [zero; 3], [zero; 3]);
+        for k in 0..3 {
+            let step = angles[k] - self.angles[k];
+            let (sine, _) = step.sin_cos();
+            let (quarter, _) = (half * step).sin_cos();
+            let (sag, axis) = ((quarter * quarter) + quarter * quarter, units[k]); // 1 − cos
+            let small = sum(linear, rest);
+            let whole = sum(base, small);
+            let bent = sum(scaled(sine, cross(axis, small)), scaled(sag, cross(axis, cross(axis, whole))));
+            let cubic = scaled(sine - step, cross(axis, base));
+            rest = sum(rest, sum(bent, cubic));
+            linear = sum(linear, scaled(step, cross(axis, base)));
+            let (s, c) = self.angles[k].sin_cos();
+            let turned = |v: Vector<T>| {
+                let across = cross(axis, v);
+                sum(v, sum(scaled(s, across), scaled(one - c, cross(axis, across))))
+            };
+            (base, linear, rest) = (turned(base), turned(linear), turned(rest));
+        }
+        difference(self.curvature(point), rest)
+    }
+
+    /// θ̇ of an angular velocity in body axes, H̄⁻¹ω: not finite at θ₂ = ±π/2.
+    pub(super) fn rates_of(&self, spin: Vector<T>) -> Vector<T> {
+        apply(&crate::paper::link::inverse(&columns(self.barred_tangents)), spin)
     }
 
     /// Ā H̄: from θ̇ to the angular velocity in inertial axes.

@@ -1,5 +1,6 @@
 //! The rigid body in space, (18) to (31).
 
+use super::super::orient::Given;
 use super::algebra::{Matrix, Vector, apply, columns, cross, from_fn, sum, tilde, times};
 use super::attitude::Attitude;
 use super::{ANGLES, FORCE, ONE, PLACE, TORQUE};
@@ -52,43 +53,83 @@ pub fn rigid_body<T: Scalar>(
     step: &Step<T>,
     external: &External<T>,
 ) -> TransferMatrix<T, 13> {
-    let heavy = body.mass.scale(step.chi1); // m χ₁
-    let (psi_o, psi_c) = (at.psi(body.outboard), at.psi(body.centre)); // (22)
-    let [r_io, r_ic] = [body.outboard, body.centre].map(|point| apply(&at.barred, point));
-    let (io, ic) = (tilde(r_io), tilde(r_ic));
+    let known = Given {
+        inboard: step.inboard,
+        centre: step.centre,
+        angles: step.angles,
+        rates: step.angle_rates,
+        arms: [body.centre, body.outboard].map(|arm| at.phi(arm)),
+    };
+    let shape = Shape {
+        psi: [body.centre, body.outboard].map(|arm| at.psi(arm)),
+        barred: at.barred,
+        gyration: gyration(body, at, [step.chi1, step.chi3], &known),
+    };
+    shape.matrix(body, step.chi1, &known, external)
+}
 
-    // (26), (27)
-    let u42 = psi_c.map(|row| row.map(|x| -(heavy * x)));
-    let phi_c = at.phi(body.centre);
-    let u45: Vector<T> = core::array::from_fn(|i| external.force[i] - heavy * phi_c[i] - body.mass * step.centre[i]);
+/// What orientations bring to (31).
+pub(super) struct Shape<T> {
+    /// Ψ of mass centre and outboard end, (22).
+    pub psi: [Matrix<T>; 2],
+    /// Ā.
+    pub barred: Matrix<T>,
+    /// κ₄ and κ₅ of (29).
+    pub gyration: (Matrix<T>, Vector<T>),
+}
 
-    // (28), (29)
-    let (kappa4, kappa5) = gyration(body, at, step);
-    let arm = times(&io, &u42);
-    let pull: Vector<T> = core::array::from_fn(|i| body.mass * step.inboard[i] - external.force[i]);
-    let lever = sum(cross(r_ic, pull), cross(r_io, u45));
-    let u35: Vector<T> = core::array::from_fn(|i| kappa5[i] - external.torque[i] + lever[i]);
+impl<T: Scalar> Shape<T> {
+    /// (31).
+    pub fn matrix(
+        &self,
+        body: &Rigid<T>,
+        chi1: T::Real,
+        known: &Given<T, 3, 3>,
+        external: &External<T>,
+    ) -> TransferMatrix<T, 13> {
+        let heavy = body.mass.scale(chi1); // m χ₁
+        let [psi_c, psi_o] = &self.psi;
+        let [r_io, r_ic] = [body.outboard, body.centre].map(|point| apply(&self.barred, point));
+        let (io, ic) = (tilde(r_io), tilde(r_ic));
 
-    let phi_o = at.phi(body.outboard);
-    let mut u = TransferMatrix::identity();
-    for i in 0..3 {
-        for j in 0..3 {
-            u[(PLACE + i, ANGLES + j)] = psi_o[i][j];
-            u[(TORQUE + i, PLACE + j)] = (ic[i][j] - io[i][j]) * heavy;
-            u[(TORQUE + i, ANGLES + j)] = kappa4[i][j] + arm[i][j];
-            u[(TORQUE + i, FORCE + j)] = io[i][j];
-            u[(FORCE + i, ANGLES + j)] = u42[i][j];
+        // (26), (27)
+        let u42 = psi_c.map(|row| row.map(|x| -(heavy * x)));
+        let [to_centre, to_outboard] = known.arms;
+        let u45: Vector<T> =
+            core::array::from_fn(|i| external.force[i] - heavy * to_centre[i] - body.mass * known.centre[i]);
+
+        // (28), (29)
+        let (kappa4, kappa5) = &self.gyration;
+        let arm = times(&io, &u42);
+        let pull: Vector<T> = core::array::from_fn(|i| body.mass * known.inboard[i] - external.force[i]);
+        let lever = sum(cross(r_ic, pull), cross(r_io, u45));
+        let u35: Vector<T> = core::array::from_fn(|i| kappa5[i] - external.torque[i] + lever[i]);
+
+        let mut u = TransferMatrix::identity();
+        for i in 0..3 {
+            for j in 0..3 {
+                u[(PLACE + i, ANGLES + j)] = psi_o[i][j];
+                u[(TORQUE + i, PLACE + j)] = (ic[i][j] - io[i][j]) * heavy;
+                u[(TORQUE + i, ANGLES + j)] = kappa4[i][j] + arm[i][j];
+                u[(TORQUE + i, FORCE + j)] = io[i][j];
+                u[(FORCE + i, ANGLES + j)] = u42[i][j];
+            }
+            u[(FORCE + i, PLACE + i)] = -heavy;
+            u[(PLACE + i, ONE)] = to_outboard[i];
+            u[(TORQUE + i, ONE)] = u35[i];
+            u[(FORCE + i, ONE)] = u45[i];
         }
-        u[(FORCE + i, PLACE + i)] = -heavy;
-        u[(PLACE + i, ONE)] = phi_o[i];
-        u[(TORQUE + i, ONE)] = u35[i];
-        u[(FORCE + i, ONE)] = u45[i];
+        u
     }
-    u
 }
 
 /// κ₄ and κ₅ of (29): Ġ_I = κ₄ θ + κ₅.
-fn gyration<T: Scalar>(body: &Rigid<T>, at: &Attitude<T>, step: &Step<T>) -> (Matrix<T>, Vector<T>) {
+pub(super) fn gyration<T: Scalar>(
+    body: &Rigid<T>,
+    at: &Attitude<T>,
+    [chi1, chi3]: [T::Real; 2],
+    step: &Given<T, 3, 3>,
+) -> (Matrix<T>, Vector<T>) {
     let inertia = &body.about_inboard;
     let [t1, t2, t3] = at.barred_tangents;
     let of = |t: Vector<T>| apply(inertia, t);
@@ -107,10 +148,10 @@ fn gyration<T: Scalar>(body: &Rigid<T>, at: &Attitude<T>, step: &Step<T>) -> (Ma
     let products = from_fn(|i, j| first[i][j] + second[i][j]);
     // κ₃
     let half = T::Real::of(0.5);
-    let kappa3: Vector<T> = core::array::from_fn(|k| step.angle_rates[k] - at.rates[k].scale(half));
+    let kappa3: Vector<T> = core::array::from_fn(|k| step.rates[k] - at.rates[k].scale(half));
 
     let ajh = times(&times(&at.barred, inertia), &columns(at.barred_tangents));
-    let kappa4 = from_fn(|i, j| ajh[i][j].scale(step.chi1) + products[i][j].scale(step.chi3));
+    let kappa4 = from_fn(|i, j| ajh[i][j].scale(chi1) + products[i][j].scale(chi3));
     // (29) prints first derivatives in the last two products; (12) has the second ones.
     let [d1, d2, d3] = at.change;
     let squares = sum(apply(&h1, [d1 * d1, d2 * d2, d3 * d3]), apply(&h2, [d1 * d2, d2 * d3, d3 * d1]));

@@ -4,6 +4,7 @@ use super::algebra::{Matrix, Vector, apply, from_fn, inverse, size, times};
 use super::attitude::Attitude;
 use super::{ANGLES, FORCE, ONE, PLACE, TORQUE};
 use crate::error::{Error, Fault};
+use crate::paper::link::Law;
 use crate::scalar::Scalar;
 use crate::state::TransferMatrix;
 
@@ -38,10 +39,17 @@ pub fn rotary_hinge<T: Scalar>(
     let with_spring =
         |damper: &Matrix<T>| from_fn(|i, j| damper[i][j].scale(chi3) + if i == j { hinge.stiffness[i] } else { zero });
     let whole = with_spring(&outer);
-    let u23 = inverse(&whole, size(&whole)).ok_or(Error::new(Fault::SingularTransfer))?;
-    let u22 = times(&u23, &with_spring(&inner));
+    inverse(&whole, size(&whole)).ok_or(Error::new(Fault::SingularTransfer))?;
     let (from_inner, from_outer) = (apply(&inner, chi4[0]), apply(&outer, chi4[1]));
-    let u25 = apply(&u23, core::array::from_fn(|i| from_inner[i] - from_outer[i]));
+    let offset = core::array::from_fn(|i| from_outer[i] - from_inner[i]);
+    Ok(elastic_hinge(&Law { outer: whole, inner: with_spring(&inner), offset }))
+}
+
+/// The same for m = K_O θ_O − K_I θ_I + μ.
+pub(super) fn elastic_hinge<T: Scalar>(law: &Law<T, 3>) -> TransferMatrix<T, 13> {
+    let u23 = crate::paper::link::inverse(&law.outer);
+    let u22 = times(&u23, &law.inner);
+    let u25 = apply(&u23, law.offset.map(|x| -x));
     let mut u = TransferMatrix::identity();
     for i in 0..3 {
         for j in 0..3 {
@@ -50,19 +58,20 @@ pub fn rotary_hinge<T: Scalar>(
         }
         u[(ANGLES + i, ONE)] = u25[i];
     }
-    Ok(u)
+    u
 }
 
 /// (40): the transfer matrix of a smooth ball-and-socket hinge, from that of its section: what lies outboard of it, up to the next
 /// ball or the free end (sections 3.4.1 to 3.4.3).
 ///
 /// Ū₃₂ is singular where the outboard end is the centre of percussion of the ball, and at θ₂ = ±π/2. `inertia` is the size of its terms,
-/// of J_I + m |r_C| |r_O| times χ₁.
+/// of J_I + m |r_C| |r_O| times χ₁; `torques` are m known in this ball and at the outboard end of the section, zero unless applied.
 ///
 /// # Errors
 /// [`Fault::CentreOfPercussion`] there.
 pub fn smooth_ball<T: Scalar>(
     section: &TransferMatrix<T, 13>,
+    [here, outer]: [Vector<T>; 2],
     inertia: T::Real,
 ) -> Result<TransferMatrix<T, 13>, Error> {
     let block = |column: usize| from_fn(|i, j| section[(TORQUE + i, column + j)]);
@@ -70,7 +79,9 @@ pub fn smooth_ball<T: Scalar>(
     let inverted = inverse(&pivot, inertia).ok_or(Error::new(Fault::CentreOfPercussion))?;
     let mut u = TransferMatrix::identity();
     let (of_place, of_force) = (times(&inverted, &block(PLACE)), times(&inverted, &block(FORCE)));
-    let known = apply(&inverted, core::array::from_fn(|i| section[(TORQUE + i, ONE)]));
+    // The paper's torques are zero.
+    let passed = apply(&block(TORQUE), here);
+    let known = apply(&inverted, core::array::from_fn(|i| section[(TORQUE + i, ONE)] + passed[i] - outer[i]));
     for i in 0..3 {
         for j in 0..3 {
             u[(ANGLES + i, PLACE + j)] = -of_place[i][j];

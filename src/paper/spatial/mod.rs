@@ -1,7 +1,26 @@
 //! The paper's matrices in space, z = (r, θ, m, q, 1), (13): rigid body (31), elastic hinge (35), smooth ball (40).
 //!
-//! These are matrices to look at and to multiply; `examples/paper_example_5.rs` runs the paper's chain of three bodies with them, step by
-//! step as section 4 says. Angles are the paper's space-three-angles 1-2-3.
+//! [`Scheme`](super::Scheme) runs scenes with them. Angles are the paper's space-three-angles 1-2-3, which are singular at θ₂ = ±90°, or, with
+//! [`Slots::RotationVectors`](super::Slots), the rotation vector of the step:
+//!
+//! ```
+//! use catena::element::Unloaded;
+//! use catena::paper::{At, GeneralizedAlpha, Scheme, Slots, Solver};
+//! use catena::spatial::{Ball, Free, Pinned, Rod, System};
+//!
+//! let rod = Rod::uniform(1.0, 0.05, 1.0); // length, radius (m), mass (kg)
+//! let chain = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity(9.81);
+//! let start = chain.at_rest(&[0.0, 0.0, -1.0, 0.0, 0.3, -0.5])?;
+//! let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).linearized(At::Predictor).turning_by(Slots::RotationVectors);
+//! let mut run = scheme.solved_by(Solver::Riccati).start(&chain, &start, &Unloaded, 0.01)?;
+//! run.run_to(1.0)?;
+//! let angles: Option<[f64; 3]> = run.attitude(1); // 1-2-3, not wrapped
+//! # Ok::<(), catena::Error>(())
+//! ```
+//!
+//! Springs with angles are (34) as printed, along inertial axes and of differences of angles: good in a plane of the axes or for small
+//! angles. With rotation vectors they are those of [`ElasticBall`](crate::spatial::ElasticBall), which turn with the bodies and conserve
+//! energy.
 //!
 //! | where | printed | holds |
 //! |---|---|---|
@@ -19,12 +38,18 @@
 mod algebra;
 mod attitude;
 mod body;
+mod increment;
 mod joints;
+mod orient;
+#[cfg(feature = "alloc")]
+mod scene;
 
 pub use algebra::{Matrix, Vector};
 pub use attitude::Attitude;
 pub use body::{External, Rigid, Step, rigid_body};
+pub use increment::Increment;
 pub use joints::{Rotary, rotary_hinge, smooth_ball};
+pub use orient::{Base, Slot, Solid};
 
 /// The first of the three indices of r.
 pub const PLACE: usize = 0;
