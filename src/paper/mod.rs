@@ -46,7 +46,7 @@
 //! | section 5.5 | [`Solver::Riccati`] |
 //! | (5)-(12), (18)-(40) in space | [`spatial`]; [`Slots`] |
 //! | (41)-(46) | `examples/paper_example_5.rs` |
-//! | (47)-(60), loops, branches and networks | not here |
+//! | (47)-(60), loops, branches and networks | [`topology`]: equations of an instant |
 //!
 //! A beam is its segments, rods with hinges of EI/ℓ between them, and of 2EI/ℓ at a clamp.
 //!
@@ -64,6 +64,11 @@
 //! | (33)-(35) | m_O = m_I although r_O ≠ r_I | torques do not balance unless q points along r_O − r_I |
 //! | section 3.4.3 | z_{j,j} | z_{j+1,j} |
 //! | (40) | for any body | none where its outboard end is the centre of percussion |
+//! | (49) | U₁ U_{l−1} .. | U_l U_{l−1} .. |
+//! | (48) | for any loop | m = 0 for the row of m, which vanishes, where all joints are smooth pins |
+//! | (50) | z_{l+1,l} | z_{l+1,j} |
+//! | (55) | U_II⁻¹ | does not exist with a smooth pin inside II: z_{j+1,j} unknown instead |
+//! | (60) | U_b1 (I − U_II); eight equations | U_b1 (U_II − I); nine, with U_b3 z_{j+1,j} = 0 |
 //!
 //! # Which rule survives where
 //!
@@ -133,6 +138,7 @@ mod scene;
 #[cfg(feature = "alloc")]
 mod scheme;
 pub mod spatial;
+pub mod topology;
 
 pub use crate::time::GeneralizedAlpha;
 pub use body::{External, Known, Rigid, lumped_mass, rigid_body};

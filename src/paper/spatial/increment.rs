@@ -7,10 +7,11 @@ use super::algebra::{
     Matrix, Vector, apply, columns, cross, difference, exponential, from_fn, identity, scaled, sum, tangent, tilde,
     times,
 };
-use super::body::Rigid;
+use super::body::{External, Rigid, Shape, Step};
 use crate::paper::orient::Given;
 use crate::scalar::{Real, Scalar};
 use crate::spatial::maps::alternating;
+use crate::state::TransferMatrix;
 use num_traits::Zero;
 
 /// The expansion of a body's orientation for one step.
@@ -125,6 +126,21 @@ impl<T: Scalar> Increment<T> {
         let turning = times(&tilde(rate), &self.tangent);
         let whole = from_fn(|i, j| slope[i][j] - turning[i][j]);
         (times(&self.barred, &whole), apply(&self.barred, sum(constant, cross(rate, self.psi))))
+    }
+
+    /// (31) with ψ in the slot of the angles: `angles` and `angle_rates` of a step are then χ₂ and χ₄ of ψ.
+    pub fn rigid_body(&self, body: &Rigid<T>, step: &Step<T>, external: &External<T>) -> TransferMatrix<T, 13> {
+        let arms = [body.centre, body.outboard];
+        let known = Given {
+            inboard: step.inboard,
+            centre: step.centre,
+            angles: step.angles,
+            rates: step.angle_rates,
+            arms: arms.map(|arm| self.phi(arm)),
+        };
+        let gyration = self.gyration(body, [step.chi1, step.chi3], &known);
+        let shape = Shape { psi: arms.map(|arm| self.psi_of(arm)), barred: self.barred, gyration };
+        shape.matrix(body, step.chi1, &known, external)
     }
 
     /// The largest component by which ψ misses where arms are expanded (rad).
