@@ -32,6 +32,8 @@ pub fn rows() -> Vec<Row> {
         // Nine rods in three arms on each tenth.
         row!("tree" "array" 20, |b| [(Pin, b, [Branch([(Pin, b); 3]); 3]); 2]),
         row!("tree" "Vec" 1000, |b| vec![(Pin, b, [Branch([(Pin, b); 3]); 3]); 100]),
+        // Nineteen rods in an arm on each twentieth.
+        row!("tree, long arms" "Vec" 1000, |b| vec![(Pin, b, Branch([(Pin, b); 19])); 50]),
         row!("loops of three" "tuple" 3, |b| mesh(b)),
         row!("loops of three" "array" 30, |b| [mesh(b); 10]),
         row!("loops of three" "Vec" 30, |b| vec![mesh(b); 10]),

@@ -45,7 +45,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
 
     const BODIES: Option<usize> = A::BODIES;
     const JOINTS: Option<usize> = A::JOINTS;
-    const ABSOLUTE: bool = false; // what follows depends on what lies inboard
+    const ABSOLUTE: bool = A::ABSOLUTE;
 
     fn bodies(&self) -> usize {
         self.0.bodies()

@@ -60,7 +60,8 @@ pub trait Closing<S: Space>: Clone {
 /// A joint that closes a loop where the chain hands on `R`, and a torque of type `Q` acts in it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot close a loop where the chain hands on `{R}`",
-    label = "this joint does not hold the two arms together here"
+    label = "this joint does not hold the two arms together here",
+    note = "in the plane `Pin` and `Weld` close loops, in space `Ball`, `Revolute` and `Weld`: cut the loop at one of these"
 )]
 pub trait CloseOff<S: Space, R, Q>: Closing<S> {
     /// What the main arm meets.
@@ -152,7 +153,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
 
     const BODIES: Option<usize> = sum(M::BODIES, A::BODIES);
     const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
-    const ABSOLUTE: bool = false; // what follows depends on what lies inboard
+    const ABSOLUTE: bool = M::ABSOLUTE && A::ABSOLUTE;
     const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
 
     fn bodies(&self) -> usize {
@@ -250,6 +251,24 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
     ) {
         M::resolve(&sizes.0, &mut x.0, &mut y.0, &mut p.0, &mut q.0);
         A::resolve(&sizes.1, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
+    }
+    #[inline(always)]
+    fn pose(
+        &self,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        turn: S::Turn,
+        sizes: &Self::PerAxes<S::Size>,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
+    ) -> S::Turn {
+        let (position, rate) = (&position.arms, &rate.arms);
+        let side = self.side().pose(&position.1, &rate.1, turn, &sizes.1, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
+        let main = self.main().pose(&position.0, &rate.0, turn, &sizes.0, &mut x.0, &mut y.0, &mut p.0, &mut q.0);
+        self.closing.orient(side, main, &mut x.2, &mut y.2, &mut p.2, &mut q.2);
+        main
     }
     #[inline(always)]
     fn recover<C: Closures, By: Springs<S::Scalar>>(

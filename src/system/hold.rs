@@ -20,6 +20,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// by the inertia of the scene (of a chain without loops from afar, by the angles), and the accelerations that belong to them. A
     /// scene with neither is left as it is, but for its accelerations. A straight chain or loop cannot tell where to bend: bend it.
     ///
+    /// Corrections from afar (a coordinate by more than 0.3 rad or m) are cut short by a factor that has no derivative, and over lanes by
+    /// that of the worst one.
+    ///
     /// ```
     /// use catena::element::Unloaded;
     /// use catena::planar::*;
