@@ -53,5 +53,20 @@ fn steps_allocate_nothing() -> Result<(), Error> {
     steps!(scheme.linearized(At::Iterated));
     steps!(scheme.solved_by(Solver::Riccati));
     steps!(JointScheme::new(Multistep::BDF2));
+
+    // In space, and with a tip that is held.
+    use catena::spatial;
+    let rod = spatial::Rod::uniform(0.2, 0.01, 0.3);
+    let chain = (rod, spatial::Ball, rod, spatial::ElasticBall::rotary([5.0; 3]).damped(0.1), rod);
+    let tip = spatial::Pinned::at(0.5, 0.0, 0.1);
+    let scene = spatial::System::new(spatial::Pinned::origin(), chain, tip)?.with_gravity(9.81);
+    let start = scene.with_tip_held(scene.at_rest(&[0.1, 0.2, -0.5, 0.0, -0.1, 0.3, 0.1, 0.2, 0.4])?, &Unloaded)?;
+    for slots in [Slots::Angles, Slots::RotationVectors] {
+        let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).solved_by(Solver::Riccati).turning_by(slots);
+        let mut run = scheme.start(&scene, &start, &Unloaded, 0.005)?;
+        let before = COUNT.get();
+        run.run_to(0.1)?;
+        assert_eq!(COUNT.get(), before, "{slots:?}");
+    }
     Ok(())
 }

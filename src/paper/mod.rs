@@ -94,15 +94,16 @@
 //! What dies dies of γ = ½ on rigid joints, however small the step: 3.72, 4.48 and 5.62 s with steps of 10, 5 and 2 ms. Each position of a
 //! body is integrated beside the angle that determines it, which makes the joints constraints of index 3; on these the rule's
 //! amplification is −1, twice, and an alternating error grows. So the paper's "good agreement in over thirty periods" cannot be had with
-//! β = ¼, γ = ½ as its section 4 reads. Such rules are allowed and say so: [`Rule::is_weak_on_rigid_joints`].
+//! β = ¼, γ = ½ as its section 4 reads. Such rules are allowed and say so: [`Rule::is_weak_on_rigid_joints`], and the
+//! picture at [`Newmark`].
 //!
 //! # What it is good for
 //!
 //! For chains of moderate accuracy at a fixed cost: one sweep a step, linear, no iteration; with [`GeneralizedAlpha`] at the predictor it
 //! is second order in forces too. It fails
 //! * with γ = ½, above;
-//! * solved by the product on long chains or at short steps: hardly a digit is left of 1000 bodies with steps of 10 ms, of 10 with 1 ms.
-//!   [`Solver::Riccati`] works in increments and holds at 100 000 bodies;
+//! * solved by the product on long chains or at short steps: hardly a digit is left of 1000 bodies with steps of 10 ms, of 10 with 1 ms
+//!   (`cargo bench --bench paper_digits`). [`Solver::Riccati`] works in increments and holds at 100 000 bodies;
 //! * at the centre of percussion, by the product;
 //! * where accuracy is wanted: to 1e-6 rad after 2 s of the pendulum above it takes 5100 sweeps, [`Dop853`](crate::planar::Dop853) 250.
 //!

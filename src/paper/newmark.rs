@@ -7,8 +7,13 @@ use crate::time::GeneralizedAlpha;
 
 /// Newmark-β, (3) and (4): the rule of the paper.
 ///
-/// Order 2 for γ = ½, order 1 with damping of what steps do not resolve for γ > ½. With γ = ½ a scene with rigid joints dies after
-/// a few periods at any step ([`is_weak_on_rigid_joints`](Rule::is_weak_on_rigid_joints)).
+/// Order 2 for γ = ½, order 1 with damping of what steps do not resolve for γ > ½.
+///
+/// **With γ = ½ a scene with rigid joints dies** after a few periods at any step ([why](super#which-rule-survives-where);
+/// [`is_weak_on_rigid_joints`](Rule::is_weak_on_rigid_joints)). By how much the angles of a double pendulum are off, drawn by
+/// `examples/paper_weak_instability.rs`:
+///
+#[doc = include_str!("../../docs/weak_instability.svg")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Newmark {
     beta: f64,

@@ -275,12 +275,16 @@ where
 {
     /// Angle, rate and angular acceleration (rad, s) of body `k`, counted from 0 at the root.
     pub fn turn(&self, k: usize) -> Option<[T; 3]> {
-        let [angle] = &self.bodies().nth(k)?.angles;
-        Some([angle.value, angle.rate, angle.acceleration])
+        self.turns().nth(k)
+    }
+
+    /// The same of all bodies, root to tip.
+    pub fn turns(&self) -> impl Iterator<Item = [T; 3]> {
+        self.bodies().map(|Body { angles: [angle], .. }| [angle.value, angle.rate, angle.acceleration])
     }
 
     /// The angles of all bodies (rad), root to tip.
     pub fn angles(&self) -> impl Iterator<Item = T> {
-        self.bodies().map(|body| body.angles[0].value)
+        self.turns().map(|[angle, ..]| angle)
     }
 }
