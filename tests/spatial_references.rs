@@ -182,11 +182,11 @@ fn example_5_three_bodies_on_balls() -> Result<(), Error> {
         for (k, (body, (quaternion, rate, angles, force))) in
             system.body_motions(&run.motion).iter().zip(rows).enumerate()
         {
-            near(&signed(body.attitude().quaternion(), quaternion), &quaternion, 2e-11);
-            near(&body.rate(), &rate, 2e-10);
-            near(&body.attitude().angles(), &angles, 2e-11);
+            near(&signed(body.attitude().quaternion(), quaternion), &quaternion, 1e-11);
+            near(&body.rate(), &rate, 1e-11);
+            near(&body.attitude().angles(), &angles, 1e-11);
             let found = stations.get(2 * k).map(|station| station.internal.force).unwrap_or_default();
-            near(found.as_slice(), &force, 2e-9);
+            near(found.as_slice(), &force, 1e-10);
         }
     }
     Ok(())
