@@ -64,6 +64,21 @@ fn ends_where_the_reference_ends() -> Result<(), Error> {
     Ok(())
 }
 
+/// First steps that are far too long are taken back: from coarse tolerances on, errors fall with them.
+#[test]
+fn coarse_tolerances_do_not_break_it() -> Result<(), Error> {
+    let scene = squeezer()?;
+    let loads = Loads::none().on_bodies(|_, k, body: &BodyMotion<f64>| wrench(k, body));
+    let start = scene.assembled(scene.at_rest(&absolute(START))?, &loads)?;
+    for (tolerance, most) in [(0.3, 1.0), (0.1, 1.0), (1e-2, 1e-2), (1e-3, 1e-2), (1e-4, 1e-2)] {
+        let run = scene.simulation(Dop853::tolerance(tolerance)).loads(&loads).run(start, END, |_| ())?;
+        let error = error(&scene, &run.motion);
+        println!("{tolerance:.0e}: {} steps, {} rejected, error {error:.1e}", run.steps, run.rejected);
+        assert!(error < most);
+    }
+    Ok(())
+}
+
 /// The spring's work and that of the drive make the kinetic energy.
 #[test]
 fn balances_its_energy() -> Result<(), Error> {

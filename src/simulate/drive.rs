@@ -93,7 +93,14 @@ where
                 let error = match outcome {
                     Ok(()) => self.stepper.error(&self.past, size, &self.next, tolerance),
                     Err(Error { fault: Fault::NonFiniteMotion, .. }) => Some(RealOf::<S>::INFINITY),
-                    Err(error) => return Err(error),
+                    Err(error) => {
+                        // A step that is far too long may leap anywhere: its error by the size of the past motion says so.
+                        let leap = self.stepper.error(&self.past, size, &self.past, tolerance);
+                        if !leap.is_some_and(|leap| !(leap <= one)) {
+                            return Err(error);
+                        }
+                        leap
+                    }
                 };
                 let error = error.unwrap_or(RealOf::<S>::zero());
                 let factor = factor(error, self.stepper.error_order());

@@ -70,7 +70,12 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
 
     /// Finds where a step went wrong, row by row.
     #[cold]
-    fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
+    fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Error {
+        let finite = |position: &D::Position| {
+            let mut finite = true;
+            position.visit(&mut |x| finite &= x.is_finite());
+            finite
+        };
         for row in 0..=M::STAGES {
             let mut stage = past.clone();
             if row > 0 {
@@ -78,6 +83,9 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
                 stage.time = past.time + TimeIn::<D, L>::of(M::node(row)) * dt;
                 stage.position.clone_from(&self.stage.0);
                 stage.rate.clone_from(&self.stage.1);
+            }
+            if row == M::STAGES && finite(&stage.position) && !finite(&next.position) {
+                break; // no projection closes it: the step was too long
             }
             stage.acceleration.clone_from(&self.slopes.as_ref()[row]);
             if !stage.is_finite() {
@@ -123,7 +131,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         }
         match self.scene.accept(next) {
             Ok(()) => Ok(()),
-            Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => Err(self.diagnose(past, loads, dt)),
+            Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => Err(self.diagnose(past, loads, dt, next)),
             Err(error) => Err(error),
         }
     }

@@ -108,7 +108,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             corrected.position.apart(&motion.position, &mut displacement);
             motion.position.measure(&displacement, &mut |x, size| {
                 let share = x.real().abs() / size.max(RealOf::<S>::one());
-                // A rotation by more than half a turn has no coordinates.
+                // A rotation by more than half a turn has no coordinates, and corrections that do not close a loop are not finite.
                 step = if share.is_finite() { step.max(share) } else { RealOf::<S>::INFINITY };
             });
             if step <= real(SHARE) {

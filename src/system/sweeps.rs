@@ -220,23 +220,33 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         // The gains belong to a configuration nearby, so one correction leaves an error of second order: twice. And where loops are
         // nested, an outer one closes by what inner ones miss no more. Near where a loop is straight it takes more of them.
         let most = if Self::LOOPED { MOST_CORRECTIONS } else { Self::CLOSED };
-        let mut last = RealOf::<S>::INFINITY;
+        let (mut last, mut size) = (RealOf::<S>::INFINITY, RealOf::<S>::of(1.0));
+        if Self::LOOPED {
+            motion.position.visit(&mut |x| size = x.real().abs().max(size));
+        }
         for count in 0..=most {
             let [place, _] = self.miss(motion);
             let ground = self.root.ground(motion.time);
             if let Some(step) = correction(&self.chain, ground, coordinates(motion), Level::Place, &place, workspace) {
                 motion.position.displace(step);
-                if Self::LOOPED && count >= Self::CLOSED {
-                    let (mut size, mut length) = (RealOf::<S>::of(1.0), RealOf::<S>::of(0.0));
-                    motion.position.visit(&mut |x| size = x.real().abs().max(size));
+                if Self::LOOPED {
+                    let mut length = RealOf::<S>::of(0.0);
                     step.visit(&mut |x| length = x.real().abs().max(length));
-                    // Also where rounding moves it to and fro.
-                    if length <= size * RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS) || length >= last {
+                    let before = core::mem::replace(&mut last, length);
+                    if !(length <= size) {
                         break;
                     }
-                    last = length;
+                    // Also where rounding moves it to and fro.
+                    let short = size * RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS);
+                    if count >= Self::CLOSED && (length <= short || length >= before) {
+                        break;
+                    }
                 }
             }
+        }
+        // After a step that is far too long no short correction closes a loop: that is no motion, and such steps are refused.
+        if Self::LOOPED && !(last <= size * RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.25))) {
+            motion.position.replace(&mut |_| S::Scalar::constant(RealOf::<S>::INFINITY));
         }
         for _ in 0..Self::CLOSED {
             let [_, velocity] = self.miss(motion);
