@@ -128,7 +128,7 @@ macro_rules! tip_in_space {
     ($T:ty, $stiffness:expr, $scheme:expr) => {{
         use catena::spatial;
         let number = <$T as Scalar>::literal;
-        let rod = spatial::Rod::uniform(number(0.3), number(0.02), number(0.4));
+        let rod = spatial::Rod::uniform(number(0.3), number(0.1), number(0.4));
         let hinge = spatial::ElasticBall::rotary([$stiffness; 3]).damped(number(0.02));
         let chain = (rod, hinge, rod, spatial::Ball, rod);
         let scene = spatial::System::new(spatial::Pinned::origin(), chain, spatial::Free)?.with_gravity(number(9.81));

@@ -41,17 +41,14 @@ impl<T: Scalar> Increment<T> {
         let half = T::Real::of(0.5);
         let advance = spin.map(|x| x.scale(dt));
         let psi: Vector<T> = core::array::from_fn(|k| advance[k].add_scaled(half * dt * dt, angular[k]));
-        let one = identity();
-        let twice = times(&tilde(advance), &tilde(advance));
-        let once = tilde(psi);
-        let turn = from_fn(|i, j| one[i][j] + once[i][j] + twice[i][j].scale(half));
         Self {
             psi,
-            barred: times(base, &turn),
+            // A rotation, not its expansion: springs read angles from it.
+            barred: times(base, &exponential(psi)),
             tangent: tangent(psi),
             spin: core::array::from_fn(|k| spin[k].add_scaled(dt, angular[k])),
             angular,
-            arms: (*base, [T::zero(); 3], one),
+            arms: (*base, [T::zero(); 3], identity()),
             advance,
             about: false,
         }

@@ -20,7 +20,8 @@
 //!
 //! Springs with angles are (34) as printed, along inertial axes and of differences of angles: good in a plane of the axes or for small
 //! angles. With rotation vectors they are those of [`ElasticBall`](crate::spatial::ElasticBall), which turn with the bodies and conserve
-//! energy.
+//! energy. Linearise these at the predictor: at t_{i−1}, on springs and dampers stiff against the inertia of a thin rod about its axis, rounding
+//! grows from step to step.
 //!
 //! | where | printed | holds |
 //! |---|---|---|

@@ -207,7 +207,9 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
 
     fn law(spring: &Spring<T, 3>, elastic: &Vector<T>, sides: [&Side<T, Self, 3>; 2], absolute: bool) -> Law<T, 3> {
         match [&sides[0].expansion, &sides[1].expansion] {
-            [Self::Vector(inner), Self::Vector(outer)] => objective(spring, [inner, outer], sides[1].step[0].chi3),
+            [Self::Vector(inner), Self::Vector(outer)] => {
+                objective(spring, [(inner, &sides[0].step), (outer, &sides[1].step)])
+            }
             [Self::Angles(inner), Self::Angles(outer)] => {
                 // (34) as printed, along inertial axes.
                 let spins = [inner, outer].map(|at| {
@@ -304,7 +306,9 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
 
 /// A spring that stores V = ½ φᵀ K φ, φ̃ = log A_IᵀA_O, in axes of the inboard body, and a damper, linear in ψ_O and ψ_I. (34) is neither
 /// objective nor conservative.
-fn objective<T: Scalar>(spring: &Spring<T, 3>, [inner, outer]: [&Increment<T>; 2], chi3: T::Real) -> Law<T, 3> {
+fn objective<T: Scalar>(spring: &Spring<T, 3>, sides: [(&Increment<T>, &[Linearization<T>; 3]); 2]) -> Law<T, 3> {
+    let [inner, outer] = sides.map(|(at, _)| at);
+    let chi3 = sides[1].1[0].chi3;
     let half = T::literal(0.5);
     let [damping, ..] = spring.damping;
     let phi = Vector3::from(logarithm(&times(&transposed(&inner.barred), &outer.barred)));
@@ -313,7 +317,8 @@ fn objective<T: Scalar>(spring: &Spring<T, 3>, [inner, outer]: [&Increment<T>; 2
     let couple: Vector<T> = apply(&inner.barred, spring_couple(phi, force).into());
     let slope = spring_slope(phi, stiffness, force).turned(&axes(&inner.barred)).columns();
     let (slope, bend) = (rows(&slope), tilde(couple));
-    let spins = [inner, outer].map(|side| apply(&side.barred, side.spin));
+    // By (2), for the damper must know what its slope χ₃ adds to.
+    let spins = sides.map(|(at, step)| apply(&at.barred, core::array::from_fn(|k| step[k].rate_at(at.psi[k]))));
     let torque = sum(couple, difference(spins[1], spins[0]).map(|x| damping * x));
     // Of turns in inertial axes, K ∓ ½ m̃; of A ω, A χ₃ − ω̃ A T.
     let side = |at: &Increment<T>, spin: Vector<T>, sign: T| {
