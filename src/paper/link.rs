@@ -145,3 +145,21 @@ pub fn inverse<T: Scalar, const A: usize>(a: &[[T; A]; A]) -> [[T; A]; A] {
     let reciprocal = determinant.recip();
     core::array::from_fn(|i| core::array::from_fn(|j| minor(j, i) * reciprocal))
 }
+
+/// The last column of a body's matrix comes from these: what is known at t_i of each coordinate and point.
+///
+/// In absolute coordinates they are χ₂, χ₄ and what (21) and (25) add to r_I where the angles are zero; in increments what unchanged
+/// coordinates would bring.
+#[derive(Clone, Copy, Debug)]
+pub struct Given<T, const P: usize, const A: usize> {
+    /// Of r_I.
+    pub inboard: [T; P],
+    /// Of r_C.
+    pub centre: [T; P],
+    /// Of the angles, second derivatives.
+    pub angles: [T; A],
+    /// Of the angles, rates.
+    pub rates: [T; A],
+    /// Of the arms to mass centre and outboard end.
+    pub arms: [[T; P]; 2],
+}

@@ -120,16 +120,20 @@ mod expansion;
 mod hinge;
 #[cfg(feature = "alloc")]
 mod joints;
+#[cfg_attr(not(feature = "alloc"), allow(dead_code))] // matrices read a part of it, runs all
 mod link;
 mod multistep;
 mod newmark;
+#[cfg(feature = "alloc")]
 mod orient;
 #[cfg(feature = "alloc")]
 mod parts;
 mod pin;
+#[cfg(feature = "alloc")]
 mod plane;
 #[cfg(feature = "alloc")]
 mod plane_scene;
+#[cfg(feature = "alloc")]
 mod product;
 #[cfg(feature = "alloc")]
 mod riccati;

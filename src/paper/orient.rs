@@ -1,7 +1,7 @@
 //! What a space says of orientations, and what the scheme therefore does not know: how a body's angles enter a step, made linear.
 
 use super::expansion::At;
-use super::link::Law;
+use super::link::{Given, Law};
 use super::product::Hinges;
 use super::rule::{Coordinate, Linearization};
 use crate::error::Fault;
@@ -89,24 +89,6 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
     fn shown(base: &Self::Base, angles: &[T; A], near: &[T; A]) -> [T; A];
     /// A body near where it will be, for loads to be read there.
     fn motion(&self, rigid: &Self::Rigid, place: [T; P], velocity: [T; P], turn: [[T; 2]; A]) -> Self::Motion;
-}
-
-/// The last column of a body's matrix comes from these: what is known at t_i of each coordinate and point.
-///
-/// In absolute coordinates they are χ₂, χ₄ and what (21) and (25) add to r_I where the angles are zero; in increments what unchanged
-/// coordinates would bring.
-#[derive(Clone, Copy, Debug)]
-pub struct Given<T, const P: usize, const A: usize> {
-    /// Of r_I.
-    pub inboard: [T; P],
-    /// Of r_C.
-    pub centre: [T; P],
-    /// Of the angles, second derivatives.
-    pub angles: [T; A],
-    /// Of the angles, rates.
-    pub rates: [T; A],
-    /// Of the arms to mass centre and outboard end.
-    pub arms: [[T; P]; 2],
 }
 
 /// A rotary spring and damper between two bodies.

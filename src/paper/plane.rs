@@ -3,8 +3,8 @@
 use super::body::{External, Known, Rigid, rigid_body};
 use super::expansion::{At, Expansion};
 use super::hinge::{Rotary, rotary_hinge};
-use super::link::Law;
-use super::orient::{Given, Orient, Side, Spring};
+use super::link::{Given, Law};
+use super::orient::{Orient, Side, Spring};
 use super::pin::{is_percussive, smooth_pin};
 use super::product::Hinges;
 use super::rule::{Coordinate, Linearization};

@@ -119,6 +119,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// The far end.
+    #[cfg(feature = "alloc")]
     pub(crate) fn tip_end(&self) -> &P {
         &self.tip
     }

@@ -2,8 +2,8 @@
 
 use super::{Run, Solver};
 use crate::error::Error;
-use crate::paper::link::{End, Law, Link};
-use crate::paper::orient::{Given, Orient, Side, each};
+use crate::paper::link::{End, Given, Law, Link};
+use crate::paper::orient::{Orient, Side, each};
 use crate::paper::parts::{Body, Joint, Part};
 use crate::paper::rule::{Coordinate, Linearization, Rule};
 use crate::paper::scene::Scene;

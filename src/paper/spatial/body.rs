@@ -1,9 +1,9 @@
 //! The rigid body in space, (18) to (31).
 
-use super::super::orient::Given;
 use super::algebra::{Matrix, Vector, apply, columns, cross, from_fn, sum, tilde, times};
 use super::attitude::Attitude;
 use super::{ANGLES, FORCE, ONE, PLACE, TORQUE};
+use crate::paper::link::Given;
 use crate::scalar::{Real, Scalar};
 use crate::state::TransferMatrix;
 

@@ -8,7 +8,7 @@ use super::algebra::{
     times,
 };
 use super::body::{External, Rigid, Shape, Step};
-use crate::paper::orient::Given;
+use crate::paper::link::Given;
 use crate::scalar::{Real, Scalar};
 use crate::spatial::maps::alternating;
 use crate::state::TransferMatrix;

@@ -36,11 +36,15 @@
 //! (Some of these may be losses of the text at hand.) Even corrected, q_O of (26) is right to first order in ΔT only, for χ₁ multiplies
 //! what (7) leaves out.
 
+#[cfg_attr(not(feature = "alloc"), allow(dead_code))] // runs read more of these
 mod algebra;
+#[cfg_attr(not(feature = "alloc"), allow(dead_code))]
 mod attitude;
 mod body;
+#[cfg_attr(not(feature = "alloc"), allow(dead_code))]
 mod increment;
 mod joints;
+#[cfg(feature = "alloc")]
 mod orient;
 #[cfg(feature = "alloc")]
 mod scene;
@@ -50,6 +54,7 @@ pub use attitude::Attitude;
 pub use body::{External, Rigid, Step, rigid_body};
 pub use increment::Increment;
 pub use joints::{Rotary, rotary_hinge, smooth_ball};
+#[cfg(feature = "alloc")]
 pub use orient::{Base, Slot, Solid};
 
 /// The first of the three indices of r.
