@@ -1,6 +1,6 @@
 //! Loops that are held more often than they can move.
 
-use super::network::{Closing, Ends};
+use super::closing::{Closing, Ends};
 use crate::element::Space;
 use crate::error::Fault;
 use crate::lift::Lift;

@@ -1,4 +1,5 @@
-//! Composition: tuples (to 16), arrays and vectors of elements are elements, and so are arms that leave them ([`Branch`]).
+//! Composition: tuples (to 16), arrays and vectors of elements are elements, and so are arms that leave them ([`Branch`])
+//! and arms that meet again ([`Network`]).
 //!
 //! Nothing here knows any physics. A chain hands what it carries from item to item, outward from first to last or inward
 //! from last to first, and its stores (gains, directions, loads, coordinates) have its own shape. An array or a vector
@@ -6,15 +7,18 @@
 //! the relation stays the same.
 
 mod branch;
+mod closing;
 mod items;
 mod least_norm;
 mod network;
+mod parallel;
 mod poses;
 mod tuple;
 
 pub use branch::Branch;
+pub use closing::{CloseOff, Closing, Ends};
 pub use least_norm::LeastNorm;
-pub use network::{CloseOff, Closing, Ends, Network};
+pub use network::Network;
 
 /// `a + b` of counts that types may or may not decide.
 const fn sum(a: Option<usize>, b: Option<usize>) -> Option<usize> {

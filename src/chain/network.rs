@@ -1,88 +1,16 @@
 //! Arms in parallel, between two stations.
 
+use super::closing::{Closing, Ends};
 use super::{deeper, sum};
-use crate::element::{
-    Carrying, Closed, Condense, Coordinates, Element, Gather, Given, InJoint, Level, Posture, Reading, Space, Springs,
-    Sweep, Visit, look,
-};
+use crate::element::{Closed, Coordinates, Element, Gather, Level, Posture, Space, Springs, Visit, look};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Rate, Tied, TiedPosition};
-use crate::relation::{Closures, LoopGain, Looped, Own, Settle, Solvable};
+use crate::relation::{Closures, LoopGain, Looped, Own, Solvable};
 use crate::scalar::Scalar;
 use crate::visit::last_body;
 use core::ops::Add;
 use typenum::{Sum, Unsigned};
-
-/// A joint that can close a loop: it holds the ends of two arms together.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot close a loop in `{S}`",
-    label = "not a joint that closes loops",
-    note = "in the plane `Pin` and `Weld` do, in space `Ball`, `Revolute` and `Weld`: cut the loop at one of these"
-)]
-pub trait Closing<S: Space>: Clone {
-    /// Its closure forces, ON the last body of the side arm.
-    type Closures: Own;
-    /// What it keeps of the orientations of both ends.
-    type PerAxes<X: Copy>: Clone;
-
-    /// Room for that.
-    fn per_axes<X: Copy>(fill: X) -> Self::PerAxes<X>;
-    /// Keeps what it needs of the orientations of both ends.
-    #[allow(clippy::too_many_arguments)] // one store each
-    fn orient(
-        &self,
-        side: S::Turn,
-        main: S::Turn,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
-    );
-
-    /// The joint and its motion: from the side arm to the main one.
-    fn joint(&self, side: &S::Frame, main: &S::Frame) -> S::JointMotion;
-    /// The force and torque that closure forces are.
-    fn internal(&self, forces: &<Self::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> S::Internal;
-    /// By how much the end of the side arm misses that of the main one, in place and in velocity.
-    fn miss(&self, side: &S::Frame, main: &S::Frame) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
-    /// How much the outboard end of a free body would yield to each of the forces.
-    fn free_compliance(&self, body: &S::BodyMotion) -> <Self::Closures as Closures>::Each<S::Scalar>;
-    /// What each of the forces holds, for messages.
-    fn names(&self) -> <Self::Closures as Closures>::Each<&'static str>;
-    /// Rejects parameters that make no mechanics.
-    ///
-    /// # Errors
-    /// What is wrong with them.
-    fn check(&self) -> Result<(), Fault>;
-}
-
-/// A joint that closes a loop where the chain hands on `R`, and a torque of type `Q` acts in it.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot close a loop where the chain hands on `{R}`",
-    label = "this joint does not hold the two arms together here",
-    note = "in the plane `Pin` and `Weld` close loops, in space `Ball`, `Revolute` and `Weld`: cut the loop at one of these"
-)]
-pub trait CloseOff<S: Space, R, Q>: Closing<S> {
-    /// What the main arm meets.
-    type Main: Copy;
-    /// What the side arm meets.
-    type Side: Copy;
-    /// Cuts the loop; the torque too is passed on.
-    fn close_off(&self, outer: R, torque: Q, axes: Ends<'_, S, Self>) -> (Self::Main, Self::Side, S::Internal);
-}
-
-/// What a closing joint has kept of the orientations of both ends.
-pub struct Ends<'a, S: Space, K: Closing<S>> {
-    /// First values.
-    pub x: &'a K::PerAxes<S::X>,
-    /// Second values.
-    pub y: &'a K::PerAxes<S::Y>,
-    /// Third values.
-    pub p: &'a K::PerAxes<S::P>,
-    /// Fourth values.
-    pub q: &'a K::PerAxes<S::Q>,
-}
 
 /// Two arms in parallel: both begin at this station, and end at the same one, where the chain goes on from the main arm. The side arm
 /// is joined to the end of the main arm by a joint of its own, which closes the loop: a `Pin` or `Weld` in the plane, a `Ball`,
@@ -106,7 +34,7 @@ pub struct Ends<'a, S: Space, K: Closing<S>> {
 /// root `Clamped` to the ground, with massless bodies ([`RigidBody::massless`](crate::planar::RigidBody::massless)) that reach to where each arm is held.
 ///
 /// The forces that close a loop are eliminated where the loop begins: it costs nothing outside of it. They must be independent of each other
-/// *within the loop*; if not, [`Fault::RedundantClosures`] names one. Forces and station of the closing joint
+/// *within the loop*; if not, [`Fault::RedundantClosures`] names one, unless the closing joint is a [`LeastNorm`](super::LeastNorm). Forces and station of the closing joint
 /// come after those of both arms: bodies, joints, stations and coordinates are numbered main arm, side arm, closing joint, what
 /// follows. The force at its station is that which the side arm passes on to the main arm, and positive as in any joint of the side arm.
 ///
@@ -116,7 +44,7 @@ pub struct Ends<'a, S: Space, K: Closing<S>> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Network<M, A, K> {
     arms: (M, A),
-    closing: K,
+    pub(super) closing: K,
 }
 
 impl<M, A, K> Network<M, A, K> {
@@ -137,9 +65,9 @@ impl<M, A, K> Network<M, A, K> {
 }
 
 /// Closure forces of the loop.
-type OwnOf<S, K> = <K as Closing<S>>::Closures;
+pub(super) type OwnOf<S, K> = <K as Closing<S>>::Closures;
 /// Closure forces in the main arm.
-type Inside<S, C, K> = Looped<C, OwnOf<S, K>>;
+pub(super) type Inside<S, C, K> = Looped<C, OwnOf<S, K>>;
 /// Gains of the loop, whose columns are those of the space.
 type Gains<S, C, K> = LoopGain<<S as Space>::Column, <S as Space>::Scalar, C, OwnOf<S, K>>;
 
@@ -431,69 +359,6 @@ fn arms<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>>(
     let Coordinates { position, rate, acceleration } = motion;
     let ((p, q), (r, s), (a, b)) = (&position.arms, &rate.arms, &acceleration.arms);
     (Coordinates { position: p, rate: r, acceleration: a }, Coordinates { position: q, rate: s, acceleration: b })
-}
-
-/// What a sweep carries into the main arm.
-type InMain<S, W, K> =
-    Carrying<<W as Sweep<S>>::Loads, <W as Sweep<S>>::Springs, Inside<S, <W as Sweep<S>>::Closures, K>>;
-/// What it carries into the side arm.
-type InSide<S, W, K> = Carrying<<W as Sweep<S>>::Loads, <W as Sweep<S>>::Springs, OwnOf<S, K>>;
-
-impl<S, R, W, M, A, K> Condense<S, R, W> for Network<M, A, K>
-where
-    S: Space,
-    W: Sweep<S>,
-    K: CloseOff<S, R, InJoint<S, W>>,
-    M: Condense<S, K::Main, InMain<S, W, K>>,
-    A: Condense<S, K::Side, InSide<S, W, K>>,
-    M::Out: Settle<S::Column, S::Scalar, A::Out, W::Closures, OwnOf<S, K>>,
-{
-    type Out = <M::Out as Settle<S::Column, S::Scalar, A::Out, W::Closures, OwnOf<S, K>>>::Out;
-
-    #[inline(always)]
-    fn condense(
-        &self,
-        outer: R,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        Given { on_bodies, in_joints, position, rate, reading, springs }: Given<'_, S, Self, W>,
-        kept: &mut Self::Kept<W::Closures>,
-    ) -> Self::Out {
-        let (main, side, driven) =
-            self.closing.close_off(outer, in_joints.2, Ends { x: &x.2, y: &y.2, p: &p.2, q: &q.2 });
-        let (position, rate) = (&position.arms, &rate.arms);
-        let Reading { position: read, rate: read_rate, acceleration } = reading;
-        let in_main = Reading { position: &read.arms.0, rate: &read_rate.arms.0, acceleration: &acceleration.arms.0 };
-        let in_side = Reading { position: &read.arms.1, rate: &read_rate.arms.1, acceleration: &acceleration.arms.1 };
-        let main = self.main().condense(
-            main,
-            Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 },
-            Given {
-                on_bodies: &on_bodies.0,
-                in_joints: &in_joints.0,
-                position: &position.0,
-                rate: &rate.0,
-                reading: in_main,
-                springs,
-            },
-            &mut kept.0,
-        );
-        let side = self.side().condense(
-            side,
-            Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 },
-            Given {
-                on_bodies: &on_bodies.1,
-                in_joints: &in_joints.1,
-                position: &position.1,
-                rate: &rate.1,
-                reading: in_side,
-                springs,
-            },
-            &mut kept.1,
-        );
-        let (relation, gain) = main.settle(side);
-        (kept.2, kept.3) = (gain, driven);
-        relation
-    }
 }
 
 impl<M, A, K> crate::counts::Counted for Network<M, A, K>
