@@ -82,6 +82,7 @@ fn pulls<T: Scalar>(one: T) -> [Vector2<T>; 2] {
 
 /// A pin that closes a loop with the forces `O`, two of them.
 #[inline(always)]
+#[allow(clippy::type_complexity)] // what both arms meet, and what is passed on
 fn close_pin<T, O, R, Q>(outer: R, torque: Q) -> (<R::Out as Twisted<Q::Reaction>>::Out, Point<T, Q, O>, Internal<T>)
 where
     T: Scalar,

@@ -96,7 +96,7 @@ where
                     Err(error) => {
                         // A step that is far too long may leap anywhere: its error by the size of the past motion says so.
                         let leap = self.stepper.error(&self.past, size, &self.past, tolerance);
-                        if !leap.is_some_and(|leap| !(leap <= one)) {
+                        if leap.is_none_or(|leap| leap <= one) {
                             return Err(error);
                         }
                         leap

@@ -233,7 +233,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                     let mut length = RealOf::<S>::of(0.0);
                     step.visit(&mut |x| length = x.real().abs().max(length));
                     let before = core::mem::replace(&mut last, length);
-                    if !(length <= size) {
+                    let bounded = length <= size; // and a number
+                    if !bounded {
                         break;
                     }
                     // Also where rounding moves it to and fro.
@@ -245,7 +246,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             }
         }
         // After a step that is far too long no short correction closes a loop: that is no motion, and such steps are refused.
-        if Self::LOOPED && !(last <= size * RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.25))) {
+        let closed = last <= size * RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.25));
+        if Self::LOOPED && !closed {
             motion.position.replace(&mut |_| S::Scalar::constant(RealOf::<S>::INFINITY));
         }
         for _ in 0..Self::CLOSED {

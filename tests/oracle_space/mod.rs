@@ -102,7 +102,7 @@ impl Frame {
 }
 
 /// What closes a loop: it holds the outboard points of two bodies together along some directions, and the bodies about some axes
-/// (inertial axes).
+/// (inertial axes; these turn with the main body).
 #[derive(Clone, Debug)]
 pub struct Closing {
     pub main: usize,
@@ -387,10 +387,10 @@ pub fn solve_closed(
         for t in about {
             miss = miss.max(t.dot(&(frames[*main].spin - frames[*side].spin)).abs());
             let none = Vector::zeros();
-            rows.push((
-                n + 1 + number,
-                Row { terms: vec![(Some(*main), none, *t), (Some(*side), none, -t)], value: 0.0 },
-            ));
+            // t · (ω_m − ω_s) = 0, differentiated, for t that turn with the main body.
+            let (spin, relative) = (frames[*main].spin, frames[*main].spin - frames[*side].spin);
+            let value = -spin.cross(t).dot(&relative);
+            rows.push((n + 1 + number, Row { terms: vec![(Some(*main), none, *t), (Some(*side), none, -t)], value }));
         }
         torque[*main] += own;
         torque[*side] -= own;
