@@ -7,7 +7,12 @@ use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
-/// A relation whose station can be let move under a force.
+/// A relation whose station can be let move under a force: what a sliding joint must find on its outboard side.
+#[diagnostic::on_unimplemented(
+    message = "a sliding joint needs a body on its outboard side, but meets `{Self}`",
+    label = "no body outboard of a joint",
+    note = "end a chain with a body; a ball may lie between the two"
+)]
 pub trait Slides<T: Scalar>: Relation<T> {
     /// The relation in full.
     fn whole(self) -> Full<T, Self::Closures>;
