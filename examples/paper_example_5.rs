@@ -111,7 +111,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let mut near = [[0.0; 3]; 3];
     let mut exact: Record = vec![];
-    let run = scene.simulation(Dop853::tolerance(1e-12)).every(0.01).run(start.clone(), end, |now| {
+    let run = scene.simulation(Dop853::tolerance(1e-12)).every(0.01).run(start, end, |now| {
         for (angles, body) in near.iter_mut().zip(scene.body_motions(now.motion()).iter()) {
             *angles = body.attitude().angles_near(*angles);
         }

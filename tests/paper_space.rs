@@ -222,7 +222,7 @@ fn right_angles_are_refused_by_angles_only() -> Result<(), Error> {
     assert_eq!(error.place, Some(Place::Station(2)));
     assert!(error.to_string().contains("rotation vectors"));
     let vectors = scheme.turning_by(Slots::RotationVectors).linearized(At::Predictor);
-    let exact = scene.simulate(start.clone(), Dop853::tolerance(1e-12), 0.3, |_| ())?.motion;
+    let exact = scene.simulate(start, Dop853::tolerance(1e-12), 0.3, |_| ())?.motion;
     let mut run = vectors.start(&scene, &start, &Unloaded, 0.001)?;
     run.run_to(0.3)?;
     for (k, body) in scene.body_motions(&exact).iter().enumerate() {

@@ -14,6 +14,7 @@ use catena::paper::{
 use catena::planar::index::{M, ONE, QX, QY, THETA, X, Y};
 use catena::planar::{Branch, Free, Inertia, Pin, Pinned, Rod, System};
 use catena::{Error, StateVector, TransferMatrix};
+use core::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 use kit::{has_order, near};
 use nalgebra::{DMatrix, DVector, Vector2};
 
@@ -135,6 +136,9 @@ fn branched_equation_meets_the_sweep_of_a_tree() -> Result<(), Error> {
     Ok(())
 }
 
+/// A rod, and 0 or 1 for its inboard or outboard end.
+type RodEnd = (usize, f64);
+
 /// Rods held together by pins: accelerations and forces by multipliers, in the coordinates x_C, y_C, θ of all rods.
 struct Multipliers {
     rods: Vec<(f64, f64)>,
@@ -143,7 +147,7 @@ struct Multipliers {
     /// Places of the inboard ends.
     places: Vec<Vector2<f64>>,
     /// Ends that coincide: a rod and 0 or 1 for its inboard or outboard end, and another, or the ground.
-    pins: Vec<((usize, f64), Option<(usize, f64)>)>,
+    pins: Vec<(RodEnd, Option<RodEnd>)>,
     /// Torques on the rods.
     torques: Vec<f64>,
     gravity: f64,
@@ -222,7 +226,7 @@ fn places(start: Vector2<f64>, rods: &[(f64, f64)], angles: &[f64]) -> Vec<Vecto
 fn four_bar(torques: Vec<f64>) -> Multipliers {
     let rods = vec![(0.5, 0.5), (1.2, 1.2), (0.9, 0.9), (1.0, 0.7)];
     // The last rod closes the ring from the end of the third to the start of the first.
-    let angles = vec![1.047197551197, 0.321105014831, -2.017338833372];
+    let angles = vec![FRAC_PI_3, 0.321105014831, -2.017338833372];
     let ends = places(Vector2::zeros(), &rods, &[angles.as_slice(), &[0.0]].concat());
     let back = -ends[3];
     let mut rods = rods;
@@ -283,8 +287,7 @@ fn network_equation_meets_multipliers() -> Result<(), Error> {
     // In the order arm, J→P1, P1→P2, P2→P3, P3→J: the two last turned about to run round the ring.
     let turned = core::f64::consts::PI;
     let mut rods = vec![(0.8, 0.8), (0.6, 0.6), (0.5, 0.5), (0.55, 0.55), (0.45, 0.45)];
-    let mut angles =
-        vec![-1.047197551197, -0.523598775598, -2.094395102393, -0.620259990849 + turned, -1.977311259432 + turned];
+    let mut angles = vec![-FRAC_PI_3, -FRAC_PI_6, -2.0 * FRAC_PI_3, -0.620259990849 + turned, -1.977311259432 + turned];
     // The angles are known to twelve digits: the last rod closes the ring.
     let ends = places(Vector2::zeros(), &rods, &angles);
     let back = ends[1] - ends[4];
@@ -324,7 +327,7 @@ fn four_bar_on_the_ground_runs_in_the_scheme() -> Result<(), Error> {
     let rod = |length: f64| Rod::uniform(length, length);
     let chain = (rod(0.5), Pin, rod(1.2), Pin, rod(0.9));
     let scene = System::new(Pinned::origin(), chain, Pinned::at(1.0, 0.0))?.with_gravity(9.81);
-    let start = scene.at_rest(&[1.047197551197, 0.321105014831, -2.017338833372])?;
+    let start = scene.at_rest(&[FRAC_PI_3, 0.321105014831, -2.017338833372])?;
     let start = scene.with_tip_held(start, &Unloaded)?;
     let known = [0.642899885450, 0.371974374104, -2.184234809797];
     let (root, held) = ([-9.029701078803, -6.306329530730], [7.817492762157, 16.943805449834]);
