@@ -65,7 +65,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("Figure 10: time of a step (µs) against the number of bodies, the chain of section 5.5.\n");
     println!("   bodies   paper, product   paper, Riccati   joint coordinates   this crate   global equations");
     let mut curves: [Vec<(f64, f64)>; 5] = Default::default();
-    for n in [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 10_000, 100_000] {
+    for n in [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 5000, 20_000, 100_000] {
         let size = 1.0 / n as f64;
         let rod = Rod::uniform(size, size);
         let links = vec![(ElasticHinge::rotary(20.0), rod); n - 1];
@@ -114,6 +114,26 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!(
         "\n  Steps are of 1 ms, those of the product of 10 ms: at 1 ms it has hardly a digit left with 10 bodies, at 10 ms with 1000."
     );
+    // Slopes of the logarithms, by least squares, and where the global equations become slower.
+    let slope = |curve: &[(f64, f64)], from: f64, to: f64| {
+        let points: Vec<_> = curve.iter().filter(|(n, _)| (from.log10()..=to.log10() + 1e-9).contains(n)).collect();
+        let count = points.len() as f64;
+        let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0 / count, y + p.1 / count));
+        let above: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+        above / points.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
+    };
+    println!(
+        "\nSlopes: paper, Riccati {:.2}, this crate {:.2} (n = 100 to 20 000); global equations {:.2} (n = 100 to 500).",
+        slope(&curves[1], 100.0, 20_000.0),
+        slope(&curves[3], 100.0, 20_000.0),
+        slope(&curves[4], 100.0, 500.0)
+    );
+    for (name, curve) in [("the paper's scheme, Riccati", &curves[1]), ("this crate", &curves[3])] {
+        let first = curve.iter().zip(&curves[4]).find(|(own, global)| global.1 > own.1);
+        if let Some(((n, _), _)) = first {
+            println!("From n = {:.0} on the global equations are slower than {name}.", 10_f64.powf(*n));
+        }
+    }
     println!("\nPicture: {}", draw(curves)?.display());
     Ok(())
 }
