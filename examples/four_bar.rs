@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // same start, to compare with the reference.
     let rough = linkage.assembled(linkage.at_rest(&[std::f64::consts::FRAC_PI_3, 0.2, 1.3])?, &Unloaded)?;
     let angles = |motion: &_| BODIES.map(|k| linkage.angles(motion).get(k).copied().unwrap_or(f64::NAN));
-    let start = linkage.at_rest(&[1.047197551197, 0.321105014831, 1.124253820218])?;
+    let start = linkage.at_rest(&[std::f64::consts::FRAC_PI_3, 0.321105014831, 1.124253820218])?;
     let start = linkage.assembled(start, &Unloaded)?;
     let energy = linkage.budget(&start).energy();
 

@@ -28,7 +28,7 @@ const ON_ROCKER: [[f64; 2]; 5] = [
     [-0.085338624530, 9.599715380709],
 ];
 /// Angles (rad) at the start.
-const START: [f64; 3] = [1.047197551197, 0.321105014831, -2.017338833372];
+const START: [f64; 3] = [core::f64::consts::FRAC_PI_3, 0.321105014831, -2.017338833372];
 
 const NETWORK: [Row<5>; 4] = [
     (

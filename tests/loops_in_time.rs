@@ -33,7 +33,7 @@ where
 }
 
 /// At rest, closed.
-const AT_START: [f64; 3] = [1.047197551197, 0.321105014831, 1.124253820218];
+const AT_START: [f64; 3] = [core::f64::consts::FRAC_PI_3, 0.321105014831, 1.124253820218];
 
 /// Two links of one arm.
 type Links<J> = (Pin, Rod<f64>, J, Rod<f64>);
@@ -49,6 +49,7 @@ fn net<J: Copy>(joint: J) -> Net<J> {
 /// Angles near which the loops close.
 const NEAR: [f64; 8] = [-1.0, -0.5, -2.1, -2.0, -0.6, 0.2, -2.5, -1.5];
 
+#[allow(clippy::type_complexity)] // a scene and its motion
 fn hanging<J: Copy>(joint: J) -> Result<(Scene<Pinned<[f64; 2]>, Net<J>>, Motion<Pinned<[f64; 2]>, Net<J>>), Error>
 where
     Net<J>: Element<Planar<f64>>,

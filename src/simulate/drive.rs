@@ -93,14 +93,15 @@ where
                 let error = match outcome {
                     Ok(()) => self.stepper.error(&self.past, size, &self.next, tolerance),
                     Err(Error { fault: Fault::NonFiniteMotion, .. }) => Some(RealOf::<S>::INFINITY),
-                    Err(error) => {
-                        // A step that is far too long may leap anywhere: its error by the size of the past motion says so.
+                    // A step that is far too long may leap anywhere: its error by the size of the past motion says so.
+                    Err(refused @ Error { fault: Fault::AngleOutOfRange { .. }, .. }) => {
                         let leap = self.stepper.error(&self.past, size, &self.past, tolerance);
                         if leap.is_none_or(|leap| leap <= one) {
-                            return Err(error);
+                            return Err(refused);
                         }
                         leap
                     }
+                    Err(error) => return Err(error),
                 };
                 let error = error.unwrap_or(RealOf::<S>::zero());
                 let factor = factor(error, self.stepper.error_order());

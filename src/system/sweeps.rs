@@ -231,10 +231,12 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 motion.position.displace(step);
                 if Self::LOOPED {
                     let mut length = RealOf::<S>::of(0.0);
-                    step.visit(&mut |x| length = x.real().abs().max(length));
+                    step.visit(&mut |x| {
+                        let x = if x.is_finite() { x.real().abs() } else { RealOf::<S>::INFINITY };
+                        length = x.max(length);
+                    });
                     let before = core::mem::replace(&mut last, length);
-                    let bounded = length <= size; // and a number
-                    if !bounded {
+                    if length > size {
                         break;
                     }
                     // Also where rounding moves it to and fro.
@@ -246,8 +248,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             }
         }
         // After a step that is far too long no short correction closes a loop: that is no motion, and such steps are refused.
-        let closed = last <= size * RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.25));
-        if Self::LOOPED && !closed {
+        if Self::LOOPED && last > size * RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.25)) {
             motion.position.replace(&mut |_| S::Scalar::constant(RealOf::<S>::INFINITY));
         }
         for _ in 0..Self::CLOSED {
