@@ -74,7 +74,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut wanted = 1e-3;
     for exponent in 5..=80 {
         let tolerance = 10_f64.powf(-0.2 * f64::from(exponent));
-        let once = || mechanism.simulation(Dop853::tolerance(tolerance)).loads(&loads).run(start, END, |_| ());
+        let once = || {
+            let run = mechanism.simulation(Dop853::tolerance(tolerance)).loads(&loads).run(start, END, |_| ());
+            run.map_err(|stopped| stopped.error)
+        };
         let run = once()?;
         let of = |(found, expected): (f64, f64)| ((found - expected) / expected).abs();
         let error = angles(&run.motion).into_iter().zip(REFERENCE).map(of).fold(0.0, f64::max);

@@ -56,6 +56,7 @@ const NETWORK: [Row<5>; 4] = [
 /// A four-bar linkage whose rocker begins at the ground.
 type FourBar = Network<(Pin, Rod<f64>, Pin, Rod<f64>), (RigidBody<f64>, Pin, Rod<f64>), Pin>;
 
+#[allow(clippy::type_complexity)] // a scene
 fn four_bar() -> Result<System<f64, Clamped<[f64; 2], f64>, FourBar, Free>, Error> {
     let rod = |length| Rod::uniform(length, length);
     let crank = (Pin, rod(0.5), Pin, rod(1.2));
