@@ -214,10 +214,8 @@ fn vectors_of_segments_end_at_a_pin_as_tuples_do() -> Result<(), Error> {
     let vector = System::new(root, (first, links.to_vec()), tip)?.with_gravity(9.81);
     let tuple = System::new(root, (first, inner, last), tip)?.with_gravity(9.81);
     let guess = [-1.0, -0.7, -0.3, 0.0, 0.3, 0.7, 1.0];
-    let starts = (
-        vector.with_tip_held(vector.at_rest(&guess)?, &Unloaded)?,
-        tuple.with_tip_held(tuple.at_rest(&guess)?, &Unloaded)?,
-    );
+    let starts =
+        (vector.assembled(vector.at_rest(&guess)?, &Unloaded)?, tuple.assembled(tuple.at_rest(&guess)?, &Unloaded)?);
     let rule = Dop853::tolerance(1e-10);
     let explicit = (
         vector.simulate(starts.0.clone(), rule, 0.2, |_| ())?.motion,

@@ -152,18 +152,18 @@ fn guided_roots_and_held_tips_have_order_two() -> Result<(), Error> {
     macro_rules! tip {
         ($scene:expr) => {{
             let scene = $scene?.with_gravity(9.81);
-            let start = scene.with_tip_held(scene.at_rest(&angles)?, &Unloaded)?;
+            let start = scene.assembled(scene.at_rest(&angles)?, &Unloaded)?;
             chain_orders!(scene, start, 0.3);
         }};
     }
     tip!(System::new(Pinned::origin(), tips, Pinned::at(1.5, 0.0)));
     let elastic = (rod, hinge, rod, hinge, rod, hinge, rod, hinge, rod);
     let scene = System::new(Pinned::origin(), elastic, Clamped::at(1.7, 0.2, 0.9))?.with_gravity(9.81);
-    let start = scene.with_tip_held(scene.at_rest(&[-0.7, -0.3, 0.2, 0.6, 0.8])?, &Unloaded)?;
+    let start = scene.assembled(scene.at_rest(&[-0.7, -0.3, 0.2, 0.6, 0.8])?, &Unloaded)?;
     chain_orders!(scene, start, 0.3);
     let scene =
         System::new(Pinned::origin(), (rod, hinge, rod, hinge, rod), Guided::at(0.0, 0.3, 0.4))?.with_gravity(9.81);
-    let start = scene.with_tip_held(scene.at_rest(&[-0.5, 0.6, 0.4])?, &Unloaded)?;
+    let start = scene.assembled(scene.at_rest(&[-0.5, 0.6, 0.4])?, &Unloaded)?;
     chain_orders!(scene, start, 0.2);
     Ok(())
 }
@@ -173,7 +173,7 @@ fn guided_roots_and_held_tips_have_order_two() -> Result<(), Error> {
 fn smooth_joints_next_to_clamped_tips_ask_for_the_transform() -> Result<(), Error> {
     let rod = Rod::uniform(0.5, 0.4);
     let scene = System::new(Pinned::origin(), (rod, Pin, rod, Pin, rod), Clamped::at(1.2, 0.0, 0.4))?;
-    let start = scene.with_tip_held(scene.at_rest(&[-0.5, 0.3, 0.4])?, &Unloaded)?;
+    let start = scene.assembled(scene.at_rest(&[-0.5, 0.3, 0.4])?, &Unloaded)?;
     let scheme = Scheme::new(GeneralizedAlpha::new(0.8));
     let error = scheme.start(&scene, &start, &Unloaded, 0.01)?.step().unwrap_err();
     println!("{error}");

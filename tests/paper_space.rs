@@ -101,7 +101,7 @@ fn floating_chains_and_held_tips_have_order_two() -> Result<(), Error> {
     let tip = Pinned::at(1.5, 0.0, 0.3);
     let scene = System::new(Pinned::origin(), (plate(), Ball, rod, Ball, rod), tip)?.with_gravity(9.81);
     let start = scene.at_rest(&[0.3, 0.2, -0.4, -0.2, 0.1, 0.3, 0.1, -0.2, 0.5])?;
-    let start = scene.with_tip_held(start, &Unloaded)?;
+    let start = scene.assembled(start, &Unloaded)?;
     all_orders!(scene, start, Unloaded, 0.2);
     Ok(())
 }

@@ -328,7 +328,7 @@ fn four_bar_on_the_ground_runs_in_the_scheme() -> Result<(), Error> {
     let chain = (rod(0.5), Pin, rod(1.2), Pin, rod(0.9));
     let scene = System::new(Pinned::origin(), chain, Pinned::at(1.0, 0.0))?.with_gravity(9.81);
     let start = scene.at_rest(&[FRAC_PI_3, 0.321105014831, -2.017338833372])?;
-    let start = scene.with_tip_held(start, &Unloaded)?;
+    let start = scene.assembled(start, &Unloaded)?;
     let known = [0.642899885450, 0.371974374104, -2.184234809797];
     let (root, held) = ([-9.029701078803, -6.306329530730], [7.817492762157, 16.943805449834]);
     let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).linearized(At::Predictor).solved_by(Solver::Riccati);

@@ -33,7 +33,7 @@ const GUESS: [f64; 6] = [1.2, 0.0, -0.64, -0.22, 2.2, 0.1];
 
 macro_rules! start {
     ($linkage:expr) => {
-        $linkage.with_tip_held($linkage.at_rest(&GUESS)?, &Unloaded)
+        $linkage.assembled($linkage.at_rest(&GUESS)?, &Unloaded)
     };
 }
 
@@ -115,13 +115,13 @@ fn a_chain_told_backwards_moves_alike() -> Result<(), Error> {
     let ball = Pinned::at(1.0, 0.3, -0.2);
     let forward = System::new(hinge, (a, Ball, b, Ball, c), ball)?.with_gravity(9.81);
     let guess = forward.at_rest(&[0.5, 0.1, 0.2, -0.9, 0.4, -0.3, 0.8])?;
-    let start = forward.with_tip_held(guess, &Unloaded)?;
+    let start = forward.assembled(guess, &Unloaded)?;
     let backward = System::new(ball, (c_back, Ball, b_back, Ball, a_back), hinge)?.with_gravity(9.81);
     let mut other = backward.motion();
     let (angle, rest) = start.position();
     let turned = Rotation::exp((unit * *angle).into());
     *other.position_mut() = (rest.3, ((), rest.1, (), turned, ()));
-    let other = backward.with_tip_held(other, &Unloaded)?;
+    let other = backward.assembled(other, &Unloaded)?;
 
     let rule = Dop853::tolerance(1e-12);
     let one = forward.simulate(start, rule, 1.5, |_| ())?.motion;
@@ -177,7 +177,7 @@ fn tips_follow_ground_that_moves_and_turns() -> Result<(), Error> {
         ($name:literal, $tip:expr, $turn:expr) => {{
             let scene = System::new(Pinned::origin(), chain, $tip)?.with_gravity(9.81);
             let guess = scene.at_rest(&[0.2, 0.1, -0.8, 0.1, -0.3, 0.4, 0.0, 0.1, 0.3])?;
-            let start = scene.with_tip_held(guess, &Unloaded)?;
+            let start = scene.assembled(guess, &Unloaded)?;
             let energy = scene.budget(&start).energy();
             let (mut worst, mut power) = (0.0_f64, vec![]);
             let run = scene.simulation(Dop853::tolerance(1e-12)).every(0.005).run(start, 2.0, |now| {
@@ -218,7 +218,7 @@ fn rules_keep_their_order_on_ground_that_moves_and_turns() -> Result<(), Error> 
     let hinge = Hinged::on(Clamped { place, attitude }, [0.3, 1.0, 0.2]);
     let scene = System::new(Pinned::origin(), chain, hinge)?.with_gravity(9.81);
     let guess = scene.at_rest(&[0.2, 0.1, -0.8, 0.1, -0.3, 0.4, 0.0, 0.1, 0.3])?;
-    let start = scene.with_tip_held(guess, &Unloaded)?;
+    let start = scene.assembled(guess, &Unloaded)?;
     let reference = scene.simulate(start, Dop853::tolerance(1e-13), 0.5, |_| ())?.motion;
     let [mut attitudes, mut torques, mut stiff_attitudes, mut stiff_torques] = [vec![], vec![], vec![], vec![]];
     let look = |attitude: Rotation<f64>, multipliers: &[f64; 5]| {
@@ -264,7 +264,7 @@ fn closure_forces_of_a_hinge_have_derivatives() -> Result<(), Error> {
             None => scene.at_rest(&[0.2, 0.1, -0.8, 0.1, -0.3, 0.4, 0.0, 0.1, 0.3].map(number))?,
         };
         let rates = [0.3, -0.4, 0.5, 1.0, -0.3, 0.2, 0.1, 0.7, -0.5].map(number);
-        scene.with_tip_held(scene.with_rates(guess, &rates)?, &Unloaded)
+        scene.assembled(scene.with_rates(guess, &rates)?, &Unloaded)
     }
     fn forces<T: Scalar<Real = f64>>(x: T) -> Result<[T; 5], Error> {
         let near = closed(0.0, None)?;

@@ -55,7 +55,7 @@ where
 {
     let scene = scene.with_gravity_vector(Vector3::new(0.5, -2.0, -9.0));
     let start = scene.at_rest(start)?;
-    let start = scene.with_tip_held(start, &Unloaded)?;
+    let start = scene.assembled(start, &Unloaded)?;
     let energy = scene.budget(&start).energy();
     let motion = scene.simulate(start, Dop853::tolerance(1e-12), 1.0, |_| ())?.motion;
     near(scene.budget(&motion).energy(), energy, 1e-10);

@@ -122,7 +122,7 @@ fn tips_are_brought_to_where_they_are_held() -> Result<(), Error> {
     let chain = (rod(0.5), Pin, rod(1.2), Pin, rod(0.9));
     let four_bar = System::new(Pinned::origin(), chain, Pinned::at(1.0, 0.0))?.with_gravity(9.81);
     let rough = four_bar.with_rates(four_bar.at_rest(&[1.0, 0.4, -1.8])?, &[1.0, 0.0, 0.0])?;
-    let motion = four_bar.with_tip_held(rough, &Unloaded)?;
+    let motion = four_bar.assembled(rough, &Unloaded)?;
     let tip = *four_bar.stations(&motion, &Unloaded).tip();
     near(tip.frame.place.x, 1.0, 2e-16);
     near(tip.frame.place.y, 0.0, 2e-16);
@@ -131,7 +131,7 @@ fn tips_are_brought_to_where_they_are_held() -> Result<(), Error> {
 
     // Out of reach: 2.6 m of rods, 5 m away.
     let far = System::new(Pinned::origin(), chain, Pinned::at(5.0, 0.0))?.with_gravity(9.81);
-    match far.with_tip_held(far.at_rest(&[1.0, 0.4, -1.8])?, &Unloaded) {
+    match far.assembled(far.at_rest(&[1.0, 0.4, -1.8])?, &Unloaded) {
         Err(Error { fault: Fault::NotClosed { miss }, .. }) => assert!(miss > 2.4 - 1e-9, "{miss}"),
         other => panic!("no motion can reach there: {other:?}"),
     }

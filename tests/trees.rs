@@ -226,7 +226,7 @@ fn a_held_tip_stays_where_it_is_beside_an_arm() -> Result<(), Error> {
     let chain = (rod(0.5), Pin, rod(1.2), Branch((Pin, rod(0.4), Pin, rod(0.3))), Pin, rod(0.9));
     let scene = System::new(Pinned::origin(), chain, Pinned::at(1.0, 0.0))?.with_gravity(9.81);
     let guess = scene.at_rest(&[FRAC_PI_3, 0.321105, -0.5, -0.2, -2.017339])?;
-    let start = scene.with_tip_held(guess, &Unloaded)?;
+    let start = scene.assembled(guess, &Unloaded)?;
     let energy = scene.budget(&start).energy();
     let run = scene.simulate(start, Dop853::tolerance(1e-13), 2.0, |_| ())?;
     let stations = scene.stations(&run.motion, &Unloaded);
@@ -240,7 +240,7 @@ fn a_held_tip_stays_where_it_is_beside_an_arm() -> Result<(), Error> {
     // The same where only an arm follows the last body, which still is the one that is held.
     let chain = (rod(0.5), Pin, rod(1.2), Pin, rod(0.9), Branch((Pin, rod(0.4))));
     let scene = System::new(Pinned::origin(), chain, Pinned::at(1.0, 0.0))?.with_gravity(9.81);
-    let start = scene.with_tip_held(scene.at_rest(&[FRAC_PI_3, 0.321105, -2.017339, -0.5])?, &Unloaded)?;
+    let start = scene.assembled(scene.at_rest(&[FRAC_PI_3, 0.321105, -2.017339, -0.5])?, &Unloaded)?;
     let (place, energy) = (scene.stations(&start, &Unloaded).tip().frame.place, scene.budget(&start).energy());
     near(place.x, 1.0, 1e-14);
     let run = scene.simulate(start, Dop853::tolerance(1e-13), 1.0, |_| ())?;

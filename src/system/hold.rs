@@ -49,21 +49,6 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(motion)
     }
 
-    /// [`assembled`](Self::assembled), under the name it has for a chain.
-    ///
-    /// # Errors
-    /// As there.
-    pub fn with_tip_held<L: Loading<S>>(
-        &self,
-        motion: MotionOf<S, R, C, P>,
-        loads: &L,
-    ) -> Result<MotionOf<S, R, C, P>, Error>
-    where
-        Self: Runs<L, S, R, C, P>,
-    {
-        self.assembled(motion, loads)
-    }
-
     /// Tells which closure forces the motion does not decide, by the station of the joint that closes the loop and by what they hold:
     /// those of loops that are held more often than they can move, where [`LeastNorm`](crate::chain::LeastNorm) has chosen among them.
     ///

@@ -32,7 +32,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Newton's method on sweeps, (K + μ M) δ = M a, with M, K of [`modes`](Self::modes) and a the accelerations. Far from
     /// equilibrium, springs alone or an inertia μ M that is large enough lead downhill, as the work done on the way proves; near a
     /// stable equilibrium μ vanishes, and digits double. An unstable equilibrium is found from a guess within 0.01 rad of it. A
-    /// tip that the guess does not put where it is held is put there first, as by [`assembled`](Self::with_tip_held). Loads
+    /// tip that the guess does not put where it is held is put there first, as by [`assembled`](Self::assembled). Loads
     /// are arbitrary functions of the motion, with a potential or without.
     ///
     /// A step takes sixteen sweeps for each coordinate and dense algebra, so this is for some hundreds of coordinates. What is
