@@ -4,7 +4,7 @@ use crate::element::{Coordinates, Element};
 use crate::loading::Loading;
 use crate::space::Space;
 
-/// A visitor of [`Element::travel`](crate::element::Element::travel).
+/// A visitor of [`Element::travel`].
 pub trait Visit<S: Space> {
     /// Entry written for each body.
     type OnBody: Copy;
@@ -45,7 +45,7 @@ pub struct Closed<S: Space> {
     pub miss: [S::Numbers; 2],
 }
 
-/// A gatherer of [`Element::inward`](crate::element::Element::inward): internal forces that add up from the tips to the root, for example.
+/// A gatherer of [`Element::inward`]: internal forces that add up from the tips to the root, for example.
 pub trait Gather {
     /// What it reads or writes of each body and joint.
     type Entry: Copy;
