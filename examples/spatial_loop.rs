@@ -117,7 +117,7 @@ fn draw(readings: &[Reading]) -> Drawn<PathBuf> {
 
         let all = readings.iter().flat_map(|reading| reading.places.iter().map(seen)).chain([(0.0, 0.0)]);
         let (xs, ys): (Vec<_>, Vec<_>) = all.unzip();
-        let (xs, ys) = (common::range(xs.into_iter(), 0.1), common::range(ys.into_iter(), 0.1));
+        let (xs, ys) = (common::range(xs, 0.1), common::range(ys, 0.1));
         let mut path = common::chart(&left, "First second (every 0.1 s) and paths of balls, aslant (m)", "", xs, ys)?;
         let swing: Vec<_> = readings.iter().take(101).step_by(10).collect();
         let far = seen(&Vector3::from(FAR));
