@@ -208,6 +208,7 @@ pub(crate) fn loops_miss<S: Space, E: Element<S>>(
 }
 
 /// Calls `note` with what each condition that closes a loop is missed by: in place (m, rad) and in velocity.
+#[cfg(feature = "alloc")] // for statics
 pub(crate) fn each_miss<S: Space, E: Element<S>>(
     chain: &E,
     ground: S::Frame,
@@ -218,8 +219,10 @@ pub(crate) fn each_miss<S: Space, E: Element<S>>(
 }
 
 /// Shows by how much loops miss.
+#[cfg(feature = "alloc")]
 struct Misses<F>(F);
 
+#[cfg(feature = "alloc")]
 impl<S: Space, F: FnMut([S::Scalar; 2])> Visit<S> for Misses<F> {
     type OnBody = ();
     type InJoint = ();

@@ -34,6 +34,8 @@ pub fn rows() -> Vec<Row> {
         row!("tree" "Vec" 1000, |b| vec![(Pin, b, [Branch([(Pin, b); 3]); 3]); 100]),
         // Nineteen rods in an arm on each twentieth.
         row!("tree, long arms" "Vec" 1000, |b| vec![(Pin, b, Branch([(Pin, b); 19])); 50]),
+        // An arm of eighty rods on each 125 of the trunk.
+        row!("tree, longer arms" "Vec" 1025, |b| vec![(vec![(Pin, b); 125], Branch(vec![(Pin, b); 80])); 5]),
         row!("loops of three" "tuple" 3, |b| mesh(b)),
         row!("loops of three" "array" 30, |b| [mesh(b); 10]),
         row!("loops of three" "Vec" 30, |b| vec![mesh(b); 10]),
