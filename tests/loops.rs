@@ -140,3 +140,29 @@ fn a_third_crank_shares_the_load_in_the_least_way() -> Result<(), Error> {
     near(scene.budget(&end).energy(), energy, 1e-9);
     Ok(())
 }
+
+/// A linkage with a torsion spring rests and swings alike as a loop and as a chain between two pins.
+#[test]
+fn a_linkage_rests_and_swings_as_a_chain_between_two_pins_does() -> Result<(), Error> {
+    let rod = |length| Rod::uniform(length, length);
+    let knee = ElasticHinge::rotary(3.0).resting_at(-0.7);
+    let chain = System::new(Pinned::origin(), (rod(0.5), knee, rod(1.2), Pin, rod(0.9)), Pinned::at(1.0, 0.0))?;
+    let chain = chain.with_gravity(9.81);
+    let at_rest = chain.equilibrium(chain.at_rest(&START)?, &Unloaded)?;
+    let net = Network::new((Pin, rod(0.5), knee, rod(1.2)), (RigidBody::massless([1.0, 0.0]), Pin, rod(0.9)), Pin);
+    let looped = System::new(Clamped::at(0.0, 0.0, 0.0), net, Free)?.with_gravity(9.81);
+    let rest = looped.equilibrium(looped.at_rest(&[START[0], START[1], START[2] + PI])?, &Unloaded)?;
+    let (one, other) = (chain.angles(&at_rest), looped.angles(&rest));
+    let angle = |of: Option<&f64>| of.copied().unwrap_or(f64::NAN);
+    near(angle(one.get(0)), angle(other.get(0)), 1e-12);
+    near(angle(one.get(1)), angle(other.get(1)), 1e-12);
+    // Rods that point the other way, some turns apart.
+    near((angle(one.get(2)) - angle(other.get(3))).cos(), -1.0, 1e-15);
+    let (one, other) = (chain.modes(&at_rest, &Unloaded)?, looped.modes(&rest, &Unloaded)?);
+    assert_eq!((one.len(), other.len()), (1, 1));
+    for (one, other) in one.frequencies().zip(other.frequencies()) {
+        println!("{one} {other} rad/s");
+        near(other, one, 1e-9 * one);
+    }
+    Ok(())
+}
