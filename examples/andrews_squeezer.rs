@@ -107,7 +107,7 @@ fn draw(readings: &[Reading]) -> Drawn<PathBuf> {
         let (left, right) = area.split_horizontally(common::pixels(470.0));
         let (upper, lower) = right.split_vertically(common::pixels(250.0));
 
-        let title = "Every 2 ms from t = 0.012 s, and the path of the point where the arms meet (mm)";
+        let title = "Every 2 ms from 0.012 s, path of their end (mm)";
         let mm = |(x, y): (f64, f64)| (1e3 * x, 1e3 * y);
         let ground = |[x, y]: [f64; 2]| mm((x, y));
         let mut path = common::chart(&left, title, "", -80.0..30.0, -50.0..80.0)?;

@@ -81,8 +81,8 @@ fn a_four_bar_follows_its_table() -> Result<(), Error> {
         near(found[1], angles[1], 1e-9);
         near(found[2], angles[2] + PI, 1e-9);
         for k in 0..2 {
-            near(at(0)[k], force[k], 1e-8);
-            near(at(5)[k], on_rocker[k], 1e-8);
+            near(at(0)[k], force[k], 1e-9);
+            near(at(5)[k], on_rocker[k], 1e-9);
         }
     }
     Ok(())
@@ -104,8 +104,8 @@ fn a_network_follows_its_table() -> Result<(), Error> {
         }
         let stations = scene.stations(&motion, &Unloaded);
         let found = stations.root().internal.force;
-        near(found.x, force[0], 1e-8);
-        near(found.y, force[1], 1e-8);
+        near(found.x, force[0], 1e-9);
+        near(found.y, force[1], 1e-9);
     }
     Ok(())
 }
