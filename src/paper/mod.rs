@@ -136,6 +136,8 @@ mod plane_scene;
 #[cfg(feature = "alloc")]
 mod product;
 #[cfg(feature = "alloc")]
+mod relation;
+#[cfg(feature = "alloc")]
 mod riccati;
 mod rule;
 #[cfg(feature = "alloc")]

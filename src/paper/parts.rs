@@ -3,6 +3,7 @@
 use super::orient::{Orient, Spring};
 use super::rule::{Coordinate, Rule};
 use crate::scalar::Scalar;
+use crate::state::StateVector;
 use alloc::vec::Vec;
 use num_traits::Zero;
 
@@ -74,9 +75,9 @@ pub struct Joint<T, R, const A: usize> {
     pub elastic: [T; A],
     /// The attitude of its outboard side to its inboard one, if it does not turn.
     pub ahead: R,
-    /// The body on its inboard side, by its place in the chain; none at the ground.
+    /// The number of the body on its inboard side; none at the ground.
     pub inner: Option<usize>,
-    /// The body on its outboard side.
+    /// That of the body on its outboard side.
     pub outer: usize,
 }
 
@@ -88,19 +89,62 @@ impl<T: Scalar, R, const A: usize> Joint<T, R, A> {
     }
 }
 
-/// A body or a joint.
+/// A body or a joint, by its number among its like, counted from the root.
 #[derive(Clone, Copy, Debug)]
-pub enum Part<T: Scalar, M, E: Orient<T, N, P, A>, const N: usize, const P: usize, const A: usize> {
+pub enum Part {
     /// A body.
-    Body(Body<T, M, E, N, P, A>),
+    Body(usize),
     /// A joint.
-    Joint(Joint<T, E::Ahead, A>),
+    Joint(usize),
 }
 
-impl<T: Scalar, M, E: Orient<T, N, P, A>, const N: usize, const P: usize, const A: usize> Part<T, M, E, N, P, A> {
-    /// The body, if it is one.
-    pub fn body(&self) -> Option<&Body<T, M, E, N, P, A>> {
-        if let Self::Body(body) = self { Some(body) } else { None }
+/// The bodies and joints of a chain, from its root's joint on. Each kind has a store of its own, for a long chain lives in memory: what
+/// a step walks through must be small.
+#[derive(Clone, Debug)]
+pub struct Parts<T: Scalar, M, E: Orient<T, N, P, A>, const N: usize, const P: usize, const A: usize> {
+    /// In which order they follow each other.
+    pub order: Vec<Part>,
+    /// The bodies.
+    pub bodies: Vec<Body<T, M, E, N, P, A>>,
+    /// The joints.
+    pub joints: Vec<Joint<T, E::Ahead, A>>,
+}
+
+impl<T, M, E, const N: usize, const P: usize, const A: usize> Parts<T, M, E, N, P, A>
+where
+    T: Scalar,
+    M: Copy,
+    E: Orient<T, N, P, A>,
+{
+    /// The parts of a chain that starts.
+    pub fn new<D: Rule<T, Memory = M>>(rule: &D, dt: T::Real, items: &[Item<T, E, N, P, A>]) -> Self {
+        let (mut order, mut bodies, mut joints) = (Vec::with_capacity(items.len()), Vec::new(), Vec::new());
+        for item in items {
+            match item {
+                Item::Body(body) => {
+                    order.push(Part::Body(bodies.len()));
+                    bodies.push(Body::new(rule, dt, body));
+                }
+                Item::Joint { turns, ahead, spring, elastic } => {
+                    let (inner, outer) = (bodies.len().checked_sub(1), bodies.len());
+                    order.push(Part::Joint(joints.len()));
+                    joints.push(Joint {
+                        turns: *turns,
+                        spring: *spring,
+                        elastic: *elastic,
+                        ahead: *ahead,
+                        inner,
+                        outer,
+                    });
+                }
+            }
+        }
+        Self { order, bodies, joints }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.order.len()
     }
 }
 
@@ -123,6 +167,11 @@ impl<T: Scalar, M: Copy, E: Orient<T, N, P, A>, const N: usize, const P: usize, 
         }
     }
 
+    /// Reads the increments of its angles from the state at its inboard end.
+    pub fn find(&mut self, z: &StateVector<T, N>, absolute: bool) {
+        self.found = core::array::from_fn(|i| if absolute { z[P + i] - self.angles[i].value } else { z[P + i] });
+    }
+
     /// This body where its linearisation is, `span` (s) after t_{i−1}, for loads to be read there.
     pub fn guessed(&self, span: T::Real) -> E::Motion {
         let later = |c: &Coordinate<T, M>| [c.value.add_scaled(span, c.rate), c.rate.add_scaled(span, c.acceleration)];
@@ -133,33 +182,4 @@ impl<T: Scalar, M: Copy, E: Orient<T, N, P, A>, const N: usize, const P: usize, 
         });
         self.expansion.motion(&self.rigid, inboard.map(|[x, _]| x), inboard.map(|[_, v]| v), turn)
     }
-}
-
-/// The parts of a chain, from its root's joint on.
-pub fn parts<T, D, E, const N: usize, const P: usize, const A: usize>(
-    rule: &D,
-    dt: T::Real,
-    items: &[Item<T, E, N, P, A>],
-) -> Vec<Part<T, D::Memory, E, N, P, A>>
-where
-    T: Scalar,
-    D: Rule<T>,
-    E: Orient<T, N, P, A>,
-{
-    let mut inner = None;
-    let mut parts = Vec::with_capacity(items.len());
-    for (k, item) in items.iter().enumerate() {
-        parts.push(match item {
-            Item::Body(body) => {
-                inner = Some(k);
-                Part::Body(Body::new(rule, dt, body))
-            }
-            Item::Joint { turns, ahead, spring, elastic } => {
-                let next = items[k..].iter().position(|item| matches!(item, Item::Body(_)));
-                let outer = k + next.unwrap_or(0);
-                Part::Joint(Joint { turns: *turns, spring: *spring, elastic: *elastic, ahead: *ahead, inner, outer })
-            }
-        });
-    }
-    parts
 }

@@ -3,179 +3,110 @@
 //! Tip to root each link turns the relation at its outboard end into one at its inboard end; root to tip p is recovered, and f from
 //! it. Nothing is ever multiplied up, so nothing overflows, and no force is propagated. Worked in increments it keeps three to
 //! five digits more than in absolute coordinates.
-//!
-//! At displacement level S is not symmetric. In the plane (32) mixes c̄ with c; in space rates enter by χ₃, whose torques
-//! ω × Jω are gyroscopic, and the slot of the angles is not conjugate to torques about fixed axes. All its entries are kept.
 
-use super::link::{End, Law, Link, conjugate, dot, inverse};
+use super::link::{End, Link, conjugate, dot};
+use super::relation::{Outward, Relation};
 use crate::error::{Error, Fault, Place};
 use crate::scalar::Scalar;
-use crate::state::{StateVector, TransferMatrix};
+use crate::state::StateVector;
 use crate::transfer::solve_dense;
+use alloc::{vec, vec::Vec};
 
-/// f = S p + e at a station.
-#[derive(Clone, Copy, Debug)]
-pub struct Relation<T, const H: usize, const P: usize, const A: usize> {
-    /// S: rows m, q; columns r, θ.
-    pub matrix: [[T; H]; H],
-    /// e.
-    pub offset: [T; H],
-}
+/// How many links the transform asks for at a time: few enough to stay in the cache next to the processor.
+pub const BLOCK: usize = 16;
 
-/// θ_O = b (r, θ_I) + b₀ in a joint.
-#[derive(Clone, Copy, Debug)]
-pub struct Gain<T, const H: usize, const A: usize> {
-    slope: [[T; H]; A],
-    free: [T; A],
-}
-
-impl<T: Scalar, const H: usize, const P: usize, const A: usize> Relation<T, H, P, A> {
-    /// A free tip: f = 0.
-    pub fn free() -> Self {
-        Self::pulled([T::zero(); H])
-    }
-
-    /// A tip with force and torque f.
-    pub fn pulled(offset: [T; H]) -> Self {
-        Self { matrix: [[T::zero(); H]; H], offset }
-    }
-
-    /// f for p.
-    pub fn force(&self, p: &[T; H]) -> [T; H] {
-        core::array::from_fn(|i| {
-            self.matrix[i].iter().zip(p).fold(T::zero(), |sum, (s, p)| sum + *s * *p) + self.offset[i]
-        })
-    }
-
-    /// Inward through a body: D f_I = (S A − C) p_I + S a + e − d, with the blocks of its matrix [A B; C D] and B = 0.
-    #[must_use]
-    pub fn through_body<const N: usize>(&self, u: &TransferMatrix<T, N>) -> Self {
-        let (one, torque, force) = (N - 1, H, H + A);
-        let mut s = self.matrix;
-        let mut e = self.offset;
-        for (row, offset) in s.iter_mut().zip(&mut e) {
-            for i in 0..P {
-                *offset += row[i] * u[(i, one)];
-                for k in P..H {
-                    row[k] += row[i] * u[(i, k)];
-                }
-            }
-        }
-        for i in A..H {
-            for j in 0..H {
-                s[i][j] -= u[(H + i, j)];
-            }
-            e[i] -= u[(H + i, one)];
-        }
-        // D⁻¹: the sign of r_IO~ changes.
-        for a in 0..A {
-            for j in 0..H {
-                let arms = (0..P).fold(u[(torque + a, j)], |sum, i| sum + u[(torque + a, force + i)] * s[A + i][j]);
-                s[a][j] -= arms;
-            }
-            e[a] -= (0..P).fold(u[(torque + a, one)], |sum, i| sum + u[(torque + a, force + i)] * e[A + i]);
-        }
-        Self { matrix: s, offset: e }
-    }
-
-    /// Inward through a joint with m = K_O θ_O − K_I θ_I + μ. A smooth joint has K = 0; its pivot −S_mθ is the inertia outboard about
-    /// it, times χ₁.
-    #[must_use]
-    pub fn through_joint(&self, law: &Law<T, A>) -> (Self, Gain<T, H, A>) {
-        let s_m = |a: usize, c: usize| self.matrix[a][P + c];
-        let pivot = inverse(&core::array::from_fn(|a| core::array::from_fn(|c| law.outer[a][c] - s_m(a, c))));
-        let times =
-            |row: &[T; A], column: &dyn Fn(usize) -> T| (0..A).fold(T::zero(), |sum, c| sum + row[c] * column(c));
-        let slope: [[T; H]; A] = core::array::from_fn(|a| {
-            core::array::from_fn(|j| times(&pivot[a], &|c| if j < P { self.matrix[c][j] } else { law.inner[c][j - P] }))
-        });
-        let free: [T; A] = core::array::from_fn(|a| times(&pivot[a], &|c| self.offset[c] - law.offset[c]));
-        let mut s = self.matrix;
-        let mut e = self.offset;
-        for i in A..H {
-            let turned: [T; A] = core::array::from_fn(|c| self.matrix[i][P + c]);
-            for j in 0..H {
-                let by = times(&turned, &|c| slope[c][j]);
-                s[i][j] = if j < P { s[i][j] + by } else { by };
-            }
-            e[i] += times(&turned, &|c| free[c]);
-        }
-        for a in 0..A {
-            let own: [T; A] = core::array::from_fn(|c| s_m(a, c));
-            for j in 0..H {
-                // (K_O b − K_I) of the angles is S_mθ b, for K_O = (K_O − S_mθ) + S_mθ.
-                s[a][j] = times(if j < P { &law.outer[a] } else { &own }, &|c| slope[c][j]);
-            }
-            e[a] = times(&law.outer[a], &|c| free[c]) + law.offset[a];
-        }
-        (Self { matrix: s, offset: e }, Gain { slope, free })
-    }
-
-    /// Inward through a joint with θ_O = R θ_I + `ahead`.
-    #[must_use]
-    fn through_rigid(&self, turn: Option<&[[T; A]; A]>, ahead: &[T; A]) -> Self {
-        let Some(turn) = turn else { return *self };
-        let mut relation = *self;
-        for i in 0..H {
-            for k in 0..A {
-                relation.matrix[i][P + k] = (0..A).fold(T::zero(), |sum, c| sum + self.matrix[i][P + c] * turn[c][k]);
-                relation.offset[i] += self.matrix[i][P + k] * ahead[k];
-            }
-        }
-        relation
-    }
-}
-
-impl<T: Scalar, const H: usize, const A: usize> Gain<T, H, A> {
-    /// Room.
-    pub fn blank() -> Self {
-        Self { slope: [[T::zero(); H]; A], free: [T::zero(); A] }
-    }
-
-    fn is_finite(&self) -> bool {
-        self.slope.iter().flatten().chain(&self.free).all(|x| x.is_finite())
-    }
-}
-
-/// Room for the transform.
+/// What a walk inward leaves for the walk outward: all that is kept of a chain. Links may come block by block and be gone after.
 #[derive(Clone, Debug)]
 pub struct Room<T, const H: usize, const P: usize, const A: usize> {
-    relations: alloc::vec::Vec<Relation<T, H, P, A>>,
-    gains: alloc::vec::Vec<Gain<T, H, A>>,
+    /// At the inboard end of each link.
+    relations: Vec<Relation<T, H, P, A>>,
+    outward: Vec<Outward<T, H, P, A>>,
+    /// Where the walk inward has come to.
+    reached: Relation<T, H, P, A>,
+    /// f at the tip.
+    pull: [T; H],
 }
 
 impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A> {
     /// For so many links.
     pub fn new(links: usize) -> Self {
-        Self { relations: alloc::vec![Relation::free(); links], gains: alloc::vec![Gain::blank(); links] }
+        let pull = [T::zero(); H];
+        let free = Relation::pulled(pull);
+        Self { relations: vec![free; links], outward: vec![Outward::blank(); links], reached: free, pull }
     }
 
-    /// Solves a chain: writes the states of all stations, the inboard ends of all links and the tip.
+    /// Begins at a tip that is not held.
+    pub fn begin(&mut self, tip: &End<T, H>) {
+        self.pull_by(tip, &tip.known);
+    }
+
+    /// Begins at a tip with forces along its directions.
+    fn pull_by(&mut self, tip: &End<T, H>, forces: &[T; H]) {
+        self.pull = [T::zero(); H];
+        for (axis, force) in tip.axes.iter().zip(forces) {
+            for (i, along) in axis.iter().enumerate() {
+                self.pull[conjugate::<P, A>(i)] += *along * *force;
+            }
+        }
+        self.reached = Relation::pulled(self.pull);
+    }
+
+    /// Inward through links that end where the walk is, the first of them number `first` of the chain.
+    ///
+    /// # Errors
+    /// [`Fault::SingularJoint`] at a joint in which nothing resists rotation.
+    pub fn inward<const N: usize>(&mut self, first: usize, links: &[Link<T, N, A>]) -> Result<(), Error> {
+        let Self { relations, outward, reached, .. } = self;
+        for (k, link) in links.iter().enumerate().rev().map(|(k, link)| (first + k, link)) {
+            let (inner, way) = reached.through(link);
+            if !way.is_finite() {
+                let known = reached.matrix.iter().flatten().chain(&reached.offset).all(|x| x.is_finite());
+                let fault = if known { Fault::SingularJoint } else { Fault::NonFiniteMotion };
+                // Links are counted from the root's joint, stations from the first element outboard of it.
+                return Err(Error::new(fault).at_station(k.saturating_sub(1)));
+            }
+            *reached = inner;
+            (relations[k], outward[k]) = (inner, way);
+        }
+        Ok(())
+    }
+
+    /// Outward again: writes the states of all stations, the inboard ends of all links and the tip; gives p at the tip.
+    ///
+    /// # Errors
+    /// [`Fault::SingularJoint`] at a root that nothing holds and no mass resists.
+    pub fn outward<const N: usize>(&self, root: &End<T, H>, states: &mut [StateVector<T, N>]) -> Result<[T; H], Error> {
+        let mut p = at_root(&self.reached, root)?;
+        for ((relation, outward), z) in self.relations.iter().zip(&self.outward).zip(&mut *states) {
+            *z = state(&p, &relation.force(&p));
+            p = outward.follow(&p);
+        }
+        if let Some(tip) = states.last_mut() {
+            *tip = state(&p, &self.pull);
+        }
+        Ok(p)
+    }
+
+    /// Solves a chain whose links are all there.
     ///
     /// A tip that is held is held by forces λ. p at the tip is linear in them, so it is looked at for none and for one at a time: S does
     /// not change, nor does the stability of the sweep.
     ///
     /// # Errors
-    /// [`Fault::SingularJoint`] at a joint in which nothing resists rotation, or at a root that nothing holds and no mass resists;
-    /// [`Fault::SingularTransfer`] at a tip that cannot be held so.
+    /// Those of [`inward`](Self::inward) and [`outward`](Self::outward); [`Fault::SingularTransfer`] at a tip that cannot be held so.
     pub fn solve<const N: usize>(
         &mut self,
         links: &[Link<T, N, A>],
         [root, tip]: [&End<T, H>; 2],
         states: &mut [StateVector<T, N>],
     ) -> Result<(), Error> {
-        let pulled = |forces: &[T; H]| {
-            let mut f = [T::zero(); H];
-            for (axis, force) in tip.axes.iter().zip(forces) {
-                for (i, along) in axis.iter().enumerate() {
-                    f[conjugate::<P, A>(i)] += *along * *force;
-                }
-            }
-            f
+        let mut sweep = |forces: &[T; H]| {
+            self.pull_by(tip, forces);
+            self.inward(0, links)?;
+            self.outward(root, states)
         };
-        let known = |k: usize| if tip.held[k] { T::zero() } else { tip.known[k] };
-        let mut forces: [T; H] = core::array::from_fn(known);
-        let reached = self.sweep(links, root, pulled(&forces), states)?;
+        let mut forces: [T; H] = core::array::from_fn(|k| if tip.held[k] { T::zero() } else { tip.known[k] });
+        let reached = sweep(&forces)?;
         if !tip.is_held() {
             return Ok(());
         }
@@ -186,7 +117,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
             if tip.held[k] {
                 let mut one = forces;
                 one[k] += T::one();
-                let moved = self.sweep(links, root, pulled(&one), states)?;
+                let moved = sweep(&one)?;
                 for (row, axis) in tip.axes.iter().enumerate().filter(|(row, _)| tip.held[*row]) {
                     yields[row][k] = dot(axis, &moved) - dot(axis, &reached);
                 }
@@ -199,58 +130,9 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
                 core::array::from_fn(|k| if tip.held[k] { tip.known[k] - dot(&tip.axes[k], &at) } else { T::zero() });
             let more = solve_dense(yields, left).ok_or(Error::new(Fault::SingularTransfer).at(Place::Tip))?;
             forces = core::array::from_fn(|k| forces[k] + more[k]);
-            at = self.sweep(links, root, pulled(&forces), states)?;
+            at = sweep(&forces)?;
         }
         Ok(())
-    }
-
-    /// One sweep for a force f at the tip; gives p there.
-    fn sweep<const N: usize>(
-        &mut self,
-        links: &[Link<T, N, A>],
-        root: &End<T, H>,
-        pull: [T; H],
-        states: &mut [StateVector<T, N>],
-    ) -> Result<[T; H], Error> {
-        let Self { relations, gains } = self;
-        let mut relation = Relation::pulled(pull);
-        for (k, link) in links.iter().enumerate().rev() {
-            match link {
-                Link::Body { matrix, .. } => relation = relation.through_body(matrix),
-                Link::Turning { law, .. } => {
-                    let (inner, gain) = relation.through_joint(law);
-                    if !gain.is_finite() {
-                        let known = relation.matrix.iter().flatten().chain(&relation.offset).all(|x| x.is_finite());
-                        let fault = if known { Fault::SingularJoint } else { Fault::NonFiniteMotion };
-                        // Links are counted from the root's joint, stations from the first element outboard of it.
-                        return Err(Error::new(fault).at_station(k.saturating_sub(1)));
-                    }
-                    relation = inner;
-                    gains[k] = gain;
-                }
-                Link::Rigid { turn, ahead } => relation = relation.through_rigid(turn.as_ref(), ahead),
-            }
-            relations[k] = relation;
-        }
-        let mut p = at_root(&relation, root)?;
-        for (k, link) in links.iter().enumerate() {
-            states[k] = state(&p, &relations[k].force(&p));
-            p = match link {
-                Link::Body { matrix: u, .. } => core::array::from_fn(|i| {
-                    if i >= P { p[i] } else { (P..H).fold(p[i], |sum, j| sum + u[(i, j)] * p[j]) + u[(i, N - 1)] }
-                }),
-                Link::Turning { .. } => {
-                    let Gain { slope, free } = &gains[k];
-                    core::array::from_fn(|i| if i < P { p[i] } else { dot(&slope[i - P], &p) + free[i - P] })
-                }
-                Link::Rigid { turn: Some(turn), ahead } => core::array::from_fn(|i| {
-                    if i < P { p[i] } else { (0..A).fold(ahead[i - P], |sum, c| sum + turn[i - P][c] * p[P + c]) }
-                }),
-                Link::Rigid { turn: None, .. } => p,
-            };
-        }
-        states[links.len()] = state(&p, &pull);
-        Ok(p)
     }
 }
 

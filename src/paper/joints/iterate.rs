@@ -2,10 +2,12 @@
 
 use super::JointRun;
 use super::balance::Balance;
+use crate::error::Error;
 use crate::paper::expansion::Expansion;
 use crate::paper::hinge::Rotary;
-use crate::paper::link::Link;
+use crate::paper::link::{End, Link};
 use crate::paper::parts::Part;
+use crate::paper::riccati::BLOCK;
 use crate::paper::rule::Rule;
 use crate::paper::scene::Scene;
 use crate::planar::{Frame, Turn};
@@ -24,7 +26,7 @@ where
         let (rule, dt) = (self.scheme.rule, self.dt);
         let mut frame = *ground;
         if !S::HELD
-            && let Some(body) = self.parts.iter().find_map(Part::body)
+            && let Some(body) = self.parts.bodies.first()
         {
             for (i, point) in body.points[0].iter().enumerate() {
                 let step = rule.linearize(point, dt);
@@ -36,11 +38,11 @@ where
         }
         self.motions.clear();
         let mut clamped = S::HELD;
-        for part in &self.parts {
-            let body = match part {
-                Part::Body(body) => body,
-                Part::Joint(joint) => {
-                    clamped &= !joint.turns;
+        for part in &self.parts.order {
+            let body = match *part {
+                Part::Body(number) => &self.parts.bodies[number],
+                Part::Joint(number) => {
+                    clamped &= !self.parts.joints[number].turns;
                     continue;
                 }
             };
@@ -58,66 +60,88 @@ where
         }
     }
 
-    /// Forces of the iterate, tip to root, and the links of its increments.
-    pub(super) fn linearize(&mut self, time: T::Real, before: &Frame<T>, ground: &Frame<T>) {
-        let zero = T::zero();
-        self.links.clear();
-        self.links.resize(self.parts.len(), Link::nothing());
-        let (mut body_number, mut joint_number) = (self.motions.len(), self.parts.len() - self.motions.len());
-        let (mut m, mut q) = (zero, [zero; 2]);
+    /// Forces of the iterate and the links of its increments, tip to root, block by block. The transform follows where it is to solve.
+    ///
+    /// # Errors
+    /// As [`Room::inward`](crate::paper::riccati::Room::inward).
+    pub(super) fn linearize(
+        &mut self,
+        time: T::Real,
+        before: &Frame<T>,
+        ground: &Frame<T>,
+        solve: bool,
+    ) -> Result<(), Error> {
+        let n = self.parts.len();
+        let mut force = (T::zero(), [T::zero(); 2]);
         if let Some(last) = self.motions.last() {
-            self.stations[self.parts.len()] = state(&last.outboard(), m, q);
+            self.stations[n] = state(&last.outboard(), force);
         }
-        for k in (0..self.parts.len()).rev() {
-            match &self.parts[k] {
-                Part::Body(body) => {
-                    body_number -= 1;
-                    let motion = self.motions[body_number];
-                    let external = self.scene.external(self.loads, time, body_number, &motion);
-                    let chi = self.scheme.rule.linearize(&body.angles[0], self.dt);
-                    let held = self.torque_inboard(k, joint_number, body_number, time, before, ground);
-                    let step = Balance { motion, external, outer: (m, q), held };
-                    let (matrix, inner) = step.linearize(&body.rigid, chi.chi1, chi.chi3);
-                    (m, q) = inner;
-                    self.links[k] = Link::Body { matrix, inertia: T::Real::zero(), percussive: false };
-                    self.stations[k] = state(&motion.inboard, m, q);
+        self.room.begin(&End::free());
+        let mut end = n;
+        while end > 0 {
+            let first = end.saturating_sub(BLOCK);
+            self.links.clear();
+            self.links.resize(end - first, Link::nothing());
+            for k in (first..end).rev() {
+                force = self.link(k, k - first, force, time, before, ground);
+            }
+            if solve {
+                self.room.inward(first, &self.links)?;
+            }
+            end = first;
+        }
+        Ok(())
+    }
+
+    /// Writes part `k`, given m and q at its outboard end, as a link of the block; gives m and q at its inboard end.
+    fn link(
+        &mut self,
+        k: usize,
+        at: usize,
+        force: (T, [T; 2]),
+        time: T::Real,
+        before: &Frame<T>,
+        ground: &Frame<T>,
+    ) -> (T, [T; 2]) {
+        match self.parts.order[k] {
+            Part::Body(number) => {
+                let (body, motion) = (&self.parts.bodies[number], &self.motions[number]);
+                let external = self.scene.external(self.loads, time, number, motion);
+                let chi = self.scheme.rule.linearize(&body.angles[0], self.dt);
+                let held = self.torque_inboard(k, number, time, before, ground);
+                let step = Balance { motion: *motion, external, outer: force, held };
+                let (matrix, inner) = step.linearize(&body.rigid, chi.chi1, chi.chi3);
+                self.stations[k] = state(&motion.inboard, inner);
+                self.links[at] = Link::Body { matrix, inertia: T::Real::zero(), percussive: false };
+                inner
+            }
+            Part::Joint(number) => {
+                let joint = &self.parts.joints[number];
+                let outer = self.motions.get(joint.outer).map_or(*ground, |motion| motion.inboard);
+                let inner = joint.inner.and_then(|k| self.motions.get(k));
+                let turn = inner.map_or(ground.turn, |motion| motion.inboard.turn);
+                self.stations[k] = state(&Frame { turn, ..outer }, force);
+                if joint.turns && (S::HELD || k > 0) {
+                    let body = self.parts.bodies.get(joint.outer);
+                    let chi3 =
+                        body.map_or(T::Real::zero(), |body| self.scheme.rule.linearize(&body.angles[0], self.dt).chi3);
+                    let slope = joint.spring.stiffness[0] + joint.spring.damping[0].scale(chi3);
+                    let law = Rotary { slope, offset: T::zero() }.into();
+                    self.links[at] = Link::Turning { law, smooth: joint.is_smooth() };
                 }
-                Part::Joint(joint) => {
-                    joint_number -= 1;
-                    let outer = self.motions.get(body_number).map_or(*ground, |motion| motion.inboard);
-                    let inner = body_number.checked_sub(1).and_then(|k| self.motions.get(k));
-                    let turn = inner.map_or(ground.turn, |motion| motion.inboard.turn);
-                    self.stations[k] = state(&Frame { turn, ..outer }, m, q);
-                    if joint.turns && (S::HELD || k > 0) {
-                        let chi3 = self.parts[joint.outer]
-                            .body()
-                            .map_or(T::Real::zero(), |body| self.scheme.rule.linearize(&body.angles[0], self.dt).chi3);
-                        let slope = joint.spring.stiffness[0] + joint.spring.damping[0].scale(chi3);
-                        self.links[k] =
-                            Link::Turning { law: Rotary { slope, offset: zero }.into(), smooth: joint.is_smooth() };
-                    }
-                }
+                force
             }
         }
     }
 
     /// m at the inboard end of a body, by the law of the joint there if one turns.
-    fn torque_inboard(
-        &self,
-        k: usize,
-        joints: usize,
-        bodies: usize,
-        time: T::Real,
-        before: &Frame<T>,
-        ground: &Frame<T>,
-    ) -> Option<T> {
-        let mut number = joints;
-        for part in self.parts[..k].iter().rev() {
-            let Part::Joint(joint) = part else { return None };
-            number = number.checked_sub(1)?;
+    fn torque_inboard(&self, k: usize, body: usize, time: T::Real, before: &Frame<T>, ground: &Frame<T>) -> Option<T> {
+        for part in self.parts.order[..k].iter().rev() {
+            let Part::Joint(number) = *part else { return None };
+            let joint = &self.parts.joints[number];
             if joint.turns {
-                let outer = self.motions.get(bodies)?;
-                let inner = bodies.checked_sub(1).and_then(|k| self.motions.get(k));
+                let outer = self.motions.get(body)?;
+                let inner = joint.inner.and_then(|k| self.motions.get(k));
                 let rate = inner.map_or(ground.turn, |motion| motion.inboard.turn).rate;
                 let ahead = ground.turn.angle - before.turn.angle;
                 let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner, ahead);
@@ -130,6 +154,6 @@ where
     }
 }
 
-fn state<T: Scalar>(frame: &Frame<T>, m: T, [qx, qy]: [T; 2]) -> StateVector<T, 7> {
+fn state<T: Scalar>(frame: &Frame<T>, (m, [qx, qy]): (T, [T; 2])) -> StateVector<T, 7> {
     StateVector::new([frame.place.x, frame.place.y, frame.turn.angle, m, qx, qy, T::one()])
 }

@@ -10,8 +10,8 @@ mod iterate;
 use crate::error::{Error, Fault, Place};
 use crate::paper::expansion::Expansion;
 use crate::paper::link::{End, Link};
-use crate::paper::parts::{Joint, Part, parts};
-use crate::paper::riccati::Room;
+use crate::paper::parts::{Part, Parts};
+use crate::paper::riccati::{BLOCK, Room};
 use crate::paper::rule::Rule;
 use crate::paper::scene::{Chain, Scene, Slots};
 use crate::paper::scheme::positive_step;
@@ -68,10 +68,10 @@ impl<D> JointScheme<D> {
                 Error::new(Fault::Unsupported { what: "a tip that is held, in joint coordinates" }).at(Place::Tip)
             );
         }
-        let parts = parts(&self.rule, dt, &items);
+        let parts = Parts::new(&self.rule, dt, &items);
         let n = parts.len();
         let blank = StateVector::new([T::zero(); 7]);
-        let root = parts.iter().find_map(Part::body).map_or([T::zero(); 2], |body| {
+        let root = parts.bodies.first().map_or([T::zero(); 2], |body| {
             let [x, y] = body.points[0];
             [x.acceleration, y.acceleration]
         });
@@ -85,7 +85,7 @@ impl<D> JointScheme<D> {
             sweeps: 0,
             root,
             motions: Vec::with_capacity(n),
-            links: Vec::with_capacity(n),
+            links: Vec::with_capacity(n.min(BLOCK)),
             room: Room::new(n),
             states: vec![blank; n + 1],
             stations: vec![blank; n + 1],
@@ -104,7 +104,7 @@ pub struct JointRun<'a, T: Scalar, S, L, D: Rule<T>> {
     start: T::Real,
     steps: usize,
     sweeps: usize,
-    parts: Vec<Part<T, D::Memory, Expansion<T>, 7, 2, 1>>,
+    parts: Parts<T, D::Memory, Expansion<T>, 7, 2, 1>,
     /// Acceleration of the root, where nothing holds it.
     root: [T; 2],
     /// The iterate: bodies and their accelerations.
@@ -139,13 +139,13 @@ where
 
     /// Angle, rate and angular acceleration (rad, s) of body `k`, counted from 0 at the root.
     pub fn turn(&self, k: usize) -> Option<[T; 3]> {
-        let angle = self.parts.iter().filter_map(Part::body).nth(k)?.angles[0];
+        let angle = self.parts.bodies.get(k)?.angles[0];
         Some([angle.value, angle.rate, angle.acceleration])
     }
 
     /// The angles of all bodies (rad), root to tip.
     pub fn angles(&self) -> impl Iterator<Item = T> {
-        self.parts.iter().filter_map(Part::body).map(|body| body.angles[0].value)
+        self.parts.bodies.iter().map(|body| body.angles[0].value)
     }
 
     /// States (14) of all stations after a step: the ground's side of the root's joint, the inboard end of each element, the tip. Forces
@@ -179,9 +179,10 @@ where
         let limit = 30;
         for sweep in 1.. {
             self.travel(&ground);
-            self.linearize(time, &before, &ground);
-            let base = self.root_end();
-            let change = self.room.solve(&self.links, [&base, &End::free()], &mut self.states).map(|()| self.update());
+            let change = self.linearize(time, &before, &ground, true).and_then(|()| {
+                self.room.outward(&self.root_end(), &mut self.states)?;
+                Ok(self.update())
+            });
             self.sweeps += 1;
             let refused = match change {
                 Err(error) => Some(error),
@@ -199,7 +200,7 @@ where
             }
         }
         self.travel(&ground);
-        self.linearize(time, &before, &ground); // for the forces
+        self.linearize(time, &before, &ground, false).map_err(at_time)?; // for the forces
         self.commit(&before);
         self.steps += 1;
         Ok(())
@@ -210,17 +211,19 @@ where
         let half = if self.scheme.sweeps.is_some() { T::Real::of(0.5) } else { T::Real::zero() };
         let mut inner = ground;
         let mut rigid = true;
-        for part in &mut self.parts {
-            match part {
+        let Parts { order, bodies, joints } = &mut self.parts;
+        for part in order {
+            match *part {
                 // What is welded turns alike.
-                Part::Body(body) => {
+                Part::Body(number) => {
+                    let body = &mut bodies[number];
                     let angle = body.angles[0];
                     let free = angle.rate.scale(span).add_scaled(half * span * span, angle.acceleration);
                     body.found[0] = if rigid && S::HELD { inner } else { free };
                     inner = body.found[0];
                     rigid = true;
                 }
-                Part::Joint(joint) => rigid &= !joint.turns,
+                Part::Joint(number) => rigid &= !joints[number].turns,
             }
         }
     }
@@ -241,8 +244,10 @@ where
             self.root[0] += self.states[0][X];
             self.root[1] += self.states[0][Y];
         }
-        for (part, z) in self.parts.iter_mut().zip(&self.states) {
-            let Part::Body(body) = part else { continue };
+        let Parts { order, bodies, .. } = &mut self.parts;
+        for (part, z) in order.iter().zip(&self.states) {
+            let Part::Body(number) = *part else { continue };
+            let body = &mut bodies[number];
             body.found[0] += z[THETA];
             let size = T::Real::of(1.0).max(body.angles[0].value.real().abs());
             let change = z[THETA].real().abs() / size;
@@ -260,11 +265,12 @@ where
         let root = self.root;
         let ground = self.scene.ground(self.time() + dt);
         let (mut first, mut clamped) = (true, S::HELD);
-        for part in &mut self.parts {
-            let body = match part {
-                Part::Body(body) => body,
-                Part::Joint(joint) => {
-                    clamped &= !joint.turns;
+        let Parts { order, bodies, joints } = &mut self.parts;
+        for part in order {
+            let body = match *part {
+                Part::Body(number) => &mut bodies[number],
+                Part::Joint(number) => {
+                    clamped &= !joints[number].turns;
                     continue;
                 }
             };
@@ -285,16 +291,16 @@ where
             first = false;
         }
         let ahead = ground.turn.angle - before.turn.angle;
-        for k in 0..self.parts.len() {
-            let Part::Joint(joint) = self.parts[k] else { continue };
+        for k in 0..self.parts.joints.len() {
+            let joint = &self.parts.joints[k];
             let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner, ahead);
-            let elastic = [joint.elastic[0] + joint.spring.stiffness[0] * strain];
-            self.parts[k] = Part::Joint(Joint { elastic, ..joint });
+            let elastic = joint.spring.stiffness[0] * strain;
+            self.parts.joints[k].elastic[0] += elastic;
         }
     }
 
     /// The increment of a body's angle; of the ground's, for no body.
     fn found(&self, at: Option<usize>, ground: T) -> T {
-        at.and_then(|k| self.parts.get(k)).and_then(Part::body).map_or(ground, |body| body.found[0])
+        at.and_then(|k| self.parts.bodies.get(k)).map_or(ground, |body| body.found[0])
     }
 }

@@ -2,12 +2,13 @@
 
 use super::{Run, Solver};
 use crate::error::Error;
-use crate::paper::link::{End, Given, Law, Link};
+use crate::paper::link::{Given, Law, Link};
 use crate::paper::orient::{Orient, Side, each};
-use crate::paper::parts::{Body, Joint, Part};
+use crate::paper::parts::{Body, Joint, Part, Parts};
 use crate::paper::rule::{Coordinate, Linearization, Rule};
 use crate::paper::scene::Scene;
 use crate::scalar::Scalar;
+use core::ops::Range;
 
 /// The ground at t_{i−1} and where forces balance.
 pub(super) type Grounds<'g, T, E, const N: usize, const P: usize, const A: usize> =
@@ -19,44 +20,43 @@ where
     S: Scene<T, L, N, H, P, A>,
     D: Rule<T>,
 {
-    /// Where each body is linearised first.
-    pub(super) fn guess(&mut self, span: T::Real) {
+    /// Where the bodies that these parts ask for are linearised: all of them, and one more inboard of a joint.
+    pub(super) fn guess(&mut self, parts: Range<usize>, sweep: usize, span: T::Real) {
+        let Parts { order, bodies, joints } = &mut self.parts;
+        let number = |part: &Part, inner: bool| match *part {
+            Part::Body(number) => number,
+            Part::Joint(number) => joints[number].inner.filter(|_| inner).unwrap_or(joints[number].outer),
+        };
+        let [first, end] = [order.get(parts.start), order.get(parts.end)]
+            .map(|part| part.map_or(bodies.len(), |part| number(part, true)));
         let (rule, dt, at) = (self.scheme.rule, self.dt, self.scheme.at);
-        for part in &mut self.parts {
-            let Part::Body(body) = part else { continue };
-            let past = each(&body.angles, |angle| [angle.value, angle.rate, angle.acceleration]);
+        for body in &mut bodies[first..end] {
             let steps = each(&body.angles, |angle| rule.linearize(angle, dt));
-            (body.expansion, body.found) = S::Orient::first(at, &body.base, &past, &steps, span);
+            if sweep == 0 {
+                let past = each(&body.angles, |angle| [angle.value, angle.rate, angle.acceleration]);
+                (body.expansion, body.found) = S::Orient::first(at, &body.base, &past, &steps, span);
+            } else {
+                body.expansion = S::Orient::again(&body.base, &steps, &body.found);
+            }
         }
     }
 
-    /// Where they are linearised next.
-    pub(super) fn guess_again(&mut self) {
-        let (rule, dt) = (self.scheme.rule, self.dt);
-        for part in &mut self.parts {
-            let Part::Body(body) = part else { continue };
-            let steps = each(&body.angles, |angle| rule.linearize(angle, dt));
-            body.expansion = S::Orient::again(&body.base, &steps, &body.found);
-        }
-    }
-
-    /// Steps 3 and 4: χ₁ to χ₄, c̄ and s̄, and what each element is in this step.
+    /// Steps 3 and 4: χ₁ to χ₄, c̄ and s̄, and what each element of a block is in this step.
     pub(super) fn form(
         &mut self,
+        parts: Range<usize>,
         span: T::Real,
         time: T::Real,
         grounds: Grounds<T, S::Orient, N, P, A>,
     ) -> Result<(), Error> {
         let absolute = self.scheme.solver == Solver::Product;
-        let (mut body_number, mut joint_number) = (0, 0);
         self.links.clear();
-        self.drive = [T::zero(); A];
-        for (k, part) in self.parts.iter().enumerate() {
-            self.links.push(match part {
-                Part::Body(body) => {
+        for k in parts {
+            let link = match self.parts.order[k] {
+                Part::Body(number) => {
+                    let body = &self.parts.bodies[number];
                     body.expansion.check().map_err(|fault| Error::new(fault).at_station(k.saturating_sub(1)))?;
-                    let external = self.scene.external(self.loads, time, body_number, &body.guessed(span));
-                    body_number += 1;
+                    let external = self.scene.external(self.loads, time, number, &body.guessed(span));
                     let step = self.chi(&body.angles[0]);
                     let given = if absolute { self.given_absolute(body) } else { self.given(body) };
                     Link::Body {
@@ -65,17 +65,9 @@ where
                         percussive: body.percussive,
                     }
                 }
-                Part::Joint(joint) => {
-                    let number = joint_number;
-                    joint_number += 1;
-                    let torque = if joint.turns {
-                        let sides =
-                            [joint.inner, Some(joint.outer)].map(|k| self.body(k).map(|body| body.guessed(span)));
-                        let [inner, outer] = &sides;
-                        self.scene.effort(self.loads, time, number, [inner.as_ref(), outer.as_ref()], grounds[1])
-                    } else {
-                        [T::zero(); A]
-                    };
+                Part::Joint(number) => {
+                    let joint = &self.parts.joints[number];
+                    let torque = self.effort(number, joint, span, time, grounds[1]);
                     if k == 0 {
                         // The boundary conditions speak for the root's joint.
                         self.drive = torque;
@@ -89,56 +81,27 @@ where
                         Link::Rigid { turn, ahead: if absolute { ahead } else { [T::zero(); A] } }
                     }
                 }
-            });
+            };
+            self.links.push(link);
         }
         Ok(())
     }
 
-    /// What is known at both ends.
-    pub(super) fn ends(&self, time: T::Real, [before, ground]: Grounds<T, S::Orient, N, P, A>) -> [End<T, H>; 2] {
-        let absolute = self.scheme.solver == Solver::Product;
-        let [mut root, mut tip] = [self.scene.root(self.guide, ground), self.scene.tip(time)];
-        let past = |body: &Body<T, D::Memory, S::Orient, N, P, A>, point: usize| -> [T; H] {
-            let (place, angles) = (&body.points[point], &body.angles);
-            core::array::from_fn(|i| if i < P { place[i].value } else { angles[i - P].value })
-        };
-        if let (true, Some(first)) = (S::HELD, self.bodies().next()) {
-            let place = S::Orient::place(ground);
-            let mut from = past(first, 0);
-            let angles = match self.parts.as_slice() {
-                [Part::Joint(joint), Part::Body(_), ..] => {
-                    S::Orient::clamped(&first.base, &each(&first.angles, |angle| angle.value), &joint.ahead, ground)
-                }
-                // A hinge on the ground: what is held is its inboard side.
-                _ => {
-                    let [past, now] = S::Orient::grounded(&first.base, [before, ground]);
-                    from[P..].copy_from_slice(&past);
-                    now
-                }
-            };
-            if absolute {
-                from = [T::zero(); H];
-            }
-            for k in 0..H {
-                let axis = root.axes[k];
-                root.known[k] = if root.held[k] {
-                    (0..H).fold(T::zero(), |sum, i| {
-                        let target = if i < P { place[i] } else { angles[i - P] };
-                        sum + axis[i] * (target - from[i])
-                    })
-                } else {
-                    // The torque m of the root's joint, less what is applied.
-                    (P..H).fold(T::zero(), |sum, i| sum - axis[i] * self.drive[i - P])
-                };
-            }
+    /// The torque applied in a joint.
+    fn effort(
+        &self,
+        number: usize,
+        joint: &Joint<T, <S::Orient as Orient<T, N, P, A>>::Ahead, A>,
+        span: T::Real,
+        time: T::Real,
+        ground: &<S::Orient as Orient<T, N, P, A>>::Frame,
+    ) -> [T; A] {
+        if !joint.turns {
+            return [T::zero(); A];
         }
-        if let (false, true, Some(last)) = (absolute, tip.is_held(), self.bodies().last()) {
-            let from = past(last, 2);
-            for k in (0..H).filter(|k| tip.held[*k]) {
-                tip.known[k] -= (0..H).fold(T::zero(), |sum, i| sum + tip.axes[k][i] * from[i]);
-            }
-        }
-        [root, tip]
+        let sides = [joint.inner, Some(joint.outer)].map(|k| self.body(k).map(|body| body.guessed(span)));
+        let [inner, outer] = &sides;
+        self.scene.effort(self.loads, time, number, [inner.as_ref(), outer.as_ref()], ground)
     }
 
     pub(super) fn chi(&self, coordinate: &Coordinate<T, D::Memory>) -> Linearization<T> {
@@ -146,7 +109,7 @@ where
     }
 
     pub(super) fn body(&self, at: Option<usize>) -> Option<&Body<T, D::Memory, S::Orient, N, P, A>> {
-        at.and_then(|k| self.parts.get(k)).and_then(Part::body)
+        at.and_then(|k| self.parts.bodies.get(k))
     }
 
     /// The last column of (32) in absolute coordinates.

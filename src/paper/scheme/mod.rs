@@ -1,20 +1,22 @@
 //! The eight steps of section 4: a run of the paper's scheme, in the plane and in space.
 
+mod ends;
 mod form;
 mod keep;
 
 use crate::error::{Error, Fault};
 use crate::paper::expansion::At;
-use crate::paper::link::{End, Link};
+use crate::paper::link::Link;
 use crate::paper::orient::Orient;
-use crate::paper::parts::{Body, Part, parts};
+use crate::paper::parts::{Body, Part, Parts};
 use crate::paper::product;
-use crate::paper::riccati::Room;
+use crate::paper::riccati::{BLOCK, Room};
 use crate::paper::rule::Rule;
 use crate::paper::scene::{Chain, Scene, Slots};
 use crate::scalar::{Real, Scalar};
 use crate::state::{StateVector, TransferMatrix};
 use alloc::{vec, vec::Vec};
+use form::Grounds;
 use num_traits::Zero;
 
 /// How the overall equation is solved.
@@ -34,12 +36,13 @@ pub struct Scheme<D> {
     at: At,
     solver: Solver,
     slots: Slots,
+    keeps: bool,
 }
 
 impl<D> Scheme<D> {
     /// As printed: linearised at t_{i−1}, solved by the plain product, with angles 1-2-3 in space.
     pub fn new(rule: D) -> Self {
-        Self { rule, at: At::Previous, solver: Solver::Product, slots: Slots::Angles }
+        Self { rule, at: At::Previous, solver: Solver::Product, slots: Slots::Angles, keeps: false }
     }
 
     /// Linearised elsewhere.
@@ -58,6 +61,13 @@ impl<D> Scheme<D> {
     #[must_use]
     pub fn turning_by(self, slots: Slots) -> Self {
         Self { slots, ..self }
+    }
+
+    /// Keeps all matrices of a step, from which [`Run::residual`] is formed. Else the transform forms each where it is needed, and a long
+    /// chain takes half the memory.
+    #[must_use]
+    pub fn keeping_matrices(self) -> Self {
+        Self { keeps: true, ..self }
     }
 
     /// Steps 1 and 2: starts a run of a scene with steps of `dt` (s).
@@ -84,7 +94,7 @@ impl<D> Scheme<D> {
             let what = "rotation vectors of steps before the last: take a rule of one step";
             return Err(Error::new(Fault::Unsupported { what }));
         }
-        let parts = parts(&self.rule, dt, &items);
+        let parts = Parts::new(&self.rule, dt, &items);
         let blank = StateVector::new([T::zero(); N]);
         let n = parts.len();
         Ok(Run {
@@ -96,7 +106,7 @@ impl<D> Scheme<D> {
             steps: 0,
             guide,
             drive: [T::zero(); A],
-            links: Vec::with_capacity(n),
+            links: Vec::with_capacity(if self.keeps { n } else { n.min(BLOCK) }),
             room: Room::new(if self.solver == Solver::Riccati { n } else { 0 }),
             matrices: vec![TransferMatrix::identity(); if self.solver == Solver::Product { n } else { 0 }],
             states: vec![blank; n + 1],
@@ -135,7 +145,8 @@ where
     guide: Option<[T; P]>,
     /// The torque applied in the root's joint.
     drive: [T; A],
-    parts: Vec<Part<T, D::Memory, S::Orient, N, P, A>>,
+    parts: Parts<T, D::Memory, S::Orient, N, P, A>,
+    /// Those formed last: a block of them, or all.
     links: Vec<Link<T, N, A>>,
     room: Room<T, H, P, A>,
     matrices: Vec<TransferMatrix<T, N>>,
@@ -167,14 +178,10 @@ where
         self.sweeps
     }
 
-    fn bodies(&self) -> impl DoubleEndedIterator<Item = &Body<T, D::Memory, S::Orient, N, P, A>> {
-        self.parts.iter().filter_map(Part::body)
-    }
-
     /// The angles (rad) of body `k`, counted from 0 at the root: one in the plane; in space those of section 2.1, followed from step to
     /// step and not wrapped.
     pub fn attitude(&self, k: usize) -> Option<[T; A]> {
-        self.bodies().nth(k).map(|body| body.shown)
+        self.parts.bodies.get(k).map(|body| body.shown)
     }
 
     /// States (14), (13) of all stations after a step: the ground's side of the root's joint, the inboard end of each element, the tip.
@@ -210,58 +217,72 @@ where
         let at_time = |error: Error| error.at_time(time.as_f64());
         let (before, now) = (self.scene.ground(past), self.scene.ground(time));
         let grounds = [&before, &now];
-        self.guess(span);
-        let mut again = usize::MAX; // sweeps after that with which the equations held
+        let mut holds = false;
         for sweep in 0.. {
-            self.form(span, time, grounds).map_err(at_time)?;
-            let ends = self.ends(time, grounds);
-            self.solve(&ends).map_err(at_time)?;
+            self.solve(sweep, span, time, grounds).map_err(at_time)?;
             self.sweeps += 1;
-            let change = self.find();
-            if !change.is_finite() {
+            if !self.states.iter().all(|z| (0..N).all(|i| z[i].is_finite())) {
                 return Err(at_time(Error::new(Fault::NonFiniteMotion)));
             }
-            // The last sweep brings derivatives as far as values.
-            if self.scheme.at != At::Iterated || again == 0 {
+            // A last sweep, once the equations hold, brings derivatives as far as values.
+            if self.scheme.at != At::Iterated || holds {
                 break;
             }
-            if again < usize::MAX {
-                again -= 1;
-            } else if change <= T::Real::EPSILON.powf(T::Real::of(0.75)) {
-                again = 0;
-            } else if sweep == 30 {
+            holds = self.miss() <= T::Real::EPSILON.powf(T::Real::of(0.75));
+            if !holds && sweep == 30 {
                 return Err(at_time(Error::new(Fault::NotConverged { sweeps: 30 })));
             }
-            self.guess_again();
-        }
-        if !self.states.iter().all(|z| (0..N).all(|i| z[i].is_finite())) {
-            return Err(at_time(Error::new(Fault::NonFiniteMotion)));
         }
         self.commit(grounds);
         self.steps += 1;
         Ok(())
     }
 
-    /// Steps 5 and 6.
-    fn solve(&mut self, [root, tip]: &[End<T, H>; 2]) -> Result<(), Error> {
+    /// Steps 3 to 6. The transform forms links on its way inward, block by block.
+    fn solve(
+        &mut self,
+        sweep: usize,
+        span: T::Real,
+        time: T::Real,
+        grounds: Grounds<T, S::Orient, N, P, A>,
+    ) -> Result<(), Error> {
+        let n = self.parts.len();
+        let tip = self.tip_end(time);
+        let product = self.scheme.solver == Solver::Product;
+        let again = product || tip.is_held(); // links are read again
+        let size = if again || self.scheme.keeps { n } else { BLOCK };
+        self.room.begin(&tip);
+        let mut end = n;
+        while end > 0 {
+            let first = end.saturating_sub(size);
+            self.guess(first..end, sweep, span);
+            self.form(first..end, span, time, grounds)?;
+            if !again {
+                self.room.inward(first, &self.links)?;
+            }
+            end = first;
+        }
+        let root = self.root_end(grounds);
         let Self { links, room, matrices, states, .. } = self;
-        match self.scheme.solver {
-            Solver::Product => product::solve::<S::Orient, T, N, H, P, A>(links, [root, tip], matrices, states),
-            Solver::Riccati => room.solve(links, [root, tip], states),
+        match again {
+            true if product => product::solve::<S::Orient, T, N, H, P, A>(links, [&root, &tip], matrices, states),
+            true => room.solve(links, [&root, &tip], states),
+            false => room.outward(&root, states).map(|_| ()),
         }
     }
 
-    /// Reads the increments of the angles; tells by how much the worst of them misses where it was linearised.
-    fn find(&mut self) -> T::Real {
+    /// By how much the worst body misses where it was linearised (rad).
+    fn miss(&mut self) -> T::Real {
         let absolute = self.scheme.solver == Solver::Product;
+        let Parts { order, bodies, .. } = &mut self.parts;
         let mut worst = T::Real::zero();
-        for (part, z) in self.parts.iter_mut().zip(&self.states) {
-            let Part::Body(body) = part else { continue };
-            let past = body.angles.each_ref().map(|angle| angle.value);
-            body.found = core::array::from_fn(|i| if absolute { z[P + i] - past[i] } else { z[P + i] });
-            let miss = body.expansion.miss(&core::array::from_fn(|i| past[i] + body.found[i]));
-            // A comparison would lose NaN.
-            worst = if miss <= worst { worst } else { miss };
+        for (part, z) in order.iter().zip(&self.states) {
+            if let Part::Body(number) = *part {
+                let body = &mut bodies[number];
+                body.find(z, absolute);
+                let miss = body.expansion.miss(&core::array::from_fn(|i| body.angles[i].value + body.found[i]));
+                worst = worst.max(miss);
+            }
         }
         worst
     }
@@ -280,7 +301,7 @@ where
 
     /// The same of all bodies, root to tip.
     pub fn turns(&self) -> impl Iterator<Item = [T; 3]> {
-        self.bodies().map(|Body { angles: [angle], .. }| [angle.value, angle.rate, angle.acceleration])
+        self.parts.bodies.iter().map(|Body { angles: [angle], .. }| [angle.value, angle.rate, angle.acceleration])
     }
 
     /// The angles of all bodies (rad), root to tip.

@@ -1,0 +1,81 @@
+//! What is known at both ends in a step: step 5 of section 4.
+
+use super::form::Grounds;
+use super::{Run, Solver};
+use crate::paper::link::End;
+use crate::paper::orient::{Orient, each};
+use crate::paper::parts::{Body, Part};
+use crate::paper::rule::Rule;
+use crate::paper::scene::Scene;
+use crate::scalar::Scalar;
+
+impl<T, S, L, D, const N: usize, const H: usize, const P: usize, const A: usize> Run<'_, T, S, L, D, N, H, P, A>
+where
+    T: Scalar,
+    S: Scene<T, L, N, H, P, A>,
+    D: Rule<T>,
+{
+    /// What is known at the root, once its joint is formed.
+    pub(super) fn root_end(&self, [before, ground]: Grounds<T, S::Orient, N, P, A>) -> End<T, H> {
+        let absolute = self.scheme.solver == Solver::Product;
+        let mut root = self.scene.root(self.guide, ground);
+        if let (true, Some(first)) = (S::HELD, self.parts.bodies.first()) {
+            let place = S::Orient::place(ground);
+            let mut from: [T; H] = past(first, 0);
+            let angles = match self.parts.order.as_slice() {
+                [Part::Joint(joint), Part::Body(_), ..] => {
+                    let ahead = &self.parts.joints[*joint].ahead;
+                    S::Orient::clamped(&first.base, &each(&first.angles, |angle| angle.value), ahead, ground)
+                }
+                // A hinge on the ground: what is held is its inboard side.
+                _ => {
+                    let [past, now] = S::Orient::grounded(&first.base, [before, ground]);
+                    from[P..].copy_from_slice(&past);
+                    now
+                }
+            };
+            if absolute {
+                from = [T::zero(); H];
+            }
+            for k in 0..H {
+                let axis = root.axes[k];
+                root.known[k] = if root.held[k] {
+                    (0..H).fold(T::zero(), |sum, i| {
+                        let target = if i < P { place[i] } else { angles[i - P] };
+                        sum + axis[i] * (target - from[i])
+                    })
+                } else {
+                    // The torque m of the root's joint, less what is applied.
+                    (P..H).fold(T::zero(), |sum, i| sum - axis[i] * self.drive[i - P])
+                };
+            }
+        }
+        root
+    }
+
+    /// What is known at the tip.
+    pub(super) fn tip_end(&self, time: T::Real) -> End<T, H> {
+        let absolute = self.scheme.solver == Solver::Product;
+        let mut tip = self.scene.tip(time);
+        if let (false, true, Some(last)) = (absolute, tip.is_held(), self.parts.bodies.last()) {
+            let from: [T; H] = past(last, 2);
+            for k in (0..H).filter(|k| tip.held[*k]) {
+                tip.known[k] -= (0..H).fold(T::zero(), |sum, i| sum + tip.axes[k][i] * from[i]);
+            }
+        }
+        tip
+    }
+}
+
+/// p of a point of a body at t_{i−1}.
+fn past<T, M, E, const N: usize, const H: usize, const P: usize, const A: usize>(
+    body: &Body<T, M, E, N, P, A>,
+    point: usize,
+) -> [T; H]
+where
+    T: Scalar,
+    M: Copy,
+    E: Orient<T, N, P, A>,
+{
+    core::array::from_fn(|i| if i < P { body.points[point][i].value } else { body.angles[i - P].value })
+}
