@@ -30,7 +30,8 @@ pub trait Hinges<T: Scalar, const N: usize, const A: usize> {
 /// states of all stations, the inboard ends of all links and the tip.
 ///
 /// # Errors
-/// [`Fault::CentreOfPercussion`] at a pin or ball that has no matrix; [`Fault::Unsupported`] at a tip whose torque (40) would need to know.
+/// [`Fault::CentreOfPercussion`] at a pin or ball that has no matrix; [`Fault::Unsupported`] at a tip whose torque (40) would need to know;
+/// [`Fault::NonFiniteMotion`].
 pub fn solve<X, T, const N: usize, const H: usize, const P: usize, const A: usize>(
     links: &[Link<T, N, A>],
     [root, tip]: [&End<T, H>; 2],
@@ -136,5 +137,8 @@ where
         z = matrices[k] * z;
     }
     states[links.len()] = z;
+    if !states.iter().all(|z| (0..N).all(|i| z[i].is_finite())) {
+        return Err(Error::new(Fault::NonFiniteMotion));
+    }
     Ok(())
 }

@@ -18,21 +18,28 @@ pub const BLOCK: usize = 16;
 /// What a walk inward leaves for the walk outward: all that is kept of a chain. Links may come block by block and be gone after.
 #[derive(Clone, Debug)]
 pub struct Room<T, const H: usize, const P: usize, const A: usize> {
-    /// At the inboard end of each link.
+    /// At the outboard end of each body. Joints hand on m and q as they are.
     relations: Vec<Relation<T, H, P, A>>,
     outward: Vec<Outward<T, H, P, A>>,
-    /// Where the walk inward has come to.
+    /// Where the walk inward has come to, and how many bodies are left.
     reached: Relation<T, H, P, A>,
+    left: usize,
     /// f at the tip.
     pull: [T; H],
 }
 
 impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A> {
-    /// For so many links.
-    pub fn new(links: usize) -> Self {
+    /// For so many links, and bodies among them.
+    pub fn new(links: usize, bodies: usize) -> Self {
         let pull = [T::zero(); H];
         let free = Relation::pulled(pull);
-        Self { relations: vec![free; links], outward: vec![Outward::blank(); links], reached: free, pull }
+        Self {
+            relations: vec![free; bodies],
+            outward: vec![Outward::blank(); links],
+            reached: free,
+            left: bodies,
+            pull,
+        }
     }
 
     /// Begins at a tip that is not held.
@@ -49,6 +56,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
             }
         }
         self.reached = Relation::pulled(self.pull);
+        self.left = self.relations.len();
     }
 
     /// Inward through links that end where the walk is, the first of them number `first` of the chain.
@@ -56,7 +64,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
     /// # Errors
     /// [`Fault::SingularJoint`] at a joint in which nothing resists rotation.
     pub fn inward<const N: usize>(&mut self, first: usize, links: &[Link<T, N, A>]) -> Result<(), Error> {
-        let Self { relations, outward, reached, .. } = self;
+        let Self { relations, outward, reached, left, .. } = self;
         for (k, link) in links.iter().enumerate().rev().map(|(k, link)| (first + k, link)) {
             let (inner, way) = reached.through(link);
             if !way.is_finite() {
@@ -65,8 +73,12 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
                 // Links are counted from the root's joint, stations from the first element outboard of it.
                 return Err(Error::new(fault).at_station(k.saturating_sub(1)));
             }
+            if let Link::Body { .. } = link {
+                *left -= 1;
+                relations[*left] = *reached;
+            }
             *reached = inner;
-            (relations[k], outward[k]) = (inner, way);
+            outward[k] = way;
         }
         Ok(())
     }
@@ -74,17 +86,33 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
     /// Outward again: writes the states of all stations, the inboard ends of all links and the tip; gives p at the tip.
     ///
     /// # Errors
-    /// [`Fault::SingularJoint`] at a root that nothing holds and no mass resists.
+    /// [`Fault::SingularJoint`] at a root that nothing holds and no mass resists; [`Fault::NonFiniteMotion`].
     pub fn outward<const N: usize>(&self, root: &End<T, H>, states: &mut [StateVector<T, N>]) -> Result<[T; H], Error> {
         let mut p = at_root(&self.reached, root)?;
-        for ((relation, outward), z) in self.relations.iter().zip(&self.outward).zip(&mut *states) {
-            *z = state(&p, &relation.force(&p));
+        let mut f = self.reached.force(&p);
+        let mut relations = self.relations.iter();
+        let mut finite = true;
+        let mut tell = |p: &[T; H], f: &[T; H]| {
+            finite &= p.iter().chain(f).all(|x| x.is_finite());
+            StateVector::new(core::array::from_fn(|i| match i {
+                i if i < H => p[i],
+                i if i < 2 * H => f[i - H],
+                _ => T::one(),
+            }))
+        };
+        for (outward, z) in self.outward.iter().zip(&mut *states) {
+            *z = tell(&p, &f);
             p = outward.follow(&p);
+            if let Outward::Body { .. } = outward
+                && let Some(relation) = relations.next()
+            {
+                f = relation.force(&p);
+            }
         }
         if let Some(tip) = states.last_mut() {
-            *tip = state(&p, &self.pull);
+            *tip = tell(&p, &f);
         }
-        Ok(p)
+        if finite { Ok(p) } else { Err(Error::new(Fault::NonFiniteMotion)) }
     }
 
     /// Solves a chain whose links are all there.
@@ -161,12 +189,4 @@ fn at_root<T: Scalar, const H: usize, const P: usize, const A: usize>(
     }
     let found = solve_dense(a, b).ok_or(Error::new(Fault::SingularJoint).at(Place::Root))?;
     Ok(core::array::from_fn(|i| (0..H).fold(T::zero(), |sum, k| sum + found[k] * root.axes[k][i])))
-}
-
-fn state<T: Scalar, const N: usize, const H: usize>(p: &[T; H], f: &[T; H]) -> StateVector<T, N> {
-    StateVector::new(core::array::from_fn(|i| match i {
-        i if i < H => p[i],
-        i if i < 2 * H => f[i - H],
-        _ => T::one(),
-    }))
 }

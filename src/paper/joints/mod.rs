@@ -86,7 +86,7 @@ impl<D> JointScheme<D> {
             root,
             motions: Vec::with_capacity(n),
             links: Vec::with_capacity(n.min(BLOCK)),
-            room: Room::new(n),
+            room: Room::new(n, parts.bodies.len()),
             states: vec![blank; n + 1],
             stations: vec![blank; n + 1],
             parts,

@@ -107,7 +107,7 @@ impl<D> Scheme<D> {
             guide,
             drive: [T::zero(); A],
             links: Vec::with_capacity(if self.keeps { n } else { n.min(BLOCK) }),
-            room: Room::new(if self.solver == Solver::Riccati { n } else { 0 }),
+            room: if self.solver == Solver::Riccati { Room::new(n, parts.bodies.len()) } else { Room::new(0, 0) },
             matrices: vec![TransferMatrix::identity(); if self.solver == Solver::Product { n } else { 0 }],
             states: vec![blank; n + 1],
             stations: vec![blank; n + 1],
@@ -221,9 +221,6 @@ where
         for sweep in 0.. {
             self.solve(sweep, span, time, grounds).map_err(at_time)?;
             self.sweeps += 1;
-            if !self.states.iter().all(|z| (0..N).all(|i| z[i].is_finite())) {
-                return Err(at_time(Error::new(Fault::NonFiniteMotion)));
-            }
             // A last sweep, once the equations hold, brings derivatives as far as values.
             if self.scheme.at != At::Iterated || holds {
                 break;
