@@ -110,6 +110,8 @@ macro_rules! run_rules {
         add!("Rk4" "fixed", $steps(1.0), Rk4::step);
         add!("Dopri5" "fixed", $steps(2.0), Dopri5::step);
         add!("Dopri5" "controlled", $tolerances, Dopri5::tolerance);
+        add!("Adams" "fixed", $steps(1.0), Adams::step);
+        add!("Adams" "controlled", $tolerances, Adams::tolerance);
         add!("Dop853" "fixed", $steps(4.0), Dop853::step);
         add!("Dop853" "controlled", $tolerances, Dop853::tolerance);
     }};

@@ -80,6 +80,7 @@ fn explicit_rules_have_their_orders_on_attitudes_rates_and_forces() -> Result<()
     let exact = scene.0.simulate(scene.1, Dop853::tolerance(1e-14), END, |_| ())?.motion;
     order_of("RK4", 4.0, &[400, 600, 900], Rk4::step, END, &scene, &exact)?;
     order_of("DOPRI5", 5.0, &[200, 280, 400], Dopri5::step, END, &scene, &exact)?;
+    order_of("Adams", 5.0, &[400, 600, 900], Adams::step, END, &scene, &exact)?;
     order_of("DOP853", 8.0, &[90, 100, 110, 120], Dop853::step, END, &scene, &exact)
 }
 
@@ -126,6 +127,7 @@ fn rules_keep_their_orders_where_angles_are_singular() -> Result<(), Error> {
     let exact = system.simulate(*start, Dop853::tolerance(1e-14), LATER, |_| ())?.motion;
     order_of("RK4", 4.0, &[400, 600, 900], Rk4::step, LATER, &scene, &exact)?;
     order_of("DOPRI5", 5.0, &[160, 224, 320], Dopri5::step, LATER, &scene, &exact)?;
+    order_of("Adams", 5.0, &[400, 600, 900], Adams::step, LATER, &scene, &exact)?;
     order_of("DOP853", 8.0, &[36, 40, 44, 48], Dop853::step, LATER, &scene, &exact)?;
     order_of("SDIRK4", 4.0, &[800, 1200, 1800], |h| Sdirk4::new().step(h), LATER, &scene, &exact)?;
     order_of(
@@ -137,6 +139,15 @@ fn rules_keep_their_orders_where_angles_are_singular() -> Result<(), Error> {
         &scene,
         &exact,
     )
+}
+
+/// A stepper that remembers motions knows rotations again: after three steps by another rule two sweeps each.
+#[test]
+fn attitudes_are_recognised() -> Result<(), Error> {
+    let (system, start) = scene()?;
+    let run = system.simulate(start, Adams::step(0.01), 1.0, |_| ())?;
+    assert_eq!(run.sweeps, 3 * 6 + 97 * 2);
+    Ok(())
 }
 
 /// Attitudes between steps come from the coordinates of the step too.

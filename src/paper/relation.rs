@@ -133,9 +133,9 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Relation<T, H, P
     fn through_rigid(&self, turn: Option<&[[T; A]; A]>) -> Self {
         let Some(turn) = turn else { return *self };
         let mut relation = *self;
-        for i in 0..H {
-            for k in 0..A {
-                relation.matrix[i][P + k] = (0..A).fold(T::zero(), |sum, c| sum + self.matrix[i][P + c] * turn[c][k]);
+        for (row, own) in relation.matrix.iter_mut().zip(&self.matrix) {
+            for (k, entry) in row[P..].iter_mut().enumerate() {
+                *entry = (0..A).fold(T::zero(), |sum, c| sum + own[P + c] * turn[c][k]);
             }
         }
         relation

@@ -36,7 +36,7 @@ pub use crate::chain::{Branch, LeastNorm, Network};
 pub use crate::element::Unloaded;
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
-pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
+pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
 pub use beam::{Beam, Segments, Stretch};
 pub use body::{Body, Inertia, Pose};
 pub use elastic_hinge::{ElasticHinge, HingeRule};

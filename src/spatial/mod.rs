@@ -48,7 +48,7 @@ pub use crate::chain::{Branch, LeastNorm, Network};
 pub use crate::element::Unloaded;
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
-pub use crate::time::{Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
+pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
 pub use axial::{Axial, Listed, Relative};
 pub use ball::Ball;
 pub use beam::{Beam, Retardation, Segments, Stretch};

@@ -11,17 +11,17 @@ use crate::time::Explicit;
 
 /// Steps by an explicit method.
 pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
-    scene: D,
-    workspace: D::Workspace,
+    pub(super) scene: D,
+    pub(super) workspace: D::Workspace,
     /// Accelerations of the rows: of the past motion, of the stages, of the next motion, of stages for the dense output.
-    slopes: M::Rows<D::Rate>,
+    pub(super) slopes: M::Rows<D::Rate>,
     stage: (D::Position, D::Rate),
     still: MotionIn<D, L>,
     zero: D::Rate,
     /// Room for increments of positions, and for estimates of errors.
     estimate: (D::Rate, D::Rate),
     dense_ready: bool,
-    sweeps: usize,
+    pub(super) sweeps: usize,
 }
 
 impl<D: Dynamics<L>, L, M: Explicit> Method<D, L> for M {
@@ -70,7 +70,13 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
 
     /// Finds where a step went wrong, row by row.
     #[cold]
-    fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Error {
+    pub(super) fn diagnose(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+    ) -> Error {
         let finite = |position: &D::Position| {
             let mut finite = true;
             position.visit(&mut |x| finite &= x.is_finite());
@@ -100,8 +106,24 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         if past.fits(&self.still) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
     }
 
+    /// Finds the accelerations of a motion, the first row.
+    pub(super) fn begin(&mut self, past: &MotionIn<D, L>, loads: &L, next: &MotionIn<D, L>) -> Result<(), Error> {
+        self.fits(past, next)?;
+        let first = &mut self.slopes.as_mut()[0];
+        self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
+        self.sweeps += 1;
+        Ok(())
+    }
+
+    /// Takes those that a motion has.
+    pub(super) fn resume(&mut self, past: &MotionIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+        self.fits(past, next)?;
+        self.slopes.as_mut()[0].set(&past.acceleration);
+        Ok(())
+    }
+
     /// The step from the accelerations in the first row.
-    fn make(
+    pub(super) fn make(
         &mut self,
         past: &MotionIn<D, L>,
         loads: &L,
@@ -145,10 +167,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        self.fits(past, next)?;
-        let first = &mut self.slopes.as_mut()[0];
-        self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
-        self.sweeps += 1;
+        self.begin(past, loads, next)?;
         self.make(past, loads, dt, next)
     }
 
@@ -159,8 +178,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        self.fits(past, next)?;
-        self.slopes.as_mut()[0].set(&past.acceleration);
+        self.resume(past, next)?;
         self.make(past, loads, dt, next)
     }
 

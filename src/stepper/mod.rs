@@ -1,5 +1,6 @@
 //! Steppers: what a rule needs for one scene, and the step itself.
 
+mod adams;
 mod displace;
 mod explicit;
 mod implicit;
@@ -11,6 +12,7 @@ use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
 use num_traits::Zero;
 
+pub use adams::AdamsStepper;
 pub use explicit::ExplicitStepper;
 pub use implicit::ImplicitStepper;
 pub use sdirk::SdirkStepper;

@@ -1,5 +1,6 @@
 //! Rules that advance a motion in time: coefficients only, no mechanics.
 
+mod adams;
 mod control;
 mod dop853;
 mod dop853_table;
@@ -9,6 +10,8 @@ mod rk4;
 pub(crate) mod sdirk4;
 mod tableau;
 
+pub use adams::Adams;
+pub(crate) use adams::Weights;
 pub use control::{Control, Rule};
 pub use dop853::Dop853;
 pub use dopri5::Dopri5;

@@ -1,0 +1,272 @@
+//! Steps by the predictor and corrector of Adams, Bashforth and Moulton.
+
+use super::displace::{displace, gather, mean_square};
+use super::explicit::ExplicitStepper;
+use super::{Method, MotionIn, Stepper, TimeIn};
+use crate::error::{Error, Fault};
+use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
+use crate::scalar::{Real, Scalar};
+use crate::system::Dynamics;
+use crate::time::{Adams, Dopri5, Weights};
+use num_traits::Zero;
+
+/// How many motions a predictor reads.
+const DEPTH: usize = 4;
+
+/// The weights of a step.
+struct Pece {
+    nodes: [f64; DEPTH + 1],
+    predictor: Weights<DEPTH>,
+    corrector: Weights<{ DEPTH + 1 }>,
+    /// What the oldest motion changes: an estimate of the error.
+    difference: Weights<{ DEPTH + 1 }>,
+    /// By how much more a step of this size errs after steps of its size.
+    growth: f64,
+}
+
+impl Pece {
+    fn new(nodes: &[f64; DEPTH + 1]) -> Self {
+        let ([_, known @ ..], [fewer @ .., _]) = (*nodes, *nodes);
+        let (corrector, coarse) = (Weights::new(nodes, 1.0), Weights::new(&fewer, 1.0));
+        let less = |fine: [f64; DEPTH + 1], coarse: [f64; DEPTH]| {
+            core::array::from_fn(|j| fine[j] - coarse.get(j).unwrap_or(&0.0))
+        };
+        let (rate, position) = (less(corrector.rate, coarse.rate), less(corrector.position, coarse.position));
+        // The estimate goes with ∫ (s − 1) s (s − s₁) (s − s₂) from 0 to 1, −19/30 for equal steps.
+        let [_, _, one, two, _] = *nodes;
+        let (sum, product) = (one + two, one * two);
+        let own = 0.2 - 0.25 * (1.0 + sum) + (product + sum) / 3.0 - 0.5 * product;
+        let growth = (19.0 / 30.0 / if own < 0.0 { -own } else { own }).max(1.0);
+        let difference = Weights { rate, position };
+        Self { nodes: *nodes, predictor: Weights::new(&known, 1.0), corrector, difference, growth }
+    }
+
+    /// Those of these nodes. Equal steps, whose times are rounded, share theirs.
+    fn update(&mut self, nodes: &[f64; DEPTH + 1]) {
+        const EQUAL: [f64; DEPTH + 1] = [1.0, 0.0, -1.0, -2.0, -3.0];
+        let near = |(a, b): (&f64, &f64)| (-1e-11..=1e-11).contains(&(a - b));
+        let nodes = if nodes.iter().zip(&EQUAL).all(near) { &EQUAL } else { nodes };
+        if self.nodes != *nodes {
+            *self = Self::new(nodes);
+        }
+    }
+}
+
+/// Steps by [`Adams`].
+pub struct AdamsStepper<D: Dynamics<L>, L> {
+    /// Steps where too little is remembered. It owns the scene.
+    start: ExplicitStepper<D, L, Dopri5>,
+    /// A ring: at `newest` and after it motions of the past, `known` of them, and before it what the last step wrote, if it did.
+    ring: [MotionIn<D, L>; DEPTH + 1],
+    newest: usize,
+    known: usize,
+    written: bool,
+    /// Accelerations: predicted, and of the past motions.
+    slopes: [D::Rate; DEPTH + 1],
+    /// When they were, as shares of the step.
+    nodes: [f64; DEPTH + 1],
+    weights: Pece,
+    /// Whether they made the last step.
+    own: bool,
+    stage: (D::Position, D::Rate),
+    estimate: (D::Rate, D::Rate),
+    zero: D::Rate,
+}
+
+impl<D: Dynamics<L>, L> Method<D, L> for Adams {
+    type Stepper = AdamsStepper<D, L>;
+
+    fn stepper(&self, scene: D) -> AdamsStepper<D, L> {
+        let still = scene.still();
+        let zero = still.rate.clone();
+        AdamsStepper {
+            start: Dopri5.stepper(scene),
+            ring: core::array::from_fn(|_| still.clone()),
+            newest: 0,
+            known: 0,
+            written: false,
+            slopes: core::array::from_fn(|_| zero.clone()),
+            nodes: [0.0; DEPTH + 1],
+            weights: Pece::new(&[1.0, 0.0, -1.0, -2.0, -3.0]),
+            own: false,
+            stage: (still.position, zero.clone()),
+            estimate: (zero.clone(), zero.clone()),
+            zero,
+        }
+    }
+}
+
+impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
+    /// Copies a motion; allocates nothing.
+    fn copy(to: &mut MotionIn<D, L>, from: &MotionIn<D, L>, acceleration: &D::Rate, zero: &D::Rate) {
+        to.time = from.time;
+        to.position.drift_0(&from.position, (TimeIn::<D, L>::zero(), zero));
+        to.rate.set(&from.rate);
+        to.acceleration.set(acceleration);
+    }
+
+    /// Makes `past`, with the accelerations in the first row, the newest motion remembered. Where it is not the last one written, or
+    /// accelerations have jumped since, nothing else is. Dual numbers are told apart by their real parts.
+    fn recall(&mut self, past: &MotionIn<D, L>) {
+        let first = &self.start.slopes.as_ref()[0];
+        let is = |motion: &MotionIn<D, L>| {
+            let mut equal = |a, b| a == b;
+            motion.time == past.time
+                && motion.position.all(&past.position, &mut equal)
+                && motion.rate.all(&past.rate, &mut equal)
+                && motion.acceleration.all(first, &mut equal)
+        };
+        let before = (self.newest + DEPTH) % (DEPTH + 1);
+        if self.written && is(&self.ring[before]) {
+            self.newest = before;
+            self.known = DEPTH.min(self.known + 1);
+        } else if self.known == 0 || !is(&self.ring[self.newest]) {
+            Self::copy(&mut self.ring[self.newest], past, first, &self.zero);
+            self.known = 1;
+        }
+        self.written = false;
+    }
+
+    /// The step from the accelerations in the first row of [`start`](Self::start).
+    fn make(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.recall(past);
+        self.own = self.known == DEPTH;
+        if self.own {
+            self.leap(past, loads, dt, next)?;
+        } else {
+            self.start.make(past, loads, dt, next)?;
+        }
+        let before = (self.newest + DEPTH) % (DEPTH + 1);
+        Self::copy(&mut self.ring[before], next, &next.acceleration, &self.zero);
+        self.written = true;
+        Ok(())
+    }
+
+    /// Predicts, evaluates, corrects, evaluates.
+    fn leap(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        let Self { slopes, nodes, weights, start, stage: (position, rate), estimate, zero, .. } = self;
+        nodes[0] = 1.0;
+        let history = self.ring[self.newest..].iter().chain(&self.ring);
+        for ((slope, node), before) in slopes[1..].iter_mut().zip(&mut nodes[1..]).zip(history) {
+            *node = ((before.time - past.time) / dt).as_f64();
+            slope.set(&before.acceleration);
+            if D::Position::CURVED {
+                before.position.unroll(&past.position, &before.rate, slope);
+            }
+        }
+        next.time = past.time + dt;
+        weights.update(nodes);
+        let Pece { predictor, corrector, .. } = &*weights;
+        let predicted = (predictor.position.as_slice(), predictor.rate.as_slice());
+        displace(past, &slopes[1..], 1.0, predicted, dt, (zero, &mut estimate.0), (position, rate));
+        if D::Position::CURVED {
+            position.land(&past.position, rate);
+        }
+        start.scene.accelerations(next.time, position, rate, loads, &mut start.workspace, &mut slopes[0]);
+        if D::Position::CURVED {
+            position.unroll(&past.position, rate, &mut slopes[0]);
+        }
+        let corrected = (corrector.position.as_slice(), corrector.rate.as_slice());
+        displace(past, slopes, 1.0, corrected, dt, (zero, &mut estimate.0), (&mut next.position, &mut next.rate));
+        if D::Position::CURVED {
+            next.position.land(&past.position, &mut next.rate);
+        }
+        start.scene.project(next, &mut start.workspace);
+        let Motion { time, position, rate, acceleration, multipliers } = next;
+        *multipliers = start.scene.accelerations(*time, position, rate, loads, &mut start.workspace, acceleration);
+        start.sweeps += 2;
+        match start.scene.accept(next) {
+            // Where the step goes wrong, Dopri5's does too.
+            Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => Err(start.diagnose(past, loads, dt, next)),
+            outcome => outcome,
+        }
+    }
+}
+
+impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
+    fn step(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.start.begin(past, loads, next)?;
+        self.make(past, loads, dt, next)
+    }
+
+    fn advance(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.start.resume(past, next)?;
+        self.make(past, loads, dt, next)
+    }
+
+    fn error(
+        &mut self,
+        past: &MotionIn<D, L>,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        tolerance: TimeIn<D, L>,
+    ) -> Option<TimeIn<D, L>> {
+        if !self.own {
+            return self.start.error(past, dt, next, tolerance);
+        }
+        let (position, rate) = &mut self.estimate;
+        let Weights { rate: of_rate, position: of_position } = &self.weights.difference;
+        gather(position, &self.zero, dt * dt, of_position, &self.slopes);
+        gather(rate, &self.zero, dt, of_rate, &self.slopes);
+        let square = mean_square(next, (position, rate), tolerance);
+        let growth = TimeIn::<D, L>::of(self.weights.growth);
+        Some(Scalar::sqrt(TimeIn::<D, L>::of(square)) * growth)
+    }
+
+    fn error_order(&self) -> f64 {
+        5.0
+    }
+
+    fn interpolate(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        theta: f64,
+        between: &mut MotionIn<D, L>,
+    ) {
+        if !self.own {
+            return self.start.interpolate(past, loads, dt, next, theta, between);
+        }
+        let Self { slopes, nodes, start, estimate, zero, .. } = self;
+        let Weights { rate: of_rate, position: of_position } = Weights::<{ DEPTH + 1 }>::new(nodes, theta);
+        let Motion { time, position, rate, acceleration, multipliers } = between;
+        displace(past, slopes, theta, (&of_position, &of_rate), dt, (zero, &mut estimate.0), (position, rate));
+        if D::Position::CURVED {
+            position.land(&past.position, rate);
+        }
+        *time = past.time + TimeIn::<D, L>::of(theta) * dt;
+        *multipliers = start.scene.accelerations(*time, position, rate, loads, &mut start.workspace, acceleration);
+        start.sweeps += 1;
+    }
+
+    fn sweeps(&self) -> usize {
+        self.start.sweeps
+    }
+}
