@@ -121,7 +121,12 @@ fn torques_may_jump_between_steps() -> Result<(), Error> {
     let loads =
         |torque: f64| Loads::none().in_joints(move |_, k, _: &JointMotion<f64>| if k == 1 { torque } else { 0.0 });
     let half = |start: State, torque: f64, end: f64| {
-        scene.simulation(Dop853::tolerance(1e-13)).loads(&loads(torque)).run(start, end, |_| ()).map(|run| run.motion)
+        scene
+            .simulation(Dop853::tolerance(1e-13))
+            .loads(&loads(torque))
+            .run(start, end, |_| ())
+            .map(|run| run.motion)
+            .map_err(Error::from)
     };
     let exact = half(half(scene.at_rest(&[-FRAC_PI_3; 2])?, 3.0, 0.5)?, -5.0, 1.0)?;
     let angles = [0, 1].map(|k| *scene.angles(&exact).get(k).unwrap_or(&f64::NAN));
@@ -192,6 +197,7 @@ fn samples_and_events_have_order_five() -> Result<(), Error> {
                 seen += 1;
             })
             .map(|_| (worst, event))
+            .map_err(Error::from)
     };
     let (_, expected) = rest(3000)?;
     let mut samples = vec![];
