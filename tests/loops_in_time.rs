@@ -131,6 +131,7 @@ fn loops_stay_closed_under_every_rule() -> Result<(), Error> {
                 ("RK4", run($scene, $start, $loops, Rk4::step(2e-3))?),
                 ("DOPRI5, fixed", run($scene, $start, $loops, Dopri5::step(2e-3))?),
                 ("DOPRI5", run($scene, $start, $loops, Dopri5::tolerance(1e-9))?),
+                ("Adams", run($scene, $start, $loops, Adams::step(2e-3))?),
                 ("DOP853, fixed", run($scene, $start, $loops, Dop853::step(4e-3))?),
                 ("DOP853", run($scene, $start, $loops, Dop853::tolerance(1e-12))?),
                 ("generalised-alpha", run($scene, $start, $loops, GeneralizedAlpha::new(0.8).step(2e-3))?),
@@ -157,6 +158,30 @@ fn loops_stay_closed_under_every_rule() -> Result<(), Error> {
     rules!("three arms with springs", &scene, &start, &OF_NET);
     assert!(worst < 1e-13, "{worst:.1e}");
     Ok(())
+}
+
+/// Samples lie between steps as a rule.
+#[test]
+fn loops_are_closed_between_steps() -> Result<(), Error> {
+    fn worst<M>(name: &str, rule: Rule<M, f64>) -> Result<(), Error>
+    where
+        M: for<'s> Method<&'s Scene<Pinned<[f64; 2]>, Net<Pin>>, Unloaded>,
+    {
+        let (scene, start) = hanging(Pin)?;
+        let mut worst = 0.0_f64;
+        scene
+            .simulation(rule)
+            .every(0.0137)
+            .run(start, 1.0, |now| worst = worst.max(open(&scene, now.motion(), &OF_NET)))?;
+        println!("{name}: loops miss by {worst:.1e} m");
+        assert!(worst < 1e-13, "{name}: {worst:.1e}"); // as at the ends of steps
+        Ok(())
+    }
+    worst("DOPRI5", Dopri5::step(0.01))?;
+    worst("Adams", Adams::step(0.005))?;
+    worst("DOP853", Dop853::tolerance(1e-8))?;
+    worst("generalised-alpha", GeneralizedAlpha::new(0.8).step(0.005))?;
+    worst("SDIRK4", Sdirk4::new().step(0.005))
 }
 
 /// Three arms afloat, without gravity.

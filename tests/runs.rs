@@ -252,6 +252,33 @@ fn error_control_meets_its_tolerance() -> Result<(), Error> {
     Ok(())
 }
 
+/// A pulse of a twentieth of a second, which a pendulum at rest would step over.
+#[test]
+fn no_step_is_longer_than_the_longest() -> Result<(), Error> {
+    let system = System::new(Pinned::origin(), Rod::uniform(1.0, 1.0), Free)?;
+    let pulse = |time: f64| if (2.0..2.05).contains(&time) { 4.0 } else { 0.0 };
+    let loads = Loads::none().in_joints(move |time, _, _: &JointMotion<f64>| pulse(time));
+    let end = |longest: f64| {
+        let (mut last, mut most) = (0.0, 0.0_f64);
+        let run = system.simulation(Dop853::tolerance(1e-9)).loads(&loads).longest_step(longest);
+        let run = run.run(system.motion(), 10.0, |now| {
+            most = most.max(now.time() - last);
+            last = now.time();
+        });
+        run.map(|run| (run.motion.rate().0, most)).map_err(Error::from)
+    };
+    let (missed, _) = end(10.0)?;
+    let (found, most) = end(0.04)?;
+    println!("rate {found} rad/s, steps up to {most} s; with steps as long as they like {missed} rad/s");
+    assert!(missed == 0.0 && most <= 0.04 * (1.0 + 1e-12));
+    near(found, 3.0 * 4.0 * 0.05, 1e-6); // m l²/3 of inertia; the pulse begins and ends within steps
+    let refused = system.simulation(Rk4::step(0.1)).longest_step(0.0).run(system.motion(), 1.0, |_| ());
+    assert!(
+        matches!(refused, Err(failed) if matches!(failed.error.fault, catena::Fault::NotPositive { parameter: "longest step", .. }))
+    );
+    Ok(())
+}
+
 #[test]
 fn fixed_steps_end_on_time() -> Result<(), Error> {
     let (system, start) = pendulum()?;

@@ -54,7 +54,11 @@ where
             return Err(Error::new(Fault::NotFinite { parameter: "end of the run after its start" }));
         }
         let (Control::Fixed(chosen) | Control::Tolerance(chosen)) = self.plan.rule.control;
-        let numbers = [("step size or tolerance", Some(chosen)), ("interval between samples", self.plan.every)];
+        let numbers = [
+            ("step size or tolerance", Some(chosen)),
+            ("interval between samples", self.plan.every),
+            ("longest step", self.plan.longest),
+        ];
         for (parameter, number) in numbers {
             if let Some(number) = number
                 && !(number.is_finite() && number > RealOf::<S>::zero())
@@ -79,7 +83,7 @@ where
             // Fixed steps end at multiples of their size, without the rounding of a running sum.
             let planned = match self.plan.rule.control {
                 Control::Fixed(dt) => start + dt * RealOf::<S>::of((self.counters.steps + 1) as f64) - self.past.time,
-                Control::Tolerance(_) => dt,
+                Control::Tolerance(_) => self.plan.longest.map_or(dt, |longest| dt.min(longest)),
             };
             // The last step lands on the end; it may be longer by rounding.
             let remaining = end - self.past.time;

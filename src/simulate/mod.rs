@@ -113,6 +113,7 @@ pub struct Simulation<'a, S: Space, R: Root<S>, C: Element<S>, P, L, M, E> {
     loads: &'a L,
     rule: Rule<M, RealOf<S>>,
     every: Option<RealOf<S>>,
+    longest: Option<RealOf<S>>,
     event: E,
     stop: bool,
 }
@@ -161,7 +162,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 
     /// A run to be made by a rule.
     pub fn simulation<M>(&self, rule: Rule<M, RealOf<S>>) -> Simulation<'_, S, R, C, P, Unloaded, M, NoEvent> {
-        Simulation { system: self, loads: &Unloaded, rule, every: None, event: NoEvent, stop: false }
+        Simulation { system: self, loads: &Unloaded, rule, every: None, longest: None, event: NoEvent, stop: false }
     }
 
     /// Runs from `start` to the time `end` (s) and shows every accepted step to `observe`, the start included.
@@ -186,8 +187,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Simulation<'a, S, R, C, P, L, M, E> {
     /// Under these loads.
     pub fn loads<N: Loading<S>>(self, loads: &'a N) -> Simulation<'a, S, R, C, P, N, M, E> {
-        let Self { system, rule, every, event, stop, .. } = self;
-        Simulation { system, loads, rule, every, event, stop }
+        let Self { system, rule, every, longest, event, stop, .. } = self;
+        Simulation { system, loads, rule, every, longest, event, stop }
     }
 
     /// Shown at multiples of an interval (s) from the start, by dense output, instead of at every step.
@@ -196,13 +197,20 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         Self { every: Some(interval), ..self }
     }
 
-    /// Also shown where a function of the motion crosses zero.
+    /// With no step longer than this (s) where error control chooses them: loads that come and go within a step would not be seen, nor
+    /// an event function that crosses zero twice.
+    #[must_use]
+    pub fn longest_step(self, longest: RealOf<S>) -> Self {
+        Self { longest: Some(longest), ..self }
+    }
+
+    /// Also shown where a function of the motion crosses zero, once a step at most.
     pub fn event<F>(self, function: F) -> Simulation<'a, S, R, C, P, L, M, F>
     where
         F: FnMut(&Now<'_, S, R, C, P, L>) -> S::Scalar,
     {
-        let Self { system, loads, rule, every, stop, .. } = self;
-        Simulation { system, loads, rule, every, event: function, stop }
+        let Self { system, loads, rule, every, longest, stop, .. } = self;
+        Simulation { system, loads, rule, every, longest, event: function, stop }
     }
 
     /// Stops where the event function crosses zero.

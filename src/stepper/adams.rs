@@ -256,12 +256,14 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
         }
         let Self { slopes, nodes, start, estimate, zero, .. } = self;
         let Weights { rate: of_rate, position: of_position } = Weights::<{ DEPTH + 1 }>::new(nodes, theta);
-        let Motion { time, position, rate, acceleration, multipliers } = between;
+        let Motion { position, rate, .. } = between;
         displace(past, slopes, theta, (&of_position, &of_rate), dt, (zero, &mut estimate.0), (position, rate));
         if D::Position::CURVED {
             position.land(&past.position, rate);
         }
-        *time = past.time + TimeIn::<D, L>::of(theta) * dt;
+        between.time = past.time + TimeIn::<D, L>::of(theta) * dt;
+        start.scene.project(between, &mut start.workspace);
+        let Motion { time, position, rate, acceleration, multipliers } = between;
         *multipliers = start.scene.accelerations(*time, position, rate, loads, &mut start.workspace, acceleration);
         start.sweeps += 1;
     }

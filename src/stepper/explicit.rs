@@ -237,6 +237,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
             position.land(&past.position, rate);
         }
         between.time = past.time + TimeIn::<D, L>::of(theta) * dt;
+        self.scene.project(between, &mut self.workspace);
         let Motion { time, position, rate, acceleration, multipliers } = between;
         *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
         self.sweeps += 1;
