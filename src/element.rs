@@ -140,6 +140,13 @@ pub trait Element<S: Space>: Clone {
     /// not be turned one after the other.
     const ABSOLUTE: bool;
 
+    /// The orientation handed on: that of the inboard end, unless a joint inside turns it.
+    #[inline(always)]
+    fn turned(&self, position: &Self::Position, rate: &Self::Rate, turn: S::Turn) -> S::Turn {
+        let _ = (position, rate);
+        turn
+    }
+
     /// Carries the orientation outward and stores, for each set of axes, what `resolve` needs.
     #[allow(clippy::too_many_arguments)] // one store each
     fn orient(

@@ -1,8 +1,8 @@
 //! Arrays and vectors of elements.
 
+use super::poses::{march, orient_items, pose_items, pose_items_in_order, resolve_items, turned_by_items};
 #[cfg(feature = "alloc")]
-use super::poses::pose_slices;
-use super::poses::{march, orient_items, pose_items, resolve_items};
+use super::poses::{pose_slices, pose_slices_in_order};
 use super::{product, sum};
 use crate::element::{
     Condense, Coordinates, Element, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
@@ -57,7 +57,7 @@ macro_rules! item_motion {
 
 /// One implementation for arrays and vectors, `$Of<item $extra>`.
 macro_rules! chain_items {
-    ($Of:ident, $map:ident, $pose:ident, [$($K:tt)*], [$($extra:tt)*], |$A:ident| $length:expr) => {
+    ($Of:ident, $map:ident, $pose:ident $pose_in_order:ident, [$($K:tt)*], [$($extra:tt)*], |$A:ident| $length:expr) => {
         impl<S: Space, A: Element<S> $($K)*> Element<S> for $Of<A $($extra)*> {
             type Position = $Of<A::Position $($extra)*>;
             type Rate = $Of<A::Rate $($extra)*>;
@@ -138,6 +138,10 @@ macro_rules! chain_items {
                 self.iter_mut().rev().fold(mass, |mass, item| item.lump(mass))
             }
             #[inline]
+            fn turned(&self, position: &Self::Position, rate: &Self::Rate, turn: S::Turn) -> S::Turn {
+                turned_by_items(self, position, rate, turn)
+            }
+            #[inline]
             fn orient(
                 &self,
                 position: &Self::Position,
@@ -175,7 +179,12 @@ macro_rules! chain_items {
                 p: &mut Self::PerAxes<S::P>,
                 q: &mut Self::PerAxes<S::Q>,
             ) -> S::Turn {
-                $pose(self, position, rate, turn, sizes, x, y, p, q)
+                if A::ABSOLUTE {
+                    $pose(self, position, rate, turn, sizes, x, y, p, q);
+                    turned_by_items(self, position, rate, turn)
+                } else {
+                    $pose_in_order(self, position, rate, turn, sizes, x, y, p, q)
+                }
             }
             #[inline]
             fn recover<C: Closures, By: Springs<S::Scalar>>(
@@ -343,8 +352,8 @@ macro_rules! chain_items {
                     }};
                 }
                 let mut relation = link!(last, R, outer);
-                for i in (0..last).rev() {
-                    relation = link!(i, Q, relation);
+                for i in 1..n {
+                    relation = link!(last - i, Q, relation);
                 }
                 relation
             }
@@ -352,6 +361,6 @@ macro_rules! chain_items {
     };
 }
 
-chain_items!(Array, map_array, pose_items, [, const K: usize], [, K], |each| product(each, K));
+chain_items!(Array, map_array, pose_items pose_items_in_order, [, const K: usize], [, K], |each| product(each, K));
 #[cfg(feature = "alloc")]
-chain_items!(Vec, map_vec, pose_slices, [], [], |_each| None);
+chain_items!(Vec, map_vec, pose_slices pose_slices_in_order, [], [], |_each| None);

@@ -149,6 +149,10 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         self.arms.0.lump(mass) + self.arms.1.lump(num_traits::Zero::zero())
     }
     #[inline(always)]
+    fn turned(&self, position: &Self::Position, rate: &Self::Rate, turn: S::Turn) -> S::Turn {
+        self.main().turned(&position.arms.0, &rate.arms.0, turn)
+    }
+    #[inline(always)]
     fn orient(
         &self,
         position: &Self::Position,

@@ -16,6 +16,19 @@ macro_rules! march {
 }
 pub(super) use march;
 
+/// `Element::turned` by items: by the last one where what lies inboard of it does not matter.
+#[inline(always)]
+pub(super) fn turned_by_items<S: Space, A: Element<S>>(
+    items: &[A],
+    position: &[A::Position],
+    rate: &[A::Rate],
+    turn: S::Turn,
+) -> S::Turn {
+    let from = if A::ABSOLUTE { items.len().saturating_sub(1) } else { 0 };
+    let items = items.iter().zip(position).zip(rate).skip(from);
+    items.fold(turn, |turn, ((item, position), rate)| item.turned(position, rate, turn))
+}
+
 /// `Element::orient` of items. Slices are arguments: of these alone the compiler knows that they do not overlap.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)] // slices that march together
@@ -52,32 +65,45 @@ pub(super) fn resolve_items<S: Space, A: Element<S>>(
     }
 }
 
-/// `Element::pose` of items: in one loop where the order does not matter, and in two where only the first has to go in order.
+/// `Element::pose` of items in one loop, where the order does not matter. What turn they hand on it does not say: a loop that
+/// brought out the last one would keep registers for it.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
 pub(super) fn pose_items<S: Space, A: Element<S>>(
     items: &[A],
     position: &[A::Position],
     rate: &[A::Rate],
-    mut turn: S::Turn,
+    turn: S::Turn,
+    sizes: &[A::PerAxes<S::Size>],
+    x: &mut [A::PerAxes<S::X>],
+    y: &mut [A::PerAxes<S::Y>],
+    p: &mut [A::PerAxes<S::P>],
+    q: &mut [A::PerAxes<S::Q>],
+) {
+    march!(n: items position rate sizes; mut x y p q; else);
+    for i in 0..n {
+        let (x, y, p, q) = (&mut x[i], &mut y[i], &mut p[i], &mut q[i]);
+        items[i].pose(&position[i], &rate[i], turn, &sizes[i], x, y, p, q);
+    }
+}
+
+/// `Element::pose` of items in two loops, of which only the first has to go in order.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+pub(super) fn pose_items_in_order<S: Space, A: Element<S>>(
+    items: &[A],
+    position: &[A::Position],
+    rate: &[A::Rate],
+    turn: S::Turn,
     sizes: &[A::PerAxes<S::Size>],
     x: &mut [A::PerAxes<S::X>],
     y: &mut [A::PerAxes<S::Y>],
     p: &mut [A::PerAxes<S::P>],
     q: &mut [A::PerAxes<S::Q>],
 ) -> S::Turn {
-    if A::ABSOLUTE {
-        march!(n: items position rate sizes; mut x y p q; else turn);
-        for i in 0..n {
-            let (x, y, p, q) = (&mut x[i], &mut y[i], &mut p[i], &mut q[i]);
-            turn = items[i].pose(&position[i], &rate[i], turn, &sizes[i], x, y, p, q);
-        }
-        turn
-    } else {
-        let turn = orient_items(items, position, rate, turn, x, y, p, q);
-        resolve_items::<S, A>(sizes, x, y, p, q);
-        turn
-    }
+    let turn = orient_items(items, position, rate, turn, x, y, p, q);
+    resolve_items::<S, A>(sizes, x, y, p, q);
+    turn
 }
 
 /// [`pose_items`] as a function of its own: it costs a call and saves to ask whether slices overlap.
@@ -94,6 +120,24 @@ pub(super) fn pose_slices<S: Space, A: Element<S>>(
     y: &mut [A::PerAxes<S::Y>],
     p: &mut [A::PerAxes<S::P>],
     q: &mut [A::PerAxes<S::Q>],
+) {
+    pose_items(items, position, rate, turn, sizes, x, y, p, q);
+}
+
+/// [`pose_items_in_order`] as a function of its own.
+#[cfg(feature = "alloc")]
+#[inline(never)]
+#[allow(clippy::too_many_arguments)]
+pub(super) fn pose_slices_in_order<S: Space, A: Element<S>>(
+    items: &[A],
+    position: &[A::Position],
+    rate: &[A::Rate],
+    turn: S::Turn,
+    sizes: &[A::PerAxes<S::Size>],
+    x: &mut [A::PerAxes<S::X>],
+    y: &mut [A::PerAxes<S::Y>],
+    p: &mut [A::PerAxes<S::P>],
+    q: &mut [A::PerAxes<S::Q>],
 ) -> S::Turn {
-    pose_items(items, position, rate, turn, sizes, x, y, p, q)
+    pose_items_in_order(items, position, rate, turn, sizes, x, y, p, q)
 }

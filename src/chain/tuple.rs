@@ -122,6 +122,11 @@ macro_rules! chain_of {
                 $(let mass = self.$j.lump(mass);)*
                 mass
             }
+            #[inline]
+            fn turned(&self, position: &Self::Position, rate: &Self::Rate, turn: S::Turn) -> S::Turn {
+                $(let turn = self.$i.turned(&position.$i, &rate.$i, turn);)*
+                turn
+            }
             #[$($inline)*]
             fn orient(
                 &self,

@@ -197,6 +197,10 @@ macro_rules! joint {
                 Joint::lump(self, mass)
             }
             #[inline(always)]
+            fn turned(&self, position: &Self::Position, rate: &Self::Rate, turn: Turn<T>) -> Turn<T> {
+                Joint::turned(self, position, rate, turn)
+            }
+            #[inline(always)]
             fn orient(
                 &self,
                 position: &Self::Position,

@@ -198,6 +198,10 @@ macro_rules! joint {
                 Joint::lump(self, mass)
             }
             #[inline(always)]
+            fn turned(&self, position: &Self::Position, rate: &Self::Rate, turn: Turn<T>) -> Turn<T> {
+                self.oriented(position, rate, turn).0
+            }
+            #[inline(always)]
             fn orient(
                 &self,
                 position: &Self::Position,
