@@ -88,9 +88,8 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
         let [arm, centripetal] = self.arm(pose);
         outer
             .with_mass(self.lumped)
-            .carried(arm, centripetal)
+            .carried_by(self.about_inboard, arm, centripetal)
             .with_first_moment(turned(self.inertia.centre, pose) * self.inertia.mass, pose.p)
-            .with_inertia(self.about_inboard)
     }
 
     fn check(&self) -> Result<(), Fault> {

@@ -87,7 +87,7 @@ impl<T: Scalar> Body<T> for Rod<T> {
     #[inline(always)]
     fn condense<R: Relation<T>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures> {
         let [arm, centripetal] = pose.link();
-        outer.with_mass(self.lumped).carried(arm, centripetal).with_inertia(self.rest)
+        outer.with_mass(self.lumped).carried_by(self.rest, arm, centripetal)
     }
 
     fn check(&self) -> Result<(), Fault> {

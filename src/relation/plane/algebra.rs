@@ -9,6 +9,12 @@ pub fn dot<T: Scalar>(a: Vector2<T>, b: Vector2<T>) -> T {
     a.x.mul_add(b.x, a.y * b.y)
 }
 
+/// `sum` + a · b, fused where the target can.
+#[inline(always)]
+pub fn plus_dot<T: Scalar>(sum: T, a: Vector2<T>, b: Vector2<T>) -> T {
+    a.x.mul_add(b.x, a.y.mul_add(b.y, sum))
+}
+
 /// `sum` − a · b, fused where the target can.
 #[inline(always)]
 pub fn minus_dot<T: Scalar>(sum: T, a: Vector2<T>, b: Vector2<T>) -> T {

@@ -1,7 +1,7 @@
 //! The full relation, and the eliminations that joints make in it.
 
 use super::Point;
-use super::algebra::{Symmetric2, add_scaled, dot, minus_dot, normal};
+use super::algebra::{Symmetric2, add_scaled, minus_dot, normal, plus_dot};
 use super::kinds::Relation;
 use crate::relation::{Closures, Cuts, Open, Term};
 use crate::scalar::Scalar;
@@ -74,11 +74,11 @@ impl<T: Scalar, C: Closures> Relation<T> for Full<T, C> {
         Self {
             linear: self.linear,
             coupling,
-            angular: dot(n, self.coupling + coupling) + self.angular,
+            angular: plus_dot(self.angular, n, self.coupling + coupling),
             force,
-            torque: dot(n, force) + dot(self.coupling, centripetal) + self.torque,
+            torque: plus_dot(plus_dot(self.torque, self.coupling, centripetal), n, force),
             cuts: self.cuts.turned(
-                |w| FullColumn { force: w.force, torque: w.torque + dot(n, w.force) },
+                |w| FullColumn { force: w.force, torque: plus_dot(w.torque, n, w.force) },
                 |sum, w| minus_dot(sum, w.force, centripetal),
             ),
         }
@@ -86,7 +86,7 @@ impl<T: Scalar, C: Closures> Relation<T> for Full<T, C> {
 }
 
 impl<T: Scalar, C: Closures> Full<T, C> {
-    /// Adds a rotary inertia (kg·m²); it may be negative when it only completes that of point masses.
+    /// Adds a rotary inertia (kg·m²).
     #[inline(always)]
     pub fn with_inertia(self, inertia: T) -> Self {
         Self { angular: self.angular + inertia, ..self }

@@ -1,6 +1,6 @@
 //! The lesser relations, and what a body does with any of them.
 
-use super::algebra::{Symmetric2, dot, minus_dot, normal};
+use super::algebra::{Symmetric2, dot, minus_dot, normal, plus_dot};
 use super::{Full, FullColumn, Slides};
 use crate::relation::{Absent, Closures, Cuts, Minus, Open, Promote, Term};
 use crate::scalar::Scalar;
@@ -44,6 +44,12 @@ pub trait Relation<T: Scalar>: Copy {
     /// on the body, that of Coriolis is added, and what lies outboard is more than a lump:
     /// p_O = (a + α n − ω² d, α), hence F_I = Xᵀ F_O with X = [[1, n], [0, 1]].
     fn carried(self, d: Vector2<T>, centripetal: Vector2<T>) -> Full<T, Self::Closures>;
+
+    /// The same on a body with a rotary inertia (kg·m²); it may be negative when it only completes that of point masses.
+    #[inline(always)]
+    fn carried_by(self, inertia: T, d: Vector2<T>, centripetal: Vector2<T>) -> Full<T, Self::Closures> {
+        self.carried(d, centripetal).with_inertia(inertia)
+    }
 }
 
 fn zero<T: Scalar>() -> Vector2<T> {
@@ -85,6 +91,11 @@ impl<T: Scalar> Relation<T> for Lump<T> {
             cuts: Cuts::none(),
         }
     }
+    #[inline(always)]
+    fn carried_by(self, inertia: T, d: Vector2<T>, centripetal: Vector2<T>) -> Full<T> {
+        let full = self.carried(d, centripetal);
+        Full { angular: plus_dot(inertia, normal(d), full.coupling), ..full }
+    }
 }
 
 impl<T: Scalar, M: Term<T>, C: Closures> Relation<T> for Point<T, M, C> {
@@ -110,6 +121,11 @@ impl<T: Scalar, M: Term<T>, C: Closures> Relation<T> for Point<T, M, C> {
                 .cuts
                 .turned(|w| FullColumn { force: w, torque: dot(n, w) }, |sum, w| minus_dot(sum, w, centripetal)),
         }
+    }
+    #[inline(always)]
+    fn carried_by(self, inertia: T, d: Vector2<T>, centripetal: Vector2<T>) -> Full<T, C> {
+        let full = self.carried(d, centripetal);
+        Full { angular: plus_dot(inertia, normal(d), full.coupling), ..full }
     }
 }
 
