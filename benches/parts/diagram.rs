@@ -23,7 +23,11 @@ pub fn draw(path: &Path, scenes: &[Scene]) -> Result<(), Box<dyn Error>> {
 
 /// One colour a rule; single precision is pale.
 fn colour(series: &Series) -> RGBAColor {
-    let colour = match (series.rule, series.control) {
+    let colour = match (series.rival.as_deref().unwrap_or(&series.rule), series.control) {
+        ("Pinocchio", _) => RGBColor(0, 158, 115),
+        ("MuJoCo", _) => RGBColor(204, 121, 167),
+        ("Adams", "fixed") => RGBColor(190, 190, 120),
+        ("Adams", _) => RGBColor(130, 130, 40),
         ("Rk4", _) => RGBColor(0, 0, 0),
         ("Dopri5", "fixed") => RGBColor(86, 180, 233),
         ("Dopri5", _) => RGBColor(0, 114, 178),
@@ -40,10 +44,10 @@ fn panel(
     value: impl Fn(&Point) -> f64,
     legend: bool,
 ) -> Result<(), Box<dyn Error>> {
-    let shown = |point: &&Point| point.error.is_finite() && point.error < 1.0;
-    let all = || scene.series.iter().flat_map(|series| &series.points).filter(shown).map(&value);
+    let shown = |point: &&Point| point.error.is_finite() && point.error < 1.0 && value(point) > 0.0;
+    let all = || scene.series.iter().flat_map(|series| &series.points).filter(&shown).map(&value);
     let (low, high) = all().fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
-    let caption = format!("{} rods, {} s: {work} against error", scene.bodies, scene.end);
+    let caption = format!("{}, {} s: {work} against error", scene.name, scene.end);
     let mut chart = ChartBuilder::on(area)
         .caption(caption, ("sans-serif", 18))
         .margin(12)
@@ -52,11 +56,15 @@ fn panel(
         .build_cartesian_2d((1e-13..1.0).log_scale(), (0.8 * low..1.25 * high).log_scale())?;
     let power = |x: &f64| format!("{x:.0e}");
     let mut mesh = chart.configure_mesh();
-    mesh.x_desc("error, rad").y_desc(work).x_label_formatter(&power).y_label_formatter(&power).draw()?;
+    mesh.x_desc(format!("error, {}", scene.unit))
+        .y_desc(work)
+        .x_label_formatter(&power)
+        .y_label_formatter(&power)
+        .draw()?;
     for series in &scene.series {
         let colour = colour(series);
         let points: Vec<(f64, f64)> =
-            series.points.iter().filter(shown).map(|point| (point.error.max(1e-13), value(point))).collect();
+            series.points.iter().filter(&shown).map(|point| (point.error.max(1e-13), value(point))).collect();
         chart
             .draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?
             .label(series.name())
