@@ -75,6 +75,79 @@ fn steps_of_random_size_have_order_five() -> Result<(), Error> {
     })
 }
 
+/// A step a share g as long as those after it, once and twice: read by them, its errors would be multiplied by 1/g, then by 1/g².
+#[test]
+fn very_short_steps_between_others_do_no_harm() -> Result<(), Error> {
+    let scene = rods()?;
+    let start = scene.at_rest(&[-FRAC_PI_3; 2])?;
+    let error = |sizes: &[f64]| -> Result<f64, Error> {
+        let (mut stepper, mut past, mut next) = (scene.stepper(Adams), start, start);
+        for size in sizes {
+            stepper.step(&past, &Unloaded, *size, &mut next)?;
+            core::mem::swap(&mut past, &mut next);
+        }
+        let exact = scene.simulate(start, Dop853::tolerance(1e-13), past.time(), |_| ())?.motion;
+        let pairs = scene.angles(&past);
+        Ok(pairs.iter().zip(scene.angles(&exact).iter()).fold(0.0, |worst, (a, b)| worst.max((a - b).abs())))
+    };
+    let plain = error(&[0.01; 100])?;
+    for exponent in 3..14 {
+        for count in 1..=3 {
+            let mut sizes = vec![0.01; 100];
+            sizes.splice(50..50, vec![10_f64.powi(-exponent); count]);
+            let found = error(&sizes)?;
+            println!("{count} steps of 1e-{exponent} s: {found:.1e} rad, none {plain:.1e}");
+            assert!(found < 2.0 * plain);
+        }
+    }
+    Ok(())
+}
+
+/// Backwards, and not at all.
+#[test]
+fn steps_may_turn_round() -> Result<(), Error> {
+    let scene = rods()?;
+    let (mut stepper, mut past) = (scene.stepper(Adams), scene.at_rest(&[-FRAC_PI_3; 2])?);
+    let mut next = past;
+    let start = past;
+    for _ in 0..10 {
+        stepper.step(&past, &Unloaded, 0.01, &mut next)?;
+        core::mem::swap(&mut past, &mut next);
+    }
+    stepper.step(&past, &Unloaded, 0.0, &mut next)?;
+    assert_eq!(next.position(), past.position());
+    for _ in 0..10 {
+        stepper.step(&past, &Unloaded, -0.01, &mut next)?;
+        core::mem::swap(&mut past, &mut next);
+    }
+    let pairs = scene.angles(&past);
+    let off = pairs.iter().zip(scene.angles(&start).iter()).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
+    println!("there and back: {off:.1e} rad");
+    assert!(off < 2.6e-8); // what a hundred such steps leave
+    Ok(())
+}
+
+/// Derivatives of one step from a motion in mid-run: what is remembered has other derivative parts, and is forgotten.
+#[test]
+fn derivative_parts_may_be_set_anew() -> Result<(), Error> {
+    let rod = Rod::uniform(Dual64::from(1.0), Dual64::from(1.0));
+    let scene: Rods<Dual64> = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(Dual64::from(9.81));
+    let mut past = scene.at_rest(&[Dual64::from(-1.0); 2])?;
+    let (mut adams, mut dopri5, mut next) = (scene.stepper(Adams), scene.stepper(Dopri5), past);
+    for _ in 0..10 {
+        adams.step(&past, &Unloaded, 0.02, &mut next)?;
+        core::mem::swap(&mut past, &mut next);
+    }
+    let mut expected = past;
+    // With respect to the first angle.
+    past.position_mut().0 = past.position().0.derivative();
+    adams.step(&past, &Unloaded, 0.02, &mut next)?;
+    dopri5.step(&past, &Unloaded, 0.02, &mut expected)?;
+    let [found, expected] = [next, expected].map(|motion| [motion.rate().0.eps, motion.rate().1.1.eps]);
+    assert_eq!(found, expected);
+    Ok(())
+}
+
 /// A step that is taken back does not stand in the way of the one made instead.
 #[test]
 fn a_step_may_be_repeated() -> Result<(), Error> {

@@ -23,6 +23,8 @@ trait Part<T: Scalar>: Copy {
     fn plus(self, part: Self, factor: T) -> Self;
     /// Whether every entry is finite.
     fn is_finite(self) -> bool;
+    /// Whether every entry equals.
+    fn is_identical(self, other: Self) -> bool;
 }
 
 impl<T: Scalar> Part<T> for T {
@@ -39,6 +41,11 @@ impl<T: Scalar> Part<T> for T {
     #[inline(always)]
     fn is_finite(self) -> bool {
         Scalar::is_finite(self)
+    }
+
+    #[inline(always)]
+    fn is_identical(self, other: Self) -> bool {
+        Scalar::is_identical(self, other)
     }
 }
 
@@ -60,6 +67,15 @@ impl<T: Scalar + DualNum, const R: usize, const C: usize> Part<T> for Derivative
     #[inline(always)]
     fn is_finite(self) -> bool {
         self.0.is_none_or(|entries| entries.iter().all(|entry| Scalar::is_finite(*entry)))
+    }
+
+    #[inline(always)]
+    fn is_identical(self, other: Self) -> bool {
+        match (self.0, other.0) {
+            (None, None) => true,
+            (Some(a), Some(b)) => a.iter().zip(&b).all(|(a, b)| Scalar::is_identical(*a, *b)),
+            (Some(some), None) | (None, Some(some)) => some.iter().all(|x| Scalar::is_identical(*x, T::zero())),
+        }
     }
 }
 
@@ -154,6 +170,11 @@ macro_rules! dual_numbers {
             #[inline(always)]
             fn is_finite(self) -> bool {
                 Scalar::is_finite(self.re) $(&& Part::<T>::is_finite(self.$part))*
+            }
+
+            #[inline(always)]
+            fn is_identical(self, other: Self) -> bool {
+                Scalar::is_identical(self.re, other.re) $(&& Part::<T>::is_identical(self.$part, other.$part))*
             }
 
             #[inline(always)]

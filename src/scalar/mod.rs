@@ -49,6 +49,12 @@ pub trait Scalar:
     /// Whether every part is finite: derivative parts and all lanes included.
     fn is_finite(self) -> bool;
 
+    /// Whether every part equals: derivative parts too, of which `==` may know nothing.
+    #[inline(always)]
+    fn is_identical(self, other: Self) -> bool {
+        self == other
+    }
+
     /// `self * factor`, cheaper than a product of two scalars where these are duals.
     fn scale(self, factor: Self::Real) -> Self;
 

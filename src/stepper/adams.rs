@@ -14,6 +14,9 @@ use num_traits::Zero;
 /// How many motions a predictor reads.
 const DEPTH: usize = 4;
 
+/// How near they may be to each other, as a share of the step.
+const NEAREST: f64 = 0.05;
+
 /// The weights of a step.
 struct Pece {
     nodes: [f64; DEPTH + 1],
@@ -107,11 +110,11 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
     }
 
     /// Makes `past`, with the accelerations in the first row, the newest motion remembered. Where it is not the last one written, or
-    /// accelerations have jumped since, nothing else is. Dual numbers are told apart by their real parts.
+    /// accelerations have jumped since, nothing else is. Dual numbers with other derivative parts are other numbers.
     fn recall(&mut self, past: &MotionIn<D, L>) {
         let first = &self.start.slopes.as_ref()[0];
         let is = |motion: &MotionIn<D, L>| {
-            let mut equal = |a, b| a == b;
+            let mut equal = Scalar::is_identical;
             motion.time == past.time
                 && motion.position.all(&past.position, &mut equal)
                 && motion.rate.all(&past.rate, &mut equal)
@@ -137,7 +140,7 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.recall(past);
-        self.own = self.known == DEPTH;
+        self.own = self.known == DEPTH && self.spread(past.time, dt);
         if self.own {
             self.leap(past, loads, dt, next)?;
         } else {
@@ -149,6 +152,19 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
         Ok(())
     }
 
+    /// Finds when the remembered motions were, as shares of the step, and tells whether they lie far enough apart to be read.
+    ///
+    /// A polynomial through accelerations a share g of the step apart multiplies their errors by 1/g, by its square where three are so
+    /// near. Nor does it look back where steps turned round.
+    fn spread(&mut self, now: TimeIn<D, L>, dt: TimeIn<D, L>) -> bool {
+        self.nodes[0] = 1.0;
+        let history = self.ring[self.newest..].iter().chain(&self.ring);
+        for (node, before) in self.nodes[1..].iter_mut().zip(history) {
+            *node = ((before.time - now) / dt).as_f64();
+        }
+        self.nodes[1..].windows(2).all(|pair| pair[0] - pair[1] >= NEAREST)
+    }
+
     /// Predicts, evaluates, corrects, evaluates.
     fn leap(
         &mut self,
@@ -158,10 +174,8 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         let Self { slopes, nodes, weights, start, stage: (position, rate), estimate, zero, .. } = self;
-        nodes[0] = 1.0;
         let history = self.ring[self.newest..].iter().chain(&self.ring);
-        for ((slope, node), before) in slopes[1..].iter_mut().zip(&mut nodes[1..]).zip(history) {
-            *node = ((before.time - past.time) / dt).as_f64();
+        for (slope, before) in slopes[1..].iter_mut().zip(history) {
             slope.set(&before.acceleration);
             if D::Position::CURVED {
                 before.position.unroll(&past.position, &before.rate, slope);

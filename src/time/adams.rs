@@ -6,8 +6,9 @@ use super::{Control, Rule};
 /// predicted one. Order 5, two sweeps a step, error control, steps of any size, dense output of order 5.
 ///
 /// It remembers the motions it wrote, as long as they are handed back as they were. The first three steps of a run, and of one whose
-/// motion was changed or whose loads jumped between steps, are [`Dopri5`](super::Dopri5)'s, which have order 5 as well and take six
-/// sweeps. Loads that jump within a step cost it its order, as they do all rules: end steps there.
+/// motion was changed (derivative parts of dual numbers among it) or whose loads jumped between steps, are [`Dopri5`](super::Dopri5)'s,
+/// which have order 5 as well and take six sweeps; so are steps more than twenty times as long as one of the last three, and steps that
+/// turn round. Loads that jump within a step cost it its order, as they do all rules: end steps there.
 ///
 /// It is for loops in real time, where each step has room for two sweeps. In a run that may choose its steps it takes from 0.7 to 1.5
 /// times the sweeps of Dopri5 for the same error. Vibration of ω rad/s that nothing damps dies away up to
