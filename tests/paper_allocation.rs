@@ -5,7 +5,7 @@
 use catena::Error;
 use catena::element::Unloaded;
 use catena::paper::*;
-use catena::planar::{ElasticHinge, Free, Pin, Pinned, Rod, System};
+use catena::planar::{ElasticHinge, Free, Pin, Pinned, Rod, Spring, System};
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
@@ -57,6 +57,17 @@ fn steps_allocate_nothing() -> Result<(), Error> {
     steps!(scheme.linearized(At::Iterated));
     steps!(scheme.solved_by(Solver::Riccati));
     steps!(JointScheme::new(Multistep::BDF2));
+
+    // With linear springs.
+    let spring = Spring::new(50.0).damped(0.1);
+    let hinge = ElasticHinge::rotary(5.0).with_linear(spring, spring).in_unbalanced_axes();
+    let soft = System::new(Pinned::origin(), (rod, hinge, rod), Free)?.with_gravity(9.81);
+    for solver in [Solver::Product, Solver::Riccati] {
+        let mut run = scheme.solved_by(solver).start(&soft, &soft.at_rest(&[-1.0, -0.5])?, &Unloaded, 1e-3)?;
+        let before = COUNT.get();
+        run.run_to(0.1)?;
+        assert_eq!(COUNT.get(), before, "{solver:?}");
+    }
 
     // In space, and with a tip that is held.
     use catena::spatial;

@@ -183,15 +183,17 @@ fn hinge_matrices_meet_the_laws_of_springs_and_dampers() {
         assert!((0..7).all(|i| i == THETA || o[i] == z[i]));
 
         // (33) with (2).
-        let axis = |noise: &mut Noise| Linear { stiffness: k, damping: c, chi4: noise.pair() };
-        let axes = [axis(&mut noise), axis(&mut noise)];
-        let o = linear_hinge(axes.map(Some), chi3) * z;
-        for (axis, (r, q)) in axes.iter().zip([(X, QX), (Y, QY)]) {
-            let law = o[q] + k * (o[r] - z[r]) + c * (rate(o[r], axis.chi4[1]) - rate(z[r], axis.chi4[0]));
+        let known = [(noise.pair(), noise.next()), (noise.pair(), noise.next())];
+        let axes =
+            known.map(|(chi4, rest)| Some(Linear { slope: k + c * chi3, offset: c * (chi4[1] - chi4[0]) - k * rest }));
+        let o = linear_hinge(axes) * z;
+        for ((chi4, rest), (r, q)) in known.into_iter().zip([(X, QX), (Y, QY)]) {
+            let law = o[q] + k * (o[r] - z[r] - rest) + c * (rate(o[r], chi4[1]) - rate(z[r], chi4[0]));
             assert!(law.abs() < 1e-12, "{law:e}");
         }
+        assert_eq!(o[M], z[M]); // as printed
         // Rigid axes do not give.
-        assert_eq!(linear_hinge::<f64>([None, None], chi3), Matrix::identity());
+        assert_eq!(linear_hinge::<f64>([None, None]), Matrix::identity());
     }
 }
 

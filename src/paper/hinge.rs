@@ -25,29 +25,27 @@ pub fn rotary_hinge<T: Scalar>(hinge: &Rotary<T>) -> TransferMatrix<T, 7> {
     u
 }
 
-/// (33) and (35), linear part, for one pair of axes: r_O = r_I − q / (k + cχ₃) + c (χ_{4,I} − χ_{4,O}) / (k + cχ₃).
+/// A linear spring and damper along one axis in one step: q = −κ (r_O − r_I) − ν, (33) with (2).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linear<T> {
+    /// κ = k + cχ₃ (N/m).
+    pub slope: T,
+    /// ν (N): in absolute coordinates c (χ_{4,O} − χ_{4,I}) − k d₀. The paper has no rest length d₀. χ_{4,I} is zero at a ground at rest.
+    pub offset: T,
+}
+
+/// (33) and (35), linear part, for one pair of axes: r_O = r_I − (q + ν) / κ.
 ///
-/// Springs and dampers act along inertial axes. An axis without give (`None`) is rigid. The hinge hands on m as it is, although
-/// its points differ: torques do not balance unless q points from one to the other.
-pub fn linear_hinge<T: Scalar>(axes: [Option<Linear<T>>; 2], chi3: T::Real) -> TransferMatrix<T, 7> {
+/// Springs and dampers act along inertial axes. An axis without give (`None`) is rigid; one with κ = 0 gives freely and has no such
+/// matrix. The hinge hands on m as it is, although its points differ: torques do not balance unless q points from one to the other.
+pub fn linear_hinge<T: Scalar>(axes: [Option<Linear<T>>; 2]) -> TransferMatrix<T, 7> {
     let mut u = TransferMatrix::identity();
     for (axis, (r, q)) in axes.into_iter().zip([(X, QX), (Y, QY)]) {
-        if let Some(Linear { stiffness, damping, chi4: [inboard, outboard] }) = axis {
-            let compliance = (stiffness + damping.scale(chi3)).recip();
+        if let Some(Linear { slope, offset }) = axis {
+            let compliance = slope.recip();
             u[(r, q)] = -compliance; // U14
-            u[(r, ONE)] = compliance * damping * (inboard - outboard); // U15 = −U14 c (χ4I − χ4O)
+            u[(r, ONE)] = -(compliance * offset); // U15 = −U14 c (χ4I − χ4O)
         }
     }
     u
-}
-
-/// A linear spring and damper along one axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Linear<T> {
-    /// k (N/m).
-    pub stiffness: T,
-    /// c (N·s/m).
-    pub damping: T,
-    /// χ₄ of the inboard and of the outboard end (m/s). That of the inboard end is zero at a ground at rest.
-    pub chi4: [T; 2],
 }

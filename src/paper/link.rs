@@ -3,7 +3,7 @@
 //! A state has N = 2H + 1 entries: p, which is P places and A angles, then A torques and P forces, and one. The plane has
 //! N, H, P, A = 7, 3, 2, 1, space 13, 6, 3, 3.
 
-use super::hinge::Rotary;
+use super::hinge::{Linear, Rotary};
 use crate::scalar::Scalar;
 use crate::state::TransferMatrix;
 
@@ -34,7 +34,7 @@ impl<T: Scalar, const A: usize> Law<T, A> {
 
 /// An element in one step.
 #[derive(Clone, Copy, Debug)]
-pub enum Link<T: Scalar, const N: usize, const A: usize> {
+pub enum Link<T: Scalar, const N: usize, const P: usize, const A: usize> {
     /// A body.
     Body {
         /// (32), (31).
@@ -51,6 +51,15 @@ pub enum Link<T: Scalar, const N: usize, const A: usize> {
         /// Whether K_O and K_I are zero by construction.
         smooth: bool,
     },
+    /// One that turns and whose points part: an elastic hinge with linear springs.
+    Parting {
+        /// Its torque.
+        law: Law<T, A>,
+        /// Whether K_O and K_I are zero by construction.
+        smooth: bool,
+        /// Its force, axis by axis of the ground.
+        linear: [Linear<T>; P],
+    },
     /// A joint that does not turn, θ_O = R θ_I + `ahead`.
     Rigid {
         /// R; none where it is one.
@@ -60,7 +69,7 @@ pub enum Link<T: Scalar, const N: usize, const A: usize> {
     },
 }
 
-impl<T: Scalar, const N: usize, const A: usize> Link<T, N, A> {
+impl<T: Scalar, const N: usize, const P: usize, const A: usize> Link<T, N, P, A> {
     /// A joint that changes nothing, as that of the root, which the boundary conditions speak for.
     pub fn nothing() -> Self {
         Self::Rigid { turn: None, ahead: [T::zero(); A] }

@@ -60,7 +60,7 @@
 //! | (32) u₄₇ | ends with \[mχ₂ − f\]_y x_IC | goes on − \[mχ₂ − f\]_x y_IC |
 //! | (20), (32) | G_I, J_I | about I, of the motion relative to I |
 //! | below (31) | z_O and z_I at I and O | the other way round |
-//! | (34), (35) | no rest angle | k′(θ_O − θ_I − φ₀) |
+//! | (33)-(35) | no rest length, no rest angle | k(r_O − r_I − d₀), k′(θ_O − θ_I − φ₀) |
 //! | (33)-(35) | m_O = m_I although r_O ≠ r_I | torques do not balance unless q points along r_O − r_I |
 //! | section 3.4.3 | z_{j,j} | z_{j+1,j} |
 //! | (40) | for any body | none where its outboard end is the centre of percussion |
@@ -112,7 +112,11 @@
 //!
 //! Runs ask for feature `alloc`; rules and matrices do not. Ends may be free, pinned, clamped or guided in the plane, roots free, pinned or
 //! clamped and tips free or pinned in space: boundary conditions of an overall equation ask for nothing else. Joints are pins, balls,
-//! welds and hinges with rotary springs. [`JointScheme`] runs chains in the plane with free tips.
+//! welds and hinges with rotary springs, in the plane also with linear ones, between two bodies or on ground that clamps the root. These
+//! push along inertial axes and hand on m as it is, as (33) to (35) have it:
+//! [`in_unbalanced_axes`](crate::planar::ElasticHinge::in_unbalanced_axes). Refused, with the place, are linear springs whose force has a
+//! moment, and with them all of space's, joints that slide, joints about axes in space, and chains that branch. [`JointScheme`] runs
+//! chains in the plane with free tips, without linear springs.
 
 mod body;
 mod collocation;

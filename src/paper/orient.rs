@@ -10,7 +10,7 @@ use crate::state::TransferMatrix;
 use core::fmt::Debug;
 
 /// The coordinates in the slot of the angles, and their linearisation for one step.
-pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hinges<T, N, A> + Copy + Debug {
+pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hinges<T, N, P, A> + Copy + Debug {
     /// What is constant in a body.
     type Rigid: Copy + Debug;
     /// What a run keeps of the orientation at t_{i−1} besides the coordinates.

@@ -1,7 +1,8 @@
 //! The bodies and joints of a run: parameters, histories, and who is next to whom.
 
+use super::hinge::Linear;
 use super::orient::{Orient, Spring};
-use super::rule::{Coordinate, Rule};
+use super::rule::{Coordinate, Linearization, Rule};
 use crate::scalar::Scalar;
 use crate::state::StateVector;
 use alloc::vec::Vec;
@@ -37,6 +38,8 @@ pub enum Item<T: Scalar, E: Orient<T, N, P, A>, const N: usize, const P: usize, 
         spring: Spring<T, A>,
         /// k′(φ − φ₀) (N·m).
         elastic: [T; A],
+        /// Its linear springs, and values, rates and accelerations of r_O − r_I, if it has any.
+        linear: Option<(Spring<T, P>, [[T; 3]; P])>,
     },
 }
 
@@ -75,17 +78,47 @@ pub struct Joint<T, R, const A: usize> {
     pub elastic: [T; A],
     /// The attitude of its outboard side to its inboard one, if it does not turn.
     pub ahead: R,
-    /// The number of the body on its inboard side; none at the ground.
-    pub inner: Option<usize>,
-    /// That of the body on its outboard side.
+    /// The number of the body on its outboard side.
     pub outer: usize,
+    /// That of its linear springs, if it has any.
+    pub springs: Option<usize>,
+}
+
+/// Linear springs and dampers along the axes of the ground.
+#[derive(Clone, Copy, Debug)]
+pub struct Springs<T, M, const P: usize> {
+    /// k (N/m), c (N·s/m), kd₀ (N).
+    pub law: Spring<T, P>,
+    /// d = r_O − r_I, integrated by itself as the angles' differences are: those of absolute places lose digits.
+    pub apart: [Coordinate<T, M>; P],
 }
 
 impl<T: Scalar, R, const A: usize> Joint<T, R, A> {
+    /// The number of the body on its inboard side; none at the ground.
+    pub fn inner(&self) -> Option<usize> {
+        self.outer.checked_sub(1)
+    }
+
     /// Whether nothing but applied torques resists rotation: a pin, a ball, or a hinge of no stiffness.
     pub fn is_smooth(&self) -> bool {
         let Spring { stiffness, damping, .. } = &self.spring;
         stiffness.iter().chain(damping).all(|x| x.real() == T::Real::zero())
+    }
+}
+
+impl<T: Scalar, M, const P: usize> Springs<T, M, P> {
+    /// (33) with (2), axis by axis.
+    pub fn law(&self, absolute: bool, chi: impl Fn(&Coordinate<T, M>) -> Linearization<T>) -> [Linear<T>; P] {
+        let Spring { stiffness, damping, preload } = &self.law;
+        core::array::from_fn(|i| {
+            let step = chi(&self.apart[i]);
+            let rate = if absolute { step.chi4() } else { step.rate };
+            let elastic = if absolute { T::zero() } else { stiffness[i] * step.past };
+            Linear {
+                slope: stiffness[i] + damping[i].scale(step.chi3),
+                offset: damping[i] * rate + elastic - preload[i],
+            }
+        })
     }
 }
 
@@ -108,6 +141,8 @@ pub struct Parts<T: Scalar, M, E: Orient<T, N, P, A>, const N: usize, const P: u
     pub bodies: Vec<Body<T, M, E, N, P, A>>,
     /// The joints.
     pub joints: Vec<Joint<T, E::Ahead, A>>,
+    /// The linear springs of those that have any.
+    pub springs: Vec<Springs<T, M, P>>,
 }
 
 impl<T, M, E, const N: usize, const P: usize, const A: usize> Parts<T, M, E, N, P, A>
@@ -119,27 +154,42 @@ where
     /// The parts of a chain that starts.
     pub fn new<D: Rule<T, Memory = M>>(rule: &D, dt: T::Real, items: &[Item<T, E, N, P, A>]) -> Self {
         let (mut order, mut bodies, mut joints) = (Vec::with_capacity(items.len()), Vec::new(), Vec::new());
+        let mut springs = Vec::new();
         for item in items {
             match item {
                 Item::Body(body) => {
                     order.push(Part::Body(bodies.len()));
                     bodies.push(Body::new(rule, dt, body));
                 }
-                Item::Joint { turns, ahead, spring, elastic } => {
-                    let (inner, outer) = (bodies.len().checked_sub(1), bodies.len());
+                Item::Joint { turns, ahead, spring, elastic, linear } => {
                     order.push(Part::Joint(joints.len()));
                     joints.push(Joint {
                         turns: *turns,
                         spring: *spring,
                         elastic: *elastic,
                         ahead: *ahead,
-                        inner,
-                        outer,
+                        outer: bodies.len(),
+                        springs: linear.map(|_| springs.len()),
                     });
+                    springs.extend(linear.map(|(law, apart)| {
+                        let begin = |[value, rate, acceleration]: [T; 3]| rule.start(value, rate, acceleration, dt);
+                        Springs { law, apart: apart.map(begin) }
+                    }));
                 }
             }
         }
-        Self { order, bodies, joints }
+        Self { order, bodies, joints, springs }
+    }
+
+    /// The linear springs between station `k`, if a joint begins there, and the body outboard of it.
+    pub fn springs_beyond(&self, k: usize) -> Option<&Springs<T, M, P>> {
+        // The root's joint has none; a hinge on the ground comes next.
+        let joint = |k: usize| match *self.order.get(k)? {
+            Part::Joint(number) => Some(&self.joints[number]),
+            Part::Body(_) => None,
+        };
+        let springs = joint(k)?.springs.or_else(|| joint(k + 1).and_then(|joint| joint.springs));
+        springs.and_then(|springs| self.springs.get(springs))
     }
 
     /// How many there are.

@@ -2,7 +2,7 @@
 
 use super::body::{External, Known, Rigid, rigid_body};
 use super::expansion::{At, Expansion};
-use super::hinge::{Rotary, rotary_hinge};
+use super::hinge::{Linear, Rotary, linear_hinge, rotary_hinge};
 use super::link::{Given, Law};
 use super::orient::{Orient, Side, Spring};
 use super::pin::{is_percussive, smooth_pin};
@@ -14,9 +14,12 @@ use crate::scalar::{Real, Scalar};
 use crate::state::TransferMatrix;
 use nalgebra::Vector2;
 
-impl<T: Scalar> Hinges<T, 7, 1> for Expansion<T> {
+impl<T: Scalar> Hinges<T, 7, 2, 1> for Expansion<T> {
     fn elastic(law: &Law<T, 1>) -> TransferMatrix<T, 7> {
         rotary_hinge(&Rotary { slope: law.outer[0][0], offset: law.offset[0] })
+    }
+    fn sprung(linear: &[Linear<T>; 2]) -> TransferMatrix<T, 7> {
+        linear_hinge(linear.map(Some))
     }
     fn smooth(
         section: &TransferMatrix<T, 7>,
@@ -72,6 +75,7 @@ impl<T: Scalar> Orient<T, 7, 2, 1> for Expansion<T> {
         let [g1, g2] = self.constants();
         [x * g1 - y * g2, x * g2 + y * g1]
     }
+    #[inline(always)]
     fn remainder(&self, (): &(), point: [T; 2], [angle]: &[T; 1]) -> [T; 2] {
         Expansion::remainder(self, point, *angle)
     }

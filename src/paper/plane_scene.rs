@@ -79,19 +79,27 @@ where
         let (rest, turned, turning) = (look(zero, zero)?, look(one, zero)?, look(zero, one)?);
         let mut items = Vec::with_capacity(rest.len());
         let mut guide = None;
-        for (k, element) in trace(self, &motion)?.into_iter().enumerate() {
+        let met = trace(self, &motion)?;
+        for (k, element) in met.iter().enumerate() {
             items.push(match (element, &rest[k], &turned[k], &turning[k]) {
                 (Met::Joint(joint), Met::Joint(rest), Met::Joint(turned), Met::Joint(turning)) => {
                     let apart = turned.outboard.place - turned.inboard.place;
+                    let mut linear = None;
                     // Not finite where a long chain was turned beyond the range of sines, which says nothing.
                     if apart.x.real().abs() > T::Real::zero() || apart.y.real().abs() > T::Real::zero() {
                         if k > 0 {
-                            let what = "a joint whose points part";
-                            return Err(Error::new(Fault::Unsupported { what }).at_station(k - 1));
+                            // In the chain's own joints: between two bodies, or on ground that holds the root fast.
+                            let fast = R::Pairs::MOTION.iter().all(|held| *held);
+                            let body = |at: usize| matches!(met.get(at), Some(Met::Body(_)));
+                            let between = body(k + 1) && (body(k - 1) || k == 1 && fast);
+                            refuse_sliding(turned, between).map_err(|fault| Error::new(fault).at_station(k - 1))?;
+                            linear = Some(sprung(joint, [rest, turned, turning]));
                         }
                         let (s, c) = turned.inboard.turn.angle.sin_cos();
-                        guide = <Self as Scene<T, L, 7, 3, 2, 1>>::GUIDED
-                            .then(|| [c * apart.x + s * apart.y, c * apart.y - s * apart.x]);
+                        let along = [c * apart.x + s * apart.y, c * apart.y - s * apart.x];
+                        if k == 0 {
+                            guide = <Self as Scene<T, L, 7, 3, 2, 1>>::GUIDED.then_some(along);
+                        }
                     }
                     let preload = rest.spring.torque;
                     let damping = preload - turning.spring.torque;
@@ -105,9 +113,10 @@ where
                         },
                         // The torque of the spring alone, on the outboard body the other way round.
                         elastic: [-(joint.spring.torque + damping * joint.rate())],
+                        linear,
                     }
                 }
-                (Met::Body(body), ..) => Item::Body(start(&body)),
+                (Met::Body(body), ..) => Item::Body(start(body)),
                 _ => return Err(Error::new(Fault::Shape)),
             });
         }
@@ -139,7 +148,7 @@ where
         }
         let outboard = outer.map_or(*ground, |body| body.inboard);
         let inboard = Frame { turn: inner.map_or(ground.turn, |body| body.inboard.turn), ..outboard };
-        let spring = SpringState { torque: T::zero(), energy: T::zero() };
+        let spring = SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() };
         let arm = Vector2::new(T::zero(), T::zero());
         let motion = JointMotion { inboard, outboard, arm, spring, turns: true };
         [loads.in_joint(time, number, &motion).add_to(T::zero())]
@@ -156,6 +165,36 @@ pub(super) fn list<T: Scalar, C: Closures, const K: usize>(each: &C::Each<T>) ->
         count += 1;
     });
     found
+}
+
+/// Refuses joints whose points part, but for linear springs as (33) to (35) have them.
+fn refuse_sliding<T: Scalar>(turned: &JointMotion<T>, between: bool) -> Result<(), Fault> {
+    let what = if !turned.turns {
+        "a joint that slides"
+    } else if turned.arm.iter().any(|x| x.real().abs() > T::Real::zero()) {
+        "linear springs whose force has a moment: let them push `in_unbalanced_axes`, as (33) to (35) have it"
+    } else if !between {
+        "linear springs next to another joint or to the tip: put a body between"
+    } else {
+        return Ok(());
+    };
+    Err(Fault::Unsupported { what })
+}
+
+/// The linear springs of a joint, from looks at it unmoved, displaced and moving by one, and its displacement now.
+#[allow(clippy::type_complexity)] // a pair
+fn sprung<T: Scalar>(
+    joint: &JointMotion<T>,
+    [rest, displaced, moving]: [&JointMotion<T>; 3],
+) -> (Spring<T, 2>, [[T; 3]; 2]) {
+    let preload = rest.spring.force;
+    let less = |look: &JointMotion<T>| core::array::from_fn(|i| preload[i] - look.spring.force[i]);
+    let spring = Spring { stiffness: less(displaced), damping: less(moving), preload };
+    let (inner, outer) = (&joint.inboard, &joint.outboard);
+    let place = outer.place - inner.place;
+    let velocity = outer.velocity - inner.velocity;
+    let linear = outer.acceleration.linear - inner.acceleration.linear;
+    (spring, [0, 1].map(|i| [place[i], velocity[i], linear[i]]))
 }
 
 fn start<T: Scalar>(body: &BodyMotion<T>) -> Start<T, Rigid<T>, (), 2, 1> {

@@ -3,6 +3,7 @@
 //! For short chains and not too short steps: entries of the product grow like exp(L (ρA χ₁ / 4EI)^¼) while states stay bounded, so
 //! that *smaller* steps lose *more* digits.
 
+use super::hinge::Linear;
 use super::link::{End, Law, Link, conjugate};
 use crate::error::{Error, Fault, Place};
 use crate::scalar::Scalar;
@@ -11,9 +12,11 @@ use crate::transfer::solve_dense;
 use num_traits::Zero;
 
 /// How a space forms (35) and (40).
-pub trait Hinges<T: Scalar, const N: usize, const A: usize> {
+pub trait Hinges<T: Scalar, const N: usize, const P: usize, const A: usize> {
     /// (35), rotary part.
     fn elastic(law: &Law<T, A>) -> TransferMatrix<T, N>;
+    /// (35), linear part.
+    fn sprung(linear: &[Linear<T>; P]) -> TransferMatrix<T, N>;
     /// (36) to (40), from the matrix of the section outboard, the torques in this joint and at the section's end, and the size of
     /// its inertia.
     ///
@@ -33,14 +36,14 @@ pub trait Hinges<T: Scalar, const N: usize, const A: usize> {
 /// [`Fault::CentreOfPercussion`] at a pin or ball that has no matrix; [`Fault::Unsupported`] at a tip whose torque (40) would need to know;
 /// [`Fault::NonFiniteMotion`].
 pub fn solve<X, T, const N: usize, const H: usize, const P: usize, const A: usize>(
-    links: &[Link<T, N, A>],
+    links: &[Link<T, N, P, A>],
     [root, tip]: [&End<T, H>; 2],
     matrices: &mut [TransferMatrix<T, N>],
     states: &mut [StateVector<T, N>],
 ) -> Result<(), Error>
 where
     T: Scalar,
-    X: Hinges<T, N, A>,
+    X: Hinges<T, N, P, A>,
 {
     let identity = TransferMatrix::identity();
     let zero = T::zero();
@@ -56,8 +59,8 @@ where
                 percussive = *alone;
                 *matrix
             }
-            Link::Turning { law, smooth: false } => X::elastic(law),
-            Link::Turning { law, smooth: true } => {
+            Link::Turning { law, smooth: false } | Link::Parting { law, smooth: false, .. } => X::elastic(law),
+            Link::Turning { law, smooth: true } | Link::Parting { law, smooth: true, .. } => {
                 let clamped = tip
                     .axes
                     .iter()
@@ -90,13 +93,22 @@ where
                 matrix
             }
         };
-        matrices[k] = matrix;
-        whole = matrix.then(&whole);
-        if let Link::Turning { smooth: true, .. } = link {
+        let mut matrix = matrix;
+        if let Link::Turning { smooth: true, .. } | Link::Parting { smooth: true, .. } = link {
             (section, inertia, bodies) = (identity, T::Real::zero(), 0);
         } else {
             section = matrix.then(&section);
         }
+        if let Link::Parting { linear, .. } = link {
+            if linear.iter().any(|axis| axis.slope.real() == T::Real::zero()) {
+                let what = "an axis along which nothing pushes, by the product: solve by Riccati";
+                return Err(Error::new(Fault::Unsupported { what }).at_station(k - 1));
+            }
+            let sprung = X::sprung(linear);
+            (matrix, section) = (sprung.then(&matrix), sprung.then(&section));
+        }
+        matrices[k] = matrix;
+        whole = matrix.then(&whole);
     }
 
     // Step 5: what the ends leave unknown. Everything known of the root goes into z, zeros stand for the rest.

@@ -3,7 +3,9 @@
 //! At displacement level S is not symmetric. In the plane (32) mixes c̄ with c; in space rates enter by χ₃, whose torques
 //! ω × Jω are gyroscopic, and the slot of the angles is not conjugate to torques about fixed axes. All its entries are kept.
 
+use super::hinge::Linear;
 use super::link::{Law, Link, dot, inverse};
+use crate::error::{Error, Fault};
 use crate::scalar::Scalar;
 use crate::state::TransferMatrix;
 
@@ -33,11 +35,45 @@ pub enum Outward<T, const H: usize, const P: usize, const A: usize> {
         /// b₀.
         free: [T; A],
     },
+    /// What a joint whose points part does is in [`Slides`].
+    Parting,
     /// θ_O = R θ_I in one that does not.
     Rigid {
         /// R; none where it is one.
         turn: Option<[[T; A]; A]>,
     },
+}
+
+/// How p beyond a joint with linear springs follows: r_O = b (r, θ) + b₀ axis by axis, the last first, of r_O for the axes before and of r_I
+/// for the others; then its rotation.
+#[derive(Clone, Copy, Debug)]
+pub struct Slides<T, const H: usize, const P: usize, const A: usize> {
+    slope: [[T; H]; P],
+    free: [T; P],
+    turning: Outward<T, H, P, A>,
+}
+
+impl<T: Scalar, const H: usize, const P: usize, const A: usize> Slides<T, H, P, A> {
+    /// Room.
+    pub fn blank() -> Self {
+        Self { slope: [[T::zero(); H]; P], free: [T::zero(); P], turning: Outward::blank() }
+    }
+
+    /// Whether each axis, and the rotation, had something to push against.
+    pub fn is_finite(&self) -> bool {
+        self.turning.is_finite() && self.slope.iter().flatten().chain(&self.free).all(|x| x.is_finite())
+    }
+
+    /// p at the outboard end.
+    #[cold]
+    #[inline(never)]
+    pub fn follow(&self, p: &[T; H]) -> [T; H] {
+        let mut p = *p;
+        for i in (0..P).rev() {
+            p[i] = dot(&self.slope[i], &p) + self.free[i];
+        }
+        self.turning.follow(&p)
+    }
 }
 
 impl<T: Scalar, const H: usize, const P: usize, const A: usize> Relation<T, H, P, A> {
@@ -53,13 +89,23 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Relation<T, H, P
         })
     }
 
-    /// Inward through a link, and the way back.
+    /// What is wrong with joint `k` of a chain, through which the way is not finite.
+    #[cold]
+    pub fn singular(&self, k: usize) -> Error {
+        let known = self.matrix.iter().flatten().chain(&self.offset).all(|x| x.is_finite());
+        let fault = if known { Fault::SingularJoint } else { Fault::NonFiniteMotion };
+        // Links are counted from the root's joint, stations from the first element outboard of it.
+        Error::new(fault).at_station(k.saturating_sub(1))
+    }
+
+    /// Inward through a link whose points coincide, and the way back.
     #[inline(always)]
-    pub fn through<const N: usize>(&self, link: &Link<T, N, A>) -> (Self, Outward<T, H, P, A>) {
+    pub fn through<const N: usize>(&self, link: &Link<T, N, P, A>) -> (Self, Outward<T, H, P, A>) {
         match link {
             Link::Body { matrix, .. } => self.through_body(matrix),
             Link::Turning { law, .. } => self.through_joint(law),
             Link::Rigid { turn, .. } => (self.through_rigid(turn.as_ref()), Outward::Rigid { turn: *turn }),
+            Link::Parting { .. } => (*self, Outward::Parting), // see `through_parting`
         }
     }
 
@@ -128,6 +174,34 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Relation<T, H, P
         (Self { matrix: s, offset: e }, Outward::Turning { slope, free })
     }
 
+    /// Inward through a joint whose points part: its rotation, then linear springs, q = −κ (r_O − r_I) − ν axis by axis. The pivot κ + S_qr is
+    /// a stiffness and the mass outboard, times χ₁; κ may be zero. Most chains have no such joint.
+    #[cold]
+    #[inline(never)]
+    pub fn through_parting(&self, law: &Law<T, A>, linear: &[Linear<T>; P]) -> (Self, Slides<T, H, P, A>) {
+        let (mut relation, turning) = self.through_joint(law);
+        let mut slides = Slides { turning, ..Slides::blank() };
+        for (i, Linear { slope: kappa, offset }) in linear.iter().enumerate() {
+            let Self { matrix: s, offset: e } = &mut relation;
+            let (own, rest) = (s[A + i], e[A + i]);
+            let pivot = (*kappa + own[i]).recip();
+            let slope: [T; H] = core::array::from_fn(|j| (if j == i { *kappa } else { -own[j] }) * pivot);
+            let free = -((rest + *offset) * pivot);
+            for (row, e) in s.iter_mut().zip(e.iter_mut()) {
+                let by = row[i];
+                for j in 0..H {
+                    row[j] = if j == i { by * slope[j] } else { row[j] + by * slope[j] };
+                }
+                *e += by * free;
+            }
+            // Without differences of what is stiff: −κ (r_O − r_I) − ν.
+            s[A + i] = core::array::from_fn(|j| if j == i { own[i] * slope[i] } else { -(*kappa * slope[j]) });
+            e[A + i] = (*kappa * rest - own[i] * *offset) * pivot;
+            (slides.slope[i], slides.free[i]) = (slope, free);
+        }
+        (relation, slides)
+    }
+
     /// Inward through a joint with θ_O = R θ_I.
     #[inline(always)]
     fn through_rigid(&self, turn: Option<&[[T; A]; A]>) -> Self {
@@ -169,7 +243,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Outward<T, H, P,
             Self::Rigid { turn: Some(turn) } => core::array::from_fn(|i| {
                 if i < P { p[i] } else { (0..A).fold(T::zero(), |sum, c| sum + turn[i - P][c] * p[P + c]) }
             }),
-            Self::Rigid { turn: None } => *p,
+            Self::Rigid { turn: None } | Self::Parting => *p,
         }
     }
 }

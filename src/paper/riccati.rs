@@ -4,8 +4,9 @@
 //! it. Nothing is ever multiplied up, so nothing overflows, and no force is propagated. Worked in increments it keeps three to
 //! five digits more than in absolute coordinates.
 
-use super::link::{End, Link, conjugate, dot};
-use super::relation::{Outward, Relation};
+use super::hinge::Linear;
+use super::link::{End, Law, Link, conjugate, dot};
+use super::relation::{Outward, Relation, Slides};
 use crate::error::{Error, Fault, Place};
 use crate::scalar::Scalar;
 use crate::state::StateVector;
@@ -21,23 +22,29 @@ pub struct Room<T, const H: usize, const P: usize, const A: usize> {
     /// At the outboard end of each body. Joints hand on m and q as they are.
     relations: Vec<Relation<T, H, P, A>>,
     outward: Vec<Outward<T, H, P, A>>,
+    /// Of the joints whose points part.
+    slides: Vec<Slides<T, H, P, A>>,
     /// Where the walk inward has come to, and how many bodies are left.
     reached: Relation<T, H, P, A>,
     left: usize,
+    /// How many joints whose points part are left.
+    parting: usize,
     /// f at the tip.
     pull: [T; H],
 }
 
 impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A> {
-    /// For so many links, and bodies among them.
-    pub fn new(links: usize, bodies: usize) -> Self {
+    /// For so many links, and among them bodies, and joints whose points part.
+    pub fn new(links: usize, bodies: usize, parting: usize) -> Self {
         let pull = [T::zero(); H];
         let free = Relation::pulled(pull);
         Self {
             relations: vec![free; bodies],
             outward: vec![Outward::blank(); links],
+            slides: vec![Slides::blank(); parting],
             reached: free,
             left: bodies,
+            parting,
             pull,
         }
     }
@@ -57,21 +64,36 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
         }
         self.reached = Relation::pulled(self.pull);
         self.left = self.relations.len();
+        self.parting = self.slides.len();
     }
 
     /// Inward through links that end where the walk is, the first of them number `first` of the chain.
     ///
     /// # Errors
-    /// [`Fault::SingularJoint`] at a joint in which nothing resists rotation.
-    pub fn inward<const N: usize>(&mut self, first: usize, links: &[Link<T, N, A>]) -> Result<(), Error> {
-        let Self { relations, outward, reached, left, .. } = self;
+    /// [`Fault::SingularJoint`] at a joint in which nothing resists rotation, or parting.
+    pub fn inward<const N: usize>(&mut self, first: usize, links: &[Link<T, N, P, A>]) -> Result<(), Error> {
+        match self.slides.is_empty() {
+            true => self.walk_inward::<N, false>(first, links),
+            false => self.walk_inward::<N, true>(first, links),
+        }
+    }
+
+    /// The same, with or without joints whose points part.
+    #[inline(always)]
+    fn walk_inward<const N: usize, const PARTING: bool>(
+        &mut self,
+        first: usize,
+        links: &[Link<T, N, P, A>],
+    ) -> Result<(), Error> {
         for (k, link) in links.iter().enumerate().rev().map(|(k, link)| (first + k, link)) {
+            if PARTING && let Link::Parting { law, linear, .. } = link {
+                self.part(k, law, linear)?;
+                continue;
+            }
+            let Self { relations, outward, reached, left, .. } = self;
             let (inner, way) = reached.through(link);
             if !way.is_finite() {
-                let known = reached.matrix.iter().flatten().chain(&reached.offset).all(|x| x.is_finite());
-                let fault = if known { Fault::SingularJoint } else { Fault::NonFiniteMotion };
-                // Links are counted from the root's joint, stations from the first element outboard of it.
-                return Err(Error::new(fault).at_station(k.saturating_sub(1)));
+                return Err(reached.singular(k));
             }
             if let Link::Body { .. } = link {
                 *left -= 1;
@@ -83,14 +105,41 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
         Ok(())
     }
 
+    /// Inward through a joint whose points part, link `k`. Most chains have none.
+    #[cold]
+    fn part(&mut self, k: usize, law: &Law<T, A>, linear: &[Linear<T>; P]) -> Result<(), Error> {
+        let (inner, slides) = self.reached.through_parting(law, linear);
+        if !slides.is_finite() {
+            return Err(self.reached.singular(k));
+        }
+        self.parting -= 1;
+        self.slides[self.parting] = slides;
+        self.reached = inner;
+        self.outward[k] = Outward::Parting;
+        Ok(())
+    }
+
     /// Outward again: writes the states of all stations, the inboard ends of all links and the tip; gives p at the tip.
     ///
     /// # Errors
     /// [`Fault::SingularJoint`] at a root that nothing holds and no mass resists; [`Fault::NonFiniteMotion`].
     pub fn outward<const N: usize>(&self, root: &End<T, H>, states: &mut [StateVector<T, N>]) -> Result<[T; H], Error> {
+        match self.slides.is_empty() {
+            true => self.walk_outward::<N, false>(root, states),
+            false => self.walk_outward::<N, true>(root, states),
+        }
+    }
+
+    /// The same, with or without joints whose points part.
+    #[inline(always)]
+    fn walk_outward<const N: usize, const PARTING: bool>(
+        &self,
+        root: &End<T, H>,
+        states: &mut [StateVector<T, N>],
+    ) -> Result<[T; H], Error> {
         let mut p = at_root(&self.reached, root)?;
         let mut f = self.reached.force(&p);
-        let mut relations = self.relations.iter();
+        let (mut relations, mut slides) = (self.relations.iter(), self.slides.iter());
         let mut finite = true;
         let mut tell = |p: &[T; H], f: &[T; H]| {
             finite &= p.iter().chain(f).all(|x| x.is_finite());
@@ -102,7 +151,10 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
         };
         for (outward, z) in self.outward.iter().zip(&mut *states) {
             *z = tell(&p, &f);
-            p = outward.follow(&p);
+            p = match outward {
+                Outward::Parting if PARTING => slides.next().map_or(p, |slides| slides.follow(&p)),
+                _ => outward.follow(&p),
+            };
             if let Outward::Body { .. } = outward
                 && let Some(relation) = relations.next()
             {
@@ -124,7 +176,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
     /// Those of [`inward`](Self::inward) and [`outward`](Self::outward); [`Fault::SingularTransfer`] at a tip that cannot be held so.
     pub fn solve<const N: usize>(
         &mut self,
-        links: &[Link<T, N, A>],
+        links: &[Link<T, N, P, A>],
         [root, tip]: [&End<T, H>; 2],
         states: &mut [StateVector<T, N>],
     ) -> Result<(), Error> {

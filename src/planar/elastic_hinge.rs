@@ -140,7 +140,8 @@ impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Spring<
         }
     }
     fn spring(&self, position: &T, rate: &T) -> SpringState<T> {
-        SpringState { torque: self.rotary.force(*position, *rate), energy: self.rotary.energy(*position) }
+        let force = [T::zero(); 2];
+        SpringState { torque: self.rotary.force(*position, *rate), force, energy: self.rotary.energy(*position) }
     }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()

@@ -189,6 +189,8 @@ pub struct JointMotion<T> {
 pub struct SpringState<T> {
     /// Torque on the outboard body (N·m).
     pub torque: T,
+    /// Forces on the outboard body (N) along the axes of the linear ones.
+    pub force: [T; 2],
     /// Energy stored (J).
     pub energy: T,
 }

@@ -87,7 +87,7 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     /// Torque of its spring and damper on the outboard body, and the energy stored.
     #[inline(always)]
     fn spring(&self, _position: &Self::Position, _rate: &Self::Rate) -> SpringState<T> {
-        SpringState { torque: T::zero(), energy: T::zero() }
+        SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() }
     }
 
     /// Whether its points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.

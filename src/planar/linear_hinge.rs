@@ -119,7 +119,11 @@ where
     }
     fn spring(&self, position: &(T, T, T), rate: &(T, T, T)) -> SpringState<T> {
         let linear = self.linear.x.energy(position.0) + self.linear.y.energy(position.1);
-        SpringState { torque: self.rotary.force(position.2, rate.2), energy: self.rotary.energy(position.2) + linear }
+        SpringState {
+            torque: self.rotary.force(position.2, rate.2),
+            force: self.linear.forces([position.0, position.1], [rate.0, rate.1]),
+            energy: self.rotary.energy(position.2) + linear,
+        }
     }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()?;

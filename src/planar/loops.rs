@@ -38,7 +38,7 @@ fn joint<T: Scalar>(side: &Frame<T>, main: &Frame<T>, turns: bool) -> JointMotio
         inboard: *side,
         outboard: *main,
         arm: Vector2::new(none, none),
-        spring: SpringState { torque: none, energy: none },
+        spring: SpringState { torque: none, force: [none; 2], energy: none },
         turns,
     }
 }

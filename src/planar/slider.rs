@@ -98,8 +98,9 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
         let line = Vector2::new(cosine, sine);
         inboard.displaced([line * *position, line * *rate, line * *acceleration])
     }
-    fn spring(&self, position: &T, _: &T) -> SpringState<T> {
-        SpringState { torque: T::zero(), energy: self.spring.energy(*position) }
+    fn spring(&self, position: &T, rate: &T) -> SpringState<T> {
+        let force = [self.spring.force(*position, *rate), T::zero()];
+        SpringState { torque: T::zero(), force, energy: self.spring.energy(*position) }
     }
     fn check(&self) -> Result<(), Fault> {
         if !self.direction.is_finite() {

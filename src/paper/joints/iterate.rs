@@ -118,7 +118,7 @@ where
             Part::Joint(number) => {
                 let joint = &self.parts.joints[number];
                 let outer = self.motions.get(joint.outer).map_or(*ground, |motion| motion.inboard);
-                let inner = joint.inner.and_then(|k| self.motions.get(k));
+                let inner = joint.inner().and_then(|k| self.motions.get(k));
                 let turn = inner.map_or(ground.turn, |motion| motion.inboard.turn);
                 self.stations[k] = state(&Frame { turn, ..outer }, force);
                 if joint.turns && (S::HELD || k > 0) {
@@ -141,10 +141,10 @@ where
             let joint = &self.parts.joints[number];
             if joint.turns {
                 let outer = self.motions.get(body)?;
-                let inner = joint.inner.and_then(|k| self.motions.get(k));
+                let inner = joint.inner().and_then(|k| self.motions.get(k));
                 let rate = inner.map_or(ground.turn, |motion| motion.inboard.turn).rate;
                 let ahead = ground.turn.angle - before.turn.angle;
-                let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner, ahead);
+                let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner(), ahead);
                 let [torque] = self.scene.effort(self.loads, time, number, [inner, Some(outer)], ground);
                 let damping = joint.spring.damping[0] * (outer.rate() - rate);
                 return Some(joint.elastic[0] + joint.spring.stiffness[0] * strain + damping - torque);

@@ -69,6 +69,9 @@ impl<D> JointScheme<D> {
             );
         }
         let parts = Parts::new(&self.rule, dt, &items);
+        if !parts.springs.is_empty() {
+            return Err(Error::new(Fault::Unsupported { what: "linear springs, in joint coordinates: take `Scheme`" }));
+        }
         let n = parts.len();
         let blank = StateVector::new([T::zero(); 7]);
         let root = parts.bodies.first().map_or([T::zero(); 2], |body| {
@@ -86,7 +89,7 @@ impl<D> JointScheme<D> {
             root,
             motions: Vec::with_capacity(n),
             links: Vec::with_capacity(n.min(BLOCK)),
-            room: Room::new(n, parts.bodies.len()),
+            room: Room::new(n, parts.bodies.len(), 0),
             states: vec![blank; n + 1],
             stations: vec![blank; n + 1],
             parts,
@@ -109,7 +112,7 @@ pub struct JointRun<'a, T: Scalar, S, L, D: Rule<T>> {
     root: [T; 2],
     /// The iterate: bodies and their accelerations.
     motions: Vec<BodyMotion<T>>,
-    links: Vec<Link<T, 7, 1>>,
+    links: Vec<Link<T, 7, 2, 1>>,
     room: Room<T, 3, 2, 1>,
     /// Increments of the iterate.
     states: Vec<StateVector<T, 7>>,
@@ -211,7 +214,7 @@ where
         let half = if self.scheme.sweeps.is_some() { T::Real::of(0.5) } else { T::Real::zero() };
         let mut inner = ground;
         let mut rigid = true;
-        let Parts { order, bodies, joints } = &mut self.parts;
+        let Parts { order, bodies, joints, .. } = &mut self.parts;
         for part in order {
             match *part {
                 // What is welded turns alike.
@@ -265,7 +268,7 @@ where
         let root = self.root;
         let ground = self.scene.ground(self.time() + dt);
         let (mut first, mut clamped) = (true, S::HELD);
-        let Parts { order, bodies, joints } = &mut self.parts;
+        let Parts { order, bodies, joints, .. } = &mut self.parts;
         for part in order {
             let body = match *part {
                 Part::Body(number) => &mut bodies[number],
@@ -293,7 +296,7 @@ where
         let ahead = ground.turn.angle - before.turn.angle;
         for k in 0..self.parts.joints.len() {
             let joint = &self.parts.joints[k];
-            let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner, ahead);
+            let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner(), ahead);
             let elastic = joint.spring.stiffness[0] * strain;
             self.parts.joints[k].elastic[0] += elastic;
         }

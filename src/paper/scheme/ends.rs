@@ -31,6 +31,9 @@ where
                 _ => {
                     let [past, now] = S::Orient::grounded(&first.base, [before, ground]);
                     from[P..].copy_from_slice(&past);
+                    if let Some(springs) = self.parts.springs_beyond(0) {
+                        (0..P).for_each(|i| from[i] -= springs.apart[i].value);
+                    }
                     now
                 }
             };

@@ -22,10 +22,10 @@ where
 {
     /// Where the bodies that these parts ask for are linearised: all of them, and one more inboard of a joint.
     pub(super) fn guess(&mut self, parts: Range<usize>, sweep: usize, span: T::Real) {
-        let Parts { order, bodies, joints } = &mut self.parts;
+        let Parts { order, bodies, joints, .. } = &mut self.parts;
         let number = |part: &Part, inner: bool| match *part {
             Part::Body(number) => number,
-            Part::Joint(number) => joints[number].inner.filter(|_| inner).unwrap_or(joints[number].outer),
+            Part::Joint(number) => joints[number].inner().filter(|_| inner).unwrap_or(joints[number].outer),
         };
         let [first, end] = [order.get(parts.start), order.get(parts.end)]
             .map(|part| part.map_or(bodies.len(), |part| number(part, true)));
@@ -75,7 +75,12 @@ where
                     } else if joint.turns {
                         let mut law = self.law(joint, absolute, grounds);
                         (0..A).for_each(|i| law.offset[i] -= torque[i]);
-                        Link::Turning { law, smooth: joint.is_smooth() }
+                        let smooth = joint.is_smooth();
+                        if let Some(springs) = joint.springs {
+                            self.part(springs, law, smooth);
+                            continue;
+                        }
+                        Link::Turning { law, smooth }
                     } else {
                         let (turn, ahead) = S::Orient::rigid(&joint.ahead);
                         Link::Rigid { turn, ahead: if absolute { ahead } else { [T::zero(); A] } }
@@ -85,6 +90,15 @@ where
             self.links.push(link);
         }
         Ok(())
+    }
+
+    /// A joint with linear springs in this step. Most chains have none.
+    #[cold]
+    #[inline(never)]
+    fn part(&mut self, springs: usize, law: Law<T, A>, smooth: bool) {
+        let absolute = self.scheme.solver == Solver::Product;
+        let linear = self.parts.springs[springs].law(absolute, |c| self.chi(c));
+        self.links.push(Link::Parting { law, smooth, linear });
     }
 
     /// The torque applied in a joint.
@@ -99,7 +113,7 @@ where
         if !joint.turns {
             return [T::zero(); A];
         }
-        let sides = [joint.inner, Some(joint.outer)].map(|k| self.body(k).map(|body| body.guessed(span)));
+        let sides = [joint.inner(), Some(joint.outer)].map(|k| self.body(k).map(|body| body.guessed(span)));
         let [inner, outer] = &sides;
         self.scene.effort(self.loads, time, number, [inner.as_ref(), outer.as_ref()], ground)
     }
@@ -163,7 +177,7 @@ where
         let outer_body = self.body(Some(joint.outer));
         match (outer, outer_body) {
             (Some(outer), Some(body)) => {
-                let inner = side(joint.inner)
+                let inner = side(joint.inner())
                     .unwrap_or_else(|| S::Orient::ground(&body.base, grounds, &self.chi(&body.angles[0])));
                 S::Orient::law(&joint.spring, &joint.elastic, [&inner, &outer], absolute)
             }

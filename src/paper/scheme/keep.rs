@@ -83,13 +83,40 @@ where
     }
 
     /// Strains a joint between two bodies that have gone on.
-    fn strain(&mut self, joint: usize, ground_turned: [T; A]) {
+    fn strain(&mut self, number: usize, ground_turned: [T; A]) {
         let Parts { bodies, joints, .. } = &mut self.parts;
-        let joint = &mut joints[joint];
+        let joint = &mut joints[number];
         let found = |at: Option<usize>| at.and_then(|k| bodies.get(k)).map_or(ground_turned, |body| body.found);
-        let (outer, inner) = (found(Some(joint.outer)), found(joint.inner));
+        let (outer, inner) = (found(Some(joint.outer)), found(joint.inner()));
         for (i, elastic) in joint.elastic.iter_mut().enumerate() {
             *elastic += joint.spring.stiffness[i] * (outer[i] - inner[i]);
+        }
+        let outer = joint.outer;
+        if let Some(springs) = joint.springs {
+            // So many joints and bodies come before it.
+            self.part_points(springs, number + outer);
+        }
+    }
+
+    /// Parts the points of joint `k` of the chain by what its linear springs gave.
+    #[cold]
+    #[inline(never)]
+    fn part_points(&mut self, springs: usize, k: usize) {
+        let absolute = self.scheme.solver == Solver::Product;
+        let (rule, dt) = (self.scheme.rule, self.dt);
+        let (inner, outer) = (&self.states[k], &self.states[k + 1]);
+        for (i, apart) in self.parts.springs[springs].apart.iter_mut().enumerate() {
+            let found = outer[i] - inner[i];
+            rule.advance(apart, dt, if absolute { found - apart.value } else { found });
+        }
+    }
+
+    /// From the outboard point of a joint that begins at station `k` to its inboard one.
+    #[cold]
+    #[inline(never)]
+    fn draw_back(&mut self, k: usize) {
+        if let Some(springs) = self.parts.springs_beyond(k) {
+            (0..P).for_each(|i| self.stations[k][i] -= springs.apart[i].value);
         }
     }
 
@@ -103,11 +130,11 @@ where
     /// A state in absolute coordinates, with angles for a reader; those of t_{i−1} are still there to be added to.
     fn keep_station(&mut self, k: usize, [before, now]: Grounds<T, S::Orient, N, P, A>) {
         let absolute = self.scheme.solver == Solver::Product;
-        let Parts { order, bodies, joints } = &self.parts;
+        let Parts { order, bodies, joints, .. } = &self.parts;
         // The body whose angles the station has, and the point that it is.
         let (of, point, at) = match order.get(k) {
             Some(Part::Body(body)) => (Some(*body), *body, 0),
-            Some(Part::Joint(joint)) => (joints[*joint].inner, joints[*joint].outer, 0),
+            Some(Part::Joint(joint)) => (joints[*joint].inner(), joints[*joint].outer, 0),
             None => (bodies.len().checked_sub(1), bodies.len().saturating_sub(1), 2),
         };
         let mut z = self.states[k];
@@ -126,6 +153,9 @@ where
         };
         (0..A).for_each(|i| z[P + i] = angles[i]);
         self.stations[k] = z;
+        if !absolute && !self.parts.springs.is_empty() {
+            self.draw_back(k);
+        }
     }
 
     /// By how much the forces at both ends of each body miss (32), the largest share of the terms that balance there: what rounding

@@ -107,7 +107,11 @@ impl<D> Scheme<D> {
             guide,
             drive: [T::zero(); A],
             links: Vec::with_capacity(if self.keeps { n } else { n.min(BLOCK) }),
-            room: if self.solver == Solver::Riccati { Room::new(n, parts.bodies.len()) } else { Room::new(0, 0) },
+            room: if self.solver == Solver::Riccati {
+                Room::new(n, parts.bodies.len(), parts.springs.len())
+            } else {
+                Room::new(0, 0, 0)
+            },
             matrices: vec![TransferMatrix::identity(); if self.solver == Solver::Product { n } else { 0 }],
             states: vec![blank; n + 1],
             stations: vec![blank; n + 1],
@@ -147,7 +151,7 @@ where
     drive: [T; A],
     parts: Parts<T, D::Memory, S::Orient, N, P, A>,
     /// Those formed last: a block of them, or all.
-    links: Vec<Link<T, N, A>>,
+    links: Vec<Link<T, N, P, A>>,
     room: Room<T, H, P, A>,
     matrices: Vec<TransferMatrix<T, N>>,
     /// As solved: absolute, or in increments.

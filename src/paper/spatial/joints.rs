@@ -4,6 +4,7 @@ use super::algebra::{Matrix, Vector, apply, from_fn, inverse, size, times};
 use super::attitude::Attitude;
 use super::{ANGLES, FORCE, ONE, PLACE, TORQUE};
 use crate::error::{Error, Fault};
+use crate::paper::hinge::Linear;
 use crate::paper::link::Law;
 use crate::scalar::Scalar;
 use crate::state::TransferMatrix;
@@ -57,6 +58,19 @@ pub(super) fn elastic_hinge<T: Scalar>(law: &Law<T, 3>) -> TransferMatrix<T, 13>
             u[(ANGLES + i, TORQUE + j)] = u23[i][j];
         }
         u[(ANGLES + i, ONE)] = u25[i];
+    }
+    u
+}
+
+/// (33) and (35), linear part: as in the [plane](crate::paper::linear_hinge), along inertial axes.
+///
+/// No scene runs with it: linear springs of scenes in space push along axes of the inboard body, and their force has a moment.
+pub fn linear_hinge<T: Scalar>(axes: &[Linear<T>; 3]) -> TransferMatrix<T, 13> {
+    let mut u = TransferMatrix::identity();
+    for (i, Linear { slope, offset }) in axes.iter().enumerate() {
+        let compliance = slope.recip();
+        u[(PLACE + i, FORCE + i)] = -compliance; // U14
+        u[(PLACE + i, ONE)] = -(compliance * *offset); // U15
     }
     u
 }

@@ -53,7 +53,7 @@ pub use algebra::{Matrix, Vector};
 pub use attitude::Attitude;
 pub use body::{External, Rigid, Step, rigid_body};
 pub use increment::Increment;
-pub use joints::{Rotary, rotary_hinge, smooth_ball};
+pub use joints::{Rotary, linear_hinge, rotary_hinge, smooth_ball};
 #[cfg(feature = "alloc")]
 pub use orient::{Base, Slot, Solid};
 

@@ -7,9 +7,10 @@ use super::algebra::{
 use super::attitude::Attitude;
 use super::body::{External, Rigid, Shape, gyration};
 use super::increment::Increment;
-use super::joints::{elastic_hinge, smooth_ball};
+use super::joints::{elastic_hinge, linear_hinge, smooth_ball};
 use crate::error::{Error, Fault};
 use crate::paper::expansion::At;
+use crate::paper::hinge::Linear;
 use crate::paper::link::{Given, Law};
 use crate::paper::orient::{Orient, Side, Spring};
 use crate::paper::product::Hinges;
@@ -52,9 +53,12 @@ pub struct Solid<T> {
     pub inertia: Inertia<T>,
 }
 
-impl<T: Scalar> Hinges<T, 13, 3> for Slot<T> {
+impl<T: Scalar> Hinges<T, 13, 3, 3> for Slot<T> {
     fn elastic(law: &Law<T, 3>) -> TransferMatrix<T, 13> {
         elastic_hinge(law)
+    }
+    fn sprung(linear: &[Linear<T>; 3]) -> TransferMatrix<T, 13> {
+        linear_hinge(linear)
     }
     fn smooth(
         section: &TransferMatrix<T, 13>,

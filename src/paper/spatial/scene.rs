@@ -88,7 +88,7 @@ where
                     let near = <Slot<T> as Orient<T, 13, 3, 3>>::angles(&joint.inboard, &[T::zero(); 3]);
                     let far = <Slot<T> as Orient<T, 13, 3, 3>>::angles(&joint.outboard, &near);
                     let elastic = core::array::from_fn(|i| spring.stiffness[i] * (far[i] - near[i]));
-                    Item::Joint { turns, ahead, spring, elastic }
+                    Item::Joint { turns, ahead, spring, elastic, linear: None }
                 }
                 (Met::Joint(_), None) => return Err(Error::new(Fault::Shape)),
             });
@@ -194,7 +194,9 @@ where
             };
             let apart = swung.outboard.place - swung.inboard.place;
             if k > 0 && apart.iter().any(|x| x.real().abs() > T::Real::zero()) {
-                return unsupported("a joint whose points part");
+                return unsupported(
+                    "a joint whose points part: (33) to (35) push along inertial axes, no joint in space does",
+                );
             }
             spins[axis] = (spun.outboard.turn.spin - spun.inboard.turn.spin).into();
             if spun.rate[axis].real() != T::Real::zero() {
