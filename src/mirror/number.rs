@@ -10,15 +10,24 @@ impl<T: Scalar> Rate<T> for T {
     }
     #[inline(always)]
     fn mix_1(&mut self, base: &T, (u, a): Term<'_, T, T>) {
-        *self = base.add_scaled(u, *a);
+        match T::LARGE {
+            true => self.combine(base, [(u, a)]),
+            false => *self = base.add_scaled(u, *a),
+        }
     }
     #[inline(always)]
     fn mix_2(&mut self, base: &T, (u, a): Term<'_, T, T>, (v, b): Term<'_, T, T>) {
-        *self = base.add_scaled(u, *a).add_scaled(v, *b);
+        match T::LARGE {
+            true => self.combine(base, [(u, a), (v, b)]),
+            false => *self = base.add_scaled(u, *a).add_scaled(v, *b),
+        }
     }
     #[inline(always)]
     fn mix_3(&mut self, base: &T, (u, a): Term<'_, T, T>, (v, b): Term<'_, T, T>, (w, c): Term<'_, T, T>) {
-        *self = base.add_scaled(u, *a).add_scaled(v, *b).add_scaled(w, *c);
+        match T::LARGE {
+            true => self.combine(base, [(u, a), (v, b), (w, c)]),
+            false => *self = base.add_scaled(u, *a).add_scaled(v, *b).add_scaled(w, *c),
+        }
     }
     #[inline(always)]
     fn add_4(
@@ -28,7 +37,10 @@ impl<T: Scalar> Rate<T> for T {
         (w, c): Term<'_, T, T>,
         (x, d): Term<'_, T, T>,
     ) {
-        *self = self.add_scaled(u, *a).add_scaled(v, *b).add_scaled(w, *c).add_scaled(x, *d);
+        match T::LARGE {
+            true => self.accumulate([(u, a), (v, b), (w, c), (x, d)]),
+            false => *self = self.add_scaled(u, *a).add_scaled(v, *b).add_scaled(w, *c).add_scaled(x, *d),
+        }
     }
     #[inline(always)]
     fn add(&mut self, step: &T) {

@@ -6,9 +6,12 @@
 #[cfg(feature = "num-dual")]
 mod dual;
 mod float;
+mod jet;
 #[cfg(feature = "simd")]
 mod lanes;
 mod trig;
+
+pub use jet::Jet;
 
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -65,6 +68,22 @@ pub trait Scalar:
     #[inline(always)]
     fn add_scaled(self, factor: Self::Real, term: Self) -> Self {
         self + term.scale(factor)
+    }
+
+    /// Whether copies of it count, so that sums are better left to [`combine`](Scalar::combine) and
+    /// [`accumulate`](Scalar::accumulate).
+    const LARGE: bool = false;
+
+    /// `self = base` and more terms, one by one.
+    #[inline(always)]
+    fn combine<const N: usize>(&mut self, base: &Self, terms: [(Self::Real, &Self); N]) {
+        *self = terms.into_iter().fold(*base, |sum, (factor, term)| sum.add_scaled(factor, *term));
+    }
+
+    /// `self = self` and more terms, one by one.
+    #[inline(always)]
+    fn accumulate<const N: usize>(&mut self, terms: [(Self::Real, &Self); N]) {
+        *self = terms.into_iter().fold(*self, |sum, (factor, term)| sum.add_scaled(factor, *term));
     }
 
     /// `1 / self`.

@@ -1,0 +1,230 @@
+//! A value with `K` first derivatives: dual numbers without an allocation, an option or a branch.
+
+use super::{Real, Scalar};
+use core::array::from_fn;
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use num_traits::{One, Zero};
+
+/// A value and its derivatives with respect to `K` seeds.
+///
+/// It is a [`Scalar`] like any other: a scene of such numbers is differentiated wherever it is computed. Under a rule that goes
+/// `through_gains` it is so for fewer operations.
+///
+/// Values are those of the plain number, bit for bit. Two jets are equal where all their parts are.
+///
+/// ```
+/// use catena::scalar::{Jet, Scalar};
+/// let [x, y] = [Jet::<f64, 2>::seed(0.5, 0), Jet::seed(2.0, 1)];
+/// let square = x * x * y;
+/// assert_eq!((square.re, square.eps), (0.5, [2.0, 0.25]));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jet<T, const K: usize> {
+    /// The value.
+    pub re: T,
+    /// Its derivatives.
+    pub eps: [T; K],
+}
+
+impl<T: Scalar, const K: usize> Jet<T, K> {
+    /// A value that does not change.
+    #[inline(always)]
+    pub fn of(re: T) -> Self {
+        Self { re, eps: [T::zero(); K] }
+    }
+
+    /// The value of seed `k`: its derivative with respect to that one is 1. Beyond `K` it is a constant.
+    pub fn seed(re: T, k: usize) -> Self {
+        Self { re, eps: from_fn(|i| if i == k { T::one() } else { T::zero() }) }
+    }
+
+    /// `f(self)`, given f and f′ at the value.
+    #[inline(always)]
+    fn compose(self, value: T, slope: T) -> Self {
+        Self { re: value, eps: self.eps.map(|x| x * slope) }
+    }
+}
+
+impl<T: Scalar, const K: usize> Zero for Jet<T, K> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::of(T::zero())
+    }
+    fn is_zero(&self) -> bool {
+        *self == Self::zero()
+    }
+}
+
+impl<T: Scalar, const K: usize> One for Jet<T, K> {
+    #[inline(always)]
+    fn one() -> Self {
+        Self::of(T::one())
+    }
+}
+
+impl<T: Scalar, const K: usize> Neg for Jet<T, K> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { re: -self.re, eps: self.eps.map(|x| -x) }
+    }
+}
+
+impl<T: Scalar, const K: usize> Add for Jet<T, K> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { re: self.re + other.re, eps: from_fn(|k| self.eps[k] + other.eps[k]) }
+    }
+}
+
+impl<T: Scalar, const K: usize> Sub for Jet<T, K> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { re: self.re - other.re, eps: from_fn(|k| self.eps[k] - other.eps[k]) }
+    }
+}
+
+impl<T: Scalar, const K: usize> Mul for Jet<T, K> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let eps = from_fn(|k| self.eps[k].mul_add(other.re, other.eps[k] * self.re));
+        Self { re: self.re * other.re, eps }
+    }
+}
+
+impl<T: Scalar, const K: usize> Div for Jet<T, K> {
+    type Output = Self;
+    #[inline(always)]
+    #[allow(clippy::suspicious_arithmetic_impl)] // times a reciprocal, which all derivatives share
+    fn div(self, other: Self) -> Self {
+        let (re, inverse) = (self.re / other.re, other.re.recip());
+        Self { re, eps: from_fn(|k| (-re).mul_add(other.eps[k], self.eps[k]) * inverse) }
+    }
+}
+
+macro_rules! assign {
+    ($($Trait:ident $method:ident $with:tt),*) => {$(
+        impl<T: Scalar, const K: usize> $Trait for Jet<T, K> {
+            #[inline(always)]
+            fn $method(&mut self, other: Self) {
+                *self = *self $with other;
+            }
+        }
+    )*};
+}
+assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *);
+
+impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
+    type Real = T::Real;
+    const ANGLE_RANGE: T::Real = T::ANGLE_RANGE;
+    const LARGE: bool = true;
+
+    #[inline(always)]
+    fn constant(value: T::Real) -> Self {
+        Self::of(T::constant(value))
+    }
+    #[inline(always)]
+    fn real(self) -> T::Real {
+        self.re.real()
+    }
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.re.is_finite() && self.eps.iter().all(|x| x.is_finite())
+    }
+    #[inline(always)]
+    fn scale(self, factor: T::Real) -> Self {
+        Self { re: self.re.scale(factor), eps: self.eps.map(|x| x.scale(factor)) }
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        let eps = from_fn(|k| self.eps[k].mul_add(factor.re, factor.eps[k].mul_add(self.re, addend.eps[k])));
+        Self { re: self.re.mul_add(factor.re, addend.re), eps }
+    }
+    #[inline(always)]
+    fn add_scaled(self, factor: T::Real, term: Self) -> Self {
+        let eps = from_fn(|k| self.eps[k].add_scaled(factor, term.eps[k]));
+        Self { re: self.re.add_scaled(factor, term.re), eps }
+    }
+    // A function of its own: in the loop over the links of a chain, columns would be gathered from all of them.
+    #[inline(never)]
+    fn combine<const N: usize>(&mut self, base: &Self, terms: [(T::Real, &Self); N]) {
+        self.re.combine(&base.re, terms.map(|(factor, term)| (factor, &term.re)));
+        let (factors, terms) = (terms.map(|(factor, _)| factor), terms.map(|(_, term)| &term.eps));
+        combine_columns(&mut self.eps, Some(&base.eps), factors, terms);
+    }
+    #[inline(never)]
+    fn accumulate<const N: usize>(&mut self, terms: [(T::Real, &Self); N]) {
+        self.re.accumulate(terms.map(|(factor, term)| (factor, &term.re)));
+        let (factors, terms) = (terms.map(|(factor, _)| factor), terms.map(|(_, term)| &term.eps));
+        combine_columns(&mut self.eps, None, factors, terms);
+    }
+    #[inline(always)]
+    fn recip(self) -> Self {
+        let value = self.re.recip();
+        self.compose(value, -(value * value))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        let value = self.re.sqrt();
+        self.compose(value, value.recip().scale(T::Real::of(0.5)))
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.re.sin_cos();
+        (self.compose(sine, cosine), self.compose(cosine, -sine))
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        // Divided by the larger coordinate first: neither very long nor very short vectors overflow.
+        let length = T::constant(Real::max(Real::abs(x.re.real()), Real::abs(self.re.real())));
+        let (across, along) = (self.re / length, x.re / length);
+        let inverse = (across.mul_add(across, along * along) * length).recip();
+        let eps = from_fn(|k| (along * self.eps[k] - across * x.eps[k]) * inverse);
+        Self { re: self.re.atan2(x.re), eps }
+    }
+}
+
+/// Columns of a sum that begins with a base, or with the columns as they are.
+#[inline(always)]
+fn combine_columns<T: Scalar, const K: usize, const N: usize>(
+    sum: &mut [T; K],
+    base: Option<&[T; K]>,
+    factors: [T::Real; N],
+    terms: [&[T; K]; N],
+) {
+    let eights = terms.map(|term| term.as_chunks::<8>());
+    let (sums, few) = sum.as_chunks_mut::<8>();
+    let base = base.map(|base| base.as_chunks::<8>());
+    for (block, sum) in sums.iter_mut().enumerate() {
+        combine_block(sum, base.map(|base| &base.0[block]), factors, eights.map(|term| &term.0[block]));
+    }
+    let fours = eights.map(|term| term.1.as_chunks::<4>());
+    let (sums, few) = few.as_chunks_mut::<4>();
+    let base = base.map(|base| base.1.as_chunks::<4>());
+    for (block, sum) in sums.iter_mut().enumerate() {
+        combine_block(sum, base.map(|base| &base.0[block]), factors, fours.map(|term| &term.0[block]));
+    }
+    for (k, sum) in few.iter_mut().enumerate() {
+        let start = base.map_or(*sum, |base| base.1[k]);
+        *sum = (0..N).fold(start, |sum, i| sum.add_scaled(factors[i], fours[i].1[k]));
+    }
+}
+
+#[inline(always)]
+fn combine_block<T: Scalar, const W: usize, const N: usize>(
+    sum: &mut [T; W],
+    base: Option<&[T; W]>,
+    factors: [T::Real; N],
+    terms: [&[T; W]; N],
+) {
+    let mut new = base.map_or(*sum, |base| *base);
+    for (factor, term) in factors.into_iter().zip(terms) {
+        for k in 0..W {
+            new[k] = new[k].add_scaled(factor, term[k]);
+        }
+    }
+    *sum = new;
+}
