@@ -37,12 +37,12 @@
 //! |---|---|
 //! | 0 | [`scalar`], errors, [`StateVector`] and [`TransferMatrix`] |
 //! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
-//! | 2 | [`space`], [`loading`], [`sweep`], [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions |
+//! | 2 | [`space`], [`loading`], [`sweep`], [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions, [`sensitive`] |
 //! | 3 | [`chain`] (composition: tuples, arrays, vectors, branches, networks), [`counts`], [`struts`] |
 //! | 4 | [`planar`], [`spatial`] |
 //! | 5 | [`solve`], [`observe`] |
 //! | 6 | [`system`] |
-//! | 7 | [`stepper`], [`simulate`], [`observers`], [`modes`]; [`paper`] (the formulation of 2005, apart from all others) |
+//! | 7 | [`stepper`], [`simulate`], [`observers`], [`modes`], [`sensitivity`]; [`paper`] (the formulation of 2005, apart from all others) |
 //!
 //! # Features
 //!
@@ -75,6 +75,8 @@ pub mod paper;
 pub mod planar;
 pub mod relation;
 pub mod scalar;
+pub mod sensitive;
+pub mod sensitivity;
 pub mod simulate;
 pub mod solve;
 pub mod space;

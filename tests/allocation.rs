@@ -5,7 +5,10 @@
 use catena::Error;
 use catena::element::{Element, Loading, Unloaded};
 use catena::ends::Root;
+use catena::lift::Lift;
 use catena::planar::*;
+use catena::scalar::{Jet, Scalar};
+use catena::sensitivity::ThroughGains;
 use catena::stepper::{Method, Stepper};
 use catena::system::{Dynamics, Runs};
 use catena::time::Sdirk4;
@@ -125,6 +128,34 @@ fn steps_of_every_rule_allocate_nothing() -> Result<(), Error> {
     no_scene_allocates!(Adams);
     no_scene_allocates!(GeneralizedAlpha::new(0.8));
     no_scene_allocates!(Sdirk4::new());
+    Ok(())
+}
+
+#[test]
+fn steps_with_derivatives_through_gains_allocate_nothing() -> Result<(), Error> {
+    type Number = Jet<f64, 6>;
+    let (rod, hinge) =
+        (Rod::uniform(Number::of(0.5), Number::seed(1.0, 0)), ElasticHinge::rotary(Number::seed(20.0, 1)));
+    let plate = RigidBody::new(1.0, 0.1, [0.2, 0.1], [0.5, 0.1]);
+    let plate = plate.lift(&mut |x: f64| Number::of(x));
+    let chain = (rod, vec![(hinge, plate); 5], Branch(vec![(hinge, rod); 2]), [(hinge, rod); 2]);
+    let system = System::new(Pinned::origin(), chain, Free)?.with_gravity(Number::of(9.81));
+    let loads = Loads::none().in_joints(|_, _, motion: &JointMotion<Number>| motion.rate().scale(-0.1));
+    let start = system.with_seeds(system.at_rest(&[Number::of(0.2); 10])?, 0);
+    let mut past = system.with_accelerations(start, &loads)?;
+    let (mut next, mut between) = (past.clone(), past.clone());
+    let mut stepper = system.stepper(ThroughGains(Dop853));
+    let (count, outcome) = allocations(|| {
+        (0..10).try_for_each(|_| {
+            stepper.advance(&past, &loads, 1e-3, &mut next)?;
+            stepper.error(&past, 1e-3, &next, 1e-6);
+            stepper.interpolate(&past, &loads, 1e-3, &next, 0.5, &mut between);
+            core::mem::swap(&mut past, &mut next);
+            stepper.step(&past, &loads, 1e-3, &mut next)
+        })
+    });
+    outcome?;
+    assert_eq!(count, 0);
     Ok(())
 }
 

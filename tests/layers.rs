@@ -9,12 +9,12 @@ use std::path::{Path, PathBuf};
 const FLOORS: [&[&str]; 8] = [
     &["scalar", "error", "state", "tuples"],
     &["mirror", "relation", "time", "lift", "dense"],
-    &["space", "loading", "sweep", "visit", "element", "ends", "transfer", "motion"],
+    &["space", "loading", "sweep", "visit", "element", "ends", "transfer", "motion", "sensitive"],
     &["chain", "counts", "struts"],
     &["planar", "spatial"],
     &["solve", "observe"],
     &["system"],
-    &["stepper", "simulate", "observers", "modes", "paper"],
+    &["stepper", "simulate", "observers", "modes", "sensitivity", "paper"],
 ];
 
 fn floor(module: &str) -> Option<usize> {

@@ -13,6 +13,7 @@ mod least_norm;
 mod network;
 mod parallel;
 mod poses;
+mod sensitive;
 mod tuple;
 
 pub use branch::Branch;

@@ -82,11 +82,34 @@ pub trait Body<T: Scalar>: Copy + Debug {
     /// From I to O (m), inertial axes, and the centripetal acceleration of O (m/s²).
     fn arm(&self, pose: Pose<T>) -> [Vector2<T>; 2];
 
+    /// What a sweep reads of its parameters.
+    fn base(&self) -> Base<T>;
+
+    /// Direction of its axes.
+    fn direction(&self, pose: Pose<T>) -> Vector2<T>;
+
+    /// Whether it may have a first moment: all other bodies have none.
+    const MOMENT: bool = false;
+
     /// Condenses the relation at O to one at I, without the point mass at I, with that at O.
     fn condense<R: Relation<T>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures>;
 
     /// Rejects parameters that make no mechanics.
     fn check(&self) -> Result<(), Fault>;
+}
+
+/// What a sweep reads of a body's parameters, in body axes: the base parameters of its dynamics. Its point mass at the inboard end
+/// counts as its inboard neighbour's.
+#[derive(Clone, Copy, Debug)]
+pub struct Base<T> {
+    /// O (m).
+    pub outboard: [T; 2],
+    /// First moment about I (kg·m) of what is not lumped at the ends.
+    pub moment: [T; 2],
+    /// Moment of inertia about I of that (kg·m²).
+    pub inertia: T,
+    /// Point mass at O (kg), with what the outboard neighbour lumps there.
+    pub lumped: T,
 }
 
 /// What the walks read of the orientation and angular velocity of a body: four numbers that each type of body chooses for
@@ -113,7 +136,7 @@ impl<T: Scalar> Pose<T> {
     }
 
     #[inline(always)]
-    fn of<E: Element<Planar<T>, PerAxes<T> = T>>(posture: Posture<'_, Planar<T>, E>) -> Self {
+    pub(super) fn of<E: Element<Planar<T>, PerAxes<T> = T>>(posture: Posture<'_, Planar<T>, E>) -> Self {
         Self { x: *posture.x, y: *posture.y, p: *posture.p, q: *posture.q }
     }
 

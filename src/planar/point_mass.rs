@@ -1,6 +1,6 @@
 //! A point mass on a massless link.
 
-use super::body::{not_negative, positive};
+use super::body::{Base, not_negative, positive};
 use super::{Body, Inertia, Pose};
 use crate::error::Fault;
 use crate::lift::lift;
@@ -60,6 +60,16 @@ impl<T: Scalar> Body<T> for PointMass<T> {
     #[inline(always)]
     fn arm(&self, pose: Pose<T>) -> [Vector2<T>; 2] {
         pose.link()
+    }
+
+    #[inline(always)]
+    fn base(&self) -> Base<T> {
+        let zero = T::zero();
+        Base { outboard: [self.length, zero], moment: [zero; 2], inertia: zero, lumped: self.lumped }
+    }
+
+    fn direction(&self, pose: Pose<T>) -> Vector2<T> {
+        Vector2::new(pose.x, pose.y) * self.length.recip()
     }
 
     #[inline(always)]

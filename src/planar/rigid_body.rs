@@ -1,5 +1,6 @@
 //! A rigid body with its mass centre and its outboard end anywhere.
 
+use super::body::Base;
 use super::{Body, Inertia, Pose};
 use crate::error::Fault;
 use crate::lift::lift;
@@ -81,6 +82,19 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
     fn arm(&self, pose: Pose<T>) -> [Vector2<T>; 2] {
         let arm = turned(self.outboard, pose);
         [arm, arm * pose.p]
+    }
+
+    const MOMENT: bool = true;
+
+    #[inline(always)]
+    fn base(&self) -> Base<T> {
+        let Inertia { mass, centre, .. } = self.inertia;
+        let moment = centre.map(|x| mass * x);
+        Base { outboard: self.outboard, moment, inertia: self.about_inboard, lumped: self.lumped }
+    }
+
+    fn direction(&self, pose: Pose<T>) -> Vector2<T> {
+        Vector2::new(pose.x, pose.y)
     }
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! A body whose mass centre lies on the line between its ends.
 
-use super::body::positive;
+use super::body::{Base, positive};
 use super::{Body, Inertia, Pose};
 use crate::error::Fault;
 use crate::lift::lift;
@@ -82,6 +82,16 @@ impl<T: Scalar> Body<T> for Rod<T> {
     #[inline(always)]
     fn arm(&self, pose: Pose<T>) -> [Vector2<T>; 2] {
         pose.link()
+    }
+
+    #[inline(always)]
+    fn base(&self) -> Base<T> {
+        let zero = T::zero();
+        Base { outboard: [self.length, zero], moment: [zero; 2], inertia: self.rest, lumped: self.lumped }
+    }
+
+    fn direction(&self, pose: Pose<T>) -> Vector2<T> {
+        Vector2::new(pose.x, pose.y) * self.length.recip()
     }
 
     #[inline(always)]

@@ -3,6 +3,7 @@
 //! One lean trait, [`Scalar`], stands for `f32` and `f64`, for dual numbers (feature `num-dual`) and for SIMD lanes
 //! (feature `simd`). A scene has one scalar; its time and step size are the scalar's [`Real`].
 
+mod columns;
 #[cfg(feature = "num-dual")]
 mod dual;
 mod float;
@@ -11,6 +12,7 @@ mod jet;
 mod lanes;
 mod trig;
 
+pub(crate) use columns::{Block, columns};
 pub use jet::Jet;
 
 use core::fmt::{Debug, Display};

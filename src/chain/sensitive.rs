@@ -1,0 +1,240 @@
+//! Derivatives through the gains of tuples, arrays, vectors and arms.
+
+use super::Branch;
+use crate::element::{Element, Posture};
+use crate::sensitive::{At, Seeds, Sensitive, Varied};
+use crate::tuples::for_each_tuple;
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+
+/// Where an item is.
+macro_rules! part {
+    ($at:ident $($item:tt)*) => {
+        At {
+            plain: &$at.plain$($item)*,
+            posture: Posture {
+                x: &$at.posture.x$($item)*,
+                y: &$at.posture.y$($item)*,
+                p: &$at.posture.p$($item)*,
+                q: &$at.posture.q$($item)*,
+            },
+            position: &$at.position$($item)*,
+            rate: &$at.rate$($item)*,
+        }
+    };
+}
+
+macro_rules! sensitive_tuple {
+    ($met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
+        impl<S: Varied, $($A: Sensitive<S>),*> Sensitive<S> for ($($A,)*) {
+            type Plain = ($($A::Plain,)*);
+            type Store = ($($A::Store,)*);
+
+            fn store(&self) -> Self::Store {
+                ($(self.$i.store(),)*)
+            }
+            #[inline]
+            fn read(
+                position: &Self::Position,
+                rate: &Self::Rate,
+                plain_position: &mut <Self::Plain as Element<S::Plain>>::Position,
+                plain_rate: &mut <Self::Plain as Element<S::Plain>>::Rate,
+            ) {
+                $($A::read(&position.$i, &rate.$i, &mut plain_position.$i, &mut plain_rate.$i);)*
+            }
+            fn load(
+                &self,
+                on_bodies: &Self::PerBody<S::BodyLoad>,
+                in_joints: &Self::PerJoint<S::JointLoad>,
+                store: &mut Self::Store,
+            ) {
+                $(self.$i.load(&on_bodies.$i, &in_joints.$i, &mut store.$i);)*
+            }
+            #[inline]
+            fn factor<Known: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Store) -> S::Relation {
+                $(let outer = self.$j.factor::<Known>(part!(at .$j), outer, &mut store.$j);)*
+                outer
+            }
+            #[inline]
+            fn vary<Known: Seeds>(
+                &self,
+                at: At<'_, S, Self>,
+                carried: &mut S::Outward,
+                store: &mut Self::Store,
+                acceleration: &mut Self::Rate,
+            ) {
+                $(self.$i.vary::<Known>(part!(at .$i), carried, &mut store.$i, &mut acceleration.$i);)*
+            }
+            #[inline]
+            fn gather<Known: Seeds>(
+                &self,
+                at: At<'_, S, Self>,
+                carried: &mut S::Inward,
+                store: &mut Self::Store,
+                acceleration: &mut Self::Rate,
+            ) {
+                $(self.$j.gather::<Known>(part!(at .$j), carried, &mut store.$j, &mut acceleration.$j);)*
+            }
+            #[inline]
+            fn answer(
+                &self,
+                at: At<'_, S, Self>,
+                carried: &mut S::Response,
+                store: &Self::Store,
+                acceleration: &mut Self::Rate,
+            ) {
+                $(self.$i.answer(part!(at .$i), carried, &store.$i, &mut acceleration.$i);)*
+            }
+        }
+    };
+}
+for_each_tuple!(sensitive_tuple);
+
+/// One implementation for arrays and vectors.
+macro_rules! sensitive_items {
+    ([$($K:tt)*] $Of:ty, $Plain:ty, $Store:ty, $store:expr) => {
+        impl<S: Varied, A: Sensitive<S> $($K)*> Sensitive<S> for $Of {
+            type Plain = $Plain;
+            type Store = $Store;
+
+            fn store(&self) -> Self::Store {
+                $store(self)
+            }
+            #[inline]
+            fn read(
+                position: &Self::Position,
+                rate: &Self::Rate,
+                plain_position: &mut <Self::Plain as Element<S::Plain>>::Position,
+                plain_rate: &mut <Self::Plain as Element<S::Plain>>::Rate,
+            ) {
+                let plain = plain_position.iter_mut().zip(plain_rate);
+                position.iter().zip(rate).zip(plain).for_each(|((q, v), (p, r))| A::read(q, v, p, r));
+            }
+            fn load(
+                &self,
+                on_bodies: &Self::PerBody<S::BodyLoad>,
+                in_joints: &Self::PerJoint<S::JointLoad>,
+                store: &mut Self::Store,
+            ) {
+                let loads = on_bodies.iter().zip(in_joints);
+                self.iter().zip(loads).zip(store).for_each(|((item, (b, j)), store)| item.load(b, j, store));
+            }
+            #[inline]
+            fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Store) -> S::Relation {
+                let mut outer = outer;
+                for i in (0..self.len()).rev() {
+                    outer = self[i].factor::<N>(part!(at [i]), outer, &mut store[i]);
+                }
+                outer
+            }
+            #[inline]
+            fn vary<N: Seeds>(
+                &self,
+                at: At<'_, S, Self>,
+                carried: &mut S::Outward,
+                store: &mut Self::Store,
+                acceleration: &mut Self::Rate,
+            ) {
+                for i in 0..self.len() {
+                    self[i].vary::<N>(part!(at [i]), carried, &mut store[i], &mut acceleration[i]);
+                }
+            }
+            #[inline]
+            fn gather<N: Seeds>(
+                &self,
+                at: At<'_, S, Self>,
+                carried: &mut S::Inward,
+                store: &mut Self::Store,
+                acceleration: &mut Self::Rate,
+            ) {
+                for i in (0..self.len()).rev() {
+                    self[i].gather::<N>(part!(at [i]), carried, &mut store[i], &mut acceleration[i]);
+                }
+            }
+            #[inline]
+            fn answer(
+                &self,
+                at: At<'_, S, Self>,
+                carried: &mut S::Response,
+                store: &Self::Store,
+                acceleration: &mut Self::Rate,
+            ) {
+                for i in 0..self.len() {
+                    self[i].answer(part!(at [i]), carried, &store[i], &mut acceleration[i]);
+                }
+            }
+        }
+    };
+}
+sensitive_items!([, const K: usize] [A; K], [A::Plain; K], [A::Store; K], |items: &Self| items.each_ref().map(A::store));
+#[cfg(feature = "alloc")]
+sensitive_items!([] Vec<A>, Vec<A::Plain>, Vec<A::Store>, |items: &Self| items.iter().map(A::store).collect());
+
+impl<S: Varied, A: Sensitive<S>> Sensitive<S> for Branch<A> {
+    type Plain = Branch<A::Plain>;
+    type Store = A::Store;
+
+    fn store(&self) -> A::Store {
+        self.0.store()
+    }
+    #[inline]
+    fn read(
+        position: &Self::Position,
+        rate: &Self::Rate,
+        plain_position: &mut <Self::Plain as Element<S::Plain>>::Position,
+        plain_rate: &mut <Self::Plain as Element<S::Plain>>::Rate,
+    ) {
+        A::read(position, rate, plain_position, plain_rate);
+    }
+    fn load(
+        &self,
+        on_bodies: &Self::PerBody<S::BodyLoad>,
+        in_joints: &Self::PerJoint<S::JointLoad>,
+        store: &mut Self::Store,
+    ) {
+        self.0.load(on_bodies, in_joints, store);
+    }
+    #[inline]
+    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Store) -> S::Relation {
+        S::join(outer, self.0.factor::<N>(arm(&at), S::nothing(), store))
+    }
+    #[inline]
+    fn vary<N: Seeds>(
+        &self,
+        at: At<'_, S, Self>,
+        carried: &mut S::Outward,
+        store: &mut Self::Store,
+        acceleration: &mut Self::Rate,
+    ) {
+        self.0.vary::<N>(arm(&at), &mut { *carried }, store, acceleration);
+    }
+    #[inline]
+    fn gather<N: Seeds>(
+        &self,
+        at: At<'_, S, Self>,
+        carried: &mut S::Inward,
+        store: &mut Self::Store,
+        acceleration: &mut Self::Rate,
+    ) {
+        let mut pull = S::no_pull();
+        self.0.gather::<N>(arm(&at), &mut pull, store, acceleration);
+        S::pull(carried, &pull);
+    }
+    #[inline]
+    fn answer(
+        &self,
+        at: At<'_, S, Self>,
+        carried: &mut S::Response,
+        store: &Self::Store,
+        acceleration: &mut Self::Rate,
+    ) {
+        self.0.answer(arm(&at), &mut { *carried }, store, acceleration);
+    }
+}
+
+/// Where the arm of a branch is.
+#[inline(always)]
+fn arm<'a, S: Varied, A: Sensitive<S>>(at: &At<'a, S, Branch<A>>) -> At<'a, S, A> {
+    let Posture { x, y, p, q } = at.posture;
+    At { plain: &at.plain.0, posture: Posture { x, y, p, q }, position: at.position, rate: at.rate }
+}

@@ -1,0 +1,637 @@
+//! Derivatives through kept gains in the plane.
+//!
+//! A body turned by θ carries the point O at d from I, n = ẑ × d, a point mass μ there, a first moment σ and a moment of inertia J about
+//! I. With p_d = −ω² d and F_O the force at O
+//!
+//! ```text
+//! a_O = a + α n + p_d       q = F + α ẑ × σ − ω² σ       −m = −m_O + n · F + (ẑ × σ) · a + J α       F = F_O + μ a_O
+//! ```
+//!
+//! and where θ and ω change while accelerations of the joint coordinates stay, d changes by n dθ, so that
+//!
+//! ```text
+//! da_O = da + (ẑ × p_d − α d) dθ − 2 ω d dω        d(−m) = n · dF − (d · F + σ · a) dθ + (ẑ × σ) · da
+//! ```
+//!
+//! α itself does not change then, but with the ground: a sum of accelerations of coordinates has no directions.
+
+use super::body::{Base, Pose};
+use super::spring::{Spring, SpringLaw};
+use super::{
+    Acceleration, Body, ElasticHinge, Frame, Pin, Planar, PointMass, RigidBody, Rod, Station, Turn, Weld, Wrench,
+};
+use crate::element::{Load, Space};
+use crate::lift::Lift;
+use crate::relation::plane::algebra::{add_scaled, dot, normal};
+use crate::relation::plane::{Full, Gain, Slides};
+use crate::relation::{Absent, Coefficient, Minus, Term};
+use crate::scalar::{Jet, Scalar, columns};
+use crate::sensitive::{At, Effort, Seeds, Sensitive, Varied};
+use nalgebra::Vector2;
+
+/// A motion on its way outward.
+#[derive(Clone, Copy, Debug)]
+pub struct Passing<T, const K: usize> {
+    /// Acceleration of the station, in a frame that falls freely, and of the body on its inboard side.
+    acceleration: Acceleration<T>,
+    /// Angular velocity of that body (rad/s).
+    rate: T,
+    /// Columns of its angle.
+    angle: [T; K],
+    /// Columns of its angular velocity.
+    spin: [T; K],
+    /// Columns of the acceleration of the station.
+    x: [T; K],
+    y: [T; K],
+    /// Columns of the angular acceleration of the body: those of the ground.
+    turn: [T; K],
+    /// Whether there are any.
+    turning: bool,
+}
+
+/// A force on its way inward.
+#[derive(Clone, Copy, Debug)]
+pub struct Pulling<T, const K: usize> {
+    /// Force on the outboard part (N).
+    force: Vector2<T>,
+    /// Its columns.
+    x: [T; K],
+    y: [T; K],
+    /// Columns of the torque on the outboard part.
+    torque: [T; K],
+}
+
+/// Columns of an acceleration on their way outward.
+#[derive(Clone, Copy, Debug)]
+pub struct Answering<T, const K: usize> {
+    x: [T; K],
+    y: [T; K],
+    angular: [T; K],
+}
+
+impl<T: Scalar, const K: usize> Varied for Planar<Jet<T, K>> {
+    type Number = T;
+    type Plain = Planar<T>;
+    type Relation = Full<T>;
+    type Outward = Passing<T, K>;
+    type Inward = Pulling<T, K>;
+    type Response = Answering<T, K>;
+    type BodyLoad = Wrench<Jet<T, K>>;
+    type JointLoad = Jet<T, K>;
+    const COLUMNS: usize = K;
+
+    fn plain(number: Jet<T, K>) -> T {
+        number.re
+    }
+    fn is_constant(number: Jet<T, K>) -> bool {
+        number.eps.iter().all(|x| *x == T::zero())
+    }
+    fn seeded(number: Jet<T, K>, k: usize) -> Jet<T, K> {
+        Jet::seed(number.re, k)
+    }
+    #[inline(always)]
+    fn ground(frame: &Frame<Jet<T, K>>, gravity: Vector2<Jet<T, K>>) -> Passing<T, K> {
+        let Acceleration { linear, angular } = Self::falling(frame, gravity);
+        Passing {
+            acceleration: Acceleration { linear: linear.map(|x| x.re), angular: angular.re },
+            rate: frame.turn.rate.re,
+            angle: frame.turn.angle.eps,
+            spin: frame.turn.rate.eps,
+            x: linear.x.eps,
+            y: linear.y.eps,
+            turn: angular.eps,
+            turning: Self::ground_turns(frame),
+        }
+    }
+    #[inline(always)]
+    fn nothing() -> Full<T> {
+        Full::massless()
+    }
+    #[inline(always)]
+    fn no_pull() -> Pulling<T, K> {
+        let (zero, none) = (T::zero(), [T::zero(); K]);
+        Pulling { force: Vector2::new(zero, zero), x: none, y: none, torque: none }
+    }
+    #[inline(always)]
+    fn stillness() -> Answering<T, K> {
+        let none = [T::zero(); K];
+        Answering { x: none, y: none, angular: none }
+    }
+    #[inline(always)]
+    fn join(a: Full<T>, b: Full<T>) -> Full<T> {
+        Full {
+            linear: a.linear.plus(b.linear),
+            coupling: a.coupling + b.coupling,
+            angular: a.angular + b.angular,
+            force: a.force + b.force,
+            torque: a.torque + b.torque,
+            cuts: a.cuts,
+        }
+    }
+    #[inline(always)]
+    fn plain_turn(frame: &Frame<Jet<T, K>>) -> Turn<T> {
+        Turn { angle: frame.turn.angle.re, rate: frame.turn.rate.re }
+    }
+    fn ground_turns(frame: &Frame<Jet<T, K>>) -> bool {
+        !Self::is_constant(frame.acceleration.angular)
+    }
+    fn no_load() -> (Wrench<Jet<T, K>>, Jet<T, K>) {
+        (Wrench::default(), Jet::of(T::zero()))
+    }
+    #[inline(always)]
+    fn body_load(load: impl Load<Self>) -> Wrench<Jet<T, K>> {
+        let zero = Jet::of(T::zero());
+        let mut station = Station::massless(Frame::resting(Vector2::new(zero, zero)));
+        load.act(&mut station);
+        Wrench { force: -station.inertia_force, torque: -station.inertia_torque }
+    }
+    #[inline(always)]
+    fn pull(chain: &mut Pulling<T, K>, arm: &Pulling<T, K>) {
+        chain.force += arm.force;
+        columns!(K; a = arm.x, b = arm.y, c = arm.torque; k:
+            mut x = chain.x => x[k] + a[k],
+            mut y = chain.y => y[k] + b[k],
+            mut torque = chain.torque => torque[k] + c[k]
+        );
+    }
+}
+
+impl<T: Scalar, const K: usize> Effort<Planar<Self>> for Jet<T, K> {
+    fn effort(self) -> Self {
+        self
+    }
+}
+
+/// What a body keeps: `A` is 3 where it has a first moment.
+#[derive(Clone, Copy, Debug)]
+pub struct BodyStore<T, const K: usize, const A: usize> {
+    /// Accelerations of I and O.
+    inner: Vector2<T>,
+    outer: Vector2<T>,
+    angular: T,
+    rate: T,
+    load: Wrench<Jet<T, K>>,
+    /// Whether its parameters have derivatives.
+    seeded: bool,
+    /// Whether more than its angle and angular velocity has.
+    varied: bool,
+    /// Columns of the angle.
+    angle: [T; K],
+    /// Columns of the acceleration of O.
+    x: [T; K],
+    y: [T; K],
+    /// Columns of the angular acceleration, for parameters.
+    turn: [T; K],
+    /// Columns of the acceleration of I and of the angular velocity, for a first moment.
+    aside: [[T; K]; A],
+}
+
+impl<T: Scalar, const K: usize, const A: usize> BodyStore<T, K, A> {
+    fn new(body: &impl Body<Jet<T, K>>) -> Self {
+        let Base { outboard: [o_x, o_y], moment: [m_x, m_y], inertia, lumped } = body.base();
+        let constant = [o_x, o_y, m_x, m_y, inertia, lumped].into_iter().all(Planar::is_constant);
+        let (zero, none) = (T::zero(), [T::zero(); K]);
+        let still = Vector2::new(zero, zero);
+        Self {
+            inner: still,
+            outer: still,
+            angular: zero,
+            rate: zero,
+            load: Wrench::default(),
+            seeded: !constant,
+            varied: false,
+            angle: none,
+            x: none,
+            y: none,
+            turn: none,
+            aside: [none; A],
+        }
+    }
+}
+
+/// A vector of body axes in inertial axes.
+#[inline(always)]
+fn turned<T: Scalar>([x, y]: [T; 2], direction: Vector2<T>) -> Vector2<T> {
+    let (c, s) = (direction.x, direction.y);
+    Vector2::new(c.mul_add(x, -(s * y)), s.mul_add(x, c * y))
+}
+
+/// Carries a motion over a body.
+#[inline(always)]
+fn vary_body<N: Seeds, T: Scalar, const K: usize, const A: usize>(
+    body: &impl Body<T>,
+    jets: &impl Body<Jet<T, K>>,
+    pose: Pose<T>,
+    carried: &mut Passing<T, K>,
+    store: &mut BodyStore<T, K, A>,
+) {
+    let [d, centripetal] = body.arm(pose);
+    let Acceleration { linear, angular } = carried.acceleration;
+    let rate = carried.rate;
+    let per_angle = normal(centripetal) - d * angular;
+    let per_rate = d * -(rate + rate);
+    carried.acceleration = carried.acceleration.shifted(d, centripetal);
+    (store.inner, store.outer) = (linear, carried.acceleration.linear);
+    (store.angular, store.rate) = (angular, rate);
+    if A == 3 {
+        store.aside[0] = carried.x;
+        store.aside[1] = carried.y;
+        store.aside[2] = carried.spin;
+    }
+    columns!(K; angle = carried.angle, spin = carried.spin; k:
+        mut x = carried.x => spin[k].mul_add(per_rate.x, angle[k].mul_add(per_angle.x, x[k])),
+        mut y = carried.y => spin[k].mul_add(per_rate.y, angle[k].mul_add(per_angle.y, y[k]))
+    );
+    store.varied = store.seeded || carried.turning;
+    if N::PARAMETERS && store.varied {
+        let (n, minus_spin2) = (normal(d), -(rate * rate));
+        let (base, direction) = (jets.base(), body.direction(pose));
+        let [out_x, out_y] = base.outboard;
+        columns!(K; out_x = out_x.eps, out_y = out_y.eps, turn = carried.turn; k:
+            let longer = turned([out_x[k], out_y[k]], direction),
+            let more = add_scaled(add_scaled(n * turn[k], angular, normal(longer)), minus_spin2, longer),
+            mut x = carried.x => x[k] + more.x,
+            mut y = carried.y => y[k] + more.y
+        );
+        store.turn = carried.turn;
+    }
+    store.angle = carried.angle;
+    store.x = carried.x;
+    store.y = carried.y;
+}
+
+/// Carries a force over a body.
+#[inline(always)]
+fn gather_body<N: Seeds, T: Scalar, const K: usize, const A: usize>(
+    body: &impl Body<T>,
+    jets: &impl Body<Jet<T, K>>,
+    pose: Pose<T>,
+    carried: &mut Pulling<T, K>,
+    store: &mut BodyStore<T, K, A>,
+) {
+    let [d, _] = body.arm(pose);
+    let Base { moment, lumped, inertia, .. } = body.base();
+    let n = normal(d);
+    let (a, angular, minus_spin2) = (store.inner, store.angular, -(store.rate * store.rate));
+    let force = add_scaled(carried.force, lumped, store.outer);
+    if N::PARAMETERS && store.varied {
+        let base = jets.base();
+        let outer = store.outer;
+        columns!(K; lumped = base.lumped.eps; k:
+            mut x = carried.x => lumped[k].mul_add(outer.x, x[k]),
+            mut y = carried.y => lumped[k].mul_add(outer.y, y[k])
+        );
+    }
+    let mut per_angle = -dot(d, force);
+    carried.force = force;
+    if A == 3 {
+        let moment = turned(moment, body.direction(pose));
+        per_angle -= dot(moment, a);
+        carried.force = add_scaled(add_scaled(force, angular, normal(moment)), minus_spin2, moment);
+    }
+    columns!(K; angle = store.angle, a_x = store.x, a_y = store.y; k:
+        let q_x = a_x[k].mul_add(lumped, x[k]),
+        let q_y = a_y[k].mul_add(lumped, y[k]),
+        mut x = carried.x => q_x,
+        mut y = carried.y => q_y,
+        mut torque = carried.torque => angle[k].mul_add(per_angle, n.x.mul_add(q_x, n.y.mul_add(q_y, torque[k])))
+    );
+    if A == 3 {
+        let moment = turned(moment, body.direction(pose));
+        let normal_moment = normal(moment);
+        let per_angle = normal_moment * minus_spin2 - moment * angular;
+        let per_rate = moment * -(store.rate + store.rate);
+        columns!(K; angle = store.angle, a_x = store.aside[0], a_y = store.aside[1], spin = store.aside[2]; k:
+            mut x = carried.x => spin[k].mul_add(per_rate.x, angle[k].mul_add(per_angle.x, x[k])),
+            mut y = carried.y => spin[k].mul_add(per_rate.y, angle[k].mul_add(per_angle.y, y[k])),
+            mut torque = carried.torque =>
+                normal_moment.x.mul_add(a_x[k], normal_moment.y.mul_add(a_y[k], torque[k]))
+        );
+    }
+    if N::PARAMETERS && store.varied {
+        let (base, direction) = (jets.base(), body.direction(pose));
+        let normal_moment = normal(turned(moment, direction));
+        let ([out_x, out_y], of_inertia) = (base.outboard, base.inertia.eps);
+        columns!(K; out_x = out_x.eps, out_y = out_y.eps, of_inertia = of_inertia, turn = store.turn; k:
+            let longer = normal(turned([out_x[k], out_y[k]], direction)),
+            mut torque = carried.torque =>
+                dot(longer, force) + of_inertia[k].mul_add(angular, turn[k].mul_add(inertia, torque[k]))
+        );
+        if A == 3 {
+            let [m_x, m_y] = base.moment;
+            columns!(K; m_x = m_x.eps, m_y = m_y.eps, turn = store.turn; k:
+                let moment = turned([m_x[k], m_y[k]], direction),
+                let across = normal(moment),
+                let more = add_scaled(add_scaled(normal_moment * turn[k], angular, across), minus_spin2, moment),
+                mut x = carried.x => x[k] + more.x,
+                mut y = carried.y => y[k] + more.y,
+                mut torque = carried.torque => torque[k] + dot(across, a)
+            );
+        }
+    }
+    if N::LOADS {
+        let Wrench { force, torque } = store.load;
+        columns!(K; f_x = force.x.eps, f_y = force.y.eps, m = torque.eps; k:
+            mut x = carried.x => x[k] - f_x[k],
+            mut y = carried.y => y[k] - f_y[k],
+            mut torque = carried.torque => torque[k] - m[k]
+        );
+        carried.force -= force.map(|x| x.re);
+    }
+}
+
+macro_rules! bodies {
+    ($($Body:ident $aside:literal),*) => {$(
+        impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for $Body<Jet<T, K>> {
+            type Plain = $Body<T>;
+            type Store = BodyStore<T, K, $aside>;
+
+            fn store(&self) -> Self::Store {
+                BodyStore::new(self)
+            }
+            #[inline(always)]
+            fn read((): &(), (): &(), (): &mut (), (): &mut ()) {}
+            fn load(&self, on_body: &Wrench<Jet<T, K>>, (): &(), store: &mut Self::Store) {
+                store.load = *on_body;
+            }
+            #[inline(always)]
+            fn factor<N: Seeds>(
+                &self,
+                at: At<'_, Planar<Jet<T, K>>, Self>,
+                outer: Full<T>,
+                store: &mut Self::Store,
+            ) -> Full<T> {
+                let relation = Body::condense(at.plain, outer, Pose::of(at.posture));
+                if !N::LOADS {
+                    return relation;
+                }
+                let Wrench { force, torque } = store.load;
+                Wrench { force: force.map(|x| x.re), torque: torque.re }.take_from(relation)
+            }
+            #[inline(always)]
+            fn vary<N: Seeds>(
+                &self,
+                at: At<'_, Planar<Jet<T, K>>, Self>,
+                carried: &mut Passing<T, K>,
+                store: &mut Self::Store,
+                (): &mut (),
+            ) {
+                vary_body::<N, T, K, $aside>(at.plain, self, Pose::of(at.posture), carried, store);
+            }
+            #[inline(always)]
+            fn gather<N: Seeds>(
+                &self,
+                at: At<'_, Planar<Jet<T, K>>, Self>,
+                carried: &mut Pulling<T, K>,
+                store: &mut Self::Store,
+                (): &mut (),
+            ) {
+                gather_body::<N, T, K, $aside>(at.plain, self, Pose::of(at.posture), carried, store);
+            }
+            #[inline(always)]
+            fn answer(
+                &self,
+                at: At<'_, Planar<Jet<T, K>>, Self>,
+                carried: &mut Answering<T, K>,
+                _: &Self::Store,
+                (): &mut (),
+            ) {
+                let n = normal(at.plain.arm(Pose::of(at.posture))[0]);
+                columns!(K; angular = carried.angular; k:
+                    mut x = carried.x => angular[k].mul_add(n.x, x[k]),
+                    mut y = carried.y => angular[k].mul_add(n.y, y[k])
+                );
+            }
+        }
+    )*};
+}
+bodies!(Rod 0, RigidBody 3, PointMass 0);
+
+/// What a joint that turns keeps.
+#[derive(Clone, Copy)]
+pub struct TurnStore<T: Scalar, const K: usize> {
+    gain: Gain<T>,
+    /// −1 / D.
+    minus_inverse: T,
+    /// Torque handed in.
+    load: Jet<T, K>,
+}
+
+impl<T: Scalar, const K: usize> TurnStore<T, K> {
+    fn new() -> Self {
+        Self { gain: Gain::blank(), minus_inverse: T::zero(), load: Jet::of(T::zero()) }
+    }
+
+    /// Eliminates the rotation under a torque.
+    #[inline(always)]
+    fn factor(&mut self, outer: Full<T>, torque: impl Term<T>) -> Full<T> {
+        // The same quotient as in the elimination: it is formed once.
+        self.minus_inverse = -outer.angular.recip();
+        let (relation, gain) = outer.pinned(torque);
+        self.gain = gain;
+        relation.full()
+    }
+
+    /// Turns what is missed of no torque into angular accelerations.
+    #[inline(always)]
+    fn gather(&self, carried: &mut Pulling<T, K>, acceleration: &mut Jet<T, K>) {
+        let (w, minus_inverse) = (self.gain.per_acceleration, self.minus_inverse);
+        columns!(K; ; k:
+            mut x = carried.x => w.x.mul_add(torque[k], x[k]),
+            mut y = carried.y => w.y.mul_add(torque[k], y[k]),
+            mut free = acceleration.eps => torque[k] * minus_inverse,
+            mut torque = carried.torque => T::zero()
+        );
+    }
+
+    /// The same of a torque.
+    #[inline(always)]
+    fn gather_under(&self, applied: &[T; K], carried: &mut Pulling<T, K>, acceleration: &mut Jet<T, K>) {
+        let (w, minus_inverse) = (self.gain.per_acceleration, self.minus_inverse);
+        columns!(K; applied = *applied; k:
+            let missed = torque[k] - applied[k],
+            mut x = carried.x => w.x.mul_add(missed, x[k]),
+            mut y = carried.y => w.y.mul_add(missed, y[k]),
+            mut free = acceleration.eps => missed * minus_inverse,
+            mut torque = carried.torque => applied[k]
+        );
+    }
+}
+
+impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Pin {
+    type Plain = Self;
+    type Store = TurnStore<T, K>;
+
+    fn store(&self) -> Self::Store {
+        TurnStore::new()
+    }
+    #[inline(always)]
+    fn read(position: &Jet<T, K>, rate: &Jet<T, K>, plain_position: &mut T, plain_rate: &mut T) {
+        (*plain_position, *plain_rate) = (position.re, rate.re);
+    }
+    fn load(&self, (): &(), in_joint: &Jet<T, K>, store: &mut Self::Store) {
+        store.load = *in_joint;
+    }
+    #[inline(always)]
+    fn factor<N: Seeds>(&self, _: At<'_, Planar<Jet<T, K>>, Self>, outer: Full<T>, store: &mut Self::Store) -> Full<T> {
+        match N::LOADS {
+            true => store.factor(outer, store.load.re),
+            false => store.factor(outer, Absent),
+        }
+    }
+    #[inline(always)]
+    fn vary<N: Seeds>(
+        &self,
+        at: At<'_, Planar<Jet<T, K>>, Self>,
+        carried: &mut Passing<T, K>,
+        store: &mut Self::Store,
+        acceleration: &mut Jet<T, K>,
+    ) {
+        acceleration.re = store.gain.angular(carried.acceleration.linear, &());
+        carried.acceleration.angular = acceleration.re;
+        carried.rate = at.rate.re;
+        carried.angle = at.position.eps;
+        carried.spin = at.rate.eps;
+        if N::PARAMETERS {
+            carried.turn = [T::zero(); K];
+            carried.turning = false;
+        }
+    }
+    #[inline(always)]
+    fn gather<N: Seeds>(
+        &self,
+        _: At<'_, Planar<Jet<T, K>>, Self>,
+        carried: &mut Pulling<T, K>,
+        store: &mut Self::Store,
+        acceleration: &mut Jet<T, K>,
+    ) {
+        match N::LOADS {
+            true => store.gather_under(&store.load.eps, carried, acceleration),
+            false => store.gather(carried, acceleration),
+        }
+    }
+    #[inline(always)]
+    fn answer(
+        &self,
+        _: At<'_, Planar<Jet<T, K>>, Self>,
+        carried: &mut Answering<T, K>,
+        store: &Self::Store,
+        acceleration: &mut Jet<T, K>,
+    ) {
+        let w = store.gain.per_acceleration;
+        columns!(K; x = carried.x, y = carried.y; k:
+            let turned = w.x.mul_add(x[k], w.y.mul_add(y[k], free[k])),
+            mut angular = carried.angular => turned,
+            mut free = acceleration.eps => turned
+        );
+    }
+}
+
+impl<T, D, P, E, Q, const K: usize> Sensitive<Planar<Jet<T, K>>> for ElasticHinge<Spring<Jet<T, K>, D, P>>
+where
+    T: Scalar,
+    D: Coefficient<Jet<T, K>> + Lift<Jet<T, K>, T, Over = E>,
+    P: Term<Jet<T, K>> + Lift<Jet<T, K>, T, Over = Q>,
+    E: Coefficient<T>,
+    Q: Term<T>,
+{
+    type Plain = ElasticHinge<Spring<T, E, Q>>;
+    type Store = TurnStore<T, K>;
+
+    fn store(&self) -> Self::Store {
+        TurnStore::new()
+    }
+    #[inline(always)]
+    fn read(position: &Jet<T, K>, rate: &Jet<T, K>, plain_position: &mut T, plain_rate: &mut T) {
+        (*plain_position, *plain_rate) = (position.re, rate.re);
+    }
+    fn load(&self, (): &(), in_joint: &Jet<T, K>, store: &mut Self::Store) {
+        store.load = *in_joint;
+    }
+    #[inline(always)]
+    fn factor<N: Seeds>(
+        &self,
+        at: At<'_, Planar<Jet<T, K>>, Self>,
+        outer: Full<T>,
+        store: &mut Self::Store,
+    ) -> Full<T> {
+        let torque = at.plain.rotary.force(at.position.re, at.rate.re);
+        let torque = if N::LOADS { torque + store.load.re } else { torque };
+        store.factor(outer, Minus(-torque))
+    }
+    #[inline(always)]
+    fn vary<N: Seeds>(
+        &self,
+        at: At<'_, Planar<Jet<T, K>>, Self>,
+        carried: &mut Passing<T, K>,
+        store: &mut Self::Store,
+        acceleration: &mut Jet<T, K>,
+    ) {
+        let angular = store.gain.angular(carried.acceleration.linear, &());
+        acceleration.re = angular - carried.acceleration.angular;
+        carried.acceleration.angular = angular;
+        carried.rate += at.rate.re;
+        columns!(K; q = at.position.eps, v = at.rate.eps; k:
+            mut angle = carried.angle => angle[k] + q[k],
+            mut spin = carried.spin => spin[k] + v[k]
+        );
+    }
+    #[inline(always)]
+    fn gather<N: Seeds>(
+        &self,
+        at: At<'_, Planar<Jet<T, K>>, Self>,
+        carried: &mut Pulling<T, K>,
+        store: &mut Self::Store,
+        acceleration: &mut Jet<T, K>,
+    ) {
+        let torque = self.rotary.force(*at.position, *at.rate);
+        let torque = if N::LOADS { torque + store.load } else { torque };
+        store.gather_under(&torque.eps, carried, acceleration);
+    }
+    #[inline(always)]
+    fn answer(
+        &self,
+        _: At<'_, Planar<Jet<T, K>>, Self>,
+        carried: &mut Answering<T, K>,
+        store: &Self::Store,
+        acceleration: &mut Jet<T, K>,
+    ) {
+        let w = store.gain.per_acceleration;
+        columns!(K; x = carried.x, y = carried.y; k:
+            let turned = w.x.mul_add(x[k], w.y.mul_add(y[k], free[k])),
+            mut free = acceleration.eps => turned - angular[k],
+            mut angular = carried.angular => turned
+        );
+    }
+}
+
+impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Weld<Jet<T, K>> {
+    type Plain = Weld<T>;
+    type Store = ();
+
+    fn store(&self) {}
+    #[inline(always)]
+    fn read((): &(), (): &(), (): &mut (), (): &mut ()) {}
+    fn load(&self, (): &(), _: &Jet<T, K>, (): &mut ()) {}
+    #[inline(always)]
+    fn factor<N: Seeds>(&self, _: At<'_, Planar<Jet<T, K>>, Self>, outer: Full<T>, (): &mut ()) -> Full<T> {
+        outer
+    }
+    #[inline(always)]
+    fn vary<N: Seeds>(
+        &self,
+        _: At<'_, Planar<Jet<T, K>>, Self>,
+        carried: &mut Passing<T, K>,
+        (): &mut (),
+        (): &mut (),
+    ) {
+        if N::PARAMETERS {
+            let Jet { eps, .. } = self.angle();
+            columns!(K; more = eps; k: mut angle = carried.angle => angle[k] + more[k]);
+        }
+    }
+    #[inline(always)]
+    fn gather<N: Seeds>(&self, _: At<'_, Planar<Jet<T, K>>, Self>, _: &mut Pulling<T, K>, (): &mut (), (): &mut ()) {}
+    #[inline(always)]
+    fn answer(&self, _: At<'_, Planar<Jet<T, K>>, Self>, _: &mut Answering<T, K>, (): &(), (): &mut ()) {}
+}

@@ -1,0 +1,184 @@
+//! The contract for derivatives through kept gains.
+//!
+//! A scene over [`Jet`](crate::scalar::Jet)s moves with values and columns of derivatives. To send all of it through a sweep would
+//! differentiate the inertia of what lies outboard, and every elimination. But accelerations q̈ solve R(q, q̇, q̈) = 0, the forces
+//! that inverse dynamics misses at each joint, so that dq̈ = −(∂R/∂q̈)⁻¹ dR with dR taken at fixed q̈. This dR is local, a few products
+//! a body, and (∂R/∂q̈)⁻¹ is a sweep with other right-hand sides through gains that are already there: no division, no sine. The walks
+//! are
+//!
+//! ```text
+//! pose      root → tip   as in a sweep of plain numbers                            Element::pose
+//! factor    tip → root   F = S p + e, and one number more kept for each pivot      Sensitive::factor
+//! vary      root → tip   accelerations; columns of p at fixed q̈                    Sensitive::vary
+//! gather    tip → root   columns of what is missed, eliminated through the gains   Sensitive::gather
+//! answer    root → tip   columns of q̈                                              Sensitive::answer
+//! ```
+//!
+//! All columns of an element are treated in one loop, so that it vectorises; only values are carried in registers.
+
+use crate::element::{Element, Load, Posture, Space, SpaceOver};
+use crate::relation::{Absent, Part};
+use crate::scalar::Scalar;
+
+/// A space of jets.
+pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
+    /// The numbers that jets hold.
+    type Number: Scalar<Real = <Self::Scalar as Scalar>::Real>;
+    /// The same space over these.
+    type Plain: Space<Scalar = Self::Number>;
+    /// F = S p + e of what lies outboard, values alone.
+    type Relation: Copy;
+    /// What [`Sensitive::vary`] carries: values and columns of a motion.
+    type Outward: Copy;
+    /// What [`Sensitive::gather`] carries: values and columns of a force.
+    type Inward: Copy;
+    /// What [`Sensitive::answer`] carries: columns of an acceleration.
+    type Response: Copy;
+    /// The load on a body.
+    type BodyLoad: Copy;
+    /// The efforts in a joint.
+    type JointLoad: Copy;
+
+    /// The plain number behind a jet.
+    fn plain(number: Self::Scalar) -> Self::Number;
+    /// Whether no derivative of a number is other than zero.
+    fn is_constant(number: Self::Scalar) -> bool;
+    /// A number with derivative 1 with respect to seed `k`.
+    fn seeded(number: Self::Scalar, k: usize) -> Self::Scalar;
+    /// Number of columns.
+    const COLUMNS: usize;
+
+    /// Where the outward walk begins: the ground, in a frame that falls freely.
+    fn ground(frame: &Self::Frame, gravity: Self::Vector) -> Self::Outward;
+    /// What lies beyond a free tip.
+    fn nothing() -> Self::Relation;
+    /// The force of it.
+    fn no_pull() -> Self::Inward;
+    /// A ground that does not answer.
+    fn stillness() -> Self::Response;
+    /// The orientation of a frame, in plain numbers.
+    fn plain_turn(frame: &Self::Frame) -> <Self::Plain as Space>::Turn;
+    /// Whether the angular acceleration of the ground has derivatives.
+    fn ground_turns(frame: &Self::Frame) -> bool;
+    /// No load on a body, and none in a joint.
+    fn no_load() -> (Self::BodyLoad, Self::JointLoad);
+    /// A load on a body.
+    fn body_load(load: impl Load<Self>) -> Self::BodyLoad;
+    /// Adds the relation of an arm.
+    fn join(chain: Self::Relation, arm: Self::Relation) -> Self::Relation;
+    /// Adds the force of an arm.
+    fn pull(chain: &mut Self::Inward, arm: &Self::Inward);
+}
+
+/// What acts in a joint, or [`Absent`].
+pub trait Effort<S: Varied>: Part {
+    /// As a walk reads it.
+    fn effort(self) -> S::JointLoad;
+}
+
+impl<S: Varied> Effort<S> for Absent {
+    fn effort(self) -> S::JointLoad {
+        S::no_load().1
+    }
+}
+
+/// Which columns may be other than zero besides those of positions and rates, decided by type.
+pub trait Seeds: Copy {
+    /// Parameters of elements and ends, gravity among them.
+    const PARAMETERS: bool;
+    /// Whether there are loads.
+    const LOADS: bool;
+}
+
+/// Columns of parameters too, or of positions and rates alone; with loads or without.
+#[derive(Clone, Copy, Debug)]
+pub struct Columns<const PARAMETERS: bool, const LOADS: bool>;
+
+impl<const PARAMETERS: bool, const LOADS: bool> Seeds for Columns<PARAMETERS, LOADS> {
+    const PARAMETERS: bool = PARAMETERS;
+    const LOADS: bool = LOADS;
+}
+
+/// An element over jets whose derivatives go through kept gains.
+#[diagnostic::on_unimplemented(
+    message = "derivatives do not go through the gains of `{Self}`",
+    label = "no derivatives through gains here",
+    note = "run the same scene over jets or dual numbers by the rule itself, without `through_gains`"
+)]
+pub trait Sensitive<S: Varied>: Element<S> {
+    /// The same element over plain numbers.
+    type Plain: Element<S::Plain>;
+    /// What the walks keep.
+    type Store: Clone;
+
+    /// Room for it.
+    fn store(&self) -> Self::Store;
+
+    /// Plain coordinates of coordinates over jets.
+    fn read(
+        position: &Self::Position,
+        rate: &Self::Rate,
+        plain_position: &mut <Self::Plain as Element<S::Plain>>::Position,
+        plain_rate: &mut <Self::Plain as Element<S::Plain>>::Rate,
+    );
+
+    /// Keeps loads.
+    fn load(
+        &self,
+        on_bodies: &Self::PerBody<S::BodyLoad>,
+        in_joints: &Self::PerJoint<S::JointLoad>,
+        store: &mut Self::Store,
+    );
+
+    /// Condenses the values of what lies outboard, and keeps gains.
+    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Store) -> S::Relation;
+
+    /// Recovers the values of accelerations, and carries columns of the motion outward as they are at fixed accelerations of the joint
+    /// coordinates.
+    fn vary<N: Seeds>(
+        &self,
+        at: At<'_, S, Self>,
+        carried: &mut S::Outward,
+        store: &mut Self::Store,
+        acceleration: &mut Self::Rate,
+    );
+
+    /// Carries columns of forces inward, and turns what they miss in joints into columns of their accelerations where the inboard
+    /// station stays as it is.
+    fn gather<N: Seeds>(
+        &self,
+        at: At<'_, S, Self>,
+        carried: &mut S::Inward,
+        store: &mut Self::Store,
+        acceleration: &mut Self::Rate,
+    );
+
+    /// Adds to these what the inboard station does.
+    fn answer(
+        &self,
+        at: At<'_, S, Self>,
+        carried: &mut S::Response,
+        store: &Self::Store,
+        acceleration: &mut Self::Rate,
+    );
+}
+
+/// Where an element is.
+pub struct At<'a, S: Varied, E: Sensitive<S>> {
+    /// The element over plain numbers.
+    pub plain: &'a E::Plain,
+    /// Its posture.
+    pub posture: Posture<'a, S::Plain, E::Plain>,
+    /// Its positions.
+    pub position: &'a E::Position,
+    /// Their rates.
+    pub rate: &'a E::Rate,
+}
+
+impl<S: Varied, E: Sensitive<S>> Clone for At<'_, S, E> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<S: Varied, E: Sensitive<S>> Copy for At<'_, S, E> {}

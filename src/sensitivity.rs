@@ -1,0 +1,404 @@
+//! Derivatives of a run for a few operations a body and derivative: through gains that a sweep keeps.
+//!
+//! A scene over [`Jet`](crate::scalar::Jet)s is differentiated under any rule. Under one that goes [`through_gains`](Rule::through_gains) the same
+//! derivatives cost a fraction, because only values are eliminated: see [`sensitive`](crate::sensitive) for the method.
+//!
+//! ```
+//! use catena::planar::*;
+//! use catena::scalar::{Jet, Scalar};
+//!
+//! // Seeds 0 and 1: the length of both rods (m), gravity (m/s²).
+//! type Number = Jet<f64, 2>;
+//! let rod = Rod::uniform(Number::seed(1.0, 0), Number::of(1.0));
+//! let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(Number::seed(9.81, 1));
+//! let start = pendulum.at_rest(&[Number::of(-1.0), Number::of(-0.5)])?;
+//! let run = pendulum.simulate(start, Rk4::step(1e-3).through_gains(), 1.0, |_| ())?;
+//! let tip = pendulum.stations(&run.motion, &Unloaded).tip().frame.place;
+//! println!("tip at x = {} m, which moves by {} m for each metre of length", tip.x.re, tip.x.eps[0]);
+//! # Ok::<(), catena::Error>(())
+//! ```
+//!
+//! # What it knows
+//!
+//! Tuples, arrays and vectors of elements, and branches, with a free tip; in the plane all bodies, `Pin`, `Weld` and `ElasticHinge` with a
+//! rotary spring; roots of these. Loads may depend on seeds
+//! and on the motion. Explicit rules, with error control (of the values) and dense output.
+//!
+//! What it does not know is an error of the compiler: held tips, loops, `Free` roots, joints that slide, springs of balls, and implicit
+//! rules. Such scenes are differentiated by the rule itself.
+//!
+//! ```compile_fail,E0277
+//! use catena::planar::*;
+//! use catena::scalar::Jet;
+//! let rod = Rod::uniform(1.0, 1.0);
+//! // Its tip is held.
+//! let system = System::new(Pinned::origin(), (rod, Pin, rod), Pinned::at(1.0, 0.0))?.lift(Jet::<f64, 4>::of);
+//! let start = system.at_rest(&[Jet::of(1.0), Jet::of(-1.0)])?;
+//! let run = system.simulate(start, Rk4::step(1e-3).through_gains(), 1.0, |_| ())?;
+//! # Ok::<(), catena::Error>(())
+//! ```
+
+use crate::element::{Coordinates, Element, Loading, Posture, RealOf, Space, Visit};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::lift::Lift;
+use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
+use crate::relation::Open;
+
+use crate::sensitive::{At, Columns, Effort, Seeds, Sensitive, Varied};
+use crate::stepper::{ExplicitStepper, Method, Stepper};
+use crate::system::{Dynamics, Elements, MotionOf, PositionOf, RateOf, Runs, System};
+use crate::time::{Explicit, Rule};
+use crate::visit::survey;
+
+/// An explicit method whose derivatives go through kept gains.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ThroughGains<M>(pub M);
+
+impl<M: Explicit, R> Rule<M, R> {
+    /// The same rule for a scene over [`Jet`](crate::scalar::Jet)s, its derivatives through kept gains: the derivatives of this very rule, exact but for
+    /// rounding.
+    pub fn through_gains(self) -> Rule<ThroughGains<M>, R> {
+        Rule { method: ThroughGains(self.method), control: self.control }
+    }
+}
+
+/// The elements of a scene over plain numbers.
+type Plain<S, E> = <E as Sensitive<S>>::Plain;
+/// One `X` for each set of axes in them.
+type PerAxes<S, E, X> = <Plain<S, E> as Element<<S as Varied>::Plain>>::PerAxes<X>;
+
+/// A scene over jets whose sweeps go through kept gains.
+pub struct Sensitivity<'s, S: Varied, R: Root<S>, C: Element<S>, P>
+where
+    Elements<S, R, C>: Sensitive<S>,
+{
+    scene: &'s System<S, R, C, P>,
+    plain: Plain<S, Elements<S, R, C>>,
+    /// Whether any parameter has derivatives.
+    seeded: bool,
+}
+
+/// Room for sweeps through kept gains.
+pub struct SensitiveWorkspace<S: Varied, E: Sensitive<S>> {
+    position: <E::Plain as Element<S::Plain>>::Position,
+    rate: <E::Plain as Element<S::Plain>>::Rate,
+    sizes: PerAxes<S, E, <S::Plain as Space>::Size>,
+    x: PerAxes<S, E, <S::Plain as Space>::X>,
+    y: PerAxes<S, E, <S::Plain as Space>::Y>,
+    p: PerAxes<S, E, <S::Plain as Space>::P>,
+    q: PerAxes<S, E, <S::Plain as Space>::Q>,
+    store: E::Store,
+    on_bodies: E::PerBody<S::BodyLoad>,
+    in_joints: E::PerJoint<S::JointLoad>,
+}
+
+impl<S: Varied, E: Sensitive<S>> SensitiveWorkspace<S, E> {
+    fn new(elements: &E, plain: &E::Plain) -> Self {
+        let (x, y, p, q) = S::Plain::blank();
+        let (on_body, in_joint) = S::no_load();
+        let mut sizes = plain.per_axes(S::Plain::no_size());
+        plain.size(&mut sizes);
+        Self {
+            position: plain.position(),
+            rate: plain.rate(),
+            sizes,
+            x: plain.per_axes(x),
+            y: plain.per_axes(y),
+            p: plain.per_axes(p),
+            q: plain.per_axes(q),
+            store: elements.store(),
+            on_bodies: elements.per_body(on_body),
+            in_joints: elements.per_joint(in_joint),
+        }
+    }
+}
+
+impl<S: Varied, R: Root<S>, C: Element<S>, P: Tip<S, Closures = Open>> System<S, R, C, P>
+where
+    Elements<S, R, C>: Sensitive<S> + Lift<S::Scalar, S::Number, Over = <Elements<S, R, C> as Sensitive<S>>::Plain>,
+{
+    /// The scene with sweeps that go through kept gains.
+    pub fn sensitivity(&self) -> Sensitivity<'_, S, R, C, P> {
+        let mut seeded = false;
+        let mut number = |x| {
+            seeded |= !S::is_constant(x);
+            S::plain(x)
+        };
+        let plain = self.elements().lift(&mut number);
+        S::lift_vector(self.gravity(), &mut number);
+        Sensitivity { scene: self, plain, seeded }
+    }
+}
+
+impl<S: Varied, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// The same motion with seeds in its state: the numbers of the state are the displacements of the joint coordinates, root to tip, and
+    /// after these their rates; number `first` is seed 0, the one after it seed 1, as far as there are seeds. Derivatives that it had are
+    /// lost.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// use catena::scalar::{Jet, Scalar};
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81).lift(Jet::<f64, 4>::of);
+    /// let start = pendulum.with_seeds(pendulum.at_rest(&[Jet::of(-1.0), Jet::of(-0.5)])?, 0);
+    /// assert_eq!(start.rate().1.1.eps, [0.0, 0.0, 0.0, 1.0]);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    #[must_use]
+    pub fn with_seeds(&self, mut motion: MotionOf<S, R, C, P>, first: usize) -> MotionOf<S, R, C, P> {
+        let mut number = 0;
+        let mut seed = |x: S::Scalar| {
+            let k = usize::wrapping_sub(number, first); // before the first it is beyond the last
+            number += 1;
+            S::seeded(x, k)
+        };
+        motion.position.replace(&mut |x| S::seeded(x, usize::MAX));
+        let mut step = motion.rate.clone();
+        step.replace(&mut |_| seed(num_traits::Zero::zero()));
+        motion.position.displace(&step);
+        motion.rate.replace(&mut seed);
+        motion
+    }
+}
+
+impl<S, R, C, P> Sensitivity<'_, S, R, C, P>
+where
+    S: Varied,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S, Closures = Open>,
+    Elements<S, R, C>: Sensitive<S>,
+{
+    /// Accelerations of a motion and their derivatives.
+    ///
+    /// # Errors
+    /// As [`System::accelerate`].
+    pub fn accelerate<L>(
+        &self,
+        motion: &mut MotionOf<S, R, C, P>,
+        loads: &L,
+        workspace: &mut <Self as Dynamics<L>>::Workspace,
+    ) -> Result<(), Error>
+    where
+        L: Loading<S, InJoint: Effort<S>>,
+        System<S, R, C, P>: Runs<L, S, R, C, P>,
+    {
+        let elements = self.scene.elements();
+        let Motion { time, position, rate, acceleration, .. } = motion;
+        if !(elements.fits(position, rate) && elements.fits(position, acceleration)) {
+            return Err(Error::new(Fault::Shape));
+        }
+        self.accelerations(*time, position, rate, loads, workspace, acceleration);
+        if motion.is_finite() { Ok(()) } else { Err(self.diagnose(motion, loads, workspace)) }
+    }
+
+    /// The walks.
+    #[inline(always)]
+    fn walk<N: Seeds>(
+        &self,
+        ground: &S::Frame,
+        (position, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
+        workspace: &mut SensitiveWorkspace<S, Elements<S, R, C>>,
+        acceleration: &mut RateOf<S, R, C>,
+    ) {
+        let elements = self.scene.elements();
+        let SensitiveWorkspace { x, y, p, q, store, .. } = workspace;
+        let at = At { plain: &self.plain, posture: Posture { x, y, p, q }, position, rate };
+        elements.factor::<N>(at, S::nothing(), store);
+        elements.vary::<N>(at, &mut S::ground(ground, self.scene.gravity()), store, acceleration);
+        elements.gather::<N>(at, &mut S::no_pull(), store, acceleration);
+        elements.answer(at, &mut S::stillness(), store, acceleration);
+    }
+}
+
+/// Evaluates loads.
+struct Loads<'a, S: Varied, L: Loading<S>> {
+    loads: &'a L,
+    seen: L::Seen,
+    time: RealOf<S>,
+    body: usize,
+    joint: usize,
+}
+
+impl<S: Varied, L: Loading<S, InJoint: Effort<S>>> Visit<S> for Loads<'_, S, L> {
+    type OnBody = S::BodyLoad;
+    type InJoint = S::JointLoad;
+
+    fn body(&mut self, motion: &S::BodyMotion) -> S::BodyLoad {
+        self.body += 1;
+        S::body_load(self.loads.on_body(&self.seen, self.time, self.body - 1, motion))
+    }
+    fn joint(&mut self, motion: &S::JointMotion) -> S::JointLoad {
+        self.joint += 1;
+        self.loads.in_joint(self.time, self.joint - 1, motion).effort()
+    }
+}
+
+impl<S, R, C, P, L> Dynamics<L> for Sensitivity<'_, S, R, C, P>
+where
+    S: Varied,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S, Closures = Open>,
+    L: Loading<S, InJoint: Effort<S>>,
+    Elements<S, R, C>: Sensitive<S>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>,
+{
+    type Space = S;
+    type Scalar = S::Scalar;
+    type Position = PositionOf<S, R, C>;
+    type Rate = RateOf<S, R, C>;
+    type Closures = Open;
+    type Workspace = SensitiveWorkspace<S, Elements<S, R, C>>;
+
+    fn workspace(&self) -> Self::Workspace {
+        SensitiveWorkspace::new(self.scene.elements(), &self.plain)
+    }
+
+    fn still(&self) -> MotionOf<S, R, C, P> {
+        self.scene.motion()
+    }
+
+    #[inline(never)]
+    fn accelerations(
+        &self,
+        time: RealOf<S>,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        loads: &L,
+        workspace: &mut Self::Workspace,
+        acceleration: &mut Self::Rate,
+    ) {
+        let elements = self.scene.elements();
+        let ground = self.scene.ground(time);
+        if L::ON {
+            let motion = Coordinates { position, rate, acceleration };
+            let seen = survey(elements, ground, motion, loads);
+            let mut pass = Loads { loads, seen, time, body: 0, joint: 0 };
+            elements.travel(ground, motion, &mut pass, &mut workspace.on_bodies, &mut workspace.in_joints);
+            elements.load(&workspace.on_bodies, &workspace.in_joints, &mut workspace.store);
+        }
+        {
+            let SensitiveWorkspace { position: plain_position, rate: plain_rate, sizes, x, y, p, q, .. } = workspace;
+            Elements::<S, R, C>::read(position, rate, plain_position, plain_rate);
+            self.plain.pose(plain_position, plain_rate, S::plain_turn(&ground), sizes, x, y, p, q);
+        }
+        let at = (position, rate);
+        match (self.seeded || S::ground_turns(&ground), L::ON) {
+            (false, false) => self.walk::<Columns<false, false>>(&ground, at, workspace, acceleration),
+            (false, true) => self.walk::<Columns<false, true>>(&ground, at, workspace, acceleration),
+            (true, false) => self.walk::<Columns<true, false>>(&ground, at, workspace, acceleration),
+            (true, true) => self.walk::<Columns<true, true>>(&ground, at, workspace, acceleration),
+        }
+    }
+
+    fn project(&self, _: &mut MotionOf<S, R, C, P>, _: &mut Self::Workspace) {}
+
+    fn draw(&self, _: &mut MotionOf<S, R, C, P>, _: RealOf<S>, _: &mut Self::Workspace) {}
+
+    fn independent(
+        &self,
+        _: &MotionOf<S, R, C, P>,
+        _: &Self::Workspace,
+        _: &mut impl FnMut(usize, &'static str),
+    ) -> Result<(), Error> {
+        Ok(())
+    }
+
+    fn accept(&self, motion: &MotionOf<S, R, C, P>) -> Result<(), Error> {
+        Dynamics::<L>::accept(self.scene, motion)
+    }
+
+    fn diagnose(&self, motion: &MotionOf<S, R, C, P>, loads: &L, _: &mut Self::Workspace) -> Error {
+        self.scene.diagnose(motion, loads, &mut Dynamics::<L>::workspace(self.scene))
+    }
+}
+
+/// Steps whose derivatives go through kept gains.
+pub struct SensitiveStepper<'s, S, R, C, P, L, M>(ExplicitStepper<Sensitivity<'s, S, R, C, P>, L, M>)
+where
+    S: Varied,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S, Closures = Open>,
+    L: Loading<S, InJoint: Effort<S>>,
+    M: Explicit,
+    Elements<S, R, C>: Sensitive<S>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>;
+
+impl<'s, S, R, C, P, L, M> Method<&'s System<S, R, C, P>, L> for ThroughGains<M>
+where
+    S: Varied,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S, Closures = Open>,
+    L: Loading<S, InJoint: Effort<S>>,
+    M: Explicit,
+    Elements<S, R, C>: Sensitive<S> + Lift<S::Scalar, S::Number, Over = <Elements<S, R, C> as Sensitive<S>>::Plain>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>,
+{
+    type Stepper = SensitiveStepper<'s, S, R, C, P, L, M>;
+
+    fn stepper(&self, scene: &'s System<S, R, C, P>) -> Self::Stepper {
+        SensitiveStepper(Method::<Sensitivity<'s, S, R, C, P>, L>::stepper(&self.0, scene.sensitivity()))
+    }
+}
+
+impl<'s, S, R, C, P, L, M> Stepper<&'s System<S, R, C, P>, L> for SensitiveStepper<'s, S, R, C, P, L, M>
+where
+    S: Varied,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S, Closures = Open>,
+    L: Loading<S, InJoint: Effort<S>>,
+    M: Explicit,
+    Elements<S, R, C>: Sensitive<S>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>,
+{
+    fn step(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        loads: &L,
+        dt: RealOf<S>,
+        next: &mut MotionOf<S, R, C, P>,
+    ) -> Result<(), Error> {
+        self.0.step(past, loads, dt, next)
+    }
+    fn advance(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        loads: &L,
+        dt: RealOf<S>,
+        next: &mut MotionOf<S, R, C, P>,
+    ) -> Result<(), Error> {
+        self.0.advance(past, loads, dt, next)
+    }
+    fn error(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        dt: RealOf<S>,
+        next: &MotionOf<S, R, C, P>,
+        tolerance: RealOf<S>,
+    ) -> Option<RealOf<S>> {
+        self.0.error(past, dt, next, tolerance)
+    }
+    fn error_order(&self) -> f64 {
+        self.0.error_order()
+    }
+    fn interpolate(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        loads: &L,
+        dt: RealOf<S>,
+        next: &MotionOf<S, R, C, P>,
+        theta: f64,
+        between: &mut MotionOf<S, R, C, P>,
+    ) {
+        self.0.interpolate(past, loads, dt, next, theta, between);
+    }
+    fn sweeps(&self) -> usize {
+        self.0.sweeps()
+    }
+}
