@@ -21,7 +21,7 @@
 //! # What it knows
 //!
 //! Tuples, arrays and vectors of elements, and branches, with a free tip; in the plane all bodies, `Pin`, `Weld` and `ElasticHinge` with a
-//! rotary spring; roots of these. Loads may depend on seeds
+//! rotary spring; in space all bodies, `Ball`, `Weld`, `Revolute` and `Universal` with springs; roots of these. Loads may depend on seeds
 //! and on the motion. Explicit rules, with error control (of the values) and dense output.
 //!
 //! What it does not know is an error of the compiler: held tips, loops, `Free` roots, joints that slide, springs of balls, and implicit

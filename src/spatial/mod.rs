@@ -38,6 +38,8 @@ mod rigid_body;
 mod rod;
 mod rotary_spring;
 mod rotation;
+mod sensitive;
+mod sensitive_joints;
 mod spring;
 mod station;
 mod transfer;
