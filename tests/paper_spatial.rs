@@ -3,9 +3,10 @@
 
 mod kit;
 
+use catena::paper::Linear;
 use catena::paper::spatial::{
-    ANGLES, Attitude, External, FORCE, Increment, ONE, PLACE, Rigid, Rotary, Step, TORQUE, Vector, rigid_body,
-    rotary_hinge, smooth_ball,
+    ANGLES, Attitude, External, FORCE, Increment, ONE, PLACE, Rigid, Rotary, Step, TORQUE, Vector, linear_hinge,
+    lumped_mass, rigid_body, rotary_hinge, smooth_ball,
 };
 use catena::{Fault, StateVector, TransferMatrix};
 use kit::{Noise, slope};
@@ -446,7 +447,8 @@ fn barred(angles: Vector<f64>, rates: Vector<f64>, accelerations: Vector<f64>, d
         * Matrix3::new(1.0, 0.0, 0.0, 0.0, c1, -s1, 0.0, s1, c1)
 }
 
-/// (8) with its last term as printed, T̃₃T̃₂ θ̇₃θ̇₁ for two terms, leaves second order instead of third.
+/// (8) with its last term as printed, T̃₃T̃₂ θ̇₃θ̇₁ for two terms, leaves second order instead of third, and in q_O, where (26) multiplies
+/// that of r_C by m χ₁, none instead of first.
 #[test]
 fn last_term_of_8_as_printed_fails() {
     let point = Vector3::new(1.0, 0.1, 0.2);
@@ -469,6 +471,75 @@ fn last_term_of_8_as_printed_fails() {
     }
     println!("orders: corrected {:.2}, printed {:.2}", slope(&corrected), slope(&printed));
     assert!((slope(&corrected) - 3.0).abs() < 0.2 && (slope(&printed) - 2.0).abs() < 0.2);
+    let forces = printed.iter().map(|(dt, miss)| (*dt, 4.0 / (dt * dt) * miss)).collect::<Vec<_>>();
+    println!("forces as printed: {forces:?} N, order {:.2}", slope(&forces));
+    assert!(slope(&forces).abs() < 0.2 && forces[2].1 > 0.1);
+}
+
+/// (33) and (35) as printed hand on m although their ends are apart: of a massless hinge torques do not balance by d × q.
+#[test]
+fn torques_of_33_as_printed_do_not_balance() {
+    let mut noise = Noise::new(9);
+    for _ in 0..20 {
+        let chi3 = 200.0;
+        let mut axis = || Linear {
+            stiffness: noise.between(1.0, 50.0),
+            damping: noise.between(0.0, 2.0),
+            chi4: [noise.next(), noise.next()],
+        };
+        let axes = [axis(), axis(), axis()];
+        let u = linear_hinge(axes.map(Some), chi3);
+        let mut z: State = StateVector::new([0.0; 13].map(|_: f64| noise.next()));
+        z[ONE] = 1.0;
+        let o = u * z;
+        let three = |z: &State, first: usize| Vector3::from_fn(|k, _| z[first + k]);
+        let rate = |r: f64, chi4: f64| chi3 * r + chi4;
+        for (k, Linear { stiffness, damping, chi4 }) in axes.into_iter().enumerate() {
+            let (inner, outer) = (z[PLACE + k], o[PLACE + k]);
+            let law =
+                o[FORCE + k] + stiffness * (outer - inner) + damping * (rate(outer, chi4[1]) - rate(inner, chi4[0]));
+            assert!(law.abs() < 1e-12, "{law:e}");
+        }
+        assert!((ANGLES..ONE).all(|i| o[i] == z[i]));
+        // On the hinge act q and −m inboard, −q and m outboard.
+        let apart = three(&o, PLACE) - three(&z, PLACE);
+        let moment = three(&o, TORQUE) - three(&z, TORQUE) - apart.cross(&three(&o, FORCE));
+        assert!(moment.norm() > 1e-6, "{moment}"); // places differ by 1e-3 m and more
+    }
+    assert_eq!(linear_hinge::<f64>([None; 3], 200.0), TransferMatrix::identity());
+}
+
+/// (34) as printed multiplies differences of angles: another choice of inertial axes changes the torque, even of equal springs.
+#[test]
+fn springs_of_34_as_printed_depend_on_the_axes() {
+    let pair: [Vector<f64>; 2] = [[0.3, -0.5, 0.8], [-0.4, 0.6, 0.2]];
+    let turned = |about: Vector<f64>| {
+        pair.map(|angles| {
+            let a = cosines(about) * cosines(angles);
+            [a[(2, 1)].atan2(a[(2, 2)]), (-a[(2, 0)]).asin(), a[(1, 0)].atan2(a[(0, 0)])]
+        })
+    };
+    let torque = |[inner, outer]: [Vector<f64>; 2]| {
+        let sides = [inner, outer].map(|angles| Attitude::about(angles, [0.0; 3]));
+        let hinge = Rotary { stiffness: [10.0; 3], damping: [0.0; 3] };
+        let u = rotary_hinge(&hinge, [&sides[0], &sides[1]], 200.0, [[0.0; 3]; 2]).unwrap();
+        // (35) the other way round: the torque with which it turns by that.
+        let compliance = Matrix3::from_fn(|i, j| u[(ANGLES + i, TORQUE + j)]);
+        (compliance.try_inverse().unwrap() * (Vector3::from(outer) - Vector3::from(inner))).norm()
+    };
+    let (here, there) = (torque(turned([0.0; 3])), torque(turned([0.0, 0.9, 0.0])));
+    println!("{here:.3} N·m, in other axes {there:.3} N·m");
+    assert!((here - there).abs() > 0.5);
+}
+
+#[test]
+fn lumped_mass_is_a_body_without_extent() {
+    let body = Rigid { mass: 1.3, centre: [0.0; 3], outboard: [0.0; 3], about_inboard: [[0.0; 3]; 3] };
+    let chi2 = [0.2, -0.7, 0.4];
+    let step = Step { chi1: 30.0, chi3: 5.0, inboard: chi2, centre: chi2, angles: [0.0; 3], angle_rates: [0.0; 3] };
+    let external = External { force: [0.3, -1.0, 0.2], torque: [0.0; 3] };
+    let at = Attitude::about([0.3, 0.2, -0.4], [0.0; 3]);
+    assert_eq!(lumped_mass(1.3, 30.0, chi2, external.force), rigid_body(&body, &at, &step, &external));
 }
 
 /// (34) with (2).

@@ -68,6 +68,16 @@ pub fn rigid_body<T: Scalar>(
     shape.matrix(body, step.chi1, &known, external)
 }
 
+/// A lumped mass: (31) of a body without extent, q_O = q_I + f − m (χ₁ r + χ₂).
+pub fn lumped_mass<T: Scalar>(mass: T, chi1: T::Real, chi2: Vector<T>, force: Vector<T>) -> TransferMatrix<T, 13> {
+    let mut u = TransferMatrix::identity();
+    for k in 0..3 {
+        u[(FORCE + k, PLACE + k)] = -mass.scale(chi1);
+        u[(FORCE + k, ONE)] = force[k] - mass * chi2[k];
+    }
+    u
+}
+
 /// What orientations bring to (31).
 pub(super) struct Shape<T> {
     /// Ψ of mass centre and outboard end, (22).

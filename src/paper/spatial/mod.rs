@@ -1,4 +1,4 @@
-//! The paper's matrices in space, z = (r, θ, m, q, 1), (13): rigid body (31), elastic hinge (35), smooth ball (40).
+//! The paper's matrices in space, z = (r, θ, m, q, 1), (13): rigid body (31), lumped mass, elastic hinges (33) to (35), smooth ball (40).
 //!
 //! [`Scheme`](super::Scheme) runs scenes with them. Angles are the paper's space-three-angles 1-2-3, which are singular at θ₂ = ±90°, or, with
 //! [`Slots::RotationVectors`](super::Slots), the rotation vector of the step:
@@ -29,6 +29,9 @@
 //! | (29) H₁, H₂ | T̄_j J T̄_k | T̄̃_j J T̄_k |
 //! | (29) κ₅ | first derivatives in the products | second derivatives, as in (12) |
 //! | (29) J | the inertia matrix | about I, for (20) is about I |
+//! | (33)-(35) | m_O = m_I although r_O ≠ r_I | torques do not balance unless q points along r_O − r_I |
+//! | (34) | springs of differences of angles | another torque in other axes, work in a loop of orientations: small angles only |
+//! | (40) | for any body | none where its outboard end is the centre of percussion, or at θ₂ = ±90° |
 //! | (35) | A_O, H_O, A_I, H_I | those of t_i, Ā H̄ |
 //! | (42) E₄₂ | A₄A₂ᵀ | A₄ᵀA₂ |
 //! | (42) F₄ | ω̃₄ J ω̃₄ | ω̃₄ J ω₄ |
@@ -51,7 +54,7 @@ mod scene;
 
 pub use algebra::{Matrix, Vector};
 pub use attitude::Attitude;
-pub use body::{External, Rigid, Step, rigid_body};
+pub use body::{External, Rigid, Step, lumped_mass, rigid_body};
 pub use increment::Increment;
 pub use joints::{Rotary, linear_hinge, rotary_hinge, smooth_ball};
 #[cfg(feature = "alloc")]
