@@ -126,6 +126,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
         println!();
         row!("Newmark, γ = ½", Newmark::new(0.25, 0.5));
+        row!("Newmark, β = 1/6, γ = ½", Newmark::new(1.0 / 6.0, 0.5));
         row!("generalised-α (0.8)", GeneralizedAlpha::new(0.8));
         row!("HHT-α (0.1)", hht_alpha(0.1));
         row!("Wilson-θ (1.42)", Wilson::new(1.42));
@@ -143,6 +144,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         };
     }
     row!("Newmark, γ = ½", Newmark::new(0.25, 0.5));
+    row!("Newmark, β = 1/6, γ = ½", Newmark::new(1.0 / 6.0, 0.5));
     row!("Newmark, γ = 0.6", Newmark::damped(0.6));
     row!("generalised-α (0.8)", GeneralizedAlpha::new(0.8));
     row!("HHT-α (0.1)", hht_alpha(0.1));
@@ -168,23 +170,24 @@ fn draw(exact: &[Instant], printed: &Record, damped: &Record, joints: &Record) -
         let (upper, lower) = area.split_vertically(common::pixels(280.0));
         let names =
             [("DOP853", GREY), ("as printed, γ = ½", ORANGE), ("γ = 0.6", GREEN), ("joint coordinates, γ = ½", BLUE)];
-        let curves = [(&printed.instants, ORANGE), (&damped.instants, GREEN), (&joints.instants, BLUE)];
+        // Those that agree lie on each other: the wider below.
+        let curves = [(&printed.instants, ORANGE, 1.4), (&damped.instants, GREEN, 4.0), (&joints.instants, BLUE, 1.4)];
         let until = 8.0;
         let mut angles = common::chart(&upper, "Angle of the outer rod (rad)", "time (s)", 0.0..until, -4.0..1.0)?;
         common::legend(&upper, &names)?;
         let near = |t: f64| t <= until;
         let points = exact.iter().filter(|now| near(now.time)).map(|now| (now.time, now.angles[1]));
-        common::curve(&mut angles, points, line(GREY, 5.0))?;
-        for (instants, colour) in curves {
+        common::curve(&mut angles, points, line(GREY, 7.0))?;
+        for (instants, colour, width) in curves {
             let inside = instants.iter().filter(|now| near(now.time)).take_while(|now| now.angles[1].abs() < 4.0);
-            common::curve(&mut angles, inside.map(|now| (now.time, now.angles[1])), line(colour, 1.6))?;
+            common::curve(&mut angles, inside.map(|now| (now.time, now.angles[1])), line(colour, width))?;
         }
         let title = "Vertical force at the root (N): with γ = ½ it alternates";
         let mut force = common::chart(&lower, title, "time (s)", 0.0..until, -20.0..60.0)?;
-        for (instants, colour) in curves {
+        for (instants, colour, width) in curves {
             let inside = instants.iter().filter(|now| near(now.time)).take_while(|now| now.angles[1].abs() < 4.0);
             let clipped = inside.map(|now| (now.time, now.force[1].clamp(-20.0, 60.0)));
-            common::curve(&mut force, clipped, line(colour, 1.2))?;
+            common::curve(&mut force, clipped, line(colour, width))?;
         }
         Ok(())
     })

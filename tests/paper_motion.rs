@@ -74,6 +74,7 @@ fn every_rule_that_survives_has_its_order_in_angles_and_forces() -> Result<(), E
 fn every_rule_has_its_order_in_joint_coordinates() -> Result<(), Error> {
     order!("Newmark 1/2, one sweep", 2.0, JointScheme::new(Newmark::new(0.25, 0.5)).with_sweeps(1));
     order!("Newmark 1/2", 2.0, JointScheme::new(Newmark::new(0.25, 0.5)));
+    order!("Newmark 1/6", 2.0, JointScheme::new(Newmark::new(1.0 / 6.0, 0.5)));
     order!("Newmark 0.6", 1.0, JointScheme::new(Newmark::damped(0.6)));
     order!("generalised-alpha", 2.0, JointScheme::new(GeneralizedAlpha::new(0.8)));
     order!("HHT", 2.0, JointScheme::new(hht_alpha(0.1)));
@@ -141,6 +142,30 @@ fn undamped_newmark_dies_wherever_it_is_linearised() -> Result<(), Error> {
         let dead = death!(Scheme::new(Newmark::new(0.25, 0.5)).linearized(at), 0.01, end);
         assert!(dead.is_some(), "{at:?}");
     }
+    Ok(())
+}
+
+/// β ≤ γ/2 dies at once, γ = ½ or not, and the sooner the shorter the step; on joint coordinates it lives, for steps resolve all there is.
+#[test]
+fn rules_with_small_beta_die_at_once_on_every_coordinate() -> Result<(), Error> {
+    let sixth = Newmark::new(1.0 / 6.0, 0.5);
+    for rule in [sixth, Newmark::new(1.0 / 6.0, 0.6), Newmark::new(0.25, 0.6), Newmark::new(0.3, 0.6)] {
+        assert!(Rule::<f64>::is_weak_on_rigid_joints(&rule), "{rule:?}");
+    }
+    for at in [At::Previous, At::Predictor, At::Iterated] {
+        let [coarse, fine] = [0.01, 0.005].map(|dt| -> Result<_, Error> {
+            let dead: Option<f64> = death!(Scheme::new(sixth).linearized(at), dt, 0.5);
+            dead.ok_or(Error::new(Fault::NonFiniteMotion))
+        });
+        let (coarse, fine) = (coarse?, fine?);
+        assert!(coarse < 0.2 && fine < coarse, "{at:?}: {coarse} s, {fine} s");
+    }
+    let damped = Newmark::new(0.25, 0.6);
+    assert!(death!(Scheme::new(damped), 0.01, 0.5).is_some());
+    assert!(death!(JointScheme::new(sixth), 0.01, 60.0).is_none());
+    // A little above it, it lives.
+    let above = Newmark::new(0.31, 0.6);
+    assert!(!Rule::<f64>::is_weak_on_rigid_joints(&above) && death!(Scheme::new(above), 0.01, 60.0).is_none());
     Ok(())
 }
 
