@@ -93,6 +93,20 @@ fn every_form_of_import_is_seen() {
     assert_eq!(imports(&code), ["error", "scalar", "Motion", "element", "ends"]);
 }
 
+/// The formulation of 2005 lives apart: nothing outside of its folder reads it.
+#[test]
+fn nothing_knows_of_the_paper_but_itself() -> Result<(), Box<dyn Error>> {
+    let (source, mut files) = (Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), vec![]);
+    sources(&source, &mut files)?;
+    for path in files.iter().filter(|path| !path.starts_with(source.join("paper"))) {
+        let code = code(&fs::read_to_string(path)?);
+        let names = code.replace("pub mod paper;", "");
+        let reads = names.contains("paper::") || names.contains("paper;");
+        assert!(!reads, "{} reads paper", path.display());
+    }
+    Ok(())
+}
+
 #[test]
 fn files_import_from_no_higher_floor_than_their_own() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
