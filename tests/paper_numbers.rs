@@ -6,7 +6,8 @@ use catena::paper::*;
 use catena::planar::index::{X, Y};
 use catena::planar::{ElasticHinge, Free, Pinned, Rod, System};
 use catena::{Error, Scalar};
-use num_dual::{Dual64, HyperDual64};
+use nalgebra::SVector;
+use num_dual::{Derivative, Dual64, DualSVec64, HyperDual64};
 use simba::simd::WideF64x4;
 
 /// Example 2: the tip (m) of a flexible pendulum of 20 rods after 0.2 s, by one formulation; derivatives are those of the steps taken.
@@ -54,6 +55,26 @@ fn derivative_with_respect_to_the_hinges_stiffness() -> Result<(), Error> {
                 println!("{}: {:.9e} {difference:.9e} {error:.1e}", $name, dual[i].eps);
                 // A central difference is good to h² = 1e-6 of third derivatives / 6, and to rounding / h = 1e-12.
                 assert!(error < 1e-6 && (dual[i].re - plain[i]).abs() < 1e-11, "{}", $name);
+            }
+        }};
+    }
+    each_formulation!(test);
+    Ok(())
+}
+
+/// Several derivatives at once are those taken one by one.
+#[test]
+fn vectors_of_derivatives_do_what_single_ones_do() -> Result<(), Error> {
+    macro_rules! test {
+        ($name:expr, $scheme:expr) => {{
+            let seeds = Derivative::some(SVector::from([1.0, -3.0]));
+            let several = tip!(DualSVec64<2>, DualSVec64::new(20.0, seeds), $scheme)?;
+            let single = tip!(Dual64, Dual64::from(20.0).derivative(), $scheme)?;
+            for (several, single) in several.into_iter().zip(single) {
+                let parts = several.eps.unwrap_generic(nalgebra::Const::<2>, nalgebra::Const::<1>);
+                let errors = [parts[0] - single.eps, parts[1] + 3.0 * single.eps];
+                assert!(errors.iter().all(|e| e.abs() < 1e-12), "{}: {errors:?}", $name); // of 1e-3
+                assert_eq!(several.re, single.re);
             }
         }};
     }
