@@ -12,7 +12,7 @@ mod common;
 
 use catena::element::Unloaded;
 use catena::paper::*;
-use catena::planar::index::{X, Y};
+use catena::planar::index::{QY, X, Y};
 use catena::planar::{Dop853, ElasticHinge, Free, Pinned, Rod, Spring as HingeSpring, System};
 use common::{BLUE, Drawn, FAINT, GREEN, GREY, ORANGE, blend, line};
 use std::f64::consts::FRAC_PI_3;
@@ -24,7 +24,8 @@ type Pendulum = System<f64, Pinned<[f64; 2]>, (Rod<f64>, [(ElasticHinge<HingeSpr
 /// Tip (m) at t = 1 s: an order-8 integration of dense equations at 1e-13.
 const REFERENCE: [f64; 2] = [-0.43225486262, -0.90061862755];
 
-type Tips = Vec<(f64, [f64; 2])>;
+/// Times, the tip (m), and the vertical force of the ground (N).
+type Tips = Vec<(f64, [f64; 2], f64)>;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let rod = Rod::uniform(1.0 / N as f64, 1.0 / N as f64); // length (m), mass (kg)
@@ -51,7 +52,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                     fate = format!("torn apart at {:.2} s", run.time());
                     break;
                 }
-                tips.push((run.time(), [tip[X], tip[Y]]));
+                tips.push((run.time(), [tip[X], tip[Y]], run.stations()[0][QY]));
                 if (run.time() - 1.0).abs() < 0.5 * $dt {
                     (swept, error) = (run.sweeps(), miss([tip[X], tip[Y]]));
                 }
@@ -86,7 +87,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     pendulum.simulation(rule).every(0.01).run(start, 3.0, |now| {
         let stations = now.stations();
         let tip = stations.tip().frame.place;
-        exact.push((now.time(), [tip.x, tip.y]));
+        exact.push((now.time(), [tip.x, tip.y], stations.root().internal.force.y));
         shapes.push(stations.iter().map(|station| (station.frame.place.x, station.frame.place.y)).collect());
     })?;
     let run = pendulum.simulate(start, rule, 1.0, |_| ())?;
@@ -116,11 +117,19 @@ fn draw(exact: &Tips, shapes: &[Vec<(f64, f64)>], printed: &Tips, damped: &Tips)
             common::links(&mut path, (*shape).clone(), line(blend(FAINT, BLUE, 0.1 + 0.9 * share), 2.0))?;
         }
         let names = [("DOP853", GREY), ("as printed, γ = ½, 2 ms", ORANGE), ("γ = 0.6, 2 ms", GREEN)];
-        let mut tip = common::chart(&right, "Tip, x (m)", "time (s)", 0.0..3.0, -1.0..1.0)?;
-        common::legend(&right, &names)?;
-        let xs = |tips: &Tips| tips.iter().filter(|(t, _)| *t <= 3.0).map(|(t, [x, _])| (*t, *x)).collect::<Vec<_>>();
-        common::curve(&mut tip, xs(exact), line(GREY, 5.0))?;
-        common::curve(&mut tip, xs(damped), line(GREEN, 2.6))?;
-        common::curve(&mut tip, xs(printed), line(ORANGE, 1.2))
+        let (upper, lower) = right.split_vertically(common::pixels(220.0));
+        let mut tip = common::chart(&upper, "Tip, x (m)", "time (s)", 0.0..3.0, -1.0..1.0)?;
+        common::legend(&upper, &names)?;
+        let until = |tips: &Tips| tips.iter().filter(|(t, ..)| *t <= 3.0).copied().collect::<Tips>();
+        let title = "Vertical force at the root (N): with γ = ½ it alternates";
+        let mut force = common::chart(&lower, title, "time (s)", 0.0..3.0, -20.0..40.0)?;
+        for (tips, style) in [(printed, line(ORANGE, 1.2)), (exact, line(GREY, 6.0)), (damped, line(GREEN, 1.8))] {
+            let tips = until(tips);
+            common::curve(&mut force, tips.iter().map(|(t, _, y)| (*t, y.clamp(-20.0, 40.0))), style)?;
+        }
+        for (tips, style) in [(exact, line(GREY, 7.0)), (damped, line(GREEN, 4.0)), (printed, line(ORANGE, 1.4))] {
+            common::curve(&mut tip, until(tips).iter().map(|(t, [x, _], _)| (*t, *x)), style)?;
+        }
+        Ok(())
     })
 }

@@ -61,7 +61,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     curve!("generalised-α, 10 ms", GeneralizedAlpha::new(0.8), 0.01, BLUE);
 
     let picture = common::picture("paper_weak_instability", (760, 340), |area| {
-        let title = "Angles off by 10ˣ rad";
+        let title = "Error (10ˣ rad)";
         let mut chart = common::chart(area, title, "time (s)", 0.0..END, -6.0..0.5)?;
         let names: Vec<_> = curves.iter().map(|(name, _, colour)| (*name, *colour)).collect();
         common::legend(area, &names)?;
