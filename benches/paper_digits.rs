@@ -255,7 +255,9 @@ macro_rules! step {
             let found = transformed(&matrices[1..], [number(0.0); 2]);
             absolute = found.iter().step_by(2).zip(&angles).map(|(after, before)| wide(*after - *before)).collect();
         }
-        let largest = whole.as_matrix().iter().fold(0.0_f64, |largest, x| largest.max(x.real().as_f64().abs()));
+        // Where it overflows entries are infinite, or NaN.
+        let sizes = whole.as_matrix().iter().map(|x| x.real().as_f64().abs());
+        let largest = sizes.fold(0.0_f64, |largest, x| if x.is_nan() { f64::INFINITY } else { largest.max(x) });
         Ok::<_, catena::Error>((steps, absolute, largest))
     }};
 }
