@@ -21,7 +21,8 @@ pub struct Newmark {
 }
 
 impl Newmark {
-    /// The rule with parameters β > 0 and γ ≥ ½ (β > γ/2 on rigid joints); a run with others is refused with
+    /// The rule with parameters β > 0 and γ ≥ ½ (β > γ/2 on rigid joints); a run with others, of which γ < ½ feeds every
+    /// oscillation, is refused with
     /// [`Fault::NotPositive`] or [`Fault::OutOfRange`].
     pub const fn new(beta: f64, gamma: f64) -> Self {
         Self { beta, gamma }

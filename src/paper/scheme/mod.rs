@@ -26,6 +26,9 @@ pub enum Solver {
     #[default]
     Product,
     /// By the Riccati transform of section 5.5, in increments: for chains of any length.
+    ///
+    /// S of f = S p + e is not symmetric at displacement level and is kept whole: in the plane (32) mixes c̄, s̄ with c, s; in space torques
+    /// ω × Jω enter by χ₃, and 1-2-3 angles are not conjugate to torques about inertial axes.
     Riccati,
 }
 
