@@ -40,7 +40,7 @@
 //! | (13), (14) | [`StateVector`](crate::StateVector), [`index`](crate::planar::index) |
 //! | (15)-(17) | [`TransferMatrix`](crate::TransferMatrix), [`Solver::Product`] |
 //! | (18)-(32) | [`rigid_body`], [`lumped_mass`] |
-//! | (33)-(35) | [`rotary_hinge`], [`linear_hinge`] (as matrices; runs know rotary ones) |
+//! | (33)-(35) | [`rotary_hinge`], [`linear_hinge`] |
 //! | (36)-(40) | [`smooth_pin`] |
 //! | section 4 | [`Scheme`], [`Run`], in the plane and in space |
 //! | section 5.5 | [`Solver::Riccati`] |

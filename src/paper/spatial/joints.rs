@@ -46,22 +46,6 @@ pub fn rotary_hinge<T: Scalar>(
     Ok(elastic_hinge(&Law { outer: whole, inner: with_spring(&inner), offset }))
 }
 
-/// (33) and (35), linear part: r_O = r_I − q / (k + cχ₃) + c (χ_{4,I} − χ_{4,O}) / (k + cχ₃), along inertial axes.
-///
-/// As [in the plane](crate::paper::linear_hinge) an axis without give (`None`) is rigid, and m is handed on although the points of the hinge
-/// differ: torques do not balance unless q points from one to the other.
-pub fn linear_hinge<T: Scalar>(axes: [Option<Linear<T>>; 3], chi3: T::Real) -> TransferMatrix<T, 13> {
-    let mut u = TransferMatrix::identity();
-    for (k, axis) in axes.into_iter().enumerate() {
-        if let Some(Linear { stiffness, damping, chi4: [inboard, outboard] }) = axis {
-            let compliance = (stiffness + damping.scale(chi3)).recip();
-            u[(PLACE + k, FORCE + k)] = -compliance; // U14
-            u[(PLACE + k, ONE)] = compliance * damping * (inboard - outboard); // U15
-        }
-    }
-    u
-}
-
 /// [`rotary_hinge`] for m = K_O θ_O − K_I θ_I + μ.
 pub(super) fn elastic_hinge<T: Scalar>(law: &Law<T, 3>) -> TransferMatrix<T, 13> {
     let u23 = crate::paper::link::inverse(&law.outer);
@@ -81,12 +65,14 @@ pub(super) fn elastic_hinge<T: Scalar>(law: &Law<T, 3>) -> TransferMatrix<T, 13>
 /// (33) and (35), linear part: as in the [plane](crate::paper::linear_hinge), along inertial axes.
 ///
 /// No scene runs with it: linear springs of scenes in space push along axes of the inboard body, and their force has a moment.
-pub fn linear_hinge<T: Scalar>(axes: &[Linear<T>; 3]) -> TransferMatrix<T, 13> {
+pub fn linear_hinge<T: Scalar>(axes: [Option<Linear<T>>; 3]) -> TransferMatrix<T, 13> {
     let mut u = TransferMatrix::identity();
-    for (i, Linear { slope, offset }) in axes.iter().enumerate() {
-        let compliance = slope.recip();
-        u[(PLACE + i, FORCE + i)] = -compliance; // U14
-        u[(PLACE + i, ONE)] = -(compliance * *offset); // U15
+    for (k, axis) in axes.into_iter().enumerate() {
+        if let Some(Linear { slope, offset }) = axis {
+            let compliance = slope.recip();
+            u[(PLACE + k, FORCE + k)] = -compliance; // U14
+            u[(PLACE + k, ONE)] = -(compliance * offset); // U15
+        }
     }
     u
 }

@@ -58,7 +58,7 @@ impl<T: Scalar> Hinges<T, 13, 3, 3> for Slot<T> {
         elastic_hinge(law)
     }
     fn sprung(linear: &[Linear<T>; 3]) -> TransferMatrix<T, 13> {
-        linear_hinge(linear)
+        linear_hinge(linear.map(Some))
     }
     fn smooth(
         section: &TransferMatrix<T, 13>,
