@@ -1,26 +1,30 @@
 //! Figure 10 of the paper: computing time against the number of bodies, of the chain of its section 5.5.
 //!
 //! The paper's chain: n rods of 1/n m and 1/n kg with rotary springs of 20 N·m/rad between them, from rest at −60°. The root, a smooth
-//! pin, and gravity are assumed; so is the "ordinary method": one linear system in all angles, its mass matrix formed and factorised
-//! anew in each step, to 1000 bodies; beyond, the comparison is with this crate's own sweep, which is linear in n. Times are those of one
-//! step of this machine.
+//! pin, and gravity are assumed; so is the "ordinary method": one linear system for all bodies, formed and factorised anew in each step.
+//! It is solved densely in all angles, to 1000 bodies, and block by block in all coordinates and pin forces. Times are those of one step of
+//! this machine.
 //!
 //! ```text
 //! cargo run --release --example paper_figure_10
 //! ```
 
 mod common;
+#[path = "common/global.rs"]
+mod global;
 
 use catena::element::Unloaded;
 use catena::paper::*;
 use catena::planar::{ElasticHinge, Free, Pinned, Rod, Spring as HingeSpring, Stepper, System};
 use common::{BLUE, Drawn, GREEN, GREY, INK, ORANGE};
 use indicatif::ProgressBar;
-use nalgebra::{DMatrix, DVector};
+use plotters::style::RGBColor;
 use std::f64::consts::FRAC_PI_3;
 use std::hint::black_box;
 use std::path::PathBuf;
 use std::time::Instant;
+
+const RED: RGBColor = RGBColor(176, 32, 60);
 
 type Chain = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Vec<(ElasticHinge<HingeSpring<f64>>, Rod<f64>)>), Free>;
 
@@ -41,30 +45,9 @@ fn time(mut call: impl FnMut() -> Result<(), catena::Error>) -> Result<f64, cate
     Ok(samples[samples.len() / 2])
 }
 
-/// Accelerations of n pinned rods from the global equations of all angles: M θ̈ = f, dense.
-fn ordinary(n: usize, angles: &[f64], rates: &[f64]) -> Option<DVector<f64>> {
-    let size = 1.0 / n as f64;
-    let beyond = |k: usize| (n - 1 - k) as f64 + 0.5; // masses outboard of a rod, and half its own
-    let mass = DMatrix::from_fn(n, n, |i, j| {
-        let outer = i.max(j);
-        let first = if i == j { (n - 1 - i) as f64 + 1.0 / 3.0 } else { beyond(outer) };
-        size * size * size * first * (angles[i] - angles[j]).cos()
-    });
-    let force = DVector::from_fn(n, |i, _| {
-        let centrifugal: f64 = (0..n)
-            .filter(|j| *j != i)
-            .map(|j| size * size * size * beyond(i.max(j)) * (angles[i] - angles[j]).sin() * rates[j] * rates[j])
-            .sum();
-        let spring = |a: usize, b: usize| 20.0 * (angles[b] - angles[a]);
-        let inner = if i > 0 { spring(i - 1, i) } else { 0.0 };
-        let outer = if i + 1 < n { spring(i, i + 1) } else { 0.0 };
-        -centrifugal - 9.81 * size * size * beyond(i) * angles[i].cos() - inner + outer
-    });
-    mass.cholesky().map(|factors| factors.solve(&force))
-}
-
-/// Times (s) of a step of n bodies: by the product, by the transform, in joint coordinates, by this crate, by global equations.
-fn measure(n: usize) -> Result<[Option<f64>; 5], catena::Error> {
+/// Times (s) of a step of n bodies: by the product, by the transform, in joint coordinates, by this crate, by global equations
+/// solved densely and block by block.
+fn measure(n: usize) -> Result<[Option<f64>; 6], catena::Error> {
     let size = 1.0 / n as f64;
     let rod = Rod::uniform(size, size);
     let links = vec![(ElasticHinge::rotary(20.0), rod); n - 1];
@@ -102,20 +85,23 @@ fn measure(n: usize) -> Result<[Option<f64>; 5], catena::Error> {
         let mut next = start.clone();
         Some(time(|| stepper.step(&start, &Unloaded, dt, &mut next))?)
     };
-    let global = if n <= 1000 {
-        let (angles, rates) = (vec![-FRAC_PI_3; n], vec![0.1; n]);
-        Some(time(|| Ok(_ = black_box(ordinary(n, &angles, &rates))))?)
-    } else {
-        None
-    };
-    Ok([product, riccati, joints, own, global])
+    let (angles, rates) = (vec![-FRAC_PI_3; n], vec![0.1; n]);
+    let dense = if n <= 1000 { Some(time(|| Ok(_ = black_box(global::dense(&angles, &rates))))?) } else { None };
+    let sparse = Some(time(|| Ok(_ = black_box(global::sparse(&angles, &rates))))?);
+    Ok([product, riccati, joints, own, dense, sparse])
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("Figure 10: time of a step (µs) against the number of bodies, the chain of section 5.5.\n");
+    // Two ways to the same accelerations, of bent and moving rods.
+    let bent: [Vec<f64>; 2] = [0.7, 1.9].map(|wave| (0..50).map(|k| (wave * f64::from(k)).sin()).collect());
+    let ways = [global::dense(&bent[0], &bent[1]), global::sparse(&bent[0], &bent[1])].map(Option::unwrap_or_default);
+    let size = ways[0].iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+    let apart = ways[0].iter().zip(&ways[1]).fold(0.0_f64, |apart, (a, b)| apart.max((a - b).abs()));
+    println!("Dense and block by block the global equations of 50 bodies agree to {:.0e}.\n", apart / size);
     // Neighbours on the machine slow down whatever runs just then: the best of several rounds.
     let numbers = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 5000, 20_000, 100_000];
-    let mut best = [[None::<f64>; 5]; 13];
+    let mut best = [[None::<f64>; 6]; 13];
     let bar = ProgressBar::new(3 * numbers.len() as u64);
     for _ in 0..3 {
         for (n, best) in numbers.into_iter().zip(&mut best) {
@@ -126,11 +112,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     bar.finish_and_clear();
-    println!("   bodies   paper, product   paper, Riccati   joint coordinates   this crate   global equations");
-    let mut curves: [Vec<(f64, f64)>; 5] = Default::default();
+    println!(
+        "   bodies   paper, product   paper, Riccati   joint coordinates   this crate   global, dense   global, blocks"
+    );
+    let mut curves: [Vec<(f64, f64)>; 6] = Default::default();
     for (n, times) in numbers.into_iter().zip(best) {
-        let [a, b, c, d, e] = times.map(|t| t.map_or("-".to_owned(), |t| format!("{:.2}", t * 1e6)));
-        println!("  {n:7} {a:>16} {b:>16} {c:>19} {d:>12} {e:>18}");
+        let [a, b, c, d, e, f] = times.map(|t| t.map_or("-".to_owned(), |t| format!("{:.2}", t * 1e6)));
+        println!("  {n:7} {a:>16} {b:>16} {c:>19} {d:>12} {e:>15} {f:>16}");
         for (curve, time) in curves.iter_mut().zip(times) {
             if let Some(time) = time {
                 curve.push(((n as f64).log10(), (time * 1e6).max(1e-3).log10()));
@@ -149,29 +137,31 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         above / points.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
     };
     println!(
-        "\nSlopes: paper, Riccati {:.2}, this crate {:.2} (n = 100 to 20 000); global equations {:.2} (n = 100 to 1000).",
+        "\nSlopes: paper, Riccati {:.2}, this crate {:.2} (n = 100 to 20 000); global equations {:.2} (dense, n = 100 to 1000) and {:.2} (blocks).",
         slope(&curves[1], 100.0, 20_000.0),
         slope(&curves[3], 100.0, 20_000.0),
-        slope(&curves[4], 100.0, 1000.0)
+        slope(&curves[4], 100.0, 1000.0),
+        slope(&curves[5], 100.0, 20_000.0)
     );
     for (name, curve) in [("the paper's scheme, Riccati", &curves[1]), ("this crate", &curves[3])] {
         let first = curve.iter().zip(&curves[4]).find(|(own, global)| global.1 > own.1);
         if let Some(((n, _), _)) = first {
-            println!("From n = {:.0} on the global equations are slower than {name}.", 10_f64.powf(*n));
+            println!("From n = {:.0} on dense global equations are slower than {name}.", 10_f64.powf(*n));
         }
     }
     println!("\nPicture: {}", draw(curves)?.display());
     Ok(())
 }
 
-fn draw(curves: [Vec<(f64, f64)>; 5]) -> Drawn<PathBuf> {
+fn draw(curves: [Vec<(f64, f64)>; 6]) -> Drawn<PathBuf> {
     common::picture("paper_figure_10", (900, 520), |area| {
-        let subtitle = "n rods of 1/n m and 1/n kg with springs of 20 N·m/rad between them. Global equations are formed and factorised densely.";
+        let subtitle = "n rods of 1/n m and 1/n kg with springs of 20 N·m/rad between them. Global equations: formed and factorised anew.";
         let area = common::heading(area, "Figure 10: time of a step against the number of bodies", subtitle)?;
-        let names = ["paper, product", "paper, Riccati", "joint coordinates", "this crate", "global equations"];
-        let colours = [ORANGE, GREEN, INK, BLUE, GREY];
+        let names =
+            ["paper, product", "paper, Riccati", "joint coordinates", "this crate", "global, dense", "global, blocks"];
+        let colours = [ORANGE, GREEN, INK, BLUE, GREY, RED];
         let mut chart = common::chart(&area, "Time of a step (10ˣ µs)", "number of bodies (10ˣ)", 0.0..5.2, -1.0..5.5)?;
-        common::legend(&area, &core::array::from_fn::<_, 5, _>(|k| (names[k], colours[k])))?;
+        common::legend(&area, &core::array::from_fn::<_, 6, _>(|k| (names[k], colours[k])))?;
         for (points, colour) in curves.into_iter().zip(colours) {
             common::dots(&mut chart, points.clone(), 3.5, colour)?;
             common::curve(&mut chart, points, common::line(colour, 1.8))?;
