@@ -133,6 +133,10 @@ fn floating_scene_has_order_two() -> Result<(), Error> {
     let scene = System::new(Free, (rod, hinge, rod, Pin, rod), Free)?.with_gravity(1.0);
     let start = scene.with_rates(scene.at_rest(&[0.1, 0.5, -0.4])?, &[0.2, -0.1, 1.0, -2.0, 3.0])?;
     all_orders!(scene, start, Loads::none(), 0.5);
+    // A torque on what floats.
+    let loads = Loads::none().in_joints(|t, joint, _: &JointMotion<f64>| 0.3 * f64::sin(t + 1.0 + joint as f64));
+    let riccati = Scheme::new(GeneralizedAlpha::new(0.8)).solved_by(Solver::Riccati);
+    orders!("driven, Riccati", scene, start, loads, 0.5, riccati.linearized(At::Predictor));
     Ok(())
 }
 
@@ -403,6 +407,12 @@ fn elements_that_the_paper_has_not_are_refused() -> Result<(), Error> {
     let slider = System::new(Pinned::origin(), (rod, Slider::along(0.0), rod), Free);
     let slides = Fault::Unsupported { what: "a joint that slides" };
     assert_eq!(refused!(slider), (slides, Some(Place::Station(1))));
+    let beside = System::new(Pinned::origin(), (rod, Pin, rod, Pin, rod, Weld::at(0.3)), Clamped::at(0.5, 0.0, 0.4))?;
+    let start = beside.assembled(beside.at_rest(&[-0.9, 0.5, 0.1])?, &Unloaded)?;
+    let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).solved_by(Solver::Riccati);
+    let error = scheme.start(&beside, &start, &Unloaded, 0.01).map(|_| ()).unwrap_err();
+    let fault = Fault::Unsupported { what: "a joint next to a tip whose attitude is held" };
+    assert_eq!((error.fault, error.place), (fault, Some(Place::Tip)));
     // Along a branch (47) to (60) hold, not a chain's overall equation.
     let arm = (rod, Pin, rod, Branch((Pin, rod)), Pin, rod);
     let branched = System::new(Pinned::origin(), arm, Free);

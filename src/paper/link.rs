@@ -76,11 +76,16 @@ impl<T: Scalar, const N: usize, const P: usize, const A: usize> Link<T, N, P, A>
     }
 }
 
-/// What is known at an end: along each of H orthonormal directions of p either the motion or the force.
+/// What is known at an end: along each of H directions either the motion or the force.
 #[derive(Clone, Copy, Debug)]
 pub struct End<T, const H: usize> {
-    /// The directions.
+    /// The directions of p in which motion is read.
     pub axes: [[T; H]; H],
+    /// Those in which it is written, the dual basis: p = Σ (axes · p) bases.
+    pub bases: [[T; H]; H],
+    /// The directions of force and torque, orthonormal, in the order of p. Coordinates of attitudes are not turns about fixed axes; else all
+    /// three are the same.
+    pub pulls: [[T; H]; H],
     /// Along which the motion is known.
     pub held: [bool; H],
     /// What is known there: a component of p, or of the force and torque (q, m) at the end.
@@ -91,7 +96,7 @@ impl<T: Scalar, const H: usize> End<T, H> {
     /// An end along the axes of the ground.
     pub fn along_axes(held: [bool; H], known: [T; H]) -> Self {
         let axes = core::array::from_fn(|i| core::array::from_fn(|j| if i == j { T::one() } else { T::zero() }));
-        Self { axes, held, known }
+        Self { axes, bases: axes, pulls: axes, held, known }
     }
 
     /// An end that nothing holds and nothing pulls.
@@ -127,6 +132,7 @@ impl<T: Scalar, const H: usize> End<T, H> {
             (end.axes[count], end.held[count], end.known[count]) = (rest.map(|x| x * length), false, T::zero());
             count += 1;
         }
+        (end.bases, end.pulls) = (end.axes, end.axes);
         end
     }
 }

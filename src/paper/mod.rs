@@ -116,12 +116,13 @@
 //! For anything but comparison use the crate's own [`simulate`](crate::simulate); for stiff hinges its
 //! [`GeneralizedAlpha`] at acceleration level, which costs less a step.
 //!
-//! Runs ask for feature `alloc`; rules and matrices do not. Ends may be free, pinned, clamped or guided in the plane, roots free, pinned or
-//! clamped and tips free or pinned in space: boundary conditions of an overall equation ask for nothing else. Joints are pins, balls,
+//! Runs ask for feature `alloc`; rules and matrices do not. Ends may be free, pinned, clamped or guided in the plane, and free, pinned, clamped
+//! or hinged in space: boundary conditions of an overall equation ask for nothing else. Joints are pins, balls,
 //! welds and hinges with rotary springs, in the plane also with linear ones, between two bodies or on ground that clamps the root. These
 //! push along inertial axes and hand on m as it is, as (33) to (35) have it:
 //! [`in_unbalanced_axes`](crate::planar::ElasticHinge::in_unbalanced_axes). Refused, with the place, are linear springs whose force has a
-//! moment, and with them all of space's, joints that slide, joints about axes in space, and chains that branch. [`JointScheme`] runs
+//! moment, and with them all of space's, joints that slide, joints about axes in space but at the ends, joints next to
+//! ends that hold an attitude, and chains that branch. [`JointScheme`] runs
 //! chains in the plane with free tips, without linear springs.
 
 mod body;

@@ -109,6 +109,15 @@ impl<T: Scalar, const A: usize> Spring<T, A> {
     }
 }
 
+/// The axes of a body as a step expands them: where each points, and how that depends on the coordinates.
+#[derive(Clone, Copy, Debug)]
+pub struct Axes<T, const P: usize, const A: usize> {
+    /// Where they point if coordinates stay, or, in absolute coordinates, where these are zero.
+    pub points: [[T; P]; P],
+    /// (22) of each.
+    pub slopes: [[[T; A]; P]; P],
+}
+
 /// One side of a joint in a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Side<T: Scalar, E, const A: usize> {

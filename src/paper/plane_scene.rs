@@ -3,12 +3,12 @@
 use super::body::{External, Rigid};
 use super::expansion::Expansion;
 use super::link::End;
-use super::orient::Spring;
+use super::orient::{Axes, Spring};
 use super::parts::{Item, Start};
 use super::scene::{Chain, Met, Scene, Slots, trace};
 use crate::element::{Element, Load, Loading, Space};
 use crate::ends::{Pairs, Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::planar::{BodyMotion, Frame, JointMotion, Planar, SpringState, Turn};
 use crate::relation::{Closures, Term};
@@ -31,22 +31,23 @@ where
     type Orient = Expansion<T>;
     const HELD: bool = R::Pairs::MOTION[1];
     const GUIDED: bool = R::Pairs::MOTION[0] != R::Pairs::MOTION[1];
+    const ATTITUDES: [bool; 2] = [false; 2];
 
     fn ground(&self, time: T::Real) -> Frame<T> {
         System::ground(self, time)
     }
 
-    fn root(&self, guide: Option<[T; 2]>, ground: &Frame<T>) -> End<T, 3> {
+    fn root(&self, guide: Option<[T; 2]>, ground: &Frame<T>, _: Option<&Axes<T, 2, 1>>, [drive]: [T; 1]) -> End<T, 3> {
         let (o, one) = (T::zero(), T::one());
         if let Some([x, y]) = guide {
             let (s, c) = ground.turn.angle.sin_cos();
             let normal = [-(s * x + c * y), c * x - s * y, o];
             return End::holding(&[normal, [o, o, one]], &[o; 2]);
         }
-        End::along_axes(core::array::from_fn(|k| R::Pairs::MOTION[k]), [o; 3])
+        End::along_axes(core::array::from_fn(|k| R::Pairs::MOTION[k]), [o, o, -drive])
     }
 
-    fn tip(&self, time: T::Real) -> End<T, 3> {
+    fn tip(&self, time: T::Real, _: Option<&Axes<T, 2, 1>>) -> End<T, 3> {
         if P::Closures::COUNT == 0 {
             return End::free();
         }
@@ -80,6 +81,10 @@ where
         let mut items = Vec::with_capacity(rest.len());
         let mut guide = None;
         let met = trace(self, &motion)?;
+        if P::Pairs::MOTION[2] && matches!(met.last(), Some(Met::Joint(_))) {
+            let what = "a joint next to a tip whose attitude is held";
+            return Err(Error::new(Fault::Unsupported { what }).at(Place::Tip));
+        }
         for (k, element) in met.iter().enumerate() {
             items.push(match (element, &rest[k], &turned[k], &turning[k]) {
                 (Met::Joint(joint), Met::Joint(rest), Met::Joint(turned), Met::Joint(turning)) => {
@@ -142,6 +147,7 @@ where
         number: usize,
         [inner, outer]: [Option<&BodyMotion<T>>; 2],
         ground: &Frame<T>,
+        _: Option<[T; 2]>,
     ) -> [T; 1] {
         if !L::ON {
             return [T::zero()];

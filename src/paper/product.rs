@@ -117,7 +117,8 @@ where
     // Along a direction of the root: a state of motion, or of force.
     let along = |k: usize, force: bool| {
         let mut basis = StateVector::<T, N>::new([zero; N]);
-        for (i, x) in root.axes[k].iter().enumerate() {
+        let axes = if force { &root.pulls } else { &root.bases };
+        for (i, x) in axes[k].iter().enumerate() {
             basis[if force { H + conjugate::<P, A>(i) } else { i }] = *x;
         }
         basis
@@ -128,7 +129,7 @@ where
     }
     // What is known along a direction of the tip.
     let read = |k: usize, state: &StateVector<T, N>| {
-        let axis = &tip.axes[k];
+        let axis = if tip.held[k] { &tip.axes[k] } else { &tip.pulls[k] };
         (0..H).fold(zero, |sum, i| sum + axis[i] * state[if tip.held[k] { i } else { H + conjugate::<P, A>(i) }])
     };
     let reached = whole * z;

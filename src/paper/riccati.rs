@@ -57,7 +57,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
     /// Begins at a tip with forces along its directions.
     fn pull_by(&mut self, tip: &End<T, H>, forces: &[T; H]) {
         self.pull = [T::zero(); H];
-        for (axis, force) in tip.axes.iter().zip(forces) {
+        for (axis, force) in tip.pulls.iter().zip(forces) {
             for (i, along) in axis.iter().enumerate() {
                 self.pull[conjugate::<P, A>(i)] += *along * *force;
             }
@@ -226,12 +226,12 @@ fn at_root<T: Scalar, const H: usize, const P: usize, const A: usize>(
     };
     let mut a = [[T::zero(); H]; H];
     let mut b = root.known;
-    for (k, axis) in root.axes.iter().enumerate() {
+    for (k, axis) in root.pulls.iter().enumerate() {
         if root.held[k] {
             a[k][k] = T::one();
             continue;
         }
-        for (l, other) in root.axes.iter().enumerate() {
+        for (l, other) in root.bases.iter().enumerate() {
             a[k][l] = along(axis, &|i| dot(&relation.matrix[i], other));
         }
         b[k] -= along(axis, &|i| relation.offset[i]);
@@ -240,5 +240,5 @@ fn at_root<T: Scalar, const H: usize, const P: usize, const A: usize>(
         return Err(Error::new(Fault::NonFiniteMotion).at(Place::Root));
     }
     let found = solve_dense(a, b).ok_or(Error::new(Fault::SingularJoint).at(Place::Root))?;
-    Ok(core::array::from_fn(|i| (0..H).fold(T::zero(), |sum, k| sum + found[k] * root.axes[k][i])))
+    Ok(core::array::from_fn(|i| (0..H).fold(T::zero(), |sum, k| sum + found[k] * root.bases[k][i])))
 }

@@ -1,7 +1,7 @@
 //! A scene read element by element: what section 2.2 calls the discretisation of a system.
 
 use super::link::End;
-use super::orient::Orient;
+use super::orient::{Axes, Orient};
 use super::parts::Item;
 use crate::element::{Coordinates, Element, Space, Visit};
 use crate::ends::{Root, Tip};
@@ -17,7 +17,7 @@ pub struct Chain<T: Scalar, E: Orient<T, N, P, A>, const N: usize, const P: usiz
     pub time: T::Real,
     /// Its elements, the root's joint first.
     pub items: Vec<Item<T, E, N, P, A>>,
-    /// The direction, in axes of the ground, along which the root is guided.
+    /// The direction, in axes of the ground, along which the root is guided in the plane, or about which it turns in space.
     pub guide: Option<[T; P]>,
 }
 
@@ -35,10 +35,19 @@ pub trait Scene<T: Scalar, L, const N: usize, const H: usize, const P: usize, co
 
     /// The ground at the root.
     fn ground(&self, time: T::Real) -> <Self::Orient as Orient<T, N, P, A>>::Frame;
-    /// The root's directions.
-    fn root(&self, guide: Option<[T; P]>, ground: &<Self::Orient as Orient<T, N, P, A>>::Frame) -> End<T, H>;
-    /// What is known at the tip, in absolute coordinates.
-    fn tip(&self, time: T::Real) -> End<T, H>;
+    /// Whether the root, and the tip, hold some directions of the attitude of a body, so that its axes are asked for.
+    const ATTITUDES: [bool; 2];
+
+    /// The root's directions, what is known of the forces along them (`drive` is the torque applied there) and of a body's axes.
+    fn root(
+        &self,
+        guide: Option<[T; P]>,
+        ground: &<Self::Orient as Orient<T, N, P, A>>::Frame,
+        first: Option<&Axes<T, P, A>>,
+        drive: [T; A],
+    ) -> End<T, H>;
+    /// What is known at the tip, in absolute coordinates, but of the axes of the last body in those of its axes.
+    fn tip(&self, time: T::Real, last: Option<&Axes<T, P, A>>) -> End<T, H>;
     /// Elements of a motion with the accelerations that positions, rates and loads cause: a start from zero accelerations would not be
     /// one.
     ///
@@ -62,6 +71,7 @@ pub trait Scene<T: Scalar, L, const N: usize, const H: usize, const P: usize, co
         number: usize,
         sides: [Option<&<Self::Orient as Orient<T, N, P, A>>::Motion>; 2],
         ground: &<Self::Orient as Orient<T, N, P, A>>::Frame,
+        guide: Option<[T; P]>,
     ) -> [T; A];
 }
 

@@ -145,7 +145,7 @@ where
                 let rate = inner.map_or(ground.turn, |motion| motion.inboard.turn).rate;
                 let ahead = ground.turn.angle - before.turn.angle;
                 let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner(), ahead);
-                let [torque] = self.scene.effort(self.loads, time, number, [inner, Some(outer)], ground);
+                let [torque] = self.scene.effort(self.loads, time, number, [inner, Some(outer)], ground, None);
                 let damping = joint.spring.damping[0] * (outer.rate() - rate);
                 return Some(joint.elastic[0] + joint.spring.stiffness[0] * strain + damping - torque);
             }

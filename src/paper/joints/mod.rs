@@ -63,7 +63,7 @@ impl<D> JointScheme<D> {
                 Error::new(Fault::Unsupported { what: "a root that is guided, in joint coordinates" }).at(Place::Root)
             );
         }
-        if scene.tip(time).is_held() {
+        if scene.tip(time, None).is_held() {
             return Err(
                 Error::new(Fault::Unsupported { what: "a tip that is held, in joint coordinates" }).at(Place::Tip)
             );

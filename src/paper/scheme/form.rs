@@ -115,7 +115,7 @@ where
         }
         let sides = [joint.inner(), Some(joint.outer)].map(|k| self.body(k).map(|body| body.guessed(span)));
         let [inner, outer] = &sides;
-        self.scene.effort(self.loads, time, number, [inner.as_ref(), outer.as_ref()], ground)
+        self.scene.effort(self.loads, time, number, [inner.as_ref(), outer.as_ref()], ground, self.guide)
     }
 
     pub(super) fn chi(&self, coordinate: &Coordinate<T, D::Memory>) -> Linearization<T> {

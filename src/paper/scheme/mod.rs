@@ -251,7 +251,7 @@ where
         grounds: Grounds<T, S::Orient, N, P, A>,
     ) -> Result<(), Error> {
         let n = self.parts.len();
-        let tip = self.tip_end(time);
+        let mut tip = self.tip_end(time);
         let product = self.scheme.solver == Solver::Product;
         let again = product || tip.is_held(); // links are read again
         let size = if again || self.scheme.keeps { n } else { BLOCK };
@@ -265,6 +265,9 @@ where
                 self.room.inward(first, &self.links)?;
             }
             end = first;
+        }
+        if again && S::ATTITUDES[1] {
+            tip = self.tip_end(time); // of where the last body is linearised
         }
         let root = self.root_end(grounds);
         let Self { links, room, matrices, states, .. } = self;

@@ -44,6 +44,8 @@ mod algebra;
 #[cfg_attr(not(feature = "alloc"), allow(dead_code))]
 mod attitude;
 mod body;
+#[cfg(feature = "alloc")]
+mod ends;
 #[cfg_attr(not(feature = "alloc"), allow(dead_code))]
 mod increment;
 mod joints;

@@ -3,19 +3,20 @@
 use super::algebra::{apply, cross, rows, times, transposed};
 use super::attitude::Attitude;
 use super::body::{External, Rigid};
+use super::ends;
 use super::orient::{Base, Slot, Solid, angle_accelerations};
 use crate::element::{Element, Load, Loading, Space};
 use crate::ends::{Pairs, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::paper::link::{End, dot};
-use crate::paper::orient::{Orient, Spring};
+use crate::paper::orient::{Axes, Orient, Spring};
 use crate::paper::parts::{Item, Start};
 use crate::paper::plane_scene::list;
 use crate::paper::scene::{Chain, Met, Scene, Slots, trace};
 use crate::relation::{Closures, Term};
 use crate::scalar::{Real, Scalar};
-use crate::spatial::{BodyMotion, Drive, Frame, JointMotion, Spatial};
+use crate::spatial::{BodyMotion, Drive, Frame, JointMotion, Spatial, Turn};
 use crate::system::{MotionOf, Runs, System};
 use alloc::vec::Vec;
 use nalgebra::Vector3;
@@ -34,39 +35,72 @@ where
     type Orient = Slot<T>;
     const HELD: bool = R::Pairs::MOTION[0];
     const GUIDED: bool = false;
+    const ATTITUDES: [bool; 2] = [about_one_axis(R::Pairs::MOTION), P::Pairs::MOTION[3] || P::Pairs::MOTION[4]];
 
     fn ground(&self, time: T::Real) -> Frame<T> {
         System::ground(self, time)
     }
 
-    fn root(&self, _: Option<[T; 3]>, _: &Frame<T>) -> End<T, 6> {
-        End::along_axes(core::array::from_fn(|k| R::Pairs::MOTION[k]), [T::zero(); 6])
+    fn root(&self, axis: Option<[T; 3]>, ground: &Frame<T>, first: Option<&Axes<T, 3, 3>>, drive: [T; 3]) -> End<T, 6> {
+        if let (Some(axis), Some(first)) = (axis, first) {
+            return ends::hinged_root(axis, ground, first, drive[0]);
+        }
+        let none = T::zero();
+        // What floats has no torque in its joint.
+        let [x, y, z] = drive.map(|torque| if R::Pairs::MOTION[0] { -torque } else { none });
+        let known = [none, none, none, x, y, z];
+        End::along_axes(core::array::from_fn(|k| R::Pairs::MOTION[k]), known)
     }
 
-    fn tip(&self, time: T::Real) -> End<T, 6> {
+    fn tip(&self, time: T::Real, last: Option<&Axes<T, 3, 3>>) -> End<T, 6> {
         if P::Closures::COUNT == 0 {
             return End::free();
         }
-        // Pinned: by how much a tip at the origin misses is minus the place.
         let still = Frame::resting(Vector3::new(T::zero(), T::zero(), T::zero()));
-        let miss: [T; 6] = list::<T, P::Closures, 6>(&self.tip_end().miss(time, &still)[0]);
-        End::along_axes(core::array::from_fn(|k| P::Pairs::MOTION[k]), miss.map(|x| -x))
+        // Closures of places come first: by how much a tip at the origin misses is minus the place.
+        let miss = |frame: &Frame<T>| list::<T, P::Closures, 6>(&self.tip_end().miss(time, frame)[0]);
+        let mut end = End::along_axes(core::array::from_fn(|k| P::Pairs::MOTION[k]), miss(&still).map(|x| -x));
+        if let Some(last) = last {
+            let pull = |k: usize| {
+                let unit = P::Closures::each(|j| if j == k { T::one() } else { T::zero() });
+                self.tip_end().internal(time, &unit).torque.into()
+            };
+            let turned = |attitude| Frame { turn: Turn { attitude, ..still.turn }, ..still };
+            ends::hold_attitude(
+                &mut end,
+                P::Closures::COUNT.saturating_sub(3),
+                last,
+                |attitude| miss(&turned(attitude)),
+                pull,
+            );
+        }
+        end
     }
 
     fn chain(&self, motion: &Self::Motion, loads: &L, slots: Slots) -> Result<Chain<T, Slot<T>, 13, 3, 3>, Error> {
         let unsupported = |what| Err(Error::new(Fault::Unsupported { what }));
-        if R::Pairs::MOTION[3..].iter().any(|held| *held != R::Pairs::MOTION[3]) {
-            return unsupported("a root that turns about one axis").map_err(|error| error.at(Place::Root));
-        }
-        if P::Pairs::MOTION[3..].iter().any(|held| *held) {
-            return unsupported("a tip whose attitude is held").map_err(|error| error.at(Place::Tip));
+        let loose = R::Pairs::MOTION[3..].iter().filter(|held| !**held).count();
+        if loose == 2 {
+            return unsupported("a root that turns about two axes").map_err(|error| error.at(Place::Root));
         }
         if L::SURVEYS {
             return Err(Error::new(Fault::Unsupported { what: "loads between bodies" }));
         }
         let motion = self.with_accelerations(motion.clone(), loads)?;
         let met = trace(self, &motion)?;
-        let joints = laws(self, &motion, &met)?;
+        let joint = |k: usize| matches!(met.get(k), Some(Met::Joint(_)));
+        let [of_root, of_tip] = <Self as Scene<T, L, 13, 6, 3, 3>>::ATTITUDES;
+        if of_root && joint(1) {
+            return unsupported("a joint next to a root that turns about one axis")
+                .map_err(|error| error.at(Place::Root));
+        }
+        if of_tip && (P::Closures::COUNT < 5 || P::Pairs::MOTION[..3].contains(&false)) {
+            return unsupported("a tip that is neither held fast nor on a hinge").map_err(|error| error.at(Place::Tip));
+        }
+        if of_tip && joint(met.len().wrapping_sub(1)) {
+            return unsupported("a joint next to a tip whose attitude is held").map_err(|error| error.at(Place::Tip));
+        }
+        let (joints, axis) = laws(self, &motion, &met)?;
         let mut items = Vec::with_capacity(met.len());
         for (k, (element, law)) in met.iter().zip(joints).enumerate() {
             let station = k.saturating_sub(1);
@@ -93,7 +127,7 @@ where
                 (Met::Joint(_), None) => return Err(Error::new(Fault::Shape)),
             });
         }
-        Ok(Chain { time: motion.time(), items, guide: None })
+        Ok(Chain { time: motion.time(), items, guide: axis })
     }
 
     fn external(&self, loads: &L, time: T::Real, number: usize, body: &BodyMotion<T>) -> External<T> {
@@ -115,6 +149,7 @@ where
         number: usize,
         [inner, outer]: [Option<&BodyMotion<T>>; 2],
         ground: &Frame<T>,
+        axis: Option<[T; 3]>,
     ) -> [T; 3] {
         if !L::ON {
             return [T::zero(); 3];
@@ -123,14 +158,28 @@ where
         let inboard = Frame { turn: inner.map_or(ground.turn, |body| body.inboard.turn), ..outboard };
         let none = [T::zero(); 3];
         let attitude = outboard.turn.attitude;
-        let rate = attitude.transposed(outboard.turn.spin - inboard.turn.spin).into();
+        let mut rate = attitude.transposed(outboard.turn.spin - inboard.turn.spin).into();
+        // The first number of a joint about an axis; in a ball axes of the body.
+        let axis = axis.filter(|_| number == 0);
+        if let Some(axis) = axis {
+            let own = rows(&ground.turn.attitude);
+            let spin = (outboard.turn.spin - inboard.turn.spin).into();
+            rate = [dot(&apply(&own, axis), &spin), none[1], none[2]];
+        }
         let motion = JointMotion { inboard, outboard, position: none, rate, effort: none, energy: T::zero() };
         let zero = Vector3::new(T::zero(), T::zero(), T::zero());
-        loads.in_joint(time, number, &motion).couple(&attitude).add_to(zero).into()
+        let couple: [T; 3] = loads.in_joint(time, number, &motion).couple(&attitude).add_to(zero).into();
+        if axis.is_some() { apply(&transposed(&rows(&attitude)), couple) } else { couple }
     }
 }
 
-/// What each joint is, by looks at the scene: whether it turns, and the law of its spring.
+/// Whether a root turns about one axis.
+const fn about_one_axis(motion: &[bool]) -> bool {
+    motion[3] as u8 + motion[4] as u8 + motion[5] as u8 == 2
+}
+
+/// What each joint is, by looks at the scene: whether it turns, and the law of its spring; and the axis, in those of the ground, about which
+/// the root turns if it is one.
 ///
 /// # Errors
 /// [`Fault::Unsupported`] for joints with axes, whose matrices the paper has not.
@@ -139,7 +188,7 @@ fn laws<T, R, C, P>(
     system: &System<Spatial<T>, R, C, P>,
     motion: &MotionOf<Spatial<T>, R, C, P>,
     met: &[Met<Spatial<T>>],
-) -> Result<Vec<Option<(bool, Spring<T, 3>)>>, Error>
+) -> Result<(Vec<Option<(bool, Spring<T, 3>)>>, Option<[T; 3]>), Error>
 where
     T: Scalar,
     R: Root<Spatial<T>>,
@@ -148,8 +197,11 @@ where
 {
     // Balls have three coordinates, welds none: every third number is of the same axis. Sizes differ from joint to joint, for the rates of
     // smooth balls are absolute.
+    let mut hinge = None;
+    let one = about_one_axis(R::Pairs::MOTION);
     let along = |axis: Option<usize>| {
-        let mut count = 0_usize;
+        // The one number of such a root counts as a third.
+        let mut count = if one { 2_usize } else { 0 };
         move |_: T| {
             let (joint, own) = (count / 3, count % 3);
             count += 1;
@@ -206,6 +258,14 @@ where
                 spring.stiffness[axis] = -(swung.effort[axis] / swung.position[axis]);
             }
         }
+        if k == 0 && one {
+            let Met::Joint(spun) = &turning[2][0] else { return Err(Error::new(Fault::Shape)) };
+            let length = dot(&spins[2], &spins[2]).sqrt().recip();
+            let spin = spins[2].map(|x| x * length);
+            hinge = Some(apply(&transposed(&rows(&spun.inboard.turn.attitude)), spin));
+            laws.push(Some((true, Spring::none())));
+            continue;
+        }
         // Of how many axes relative angular velocities can be.
         let size = spins.iter().flatten().fold(T::Real::zero(), |size, x| size.max(x.real().abs()));
         let volume = dot(&cross(spins[0], spins[1]), &spins[2]).real().abs();
@@ -217,7 +277,7 @@ where
             return unsupported("a joint with axes in space");
         }
     }
-    Ok(laws)
+    Ok((laws, hinge))
 }
 
 fn start<T: Scalar>(body: &BodyMotion<T>, slots: Slots) -> Result<Start<T, Solid<T>, Base<T>, 3, 3>, Fault> {
