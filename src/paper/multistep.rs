@@ -56,10 +56,6 @@ impl<T: Scalar> Rule<T> for Multistep {
         Ok(())
     }
 
-    fn looks_back(&self) -> bool {
-        true
-    }
-
     fn remember(&self, _: T, rate: T, acceleration: T, dt: T::Real) -> Earlier<T> {
         let back = |share: f64| -(T::Real::of(share) * dt);
         let step = |share| rate.add_scaled(back(share), acceleration).scale(dt);

@@ -59,7 +59,8 @@ impl<T: Scalar> Linearization<T> {
 
 /// A numerical integration procedure as the paper uses one: it expresses ξ̈ and ξ̇ by ξ. It has no sweeps and no stages.
 pub trait Rule<T: Scalar>: Copy + Debug {
-    /// What it remembers of a coordinate besides ξ, ξ̇ and ξ̈.
+    /// What it remembers of a coordinate besides ξ, ξ̇ and ξ̈: of earlier values their differences, for rotation vectors are counted from
+    /// another zero in each step.
     type Memory: Copy + Debug;
 
     /// Rejects parameters that make no rule.
@@ -76,11 +77,6 @@ pub trait Rule<T: Scalar>: Copy + Debug {
     /// Whether it keeps what it cannot resolve, an alternating error, for ever. On rigid joints, where every coordinate of a body
     /// is integrated by itself, that error grows, however small the step: see the [table](super#which-rule-survives-where).
     fn is_weak_on_rigid_joints(&self) -> bool {
-        false
-    }
-
-    /// Whether it remembers values of steps before the last, so that a coordinate cannot be counted from another zero in each step.
-    fn looks_back(&self) -> bool {
         false
     }
 

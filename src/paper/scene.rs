@@ -82,7 +82,8 @@ pub enum Slots {
     #[default]
     Angles,
     /// The rotation vector of the step, A(t_i) = A(t_{i−1}) exp ψ̃, with ω = χ₃ψ + χ₄ and ω̇ = χ₁ψ + χ₂ in body axes: (3) and (4) hold
-    /// as printed with ψ(t_{i−1}) = 0, and no orientation is singular.
+    /// as printed with ψ(t_{i−1}) = 0, and no orientation is singular. Rules of several steps take the ψ of earlier steps as these found them:
+    /// each is ω ΔT in body axes amid its step but for terms of third order, so they keep order 2.
     RotationVectors,
 }
 

@@ -93,10 +93,6 @@ impl<D> Scheme<D> {
         self.rule.check().map_err(Error::new)?;
         positive_step(dt)?;
         let Chain { time, items, guide } = scene.chain(motion, loads, self.slots)?;
-        if A > 1 && self.slots == Slots::RotationVectors && self.rule.looks_back() {
-            let what = "rotation vectors of steps before the last: take a rule of one step";
-            return Err(Error::new(Fault::Unsupported { what }));
-        }
         let parts = Parts::new(&self.rule, dt, &items);
         let blank = StateVector::new([T::zero(); N]);
         let n = parts.len();
