@@ -52,6 +52,8 @@ pub enum Fault {
         least: f64,
         /// The greatest value allowed.
         most: f64,
+        /// What happens outside.
+        outside: &'static str,
     },
     /// A parameter or an input is NaN or infinite.
     NotFinite {
@@ -184,8 +186,11 @@ impl fmt::Display for Error {
         match self.fault {
             Fault::NotPositive { parameter, value } => write!(f, "{parameter} must be positive, but is {value}"),
             Fault::Negative { parameter, value } => write!(f, "{parameter} must not be negative, but is {value}"),
-            Fault::OutOfRange { parameter, value, least, most } => {
-                write!(f, "{parameter} must lie between {least} and {most}, but is {value}")
+            Fault::OutOfRange { parameter, value, least, most, outside } if most.is_finite() => {
+                write!(f, "{parameter} must lie between {least} and {most}, but is {value}: {outside}")
+            }
+            Fault::OutOfRange { parameter, value, least, outside, .. } => {
+                write!(f, "{parameter} must be finite and at least {least}, but is {value}: {outside}")
             }
             Fault::NotFinite { parameter } => write!(f, "{parameter} must be finite"),
             Fault::NotSymmetric { parameter } => write!(f, "{parameter} must be symmetric"),

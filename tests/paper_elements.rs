@@ -308,8 +308,9 @@ fn parameters_that_make_no_rule_are_refused_with_a_reason() {
     assert_eq!(Rule::<f64>::check(&Newmark::new(0.0, 0.5)), not_positive(0.0));
     assert_eq!(Rule::<f64>::check(&Newmark::new(-1.0, 0.5)), not_positive(-1.0));
     assert!(Rule::<f64>::check(&Newmark::new(f64::NAN, 0.5)).is_err());
-    let below = Fault::OutOfRange { parameter: "gamma", value: 0.49, least: 0.5, most: f64::INFINITY };
-    assert_eq!(Rule::<f64>::check(&Newmark::new(0.25, 0.49)), Err(below));
+    let below = Rule::<f64>::check(&Newmark::new(0.25, 0.49)).map_err(|fault| catena::Error::new(fault).to_string());
+    let reason = "gamma must be finite and at least 0.5, but is 0.49: below, every vibration grows";
+    assert_eq!(below, Err(reason.to_owned()));
     assert!(Rule::<f64>::check(&Newmark::new(0.25, f64::NAN)).is_err());
     assert!(Rule::<f64>::check(&Wilson::new(1.3)).is_err());
     assert!(Rule::<f64>::check(&hht_alpha(0.5)).is_err());

@@ -334,6 +334,36 @@ fn right_angles_are_refused_by_angles_only() -> Result<(), Error> {
     Ok(())
 }
 
+/// A body that turns at 6 rad/s past the place where angles are singular, by less than five degrees: θ₁ and θ₃ turn by more than
+/// half a radian in 10 ms, where they and their expansions mean nothing.
+#[test]
+fn steps_that_angles_do_not_follow_are_refused() -> Result<(), Error> {
+    let scene = System::new(Pinned::origin(), plate(), Free)?;
+    let start = scene.with_rates(scene.at_rest(&[0.3, 1.3, -0.4])?, &[0.0, 6.0, 0.0])?;
+    let run = |slots, dt: f64| {
+        let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).linearized(At::Predictor).solved_by(Solver::Riccati);
+        let mut run = scheme.turning_by(slots).start(&scene, &start, &Unloaded, dt)?;
+        let outcome = run.run_to(0.3);
+        let exact = scene.simulate(start, Dop853::tolerance(1e-12), run.time(), |_| ())?.motion;
+        let found = run.attitude(0).unwrap_or([f64::NAN; 3]);
+        let bodies = scene.body_motions(&exact);
+        let off = bodies.get(0).map(|body| Rotation::from_angles(found).relative_to(&body.attitude()).shortest().log());
+        let off = off.unwrap_or([f64::NAN; 3]).into_iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        println!("{slots:?}, {dt} s: to {} s, {off:.1e} rad off, {outcome:?}", run.time());
+        Ok::<_, Error>((outcome, run.time(), off))
+    };
+    let (refused, time, off) = run(Slots::Angles, 0.01)?;
+    let error = refused.unwrap_err();
+    assert!(matches!(error.fault, Fault::SingularAngles { angle } if angle.cos().abs() < 0.2), "{error}");
+    assert_eq!((error.place, error.time), (Some(Place::Station(0)), Some(time + 0.01)));
+    assert!(off < 0.1); // until then
+    let (outcome, _, off) = run(Slots::Angles, 1e-3)?;
+    assert!(outcome.is_ok() && off < 1e-3);
+    let (outcome, _, off) = run(Slots::RotationVectors, 0.01)?;
+    assert!(outcome.is_ok() && off < 0.05);
+    Ok(())
+}
+
 #[test]
 fn what_the_paper_has_not_is_refused_with_its_place() -> Result<(), Error> {
     let rod = Rod::uniform(0.6, 0.05, 0.8);

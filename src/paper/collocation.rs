@@ -25,7 +25,8 @@ impl<T: Scalar> Rule<T> for Wilson {
     fn check(&self) -> Result<(), Fault> {
         let (value, least, most) = (self.theta, 1.366, 2.0);
         let inside = value.is_finite() && value >= least && value <= most;
-        if inside { Ok(()) } else { Err(Fault::OutOfRange { parameter: "theta", value, least, most }) }
+        let outside = "below, the rule is unstable at large steps; above, it errs by far";
+        if inside { Ok(()) } else { Err(Fault::OutOfRange { parameter: "theta", value, least, most, outside }) }
     }
 
     fn balance(&self) -> f64 {

@@ -3,7 +3,7 @@
 use super::rule::{Coordinate, Linearization, Rule};
 use crate::error::Fault;
 use crate::scalar::{Real, Scalar};
-use crate::time::GeneralizedAlpha;
+use crate::time::{GeneralizedAlpha, feeding};
 
 /// Newmark-β, (3) and (4): the rule of the paper.
 ///
@@ -42,11 +42,7 @@ impl<T: Scalar> Rule<T> for Newmark {
         if !(beta.is_finite() && beta > 0.0) {
             return Err(Fault::NotPositive { parameter: "beta", value: beta });
         }
-        // Below ½ every oscillation is fed.
-        if !(gamma.is_finite() && gamma >= 0.5) {
-            return Err(Fault::OutOfRange { parameter: "gamma", value: gamma, least: 0.5, most: f64::INFINITY });
-        }
-        Ok(())
+        feeding(gamma).map_or(Ok(()), Err)
     }
 
     fn is_weak_on_rigid_joints(&self) -> bool {
@@ -83,7 +79,8 @@ impl<T: Scalar> Rule<T> for Newmark {
 pub fn hht_alpha(alpha: f64) -> GeneralizedAlpha {
     let gamma = 0.5 + alpha;
     let inside = alpha.is_finite() && (0.0..=1.0 / 3.0).contains(&alpha);
-    let fault = Fault::OutOfRange { parameter: "alpha", value: alpha, least: 0.0, most: 1.0 / 3.0 };
+    let outside = "below, every vibration grows; above, the rule is unstable at large steps";
+    let fault = Fault::OutOfRange { parameter: "alpha", value: alpha, least: 0.0, most: 1.0 / 3.0, outside };
     GeneralizedAlpha {
         alpha_m: 0.0,
         alpha_f: alpha,

@@ -42,6 +42,14 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
     /// [`Fault::SingularAngles`].
     fn check(&self) -> Result<(), Fault>;
 
+    /// Whether coordinates of this space may be singular somewhere.
+    const SINGULAR: bool;
+    /// Refuses increments of coordinates that turn faster than the orientation does, as they do where they are nearly singular.
+    ///
+    /// # Errors
+    /// [`Fault::SingularAngles`].
+    fn follow(past: &[T; A], found: &[T; A]) -> Result<(), Fault>;
+
     /// Mass centre and outboard end of a body, body axes from its inboard end.
     fn arms(rigid: &Self::Rigid) -> [[T; P]; 2];
     /// The size of the terms of (32) u₄₃: J_I + m |d_C| |d_O|.

@@ -56,6 +56,11 @@ impl<T: Scalar> Orient<T, 7, 2, 1> for Expansion<T> {
     fn check(&self) -> Result<(), Fault> {
         Ok(())
     }
+    const SINGULAR: bool = false;
+    fn follow(_: &[T; 1], _: &[T; 1]) -> Result<(), Fault> {
+        Ok(())
+    }
+
     fn arms(rigid: &Rigid<T>) -> [[T; 2]; 2] {
         [rigid.inertia.centre, rigid.outboard]
     }

@@ -57,10 +57,17 @@ pub struct GeneralizedAlpha {
     pub(crate) fault: Option<Fault>,
 }
 
-/// The fault of a parameter outside a range.
-fn outside(parameter: &'static str, value: f64, least: f64, most: f64) -> Option<Fault> {
-    let inside = value.is_finite() && value >= least && value <= most;
-    (!inside).then_some(Fault::OutOfRange { parameter, value, least, most })
+/// The fault of γ below ½.
+pub(crate) fn feeding(gamma: f64) -> Option<Fault> {
+    let inside = gamma.is_finite() && gamma >= 0.5;
+    let outside = "below, every vibration grows";
+    (!inside).then_some(Fault::OutOfRange {
+        parameter: "gamma",
+        value: gamma,
+        least: 0.5,
+        most: f64::INFINITY,
+        outside,
+    })
 }
 
 impl GeneralizedAlpha {
@@ -71,7 +78,10 @@ impl GeneralizedAlpha {
         let alpha_f = rho / (rho + 1.0);
         let gamma = 0.5 + alpha_f - alpha_m;
         let beta = 0.25 * (gamma + 0.5) * (gamma + 0.5);
-        Self { alpha_m, alpha_f, beta, gamma, sweeps: 2, fault: outside("rho", rho, 0.0, 1.0) }
+        let inside = rho.is_finite() && (0.0..=1.0).contains(&rho);
+        let outside = "it is the share that a step leaves of fast vibration";
+        let fault = Fault::OutOfRange { parameter: "rho", value: rho, least: 0.0, most: 1.0, outside };
+        Self { alpha_m, alpha_f, beta, gamma, sweeps: 2, fault: (!inside).then_some(fault) }
     }
 
     /// Newmark's rule with β > 0 and γ ≥ ½: second order for γ = ½, first order with damping above. A step with other values is
@@ -79,7 +89,7 @@ impl GeneralizedAlpha {
     pub fn newmark(beta: f64, gamma: f64) -> Self {
         let valid = beta.is_finite() && beta > 0.0;
         let beta_fault = (!valid).then_some(Fault::NotPositive { parameter: "beta", value: beta });
-        let fault = beta_fault.or(outside("gamma", gamma, 0.5, f64::INFINITY));
+        let fault = beta_fault.or(feeding(gamma));
         Self { alpha_m: 0.0, alpha_f: 0.0, beta, gamma, sweeps: 2, fault }
     }
 

@@ -16,6 +16,7 @@ pub use control::{Control, Rule};
 pub use dop853::Dop853;
 pub use dopri5::Dopri5;
 pub use generalized_alpha::GeneralizedAlpha;
+pub(crate) use generalized_alpha::feeding;
 pub use rk4::Rk4;
 pub use sdirk4::Sdirk4;
 pub use tableau::{ErrorWeights, Explicit, Tableau};

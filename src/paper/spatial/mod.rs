@@ -50,6 +50,8 @@ mod ends;
 mod increment;
 mod joints;
 #[cfg(feature = "alloc")]
+mod objective;
+#[cfg(feature = "alloc")]
 mod orient;
 #[cfg(feature = "alloc")]
 mod scene;

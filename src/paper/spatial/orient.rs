@@ -8,6 +8,7 @@ use super::attitude::Attitude;
 use super::body::{External, Rigid, Shape, gyration};
 use super::increment::Increment;
 use super::joints::{elastic_hinge, linear_hinge, smooth_ball};
+use super::objective::objective;
 use crate::error::{Error, Fault};
 use crate::paper::expansion::At;
 use crate::paper::hinge::Linear;
@@ -17,7 +18,6 @@ use crate::paper::product::Hinges;
 use crate::paper::rule::{Coordinate, Linearization};
 use crate::paper::scene::Slots;
 use crate::scalar::{Real, Scalar};
-use crate::spatial::maps::{spring_couple, spring_slope};
 use crate::spatial::{BodyMotion, Frame, Inertia, Rotation, Turn};
 use crate::state::TransferMatrix;
 use nalgebra::Vector3;
@@ -25,6 +25,8 @@ use num_traits::Zero;
 
 /// |cos θ₂| below which angles 1-2-3 are refused.
 const SINGULAR: f64 = 1e-4;
+/// By how much (rad) an angle may turn in a step where |cos θ₂| is less: beyond, its expansion is off by percents.
+const FAST: f64 = 0.5;
 
 /// Where a body's orientation is linearised.
 #[derive(Clone, Copy, Debug)]
@@ -150,6 +152,16 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
         }
         Ok(())
     }
+    const SINGULAR: bool = true;
+    fn follow(past: &Vector<T>, found: &Vector<T>) -> Result<(), Fault> {
+        let turned = found.iter().fold(T::Real::zero(), |most, angle| most.max(angle.real().abs()));
+        let near = past[1].sin_cos().1.real().abs();
+        if turned > T::Real::of(FAST) && near < T::Real::of(FAST) {
+            return Err(Fault::SingularAngles { angle: (past[1] + found[1]).real().as_f64() });
+        }
+        Ok(())
+    }
+
     fn arms(solid: &Solid<T>) -> [Vector<T>; 2] {
         [solid.rigid.centre, solid.rigid.outboard]
     }
@@ -306,34 +318,6 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
         let [to_centre, arm] = Self::arms(solid).map(|arm| Vector3::from(apply(barred, arm)));
         BodyMotion { inboard, arm, to_centre, inertia: solid.inertia }
     }
-}
-
-/// A spring that stores V = ½ φᵀ K φ, φ̃ = log A_IᵀA_O, in axes of the inboard body, and a damper, linear in ψ_O and ψ_I. (34) is neither
-/// objective nor conservative.
-fn objective<T: Scalar>(spring: &Spring<T, 3>, sides: [(&Increment<T>, &[Linearization<T>; 3]); 2]) -> Law<T, 3> {
-    let [inner, outer] = sides.map(|(at, _)| at);
-    let chi3 = sides[1].1[0].chi3;
-    let half = T::literal(0.5);
-    let [damping, ..] = spring.damping;
-    let phi = Vector3::from(logarithm(&times(&transposed(&inner.barred), &outer.barred)));
-    let stiffness = Vector3::from(spring.stiffness);
-    let force = phi.component_mul(&stiffness);
-    let couple: Vector<T> = apply(&inner.barred, spring_couple(phi, force).into());
-    let slope = spring_slope(phi, stiffness, force).turned(&axes(&inner.barred)).columns();
-    let (slope, bend) = (rows(&slope), tilde(couple));
-    // By (2), for the damper must know what its slope χ₃ adds to.
-    let spins = sides.map(|(at, step)| apply(&at.barred, core::array::from_fn(|k| step[k].rate_at(at.psi[k]))));
-    let torque = sum(couple, difference(spins[1], spins[0]).map(|x| damping * x));
-    // Of turns in inertial axes, K ∓ ½ m̃; of A ω, A χ₃ − ω̃ A T.
-    let side = |at: &Increment<T>, spin: Vector<T>, sign: T| {
-        let turning = times(&at.barred, &at.tangent);
-        let elastic = times(&from_fn(|i, j| slope[i][j] + sign * half * bend[i][j]), &turning);
-        let bent = times(&tilde(spin), &turning);
-        from_fn(|i, j| elastic[i][j] + damping * (at.barred[i][j].scale(chi3) - bent[i][j]))
-    };
-    let (of_inner, of_outer) = (side(inner, spins[0], T::one()), side(outer, spins[1], -T::one()));
-    let offset = sum(difference(torque, apply(&of_outer, outer.psi)), apply(&of_inner, inner.psi));
-    Law { outer: of_outer, inner: of_inner, offset }
 }
 
 /// θ̈ of angles whose θ̇ and ω̇ (body axes) are known.
