@@ -24,8 +24,18 @@ macro_rules! part {
     };
 }
 
+/// Pairs are the links of arrays and vectors: what they carry need not pass through memory.
 macro_rules! sensitive_tuple {
-    ($met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
+    (X2; $($rest:tt)*) => {
+        sensitive_of!([inline(always)] X2; $($rest)*);
+    };
+    ($met:ident; $($rest:tt)*) => {
+        sensitive_of!([inline] $met; $($rest)*);
+    };
+}
+
+macro_rules! sensitive_of {
+    ([$($inline:tt)*] $met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
         impl<S: Varied, $($A: Sensitive<S>),*> Sensitive<S> for ($($A,)*) {
             type Plain = ($($A::Plain,)*);
             type Store = ($($A::Store,)*);
@@ -33,7 +43,7 @@ macro_rules! sensitive_tuple {
             fn store(&self) -> Self::Store {
                 ($(self.$i.store(),)*)
             }
-            #[inline]
+            #[$($inline)*]
             fn read(
                 position: &Self::Position,
                 rate: &Self::Rate,
@@ -50,12 +60,12 @@ macro_rules! sensitive_tuple {
             ) {
                 $(self.$i.load(&on_bodies.$i, &in_joints.$i, &mut store.$i);)*
             }
-            #[inline]
+            #[$($inline)*]
             fn factor<Known: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Store) -> S::Relation {
                 $(let outer = self.$j.factor::<Known>(part!(at .$j), outer, &mut store.$j);)*
                 outer
             }
-            #[inline]
+            #[$($inline)*]
             fn vary<Known: Seeds>(
                 &self,
                 at: At<'_, S, Self>,
@@ -65,7 +75,7 @@ macro_rules! sensitive_tuple {
             ) {
                 $(self.$i.vary::<Known>(part!(at .$i), carried, &mut store.$i, &mut acceleration.$i);)*
             }
-            #[inline]
+            #[$($inline)*]
             fn gather<Known: Seeds>(
                 &self,
                 at: At<'_, S, Self>,
@@ -75,7 +85,7 @@ macro_rules! sensitive_tuple {
             ) {
                 $(self.$j.gather::<Known>(part!(at .$j), carried, &mut store.$j, &mut acceleration.$j);)*
             }
-            #[inline]
+            #[$($inline)*]
             fn answer(
                 &self,
                 at: At<'_, S, Self>,

@@ -239,8 +239,13 @@ fn vary_body<N: Seeds, T: Scalar, const K: usize, const A: usize>(
         store.aside[2] = carried.spin;
     }
     columns!(K; angle = carried.angle, spin = carried.spin; k:
-        mut x = carried.x => spin[k].mul_add(per_rate.x, angle[k].mul_add(per_angle.x, x[k])),
-        mut y = carried.y => spin[k].mul_add(per_rate.y, angle[k].mul_add(per_angle.y, y[k]))
+        let a_x = spin[k].mul_add(per_rate.x, angle[k].mul_add(per_angle.x, x[k])),
+        let a_y = spin[k].mul_add(per_rate.y, angle[k].mul_add(per_angle.y, y[k])),
+        mut x = carried.x => a_x,
+        mut y = carried.y => a_y,
+        mut kept_x = store.x => a_x,
+        mut kept_y = store.y => a_y,
+        mut kept_angle = store.angle => angle[k]
     );
     store.varied = store.seeded || carried.turning;
     if N::PARAMETERS && store.varied {
@@ -253,11 +258,10 @@ fn vary_body<N: Seeds, T: Scalar, const K: usize, const A: usize>(
             mut x = carried.x => x[k] + more.x,
             mut y = carried.y => y[k] + more.y
         );
+        store.x = carried.x;
+        store.y = carried.y;
         store.turn = carried.turn;
     }
-    store.angle = carried.angle;
-    store.x = carried.x;
-    store.y = carried.y;
 }
 
 /// Carries a force over a body.

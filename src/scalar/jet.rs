@@ -132,7 +132,8 @@ impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
     }
     #[inline(always)]
     fn is_finite(self) -> bool {
-        self.re.is_finite() && self.eps.iter().all(|x| x.is_finite())
+        // Without an early exit, so that it vectorises.
+        self.eps.iter().fold(self.re.is_finite(), |finite, x| finite & x.is_finite())
     }
     #[inline(always)]
     fn scale(self, factor: T::Real) -> Self {
