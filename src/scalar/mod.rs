@@ -1,7 +1,7 @@
 //! The numbers a scene is made of.
 //!
 //! One lean trait, [`Scalar`], stands for `f32` and `f64`, for dual numbers (feature `num-dual`) and for SIMD lanes
-//! (feature `simd`). A scene has one scalar; its time and step size are the scalar's [`Real`].
+//! (feature `simd`); a [`Jet`] carries first derivatives without a feature. A scene has one scalar; its time and step size are the scalar's [`Real`].
 
 mod columns;
 #[cfg(feature = "num-dual")]

@@ -17,7 +17,7 @@ use super::{Acceleration, Frame, PointMass, RigidBody, Rod, Spatial, Station, Tu
 use crate::element::{Load, Space};
 use crate::relation::Term;
 use crate::relation::space::Full;
-use crate::relation::space::algebra::{Columns, cross, cross_onto, zero};
+use crate::relation::space::algebra::{Columns, cross, cross_onto, dot, zero};
 use crate::scalar::{Jet, Scalar, columns};
 use crate::sensitive::{At, Seeds, Sensitive, Varied};
 use nalgebra::Vector3;
@@ -266,17 +266,49 @@ struct Carried<T> {
 }
 
 impl<T: Scalar> Carried<T> {
+    /// M d~ = α~ d~ + ω~ ω~ d~ = α~ d~ + (ω × d) ωᵀ − (ω · d) ω~.
     #[inline(always)]
     fn of(d: Vector3<T>, spin: Vector3<T>, angular: Vector3<T>) -> Self {
-        let (d_across, spin_across) = (crossed(d), crossed(spin));
-        let per_place = crossed(angular).plus(spin_across.times(&spin_across));
+        let (swept, along) = (cross(spin, d), dot(spin, d));
+        let across = crossed(angular).plus(twice_crossed(spin, spin));
+        let turned = twice_crossed(angular, d).plus(outer(swept, spin)).plus(times(crossed(spin), -along));
         Self {
-            per_place,
-            per_angle: minus(per_place.times(&d_across)),
-            per_spin: minus(crossed(cross(spin, d)).plus(spin_across.times(&d_across))),
-            per_angular: minus(d_across),
+            per_place: across,
+            per_angle: minus(turned),
+            per_spin: minus(crossed(swept).plus(twice_crossed(spin, d))),
+            per_angular: minus(crossed(d)),
         }
     }
+}
+
+/// a bᵀ.
+#[inline(always)]
+fn outer<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Columns<T> {
+    Columns { x: a * b.x, y: a * b.y, z: a * b.z }
+}
+
+/// a~ b~ = b aᵀ − (a · b) 1.
+#[inline(always)]
+fn twice_crossed<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Columns<T> {
+    let Columns { x, y, z } = outer(b, a);
+    let along = dot(a, b);
+    Columns {
+        x: Vector3::new(x.x - along, x.y, x.z),
+        y: Vector3::new(y.x, y.y - along, y.z),
+        z: Vector3::new(z.x, z.y, z.z - along),
+    }
+}
+
+/// J a~, for a symmetric J: its rows are J's rows × a.
+#[inline(always)]
+fn times_crossed<T: Scalar>(j: &Columns<T>, a: Vector3<T>) -> Columns<T> {
+    Columns { x: j.y * a.z - j.z * a.y, y: j.z * a.x - j.x * a.z, z: j.x * a.y - j.y * a.x }
+}
+
+/// a~ M.
+#[inline(always)]
+fn crossed_times<T: Scalar>(a: Vector3<T>, m: &Columns<T>) -> Columns<T> {
+    Columns { x: cross(a, m.x), y: cross(a, m.y), z: cross(a, m.z) }
 }
 
 #[inline(always)]
@@ -315,7 +347,7 @@ fn gather_body<N: Seeds, T: Scalar, const K: usize>(
     let c = attitude.apply(Vector3::from(inertia.centre));
     let matrices = Carried::of(c, w, acceleration.angular);
     let accelerated = matrices.per_place.apply_onto(c, acceleration.linear);
-    let (f, outer) = (accelerated * mass, carried.force);
+    let (f, beyond) = (accelerated * mass, carried.force);
 
     // J in inertial axes, A J Aᵀ: (J Aᵀ)ᵀ = A J, as J is symmetric.
     let half = attitude.times(&inertia.matrix());
@@ -327,16 +359,14 @@ fn gather_body<N: Seeds, T: Scalar, const K: usize>(
     let j = attitude.times(&transpose(&half));
     let momentum = j.apply(w);
     let change = j.apply(acceleration.angular);
-    let across = crossed(w);
-    let of_momentum = j.times(&across).plus(minus(crossed(momentum)));
+    let of_momentum = times_crossed(&j, w).plus(crossed(-momentum));
     let (c_across, d_across) = (crossed(c), crossed(d));
-    let torque_per_angle = j
-        .times(&crossed(acceleration.angular))
-        .plus(minus(crossed(change)))
-        .plus(across.times(&of_momentum))
-        .plus(crossed(outer).times(&d_across))
-        .plus(crossed(f).times(&c_across));
-    let torque_per_spin = across.times(&j).plus(minus(crossed(momentum)));
+    let torque_per_angle = times_crossed(&j, acceleration.angular)
+        .plus(crossed(-change))
+        .plus(crossed_times(w, &of_momentum))
+        .plus(twice_crossed(beyond, d))
+        .plus(twice_crossed(f, c));
+    let torque_per_spin = crossed_times(w, &j).plus(crossed(-momentum));
 
     apply(&mut carried.torques, &d_across, &{ carried.forces });
     let mut own = none();
@@ -351,11 +381,11 @@ fn gather_body<N: Seeds, T: Scalar, const K: usize>(
         apply(&mut own, &times(matrices.per_place.times(&attitude), mass), &parts(&centre));
         // What lengths do to moments: dd × F.
         let outboard = Vector3::from(jets.outboard());
-        apply(&mut carried.torques, &minus(crossed(outer)).times(&attitude), &parts(&outboard));
+        apply(&mut carried.torques, &minus(crossed(beyond)).times(&attitude), &parts(&outboard));
         apply(&mut carried.torques, &minus(crossed(f)).times(&attitude), &parts(&centre));
         // dJ α + ω × dJ ω.
         let (u, v) = (attitude.transposed(acceleration.angular), attitude.transposed(w));
-        let turning = across.times(&attitude);
+        let turning = crossed_times(w, &attitude);
         for (i, [a, b]) in [[u.x, v.x], [u.y, v.y], [u.z, v.z]].into_iter().enumerate() {
             let column = Vector3::from(of.about_centre[i]);
             apply(&mut carried.torques, &times(attitude, a).plus(times(turning, b)), &parts(&column));
@@ -366,12 +396,11 @@ fn gather_body<N: Seeds, T: Scalar, const K: usize>(
     apply(&mut carried.torques, &torque_per_angle, angle);
     apply(&mut carried.torques, &torque_per_spin, spin);
     apply(&mut carried.torques, &j, angular);
-    carried.torque = cross_onto(c, f, cross_onto(d, outer, carried.torque + change + cross(w, momentum)));
-    carried.force = outer + f;
+    carried.torque = cross_onto(c, f, cross_onto(d, beyond, carried.torque + change + cross(w, momentum)));
+    carried.force = beyond + f;
     if N::LOADS {
         let Wrench { force, torque } = load;
-        let minus_one = Columns::identity();
-        let minus_one = minus(minus_one);
+        let minus_one = minus(Columns::identity());
         apply(&mut carried.forces, &minus_one, &parts(force));
         apply(&mut carried.torques, &minus_one, &parts(torque));
         carried.force -= value(force);
