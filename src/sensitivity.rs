@@ -18,6 +18,13 @@
 //! # Ok::<(), catena::Error>(())
 //! ```
 //!
+//! # What it saves
+//!
+//! In the plane, instructions of a step of RK4 with derivatives are 2.4 to 5 times fewer than over `num-dual`'s numbers for chains of
+//! twenty, and for all initial values 1.6 to 2.9 times fewer than over jets by the rule itself; more columns at a time
+//! are better than several runs. For few derivatives of short chains, and in space for fewer than about ten, jets by the rule itself cost
+//! as little or less. BENCHMARKS.md has the figures.
+//!
 //! # What it knows
 //!
 //! Tuples, arrays and vectors of elements, and branches, with a free tip; in the plane all bodies, `Pin`, `Weld` and `ElasticHinge` with a
