@@ -45,8 +45,6 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     fn is_constant(number: Self::Scalar) -> bool;
     /// A number with derivative 1 with respect to seed `k`.
     fn seeded(number: Self::Scalar, k: usize) -> Self::Scalar;
-    /// Number of columns.
-    const COLUMNS: usize;
 
     /// Where the outward walk begins: the ground, in a frame that falls freely.
     fn ground(frame: &Self::Frame, gravity: Self::Vector) -> Self::Outward;

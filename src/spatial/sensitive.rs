@@ -144,7 +144,6 @@ impl<T: Scalar, const K: usize> Varied for Spatial<Jet<T, K>> {
     type Response = Answering<T, K>;
     type BodyLoad = Wrench<Jet<T, K>>;
     type JointLoad = Effort<Jet<T, K>>;
-    const COLUMNS: usize = K;
 
     fn plain(number: Jet<T, K>) -> T {
         number.re
