@@ -27,7 +27,6 @@ mod point_mass;
 mod rigid_body;
 mod rod;
 mod sensitive;
-mod sensitive_joints;
 mod slider;
 mod spring;
 mod station;

@@ -39,7 +39,6 @@ mod rod;
 mod rotary_spring;
 mod rotation;
 mod sensitive;
-mod sensitive_joints;
 mod spring;
 mod station;
 mod transfer;

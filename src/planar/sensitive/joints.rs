@@ -1,9 +1,9 @@
 //! Derivatives through kept gains in the plane: what joints do.
 
-use super::sensitive::{Answering, Passing, Pulling};
-use super::spring::{Spring, SpringLaw};
-use super::{ElasticHinge, Pin, Planar, Weld};
+use super::{Answering, Passing, Pulling};
 use crate::lift::Lift;
+use crate::planar::spring::{Spring, SpringLaw};
+use crate::planar::{ElasticHinge, Pin, Planar, Weld};
 use crate::relation::plane::{Full, Gain, Slides};
 use crate::relation::{Absent, Coefficient, Minus, Term};
 use crate::scalar::{Jet, Scalar, columns};
