@@ -171,6 +171,52 @@ fn arrays_of_welded_bodies_meet_a_pin() -> Result<(), Error> {
 }
 
 /// A chain that floats and whose tip is pinned is a pendulum seen from its other end.
+/// Arrays and vectors of links that hand on less than what lies outboard of them.
+#[test]
+fn links_on_pins_meet_springs_and_torques() -> Result<(), Error> {
+    let hinge = ElasticHinge::rotary(7.0).damped(0.2);
+    let (link, outer) = (|k: usize| (Pin, rod(k)), (hinge, rod(3), Pin, rod(4)));
+    let torques = Loads::none().in_joints(|time: f64, k, _: &JointMotion<f64>| 0.3 * time + k as f64);
+    macro_rules! alike {
+        ($loads:expr) => {{
+            let flat = (rod(0), Pin, rod(1), Pin, rod(2), hinge, rod(3), Pin, rod(4));
+            let expected = motions(Pinned::origin(), flat, $loads, Dop853::step(0.05))?;
+            let array = (rod(0), [link(1), link(2)], outer);
+            assert_eq!(motions(Pinned::origin(), array, $loads, Dop853::step(0.05))?, expected);
+            let vector = (rod(0), vec![link(1), link(2)], outer);
+            assert_eq!(motions(Pinned::origin(), vector, $loads, Dop853::step(0.05))?, expected);
+            let none = (rod(0), Pin, rod(1), Pin, rod(2), Vec::<(Pin, Rod<f64>)>::new(), outer);
+            assert_eq!(motions(Pinned::origin(), none, $loads, Dop853::step(0.05))?, expected);
+        }};
+    }
+    alike!(&Unloaded);
+    alike!(&torques);
+    Ok(())
+}
+
+#[test]
+fn links_on_balls_meet_springs() -> Result<(), Error> {
+    use catena::spatial;
+    let rod = |k: usize| spatial::Rod::uniform(0.3 + 0.1 * k as f64, 0.05, 0.5 + 0.2 * k as f64);
+    let (link, spring) =
+        (|k: usize| (spatial::Ball, rod(k)), spatial::ElasticBall::rotary([3.0, 4.0, 5.0]).damped(0.1));
+    macro_rules! run {
+        ($chain:expr) => {{
+            let system = spatial::System::new(spatial::Pinned::origin(), $chain, spatial::Free)?.with_gravity(9.81);
+            let angles: Vec<f64> = (0..12).map(|k| 0.1 * f64::from(k) - 0.5).collect();
+            bits(&system.simulate(system.at_rest(&angles)?, spatial::Rk4::step(0.01), 0.5, |_| ())?.motion)
+        }};
+    }
+    let flat = run!((rod(0), spatial::Ball, rod(1), spatial::Ball, rod(2), spring, rod(3)));
+    assert_eq!(run!((rod(0), [link(1), link(2)], spring, rod(3))), flat);
+    assert_eq!(run!((rod(0), vec![link(1), link(2)], spring, rod(3))), flat);
+    assert_eq!(
+        run!((rod(0), link(1), link(2), Vec::<(spatial::Ball, spatial::Rod<f64>)>::new(), spring, rod(3))),
+        flat
+    );
+    Ok(())
+}
+
 #[test]
 fn a_floating_root_with_a_held_tip_is_the_chain_turned_round() -> Result<(), Error> {
     let (long, short) = (Rod::uniform(0.7_f64, 1.1), Rod::uniform(0.4, 0.5));

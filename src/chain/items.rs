@@ -8,7 +8,7 @@ use crate::element::{
     Condense, Coordinates, Element, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
 };
 use crate::error::Error;
-use crate::relation::{Closures, Promote};
+use crate::relation::{Closures, Meet};
 
 /// An array, spelled like a vector.
 type Array<X, const K: usize> = [X; K];
@@ -306,9 +306,9 @@ macro_rules! chain_items {
         impl<S: Space, W: Sweep<S>, R, Q, A $($K)*> Condense<S, R, W> for $Of<A $($extra)*>
         where
             A: Condense<S, R, W, Out = Q> + Condense<S, Q, W, Out = Q>,
-            Q: Promote<R> + Copy,
+            Q: Meet<R> + Copy,
         {
-            type Out = Q;
+            type Out = Q::Both;
 
             #[inline]
             fn condense(
@@ -317,17 +317,17 @@ macro_rules! chain_items {
                 posture: Posture<'_, S, Self>,
                 given: Given<'_, S, Self, W>,
                 kept: &mut Self::Kept<W::Closures>,
-            ) -> Q {
+            ) -> Q::Both {
                 let Posture { x, y, p, q } = posture;
                 let Given { on_bodies, in_joints, position, rate, reading, springs } = given;
                 let items = &self[..];
                 march!(
                     n: items x y p q on_bodies in_joints position rate;
                     mut kept;
-                    else Q::promote(outer)
+                    else Q::of_none(outer)
                 );
                 let Some(last) = n.checked_sub(1) else {
-                    return Q::promote(outer);
+                    return Q::of_none(outer);
                 };
                 // The last link meets what lies outboard of the array, every other one what its neighbour hands on. The first
                 // round of the loop is peeled for it. (A closure would not always be inlined.)
@@ -355,7 +355,7 @@ macro_rules! chain_items {
                 for i in 1..n {
                     relation = link!(last - i, Q, relation);
                 }
-                relation
+                Q::of_links(relation)
             }
         }
     };

@@ -172,6 +172,29 @@ impl<R> Promote<R> for R {
     }
 }
 
+/// A relation that links hand on, and what an array or vector of them hands on where a relation `R` lies outboard of it, which it hands on
+/// itself if it has no links.
+pub trait Meet<R>: Sized {
+    /// What can say both.
+    type Both: Copy;
+    /// That of the links.
+    fn of_links(own: Self) -> Self::Both;
+    /// That of no links.
+    fn of_none(outer: R) -> Self::Both;
+}
+
+impl<R, Q: Promote<R> + Copy> Meet<R> for Q {
+    type Both = Q;
+    #[inline(always)]
+    fn of_links(own: Q) -> Q {
+        own
+    }
+    #[inline(always)]
+    fn of_none(outer: R) -> Q {
+        Q::promote(outer)
+    }
+}
+
 /// A relation, or a part of one, to which that of an arm at the same station can be added.
 #[diagnostic::on_unimplemented(
     message = "an arm that hands on `{A}` cannot leave the chain where that hands on `{Self}`",

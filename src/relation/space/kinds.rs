@@ -3,7 +3,7 @@
 use super::algebra::{Columns, Symmetric3, cross, dot, zero};
 use super::full::levered;
 use super::{Full, FullColumn};
-use crate::relation::{Absent, Closures, Cuts, Open, Part, Promote, Reacting, Term};
+use crate::relation::{Absent, Closures, Cuts, Meet, Open, Part, Promote, Reacting, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -189,5 +189,18 @@ impl<T: Scalar, C: Closures> Promote<Point<T, Absent, C>> for Point<T, Couple<T>
     fn promote(lesser: Point<T, Absent, C>) -> Self {
         let Point { stiffness, offset, cuts, .. } = lesser;
         Self { stiffness, offset, torque: Couple(zero()), cuts }
+    }
+}
+
+/// Links that end with a ball, inboard of a joint with a spring or a torque.
+impl<T: Scalar, C: Closures> Meet<Point<T, Couple<T>, C>> for Point<T, Absent, C> {
+    type Both = Point<T, Couple<T>, C>;
+    #[inline(always)]
+    fn of_links(own: Self) -> Self::Both {
+        Promote::promote(own)
+    }
+    #[inline(always)]
+    fn of_none(outer: Self::Both) -> Self::Both {
+        outer
     }
 }
