@@ -1,0 +1,7 @@
+//! What allocates nothing, in a process of its own: its global allocator counts.
+
+#![allow(unsafe_code)] // an allocator cannot be written otherwise
+
+mod counting;
+mod paper;
+mod steps;

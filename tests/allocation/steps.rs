@@ -1,0 +1,126 @@
+//! Steps allocate nothing.
+
+use crate::counting::allocations;
+use catena::Error;
+use catena::element::{Element, Loading, Unloaded};
+use catena::ends::Root;
+use catena::lift::Lift;
+use catena::planar::*;
+use catena::scalar::{Jet, Scalar};
+use catena::sensitivity::ThroughGains;
+use catena::stepper::{Method, Stepper};
+use catena::system::{Dynamics, Runs};
+use catena::time::Sdirk4;
+
+/// Allocations in ten steps by `advance`, with error and dense output, in ten by `step`, and in ten sweeps on their
+/// own.
+fn in_steps<R, C, L, M>(root: R, chain: C, loads: &L, method: M) -> Result<[usize; 3], Error>
+where
+    R: Root<Planar<f64>>,
+    C: Element<Planar<f64>>,
+    L: Loading<Planar<f64>>,
+    M: for<'s> Method<&'s System<f64, R, C, Free>, L>,
+    System<f64, R, C, Free>: Runs<L, Planar<f64>, R, C, Free> + Runs<Unloaded, Planar<f64>, R, C, Free>,
+{
+    let system = System::new(root, chain, Free)?.with_gravity(9.81);
+    let angles: Vec<f64> = (0..system.bodies()).map(|k| 0.3 * k as f64).collect();
+    let mut past = system.with_accelerations(system.at_rest(&angles)?, loads)?;
+    let (mut next, mut between) = (past.clone(), past.clone());
+    let mut stepper = system.stepper(method);
+    let mut workspace = Dynamics::<L>::workspace(&system);
+    let ten = |what: &mut dyn FnMut() -> Result<(), Error>| -> Result<usize, Error> {
+        let (count, outcome) = allocations(|| (0..10).try_for_each(|_| what()));
+        outcome.map(|()| count)
+    };
+    let by_advance = ten(&mut || {
+        stepper.advance(&past, loads, 1e-3, &mut next)?;
+        stepper.error(&past, 1e-3, &next, 1e-6);
+        stepper.interpolate(&past, loads, 1e-3, &next, 0.5, &mut between);
+        core::mem::swap(&mut past, &mut next);
+        Ok(())
+    })?;
+    let by_step = ten(&mut || {
+        stepper.step(&past, loads, 1e-3, &mut next)?;
+        core::mem::swap(&mut past, &mut next);
+        Ok(())
+    })?;
+    assert!((past.time() - 0.02).abs() < 1e-12);
+    let by_sweep = ten(&mut || system.accelerate(&mut past, loads, &mut workspace))?;
+    Ok([by_advance, by_step, by_sweep])
+}
+
+macro_rules! no_scene_allocates {
+    ($method:expr) => {{
+        let rod = Rod::uniform(0.5, 1.0);
+        let plate = RigidBody::new(1.0, 0.1, [0.2, 0.1], [0.5, 0.1]);
+        let loads = Loads::none()
+            .on_bodies(|time: f64, _, motion: &BodyMotion<f64>| motion.force_at([0.1, 0.2], [time, 1.0]))
+            .in_joints(|_, _, motion: &JointMotion<f64>| -0.1 * motion.rate());
+        let root = Pinned::<[f64; 2]>::origin();
+        assert_eq!(in_steps(root, (rod, Pin, plate, Pin, rod), &Unloaded, $method)?, [0; 3], "tuple");
+        assert_eq!(in_steps(root, (rod, Pin, plate, Pin, rod), &loads, $method)?, [0; 3], "tuple under loads");
+        assert_eq!(in_steps(root, (rod, [(Pin, plate); 5]), &Unloaded, $method)?, [0; 3], "array");
+        assert_eq!(in_steps(root, (rod, [(Pin, plate); 5]), &loads, $method)?, [0; 3], "array under loads");
+        assert_eq!(in_steps(root, (rod, vec![(Pin, plate); 5]), &Unloaded, $method)?, [0; 3], "vector");
+        assert_eq!(in_steps(root, (rod, vec![(Pin, plate); 5]), &loads, $method)?, [0; 3], "vector under loads");
+        let hinge = ElasticHinge::rotary(20.0);
+        assert_eq!(in_steps(root, (rod, vec![(hinge, plate); 5]), &loads, $method)?, [0; 3], "hinges under loads");
+        assert_eq!(in_steps(Free, (rod, vec![(Pin, plate); 5]), &Unloaded, $method)?, [0; 3], "floating vector");
+        let tree = (rod, vec![(Branch(vec![(hinge, rod); 2]), Pin, plate); 2]);
+        assert_eq!(in_steps(root, tree, &loads, $method)?, [0; 3], "tree under loads");
+    }};
+}
+
+#[test]
+fn steps_of_every_rule_allocate_nothing() -> Result<(), Error> {
+    no_scene_allocates!(Rk4);
+    no_scene_allocates!(Dopri5);
+    no_scene_allocates!(Dop853);
+    no_scene_allocates!(Adams);
+    no_scene_allocates!(GeneralizedAlpha::new(0.8));
+    no_scene_allocates!(Sdirk4::new());
+    Ok(())
+}
+
+#[test]
+fn steps_with_derivatives_through_gains_allocate_nothing() -> Result<(), Error> {
+    type Number = Jet<f64, 6>;
+    let (rod, hinge) =
+        (Rod::uniform(Number::of(0.5), Number::seed(1.0, 0)), ElasticHinge::rotary(Number::seed(20.0, 1)));
+    let plate = RigidBody::new(1.0, 0.1, [0.2, 0.1], [0.5, 0.1]);
+    let plate = plate.lift(&mut |x: f64| Number::of(x));
+    let chain = (rod, vec![(hinge, plate); 5], Branch(vec![(hinge, rod); 2]), [(hinge, rod); 2]);
+    let system = System::new(Pinned::origin(), chain, Free)?.with_gravity(Number::of(9.81));
+    let loads = Loads::none().in_joints(|_, _, motion: &JointMotion<Number>| motion.rate().scale(-0.1));
+    let start = system.with_seeds(system.at_rest(&[Number::of(0.2); 10])?, 0);
+    let mut past = system.with_accelerations(start, &loads)?;
+    let (mut next, mut between) = (past.clone(), past.clone());
+    let mut stepper = system.stepper(ThroughGains(Dop853));
+    let (count, outcome) = allocations(|| {
+        (0..10).try_for_each(|_| {
+            stepper.advance(&past, &loads, 1e-3, &mut next)?;
+            stepper.error(&past, 1e-3, &next, 1e-6);
+            stepper.interpolate(&past, &loads, 1e-3, &next, 0.5, &mut between);
+            core::mem::swap(&mut past, &mut next);
+            stepper.step(&past, &loads, 1e-3, &mut next)
+        })
+    });
+    outcome?;
+    assert_eq!(count, 0);
+    Ok(())
+}
+
+/// A vector's scene far from the origin, where coordinates are large that are no angles.
+#[test]
+fn steps_far_away_allocate_nothing() -> Result<(), Error> {
+    let rod = Rod::uniform(0.5, 1.0);
+    let system = System::new(Free, (rod, vec![(Pin, rod); 5]), Free)?;
+    let mut past = system.at_rest(&[0.1; 6])?;
+    past.position_mut().0.0 = 1e6;
+    let mut next = past.clone();
+    let mut stepper = system.stepper(Rk4);
+    let (count, outcome) = allocations(|| stepper.step(&past, &Unloaded, 1e-3, &mut next));
+    outcome?;
+    assert_eq!(count, 0);
+    Ok(())
+}

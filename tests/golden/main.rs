@@ -1,0 +1,33 @@
+//! Golden bits: positions, rates, accelerations and forces of scenes of every kind, after a run, bit by bit as they were recorded.
+//!
+//! A change of form must leave them as they are. A change of results is recorded anew, `GOLDEN=record cargo test --test golden`,
+//! and the commit names the scenes that changed, and why. Bits are those of targets without fused multiply-add; on others nothing is
+//! compared.
+
+mod plane;
+mod record;
+mod space;
+
+use record::Record;
+use std::error::Error;
+use std::path::Path;
+
+#[test]
+fn motions_and_forces_keep_their_bits() -> Result<(), Box<dyn Error>> {
+    let mut record = Record::default();
+    plane::record(&mut record)?;
+    space::record(&mut record)?;
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/bits.txt");
+    if std::env::var_os("GOLDEN").is_some_and(|wish| wish == "record") {
+        std::fs::write(file, record.text())?;
+        return Ok(());
+    }
+    if cfg!(target_feature = "fma") || !cfg!(all(target_arch = "x86_64", target_os = "linux")) {
+        println!("not compared: bits are those of x86-64 without fused multiply-add");
+        return Ok(());
+    }
+    let differences = record.differences(&std::fs::read_to_string(file)?);
+    println!("{} scenes", record.len());
+    assert!(record.len() >= 20 && differences.is_empty(), "{}", differences.join("\n"));
+    Ok(())
+}

@@ -1,0 +1,13 @@
+//! Accelerations and forces of open chains and held ones, against systems of equations that share nothing with the crate.
+
+mod held_tips;
+mod hinges;
+mod linear_springs;
+mod long_chains;
+mod plane;
+mod product;
+mod space;
+mod spatial_held_tips;
+mod spatial_hinges;
+mod spatial_long;
+mod spatial_product;

@@ -1,0 +1,4 @@
+//! The form of scenes, and of the sources.
+
+mod layers;
+mod of_scenes;

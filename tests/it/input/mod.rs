@@ -1,0 +1,4 @@
+//! What makes no mechanics is refused by name.
+
+mod plane;
+mod space;

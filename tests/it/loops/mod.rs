@@ -1,0 +1,13 @@
+//! Loops, networks and trees.
+
+mod andrews;
+mod assembly;
+mod in_time;
+mod numbers;
+mod plane;
+mod plane_at_random;
+mod space;
+mod space_at_random;
+mod struts;
+mod trees;
+mod trees_at_random;

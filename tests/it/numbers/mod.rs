@@ -1,0 +1,10 @@
+//! Every kind of number, and derivatives.
+
+mod derivatives;
+mod jets;
+mod scalars;
+mod sensitivities;
+mod sensitivity;
+mod sine;
+mod spatial_scalars;
+mod spatial_sensitivity;

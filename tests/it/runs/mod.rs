@@ -1,0 +1,14 @@
+//! Motion in time: references, orders, conservation.
+
+mod adams;
+mod double_pendulum;
+mod flexible_pendulum;
+mod held_beam;
+mod references;
+mod spatial_orders;
+mod spatial_references;
+mod spatial_runs;
+mod spatial_stiff;
+mod start;
+mod stiff_rules;
+mod through_time;

@@ -1,0 +1,13 @@
+//! The formulation of 2005, against the equations it stands for, other integrations and the published figures.
+
+#[path = "../it/kit.rs"]
+mod kit;
+
+mod elements;
+mod motion;
+mod numbers;
+mod scenes;
+mod space;
+mod spatial;
+mod springs;
+mod topology;
