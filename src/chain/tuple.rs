@@ -322,19 +322,32 @@ macro_rules! chain_of {
             }
         }
 
-        impl<S: Space, W: Sweep<S>, X0: Copy, $($in,)* $($A: Condense<S, $in, W, Out = $out>),*>
-            Condense<S, $met, W> for ($($A,)*)
+        condense_tuple!([$($inline)*] ($($A,)*) ($($B $j),*) (R) []; $($B)*);
+    };
+}
+
+/// The condensation of a tuple, item by item from last to first: `$met` is what the next one meets.
+macro_rules! condense_tuple {
+    ($inline:tt $all:tt $back:tt ($met:ty) [$($bounds:tt)*]; $B:ident $($rest:ident)*) => {
+        condense_tuple!(
+            $inline $all $back (<$B as Condense<S, $met, W>>::Out) [$($bounds)* $B: Condense<S, $met, W>,]; $($rest)*
+        );
+    };
+    ([$($inline:tt)*] ($($A:ident,)*) ($($B:ident $j:tt),*) ($out:ty) [$($bounds:tt)*];) => {
+        impl<S: Space, R, W: Sweep<S>, $($A),*> Condense<S, R, W> for ($($A,)*)
+        where
+            $($bounds)*
         {
-            type Out = X0;
+            type Out = $out;
 
             #[$($inline)*]
             fn condense(
                 &self,
-                outer: $met,
+                outer: R,
                 posture: Posture<'_, S, Self>,
                 given: Given<'_, S, Self, W>,
                 kept: &mut Self::Kept<W::Closures>,
-            ) -> X0 {
+            ) -> Self::Out {
                 $(let outer = self.$j.condense(
                     outer,
                     Posture { x: &posture.x.$j, y: &posture.y.$j, p: &posture.p.$j, q: &posture.q.$j },
