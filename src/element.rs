@@ -251,6 +251,12 @@ pub trait Element<S: Space>: Clone {
         Ok(look(self, frame, motion))
     }
 
+    /// Copies values, one for each body inside, root to tip, to the entries of bodies, and gives those that are left.
+    fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X];
+
+    /// The same for joints.
+    fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X];
+
     /// Walks outward with complete kinematics and lets a visitor write an entry for each body and joint.
     fn travel<V: Visit<S>>(
         &self,

@@ -194,6 +194,14 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         Ok(frame)
     }
     #[inline(always)]
+    fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X] {
+        self.0.spread_bodies(values, bodies)
+    }
+    #[inline(always)]
+    fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X] {
+        self.0.spread_joints(values, joints)
+    }
+    #[inline(always)]
     fn travel<V: Visit<S>>(
         &self,
         frame: S::Frame,

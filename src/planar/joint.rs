@@ -10,6 +10,7 @@ use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Coefficient, Term};
 use crate::scalar::Scalar;
+use crate::visit::take_first;
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use typenum::{U0, U1, U3, Unsigned};
@@ -88,6 +89,12 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     #[inline(always)]
     fn spring(&self, _position: &Self::Position, _rate: &Self::Rate) -> SpringState<T> {
         SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() }
+    }
+
+    /// How far its points are apart along the axes in which they move (m), and the rates of that (m/s).
+    #[inline(always)]
+    fn slid(&self, _position: &Self::Position, _rate: &Self::Rate) -> [[T; 2]; 2] {
+        [[T::zero(); 2]; 2]
     }
 
     /// Whether its points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.
@@ -250,6 +257,14 @@ macro_rules! joint {
                 self.recovered::<C>(acceleration, offset, &<Self as Joint<T>>::homogeneous::<C>(kept), multipliers, rate)
             }
             #[inline(always)]
+            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], _: &mut ()) -> &'v [X] {
+                values
+            }
+            #[inline(always)]
+            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joint: &mut X) -> &'v [X] {
+                take_first(values, joint)
+            }
+            #[inline(always)]
             fn travel<V: Visit<Planar<T>>>(
                 &self,
                 frame: Frame<T>,
@@ -265,7 +280,8 @@ macro_rules! joint {
                 };
                 let spring = self.spring(motion.position, motion.rate);
                 let turns = <Self as Joint<T>>::TURNS;
-                let motion = JointMotion { inboard: frame, outboard, arm, spring, turns };
+                let [slide, sliding] = self.slid(motion.position, motion.rate);
+                let motion = JointMotion { inboard: frame, outboard, arm, spring, turns, slide, sliding };
                 *in_joint = visit.joint_with(&motion, || <<Self as Counted>::Freedoms as Unsigned>::USIZE);
                 outboard
             }

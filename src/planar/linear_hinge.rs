@@ -125,6 +125,10 @@ where
             energy: self.rotary.energy(position.2) + linear,
         }
     }
+    #[inline(always)]
+    fn slid(&self, position: &(T, T, T), rate: &(T, T, T)) -> [[T; 2]; 2] {
+        [[position.0, position.1], [rate.0, rate.1]]
+    }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()?;
         self.linear.x.check()?;

@@ -3,16 +3,17 @@
 use super::axes::{Inboard, Offset};
 use super::spring::SpringLaw;
 use super::{Acceleration, Frame, Joint, Planar, Spring, SpringState, Turn};
-use crate::element::{Condense, Given, Posture, Sweep};
+use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::plane::{Full, SlideGain, Slides, along, back};
-use crate::relation::{Absent, Closures};
+use crate::relation::{Absent, Closures, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 
 /// A joint whose outboard point slides along a straight line of the inboard body while the bodies do not turn relative to each
-/// other, with a spring and damper along the line if there are any. Its coordinate is the distance from the inboard point (m).
+/// other, with a spring and damper along the line if there are any. Its coordinate is the distance from the inboard point (m). A load
+/// in the joint is a force along the line (N), ON the outboard body.
 ///
 /// ```
 /// use catena::planar::*;
@@ -102,6 +103,10 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
         let force = [self.spring.force(*position, *rate), T::zero()];
         SpringState { torque: T::zero(), force, energy: self.spring.energy(*position) }
     }
+    #[inline(always)]
+    fn slid(&self, position: &T, rate: &T) -> [[T; 2]; 2] {
+        [[*position, T::zero()], [*rate, T::zero()]]
+    }
     fn check(&self) -> Result<(), Fault> {
         if !self.direction.is_finite() {
             return Err(Fault::NotFinite { parameter: "direction" });
@@ -127,6 +132,7 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
 impl<T: Scalar, S: SpringLaw<T>, R: Slides<T>, W> Condense<Planar<T>, R, W> for Slider<T, S>
 where
     W: Sweep<Planar<T>, Closures = R::Closures>,
+    InJoint<Planar<T>, W>: Term<T>,
 {
     type Out = Full<T, R::Closures>;
 
@@ -139,7 +145,7 @@ where
         kept: &mut SlideGain<T, W::Closures>,
     ) -> Self::Out {
         let Offset { direction, arm, acceleration } = super::joint::offset::<T, Self>(posture);
-        let applied = self.spring.force(*given.position, *given.rate);
+        let applied = given.in_joints.add_to(self.spring.force(*given.position, *given.rate));
         let (relation, gain) =
             outer.with_mass(self.lumped).along(direction).slid(applied, self.spring.pivot(given.springs));
         *kept = gain;

@@ -12,6 +12,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::relation::space::algebra::Columns;
 use crate::scalar::Scalar;
+use crate::visit::take_first;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use typenum::{U0, U1, U2, U3, U6};
@@ -247,6 +248,14 @@ macro_rules! joint {
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
                 self.responded::<C>(acceleration, (posture.x, posture.y), kept, multipliers, rate)
+            }
+            #[inline(always)]
+            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], _: &mut ()) -> &'v [X] {
+                values
+            }
+            #[inline(always)]
+            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joint: &mut X) -> &'v [X] {
+                take_first(values, joint)
             }
             #[inline(always)]
             fn travel<V: Visit<Spatial<T>>>(

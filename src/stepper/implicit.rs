@@ -209,6 +209,7 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.check(past, next, dt)?;
+        self.scene.admits(loads)?;
         let first = &mut self.first;
         self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
         self.sweeps += 1;
@@ -223,6 +224,7 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.check(past, next, dt)?;
+        self.scene.admits(loads)?;
         self.first.set(&past.acceleration);
         self.make(past, loads, dt, next)
     }

@@ -164,6 +164,7 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         check::<D, L>(&self.still, past, next, dt)?;
+        self.scene.admits(loads)?;
         self.leap(past, loads, dt, next);
         let (position, rate) = &mut self.estimate;
         gather(position, &self.zero, dt * dt, &ERROR.position, &self.slopes);

@@ -38,6 +38,10 @@ where
         self.motion()
     }
 
+    fn admits(&self, loads: &L) -> Result<(), Error> {
+        loads.check(self.bodies(), self.joints()).map_err(Error::new)
+    }
+
     #[inline(never)] // one copy, however many stages and rules call it: a scene of sixty bodies is a large function
     fn accelerations(
         &self,
