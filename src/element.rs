@@ -217,6 +217,9 @@ pub trait Element<S: Space>: Clone {
     /// How deep loops are nested inside.
     const LOOPS: usize = 0;
 
+    /// Whether no law of a spring or damper inside has to be read where the last sweep of an implicit rule has led.
+    const LINEAR: bool = true;
+
     /// `respond` where loops are to be closed: each finds the forces that move its ends together by what they miss each other at
     /// this motion. Walks outward with complete kinematics too.
     #[inline(always)]

@@ -21,8 +21,7 @@ fn cart_and_rod(line: f64, push: f64, angle: f64, rate: f64) -> [f64; 2] {
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
     let coupling = mass * half * dot(along, turned);
     let [a, c] = [CART + mass, mass * length * length / 3.0];
-    let sliding =
-        push - a * GRAVITY * along[1] + mass * half * rate * rate * dot(along, [angle.cos(), angle.sin()]);
+    let sliding = push - a * GRAVITY * along[1] + mass * half * rate * rate * dot(along, [angle.cos(), angle.sin()]);
     let turning = -mass * GRAVITY * half * angle.cos();
     let determinant = a * c - coupling * coupling;
     [(c * sliding - coupling * turning) / determinant, (a * turning - coupling * sliding) / determinant]
@@ -141,7 +140,14 @@ fn every_rule_takes_the_drive() -> Result<(), Error> {
     let start = scene.motion();
     run(scene.simulation(Rk4::step(0.1)).loads(&loads).run(start, 1.0, |_| ())?.motion.position().1.0);
     run(scene.simulation(Dop853::tolerance(1e-9)).loads(&loads).run(start, 1.0, |_| ())?.motion.position().1.0);
-    run(scene.simulation(GeneralizedAlpha::new(0.8).step(0.1)).loads(&loads).run(start, 1.0, |_| ())?.motion.position().1.0);
+    run(scene
+        .simulation(GeneralizedAlpha::new(0.8).step(0.1))
+        .loads(&loads)
+        .run(start, 1.0, |_| ())?
+        .motion
+        .position()
+        .1
+        .0);
     run(scene.simulation(Sdirk4::new().step(0.1)).loads(&loads).run(start, 1.0, |_| ())?.motion.position().1.0);
     Ok(())
 }
@@ -151,14 +157,13 @@ fn every_rule_takes_the_drive() -> Result<(), Error> {
 fn no_drive_is_a_drive_of_nothing() -> Result<(), Error> {
     fn accelerations<L: Loading<Planar<f64>>>(loads: &L) -> Result<[f64; 2], Error>
     where
-        System<f64, Clamped<[f64; 2], f64>, (Slider<f64>, RigidBody<f64>, Pin, Rod<f64>), Free>:
-            catena::system::Runs<
-                    L,
-                    Planar<f64>,
-                    Clamped<[f64; 2], f64>,
-                    (Slider<f64>, RigidBody<f64>, Pin, Rod<f64>),
-                    Free,
-                >,
+        System<f64, Clamped<[f64; 2], f64>, (Slider<f64>, RigidBody<f64>, Pin, Rod<f64>), Free>: catena::system::Runs<
+                L,
+                Planar<f64>,
+                Clamped<[f64; 2], f64>,
+                (Slider<f64>, RigidBody<f64>, Pin, Rod<f64>),
+                Free,
+            >,
     {
         let scene = System::new(Clamped::at(0.0, 0.0, 0.0), (Slider::along(0.5), cart(), Pin, rod()), Free)?;
         let scene = scene.with_gravity(GRAVITY);

@@ -167,6 +167,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         acceleration
     }
     const LOOPS: usize = A::LOOPS;
+    const LINEAR: bool = A::LINEAR;
     fn restore<C: Closures>(
         &self,
         frame: S::Frame,

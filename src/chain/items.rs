@@ -242,6 +242,7 @@ macro_rules! chain_items {
                 acceleration
             }
             const LOOPS: usize = A::LOOPS;
+            const LINEAR: bool = A::LINEAR;
             fn restore<C: Closures>(
                 &self,
                 frame: S::Frame,

@@ -83,6 +83,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
     const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
     const ABSOLUTE: bool = M::ABSOLUTE && A::ABSOLUTE;
     const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
+    const LINEAR: bool = M::LINEAR && A::LINEAR;
 
     fn bodies(&self) -> usize {
         self.arms.bodies()

@@ -227,6 +227,7 @@ macro_rules! chain_of {
                 $(let deepest = deeper(deepest, $A::LOOPS);)*
                 deepest
             };
+            const LINEAR: bool = true $(&& $A::LINEAR)*;
             fn restore<Cuts: Closures>(
                 &self,
                 frame: S::Frame,

@@ -2,13 +2,13 @@
 
 use super::axes::Axes;
 use super::linear::{HingeAxes, Linear};
-use super::spring::{Spring, SpringLaw};
+use super::spring::SpringLaw;
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Gather, Posture, Springs, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
-use crate::relation::{Closures, Coefficient, Term};
+use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::visit::take_first;
 use core::fmt::Debug;
@@ -32,6 +32,9 @@ pub trait Joint<T: Scalar>: Copy + Debug {
 
     /// Whether the outboard body turns relative to the inboard one.
     const TURNS: bool;
+
+    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    const LINEAR: bool = true;
 
     /// Whether the orientation of the outboard body does not depend on that of the inboard one.
     const ABSOLUTE: bool = false;
@@ -165,6 +168,7 @@ macro_rules! joint {
             const BODIES: Option<usize> = Some(0);
             const JOINTS: Option<usize> = Some(1);
             const ABSOLUTE: bool = <Self as Joint<T>>::ABSOLUTE;
+            const LINEAR: bool = <Self as Joint<T>>::LINEAR;
 
             fn bodies(&self) -> usize {
                 0
@@ -303,7 +307,7 @@ macro_rules! joint {
 joint!([T: Scalar] Pin);
 joint!([T: Scalar] Weld<T>);
 joint!([T: Scalar, S: SpringLaw<T>] Slider<T, S>);
-joint!([T: Scalar, D: Coefficient<T>, P: Term<T>] ElasticHinge<Spring<T, D, P>>);
+joint!([T: Scalar, L: SpringLaw<T>] ElasticHinge<L>);
 joint!([T: Scalar, R: SpringLaw<T>, F: SpringLaw<T>, G: SpringLaw<T>, A: HingeAxes]
     ElasticHinge<R, Linear<T, F, G, A>>);
 

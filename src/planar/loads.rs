@@ -160,6 +160,18 @@ impl<B, J> Loads<B, J> {
     }
 }
 
+impl<B, J> Loads<B, J> {
+    /// What acts on bodies.
+    pub fn bodies(&self) -> &B {
+        &self.bodies
+    }
+
+    /// What acts in joints.
+    pub fn joints(&self) -> &J {
+        &self.joints
+    }
+}
+
 /// Loads given as values: an array, a slice, a vector.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Values<V>(pub V);

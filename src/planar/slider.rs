@@ -1,7 +1,7 @@
 //! The joint that slides.
 
 use super::axes::{Inboard, Offset};
-use super::spring::SpringLaw;
+use super::spring::{SpringLaw, read};
 use super::{Acceleration, Frame, Joint, Planar, Spring, SpringState, Turn};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
@@ -40,6 +40,11 @@ impl<T: Scalar> Slider<T> {
     pub fn sprung<D, P>(self, spring: Spring<T, D, P>) -> Slider<T, Spring<T, D, P>> {
         Slider { direction: self.direction, spring, lumped: self.lumped }
     }
+
+    /// With a law of the user's own along the line, see [`SpringLaw`].
+    pub fn with<L: SpringLaw<T>>(self, law: L) -> Slider<T, L> {
+        Slider { direction: self.direction, spring: law, lumped: self.lumped }
+    }
 }
 
 impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
@@ -49,6 +54,7 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
     type Axes = Inboard;
 
     const TURNS: bool = false;
+    const LINEAR: bool = S::LINEAR;
     const LEVER: bool = true;
 
     fn position() -> T {
@@ -145,9 +151,9 @@ where
         kept: &mut SlideGain<T, W::Closures>,
     ) -> Self::Out {
         let Offset { direction, arm, acceleration } = super::joint::offset::<T, Self>(posture);
-        let applied = given.in_joints.add_to(self.spring.force(*given.position, *given.rate));
-        let (relation, gain) =
-            outer.with_mass(self.lumped).along(direction).slid(applied, self.spring.pivot(given.springs));
+        let Given { in_joints, position, rate, reading, springs, .. } = given;
+        let [force, pivot] = read(&self.spring, (*position, *rate), reading, springs);
+        let (relation, gain) = outer.with_mass(self.lumped).along(direction).slid(in_joints.add_to(force), pivot);
         *kept = gain;
         relation.along(back(direction)).carried(arm, acceleration)
     }

@@ -71,6 +71,9 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     /// How many sets of axes it stores.
     type Sets: Sets;
 
+    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    const LINEAR: bool = true;
+
     /// The position of an unturned joint.
     fn position() -> Self::Position;
     /// The rates of a joint at rest.
@@ -160,6 +163,7 @@ macro_rules! joint {
             const BODIES: Option<usize> = Some(0);
             const JOINTS: Option<usize> = Some(1);
             const ABSOLUTE: bool = $absolute;
+            const LINEAR: bool = <Self as Joint<T>>::LINEAR;
 
             fn bodies(&self) -> usize {
                 0

@@ -98,6 +98,9 @@ pub trait Dynamics<L> {
 /// What an implicit stepper needs besides. It is a trait of its own, so that a scene of many types that only takes explicit steps
 /// does not make a compiler think about implicit ones.
 pub trait StiffDynamics<L>: Dynamics<L> {
+    /// Whether no law of a spring or damper has to be read where the last sweep has led.
+    const LINEAR: bool;
+
     /// Room for implicit sweeps.
     type StiffWorkspace;
 

@@ -88,6 +88,8 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
 }
 
 impl<D: StiffDynamics<L>, L> StiffDynamics<L> for &D {
+    const LINEAR: bool = D::LINEAR;
+
     type StiffWorkspace = D::StiffWorkspace;
 
     #[inline]

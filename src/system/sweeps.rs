@@ -172,6 +172,8 @@ where
     Elements<S, R, C>:
         Condense<S, P::Relation, Carrying<L, Implicit<RealOf<S>>, P::Closures>, Out: Close<S, P::Closures>>,
 {
+    const LINEAR: bool = <Elements<S, R, C> as Element<S>>::LINEAR;
+
     type StiffWorkspace = Workspace<S, Elements<S, R, C>, Carrying<L, Implicit<RealOf<S>>, P::Closures>>;
 
     fn stiff_workspace(&self) -> Self::StiffWorkspace {
