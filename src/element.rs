@@ -217,6 +217,9 @@ pub trait Element<S: Space>: Clone {
     /// How deep loops are nested inside.
     const LOOPS: usize = 0;
 
+    /// Whether no law of a spring or damper inside has to be read where the last sweep of an implicit rule has led.
+    const LINEAR: bool = true;
+
     /// `respond` where loops are to be closed: each finds the forces that move its ends together by what they miss each other at
     /// this motion. Walks outward with complete kinematics too.
     #[inline(always)]
@@ -250,6 +253,12 @@ pub trait Element<S: Space>: Clone {
         let _ = (kept, station, tell);
         Ok(look(self, frame, motion))
     }
+
+    /// Copies values, one for each body inside, root to tip, to the entries of bodies, and gives those that are left.
+    fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X];
+
+    /// The same for joints.
+    fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X];
 
     /// Walks outward with complete kinematics and lets a visitor write an entry for each body and joint.
     fn travel<V: Visit<S>>(

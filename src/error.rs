@@ -85,11 +85,11 @@ pub enum Fault {
         /// The step refused (s).
         step: f64,
     },
-    /// A list of coordinates has the wrong length.
+    /// A list of coordinates, rates or loads has the wrong length.
     Count {
-        /// Numbers needed.
+        /// Values needed.
         expected: usize,
-        /// Numbers given.
+        /// Values given.
         given: usize,
     },
     /// The chain has no body.
@@ -203,7 +203,7 @@ impl fmt::Display for Error {
             Fault::NonFiniteMotion => write!(f, "the motion is no longer finite"),
             Fault::AngleOutOfRange { angle } => write!(f, "the angle {angle} rad is out of range"),
             Fault::StepTooSmall { step } => write!(f, "a step of {step} s no longer advances time"),
-            Fault::Count { expected, given } => write!(f, "{expected} coordinates needed, {given} given"),
+            Fault::Count { expected, given } => write!(f, "{expected} values needed, {given} given"),
             Fault::NoBodies => write!(f, "the chain has no body"),
             Fault::Shape => write!(f, "the motion belongs to a scene of another shape"),
             Fault::RedundantClosures { closure, independent, of } => {

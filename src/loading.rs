@@ -1,5 +1,6 @@
 //! What acts on a scene besides uniform gravity.
 
+use crate::error::Fault;
 use crate::relation::{Absent, Part};
 use crate::space::{RealOf, Space};
 
@@ -17,6 +18,9 @@ pub trait Loading<S: Space> {
     const ON: bool;
     /// Whether there is anything to see first.
     const SURVEYS: bool = false;
+    /// Whether a load depends on time or motion. Where none does, no walk shows the motion to it: loads are
+    /// [`listed`](Self::on_bodies_listed).
+    const READS: bool = true;
 
     /// No load, to fill stores with.
     fn nothing() -> (Self::OnBody, Self::InJoint);
@@ -30,6 +34,29 @@ pub trait Loading<S: Space> {
     fn on_body(&self, seen: &Self::Seen, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> Self::OnBody;
     /// The torque in joint number `joint` (0 is the root's) at a time.
     fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> Self::InJoint;
+
+    /// Loads on bodies, from the root on, where no load [`READS`](Self::READS) the motion; an empty list where there are none.
+    fn on_bodies_listed(&self) -> &[Self::OnBody] {
+        &[]
+    }
+    /// Torques in joints likewise, from the root's on.
+    fn in_joints_listed(&self) -> &[Self::InJoint] {
+        &[]
+    }
+
+    /// Refuses lists that do not have one value for each body or joint of a scene with as many of them.
+    ///
+    /// # Errors
+    /// [`Fault::Count`].
+    fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
+        let _ = (bodies, joints);
+        Ok(())
+    }
+}
+
+/// Refuses a list that is not as long as it must be.
+pub(crate) fn count(expected: usize, given: usize) -> Result<(), Fault> {
+    if given == expected { Ok(()) } else { Err(Fault::Count { expected, given }) }
 }
 
 /// A load on a body, or [`Absent`].
@@ -51,6 +78,7 @@ impl<S: Space> Loading<S> for Unloaded {
     type InJoint = Absent;
     type Seen = ();
     const ON: bool = false;
+    const READS: bool = false;
 
     fn unseen() {}
     fn nothing() -> (Absent, Absent) {

@@ -1,6 +1,7 @@
 //! Springs and dampers between any two points of a scene, or a point and the ground.
 
 use crate::element::{Load, Loading, RealOf, Space};
+use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::Term;
 use crate::scalar::Scalar;
@@ -192,6 +193,9 @@ where
     }
     fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> L::InJoint {
         self.others.in_joint(time, joint, motion)
+    }
+    fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
+        self.others.check(bodies, joints)
     }
 }
 

@@ -71,6 +71,18 @@ pub enum Level {
     Velocity,
 }
 
+/// Takes the first of a list of values that are spread over entries, and gives the others.
+#[inline(always)]
+pub(crate) fn take_first<'v, X: Copy>(values: &'v [X], entry: &mut X) -> &'v [X] {
+    match values.split_first() {
+        Some((first, others)) => {
+            *entry = *first;
+            others
+        }
+        None => values,
+    }
+}
+
 /// The frame at the end of a walk outward.
 pub fn look<S: Space, E: Element<S>>(element: &E, frame: S::Frame, motion: Coordinates<'_, S, E>) -> S::Frame {
     element.travel(frame, motion, &mut Look, &mut element.per_body(()), &mut element.per_joint(()))

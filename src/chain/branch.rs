@@ -167,6 +167,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         acceleration
     }
     const LOOPS: usize = A::LOOPS;
+    const LINEAR: bool = A::LINEAR;
     fn restore<C: Closures>(
         &self,
         frame: S::Frame,
@@ -192,6 +193,14 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     ) -> Result<S::Frame, Error> {
         self.0.independent::<Open>(frame, Coordinates { position, rate, acceleration }, kept, station, tell)?;
         Ok(frame)
+    }
+    #[inline(always)]
+    fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X] {
+        self.0.spread_bodies(values, bodies)
+    }
+    #[inline(always)]
+    fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X] {
+        self.0.spread_joints(values, joints)
     }
     #[inline(always)]
     fn travel<V: Visit<S>>(

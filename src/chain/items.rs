@@ -55,6 +55,22 @@ macro_rules! item_motion {
     };
 }
 
+/// Spreads values over items: in equal shares, whose loop vectorises, where each item has as many.
+macro_rules! spread {
+    ($items:ident, $each:expr, $spread:ident: $values:ident, $entries:ident) => {{
+        let items = $items.iter().zip(&mut $entries[..]);
+        match const { $each } {
+            Some(0) => $values,
+            Some(each) => {
+                let (own, others) = $values.split_at_checked(each * $items.len()).unwrap_or(($values, &[]));
+                items.zip(own.chunks_exact(each)).for_each(|((item, entry), share)| _ = item.$spread(share, entry));
+                others
+            }
+            None => items.fold($values, |values, (item, entry)| item.$spread(values, entry)),
+        }
+    }};
+}
+
 /// One implementation for arrays and vectors, `$Of<item $extra>`.
 macro_rules! chain_items {
     ($Of:ident, $map:ident, $pose:ident $pose_in_order:ident, [$($K:tt)*], [$($extra:tt)*], |$A:ident| $length:expr) => {
@@ -226,6 +242,7 @@ macro_rules! chain_items {
                 acceleration
             }
             const LOOPS: usize = A::LOOPS;
+            const LINEAR: bool = A::LINEAR;
             fn restore<C: Closures>(
                 &self,
                 frame: S::Frame,
@@ -261,6 +278,14 @@ macro_rules! chain_items {
                     station += item.bodies() + item.joints();
                 }
                 Ok(frame)
+            }
+            #[inline(always)]
+            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X] {
+                spread!(self, A::BODIES, spread_bodies: values, bodies)
+            }
+            #[inline(always)]
+            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X] {
+                spread!(self, A::JOINTS, spread_joints: values, joints)
             }
             #[inline]
             fn travel<V: Visit<S>>(

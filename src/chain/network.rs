@@ -8,7 +8,7 @@ use crate::lift::Lift;
 use crate::mirror::{Rate, Tied, TiedPosition};
 use crate::relation::{Closures, LoopGain, Looped, Own, Solvable};
 use crate::scalar::Scalar;
-use crate::visit::last_body;
+use crate::visit::{last_body, take_first};
 use core::ops::Add;
 use typenum::{Sum, Unsigned};
 
@@ -83,6 +83,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
     const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
     const ABSOLUTE: bool = M::ABSOLUTE && A::ABSOLUTE;
     const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
+    const LINEAR: bool = M::LINEAR && A::LINEAR;
 
     fn bodies(&self) -> usize {
         self.arms.bodies()
@@ -299,6 +300,17 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         });
         let of = OwnOf::<S, K>::COUNT;
         Err(Error::new(Fault::RedundantClosures { closure, independent, of }).at_station(station))
+    }
+    #[inline(always)]
+    fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X] {
+        let values = self.main().spread_bodies(values, &mut bodies.0);
+        self.side().spread_bodies(values, &mut bodies.1)
+    }
+    #[inline(always)]
+    fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X] {
+        let values = self.main().spread_joints(values, &mut joints.0);
+        let values = self.side().spread_joints(values, &mut joints.1);
+        take_first(values, &mut joints.2)
     }
     #[inline(always)]
     fn travel<V: Visit<S>>(

@@ -227,6 +227,7 @@ macro_rules! chain_of {
                 $(let deepest = deeper(deepest, $A::LOOPS);)*
                 deepest
             };
+            const LINEAR: bool = true $(&& $A::LINEAR)*;
             fn restore<Cuts: Closures>(
                 &self,
                 frame: S::Frame,
@@ -278,6 +279,16 @@ macro_rules! chain_of {
                 )*
                 let _ = station;
                 Ok(frame)
+            }
+            #[inline(always)]
+            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X] {
+                $(let values = self.$i.spread_bodies(values, &mut bodies.$i);)*
+                values
+            }
+            #[inline(always)]
+            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X] {
+                $(let values = self.$i.spread_joints(values, &mut joints.$i);)*
+                values
             }
             #[inline]
             fn travel<V: Visit<S>>(

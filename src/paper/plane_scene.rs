@@ -156,7 +156,8 @@ where
         let inboard = Frame { turn: inner.map_or(ground.turn, |body| body.inboard.turn), ..outboard };
         let spring = SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() };
         let arm = Vector2::new(T::zero(), T::zero());
-        let motion = JointMotion { inboard, outboard, arm, spring, turns: true };
+        let none = [T::zero(); 2];
+        let motion = JointMotion { inboard, outboard, arm, spring, turns: true, slide: none, sliding: none };
         [loads.in_joint(time, number, &motion).add_to(T::zero())]
     }
 }

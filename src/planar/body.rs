@@ -8,6 +8,7 @@ use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
 use crate::relation::{Closures, Term};
 use crate::scalar::{Real, Scalar};
+use crate::visit::take_first;
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use num_traits::Zero;
@@ -249,6 +250,14 @@ macro_rules! body {
                 _: &mut (),
             ) -> super::Acceleration<T> {
                 acceleration.swung(self.arm(Pose::of(posture))[0])
+            }
+            #[inline(always)]
+            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], body: &mut X) -> &'v [X] {
+                take_first(values, body)
+            }
+            #[inline(always)]
+            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], _: &mut ()) -> &'v [X] {
+                values
             }
             #[inline(always)]
             fn travel<V: Visit<Planar<T>>>(

@@ -1,13 +1,13 @@
 //! The elastic hinge: a joint with springs and dampers.
 
 use super::axes::Coincident;
-use super::spring::SpringLaw;
+use super::spring::{Custom, SpringLaw, read};
 use super::{Acceleration, Frame, Joint, Linear, Planar, Spring, SpringState, Turn};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::{Lift, lift};
 use crate::relation::plane::{Full, HingeGain, Point, Rigid, Slides};
-use crate::relation::{Absent, Closures, Coefficient, Minus, Term};
+use crate::relation::{Absent, Closures, Minus, Term};
 use crate::scalar::Scalar;
 
 /// A joint with springs and dampers: rotary ones, and linear ones where there are any (see [`Linear`]). Without linear springs
@@ -32,6 +32,13 @@ impl<T: Scalar> ElasticHinge<Spring<T>> {
     /// A pin with a rotary spring of a stiffness (N·m/rad).
     pub fn rotary(stiffness: T) -> Self {
         Self { rotary: Spring::new(stiffness), linear: Absent }
+    }
+}
+
+impl<L> ElasticHinge<Custom<L>> {
+    /// A pin with a law of the user's own, see [`SpringLaw`].
+    pub fn with(law: L) -> Self {
+        Self { rotary: Custom(law), linear: Absent }
     }
 }
 
@@ -97,13 +104,14 @@ impl<T: Scalar> HingeRule<T> for Implicit<T::Real> {
     }
 }
 
-impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Spring<T, D, P>> {
+impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
     type Position = T;
     type Rate = T;
     type Kept<C: Closures> = HingeGain<T, C>;
     type Axes = Coincident;
 
     const TURNS: bool = true;
+    const LINEAR: bool = R::LINEAR;
 
     fn position() -> T {
         T::zero()
@@ -177,8 +185,7 @@ impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Joint<T> for ElasticHinge<Spring<
     }
 }
 
-impl<T: Scalar, D: Coefficient<T>, P: Term<T>, R: Rigid<T>, W> Condense<Planar<T>, R, W>
-    for ElasticHinge<Spring<T, D, P>>
+impl<T: Scalar, L: SpringLaw<T>, R: Rigid<T>, W> Condense<Planar<T>, R, W> for ElasticHinge<L>
 where
     W: Sweep<Planar<T>, Springs: HingeRule<T>, Closures = R::Closures>,
     InJoint<Planar<T>, W>: Term<T>,
@@ -193,8 +200,9 @@ where
         given: Given<'_, Planar<T>, Self, W>,
         kept: &mut HingeGain<T, W::Closures>,
     ) -> Self::Out {
-        let torque = given.in_joints.add_to(self.rotary.force(*given.position, *given.rate));
-        given.springs.hinge(torque, self.rotary.pivot(given.springs), outer.full(), kept)
+        let Given { in_joints, position, rate, reading, springs, .. } = given;
+        let [torque, pivot] = read(&self.rotary, (*position, *rate), reading, springs);
+        springs.hinge(in_joints.add_to(torque), pivot, outer.full(), kept)
     }
 }
 

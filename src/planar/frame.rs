@@ -182,6 +182,11 @@ pub struct JointMotion<T> {
     pub spring: SpringState<T>,
     /// Whether its outboard body turns relative to the inboard one.
     pub turns: bool,
+    /// How far its outboard point stands from the inboard one (m) along the axes in which it moves: of a slider the coordinate along
+    /// its line, of a hinge with linear springs both displacements; zero where the points coincide.
+    pub slide: [T; 2],
+    /// Rates of these (m/s).
+    pub sliding: [T; 2],
 }
 
 /// What the spring and damper of a joint do at an instant.
@@ -203,6 +208,14 @@ impl<T: Scalar> JointMotion<T> {
     /// Rate of that angle (rad/s).
     pub fn rate(&self) -> T {
         self.outboard.turn.rate - self.inboard.turn.rate
+    }
+    /// The coordinate on which a drive in the joint acts: the relative angle (rad), or the distance along the line of a slider (m).
+    pub fn driven(&self) -> T {
+        if self.turns { self.angle() } else { self.slide[0] }
+    }
+    /// Its rate (rad/s, m/s).
+    pub fn driven_rate(&self) -> T {
+        if self.turns { self.rate() } else { self.sliding[0] }
     }
 }
 

@@ -2,14 +2,15 @@
 
 use super::axes::Axes;
 use super::linear::{HingeAxes, Linear};
-use super::spring::{Spring, SpringLaw};
+use super::spring::SpringLaw;
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Gather, Posture, Springs, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
-use crate::relation::{Closures, Coefficient, Term};
+use crate::relation::Closures;
 use crate::scalar::Scalar;
+use crate::visit::take_first;
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use typenum::{U0, U1, U3, Unsigned};
@@ -31,6 +32,9 @@ pub trait Joint<T: Scalar>: Copy + Debug {
 
     /// Whether the outboard body turns relative to the inboard one.
     const TURNS: bool;
+
+    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    const LINEAR: bool = true;
 
     /// Whether the orientation of the outboard body does not depend on that of the inboard one.
     const ABSOLUTE: bool = false;
@@ -88,6 +92,12 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     #[inline(always)]
     fn spring(&self, _position: &Self::Position, _rate: &Self::Rate) -> SpringState<T> {
         SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() }
+    }
+
+    /// How far its points are apart along the axes in which they move (m), and the rates of that (m/s).
+    #[inline(always)]
+    fn slid(&self, _position: &Self::Position, _rate: &Self::Rate) -> [[T; 2]; 2] {
+        [[T::zero(); 2]; 2]
     }
 
     /// Whether its points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.
@@ -158,6 +168,7 @@ macro_rules! joint {
             const BODIES: Option<usize> = Some(0);
             const JOINTS: Option<usize> = Some(1);
             const ABSOLUTE: bool = <Self as Joint<T>>::ABSOLUTE;
+            const LINEAR: bool = <Self as Joint<T>>::LINEAR;
 
             fn bodies(&self) -> usize {
                 0
@@ -250,6 +261,14 @@ macro_rules! joint {
                 self.recovered::<C>(acceleration, offset, &<Self as Joint<T>>::homogeneous::<C>(kept), multipliers, rate)
             }
             #[inline(always)]
+            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], _: &mut ()) -> &'v [X] {
+                values
+            }
+            #[inline(always)]
+            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joint: &mut X) -> &'v [X] {
+                take_first(values, joint)
+            }
+            #[inline(always)]
             fn travel<V: Visit<Planar<T>>>(
                 &self,
                 frame: Frame<T>,
@@ -265,7 +284,8 @@ macro_rules! joint {
                 };
                 let spring = self.spring(motion.position, motion.rate);
                 let turns = <Self as Joint<T>>::TURNS;
-                let motion = JointMotion { inboard: frame, outboard, arm, spring, turns };
+                let [slide, sliding] = self.slid(motion.position, motion.rate);
+                let motion = JointMotion { inboard: frame, outboard, arm, spring, turns, slide, sliding };
                 *in_joint = visit.joint_with(&motion, || <<Self as Counted>::Freedoms as Unsigned>::USIZE);
                 outboard
             }
@@ -287,7 +307,7 @@ macro_rules! joint {
 joint!([T: Scalar] Pin);
 joint!([T: Scalar] Weld<T>);
 joint!([T: Scalar, S: SpringLaw<T>] Slider<T, S>);
-joint!([T: Scalar, D: Coefficient<T>, P: Term<T>] ElasticHinge<Spring<T, D, P>>);
+joint!([T: Scalar, L: SpringLaw<T>] ElasticHinge<L>);
 joint!([T: Scalar, R: SpringLaw<T>, F: SpringLaw<T>, G: SpringLaw<T>, A: HingeAxes]
     ElasticHinge<R, Linear<T, F, G, A>>);
 

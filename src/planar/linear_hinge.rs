@@ -1,9 +1,9 @@
 //! The elastic hinge with linear springs.
 
 use super::linear::{HingeAxes, Linear};
-use super::spring::SpringLaw;
+use super::spring::{Custom, SpringLaw, read};
 use super::{Acceleration, ElasticHinge, Frame, HingeRule, Joint, Planar, Spring, SpringState, Turn};
-use crate::element::{Condense, Given, InJoint, Posture, Springs, Sweep};
+use crate::element::{Condense, Given, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::relation::plane::{Full, HingeGain, Point, Relation, Rigid, SlideGain, Slides};
 use crate::relation::{Absent, Closures, Coefficient, Term};
@@ -14,16 +14,46 @@ use nalgebra::Vector2;
 pub trait Rotation<T: Scalar, K: Springs<T>>: SpringLaw<T> {
     /// The relation with the rotation eliminated.
     type Out<C: Closures>: Slides<T, Closures = C>;
-    /// Eliminates the rotation against a torque.
-    fn turn<C: Closures>(&self, springs: K, torque: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Self::Out<C>;
+    /// Eliminates the rotation against a torque, and what a spring adds to the pivot.
+    fn turn<C: Closures>(
+        &self,
+        springs: K,
+        torque: T,
+        pivot: T,
+        outer: Full<T, C>,
+        kept: &mut HingeGain<T, C>,
+    ) -> Self::Out<C>;
 }
 
 impl<T: Scalar, K: HingeRule<T>, D: Coefficient<T>, P: Term<T>> Rotation<T, K> for Spring<T, D, P> {
     type Out<C: Closures> = K::Out<C>;
 
     #[inline(always)]
-    fn turn<C: Closures>(&self, springs: K, torque: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> K::Out<C> {
-        springs.hinge(torque, self.pivot(springs), outer, kept)
+    fn turn<C: Closures>(
+        &self,
+        springs: K,
+        torque: T,
+        pivot: T,
+        outer: Full<T, C>,
+        kept: &mut HingeGain<T, C>,
+    ) -> K::Out<C> {
+        springs.hinge(torque, pivot, outer, kept)
+    }
+}
+
+impl<T: Scalar, K: HingeRule<T>, L: SpringLaw<T>> Rotation<T, K> for Custom<L> {
+    type Out<C: Closures> = K::Out<C>;
+
+    #[inline(always)]
+    fn turn<C: Closures>(
+        &self,
+        springs: K,
+        torque: T,
+        pivot: T,
+        outer: Full<T, C>,
+        kept: &mut HingeGain<T, C>,
+    ) -> K::Out<C> {
+        springs.hinge(torque, pivot, outer, kept)
     }
 }
 
@@ -31,7 +61,7 @@ impl<T: Scalar, K: Springs<T>> Rotation<T, K> for Absent {
     type Out<C: Closures> = Point<T, T, C>;
 
     #[inline(always)]
-    fn turn<C: Closures>(&self, _: K, torque: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Self::Out<C> {
+    fn turn<C: Closures>(&self, _: K, torque: T, _: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Self::Out<C> {
         let (relation, gain) = outer.pinned(torque);
         kept.absolute(gain);
         relation
@@ -59,6 +89,7 @@ where
     type Axes = A;
 
     const TURNS: bool = true;
+    const LINEAR: bool = R::LINEAR && X::LINEAR && Y::LINEAR;
     const LEVER: bool = A::LEVER;
 
     fn position() -> (T, T, T) {
@@ -125,6 +156,10 @@ where
             energy: self.rotary.energy(position.2) + linear,
         }
     }
+    #[inline(always)]
+    fn slid(&self, position: &(T, T, T), rate: &(T, T, T)) -> [[T; 2]; 2] {
+        [[position.0, position.1], [rate.0, rate.1]]
+    }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()?;
         self.linear.x.check()?;
@@ -179,14 +214,24 @@ where
         kept: &mut LinearGains<T, W::Closures>,
     ) -> Self::Out {
         let offset = super::joint::offset::<T, Self>(posture);
-        let Given { in_joints, position, rate, springs, .. } = given;
-        let torque = in_joints.add_to(self.rotary.force(position.2, rate.2));
-        let [fx, fy] = self.linear.forces([position.0, position.1], [rate.0, rate.1]);
-        let [kx, ky] = [self.linear.x.pivot(springs), self.linear.y.pivot(springs)];
+        let Given { in_joints, position, rate, reading, springs, .. } = given;
+        // Of coordinate k.
+        macro_rules! led {
+            ($k:tt) => {
+                Reading {
+                    position: &reading.position.$k,
+                    rate: &reading.rate.$k,
+                    acceleration: &reading.acceleration.$k,
+                }
+            };
+        }
+        let [torque, pivot] = read(&self.rotary, (position.2, rate.2), led!(2), springs);
+        let [fx, kx] = read(&self.linear.x, (position.0, rate.0), led!(0), springs);
+        let [fy, ky] = read(&self.linear.y, (position.1, rate.1), led!(1), springs);
         let swing = kept.swing;
         let (fx, fy) = (kx.mul_add(-swing.x, fx), ky.mul_add(-swing.y, fy));
         let outer = outer.full().with_mass(self.linear.lumped);
-        let relation = self.rotary.turn(springs, torque, outer, &mut kept.rotation);
+        let relation = self.rotary.turn(springs, in_joints.add_to(torque), pivot, outer, &mut kept.rotation);
         let (relation, y) = A::enter(relation, offset).swapped().slid(fy, ky);
         let (relation, x) = relation.swapped().slid(fx, kx);
         (kept.y, kept.x) = (y.swapped(), x);

@@ -2,6 +2,8 @@
 
 use super::{BodyMotion, Frame, JointMotion, Planar, Station};
 use crate::element::{Load, Loading};
+use crate::error::Fault;
+use crate::loading::count;
 use crate::relation::plane::Full;
 use crate::relation::plane::algebra::cross;
 use crate::relation::{Absent, Closures, Part, Term};
@@ -137,23 +139,36 @@ impl<B, J> Loads<B, J> {
         Loads { bodies: OnBodies(law), joints: self.joints }
     }
 
-    /// Torques in joints (N·m), ON the outboard body: a function of time (s), joint number and motion.
+    /// Torques in joints (N·m), ON the outboard body, and forces along the lines of sliders (N): a function of time (s), joint number and
+    /// motion.
     pub fn in_joints<T: Scalar, F: Fn(T::Real, usize, &JointMotion<T>) -> T>(self, law: F) -> Loads<B, InJoints<F>> {
         Loads { bodies: self.bodies, joints: InJoints(law) }
     }
 }
 
 impl<B, J> Loads<B, J> {
-    /// Torques in joints (N·m) as values handed in, one for each joint from the root's on; none in joints beyond their number.
+    /// Torques in joints (N·m; N in a slider) as values handed in, one for each joint from the root's on: as many as [`System::joints`](super::System::joints) says.
     ///
     /// Unlike a law, values have a type that can be named: a stepper that takes them can be kept in a struct.
     pub fn torques<V>(self, torques: V) -> Loads<B, Values<V>> {
         Loads { bodies: self.bodies, joints: Values(torques) }
     }
 
-    /// Wrenches on bodies as values handed in, one for each body from the root on; none on bodies beyond their number.
+    /// Wrenches on bodies as values handed in, one for each body from the root on: as many as [`System::bodies`](super::System::bodies) says.
     pub fn wrenches<V>(self, wrenches: V) -> Loads<Values<V>, J> {
         Loads { bodies: Values(wrenches), joints: self.joints }
+    }
+}
+
+impl<B, J> Loads<B, J> {
+    /// What acts on bodies.
+    pub fn bodies(&self) -> &B {
+        &self.bodies
+    }
+
+    /// What acts in joints.
+    pub fn joints(&self) -> &J {
+        &self.joints
     }
 }
 
@@ -177,8 +192,22 @@ pub trait BodyLaw<T: Scalar> {
     fn nothing() -> Self::Value;
     /// Whether there is one.
     const ON: bool;
+    /// Whether it depends on time or motion, or is a [`list`](Self::list).
+    const READS: bool = true;
     /// The load on a body.
     fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Self::Value;
+    /// Loads on bodies where they are a list.
+    fn list(&self) -> &[Self::Value] {
+        &[]
+    }
+    /// Refuses a list that is not as long as the scene has bodies.
+    ///
+    /// # Errors
+    /// [`Fault::Count`].
+    fn check(&self, bodies: usize) -> Result<(), Fault> {
+        let _ = bodies;
+        Ok(())
+    }
 }
 
 impl<T: Scalar> BodyLaw<T> for Absent {
@@ -187,6 +216,7 @@ impl<T: Scalar> BodyLaw<T> for Absent {
         Absent
     }
     const ON: bool = false;
+    const READS: bool = false;
     fn at(&self, _: T::Real, _: usize, _: &BodyMotion<T>) -> Absent {
         Absent
     }
@@ -209,16 +239,34 @@ impl<T: Scalar, V: AsRef<[Wrench<T>]>> BodyLaw<T> for Values<V> {
         Wrench::default()
     }
     const ON: bool = true;
+    const READS: bool = false;
+    #[inline(always)]
     fn at(&self, _: T::Real, body: usize, _: &BodyMotion<T>) -> Wrench<T> {
         self.0.as_ref().get(body).copied().unwrap_or_default()
+    }
+    #[inline(always)]
+    fn list(&self) -> &[Wrench<T>] {
+        self.0.as_ref()
+    }
+    fn check(&self, bodies: usize) -> Result<(), Fault> {
+        count(bodies, self.0.as_ref().len())
     }
 }
 
 impl<T: Scalar, V: AsRef<[T]>> JointLaw<T> for Values<V> {
     type Value = T;
     const ON: bool = true;
+    const READS: bool = false;
+    #[inline(always)]
     fn at(&self, _: T::Real, joint: usize, _: &JointMotion<T>) -> T {
         self.0.as_ref().get(joint).copied().unwrap_or(T::zero())
+    }
+    #[inline(always)]
+    fn list(&self) -> &[T] {
+        self.0.as_ref()
+    }
+    fn check(&self, joints: usize) -> Result<(), Fault> {
+        count(joints, self.0.as_ref().len())
     }
 }
 
@@ -228,13 +276,28 @@ pub trait JointLaw<T: Scalar> {
     type Value: Term<T>;
     /// Whether there is one.
     const ON: bool;
+    /// Whether it depends on time or motion, or is a [`list`](Self::list).
+    const READS: bool = true;
     /// The torque in a joint.
     fn at(&self, time: T::Real, joint: usize, motion: &JointMotion<T>) -> Self::Value;
+    /// The torques where they are a list.
+    fn list(&self) -> &[Self::Value] {
+        &[]
+    }
+    /// Refuses a list that is not as long as the scene has joints.
+    ///
+    /// # Errors
+    /// [`Fault::Count`].
+    fn check(&self, joints: usize) -> Result<(), Fault> {
+        let _ = joints;
+        Ok(())
+    }
 }
 
 impl<T: Scalar> JointLaw<T> for Absent {
     type Value = Absent;
     const ON: bool = false;
+    const READS: bool = false;
     fn at(&self, _: T::Real, _: usize, _: &JointMotion<T>) -> Absent {
         Absent
     }
@@ -253,6 +316,7 @@ impl<T: Scalar, B: BodyLaw<T>, J: JointLaw<T>> Loading<Planar<T>> for Loads<B, J
     type InJoint = J::Value;
     type Seen = ();
     const ON: bool = B::ON || J::ON;
+    const READS: bool = B::READS || J::READS;
 
     fn unseen() {}
     fn nothing() -> (B::Value, J::Value) {
@@ -270,5 +334,17 @@ impl<T: Scalar, B: BodyLaw<T>, J: JointLaw<T>> Loading<Planar<T>> for Loads<B, J
             ..*motion
         };
         self.joints.at(time, joint, &motion)
+    }
+    #[inline(always)]
+    fn on_bodies_listed(&self) -> &[B::Value] {
+        self.bodies.list()
+    }
+    #[inline(always)]
+    fn in_joints_listed(&self) -> &[J::Value] {
+        self.joints.list()
+    }
+    fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
+        self.bodies.check(bodies)?;
+        self.joints.check(joints)
     }
 }

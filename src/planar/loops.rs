@@ -40,6 +40,8 @@ fn joint<T: Scalar>(side: &Frame<T>, main: &Frame<T>, turns: bool) -> JointMotio
         arm: Vector2::new(none, none),
         spring: SpringState { torque: none, force: [none; 2], energy: none },
         turns,
+        slide: [none; 2],
+        sliding: [none; 2],
     }
 }
 

@@ -54,7 +54,7 @@ pub use rigid_body::RigidBody;
 pub use rod::Rod;
 pub use sensitive::{Answering, Passing, Pulling};
 pub use slider::Slider;
-pub use spring::{Spring, SpringLaw};
+pub use spring::{Custom, Spring, SpringLaw};
 pub use station::{Station, index};
 pub use weld::Weld;
 

@@ -1,18 +1,19 @@
 //! The joint that slides.
 
 use super::axes::{Inboard, Offset};
-use super::spring::SpringLaw;
+use super::spring::{SpringLaw, read};
 use super::{Acceleration, Frame, Joint, Planar, Spring, SpringState, Turn};
-use crate::element::{Condense, Given, Posture, Sweep};
+use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::plane::{Full, SlideGain, Slides, along, back};
-use crate::relation::{Absent, Closures};
+use crate::relation::{Absent, Closures, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 
 /// A joint whose outboard point slides along a straight line of the inboard body while the bodies do not turn relative to each
-/// other, with a spring and damper along the line if there are any. Its coordinate is the distance from the inboard point (m).
+/// other, with a spring and damper along the line if there are any. Its coordinate is the distance from the inboard point (m). A load
+/// in the joint is a force along the line (N), ON the outboard body.
 ///
 /// ```
 /// use catena::planar::*;
@@ -39,6 +40,11 @@ impl<T: Scalar> Slider<T> {
     pub fn sprung<D, P>(self, spring: Spring<T, D, P>) -> Slider<T, Spring<T, D, P>> {
         Slider { direction: self.direction, spring, lumped: self.lumped }
     }
+
+    /// With a law of the user's own along the line, see [`SpringLaw`].
+    pub fn with<L: SpringLaw<T>>(self, law: L) -> Slider<T, L> {
+        Slider { direction: self.direction, spring: law, lumped: self.lumped }
+    }
 }
 
 impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
@@ -48,6 +54,7 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
     type Axes = Inboard;
 
     const TURNS: bool = false;
+    const LINEAR: bool = S::LINEAR;
     const LEVER: bool = true;
 
     fn position() -> T {
@@ -102,6 +109,10 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
         let force = [self.spring.force(*position, *rate), T::zero()];
         SpringState { torque: T::zero(), force, energy: self.spring.energy(*position) }
     }
+    #[inline(always)]
+    fn slid(&self, position: &T, rate: &T) -> [[T; 2]; 2] {
+        [[*position, T::zero()], [*rate, T::zero()]]
+    }
     fn check(&self) -> Result<(), Fault> {
         if !self.direction.is_finite() {
             return Err(Fault::NotFinite { parameter: "direction" });
@@ -127,6 +138,7 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
 impl<T: Scalar, S: SpringLaw<T>, R: Slides<T>, W> Condense<Planar<T>, R, W> for Slider<T, S>
 where
     W: Sweep<Planar<T>, Closures = R::Closures>,
+    InJoint<Planar<T>, W>: Term<T>,
 {
     type Out = Full<T, R::Closures>;
 
@@ -139,9 +151,9 @@ where
         kept: &mut SlideGain<T, W::Closures>,
     ) -> Self::Out {
         let Offset { direction, arm, acceleration } = super::joint::offset::<T, Self>(posture);
-        let applied = self.spring.force(*given.position, *given.rate);
-        let (relation, gain) =
-            outer.with_mass(self.lumped).along(direction).slid(applied, self.spring.pivot(given.springs));
+        let Given { in_joints, position, rate, reading, springs, .. } = given;
+        let [force, pivot] = read(&self.spring, (*position, *rate), reading, springs);
+        let (relation, gain) = outer.with_mass(self.lumped).along(direction).slid(in_joints.add_to(force), pivot);
         *kept = gain;
         relation.along(back(direction)).carried(arm, acceleration)
     }

@@ -1,7 +1,7 @@
 //! A spring and damper along one coordinate.
 
 use super::body::not_negative;
-use crate::element::Springs;
+use crate::element::{Reading, Springs};
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::{Absent, Coefficient, Part, Term};
@@ -51,14 +51,64 @@ impl<T: Scalar, D: Coefficient<T>> Spring<T, D> {
     }
 }
 
-/// What acts along a coordinate of a joint: a [`Spring`], or nothing.
+/// What acts along a coordinate of a joint: a [`Spring`], nothing, or a law of the user's own.
+///
+/// Explicit rules read its force. Implicit ones take it linearly implicitly, from its force and slopes where the last sweep has led: a
+/// law that is not linear is met as well as one that is, and rules keep their order where it is smooth. Slopes should not be negative
+/// by much: a step must resolve what they drive apart.
+///
+/// ```
+/// use catena::element::Springs;
+/// use catena::planar::*;
+/// use catena::relation::Part;
+/// use catena::{Fault, Scalar};
+///
+/// /// A stop that a coordinate meets at `at`: a stiff spring and a damper beyond, nothing before.
+/// #[derive(Clone, Copy, Debug)]
+/// struct Stop {
+///     at: f64,
+///     stiffness: f64,
+///     damping: f64,
+/// }
+///
+/// impl Part for Stop {
+///     fn is_finite(self) -> bool {
+///         [self.at, self.stiffness, self.damping].iter().all(|x| x.is_finite())
+///     }
+/// }
+///
+/// impl SpringLaw<f64> for Stop {
+///     fn force(&self, position: f64, rate: f64) -> f64 {
+///         if position > self.at { -self.stiffness * (position - self.at) - self.damping * rate } else { 0.0 }
+///     }
+///     fn energy(&self, position: f64) -> f64 {
+///         0.5 * self.stiffness * (position - self.at).max(0.0).powi(2)
+///     }
+///     fn pivot(&self, position: f64, _: f64, springs: impl Springs<f64>) -> f64 {
+///         if position > self.at { springs.pivot(self.stiffness, self.damping) } else { 0.0 }
+///     }
+///     fn check(&self) -> Result<(), Fault> {
+///         if self.is_finite() { Ok(()) } else { Err(Fault::NotFinite { parameter: "stop" }) }
+///     }
+/// }
+///
+/// let (rod, stop) = (Rod::uniform(0.5, 1.0), Stop { at: 0.5, stiffness: 1e5, damping: 20.0 });
+/// let leg = System::new(Pinned::origin(), (rod, ElasticHinge::with(stop), rod), Free)?.with_gravity(9.81);
+/// let start = leg.at_rest(&[0.0, 0.4])?; // the hinge by 0.4 rad, which is free
+/// let run = leg.simulate(start, Sdirk4::new().tolerance(1e-6), 1.0, |_| ())?;
+/// # Ok::<(), catena::Error>(())
+/// ```
 pub trait SpringLaw<T: Scalar>: Part {
-    /// Force on the outboard side.
+    /// Whether force is affine in position and rate: then slopes are the same everywhere, and nothing has to be read twice.
+    const LINEAR: bool = false;
+
+    /// Force on the outboard side (N·m, N).
     fn force(&self, position: T, rate: T) -> T;
     /// Energy stored (J).
     fn energy(&self, position: T) -> T;
-    /// What it adds to the pivot of its coordinate.
-    fn pivot(&self, springs: impl Springs<T>) -> T;
+    /// What it adds to the pivot of its coordinate: `springs.pivot(k, c)`, for the slopes there, k = −∂force/∂position and
+    /// c = −∂force/∂rate.
+    fn pivot(&self, position: T, rate: T, springs: impl Springs<T>) -> T;
     /// Rejects parameters that make no mechanics.
     ///
     /// # Errors
@@ -66,7 +116,27 @@ pub trait SpringLaw<T: Scalar>: Part {
     fn check(&self) -> Result<(), Fault>;
 }
 
+/// The force of a law and what it adds to the pivot in a sweep: force plus pivot times the acceleration that led there, less which
+/// times the one sought. A law that is not linear is read where the last sweep has led, any other at position and rate without the
+/// acceleration sought.
+#[inline(always)]
+pub(super) fn read<T: Scalar, L: SpringLaw<T>, K: Springs<T>>(
+    law: &L,
+    (position, rate): (T, T),
+    led: Reading<'_, T, T>,
+    springs: K,
+) -> [T; 2] {
+    if const { L::LINEAR || !K::STIFF } {
+        return [law.force(position, rate), law.pivot(position, rate, springs)];
+    }
+    let (position, rate) = (*led.position, *led.rate);
+    let pivot = law.pivot(position, rate, springs);
+    [pivot.mul_add(*led.acceleration, law.force(position, rate)), pivot]
+}
+
 impl<T: Scalar> SpringLaw<T> for Absent {
+    const LINEAR: bool = true;
+
     #[inline(always)]
     fn force(&self, _: T, _: T) -> T {
         T::zero()
@@ -75,7 +145,7 @@ impl<T: Scalar> SpringLaw<T> for Absent {
         T::zero()
     }
     #[inline(always)]
-    fn pivot(&self, _: impl Springs<T>) -> T {
+    fn pivot(&self, _: T, _: T, _: impl Springs<T>) -> T {
         T::zero()
     }
     fn check(&self) -> Result<(), Fault> {
@@ -90,6 +160,8 @@ impl<T: Scalar, D: Coefficient<T>, P: Term<T>> Part for Spring<T, D, P> {
 }
 
 impl<T: Scalar, D: Coefficient<T>, P: Term<T>> SpringLaw<T> for Spring<T, D, P> {
+    const LINEAR: bool = true;
+
     #[inline(always)]
     fn force(&self, position: T, rate: T) -> T {
         let strain = self.rest.take_from(position);
@@ -100,7 +172,7 @@ impl<T: Scalar, D: Coefficient<T>, P: Term<T>> SpringLaw<T> for Spring<T, D, P> 
         (self.stiffness * strain * strain).scale(T::Real::of(0.5))
     }
     #[inline(always)]
-    fn pivot(&self, springs: impl Springs<T>) -> T {
+    fn pivot(&self, _: T, _: T, springs: impl Springs<T>) -> T {
         springs.pivot(self.stiffness, self.damping)
     }
     fn check(&self) -> Result<(), Fault> {
@@ -116,5 +188,41 @@ impl<T: Scalar, U: Scalar, D: Lift<T, U>, P: Lift<T, U>> Lift<T, U> for Spring<T
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
         let Self { stiffness, damping, rest } = self;
         Spring { stiffness: stiffness.lift(number), damping: damping.lift(number), rest: rest.lift(number) }
+    }
+}
+
+/// A law of the user's own about the axis of a hinge: see [`ElasticHinge::with`](super::ElasticHinge::with).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Custom<L>(pub L);
+
+impl<L: Part> Part for Custom<L> {
+    fn is_finite(self) -> bool {
+        self.0.is_finite()
+    }
+}
+
+impl<T: Scalar, L: SpringLaw<T>> SpringLaw<T> for Custom<L> {
+    const LINEAR: bool = L::LINEAR;
+
+    #[inline(always)]
+    fn force(&self, position: T, rate: T) -> T {
+        self.0.force(position, rate)
+    }
+    fn energy(&self, position: T) -> T {
+        self.0.energy(position)
+    }
+    #[inline(always)]
+    fn pivot(&self, position: T, rate: T, springs: impl Springs<T>) -> T {
+        self.0.pivot(position, rate, springs)
+    }
+    fn check(&self) -> Result<(), Fault> {
+        self.0.check()
+    }
+}
+
+impl<T: Scalar, U: Scalar, L: Lift<T, U>> Lift<T, U> for Custom<L> {
+    type Over = Custom<L::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Custom(self.0.lift(number))
     }
 }

@@ -74,7 +74,11 @@ impl<T: Scalar> Exact<7> for Planar<T> {
         for ((position, force), held) in [(X, QX), (Y, QY), (THETA, M)].into_iter().zip(held) {
             if !held {
                 passage.fixed[(position, position)] = T::zero();
-                let effort = if force == M { -(joint.spring.torque + efforts[0]) } else { T::zero() };
+                let effort = match (force, joint.turns) {
+                    (M, _) => -(joint.spring.torque + efforts[0]),
+                    (QX, false) => joint.spring.force[0] + efforts[0],
+                    _ => T::zero(),
+                };
                 passage = passage.with(unit(position), unit(force), effort);
             }
         }

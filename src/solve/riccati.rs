@@ -104,7 +104,9 @@ pub fn sweep<S: Space, E, W, P>(
     let Site { ground, gravity, tip, loads, time } = site;
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
     let turn = chain.pose(position, rate, S::turn(ground), sizes, x, y, p, q);
-    if W::Loads::ON {
+    if const { W::Loads::ON && !W::Loads::READS } {
+        spread(chain, *loads, on_bodies, in_joints);
+    } else if W::Loads::ON {
         let motion = Coordinates { position, rate, acceleration };
         let seen = survey(chain, *ground, motion, *loads);
         let mut pass = LoadPass { loads: *loads, seen, time: *time, body: 0, joint: 0 };
@@ -118,6 +120,24 @@ pub fn sweep<S: Space, E, W, P>(
     *multipliers = relation.multipliers(&root);
     *compliance = relation.compliance();
     chain.recover::<W::Closures, W::Springs>(root, posture, kept, multipliers, acceleration);
+}
+
+/// Copies loads that are lists to where the walks read them.
+#[inline(always)]
+fn spread<S: Space, E: Element<S>, L: Loading<S>>(
+    chain: &E,
+    loads: &L,
+    on_bodies: &mut E::PerBody<L::OnBody>,
+    in_joints: &mut E::PerJoint<L::InJoint>,
+) {
+    chain.spread_bodies(exactly(loads.on_bodies_listed(), E::BODIES), on_bodies);
+    chain.spread_joints(exactly(loads.in_joints_listed(), E::JOINTS), in_joints);
+}
+
+/// A list with as many values as the type of a chain says: where it does, a compiler need not ask again.
+#[inline(always)]
+fn exactly<X>(values: &[X], count: Option<usize>) -> &[X] {
+    count.map_or(values, |count| values.get(..count).unwrap_or(&[]))
 }
 
 /// The correction of joint coordinates that moves the tip by −`miss` and closes loops, through the gains and the Λ of the last sweep:

@@ -67,13 +67,15 @@ pub trait Axial<T: Scalar, const K: usize>: Copy + Debug {
     const SLIDES: bool;
     /// Whether its bodies turn.
     const TURNS: bool;
+    /// Whether its springs and dampers are linear.
+    const LINEAR: bool = false;
 
     /// What its coordinates do on an inboard body that is turned like this.
     fn relative(&self, inboard: &Turn<T>, position: [T; K], rate: [T; K]) -> Relative<T, K>;
     /// Adds the generalised force of the spring and damper of coordinate `k` to a sum.
     fn force_onto(&self, k: usize, position: T, rate: T, sum: T) -> T;
     /// K̂ of coordinate `k` in an implicit sweep.
-    fn pivot(&self, k: usize, springs: Implicit<T::Real>) -> T;
+    fn pivot(&self, k: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T;
     /// Energy stored in springs (J).
     fn energy(&self, position: [T; K]) -> T;
     /// Takes the point mass (kg) that its outboard neighbour lumps at the joint, and hands it on unless its points slide apart.

@@ -8,11 +8,11 @@ use super::joint::{Joint, One, Stored};
 use super::loads::Drive;
 use super::spring::{Law, PivotRule};
 use super::{Acceleration, Cylindrical, Frame, JointMotion, Prismatic, Revolute, Spatial, Turn, Universal};
-use crate::element::{Condense, Given, InJoint, Posture, Sweep};
+use crate::element::{Condense, Given, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
-use crate::relation::Closures;
 use crate::relation::space::algebra::{Columns, add_scaled, centripetal, cross, cross_onto, zero};
 use crate::relation::space::{Full, Pivot, Relation, Rigid, Slides, Way};
+use crate::relation::{Closures, Coefficient};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -107,12 +107,14 @@ fn axis<T: Scalar>(stored: &Columns<T>, k: usize) -> Vector3<T> {
 }
 
 #[inline(always)]
+#[allow(clippy::too_many_arguments)] // what an element is given, one value each
 fn condense<T: Scalar, J, R, W, const K: usize>(
     joint: &J,
     outer: R,
     posture: (&Columns<T>, &[Vector3<T>; 2]),
     drive: InJoint<Spatial<T>, W>,
     (position, rate): (&J::Coordinates, &J::Coordinates),
+    led: Reading<'_, J::Coordinates, J::Coordinates>,
     springs: W::Springs,
     kept: &mut [Pivot<T, R::Closures>; K],
 ) -> Full<T, R::Closures>
@@ -123,14 +125,20 @@ where
     InJoint<Spatial<T>, W>: Drive<T>,
 {
     let (stored, bias) = posture;
+    // Laws that are not linear are read where the last sweep has led.
+    let follows = const { !J::LINEAR && <W::Springs as Springs<T>>::STIFF };
+    let (position, rate) = if follows { (led.position, led.rate) } else { (position, rate) };
     let (position, rate) = (position.list(), rate.list());
     let mut relation = outer.full();
     if J::SLIDES {
         relation = relation.with_mass(joint.lumped());
     }
     for k in (0..K).rev() {
-        let force = drive.onto(k, joint.force_onto(k, position[k], rate[k], T::zero()));
-        let stiffness = springs.stiffness(|springs| joint.pivot(k, springs));
+        let mut force = drive.onto(k, joint.force_onto(k, position[k], rate[k], T::zero()));
+        let stiffness = springs.stiffness(|springs| joint.pivot(k, position[k], rate[k], springs));
+        if follows {
+            force = stiffness.times_onto(led.acceleration.list()[k], force);
+        }
         (relation, kept[k]) = relation.released(J::WAYS[k], axis(stored, k), force, stiffness);
     }
     if J::TURNS {
@@ -190,6 +198,8 @@ macro_rules! axial {
             type Rate = <Self as Axial<T, $K>>::Coordinates;
             type Kept<C: Closures> = [Pivot<T, C>; $K];
             type Sets = One;
+
+            const LINEAR: bool = <Self as Axial<T, $K>>::LINEAR;
 
             fn position() -> Self::Position {
                 Listed::from_list([T::zero(); $K])
@@ -293,10 +303,10 @@ macro_rules! axial {
                 given: Given<'_, Spatial<T>, Self, W>,
                 kept: &mut [Pivot<T, Outer::Closures>; $K],
             ) -> Self::Out {
-                let Given { in_joints, position, rate, springs, .. } = given;
-                let posture = (posture.x, posture.y);
+                let Given { in_joints, position, rate, reading, springs, .. } = given;
+                let (posture, state) = ((posture.x, posture.y), (position, rate));
                 let rigid = |$outer: Outer| $rigid;
-                condense::<T, Self, _, W, $K>(self, rigid(outer), posture, *in_joints, (position, rate), springs, kept)
+                condense::<T, Self, _, W, $K>(self, rigid(outer), posture, *in_joints, state, reading, springs, kept)
             }
         }
     };

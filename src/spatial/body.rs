@@ -8,6 +8,7 @@ use crate::relation::space::algebra::{Columns, centripetal};
 use crate::relation::space::{Full, Relation};
 use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
+use crate::visit::take_first;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use typenum::{U0, U1};
@@ -158,6 +159,14 @@ macro_rules! body {
                 _: &mut (),
             ) -> Acceleration<T> {
                 acceleration.swung(*posture.p)
+            }
+            #[inline(always)]
+            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], body: &mut X) -> &'v [X] {
+                take_first(values, body)
+            }
+            #[inline(always)]
+            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], _: &mut ()) -> &'v [X] {
+                values
             }
             #[inline(always)]
             fn travel<V: Visit<Spatial<T>>>(

@@ -41,6 +41,7 @@ impl<T: Scalar, L: Law<T>, M: Law<T>> Axial<T, 2> for Cylindrical<T, L, M> {
     const WAYS: [Way; 2] = [Way::Slide, Way::Turn];
     const SLIDES: bool = true;
     const TURNS: bool = true;
+    const LINEAR: bool = L::LINEAR && M::LINEAR;
 
     #[inline(always)]
     fn relative(&self, inboard: &Turn<T>, [slide, angle]: [T; 2], [sliding, turning]: [T; 2]) -> Relative<T, 2> {
@@ -59,8 +60,8 @@ impl<T: Scalar, L: Law<T>, M: Law<T>> Axial<T, 2> for Cylindrical<T, L, M> {
         if k == 0 { self.along.force_onto(position, rate, sum) } else { self.about.force_onto(position, rate, sum) }
     }
     #[inline(always)]
-    fn pivot(&self, k: usize, springs: Implicit<T::Real>) -> T {
-        if k == 0 { self.along.pivot(springs) } else { self.about.pivot(springs) }
+    fn pivot(&self, k: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T {
+        if k == 0 { self.along.pivot(position, rate, springs) } else { self.about.pivot(position, rate, springs) }
     }
     fn energy(&self, [slide, angle]: [T; 2]) -> T {
         self.along.energy(slide) + self.about.energy(angle)

@@ -160,7 +160,9 @@ impl<T: Scalar> BallRule<T> for Implicit<T::Real> {
         Place { attitude, reading, .. }: Place<'_, T>,
         bias: Vector3<T>,
     ) -> (Full<T, C>, BallGain<T, C>) {
-        let pivot = law.pivot(reading.position, self).turned(&attitude.times(&reading.position.inverse().matrix()));
+        let pivot = law
+            .pivot(reading.position, reading.rate, self)
+            .turned(&attitude.times(&reading.position.inverse().matrix()));
         let torque = drive.add_to(attitude.apply(law.torque(reading.position, reading.rate)));
         let led = attitude.apply(Vector3::from(*reading.acceleration));
         let (relation, gain) = outer.sprung(pivot.apply_onto(led, torque), pivot);
@@ -173,6 +175,8 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
     type Rate = [T; 3];
     type Kept<C: Closures> = BallGain<T, C>;
     type Sets = One;
+
+    const LINEAR: bool = R::LINEAR;
 
     fn position() -> Rotation<T> {
         Rotation::identity()

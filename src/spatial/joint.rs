@@ -12,6 +12,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::relation::space::algebra::Columns;
 use crate::scalar::Scalar;
+use crate::visit::take_first;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use typenum::{U0, U1, U2, U3, U6};
@@ -69,6 +70,9 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     type Kept<C: Closures>: Clone;
     /// How many sets of axes it stores.
     type Sets: Sets;
+
+    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    const LINEAR: bool = true;
 
     /// The position of an unturned joint.
     fn position() -> Self::Position;
@@ -159,6 +163,7 @@ macro_rules! joint {
             const BODIES: Option<usize> = Some(0);
             const JOINTS: Option<usize> = Some(1);
             const ABSOLUTE: bool = $absolute;
+            const LINEAR: bool = <Self as Joint<T>>::LINEAR;
 
             fn bodies(&self) -> usize {
                 0
@@ -247,6 +252,14 @@ macro_rules! joint {
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
                 self.responded::<C>(acceleration, (posture.x, posture.y), kept, multipliers, rate)
+            }
+            #[inline(always)]
+            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], _: &mut ()) -> &'v [X] {
+                values
+            }
+            #[inline(always)]
+            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joint: &mut X) -> &'v [X] {
+                take_first(values, joint)
             }
             #[inline(always)]
             fn travel<V: Visit<Spatial<T>>>(

@@ -43,8 +43,8 @@ impl<T: Scalar, X: Law<T>, Y: Law<T>, Z: Law<T>> Linear<T, X, Y, Z> {
 
     /// K̂ along the axes.
     #[inline(always)]
-    fn pivots(&self, springs: Implicit<T::Real>) -> Vector3<T> {
-        Vector3::new(self.x.pivot(springs), self.y.pivot(springs), self.z.pivot(springs))
+    fn pivots(&self, [x, y, z]: [T; 3], [u, v, w]: [T; 3], springs: Implicit<T::Real>) -> Vector3<T> {
+        Vector3::new(self.x.pivot(x, u, springs), self.y.pivot(y, v, springs), self.z.pivot(z, w, springs))
     }
 
     fn energy(&self, [x, y, z]: [T; 3]) -> T {
@@ -54,12 +54,15 @@ impl<T: Scalar, X: Law<T>, Y: Law<T>, Z: Law<T>> Linear<T, X, Y, Z> {
 
 /// How the rule of a sweep treats the linear springs of a hinge.
 pub trait SlideRule<T: Scalar>: Springs<T> {
-    /// Eliminates the displacement against a force, and what springs add to the pivot.
+    /// Eliminates the displacement against a force, and what springs add to the pivots, along these axes. Where the force was read at
+    /// a state to which an acceleration has led, that is given.
     fn slide<R: Slides<T>>(
         self,
         outer: R,
+        axes: &Columns<T>,
         force: Vector3<T>,
-        pivot: impl FnOnce(Implicit<T::Real>) -> Symmetric3<T>,
+        led: Option<Vector3<T>>,
+        pivots: impl FnOnce(Implicit<T::Real>) -> Vector3<T>,
     ) -> (R, BallGain<T, R::Closures>);
 }
 
@@ -68,10 +71,12 @@ impl<T: Scalar> SlideRule<T> for Explicit {
     fn slide<R: Slides<T>>(
         self,
         outer: R,
+        axes: &Columns<T>,
         force: Vector3<T>,
-        _: impl FnOnce(Implicit<T::Real>) -> Symmetric3<T>,
+        _: Option<Vector3<T>>,
+        _: impl FnOnce(Implicit<T::Real>) -> Vector3<T>,
     ) -> (R, BallGain<T, R::Closures>) {
-        outer.loosed(force)
+        outer.loosed(axes.apply(force))
     }
 }
 
@@ -80,10 +85,14 @@ impl<T: Scalar> SlideRule<T> for Implicit<T::Real> {
     fn slide<R: Slides<T>>(
         self,
         outer: R,
+        axes: &Columns<T>,
         force: Vector3<T>,
-        pivot: impl FnOnce(Self) -> Symmetric3<T>,
+        led: Option<Vector3<T>>,
+        pivots: impl FnOnce(Self) -> Vector3<T>,
     ) -> (R, BallGain<T, R::Closures>) {
-        outer.slid(force, pivot(self))
+        let pivots = pivots(self);
+        let force = led.map_or(force, |led| force + pivots.component_mul(&led));
+        outer.slid(axes.apply(force), Symmetric3::of_diagonal(pivots).turned(axes))
     }
 }
 
@@ -182,6 +191,8 @@ where
     type Rate = ([T; 3], [T; 3]);
     type Kept<C: Closures> = LinearGains<T, C>;
     type Sets = Two;
+
+    const LINEAR: bool = R::LINEAR && X::LINEAR && Y::LINEAR && Z::LINEAR;
 
     fn position() -> Self::Position {
         ([T::zero(); 3], Rotation::identity())
@@ -296,9 +307,12 @@ where
         let place = Place { attitude: *outboard, state: (&position.1, &rate.1), reading };
         let outer = outer.full().with_mass(self.linear.lumped);
         let (relation, rotation) = self.rotary.turn(springs, outer, in_joints.couple(outboard), place, *bias);
-        let force = inboard.apply(self.linear.force(position.0, rate.0));
-        let pivot = |springs| Symmetric3::of_diagonal(self.linear.pivots(springs)).turned(inboard);
-        let (relation, displacement) = springs.slide(relation, force, pivot);
+        // Laws that are not linear are read where the last sweep has led.
+        let follows = const { !(X::LINEAR && Y::LINEAR && Z::LINEAR) && <W::Springs as Springs<T>>::STIFF };
+        let (place, sliding) = if follows { (there.0, moving.0) } else { (position.0, rate.0) };
+        let (force, led) = (self.linear.force(place, sliding), follows.then(|| Vector3::from(led.0)));
+        let pivots = |springs| self.linear.pivots(place, sliding, springs);
+        let (relation, displacement) = springs.slide(relation, inboard, force, led, pivots);
         *kept = LinearGains { rotation, displacement };
         relation.carried(*arm, *linear)
     }

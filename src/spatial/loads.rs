@@ -2,6 +2,8 @@
 
 use super::{BodyMotion, Frame, JointMotion, Spatial, Station};
 use crate::element::{Load, Loading};
+use crate::error::Fault;
+use crate::loading::count;
 use crate::relation::space::algebra::{Columns, cross, is_finite, zero};
 use crate::relation::space::{Couple, Full};
 use crate::relation::{Absent, Closures, Part, Term};
@@ -202,16 +204,28 @@ impl<B, J> Loads<B, J> {
         Loads { bodies: self.bodies, joints: InJoints(law) }
     }
 
-    /// Efforts in joints as values handed in, one for each joint from the root's on; none in joints beyond their number.
+    /// Efforts in joints as values handed in, one for each joint from the root's on: as many as [`System::joints`](super::System::joints) says.
     ///
     /// Unlike a law, values have a type that can be named: a stepper that takes them can be kept in a struct.
     pub fn efforts<V>(self, efforts: V) -> Loads<B, Values<V>> {
         Loads { bodies: self.bodies, joints: Values(efforts) }
     }
 
-    /// Wrenches on bodies as values handed in, one for each body from the root on; none on bodies beyond their number.
+    /// Wrenches on bodies as values handed in, one for each body from the root on: as many as [`System::bodies`](super::System::bodies) says.
     pub fn wrenches<V>(self, wrenches: V) -> Loads<Values<V>, J> {
         Loads { bodies: Values(wrenches), joints: self.joints }
+    }
+}
+
+impl<B, J> Loads<B, J> {
+    /// What acts on bodies.
+    pub fn bodies(&self) -> &B {
+        &self.bodies
+    }
+
+    /// What acts in joints.
+    pub fn joints(&self) -> &J {
+        &self.joints
     }
 }
 
@@ -235,8 +249,22 @@ pub trait BodyLaw<T: Scalar> {
     fn nothing() -> Self::Value;
     /// Whether there is one.
     const ON: bool;
+    /// Whether it depends on time or motion, or is a [`list`](Self::list).
+    const READS: bool = true;
     /// The load on a body.
     fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Self::Value;
+    /// Loads on bodies where they are a list.
+    fn list(&self) -> &[Self::Value] {
+        &[]
+    }
+    /// Refuses a list that is not as long as the scene has bodies.
+    ///
+    /// # Errors
+    /// [`Fault::Count`].
+    fn check(&self, bodies: usize) -> Result<(), Fault> {
+        let _ = bodies;
+        Ok(())
+    }
 }
 
 impl<T: Scalar> BodyLaw<T> for Absent {
@@ -245,6 +273,7 @@ impl<T: Scalar> BodyLaw<T> for Absent {
         Absent
     }
     const ON: bool = false;
+    const READS: bool = false;
     fn at(&self, _: T::Real, _: usize, _: &BodyMotion<T>) -> Absent {
         Absent
     }
@@ -267,8 +296,17 @@ impl<T: Scalar, V: AsRef<[Wrench<T>]>> BodyLaw<T> for Values<V> {
         Wrench::default()
     }
     const ON: bool = true;
+    const READS: bool = false;
+    #[inline(always)]
     fn at(&self, _: T::Real, body: usize, _: &BodyMotion<T>) -> Wrench<T> {
         self.0.as_ref().get(body).copied().unwrap_or_default()
+    }
+    #[inline(always)]
+    fn list(&self) -> &[Wrench<T>] {
+        self.0.as_ref()
+    }
+    fn check(&self, bodies: usize) -> Result<(), Fault> {
+        count(bodies, self.0.as_ref().len())
     }
 }
 
@@ -278,13 +316,28 @@ pub trait JointLaw<T: Scalar> {
     type Value: Drive<T>;
     /// Whether there is one.
     const ON: bool;
+    /// Whether it depends on time or motion, or is a [`list`](Self::list).
+    const READS: bool = true;
     /// The effort in a joint.
     fn at(&self, time: T::Real, joint: usize, motion: &JointMotion<T>) -> Self::Value;
+    /// The efforts where they are a list.
+    fn list(&self) -> &[Self::Value] {
+        &[]
+    }
+    /// Refuses a list that is not as long as the scene has joints.
+    ///
+    /// # Errors
+    /// [`Fault::Count`].
+    fn check(&self, joints: usize) -> Result<(), Fault> {
+        let _ = joints;
+        Ok(())
+    }
 }
 
 impl<T: Scalar> JointLaw<T> for Absent {
     type Value = Absent;
     const ON: bool = false;
+    const READS: bool = false;
     fn at(&self, _: T::Real, _: usize, _: &JointMotion<T>) -> Absent {
         Absent
     }
@@ -301,8 +354,17 @@ impl<T: Scalar, F: Fn(T::Real, usize, &JointMotion<T>) -> Effort<T>> JointLaw<T>
 impl<T: Scalar, V: AsRef<[Effort<T>]>> JointLaw<T> for Values<V> {
     type Value = Effort<T>;
     const ON: bool = true;
+    const READS: bool = false;
+    #[inline(always)]
     fn at(&self, _: T::Real, joint: usize, _: &JointMotion<T>) -> Effort<T> {
         self.0.as_ref().get(joint).copied().unwrap_or_default()
+    }
+    #[inline(always)]
+    fn list(&self) -> &[Effort<T>] {
+        self.0.as_ref()
+    }
+    fn check(&self, joints: usize) -> Result<(), Fault> {
+        count(joints, self.0.as_ref().len())
     }
 }
 
@@ -311,6 +373,7 @@ impl<T: Scalar, B: BodyLaw<T>, J: JointLaw<T>> Loading<Spatial<T>> for Loads<B, 
     type InJoint = J::Value;
     type Seen = ();
     const ON: bool = B::ON || J::ON;
+    const READS: bool = B::READS || J::READS;
 
     fn unseen() {}
     fn nothing() -> (B::Value, J::Value) {
@@ -328,5 +391,17 @@ impl<T: Scalar, B: BodyLaw<T>, J: JointLaw<T>> Loading<Spatial<T>> for Loads<B, 
             ..*motion
         };
         self.joints.at(time, joint, &motion)
+    }
+    #[inline(always)]
+    fn on_bodies_listed(&self) -> &[B::Value] {
+        self.bodies.list()
+    }
+    #[inline(always)]
+    fn in_joints_listed(&self) -> &[J::Value] {
+        self.joints.list()
+    }
+    fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
+        self.bodies.check(bodies)?;
+        self.joints.check(joints)
     }
 }

@@ -41,6 +41,7 @@ impl<T: Scalar, L: Law<T>> Axial<T, 1> for Prismatic<T, L> {
     const WAYS: [Way; 1] = [Way::Slide];
     const SLIDES: bool = true;
     const TURNS: bool = false;
+    const LINEAR: bool = L::LINEAR;
 
     #[inline(always)]
     fn relative(&self, inboard: &Turn<T>, [slide]: [T; 1], [rate]: [T; 1]) -> Relative<T, 1> {
@@ -59,8 +60,8 @@ impl<T: Scalar, L: Law<T>> Axial<T, 1> for Prismatic<T, L> {
         self.law.force_onto(position, rate, sum)
     }
     #[inline(always)]
-    fn pivot(&self, _: usize, springs: Implicit<T::Real>) -> T {
-        self.law.pivot(springs)
+    fn pivot(&self, _: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T {
+        self.law.pivot(position, rate, springs)
     }
     fn energy(&self, [slide]: [T; 1]) -> T {
         self.law.energy(slide)

@@ -52,6 +52,7 @@ impl<T: Scalar, L: Law<T>> Axial<T, 1> for Revolute<T, L> {
     const WAYS: [Way; 1] = [Way::Turn];
     const SLIDES: bool = false;
     const TURNS: bool = true;
+    const LINEAR: bool = L::LINEAR;
 
     #[inline(always)]
     fn relative(&self, inboard: &Turn<T>, [angle]: [T; 1], [rate]: [T; 1]) -> Relative<T, 1> {
@@ -70,8 +71,8 @@ impl<T: Scalar, L: Law<T>> Axial<T, 1> for Revolute<T, L> {
         self.law.force_onto(position, rate, sum)
     }
     #[inline(always)]
-    fn pivot(&self, _: usize, springs: Implicit<T::Real>) -> T {
-        self.law.pivot(springs)
+    fn pivot(&self, _: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T {
+        self.law.pivot(position, rate, springs)
     }
     fn energy(&self, [angle]: [T; 1]) -> T {
         self.law.energy(angle)

@@ -23,12 +23,15 @@ pub struct RotarySpring<T, D = Absent, P = Absent> {
     pub(super) rest: P,
 }
 
-/// What resists relative rotation in a joint: a [`RotarySpring`], or nothing.
+/// What resists relative rotation in a joint: a [`RotarySpring`], nothing, or a law of the user's own.
 pub trait RotaryLaw<T: Scalar>: Copy + Debug {
+    /// Whether reading it without the acceleration sought will do for rules of order two.
+    const LINEAR: bool = false;
+
     /// Torque on the outboard body (N·m), in its axes, at a relative attitude and angular velocity (axes of that body).
     fn torque(&self, position: &Rotation<T>, rate: &[T; 3]) -> Vector3<T>;
-    /// K̂ of an implicit sweep at a relative attitude, axes of the inboard body.
-    fn pivot(&self, position: &Rotation<T>, springs: Implicit<T::Real>) -> Symmetric3<T>;
+    /// K̂ of an implicit sweep at a relative attitude and angular velocity, axes of the inboard body.
+    fn pivot(&self, position: &Rotation<T>, rate: &[T; 3], springs: Implicit<T::Real>) -> Symmetric3<T>;
     /// Energy stored (J).
     fn energy(&self, position: &Rotation<T>) -> T;
     /// Rejects parameters that make no mechanics.
@@ -39,12 +42,14 @@ pub trait RotaryLaw<T: Scalar>: Copy + Debug {
 }
 
 impl<T: Scalar> RotaryLaw<T> for Absent {
+    const LINEAR: bool = true;
+
     #[inline(always)]
     fn torque(&self, _: &Rotation<T>, _: &[T; 3]) -> Vector3<T> {
         zero()
     }
     #[inline(always)]
-    fn pivot(&self, _: &Rotation<T>, _: Implicit<T::Real>) -> Symmetric3<T> {
+    fn pivot(&self, _: &Rotation<T>, _: &[T; 3], _: Implicit<T::Real>) -> Symmetric3<T> {
         Symmetric3::diagonal(T::zero())
     }
     fn energy(&self, _: &Rotation<T>) -> T {
@@ -65,13 +70,15 @@ impl<T: Scalar, D: RotaryDamper<T>, P: Term<Vector3<T>>> RotarySpring<T, D, P> {
 }
 
 impl<T: Scalar, D: RotaryDamper<T>, P: Term<Vector3<T>>> RotaryLaw<T> for RotarySpring<T, D, P> {
+    const LINEAR: bool = true; // in the rotation vector
+
     #[inline(always)]
     fn torque(&self, position: &Rotation<T>, rate: &[T; 3]) -> Vector3<T> {
         let (phi, force) = self.strained(position);
         self.damping.resist(&position.matrix(), Vector3::from(*rate), spring_couple(phi, force))
     }
     #[inline(always)]
-    fn pivot(&self, position: &Rotation<T>, springs: Implicit<T::Real>) -> Symmetric3<T> {
+    fn pivot(&self, position: &Rotation<T>, _: &[T; 3], springs: Implicit<T::Real>) -> Symmetric3<T> {
         let (phi, force) = self.strained(position);
         let slope = spring_slope(phi, Vector3::from(self.stiffness), force).scaled(springs.position);
         self.damping.pivot_onto(springs.rate, slope)

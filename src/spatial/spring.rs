@@ -51,14 +51,57 @@ impl<K, D> Spring<K, D> {
     }
 }
 
-/// What acts on a coordinate of a joint by itself.
+/// What acts on a coordinate of a joint by itself: a [`Spring`], or a law of the user's own.
+///
+/// Explicit rules read its force. Implicit ones take it linearly implicitly, from its force and slopes where the last sweep has led: a
+/// law that is not linear is met as well as one that is, and rules keep their order where it is smooth. Slopes should not be negative
+/// by much: a step must resolve what they drive apart.
+///
+/// ```
+/// use catena::element::{Implicit, Springs};
+/// use catena::spatial::*;
+/// use catena::{Fault, Scalar};
+///
+/// /// A spring that stiffens: −k (φ + φ³), with a damper.
+/// #[derive(Clone, Copy, Debug)]
+/// struct Stiffening<T> {
+///     stiffness: T,
+///     damping: T,
+/// }
+///
+/// impl<T: Scalar> Law<T> for Stiffening<T> {
+///     fn force_onto(&self, position: T, rate: T, sum: T) -> T {
+///         sum - self.stiffness * (position + position * position * position) - self.damping * rate
+///     }
+///     fn energy(&self, position: T) -> T {
+///         let square = position * position;
+///         self.stiffness * (square.scale(T::Real::from(0.5_f32)) + (square * square).scale(T::Real::from(0.25_f32)))
+///     }
+///     fn pivot(&self, position: T, _: T, springs: Implicit<T::Real>) -> T {
+///         let slope = self.stiffness * (T::one() + (position * position).scale(T::Real::from(3.0_f32)));
+///         springs.pivot(slope, self.damping)
+///     }
+///     fn check(&self) -> Result<(), Fault> {
+///         if self.stiffness.is_finite() { Ok(()) } else { Err(Fault::NotFinite { parameter: "stiffness" }) }
+///     }
+/// }
+///
+/// let rod = Rod::uniform(0.5, 0.05, 1.0);
+/// let hinge = Revolute::about([0.0, 0.0, 1.0]).with(Stiffening { stiffness: 200.0, damping: 0.5 });
+/// let arm = System::new(Clamped::origin(), (hinge, rod, hinge, rod), Free)?.with_gravity(9.81);
+/// let run = arm.simulate(arm.at_rest(&[0.3, -0.2])?, Sdirk4::new().step(0.01), 0.5, |_| ())?;
+/// # Ok::<(), catena::Error>(())
+/// ```
 pub trait Law<T: Scalar>: Copy + Debug {
+    /// Whether its force is affine in position and rate: then slopes are the same everywhere, and nothing has to be read twice.
+    const LINEAR: bool = false;
+
     /// Adds its generalised force (N·m, N) to a sum.
     fn force_onto(&self, position: T, rate: T, sum: T) -> T;
     /// Energy stored (J).
     fn energy(&self, position: T) -> T;
-    /// K̂ of an implicit sweep: position · stiffness + rate · damping.
-    fn pivot(&self, springs: Implicit<T::Real>) -> T;
+    /// K̂ of an implicit sweep: `springs.pivot(k, c)`, for the slopes there, k = −∂force/∂position and c = −∂force/∂rate.
+    fn pivot(&self, position: T, rate: T, springs: Implicit<T::Real>) -> T;
     /// Rejects parameters that make no mechanics.
     ///
     /// # Errors
@@ -67,6 +110,8 @@ pub trait Law<T: Scalar>: Copy + Debug {
 }
 
 impl<T: Scalar, K: Coefficient<T>, D: Coefficient<T>, P: Term<T>> Law<T> for Spring<K, D, P> {
+    const LINEAR: bool = true;
+
     #[inline(always)]
     fn force_onto(&self, position: T, rate: T, sum: T) -> T {
         let strain = self.rest.take_from(position);
@@ -77,7 +122,7 @@ impl<T: Scalar, K: Coefficient<T>, D: Coefficient<T>, P: Term<T>> Law<T> for Spr
         self.stiffness.times_onto((strain * strain).scale(T::Real::of(0.5)), T::zero())
     }
     #[inline(always)]
-    fn pivot(&self, springs: Implicit<T::Real>) -> T {
+    fn pivot(&self, _: T, _: T, springs: Implicit<T::Real>) -> T {
         let stiff = self.stiffness.times_onto(T::constant(springs.position), T::zero());
         self.damping.times_onto(T::constant(springs.rate), stiff)
     }
@@ -91,7 +136,7 @@ impl<T: Scalar, K: Coefficient<T>, D: Coefficient<T>, P: Term<T>> Law<T> for Spr
 /// What a law adds to a pivot in a sweep.
 pub trait PivotRule<T: Scalar>: Springs<T> {
     /// Nothing in an explicit sweep.
-    type Stiffness: Term<T>;
+    type Stiffness: Term<T> + Coefficient<T>;
     /// K̂.
     fn stiffness(self, law: impl FnOnce(Implicit<T::Real>) -> T) -> Self::Stiffness;
 }

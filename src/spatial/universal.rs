@@ -38,6 +38,7 @@ impl<T: Scalar, L: Law<T>, M: Law<T>> Axial<T, 2> for Universal<T, L, M> {
     const WAYS: [Way; 2] = [Way::Turn, Way::Turn];
     const SLIDES: bool = false;
     const TURNS: bool = true;
+    const LINEAR: bool = L::LINEAR && M::LINEAR;
 
     #[inline(always)]
     fn relative(&self, inboard: &Turn<T>, [one, two]: [T; 2], [first, second]: [T; 2]) -> Relative<T, 2> {
@@ -59,8 +60,8 @@ impl<T: Scalar, L: Law<T>, M: Law<T>> Axial<T, 2> for Universal<T, L, M> {
         if k == 0 { self.first.force_onto(position, rate, sum) } else { self.second.force_onto(position, rate, sum) }
     }
     #[inline(always)]
-    fn pivot(&self, k: usize, springs: Implicit<T::Real>) -> T {
-        if k == 0 { self.first.pivot(springs) } else { self.second.pivot(springs) }
+    fn pivot(&self, k: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T {
+        if k == 0 { self.first.pivot(position, rate, springs) } else { self.second.pivot(position, rate, springs) }
     }
     fn energy(&self, [one, two]: [T; 2]) -> T {
         self.first.energy(one) + self.second.energy(two)

@@ -167,6 +167,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
+        self.scene.admits(loads)?;
         self.begin(past, loads, next)?;
         self.make(past, loads, dt, next)
     }
@@ -178,6 +179,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
+        self.scene.admits(loads)?;
         self.resume(past, next)?;
         self.make(past, loads, dt, next)
     }

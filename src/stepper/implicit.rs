@@ -139,11 +139,16 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
                 self.at.0.drift_1(&self.free.0, (none, &self.zero), (springs.position, found));
                 self.at.1.mix_1(&self.free.1, (springs.rate, found));
             }
-            if sweep + 1 == sweeps {
+            if !D::LINEAR || sweep + 1 == sweeps {
                 self.earlier.set(&next.acceleration);
             }
             let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
-            let reading = Reading { position: free.0, rate: free.1, acceleration: &self.zero };
+            // Laws that are not linear are read where the last sweep has led.
+            let reading = if D::LINEAR || sweep == 0 {
+                Reading { position: free.0, rate: free.1, acceleration: &self.zero }
+            } else {
+                Reading { position: at.0, rate: at.1, acceleration: &self.earlier }
+            };
             let (found, stiff) = (&mut next.acceleration, &mut self.stiff);
             next.multipliers =
                 self.scene.implicit_accelerations(next.time, at, free, reading, springs, loads, stiff, found);
@@ -209,6 +214,7 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.check(past, next, dt)?;
+        self.scene.admits(loads)?;
         let first = &mut self.first;
         self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
         self.sweeps += 1;
@@ -223,6 +229,7 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.check(past, next, dt)?;
+        self.scene.admits(loads)?;
         self.first.set(&past.acceleration);
         self.make(past, loads, dt, next)
     }

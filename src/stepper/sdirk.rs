@@ -25,7 +25,7 @@ pub struct SdirkStepper<D: StiffDynamics<L>, L> {
     free: (D::Position, D::Rate),
     /// Where the geometry of a sweep is taken.
     at: (D::Position, D::Rate),
-    /// The acceleration that led there.
+    /// The acceleration that led there, where something is read there.
     led: D::Rate,
     still: MotionIn<D, L>,
     zero: D::Rate,
@@ -62,6 +62,9 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for Sdirk4 {
 }
 
 impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
+    /// Whether laws are read where the last sweep has led. Linear ones need not be.
+    const FOLLOWS: bool = D::Position::CURVED || !D::LINEAR;
+
     /// Solves a stage: its accelerations become slopes, its place and rates stand in `at`, its time and closure forces in
     /// `next`.
     fn solve(&mut self, stage: usize, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &mut MotionIn<D, L>) {
@@ -80,8 +83,10 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
             sweeps += 1;
             self.at.0.drift_0(&past.position, (real(node) * dt, &past.rate));
             self.at.1.set(&past.rate);
-            if D::Position::CURVED {
+            if Self::FOLLOWS {
                 self.led.set(&self.zero);
+            }
+            if D::Position::CURVED {
                 self.at.0.land(&past.position, &mut self.at.1);
             }
         } else {
@@ -89,7 +94,7 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
         }
         for _ in 0..sweeps {
             let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
-            let reading = if D::Position::CURVED {
+            let reading = if Self::FOLLOWS {
                 Reading { position: at.0, rate: at.1, acceleration: &self.led }
             } else {
                 Reading { position: free.0, rate: free.1, acceleration: &self.zero }
@@ -98,9 +103,11 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
             next.multipliers =
                 self.scene.implicit_accelerations(next.time, at, free, reading, springs, loads, stiff, found);
             self.sweeps += 1;
+            if Self::FOLLOWS {
+                self.led.set(&self.slopes[stage]);
+            }
             if D::Position::CURVED {
                 next.acceleration.set(&self.slopes[stage]);
-                self.led.set(&self.slopes[stage]);
                 self.at.0.unroll(&past.position, &self.at.1, &mut self.slopes[stage]);
             }
             self.aim(springs, stage, past, real(node) * dt);
@@ -164,6 +171,7 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         check::<D, L>(&self.still, past, next, dt)?;
+        self.scene.admits(loads)?;
         self.leap(past, loads, dt, next);
         let (position, rate) = &mut self.estimate;
         gather(position, &self.zero, dt * dt, &ERROR.position, &self.slopes);

@@ -33,6 +33,12 @@ pub trait Dynamics<L> {
     /// A motion with all coordinates zero.
     fn still(&self) -> Motion<Self::Scalar, Self::Position, Self::Closures>;
 
+    /// Refuses loads that are lists of another length than the scene has bodies or joints.
+    ///
+    /// # Errors
+    /// [`Count`](crate::error::Fault::Count).
+    fn admits(&self, loads: &L) -> Result<(), Error>;
+
     /// One sweep: accelerations from time, positions and rates; returns the forces that hold the tip.
     fn accelerations(
         &self,
@@ -92,6 +98,9 @@ pub trait Dynamics<L> {
 /// What an implicit stepper needs besides. It is a trait of its own, so that a scene of many types that only takes explicit steps
 /// does not make a compiler think about implicit ones.
 pub trait StiffDynamics<L>: Dynamics<L> {
+    /// Whether no law of a spring or damper has to be read where the last sweep has led.
+    const LINEAR: bool;
+
     /// Room for implicit sweeps.
     type StiffWorkspace;
 

@@ -264,7 +264,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::SingularJoint`], [`Fault::NonFiniteLoad`] or [`Fault::NonFiniteMotion`], with time and station;
-    /// [`Fault::RedundantClosures`] where a tip is held twice in the same way; [`Fault::Shape`] for a motion of another scene.
+    /// [`Fault::RedundantClosures`] where a tip is held twice in the same way; [`Fault::Shape`] for a motion of another scene;
+    /// [`Fault::Count`] for lists of loads of another length than the scene has bodies or joints.
     pub fn with_accelerations<L: Loading<S>>(
         &self,
         mut motion: MotionOf<S, R, C, P>,
@@ -295,6 +296,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if !(self.chain.fits(position, rate) && self.chain.fits(position, acceleration)) {
             return Err(Error::new(Fault::Shape));
         }
+        self.admits(loads)?;
         *multipliers = self.accelerations(*time, position, rate, loads, workspace, acceleration);
         self.independent(motion, workspace, &mut |_, _| ())?;
         let mut finite = true;

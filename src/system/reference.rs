@@ -25,6 +25,11 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     }
 
     #[inline]
+    fn admits(&self, loads: &L) -> Result<(), Error> {
+        D::admits(self, loads)
+    }
+
+    #[inline]
     fn accelerations(
         &self,
         time: <Self::Scalar as Scalar>::Real,
@@ -83,6 +88,8 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
 }
 
 impl<D: StiffDynamics<L>, L> StiffDynamics<L> for &D {
+    const LINEAR: bool = D::LINEAR;
+
     type StiffWorkspace = D::StiffWorkspace;
 
     #[inline]

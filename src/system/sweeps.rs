@@ -38,6 +38,10 @@ where
         self.motion()
     }
 
+    fn admits(&self, loads: &L) -> Result<(), Error> {
+        loads.check(self.bodies(), self.joints()).map_err(Error::new)
+    }
+
     #[inline(never)] // one copy, however many stages and rules call it: a scene of sixty bodies is a large function
     fn accelerations(
         &self,
@@ -168,6 +172,8 @@ where
     Elements<S, R, C>:
         Condense<S, P::Relation, Carrying<L, Implicit<RealOf<S>>, P::Closures>, Out: Close<S, P::Closures>>,
 {
+    const LINEAR: bool = <Elements<S, R, C> as Element<S>>::LINEAR;
+
     type StiffWorkspace = Workspace<S, Elements<S, R, C>, Carrying<L, Implicit<RealOf<S>>, P::Closures>>;
 
     fn stiff_workspace(&self) -> Self::StiffWorkspace {
