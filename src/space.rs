@@ -52,6 +52,11 @@ pub trait Space: Copy + Debug + 'static {
     /// The size of what has none.
     fn no_size() -> Self::Size;
 
+    /// What rests at the origin, unturned.
+    fn resting() -> Self::Frame;
+    /// The mass of a body (kg).
+    fn mass(body: &Self::BodyMotion) -> Self::Scalar;
+
     /// The orientation part of a frame.
     fn turn(frame: &Self::Frame) -> Self::Turn;
     /// The orientation of a body in angles.

@@ -105,7 +105,13 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         Tied { arms: self.arms.rate(), closing: S::numbers(S::no_force()) }
     }
     fn kept<C: Closures>(&self) -> Self::Kept<C> {
-        (self.main().kept(), self.side().kept(), LoopGain::blank(S::no_column()), S::no_force())
+        // A measure need not know where bodies are: as they are turned, each yields by a factor of a few at most.
+        let measure = OwnOf::<S, K>::measure(|| {
+            let ((p, q), (v, w)) = (self.arms.position(), self.arms.rate());
+            let in_main = Coordinates { position: &p, rate: &v, acceleration: &v };
+            self.yields(S::resting(), in_main, Coordinates { position: &q, rate: &w, acceleration: &w })
+        });
+        (self.main().kept(), self.side().kept(), LoopGain::blank(S::no_column(), measure), S::no_force())
     }
     fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
         self.arms.per_body(fill)
@@ -280,13 +286,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
                 tell(station, name);
             }
         });
-        // What the last bodies of both arms would yield to the forces if they were free; one without mass is not.
-        let mut measure = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
-        for body in [last_body(self.main(), frame, in_main), last_body(self.side(), frame, in_side)].iter().flatten() {
-            let yields = self.closing.free_compliance(body);
-            let add = |a: S::Scalar, b: S::Scalar| if b.is_finite() { a + b } else { a };
-            measure = OwnOf::<S, K>::zip(&measure, &yields, add);
-        }
+        let measure = self.yields(frame, in_main, in_side);
         let Some((row, independent)) = OwnOf::<S, K>::dependent(gain.compliance(), &measure) else {
             return Ok(end);
         };
@@ -353,6 +353,30 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         let closing = after_main + self.side().bodies() + self.side().joints();
         let in_arms = self.side().broken(side, after_main).or_else(|| self.main().broken(main, station));
         in_arms.or_else(|| (!gain.is_finite()).then_some(closing))
+    }
+}
+
+impl<M, A, K> Network<M, A, K> {
+    /// What the last bodies of both arms would yield to the forces that close the loop if they were free.
+    fn yields<S: Space>(
+        &self,
+        frame: S::Frame,
+        main: Coordinates<'_, S, M>,
+        side: Coordinates<'_, S, A>,
+    ) -> <OwnOf<S, K> as Closures>::Each<S::Scalar>
+    where
+        M: Element<S>,
+        A: Element<S>,
+        K: Closing<S>,
+    {
+        let none = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
+        let bodies = [last_body(self.main(), frame, main), last_body(self.side(), frame, side)];
+        // A body without extent does not say how it would turn.
+        let add = |a: S::Scalar, b: S::Scalar| if b.is_finite() { a + b } else { a };
+        bodies
+            .iter()
+            .flatten()
+            .fold(none, |sum, body| OwnOf::<S, K>::zip(&sum, &self.closing.free_compliance(body), add))
     }
 }
 

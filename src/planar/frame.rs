@@ -236,6 +236,12 @@ impl<T: Scalar> Space for Planar<T> {
         T::zero()
     }
     #[inline(always)]
+    fn resting() -> Frame<T> {
+        Frame::resting(zero())
+    }
+    fn mass(body: &BodyMotion<T>) -> T {
+        body.inertia.mass
+    }
     fn turn(frame: &Frame<T>) -> Turn<T> {
         frame.turn
     }

@@ -223,6 +223,12 @@ impl<T: Scalar> Space for Spatial<T> {
     }
     fn no_size() {}
     #[inline(always)]
+    fn resting() -> Frame<T> {
+        Frame::resting(zero())
+    }
+    fn mass(body: &BodyMotion<T>) -> T {
+        body.inertia.mass
+    }
     fn turn(frame: &Frame<T>) -> Turn<T> {
         frame.turn
     }
