@@ -122,6 +122,12 @@ pub trait Element<S: Space>: Clone {
         joints: &'a Self::PerJoint<X>,
         k: usize,
     ) -> Option<&'a X>;
+    /// Shows the entries of all bodies and joints inside, root to tip, in one walk.
+    fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+        bodies: &'a Self::PerBody<X>,
+        joints: &'b Self::PerJoint<Y>,
+        note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+    );
 
     /// Gives each joint the coordinates that turn its outboard body to an absolute orientation; `next` is told that of the
     /// inboard body and yields one number for each rotary coordinate, root to tip.
@@ -272,6 +278,15 @@ pub trait Element<S: Space>: Clone {
 
     /// The outermost joint whose gains are not finite: the station, counted from `station`, where a sweep failed.
     fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize>;
+}
+
+/// What a store holds for a body, or for a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Entry<X, Y> {
+    /// For a body.
+    Body(X),
+    /// For a joint.
+    Joint(Y),
 }
 
 /// An element that can condense a relation of type `R` in a sweep that carries `L`.

@@ -1,12 +1,15 @@
 //! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
 
+mod in_turn;
+
 use crate::counts::HasBody;
-use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::element::{Budget, Closed, Coordinates, Element, Entry, Gather, Load, Loading, RealOf, Space, Visit};
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::visit::survey;
 use core::fmt;
 use core::marker::PhantomData;
+use in_turn::in_turn;
 use num_traits::Zero;
 
 /// Something of every body of a scene, by number.
@@ -61,9 +64,20 @@ impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
         self.get(K)
     }
 
-    /// Those of all bodies, root to tip.
+    /// Those of all bodies, root to tip, each met once.
     pub fn iter(&self) -> impl Iterator<Item = &X> {
-        (0..self.len()).filter_map(|k| self.get(k))
+        in_turn(
+            E::BODIES.is_some(),
+            self.len(),
+            |k| self.get(k),
+            |list| {
+                E::each_entry(&self.bodies, &self.chain.per_joint(()), &mut |entry| {
+                    if let Entry::Body(body) = entry {
+                        list(body.as_ref());
+                    }
+                });
+            },
+        )
     }
 }
 
@@ -130,9 +144,16 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
         &self.tip
     }
 
-    /// All stations, root to tip.
+    /// All stations, root to tip, each met once.
     pub fn iter(&self) -> impl Iterator<Item = &S::Station> {
-        (0..=self.elements()).filter_map(|k| self.get(k))
+        // Entry 0 is the root's joint, and the tip comes last.
+        let get = |k| self.chain.entry(&self.bodies, &self.joints, k).and_then(Option::as_ref);
+        let stations = in_turn(E::BODIES.is_some() && E::JOINTS.is_some(), self.elements() + 1, get, |list| {
+            E::each_entry(&self.bodies, &self.joints, &mut |entry| match entry {
+                Entry::Body(station) | Entry::Joint(station) => list(station.as_ref()),
+            });
+        });
+        stations.skip(1).chain(core::iter::once(&self.tip))
     }
 }
 

@@ -1,8 +1,8 @@
 //! Arms in parallel, between two stations.
 
 use super::closing::{Closing, Ends};
-use super::{deeper, sum};
-use crate::element::{Closed, Coordinates, Element, Gather, Level, Posture, Space, Springs, Visit, look};
+use super::{deeper, entries, sum};
+use crate::element::{Closed, Coordinates, Element, Entry, Gather, Level, Posture, Space, Springs, Visit, look};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Rate, Tied, TiedPosition};
@@ -131,15 +131,24 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         joints: &'a Self::PerJoint<X>,
         k: usize,
     ) -> Option<&'a X> {
-        let in_main = self.main().bodies() + self.main().joints();
+        let in_main = entries(self.main());
         let Some(k) = k.checked_sub(in_main) else {
             return self.main().entry(&bodies.0, &joints.0, k);
         };
-        let in_side = self.side().bodies() + self.side().joints();
+        let in_side = entries(self.side());
         let Some(k) = k.checked_sub(in_side) else {
             return self.side().entry(&bodies.1, &joints.1, k);
         };
         (k == 0).then_some(&joints.2)
+    }
+    fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+        bodies: &'a Self::PerBody<X>,
+        joints: &'b Self::PerJoint<Y>,
+        note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+    ) {
+        M::each_entry(&bodies.0, &joints.0, note);
+        A::each_entry(&bodies.1, &joints.1, note);
+        note(Entry::Joint(&joints.2));
     }
     fn aim(
         &self,

@@ -5,7 +5,7 @@ use super::linear::{HingeAxes, Linear};
 use super::spring::{Spring, SpringLaw};
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Gather, Posture, Springs, Visit};
+use crate::element::{Coordinates, Element, Entry, Gather, Posture, Springs, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Coefficient, Term};
@@ -189,6 +189,13 @@ macro_rules! joint {
             }
             fn entry<'a, X: Copy>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(joint)
+            }
+            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+                _: &'a (),
+                joint: &'b Y,
+                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+            ) {
+                note(Entry::Joint(joint));
             }
             fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 Joint::aim(self, position, inboard, next)

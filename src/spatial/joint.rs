@@ -6,7 +6,7 @@ use super::{
 };
 use super::{Universal, Weld, release, spring::Law};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Gather, Posture, Springs, Visit};
+use crate::element::{Coordinates, Element, Entry, Gather, Posture, Springs, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
@@ -190,6 +190,13 @@ macro_rules! joint {
             }
             fn entry<'a, X: Copy>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(joint)
+            }
+            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+                _: &'a (),
+                joint: &'b Y,
+                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+            ) {
+                note(Entry::Joint(joint));
             }
             fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 Joint::aim(self, position, inboard, next)
