@@ -62,7 +62,7 @@ pub(super) fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(
 
 /// A rigid body in the plane, between an inboard end I (the origin of its axes) and an outboard end O.
 ///
-/// With these methods a type is a body; the macro `body!` in this file makes it an element.
+/// With these methods a type is a body; the macro `body!` in this file, which is not exported, makes it an element.
 pub trait Body<T: Scalar>: Copy + Debug {
     /// Its inertia.
     fn inertia(&self) -> Inertia<T>;

@@ -59,7 +59,7 @@ pub type StoredIn<T, J> = (Axes<T, J>, Biases<T, J>);
 /// A massless joint in space.
 ///
 /// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
-/// macro `joint!` in this file makes it an element.
+/// macro `joint!` in this file, which is not exported, makes it an element.
 pub trait Joint<T: Scalar>: Copy + Debug {
     /// Its coordinates.
     type Position: Position<T, Rate = Self::Rate>;
