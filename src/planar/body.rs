@@ -36,6 +36,12 @@ impl<T: Scalar> Inertia<T> {
         let scale = *mass * (centre[0] * centre[0] + centre[1] * centre[1]);
         not_negative("moment of inertia", *about_centre, scale.real() * T::Real::EPSILON * T::Real::of(8.0))
     }
+
+    /// What may be wrong with an inertia that a sweep can do with: a moment of inertia without mass.
+    pub fn doubt(&self) -> Option<Fault> {
+        let (mass, turns) = (self.mass.real().as_f64(), self.about_centre.real() != T::Real::zero());
+        (turns && mass <= 0.0).then_some(Fault::NotPositive { parameter: "mass", value: mass })
+    }
 }
 
 /// Fails where a value is NaN, infinite or below −`slack`.

@@ -2,6 +2,7 @@
 
 use super::{Inertia, Station};
 use crate::element::{Budget, Space, SpaceOver};
+use crate::error::Fault;
 use crate::relation::plane::algebra::{add_scaled, cross, dot, normal};
 use crate::relation::plane::{Empty, FullColumn};
 use crate::scalar::{Real, Scalar};
@@ -241,6 +242,9 @@ impl<T: Scalar> Space for Planar<T> {
     }
     fn mass(body: &BodyMotion<T>) -> T {
         body.inertia.mass
+    }
+    fn doubt(body: &BodyMotion<T>) -> Option<Fault> {
+        body.inertia.doubt()
     }
     fn turn(frame: &Frame<T>) -> Turn<T> {
         frame.turn
