@@ -2,11 +2,12 @@
 //!
 //! # One sweep
 //!
-//! A *sweep* is one evaluation of a scene's accelerations. It walks the chain four times, and nothing goes back:
+//! A *sweep* is one evaluation of a scene's accelerations. It walks the chain four times (five where loads survey the whole scene
+//! first: [`Loading::SURVEYS`]), and nothing goes back:
 //!
 //! ```text
 //! orient    root → tip   each body's angle and rate                        Element::pose
-//! load      root → tip   forces that depend on the motion (if any)         Element::travel
+//! load      root → tip   loads, with the motion they depend on (if any)    Element::travel
 //! condense  tip → root   F = S p + e at each station                       Condense::condense
 //! recover   root → tip   accelerations of the joint coordinates            Element::recover
 //! ```
@@ -28,13 +29,14 @@
 //!
 //! * **A pin chain in the plane** must not pay for anything else. What a sweep has to carry (loads, implicit springs, closure
 //!   forces) is a type, [`Sweep`], and what lies outboard is a type too, the relation; a part that is not there is a type without
-//!   size. Postures are kept as stores of numbers, not of structs, so that sines vectorise for tuples as well as for arrays.
+//!   size. Postures are kept as stores of numbers, not of structs, so that sines vectorise for tuples as well as for arrays (in
+//!   space, whose attitudes need no sines, as stores of vectors).
 //! * **A ball chain in space.** Nothing here mentions a plane: [`Space`] names what a walk carries (two numbers that turn in the
 //!   plane, a rotation and a vector in space), and a ball hands on a 3 × 3 point relation as a pin hands on a 2 × 2 one. What
 //!   a posture is, each space says: an arm and its centripetal acceleration in the plane, vectors and inertias in space.
 //! * **A held tip with λ columns.** W, Λ and y₀ ride inside the relation as fields that a free tip's type does not have
-//!   ([`Closures`]); kernels treat e and W as right-hand sides of one elimination, and a joint keeps one more number for each
-//!   closure force. The ground's condition at the root turns Λ into λ, and the outward walk uses it.
+//!   ([`Closures`]); kernels treat e and W as right-hand sides of one elimination, and a joint keeps one more number for each of its
+//!   coordinates and each closure force. The ground's condition at the root turns Λ into λ, and the outward walk uses it.
 //! * **An implicit rule.** Only a joint's pivot gains K̂ and its torque an affine term. A stiff joint is the same element
 //!   condensed for another type of springs, [`Implicit`], after which the relation is full; rods and pins neither know nor pay.
 //!   Springs are read where coordinates would be without the acceleration sought, which makes a linear law exact; those of
@@ -42,7 +44,8 @@
 //! * **Projections and a tangent sweep through stored gains.** [`Element::Kept`] holds what the outward walk needs of each
 //!   elimination, one value per joint in the order of the chain, and outlives the sweep: [`Element::respond`] walks it again for
 //!   corrections of positions and rates, and other right-hand sides can.
-//! * **The paper's displacement level** builds matrices from the same elements and shares no walk with this one.
+//! * **The paper's displacement level** builds matrices from the same elements: it reads them by one [`Element::travel`], and shares no
+//!   other walk with this one.
 //! * **Branches** are elements whose condensation adds the relation of an arm to that of the chain at one station; walks inward
 //!   add what comes from both ([`Gather`]), walks outward set out from that station twice.
 //!
@@ -61,8 +64,13 @@ use crate::relation::Closures;
 
 /// A body, a joint, or a chain of them.
 ///
-/// Composition ([`chain`](crate::chain)) implements it for tuples, arrays and vectors of elements; a new body or joint
-/// implements a trait of its space with one or two methods of physics instead (see `planar::Body`).
+/// Composition ([`chain`](crate::chain)) implements it for tuples, arrays and vectors of elements, arms and networks. For the bodies and
+/// joints of this crate a macro of their space does, from a trait that holds their physics: parameters and their check, posture and
+/// condensation of a body ([`planar::Body`](crate::planar::Body), [`spatial::Body`](crate::spatial::Body)); coordinates, gains, springs
+/// and the outward walk of a joint ([`planar::Joint`](crate::planar::Joint), [`spatial::Joint`](crate::spatial::Joint)), which implements
+/// [`Condense`] by hand for the relations that it can take. These macros are not exported: a type of another crate that is to be an
+/// element implements this trait and [`Condense`] itself, all methods without a default; that of these traits of physics alone does not
+/// make it one.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an element of the chain's space `{S}`",
     label = "not an element of `{S}`",
@@ -79,7 +87,8 @@ pub trait Element<S: Space>: Clone {
     type PerBody<X: Copy>: Clone;
     /// One `X` for each joint inside.
     type PerJoint<X: Copy>: Clone;
-    /// One `X` for each set of axes inside: those of bodies, and those of joints that push along the axes of a neighbour.
+    /// One `X` for each set of axes inside: those of bodies, and those of joints that keep some (in the plane where they push along the
+    /// axes of a neighbour, in space all of them).
     type PerAxes<X: Copy>: Clone;
 
     /// Number of bodies inside, if the type decides it.
@@ -122,6 +131,12 @@ pub trait Element<S: Space>: Clone {
         joints: &'a Self::PerJoint<X>,
         k: usize,
     ) -> Option<&'a X>;
+    /// Shows the entries of all bodies and joints inside, root to tip, in one walk.
+    fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+        bodies: &'a Self::PerBody<X>,
+        joints: &'b Self::PerJoint<Y>,
+        note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+    );
 
     /// Gives each joint the coordinates that turn its outboard body to an absolute orientation; `next` is told that of the
     /// inboard body and yields one number for each rotary coordinate, root to tip.
@@ -281,6 +296,15 @@ pub trait Element<S: Space>: Clone {
 
     /// The outermost joint whose gains are not finite: the station, counted from `station`, where a sweep failed.
     fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize>;
+}
+
+/// What a store holds for a body, or for a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Entry<X, Y> {
+    /// For a body.
+    Body(X),
+    /// For a joint.
+    Joint(Y),
 }
 
 /// An element that can condense a relation of type `R` in a sweep that carries `L`.

@@ -65,8 +65,11 @@ pub enum Fault {
         /// Its name.
         parameter: &'static str,
     },
-    /// Moments of inertia that no distribution of mass has: one is negative, or larger than the sum of the other two.
-    ImpossibleInertia,
+    /// Moments of inertia that no distribution of mass has, for one is larger than the sum of the other two. Sweeps can do with them.
+    ImpossibleInertia {
+        /// By how much (kg·m²).
+        excess: f64,
+    },
     /// Two axes of a joint are parallel.
     ParallelAxes,
     /// Nothing resists the rotation in a joint: what lies outboard of it has no inertia about it.
@@ -194,8 +197,8 @@ impl fmt::Display for Error {
             }
             Fault::NotFinite { parameter } => write!(f, "{parameter} must be finite"),
             Fault::NotSymmetric { parameter } => write!(f, "{parameter} must be symmetric"),
-            Fault::ImpossibleInertia => {
-                write!(f, "no body has these moments of inertia: one is negative or exceeds the sum of the others")
+            Fault::ImpossibleInertia { excess } => {
+                write!(f, "no body has these moments of inertia: one exceeds the sum of the others by {excess} kg m2")
             }
             Fault::ParallelAxes => write!(f, "the axes of the joint are parallel"),
             Fault::SingularJoint => write!(f, "nothing resists the rotation in this joint (no inertia outboard of it)"),

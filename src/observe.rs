@@ -1,12 +1,16 @@
 //! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
 
+mod in_turn;
+
 use crate::counts::HasBody;
-use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::element::{Budget, Closed, Coordinates, Element, Entry, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::error::Error;
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::visit::survey;
 use core::fmt;
 use core::marker::PhantomData;
+use in_turn::in_turn;
 use num_traits::Zero;
 
 /// Something of every body of a scene, by number.
@@ -61,9 +65,20 @@ impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
         self.get(K)
     }
 
-    /// Those of all bodies, root to tip.
+    /// Those of all bodies, root to tip, each met once.
     pub fn iter(&self) -> impl Iterator<Item = &X> {
-        (0..self.len()).filter_map(|k| self.get(k))
+        in_turn(
+            E::BODIES.is_some(),
+            self.len(),
+            |k| self.get(k),
+            |list| {
+                E::each_entry(&self.bodies, &self.chain.per_joint(()), &mut |entry| {
+                    if let Entry::Body(body) = entry {
+                        list(body.as_ref());
+                    }
+                });
+            },
+        )
     }
 }
 
@@ -130,9 +145,16 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
         &self.tip
     }
 
-    /// All stations, root to tip.
+    /// All stations, root to tip, each met once.
     pub fn iter(&self) -> impl Iterator<Item = &S::Station> {
-        (0..=self.elements()).filter_map(|k| self.get(k))
+        // Entry 0 is the root's joint, and the tip comes last.
+        let get = |k| self.chain.entry(&self.bodies, &self.joints, k).and_then(Option::as_ref);
+        let stations = in_turn(E::BODIES.is_some() && E::JOINTS.is_some(), self.elements() + 1, get, |list| {
+            E::each_entry(&self.bodies, &self.joints, &mut |entry| match entry {
+                Entry::Body(station) | Entry::Joint(station) => list(station.as_ref()),
+            });
+        });
+        stations.skip(1).chain(core::iter::once(&self.tip))
     }
 }
 
@@ -194,6 +216,39 @@ impl<S: Space, F: FnMut(&S::BodyMotion)> Visit<S> for Show<F> {
         (self.0)(body);
     }
     fn joint(&mut self, _: &S::JointMotion) {}
+}
+
+/// Calls `tell` with what may be wrong with the inertia of a body, and at which station.
+pub(crate) fn doubts<S: Space, E: Element<S>>(
+    chain: &E,
+    ground: S::Frame,
+    motion: Coordinates<'_, S, E>,
+    tell: impl FnMut(Error),
+) {
+    let mut doubts = Doubts { entries: 0, tell };
+    chain.travel(ground, motion, &mut doubts, &mut chain.per_body(()), &mut chain.per_joint(()));
+}
+
+/// Shows bodies whose inertia may be wrong.
+struct Doubts<F> {
+    /// Bodies and joints met; the first is the root's joint.
+    entries: usize,
+    tell: F,
+}
+
+impl<S: Space, F: FnMut(Error)> Visit<S> for Doubts<F> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, body: &S::BodyMotion) {
+        self.entries += 1;
+        if let Some(doubt) = S::doubt(body) {
+            (self.tell)(Error::new(doubt).at_station(self.entries - 2));
+        }
+    }
+    fn joint(&mut self, _: &S::JointMotion) {
+        self.entries += 1;
+    }
 }
 
 /// By how much the ends of a loop miss each other: the largest (m, rad), and the station of the joint that should close it.

@@ -1,5 +1,6 @@
 //! What elements of one space have in common.
 
+use crate::error::Fault;
 use crate::mirror::Rate;
 use crate::scalar::Scalar;
 use core::fmt::Debug;
@@ -51,6 +52,13 @@ pub trait Space: Copy + Debug + 'static {
     fn blank() -> (Self::X, Self::Y, Self::P, Self::Q);
     /// The size of what has none.
     fn no_size() -> Self::Size;
+
+    /// What rests at the origin, unturned.
+    fn resting() -> Self::Frame;
+    /// The mass of a body (kg).
+    fn mass(body: &Self::BodyMotion) -> Self::Scalar;
+    /// What may be wrong with the inertia of a body.
+    fn doubt(body: &Self::BodyMotion) -> Option<Fault>;
 
     /// The orientation part of a frame.
     fn turn(frame: &Self::Frame) -> Self::Turn;

@@ -2,7 +2,9 @@
 
 use crate::element::{Coordinates, Element};
 use crate::loading::Loading;
+use crate::scalar::Scalar;
 use crate::space::Space;
+use num_traits::Zero;
 
 /// A visitor of [`Element::travel`].
 pub trait Visit<S: Space> {
@@ -98,7 +100,7 @@ impl<S: Space> Visit<S> for Look {
     fn joint(&mut self, _: &S::JointMotion) {}
 }
 
-/// The body at the tip of a chain.
+/// The last body of a chain that has mass: what lies beyond it is part of it.
 pub(crate) fn last_body<S: Space, E: Element<S>>(
     chain: &E,
     ground: S::Frame,
@@ -121,7 +123,7 @@ impl<S: Space> Visit<S> for Last<S> {
     type InJoint = ();
 
     fn body(&mut self, body: &S::BodyMotion) {
-        if self.arms == 0 {
+        if self.arms == 0 && S::mass(body).real() > Zero::zero() {
             self.body = Some(*body);
         }
     }

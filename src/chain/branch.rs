@@ -2,7 +2,7 @@
 
 use crate::counts::Counted;
 use crate::element::{
-    Carrying, Condense, Coordinates, Element, Gather, Given, Level, Posture, Space, Springs, Sweep, Visit,
+    Carrying, Condense, Coordinates, Element, Entry, Gather, Given, Level, Posture, Space, Springs, Sweep, Visit,
 };
 use crate::error::Error;
 use crate::lift::Lift;
@@ -87,6 +87,13 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         k: usize,
     ) -> Option<&'a X> {
         self.0.entry(bodies, joints, k)
+    }
+    fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+        bodies: &'a Self::PerBody<X>,
+        joints: &'b Self::PerJoint<Y>,
+        note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+    ) {
+        A::each_entry(bodies, joints, note);
     }
     fn aim(
         &self,

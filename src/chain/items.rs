@@ -5,7 +5,7 @@ use super::poses::{march, orient_items, pose_items, pose_items_in_order, resolve
 use super::poses::{pose_slices, pose_slices_in_order};
 use super::{product, sum};
 use crate::element::{
-    Condense, Coordinates, Element, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
+    Condense, Coordinates, Element, Entry, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
 };
 use crate::error::Error;
 use crate::relation::{Closures, Meet};
@@ -141,6 +141,13 @@ macro_rules! chain_items {
             ) -> Option<&'a X> {
                 let (i, k) = locate(self, sum(A::BODIES, A::JOINTS), |item| item.bodies() + item.joints(), k)?;
                 self.get(i)?.entry(bodies.get(i)?, joints.get(i)?, k)
+            }
+            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+                bodies: &'a Self::PerBody<X>,
+                joints: &'b Self::PerJoint<Y>,
+                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+            ) {
+                bodies.iter().zip(joints).for_each(|(bodies, joints)| A::each_entry(bodies, joints, note));
             }
             fn aim(
                 &self,

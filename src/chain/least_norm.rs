@@ -10,7 +10,7 @@ use crate::scalar::Scalar;
 /// A joint that closes a loop where some of its closures follow from others, as in a planar linkage of revolutes in space. It moves as
 /// with the joint itself; of all forces that cause this motion those of least norm are taken (the sum of squares in N² and (N·m)²).
 /// [`System::shared_forces`](crate::system::System::shared_forces) says which of them are not unique: rigid bodies do not decide how
-/// these are shared out.
+/// these are shared out. Of loops within loops the forces of the outer one are chosen first.
 ///
 /// ```
 /// use catena::element::Unloaded;

@@ -21,12 +21,19 @@ pub use closing::{CloseOff, Closing, Ends};
 pub use least_norm::LeastNorm;
 pub use network::Network;
 
+use crate::element::{Element, Space};
+
 /// `a + b` of counts that types may or may not decide.
 const fn sum(a: Option<usize>, b: Option<usize>) -> Option<usize> {
     match (a, b) {
         (Some(a), Some(b)) => Some(a + b),
         _ => None,
     }
+}
+
+/// Number of bodies and joints in an element: counted only where its type does not decide it.
+fn entries<S: Space, E: Element<S>>(element: &E) -> usize {
+    sum(E::BODIES, E::JOINTS).unwrap_or_else(|| element.bodies() + element.joints())
 }
 
 /// The larger depth.

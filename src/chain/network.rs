@@ -1,8 +1,8 @@
 //! Arms in parallel, between two stations.
 
 use super::closing::{Closing, Ends};
-use super::{deeper, sum};
-use crate::element::{Closed, Coordinates, Element, Gather, Level, Posture, Space, Springs, Visit, look};
+use super::{deeper, entries, sum};
+use crate::element::{Closed, Coordinates, Element, Entry, Gather, Level, Posture, Space, Springs, Visit, look};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Rate, Tied, TiedPosition};
@@ -106,7 +106,13 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         Tied { arms: self.arms.rate(), closing: S::numbers(S::no_force()) }
     }
     fn kept<C: Closures>(&self) -> Self::Kept<C> {
-        (self.main().kept(), self.side().kept(), LoopGain::blank(S::no_column()), S::no_force())
+        // A measure need not know where bodies are: as they are turned, each yields by a factor of a few at most.
+        let measure = OwnOf::<S, K>::measure(|| {
+            let ((p, q), (v, w)) = (self.arms.position(), self.arms.rate());
+            let in_main = Coordinates { position: &p, rate: &v, acceleration: &v };
+            self.yields(S::resting(), in_main, Coordinates { position: &q, rate: &w, acceleration: &w })
+        });
+        (self.main().kept(), self.side().kept(), LoopGain::blank(S::no_column(), measure), S::no_force())
     }
     fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
         self.arms.per_body(fill)
@@ -126,15 +132,24 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         joints: &'a Self::PerJoint<X>,
         k: usize,
     ) -> Option<&'a X> {
-        let in_main = self.main().bodies() + self.main().joints();
+        let in_main = entries(self.main());
         let Some(k) = k.checked_sub(in_main) else {
             return self.main().entry(&bodies.0, &joints.0, k);
         };
-        let in_side = self.side().bodies() + self.side().joints();
+        let in_side = entries(self.side());
         let Some(k) = k.checked_sub(in_side) else {
             return self.side().entry(&bodies.1, &joints.1, k);
         };
         (k == 0).then_some(&joints.2)
+    }
+    fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+        bodies: &'a Self::PerBody<X>,
+        joints: &'b Self::PerJoint<Y>,
+        note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+    ) {
+        M::each_entry(&bodies.0, &joints.0, note);
+        A::each_entry(&bodies.1, &joints.1, note);
+        note(Entry::Joint(&joints.2));
     }
     fn aim(
         &self,
@@ -281,13 +296,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
                 tell(station, name);
             }
         });
-        // What the last bodies of both arms would yield to the forces if they were free; one without mass is not.
-        let mut measure = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
-        for body in [last_body(self.main(), frame, in_main), last_body(self.side(), frame, in_side)].iter().flatten() {
-            let yields = self.closing.free_compliance(body);
-            let add = |a: S::Scalar, b: S::Scalar| if b.is_finite() { a + b } else { a };
-            measure = OwnOf::<S, K>::zip(&measure, &yields, add);
-        }
+        let measure = self.yields(frame, in_main, in_side);
         let Some((row, independent)) = OwnOf::<S, K>::dependent(gain.compliance(), &measure) else {
             return Ok(end);
         };
@@ -365,6 +374,30 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         let closing = after_main + self.side().bodies() + self.side().joints();
         let in_arms = self.side().broken(side, after_main).or_else(|| self.main().broken(main, station));
         in_arms.or_else(|| (!gain.is_finite()).then_some(closing))
+    }
+}
+
+impl<M, A, K> Network<M, A, K> {
+    /// What the last bodies of both arms would yield to the forces that close the loop if they were free.
+    fn yields<S: Space>(
+        &self,
+        frame: S::Frame,
+        main: Coordinates<'_, S, M>,
+        side: Coordinates<'_, S, A>,
+    ) -> <OwnOf<S, K> as Closures>::Each<S::Scalar>
+    where
+        M: Element<S>,
+        A: Element<S>,
+        K: Closing<S>,
+    {
+        let none = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
+        let bodies = [last_body(self.main(), frame, main), last_body(self.side(), frame, side)];
+        // A body without extent does not say how it would turn.
+        let add = |a: S::Scalar, b: S::Scalar| if b.is_finite() { a + b } else { a };
+        bodies
+            .iter()
+            .flatten()
+            .fold(none, |sum, body| OwnOf::<S, K>::zip(&sum, &self.closing.free_compliance(body), add))
     }
 }
 

@@ -62,7 +62,7 @@ where
             },
             &mut kept.1,
         );
-        let (relation, gain) = main.settle(side);
+        let (relation, gain) = main.settle(side, kept.2.measure());
         (kept.2, kept.3) = (gain, driven);
         relation
     }

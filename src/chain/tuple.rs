@@ -1,8 +1,8 @@
 //! Tuples of elements.
 
-use super::{deeper, sum};
+use super::{deeper, entries, sum};
 use crate::element::{
-    Condense, Coordinates, Element, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
+    Condense, Coordinates, Element, Entry, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
 };
 use crate::error::Error;
 use crate::relation::Closures;
@@ -84,7 +84,7 @@ macro_rules! chain_of {
             }
             fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
                 $(
-                    let n = self.$i.bodies();
+                    let n = $A::BODIES.unwrap_or_else(|| self.$i.bodies());
                     if k < n {
                         return self.$i.body_entry(&bodies.$i, k);
                     }
@@ -100,7 +100,7 @@ macro_rules! chain_of {
                 k: usize,
             ) -> Option<&'a X> {
                 $(
-                    let n = self.$i.bodies() + self.$i.joints();
+                    let n = entries(&self.$i);
                     if k < n {
                         return self.$i.entry(&bodies.$i, &joints.$i, k);
                     }
@@ -108,6 +108,13 @@ macro_rules! chain_of {
                 )*
                 let _ = k;
                 None
+            }
+            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+                bodies: &'a Self::PerBody<X>,
+                joints: &'b Self::PerJoint<Y>,
+                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+            ) {
+                $($A::each_entry(&bodies.$i, &joints.$i, note);)*
             }
             fn aim(
                 &self,

@@ -2,7 +2,7 @@
 
 use super::{BodyMotion, Frame, Planar, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Coordinates, Element, Gather, Given, OnBody, Posture, Springs, Sweep, Visit};
+use crate::element::{Condense, Coordinates, Element, Entry, Gather, Given, OnBody, Posture, Springs, Sweep, Visit};
 use crate::error::{Error, Fault};
 use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
@@ -37,6 +37,12 @@ impl<T: Scalar> Inertia<T> {
         let scale = *mass * (centre[0] * centre[0] + centre[1] * centre[1]);
         not_negative("moment of inertia", *about_centre, scale.real() * T::Real::EPSILON * T::Real::of(8.0))
     }
+
+    /// What may be wrong with an inertia that a sweep can do with: a moment of inertia without mass.
+    pub fn doubt(&self) -> Option<Fault> {
+        let (mass, turns) = (self.mass.real().as_f64(), self.about_centre.real() != T::Real::zero());
+        (turns && mass <= 0.0).then_some(Fault::NotPositive { parameter: "mass", value: mass })
+    }
 }
 
 /// Fails where a value is NaN, infinite or below −`slack`.
@@ -63,7 +69,7 @@ pub(super) fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(
 
 /// A rigid body in the plane, between an inboard end I (the origin of its axes) and an outboard end O.
 ///
-/// With these methods a type is a body; the macro `body!` in this file makes it an element.
+/// With these methods a type is a body; the macro `body!` in this file, which is not exported, makes it an element.
 pub trait Body<T: Scalar>: Copy + Debug {
     /// Its inertia.
     fn inertia(&self) -> Inertia<T>;
@@ -197,6 +203,13 @@ macro_rules! body {
             }
             fn entry<'a, X: Copy>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
+            }
+            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+                body: &'a X,
+                _: &'b (),
+                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+            ) {
+                note(Entry::Body(body));
             }
             fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 turn

@@ -2,6 +2,7 @@
 
 use super::{Inertia, Station};
 use crate::element::{Budget, Space, SpaceOver};
+use crate::error::Fault;
 use crate::relation::plane::algebra::{add_scaled, cross, dot, normal};
 use crate::relation::plane::{Empty, FullColumn};
 use crate::scalar::{Real, Scalar};
@@ -249,6 +250,15 @@ impl<T: Scalar> Space for Planar<T> {
         T::zero()
     }
     #[inline(always)]
+    fn resting() -> Frame<T> {
+        Frame::resting(zero())
+    }
+    fn mass(body: &BodyMotion<T>) -> T {
+        body.inertia.mass
+    }
+    fn doubt(body: &BodyMotion<T>) -> Option<Fault> {
+        body.inertia.doubt()
+    }
     fn turn(frame: &Frame<T>) -> Turn<T> {
         frame.turn
     }

@@ -5,7 +5,7 @@ use super::linear::{HingeAxes, Linear};
 use super::spring::SpringLaw;
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Gather, Posture, Springs, Visit};
+use crate::element::{Coordinates, Element, Entry, Gather, Posture, Springs, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
@@ -18,7 +18,7 @@ use typenum::{U0, U1, U3, Unsigned};
 /// A massless joint in the plane.
 ///
 /// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
-/// macro `joint!` in this file makes it an element.
+/// macro `joint!` in this file, which is not exported, makes it an element.
 pub trait Joint<T: Scalar>: Copy + Debug {
     /// Its coordinates.
     type Position: Position<T, Rate = Self::Rate>;
@@ -200,6 +200,13 @@ macro_rules! joint {
             }
             fn entry<'a, X: Copy>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(joint)
+            }
+            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+                _: &'a (),
+                joint: &'b Y,
+                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+            ) {
+                note(Entry::Joint(joint));
             }
             fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 Joint::aim(self, position, inboard, next)

@@ -30,18 +30,19 @@ pub trait Closures: Copy + 'static {
     ) -> Self::Each<Z>;
     /// Pairs, zero.
     fn no_pairs<T: Scalar>() -> Self::Pairs<T>;
-    /// `pairs + a bᵀ` for parallel a and b, the lower triangle.
+    /// `pairs − a bᵀ` for parallel a and b, the lower triangle.
     fn minus_outer<T: Scalar>(pairs: &Self::Pairs<T>, a: &Self::Each<T>, b: &Self::Each<T>) -> Self::Pairs<T>;
-    /// `sum − a · b`.
+    /// `sum + a · b`.
     fn plus_dot<T: Scalar>(sum: T, a: &Self::Each<T>, b: &Self::Each<T>) -> T;
 }
 
 /// Closure forces that can be found from their own equations.
 pub trait Solvable: Closures {
     /// A closure that depends on others, if there is one, and how many are independent: where pivots of Λ vanish, measured by what
-    /// the last body would yield to each force if it were free.
+    /// the last bodies would yield to each force if they were free.
     fn dependent<T: Scalar>(compliance: &Self::Pairs<T>, measure: &Self::Each<T>) -> Option<(usize, usize)>;
-    /// The solution of Λ x = b for the lower triangle Λ; not finite where Λ is singular.
+    /// The solution of Λ x = b, of Λ its lower triangle is read. Where a pivot of Λ vanishes it is not finite, unless forces are shared
+    /// out: then it is the one of least norm.
     fn solve<T: Scalar>(compliance: &Self::Pairs<T>, b: &Self::Each<T>) -> Self::Each<T>;
 }
 
@@ -148,7 +149,8 @@ impl<const L: usize> Solvable for Cut<L> {
     }
 }
 
-/// L D Lᵀ of a symmetric positive definite matrix given by its lower triangle: the unit lower factor and 1/D.
+/// L D Lᵀ of a symmetric positive definite matrix given by its lower triangle: L below the diagonal, where it is one (what stands on
+/// and above the diagonal is the matrix), and 1/D.
 #[inline(always)]
 pub fn factor<T: Scalar, const L: usize>(matrix: &[[T; L]; L]) -> ([[T; L]; L], [T; L]) {
     let mut lower = *matrix;

@@ -5,6 +5,7 @@
 //! becomes a relation like any other, with S + W Λ⁻¹ Wᵀ. So a loop costs nothing outside of itself, and of many loops in a chain
 //! each is eliminated where it ends.
 
+use super::Absent;
 use super::closure::{Closures, Cut, Cuts, Solvable};
 use crate::scalar::Scalar;
 
@@ -54,7 +55,7 @@ impl<C: Closures, O: Closures> Closures for Looped<C, O> {
 
 /// What the elimination of the closure forces `O` of a loop leaves behind, where `C` ride on. Columns are of type `V`.
 #[derive(Clone, Copy)]
-pub struct LoopGain<V: Copy, T: Copy, C: Closures, O: Closures> {
+pub struct LoopGain<V: Copy, T: Scalar, C: Closures, O: Own> {
     /// w_k: each column as its elimination met it.
     pub(super) columns: O::Each<V>,
     /// 1 / Λ_kk, likewise.
@@ -67,10 +68,18 @@ pub struct LoopGain<V: Copy, T: Copy, C: Closures, O: Closures> {
     pub(super) gap: O::Each<T>,
     /// Λ before the elimination.
     pub(super) compliance: O::Pairs<T>,
+    /// By which pivots of Λ are measured: that of the loop's own bodies, for all sweeps.
+    pub(super) measure: O::Measure<T>,
 }
 
 /// Closure forces of a loop, which its own station can eliminate.
 pub trait Own: Solvable {
+    /// What the last bodies of both arms would yield to each force if they were free: the measure of pivots of Λ, where an elimination
+    /// has to tell them from rounding; nothing where all of them count.
+    type Measure<T: Scalar>: Copy;
+    /// The measure, from these yields; zero where no body has mass.
+    fn measure<T: Scalar>(yields: impl FnOnce() -> Self::Each<T>) -> Self::Measure<T>;
+
     /// The sum of pairs.
     fn plus_pairs<T: Scalar>(a: &Self::Pairs<T>, b: &Self::Pairs<T>) -> Self::Pairs<T>;
 
@@ -78,6 +87,7 @@ pub trait Own: Solvable {
     #[allow(clippy::type_complexity)] // what is left, and how it is found again
     fn eliminate<V: Copy, T: Scalar, C: Closures>(
         cuts: Cuts<V, T, Looped<C, Self>>,
+        measure: Self::Measure<T>,
         add: impl Fn(V, T, V) -> V,
         absorb: impl FnMut(V, T, T),
     ) -> (Cuts<V, T, C>, LoopGain<V, T, C, Self>);
@@ -100,6 +110,12 @@ pub trait Own: Solvable {
 }
 
 impl<const L: usize> Own for Cut<L> {
+    type Measure<T: Scalar> = Absent;
+    #[inline(always)]
+    fn measure<T: Scalar>(_: impl FnOnce() -> [T; L]) -> Absent {
+        Absent
+    }
+
     #[inline(always)]
     fn plus_pairs<T: Scalar>(a: &[[T; L]; L], b: &[[T; L]; L]) -> [[T; L]; L] {
         core::array::from_fn(|i| core::array::from_fn(|j| a[i][j] + b[i][j]))
@@ -108,6 +124,7 @@ impl<const L: usize> Own for Cut<L> {
     #[inline(always)]
     fn eliminate<V: Copy, T: Scalar, C: Closures>(
         cuts: Cuts<V, T, Looped<C, Self>>,
+        measure: Absent,
         add: impl Fn(V, T, V) -> V,
         mut absorb: impl FnMut(V, T, T),
     ) -> (Cuts<V, T, C>, LoopGain<V, T, C, Self>) {
@@ -138,8 +155,8 @@ impl<const L: usize> Own for Cut<L> {
                 lower[i][k] = factor;
             }
         }
-        let gain =
-            LoopGain { columns: own, inverse, riding, factors: lower, gap: own_gap, compliance: cuts.compliance.2 };
+        let compliance = cuts.compliance.2;
+        let gain = LoopGain { columns: own, inverse, riding, factors: lower, gap: own_gap, compliance, measure };
         (Cuts { columns, compliance: pairs, gap }, gain)
     }
 
@@ -173,7 +190,7 @@ impl<const L: usize> Own for Cut<L> {
 
 impl<V: Copy, T: Scalar, C: Closures, O: Own> LoopGain<V, T, C, O> {
     /// No gain yet.
-    pub fn blank(column: V) -> Self {
+    pub fn blank(column: V, measure: O::Measure<T>) -> Self {
         let zero = T::zero();
         Self {
             columns: O::each(|_| column),
@@ -182,14 +199,21 @@ impl<V: Copy, T: Scalar, C: Closures, O: Own> LoopGain<V, T, C, O> {
             factors: O::no_pairs(),
             gap: O::each(|_| zero),
             compliance: O::no_pairs(),
+            measure,
         }
+    }
+
+    /// By which pivots of Λ are measured.
+    #[inline(always)]
+    pub fn measure(&self) -> O::Measure<T> {
+        self.measure
     }
 
     /// The gain with columns of another type.
     #[inline(always)]
     pub fn mapped<X: Copy>(self, column: impl FnMut(V) -> X) -> LoopGain<X, T, C, O> {
-        let Self { columns, inverse, riding, factors, gap, compliance } = self;
-        LoopGain { columns: O::map(&columns, column), inverse, riding, factors, gap, compliance }
+        let Self { columns, inverse, riding, factors, gap, compliance, measure } = self;
+        LoopGain { columns: O::map(&columns, column), inverse, riding, factors, gap, compliance, measure }
     }
 
     /// y as the elimination met it: what velocities, loads and springs contribute.
@@ -259,9 +283,9 @@ pub trait Twisted<N> {
     label = "these two cannot meet",
     note = "the arms of a loop are chains of one space and scalar, each with a body"
 )]
-pub trait Settle<V: Copy, T: Copy, Side, C: Closures, O: Own> {
+pub trait Settle<V: Copy, T: Scalar, Side, C: Closures, O: Own> {
     /// The relation of both, without the forces of the loop.
     type Out: Copy;
     /// Joins both and eliminates the forces of the loop.
-    fn settle(self, side: Side) -> (Self::Out, LoopGain<V, T, C, O>);
+    fn settle(self, side: Side, measure: O::Measure<T>) -> (Self::Out, LoopGain<V, T, C, O>);
 }

@@ -12,6 +12,11 @@ pub(super) fn smallest_share(rounding: f64) -> f64 {
     SMALLEST.max(ROUNDINGS * rounding)
 }
 
+/// Whether a pivot can be measured by this: not where no body has mass, or no extent to turn.
+fn has_measure(measure: f64) -> bool {
+    measure > 0.0 && measure.is_finite()
+}
+
 /// A row of a positive semidefinite matrix that depends on others, and the rank: by elimination with diagonal pivots, the largest
 /// share of its measure first. Of the matrix the lower triangle is read; `rounding` is that of its numbers. What has no measure is
 /// measured by its own diagonal.
@@ -26,7 +31,7 @@ pub(super) fn dependent_row<const L: usize>(
     let smallest = smallest_share(rounding);
     let mut rest: [[f64; L]; L] =
         core::array::from_fn(|i| core::array::from_fn(|j| if j <= i { matrix[i][j] } else { matrix[j][i] }));
-    let measure: [f64; L] = core::array::from_fn(|i| if measure[i] > 0.0 { measure[i] } else { rest[i][i] });
+    let measure: [f64; L] = core::array::from_fn(|i| if has_measure(measure[i]) { measure[i] } else { rest[i][i] });
     let mut waiting = [true; L];
     for rank in 0..L {
         let shares = (0..L).filter(|i| waiting[*i]).map(|i| (rest[i][i] / measure[i], i));

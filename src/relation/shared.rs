@@ -4,6 +4,7 @@ use super::closure::{Closures, Cut, Cuts, Solvable};
 use super::looped::{LoopGain, Looped, Own};
 use super::redundancy::smallest_share;
 use crate::scalar::{Real, Scalar};
+use num_traits::Zero;
 
 /// `L` closure forces of which some may follow from the others. Their Λ is singular then, and of all λ that do the same the one of
 /// least norm is taken: λ = Λ⁺ (Wᵀ p − y).
@@ -49,8 +50,9 @@ impl<const L: usize> Solvable for Shared<L> {
     fn dependent<T: Scalar>(_: &[[T; L]; L], _: &[T; L]) -> Option<(usize, usize)> {
         None
     }
+    /// Of forces that hold a tip, which are never of this type: each pivot is measured by its own diagonal.
     fn solve<T: Scalar>(compliance: &[[T; L]; L], b: &[T; L]) -> [T; L] {
-        let root = root_of_inverse(compliance);
+        let root = root_of_inverse(compliance, &[T::Real::zero(); L]);
         spread(&root, &gather(&root, b))
     }
 }
@@ -66,17 +68,23 @@ fn spread<T: Scalar, const L: usize>(root: &[[T; L]; L], s: &[T; L]) -> [T; L] {
 }
 
 /// X of Λ, the lower triangle of which is read. Rows beyond its rank are zero.
-fn root_of_inverse<T: Scalar, const L: usize>(compliance: &[[T; L]; L]) -> [[T; L]; L] {
+///
+/// What is a pivot, and what the rounding of one, is decided by its share of a `measure` (a diagonal of Λ may itself be rounding: of a
+/// force across the plane in which a linkage moves), and by the largest share: stiff springs of implicit rules shrink them all. What
+/// has no measure is measured by its own diagonal.
+fn root_of_inverse<T: Scalar, const L: usize>(compliance: &[[T; L]; L], measure: &[T::Real; L]) -> [[T; L]; L] {
     let whole = |i: usize, j: usize| if j <= i { compliance[i][j] } else { compliance[j][i] };
     let mut rest: [[T; L]; L] = core::array::from_fn(|i| core::array::from_fn(|j| whole(i, j)));
     // Columns of G.
     let mut factors = [[T::zero(); L]; L];
     let mut rank = 0;
     let mut waiting = [true; L];
-    let least = T::Real::of(smallest_share(T::Real::EPSILON.as_f64()));
+    let by = |i: usize| if measure[i] > T::Real::zero() { measure[i] } else { whole(i, i).real() };
+    let largest = (0..L).fold(T::Real::EPSILON.sqrt(), |most, i| (whole(i, i).real() / by(i)).max(most));
+    let least = T::Real::of(smallest_share(T::Real::EPSILON.as_f64())) * largest;
     while rank < L {
-        // What the elimination of the others has left of each, as a share of what it was.
-        let share = |i: usize| rest[i][i].real() / whole(i, i).real();
+        // What the elimination of the others has left of each.
+        let share = |i: usize| rest[i][i].real() / by(i);
         let best =
             (0..L).filter(|i| waiting[*i] && share(*i) > least).reduce(|a, b| if share(b) > share(a) { b } else { a });
         let Some(row) = best else { break };
@@ -109,6 +117,11 @@ fn root_of_inverse<T: Scalar, const L: usize>(compliance: &[[T; L]; L]) -> [[T; 
 }
 
 impl<const L: usize> Own for Shared<L> {
+    type Measure<T: Scalar> = [T::Real; L];
+    fn measure<T: Scalar>(yields: impl FnOnce() -> [T; L]) -> [T::Real; L] {
+        yields().map(T::real)
+    }
+
     #[inline(always)]
     fn plus_pairs<T: Scalar>(a: &[[T; L]; L], b: &[[T; L]; L]) -> [[T; L]; L] {
         Cut::<L>::plus_pairs(a, b)
@@ -116,13 +129,14 @@ impl<const L: usize> Own for Shared<L> {
 
     fn eliminate<V: Copy, T: Scalar, C: Closures>(
         cuts: Cuts<V, T, Looped<C, Self>>,
+        measure: [T::Real; L],
         add: impl Fn(V, T, V) -> V,
         mut absorb: impl FnMut(V, T, T),
     ) -> (Cuts<V, T, C>, LoopGain<V, T, C, Self>) {
         let (mut columns, own) = cuts.columns;
         let (mut pairs, riding, compliance) = cuts.compliance;
         let (mut gap, own_gap) = cuts.gap;
-        let root = root_of_inverse(&compliance);
+        let root = root_of_inverse(&compliance, &measure);
         let own_gap = gather(&root, &own_gap);
         // X Wᵀ, and X times the coupling to what rides on.
         let combined = root.map(|row| {
@@ -145,6 +159,7 @@ impl<const L: usize> Own for Shared<L> {
             factors: root,
             gap: own_gap,
             compliance,
+            measure,
         };
         (Cuts { columns, compliance: pairs, gap }, gain)
     }

@@ -2,7 +2,7 @@
 
 use super::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Coordinates, Element, Gather, Given, OnBody, Posture, Springs, Sweep, Visit};
+use crate::element::{Condense, Coordinates, Element, Entry, Gather, Given, OnBody, Posture, Springs, Sweep, Visit};
 use crate::error::{Error, Fault};
 use crate::relation::space::algebra::{Columns, centripetal};
 use crate::relation::space::{Full, Relation};
@@ -15,7 +15,7 @@ use typenum::{U0, U1};
 
 /// A rigid body in space, between an inboard end I (the origin of its axes) and an outboard end O.
 ///
-/// With these methods a type is a body; the macro `body!` in this file makes it an element.
+/// With these methods a type is a body; the macro `body!` in this file, which is not exported, makes it an element.
 pub trait Body<T: Scalar>: Copy + Debug {
     /// Its inertia.
     fn inertia(&self) -> Inertia<T>;
@@ -103,6 +103,13 @@ macro_rules! body {
             }
             fn entry<'a, X: Copy>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
+            }
+            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
+                body: &'a X,
+                _: &'b (),
+                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
+            ) {
+                note(Entry::Body(body));
             }
             fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 turn

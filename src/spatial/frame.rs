@@ -2,6 +2,7 @@
 
 use super::{Inertia, Release, Rotation, Station};
 use crate::element::{Budget, Space, SpaceOver};
+use crate::error::Fault;
 use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot, is_finite, zero};
 use crate::relation::space::{Empty, FullColumn, Way};
 use crate::scalar::{Real, Scalar};
@@ -223,6 +224,15 @@ impl<T: Scalar> Space for Spatial<T> {
     }
     fn no_size() {}
     #[inline(always)]
+    fn resting() -> Frame<T> {
+        Frame::resting(zero())
+    }
+    fn mass(body: &BodyMotion<T>) -> T {
+        body.inertia.mass
+    }
+    fn doubt(body: &BodyMotion<T>) -> Option<Fault> {
+        body.inertia.doubt()
+    }
     fn turn(frame: &Frame<T>) -> Turn<T> {
         frame.turn
     }

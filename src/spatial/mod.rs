@@ -38,6 +38,7 @@ mod rigid_body;
 mod rod;
 mod rotary_spring;
 mod rotation;
+mod second_moments;
 mod sensitive;
 mod spring;
 mod station;

@@ -6,7 +6,7 @@ use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::space::algebra::Symmetric3;
 use crate::relation::space::{Full, Relation};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 
 /// A rigid body. Its axes start at the inboard end; mass centre and outboard end may be anywhere, also at the inboard end. A body
@@ -43,6 +43,23 @@ impl<T: Scalar> RigidBody<T> {
         let inertia = Inertia { mass, centre, about_centre };
         let moment = centre.map(|x| x * mass);
         Self { inertia, outboard, about_inboard: inertia.about_inboard(), moment, lumped: T::zero() }
+    }
+}
+
+impl<T: Real> RigidBody<T> {
+    /// The same body with the nearest inertia that a body has: see [`Inertia::repaired`].
+    ///
+    /// ```
+    /// use catena::spatial::{Body, RigidBody};
+    /// // From a robot description file, rounded: 0.012 and 0.004 are less than 0.0161.
+    /// let tensor = [[0.0161, 0.0, 0.0], [0.0, 0.012, 0.0], [0.0, 0.0, 0.004]];
+    /// let link = RigidBody::new(0.8, tensor, [0.05, 0.0, 0.0], [0.1, 0.0, 0.0]);
+    /// assert!(link.inertia().doubt().is_some() && link.repaired().inertia().doubt().is_none());
+    /// ```
+    #[must_use]
+    pub fn repaired(self) -> Self {
+        let Inertia { mass, centre, about_centre } = self.inertia.repaired();
+        Self::new(mass, about_centre, centre, self.outboard)
     }
 }
 

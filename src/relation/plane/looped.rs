@@ -96,12 +96,13 @@ where
 {
     type Out = Point<T, M::Out, C>;
     #[inline(always)]
-    fn settle(self, side: Point<T, N, O>) -> (Self::Out, Gain<T, C, O>) {
+    fn settle(self, side: Point<T, N, O>, measure: O::Measure<T>) -> (Self::Out, Gain<T, C, O>) {
         let mut stiffness = self.stiffness.plus(side.stiffness);
         let mut offset = self.offset + side.offset;
         let torque = self.torque.join(side.torque);
         let (cuts, gain) = O::eliminate(
             self.cuts.joined(&side.cuts, |a, b| a + b),
+            measure,
             |v, factor, w| add_scaled(v, factor, w),
             |w, inverse, gap| {
                 stiffness = stiffness.plus_outer(w, w * inverse);
@@ -115,20 +116,24 @@ where
 impl<T: Scalar, C: Closures, O: Own> Settle<FullColumn<T>, T, Full<T, O>, C, O> for Full<T, Looped<C, O>> {
     type Out = Full<T, C>;
     #[inline(always)]
-    fn settle(self, side: Full<T, O>) -> (Full<T, C>, Gain<T, C, O>) {
+    fn settle(self, side: Full<T, O>, measure: O::Measure<T>) -> (Full<T, C>, Gain<T, C, O>) {
         let mut linear = self.linear.plus(side.linear);
         let mut coupling = self.coupling + side.coupling;
         let mut angular = self.angular + side.angular;
         let mut force = self.force + side.force;
         let mut torque = self.torque + side.torque;
-        let (cuts, gain) =
-            O::eliminate(self.cuts.joined(&side.cuts, FullColumn::sum), FullColumn::plus, |w, inverse, gap| {
+        let (cuts, gain) = O::eliminate(
+            self.cuts.joined(&side.cuts, FullColumn::sum),
+            measure,
+            FullColumn::plus,
+            |w, inverse, gap| {
                 linear = linear.plus_outer(w.force, w.force * inverse);
                 coupling = add_scaled(coupling, w.torque * inverse, w.force);
                 angular = (w.torque * inverse).mul_add(w.torque, angular);
                 force = add_scaled(force, -gap, w.force);
                 torque = (-gap).mul_add(w.torque, torque);
-            });
+            },
+        );
         (Full { linear, coupling, angular, force, torque, cuts }, gain)
     }
 }
@@ -138,8 +143,8 @@ impl<T: Scalar, N: Term<T>, C: Closures, O: Own> Settle<FullColumn<T>, T, Point<
 {
     type Out = Full<T, C>;
     #[inline(always)]
-    fn settle(self, side: Point<T, N, O>) -> (Full<T, C>, Gain<T, C, O>) {
-        self.settle(Slides::full(side))
+    fn settle(self, side: Point<T, N, O>, measure: O::Measure<T>) -> (Full<T, C>, Gain<T, C, O>) {
+        self.settle(Slides::full(side), measure)
     }
 }
 
@@ -148,8 +153,8 @@ impl<T: Scalar, M: Term<T>, C: Closures, O: Own> Settle<FullColumn<T>, T, Full<T
 {
     type Out = Full<T, C>;
     #[inline(always)]
-    fn settle(self, side: Full<T, O>) -> (Full<T, C>, Gain<T, C, O>) {
-        Slides::full(self).settle(side)
+    fn settle(self, side: Full<T, O>, measure: O::Measure<T>) -> (Full<T, C>, Gain<T, C, O>) {
+        Slides::full(self).settle(side, measure)
     }
 }
 

@@ -98,12 +98,13 @@ where
 {
     type Out = Point<T, M::Out, C>;
     #[inline(always)]
-    fn settle(self, side: Point<T, N, O>) -> (Self::Out, Gain<T, C, O>) {
+    fn settle(self, side: Point<T, N, O>, measure: O::Measure<T>) -> (Self::Out, Gain<T, C, O>) {
         let mut stiffness = self.stiffness.plus(side.stiffness);
         let mut offset = self.offset + side.offset;
         let torque = self.torque.join(side.torque);
         let (cuts, gain) = O::eliminate(
             self.cuts.joined(&side.cuts, |a, b| a + b),
+            measure,
             |v, factor, w| add_scaled(v, factor, w),
             |w, inverse, gap| {
                 stiffness = stiffness.plus_outer(w, w * inverse);
@@ -117,21 +118,25 @@ where
 impl<T: Scalar, C: Closures, O: Own> Settle<FullColumn<T>, T, Full<T, O>, C, O> for Full<T, Looped<C, O>> {
     type Out = Full<T, C>;
     #[inline(always)]
-    fn settle(self, side: Full<T, O>) -> (Full<T, C>, Gain<T, C, O>) {
+    fn settle(self, side: Full<T, O>, measure: O::Measure<T>) -> (Full<T, C>, Gain<T, C, O>) {
         let mut linear = self.linear.plus(side.linear);
         let mut coupling = self.coupling.plus(side.coupling);
         let mut angular = self.angular.plus(side.angular);
         let mut force = self.force + side.force;
         let mut torque = self.torque + side.torque;
-        let (cuts, gain) =
-            O::eliminate(self.cuts.joined(&side.cuts, FullColumn::sum), FullColumn::plus, |w, inverse, gap| {
+        let (cuts, gain) = O::eliminate(
+            self.cuts.joined(&side.cuts, FullColumn::sum),
+            measure,
+            FullColumn::plus,
+            |w, inverse, gap| {
                 let share = w.torque * inverse;
                 linear = linear.plus_outer(w.force, w.force * inverse);
                 coupling = coupling.plus(Columns { x: w.force * share.x, y: w.force * share.y, z: w.force * share.z });
                 angular = angular.plus_outer(w.torque, share);
                 force = add_scaled(force, -gap, w.force);
                 torque = add_scaled(torque, -gap, w.torque);
-            });
+            },
+        );
         (Full { linear, coupling, angular, force, torque, cuts }, gain)
     }
 }
@@ -141,8 +146,8 @@ impl<T: Scalar, N: Term<Vector3<T>>, C: Closures, O: Own> Settle<FullColumn<T>, 
 {
     type Out = Full<T, C>;
     #[inline(always)]
-    fn settle(self, side: Point<T, N, O>) -> (Full<T, C>, Gain<T, C, O>) {
-        self.settle(side.carried(zero(), zero()))
+    fn settle(self, side: Point<T, N, O>, measure: O::Measure<T>) -> (Full<T, C>, Gain<T, C, O>) {
+        self.settle(side.carried(zero(), zero()), measure)
     }
 }
 
@@ -151,8 +156,8 @@ impl<T: Scalar, M: Term<Vector3<T>>, C: Closures, O: Own> Settle<FullColumn<T>, 
 {
     type Out = Full<T, C>;
     #[inline(always)]
-    fn settle(self, side: Full<T, O>) -> (Full<T, C>, Gain<T, C, O>) {
-        self.carried(zero(), zero()).settle(side)
+    fn settle(self, side: Full<T, O>, measure: O::Measure<T>) -> (Full<T, C>, Gain<T, C, O>) {
+        self.carried(zero(), zero()).settle(side, measure)
     }
 }
 

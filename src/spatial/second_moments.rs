@@ -1,0 +1,131 @@
+//! Second moments Σ = ∫ x xᵀ dm of a body about its mass centre, by which its inertia tensor is J = tr Σ 1 − Σ.
+//!
+//! Masses are positive, and so are second moments along all axes: these are the tensors that bodies have. Mechanics asks for less. What
+//! a body resists a rotation with are the moments of inertia, J = Σ₂ + Σ₃ in axes in which Σ is diagonal, and so on: where none of
+//! these is negative, kinetic energies are none and no pivot of a sweep is, even if one of the Σ should be.
+
+use super::Inertia;
+use crate::error::Fault;
+use crate::scalar::{Real, Scalar};
+
+/// Sweeps of Jacobi's method, which converges quadratically: a matrix of three rows takes five at most.
+const SWEEPS: usize = 8;
+
+/// Principal second moments.
+pub(super) struct SecondMoments<R> {
+    /// Their values (kg·m²).
+    values: [R; 3],
+    /// Their axes, in columns.
+    axes: [[R; 3]; 3],
+}
+
+impl<R: Real> SecondMoments<R> {
+    /// Of an inertia tensor, whose upper triangle is read.
+    pub fn of<T: Scalar<Real = R>>(inertia: &Inertia<T>) -> Self {
+        let tensor = inertia.about_centre.map(|row| row.map(T::real));
+        let half = (tensor[0][0] + tensor[1][1] + tensor[2][2]) * R::of(0.5);
+        let entry = |i: usize, j: usize| if i == j { half - tensor[i][i] } else { -tensor[i.min(j)][i.max(j)] };
+        let mut matrix: [[R; 3]; 3] = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
+        let mut axes = core::array::from_fn(|i| core::array::from_fn(|j| if i == j { R::one() } else { R::zero() }));
+        for _ in 0..SWEEPS {
+            for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+                turn(&mut matrix, &mut axes, i, j);
+            }
+        }
+        Self { values: core::array::from_fn(|k| matrix[k][k]), axes }
+    }
+
+    /// The least of them (kg·m²).
+    pub fn least(&self) -> R {
+        self.values[1..].iter().fold(self.values[0], |least, x| x.min(least))
+    }
+
+    /// The least principal moment of inertia (kg·m²): the sum of the two lesser ones.
+    pub fn least_moment(&self) -> R {
+        let [x, y, z] = self.values;
+        (x + y).min(x + z).min(y + z)
+    }
+
+    /// The inertia tensor (kg·m²) with those that are negative set to zero.
+    pub fn nearest(&self) -> [[R; 3]; 3] {
+        let values = self.values.map(|x| x.max(R::zero()));
+        let trace = values[0] + values[1] + values[2];
+        let entry = |i: usize, j: usize| {
+            let sum = (0..3).fold(R::zero(), |sum, k| sum + self.axes[i][k] * values[k] * self.axes[j][k]);
+            if i == j { trace - sum } else { -sum }
+        };
+        core::array::from_fn(|i| core::array::from_fn(|j| entry(i.min(j), i.max(j))))
+    }
+}
+
+/// Turns axes `i` and `j` in their plane so that the entry between them vanishes.
+fn turn<R: Real>(matrix: &mut [[R; 3]; 3], axes: &mut [[R; 3]; 3], i: usize, j: usize) {
+    let off = matrix[i][j];
+    if off == R::zero() {
+        return;
+    }
+    // t = tan φ, the smaller root of t² + 2 t (m_jj − m_ii) / (2 m_ij) − 1 = 0.
+    let ratio = (matrix[j][j] - matrix[i][i]) / (off + off);
+    let tangent = (ratio.abs() + (ratio * ratio + R::one()).sqrt()).recip();
+    let tangent = if ratio < R::zero() { -tangent } else { tangent };
+    let cosine = (tangent * tangent + R::one()).sqrt().recip();
+    let sine = tangent * cosine;
+    for rows in [&mut *matrix, axes] {
+        for row in rows {
+            (row[i], row[j]) = (cosine * row[i] - sine * row[j], sine * row[i] + cosine * row[j]);
+        }
+    }
+    let (a, b) = (matrix[i], matrix[j]);
+    for k in 0..3 {
+        (matrix[i][k], matrix[j][k]) = (cosine * a[k] - sine * b[k], sine * a[k] + cosine * b[k]);
+    }
+}
+
+impl<T: Scalar> Inertia<T> {
+    /// What may be wrong with an inertia that a sweep can do with: moments that no distribution of mass has.
+    ///
+    /// ```
+    /// use catena::Fault;
+    /// use catena::spatial::Inertia;
+    /// let of = |x, y, z| Inertia { mass: 1.0, centre: [0.0; 3], about_centre: [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]] };
+    /// assert_eq!(of(1.0, 2.0, 3.0).doubt(), None); // a plate
+    /// assert!(matches!(of(1.0, 2.0, 3.5).doubt(), Some(Fault::ImpossibleInertia { excess }) if (excess - 0.5).abs() < 1e-15));
+    /// ```
+    pub fn doubt(&self) -> Option<Fault> {
+        let least = SecondMoments::of(self).least();
+        if least < -self.slack() {
+            return Some(Fault::ImpossibleInertia { excess: -(least + least).as_f64() });
+        }
+        let turns = self.about_centre.iter().flatten().any(|x| x.real() != T::Real::of(0.0));
+        let mass = self.mass.real().as_f64();
+        (turns && mass <= 0.0).then_some(Fault::NotPositive { parameter: "mass", value: mass })
+    }
+
+    /// What rounding may do to moments (kg·m²).
+    pub(super) fn slack(&self) -> T::Real {
+        let most = self.about_centre.iter().flatten().fold(T::Real::of(0.0), |most, x| x.real().abs().max(most));
+        most * T::Real::EPSILON * T::Real::of(16.0)
+    }
+}
+
+impl<T: Real> Inertia<T> {
+    /// The nearest inertia that a body has, of the same mass and mass centre: that whose second moments ∫ x xᵀ dm about the mass
+    /// centre differ least, by the sum of squares of the differences of all nine. Negative principal ones become zero, in the same
+    /// axes. An inertia that a body has is left as it is.
+    ///
+    /// ```
+    /// use catena::spatial::Inertia;
+    /// let file = Inertia { mass: 1.0, centre: [0.0; 3], about_centre: [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.5_f64]] };
+    /// let [[x, ..], [_, y, _], [.., z]] = file.repaired().about_centre;
+    /// assert_eq!([x, y, z], [1.25, 2.25, 3.5]); // second moments 2.25, 1.25 and −0.25: a plate
+    /// assert_eq!(file.repaired().doubt(), None);
+    /// ```
+    #[must_use]
+    pub fn repaired(&self) -> Self {
+        let moments = SecondMoments::of(self);
+        if moments.least() >= -self.slack() {
+            return *self;
+        }
+        Self { about_centre: moments.nearest(), ..*self }
+    }
+}
