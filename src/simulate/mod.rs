@@ -9,7 +9,7 @@ use crate::observe::{PerBody, Stations};
 use crate::stepper::{Method, Stepper};
 use crate::system::Dynamics;
 use crate::system::{Elements, MotionOf, Runs, System};
-use crate::time::Rule;
+use crate::time::{IntoRule, Rule};
 use core::fmt;
 use drive::Driver;
 
@@ -144,7 +144,21 @@ impl<N: ?Sized, T, F: FnMut(&N) -> T> EventFunction<N, T> for F {
 }
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// A stepper of a method for this scene: `pendulum.stepper(Rk4)`.
+    /// A stepper of a method for this scene. Its method is no rule: each step is told its size.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    /// let mut stepper = pendulum.stepper(Rk4);
+    /// let mut now = pendulum.at_rest(&[-1.0, -0.5])?;
+    /// let mut next = now; // a step reads one motion and writes another
+    /// for _ in 0..100 {
+    ///     stepper.step(&now, &Unloaded, 0.001, &mut next)?; // (s)
+    ///     core::mem::swap(&mut now, &mut next);
+    /// }
+    /// # Ok::<(), catena::Error>(())
+    /// ```
     pub fn stepper<'s, M: Method<&'s Self, L>, L: Loading<S>>(&'s self, method: M) -> M::Stepper
     where
         Self: Dynamics<L>,
@@ -160,8 +174,12 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         method.stepper(self)
     }
 
-    /// A run to be made by a rule.
-    pub fn simulation<M>(&self, rule: Rule<M, RealOf<S>>) -> Simulation<'_, S, R, C, P, Unloaded, M, NoEvent> {
+    /// A run to be made by a rule: a method that says how long its steps are.
+    pub fn simulation<K: IntoRule<RealOf<S>>>(
+        &self,
+        rule: K,
+    ) -> Simulation<'_, S, R, C, P, Unloaded, K::Method, NoEvent> {
+        let rule = rule.into_rule();
         Simulation { system: self, loads: &Unloaded, rule, every: None, longest: None, event: NoEvent, stop: false }
     }
 
@@ -170,10 +188,10 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// # Errors
     /// Why the run ended early, with the last accepted motion.
     #[allow(clippy::type_complexity)] // the types are those of the scene
-    pub fn simulate<'s, M: Method<&'s Self, Unloaded>>(
+    pub fn simulate<'s, K: IntoRule<RealOf<S>, Method: Method<&'s Self, Unloaded>>>(
         &'s self,
         start: MotionOf<S, R, C, P>,
-        rule: Rule<M, RealOf<S>>,
+        rule: K,
         end: RealOf<S>,
         observe: impl FnMut(&Now<'_, S, R, C, P, Unloaded>),
     ) -> Result<Run<MotionOf<S, R, C, P>>, Interrupted<MotionOf<S, R, C, P>>>

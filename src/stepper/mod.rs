@@ -40,7 +40,8 @@ fn check<D: Dynamics<L>, L>(
     }
 }
 
-/// A method that can make steppers for scenes `D` with loads `L`.
+/// A method that can make steppers for scenes `D` with loads `L`: `Rk4`, which is told the size of every step, rather than the rule
+/// `Rk4::step(0.001)` of a run.
 pub trait Method<D: Dynamics<L>, L> {
     /// Its stepper.
     type Stepper: Stepper<D, L>;
