@@ -7,7 +7,7 @@
 //! use catena::spatial::*;
 //!
 //! let rod = Rod::uniform(1.0, 0.05, 1.0); // length, radius (m), mass (kg)
-//! let pendulum = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity(9.81);
+//! let pendulum = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
 //! let start = pendulum.at_rest(&[0.0, 0.0, -1.0, 0.0, 0.3, -0.5])?; // absolute angles 1-2-3 of both bodies (rad)
 //! let run = pendulum.simulate(start, Dop853::tolerance(1e-10), 1.0, |now| println!("{:?}", now.angles()))?;
 //! # Ok::<(), catena::Error>(())
