@@ -3,7 +3,7 @@
 use crate::counts::HasBody;
 use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
 use crate::mirror::Rate;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use crate::visit::survey;
 use core::fmt;
 use core::marker::PhantomData;

@@ -100,6 +100,43 @@ pub trait Scalar:
     /// Angle of the point `(x, self)` from the positive x axis in rad, in (−π, π].
     fn atan2(self, x: Self) -> Self;
 
+    /// eˣ.
+    fn exp(self) -> Self;
+
+    /// Natural logarithm. At zero it is −∞, with infinite derivatives; of negative numbers NaN.
+    fn ln(self) -> Self;
+
+    /// Hyperbolic tangent: a sign without a jump, as laws of friction need it.
+    fn tanh(self) -> Self;
+
+    /// Magnitude. At zero its derivatives are taken as 0, halfway between those on either side.
+    fn abs(self) -> Self;
+
+    /// −1, 0 or 1, as it is negative, zero (or NaN) or positive: the derivative of [`abs`](Scalar::abs). It has none itself.
+    fn sign(self) -> Self;
+
+    /// A whole power, by products: `powi(0)` is 1 everywhere, without derivatives, also at zero; negative powers are reciprocals.
+    #[inline]
+    fn powi(self, exponent: i32) -> Self {
+        let (mut square, mut left) = (self, exponent.unsigned_abs());
+        if left == 0 {
+            return Self::one();
+        }
+        while left & 1 == 0 {
+            square *= square;
+            left >>= 1;
+        }
+        let mut power = square;
+        while left > 1 {
+            square *= square;
+            left >>= 1;
+            if left & 1 == 1 {
+                power *= square;
+            }
+        }
+        if exponent < 0 { power.recip() } else { power }
+    }
+
     /// The constant nearest to `value`.
     #[inline(always)]
     fn literal(value: f64) -> Self {
@@ -117,8 +154,6 @@ pub trait Real: Scalar<Real = Self> + PartialOrd + Display {
     fn of(value: f64) -> Self;
     /// As `f64`, for reports.
     fn as_f64(self) -> f64;
-    /// Magnitude.
-    fn abs(self) -> Self;
     /// The larger of two; the other one if one is NaN.
     fn max(self, other: Self) -> Self;
     /// The smaller of two; the other one if one is NaN.
