@@ -92,6 +92,11 @@ pub mod time;
 pub mod transfer;
 pub mod visit;
 
+// Their types stand in this library's own: users take them from here rather than meet a second version of them.
+pub use nalgebra;
+#[cfg(feature = "num-dual")]
+pub use num_dual;
+
 pub use error::{Error, Fault, Place};
 pub use motion::Motion;
 pub use scalar::{Real, Scalar};

@@ -2,6 +2,36 @@
 //!
 //! One lean trait, [`Scalar`], stands for `f32` and `f64`, for dual numbers (feature `num-dual`) and for SIMD lanes
 //! (feature `simd`); a [`Jet`] carries first derivatives without a feature. A scene has one scalar; its time and step size are the scalar's [`Real`].
+//!
+//! A law written for any of them is differentiated by running it on dual numbers (of the `num-dual` that this crate brings):
+//!
+//! ```
+//! # #[cfg(feature = "num-dual")]
+//! # fn main() -> Result<(), catena::Error> {
+//! use catena::Scalar;
+//! use catena::num_dual::Dual64;
+//! use catena::planar::*;
+//!
+//! /// Dry friction in a joint (N·m) at a rate (rad/s): a sign without a jump.
+//! fn friction<T: Scalar>(torque: T, rate: T) -> T {
+//!     -torque * (rate * T::literal(100.0)).tanh()
+//! }
+//!
+//! // How much sooner a rod stands still with more friction in its pin: the rate after 1 s, and its derivative.
+//! let torque = Dual64::from(0.3).derivative(); // (N·m)
+//! let rod = Rod::uniform(Dual64::from(1.0), Dual64::from(1.0));
+//! let wheel = System::new(Pinned::origin(), rod, Free)?;
+//! let start = wheel.with_rates(wheel.motion(), &[Dual64::from(2.0)])?;
+//! let brake = Loads::none().in_joints(|_, _, joint: &JointMotion<Dual64>| friction(torque, joint.rate()));
+//! let end = wheel.simulation(Rk4::step(0.01)).loads(&brake).run(start, 1.0, |_| ())?.motion;
+//! let rate = end.rate().0;
+//! assert!((rate.re - (2.0 - 0.3 * 3.0)).abs() < 1e-12); // J = m l² / 3
+//! assert!((rate.eps - -3.0).abs() < 1e-12);
+//! # Ok(())
+//! # }
+//! # #[cfg(not(feature = "num-dual"))]
+//! # fn main() {}
+//! ```
 
 mod columns;
 #[cfg(feature = "num-dual")]
