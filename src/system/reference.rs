@@ -84,6 +84,15 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
 
 impl<D: StiffDynamics<L>, L> StiffDynamics<L> for &D {
     type StiffWorkspace = D::StiffWorkspace;
+    type Gains = D::Gains;
+
+    fn gains<'w>(&self, workspace: &'w Self::StiffWorkspace) -> &'w Self::Gains {
+        (**self).gains(workspace)
+    }
+
+    fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains) {
+        (**self).restore_gains(workspace, gains);
+    }
 
     #[inline]
     fn stiff_workspace(&self) -> Self::StiffWorkspace {
