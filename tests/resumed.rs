@@ -56,6 +56,57 @@ macro_rules! by_every_rule {
     };
 }
 
+/// An observer that notes all there is to see.
+macro_rules! noting {
+    ($list:expr) => {
+        |now: &catena::simulate::Now<'_, _, _, _, _, _>| $list.push((now.is_event(), bits(now.motion())))
+    };
+}
+
+/// A run, saved half way and resumed by another one of the same rule: the same end, samples, events and counters; and once more from
+/// where the resumed one is saved in turn.
+macro_rules! run_in_parts {
+    ($name:expr, $scene:expr, $start:expr, $rule:expr, $end:expr) => {{
+        let (scene, mut seen) = (&$scene, [vec![], vec![]]);
+        let (whole, parts) = seen.split_at_mut(1);
+        let (mut note_whole, mut note_parts) = (noting!(whole[0]), noting!(parts[0]));
+        let simulation = || scene.simulation($rule).every(0.03).event(|now| now.energy() + 1.0);
+
+        let whole = simulation().run($start.clone(), $end, &mut note_whole)?;
+        let mut first = simulation().begin($start.clone(), $end, &mut note_parts)?;
+        first.until(0.4 * $end)?;
+        let saved = first.save();
+        drop(first);
+        assert!(saved.motion.time() < $end);
+        let mut second = simulation().resume(saved, $end, &mut note_parts)?;
+        second.until(0.7 * $end)?;
+        let saved = second.save();
+        drop(second);
+        let resumed = simulation().resume(saved, $end, &mut note_parts)?.finish()?;
+
+        assert_eq!(bits(&resumed), bits(&whole), "{}", $name);
+        println!("{}: {} steps, {} rejected, {} instants", $name, whole.steps, whole.rejected, seen[0].len());
+        assert!(seen[0] == seen[1] && seen[0].len() > 10, "{}", $name);
+    }};
+}
+
+/// The same by every rule, with fixed steps and under error control.
+macro_rules! parts_by_every_rule {
+    ($name:expr, $scene:expr, $start:expr, $h:expr) => {
+        run_in_parts!($name, $scene, $start, Rk4::step($h), 0.5);
+        run_in_parts!($name, $scene, $start, Dopri5::step($h), 0.5);
+        run_in_parts!($name, $scene, $start, Dopri5::tolerance(1e-6), 0.5);
+        run_in_parts!($name, $scene, $start, Dop853::step($h), 0.5);
+        run_in_parts!($name, $scene, $start, Dop853::tolerance(1e-9), 0.5);
+        run_in_parts!($name, $scene, $start, Adams::step($h), 0.5);
+        run_in_parts!($name, $scene, $start, Adams::tolerance(1e-6), 0.5);
+        run_in_parts!($name, $scene, $start, GeneralizedAlpha::new(0.8).step($h), 0.5);
+        run_in_parts!($name, $scene, $start, GeneralizedAlpha::new(0.8).tolerance(1e-4), 0.5);
+        run_in_parts!($name, $scene, $start, Sdirk4::new().step($h), 0.5);
+        run_in_parts!($name, $scene, $start, Sdirk4::new().tolerance(1e-6), 0.5);
+    };
+}
+
 mod plane {
     use super::*;
     use catena::planar::*;
@@ -66,7 +117,9 @@ mod plane {
         let hinge = ElasticHinge::rotary(20.0).damped(0.1);
         let slider = Slider::along(0.2).sprung(Spring::new(100.0));
         let scene = System::new(Pinned::origin(), (rod, Pin, rod, hinge, rod, slider, rod), Free)?.with_gravity(9.81);
-        by_every_rule!("open, plane", scene, scene.at_rest(&[-1.0, 0.3, 0.2])?, 0.005);
+        let start = scene.at_rest(&[-1.0, 0.3, 0.2])?;
+        by_every_rule!("open, plane", scene, start, 0.005);
+        parts_by_every_rule!("open, plane", scene, start, 0.005);
         Ok(())
     }
 
@@ -76,6 +129,7 @@ mod plane {
         let scene = System::new(Pinned::origin(), (rod, Pin, rod, Pin, rod), Pinned::at(1.0, 0.1))?.with_gravity(9.81);
         let start = scene.assembled(scene.at_rest(&[-1.0, 0.3, 1.2])?, &Unloaded)?;
         by_every_rule!("held, plane", scene, start, 0.005);
+        parts_by_every_rule!("held, plane", scene, start, 0.005);
         Ok(())
     }
 
@@ -90,6 +144,7 @@ mod plane {
         let scene = System::new(Clamped::at(0.0, 0.0, 0.0), net, Free)?.with_gravity(9.81);
         let start = scene.assembled(scene.at_rest(&[1.0, 0.3, 1.1])?, &Unloaded)?;
         by_every_rule!("loop, plane", scene, start, 0.005);
+        parts_by_every_rule!("loop, plane", scene, start, 0.005);
         Ok(())
     }
 
@@ -104,6 +159,8 @@ mod plane {
         assert!(saved_and_resumed!("fixed axes", scene, start, GeneralizedAlpha::new(0.8), 0.005));
         assert!(saved_and_resumed!("fixed axes", scene, start, Sdirk4::new(), 0.005));
         assert!(!saved_and_resumed!("fixed axes", scene, start, Dop853, 0.005));
+        run_in_parts!("fixed axes", scene, start, GeneralizedAlpha::new(0.8).step(0.007), 0.5);
+        run_in_parts!("fixed axes", scene, start, Sdirk4::new().tolerance(1e-6), 0.5);
         Ok(())
     }
 }
@@ -120,6 +177,7 @@ mod space {
         let scene = System::new(Free, chain, Free)?.with_gravity([0.0, 0.0, -9.81]);
         let start = scene.at_rest(&[0.1, -0.2, -1.0, 0.2, 0.3, 0.2, 0.2, 0.3, 0.25, 0.4])?;
         by_every_rule!("open, space", scene, start, 0.005);
+        parts_by_every_rule!("open, space", scene, start, 0.005);
         Ok(())
     }
 
@@ -131,6 +189,7 @@ mod space {
         let scene = scene.with_gravity([0.0, 0.0, -9.81]);
         let start = scene.assembled(scene.at_rest(&[1.2, 0.0, -0.64, -0.22, 2.2, 0.1, 0.2])?, &Unloaded)?;
         by_every_rule!("held, space", scene, start, 0.002);
+        parts_by_every_rule!("held, space", scene, start, 0.002);
         Ok(())
     }
 
@@ -143,6 +202,7 @@ mod space {
         (angles[5], angles[8], angles[11]) = (-0.9, 0.0, 0.9);
         let start = scene.assembled(scene.at_rest(&angles)?, &Unloaded)?;
         by_every_rule!("loop, space", scene, start, 0.002);
+        parts_by_every_rule!("loop, space", scene, start, 0.002);
         Ok(())
     }
 }

@@ -1,17 +1,20 @@
 //! Running a scene through time: step control, dense output at requested times, events.
 
 mod drive;
+mod saved;
 
 use crate::element::{Budget, Element, Loading, RealOf, Space, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::observe::{PerBody, Stations};
-use crate::stepper::{Method, Stepper};
+use crate::stepper::Method;
 use crate::system::Dynamics;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::time::{IntoRule, Rule};
 use core::fmt;
-use drive::Driver;
+
+pub use drive::Running;
+pub use saved::{Progress, Saved};
 
 /// An instant of a run, to be read.
 pub struct Now<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L> {
@@ -253,17 +256,6 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         M: Method<&'a System<S, R, C, P>, L>,
         E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     {
-        let stepper = self.rule.method.stepper(self.system);
-        let (next, between) = (start.clone(), start.clone());
-        let counters = Run { motion: (), steps: 0, rejected: 0, sweeps: 0 };
-        let mut driver = Driver { plan: self, stepper, past: start, next, between, observe, counters, samples: 1 };
-        match driver.drive(end) {
-            Ok(()) => {
-                let Run { steps, rejected, .. } = driver.counters;
-                let sweeps = driver.stepper.sweeps();
-                Ok(Run { motion: driver.past, steps, rejected, sweeps })
-            }
-            Err(error) => Err(Interrupted { error, last: driver.past }),
-        }
+        self.begin(start, end, observe)?.finish()
     }
 }
