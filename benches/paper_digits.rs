@@ -154,6 +154,21 @@ impl Scalar for Twice {
     fn atan2(self, x: Self) -> Self {
         Self(self.0.atan2(x.0), 0.0) // not used here
     }
+    fn exp(self) -> Self {
+        Self(self.0.exp(), 0.0) // nor are these three
+    }
+    fn ln(self) -> Self {
+        Self(self.0.ln(), 0.0)
+    }
+    fn tanh(self) -> Self {
+        Self(self.0.tanh(), 0.0)
+    }
+    fn abs(self) -> Self {
+        if self.0 < 0.0 { -self } else { self }
+    }
+    fn sign(self) -> Self {
+        Self(Scalar::sign(self.0), 0.0)
+    }
 }
 
 impl Real for Twice {
@@ -164,9 +179,6 @@ impl Real for Twice {
     }
     fn as_f64(self) -> f64 {
         self.0
-    }
-    fn abs(self) -> Self {
-        if self.0 < 0.0 { -self } else { self }
     }
     fn max(self, other: Self) -> Self {
         if other > self { other } else { self }

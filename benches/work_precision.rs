@@ -145,7 +145,11 @@ macro_rules! run_balls {
     ($scene:ident, $T:ident, $steps:expr, $tolerances:expr, |$rod:ident| $chain:expr) => {{
         let share = (1.0 / $scene.bodies as f64) as $T;
         let $rod = spatial::Rod::uniform(share, share / 10.0, share);
-        let system = spatial::System::new(spatial::Pinned::origin(), $chain, spatial::Free)?.with_gravity(9.81 as $T);
+        let system = spatial::System::new(spatial::Pinned::origin(), $chain, spatial::Free)?.with_gravity([
+            0.0,
+            -9.81 as $T,
+            0.0,
+        ]);
         let start = system.at_rest(&vec![0.0; 3 * $scene.bodies])?;
         let mut rates = vec![0.0; 3 * $scene.bodies];
         (rates[0], rates[1]) = (1.0, 2.0);

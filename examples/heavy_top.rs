@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let tensor = [[0.234375, 0.0, 0.0], [0.0, 0.46875, 0.0], [0.0, 0.0, 0.234375]];
     let body = RigidBody::new(15.0, tensor, [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]);
     // A root that is pinned is a ball joint: its position is an attitude, kept as a unit quaternion without singular places.
-    let top = System::new(Pinned::origin(), body, Free)?.with_gravity_vector(Vector3::new(0.0, 0.0, -9.81));
+    let top = System::new(Pinned::origin(), body, Free)?.with_gravity([0.0, 0.0, -9.81]);
     // The axis lies horizontal and the top spins at 150 rad/s about it; rates are angular velocities in body axes.
     let start = top.with_rates(top.motion(), &[0.0, 150.0, -4.61538])?;
 

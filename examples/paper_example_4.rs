@@ -23,7 +23,7 @@ type Record = Vec<(f64, [f64; 3], [f64; 3])>;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let inertia: [[f64; 3]; 3] = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]]; // about the mass centre (kg·m²)
     let body = RigidBody::new(1.0, inertia, [0.5, 0.03, -0.02], [1.0, 0.0, 0.0]);
-    let pendulum = System::new(Pinned::origin(), body, Free)?.with_gravity(9.81);
+    let pendulum = System::new(Pinned::origin(), body, Free)?.with_gravity([0.0, -9.81, 0.0]);
     let start = pendulum.with_rates(pendulum.at_rest(&[0.3, 0.2, -0.4])?, &[1.0, -2.0, 0.5])?;
     let (end, every) = (5.0, 0.01);
 

@@ -105,7 +105,7 @@ fn runge_kutta(start: &[([f64; 3], Vector3<f64>)], dt: f64, end: f64) -> Option<
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let body = RigidBody::new(MASS, INERTIA, CENTRE, NEXT);
-    let scene = System::new(Pinned::origin(), (body, Ball, body, Ball, body), Free)?.with_gravity(GRAVITY);
+    let scene = System::new(Pinned::origin(), (body, Ball, body, Ball, body), Free)?.with_gravity([0.0, -GRAVITY, 0.0]);
     let start = scene.with_rates(scene.at_rest(&[0.0; 9])?, &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.1, 0.0])?;
     let end = 1.0;
 

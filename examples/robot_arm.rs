@@ -87,7 +87,7 @@ fn arm(load: f64) -> Result<Arm, catena::Error> {
         joint(5),
         hand,
     );
-    Ok(System::new(Hinged::at([0.0; 3], AXES[0]), chain, Free)?.with_gravity_vector(Vector3::new(0.0, 0.0, -9.81)))
+    Ok(System::new(Hinged::at([0.0; 3], AXES[0]), chain, Free)?.with_gravity([0.0, 0.0, -9.81]))
 }
 
 /// Angles, rates and accelerations wanted at a time: from pose to pose by polynomials of fifth degree, at rest in each.

@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let tensor = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]];
     let body = RigidBody::new(1.0, tensor, [0.5, 0.03, -0.02], [1.0, 0.0, 0.0]);
     let chain = (body, Ball, body, Ball, body);
-    let pendulum = System::new(Pinned::origin(), chain, Free)?.with_gravity(9.81);
+    let pendulum = System::new(Pinned::origin(), chain, Free)?.with_gravity([0.0, -9.81, 0.0]);
     // All along x, with a little turn of the last body about y: rates are angular velocities in axes of the bodies.
     let start = pendulum.with_rates(pendulum.motion(), &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.1, 0.0])?;
 

@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Two arms from the origin: crank and coupler, and a rocker whose hinge stands elsewhere. They end in one ball.
     let main = (crank_hinge, rod(0), Ball, rod(1));
     let net = Network::new(main, (reach, rocker_hinge, rod(2)), Ball);
-    let linkage = System::new(Clamped::origin(), net, Free)?.with_gravity_vector(Vector3::from(GRAVITY));
+    let linkage = System::new(Clamped::origin(), net, Free)?.with_gravity(GRAVITY);
     // Crank, coupler (angles 1-2-3) and rocker as a rough guess (rad), which is then closed by the least correction.
     let start = linkage.assembled(linkage.at_rest(&[0.4, 0.0, -0.5, 0.3, -1.1])?, &Unloaded)?;
     let energy = linkage.budget(&start).energy();
@@ -77,7 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The same linkage, cut at its other ball: the coupler hangs from the rocker.
     let side = (reach, rocker_hinge, rod(2), Ball, rod(1));
     let other = System::new(Clamped::origin(), Network::new((crank_hinge, rod(0)), side, Ball), Free)?;
-    let other = other.with_gravity_vector(Vector3::from(GRAVITY));
+    let other = other.with_gravity(GRAVITY);
     let [p, q] = readings.first().map_or_else(Default::default, |reading| reading.places);
     let back = (p - q).normalize();
     let angles = [0.0, -back.z.asin(), back.y.atan2(back.x)];

@@ -113,7 +113,7 @@ struct Reading {
 fn main() -> Result<(), Box<dyn Error>> {
     let body = RigidBody::new(MASS, ABOUT_CENTRE, CENTRE, NEXT);
     let chain = (body, Ball, body, Ball, body);
-    let pendulum = System::new(Pinned::origin(), chain, Free)?.with_gravity(G);
+    let pendulum = System::new(Pinned::origin(), chain, Free)?.with_gravity([0.0, -G, 0.0]);
     let rates = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.1, 0.0];
     let start = pendulum.with_rates(pendulum.motion(), &rates)?;
 

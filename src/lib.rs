@@ -9,10 +9,12 @@
 //! ```
 //! use catena::planar::*;
 //!
-//! let rod = Rod::uniform(1.0, 1.0); // length (m), mass (kg)
+//! let length = 1.0_f64; // (m); all numbers of a scene are of the type that one of them names
+//! let rod = Rod::uniform(length, 1.0); // length (m), mass (kg)
 //! let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
 //! let start = pendulum.at_rest(&[-1.0, -0.5])?; // absolute angles (rad)
-//! pendulum.simulate(start, Dop853::tolerance(1e-12), 2.0, |now| println!("{:.3} {:?}", now.time(), now.angles()))?;
+//! let end = 6.0 * (length / 9.81).sqrt(); // (s); of `1.0` without `_f64` the compiler could not take a root (E0689)
+//! pendulum.simulate(start, Dop853::tolerance(1e-12), end, |now| println!("{:.3} {:?}", now.time(), now.angles()))?;
 //! # Ok::<(), catena::Error>(())
 //! ```
 //!
@@ -89,6 +91,11 @@ pub mod system;
 pub mod time;
 pub mod transfer;
 pub mod visit;
+
+// Their types stand in this library's own: users take them from here rather than meet a second version of them.
+pub use nalgebra;
+#[cfg(feature = "num-dual")]
+pub use num_dual;
 
 pub use error::{Error, Fault, Place};
 pub use motion::Motion;

@@ -6,7 +6,7 @@ use crate::counts::HasBody;
 use crate::element::{Budget, Closed, Coordinates, Element, Entry, Gather, Load, Loading, RealOf, Space, Visit};
 use crate::error::Error;
 use crate::mirror::Rate;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use crate::visit::survey;
 use core::fmt;
 use core::marker::PhantomData;

@@ -86,8 +86,6 @@ pub trait Space: Copy + Debug + 'static {
     fn no_column() -> Self::Column;
     /// w · p, a column's work on an acceleration.
     fn work(column: Self::Column, acceleration: &Self::Acceleration) -> Self::Scalar;
-    /// Gravity of magnitude g (m/s²) along −y.
-    fn downward(g: Self::Scalar) -> Self::Vector;
     /// No gravity.
     fn no_gravity() -> Self::Vector;
     /// Whether a vector is finite.

@@ -111,7 +111,7 @@ macro_rules! row {
             bodies: $n,
             make: || {
                 let $b = <$Body<f64> as Link>::link($n);
-                let scene = System::new($root, $chain, Free).unwrap().with_gravity(GRAVITY);
+                let scene = System::new($root, $chain, Free).unwrap().with_gravity([0.0, -GRAVITY, 0.0]);
                 case(scene, &$b, (0..$n).map($joint).collect())
             },
         }

@@ -47,6 +47,26 @@ impl Scalar for SystemSine {
     fn atan2(self, x: Self) -> Self {
         Self(self.0.atan2(x.0))
     }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        Self(self.0.exp())
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        Self(self.0.ln())
+    }
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        Self(self.0.tanh())
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+    #[inline(always)]
+    fn sign(self) -> Self {
+        Self(Scalar::sign(self.0))
+    }
 }
 
 impl num_traits::Zero for SystemSine {

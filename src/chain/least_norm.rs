@@ -19,7 +19,7 @@ use crate::scalar::Scalar;
 /// let (hinge, rod) = (Revolute::about([0.0, 0.0, 1.0]), Rod::uniform(0.5_f64, 0.02, 0.5));
 /// let arms = (hinge, rod, hinge, Rod::uniform(1.0, 0.02, 1.0));
 /// let (reach, last) = (RigidBody::massless([1.0, 0.0, 0.0]), LeastNorm(hinge));
-/// let scene = System::new(Clamped::origin(), Network::new(arms, (reach, hinge, rod), last), Free)?.with_gravity(9.81);
+/// let scene = System::new(Clamped::origin(), Network::new(arms, (reach, hinge, rod), last), Free)?.with_gravity([0.0, -9.81, 0.0]);
 /// let start = scene.assembled(scene.at_rest(&[1.5, -1.4, 1.6])?, &Unloaded)?;
 /// let mut shared = 0;
 /// scene.shared_forces(&start, &Unloaded, |_station, _name| shared += 1)?;

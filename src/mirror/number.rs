@@ -1,7 +1,7 @@
 //! A number is the coordinate of a joint with one degree of freedom.
 
 use super::{Position, Rate, Term};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 
 impl<T: Scalar> Rate<T> for T {
     #[inline(always)]

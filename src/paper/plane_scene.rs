@@ -12,7 +12,7 @@ use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::planar::{BodyMotion, Frame, JointMotion, Planar, SpringState, Turn};
 use crate::relation::{Closures, Term};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use crate::system::{MotionOf, Runs, System};
 use alloc::vec::Vec;
 use nalgebra::Vector2;

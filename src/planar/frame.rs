@@ -303,9 +303,6 @@ impl<T: Scalar> Space for Planar<T> {
     fn work(column: FullColumn<T>, acceleration: &Acceleration<T>) -> T {
         column.torque.mul_add(acceleration.angular, dot(column.force, acceleration.linear))
     }
-    fn downward(g: T) -> Vector2<T> {
-        Vector2::new(T::zero(), -g)
-    }
     fn no_gravity() -> Vector2<T> {
         zero()
     }

@@ -6,7 +6,7 @@
 //! derivatives may be absent (`None`), which stands for zeros. `==` looks at the value only.
 //!
 //! At the origin [`atan2`](Scalar::atan2) has no derivatives, they come out as NaN. At zero those of
-//! [`sqrt`](Scalar::sqrt) are infinite, or NaN where the argument's own are zero.
+//! [`sqrt`](Scalar::sqrt) and [`ln`](Scalar::ln) are infinite, or NaN where the argument's own are zero.
 
 use super::{Real, Scalar};
 use nalgebra::Const;
@@ -107,11 +107,36 @@ fn sin_cos<T: Scalar>(x: T) -> (Jet<T>, Jet<T>) {
     ([sine, cosine, -sine, -cosine], [cosine, -sine, -cosine, sine])
 }
 
+#[inline(always)]
+fn exp<T: Scalar>(x: T) -> Jet<T> {
+    [Scalar::exp(x); 4]
+}
+
+#[inline(always)]
+fn ln<T: Scalar>(x: T) -> Jet<T> {
+    let [first, second, third, _] = recip(x);
+    [Scalar::ln(x), first, second, third]
+}
+
+#[inline(always)]
+fn tanh<T: Scalar>(x: T) -> Jet<T> {
+    let value = Scalar::tanh(x);
+    let first = (T::one() - value) * (T::one() + value);
+    let second = Scalar::scale(first * value, Plain::<T>::of(-2.0));
+    let third = first * Scalar::scale(thrice(value * value) - T::one(), Plain::<T>::of(2.0));
+    [value, first, second, third]
+}
+
+#[inline(always)]
+fn abs<T: Scalar>(x: T) -> Jet<T> {
+    [Scalar::abs(x), Scalar::sign(x), T::zero(), T::zero()]
+}
+
 /// The direction of the point (x, y): its cosine and sine, both times a number between 1 and √2. Neither very long nor
 /// very short ones overflow.
 #[inline(always)]
 fn direction<T: Scalar>(x: T, y: T) -> (T, T) {
-    let length = T::constant(Real::max(Real::abs(x.real()), Real::abs(y.real())));
+    let length = T::constant(Real::max(Scalar::abs(x.real()), Scalar::abs(y.real())));
     (x / length, y / length)
 }
 
@@ -224,6 +249,31 @@ macro_rules! dual_numbers {
                 let across = DualNum::scale(self, &cosine) - DualNum::scale(x, &sine);
                 let angle = Scalar::atan2(self.re, x.re);
                 (across / along).compose([angle, T::one(), T::zero(), T::literal(-2.0)])
+            }
+
+            #[inline(always)]
+            fn exp(self) -> Self {
+                self.compose(exp(self.re))
+            }
+
+            #[inline(always)]
+            fn ln(self) -> Self {
+                self.compose(ln(self.re))
+            }
+
+            #[inline(always)]
+            fn tanh(self) -> Self {
+                self.compose(tanh(self.re))
+            }
+
+            #[inline(always)]
+            fn abs(self) -> Self {
+                self.compose(abs(self.re))
+            }
+
+            #[inline(always)]
+            fn sign(self) -> Self {
+                Self::from_re(Scalar::sign(self.re))
             }
         }
     )*};

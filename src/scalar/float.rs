@@ -1,6 +1,6 @@
 //! Plain numbers: `f32` and `f64`.
 //!
-//! Square roots, arctangents and powers come from the standard library, or with feature `libm` alone from that; sine
+//! Square roots, arctangents, exponentials, logarithms and powers come from the standard library, or with feature `libm` alone from that; sine
 //! and cosine are our own in either case (see `trig`). With neither feature the crate compiles, but no number of its
 //! own implements [`Scalar`], and a number of the user's has to.
 #![cfg(any(feature = "std", feature = "libm"))]
@@ -62,6 +62,32 @@ macro_rules! plain_numbers {
             fn atan2(self, x: $number) -> $number {
                 Float::atan2(self, x)
             }
+
+            #[inline(always)]
+            fn exp(self) -> $number {
+                Float::exp(self)
+            }
+
+            #[inline(always)]
+            fn ln(self) -> $number {
+                Float::ln(self)
+            }
+
+            #[inline(always)]
+            fn tanh(self) -> $number {
+                Float::tanh(self)
+            }
+
+            #[inline(always)]
+            fn abs(self) -> $number {
+                <$number>::abs(self)
+            }
+
+            #[inline(always)]
+            fn sign(self) -> $number {
+                // Without branches, so that lanes of them are vectors.
+                <$number>::from(i8::from(self > 0.0) - i8::from(self < 0.0))
+            }
         }
 
         impl Real for $number {
@@ -76,11 +102,6 @@ macro_rules! plain_numbers {
             #[inline(always)]
             fn as_f64(self) -> f64 {
                 self.into()
-            }
-
-            #[inline(always)]
-            fn abs(self) -> $number {
-                <$number>::abs(self)
             }
 
             #[inline(always)]

@@ -180,11 +180,33 @@ impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         // Divided by the larger coordinate first: neither very long nor very short vectors overflow.
-        let length = T::constant(Real::max(Real::abs(x.re.real()), Real::abs(self.re.real())));
+        let length = T::constant(Real::max(Scalar::abs(x.re.real()), Scalar::abs(self.re.real())));
         let (across, along) = (self.re / length, x.re / length);
         let inverse = (across.mul_add(across, along * along) * length).recip();
         let eps = from_fn(|k| (along * self.eps[k] - across * x.eps[k]) * inverse);
         Self { re: self.re.atan2(x.re), eps }
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        let value = self.re.exp();
+        self.compose(value, value)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        self.compose(self.re.ln(), self.re.recip())
+    }
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        let value = self.re.tanh();
+        self.compose(value, (T::one() - value) * (T::one() + value))
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.compose(self.re.abs(), self.re.sign())
+    }
+    #[inline(always)]
+    fn sign(self) -> Self {
+        Self::of(self.re.sign())
     }
 }
 

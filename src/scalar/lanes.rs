@@ -88,6 +88,31 @@ macro_rules! lanes {
             fn atan2(self, x: Self) -> Self {
                 self.zip_map(x, $number::atan2)
             }
+
+            #[inline(always)]
+            fn exp(self) -> Self {
+                self.map_lanes(Scalar::exp)
+            }
+
+            #[inline(always)]
+            fn ln(self) -> Self {
+                self.map_lanes(Scalar::ln)
+            }
+
+            #[inline(always)]
+            fn tanh(self) -> Self {
+                self.map_lanes(Scalar::tanh)
+            }
+
+            #[inline(always)]
+            fn abs(self) -> Self {
+                Self(self.0.abs())
+            }
+
+            #[inline(always)]
+            fn sign(self) -> Self {
+                self.map_lanes(Scalar::sign)
+            }
         }
     )*};
 }

@@ -2,6 +2,36 @@
 //!
 //! One lean trait, [`Scalar`], stands for `f32` and `f64`, for dual numbers (feature `num-dual`) and for SIMD lanes
 //! (feature `simd`); a [`Jet`] carries first derivatives without a feature. A scene has one scalar; its time and step size are the scalar's [`Real`].
+//!
+//! A law written for any of them is differentiated by running it on dual numbers (of the `num-dual` that this crate brings):
+//!
+//! ```
+//! # #[cfg(feature = "num-dual")]
+//! # fn main() -> Result<(), catena::Error> {
+//! use catena::Scalar;
+//! use catena::num_dual::Dual64;
+//! use catena::planar::*;
+//!
+//! /// Dry friction in a joint (N·m) at a rate (rad/s): a sign without a jump.
+//! fn friction<T: Scalar>(torque: T, rate: T) -> T {
+//!     -torque * (rate * T::literal(100.0)).tanh()
+//! }
+//!
+//! // How much sooner a rod stands still with more friction in its pin: the rate after 1 s, and its derivative.
+//! let torque = Dual64::from(0.3).derivative(); // (N·m)
+//! let rod = Rod::uniform(Dual64::from(1.0), Dual64::from(1.0));
+//! let wheel = System::new(Pinned::origin(), rod, Free)?;
+//! let start = wheel.with_rates(wheel.motion(), &[Dual64::from(2.0)])?;
+//! let brake = Loads::none().in_joints(|_, _, joint: &JointMotion<Dual64>| friction(torque, joint.rate()));
+//! let end = wheel.simulation(Rk4::step(0.01)).loads(&brake).run(start, 1.0, |_| ())?.motion;
+//! let rate = end.rate().0;
+//! assert!((rate.re - (2.0 - 0.3 * 3.0)).abs() < 1e-12); // J = m l² / 3
+//! assert!((rate.eps - -3.0).abs() < 1e-12);
+//! # Ok(())
+//! # }
+//! # #[cfg(not(feature = "num-dual"))]
+//! # fn main() {}
+//! ```
 
 mod columns;
 #[cfg(feature = "num-dual")]
@@ -100,6 +130,43 @@ pub trait Scalar:
     /// Angle of the point `(x, self)` from the positive x axis in rad, in (−π, π].
     fn atan2(self, x: Self) -> Self;
 
+    /// eˣ.
+    fn exp(self) -> Self;
+
+    /// Natural logarithm. At zero it is −∞, with infinite derivatives; of negative numbers NaN.
+    fn ln(self) -> Self;
+
+    /// Hyperbolic tangent: a sign without a jump, as laws of friction need it.
+    fn tanh(self) -> Self;
+
+    /// Magnitude. At zero its derivatives are taken as 0, halfway between those on either side.
+    fn abs(self) -> Self;
+
+    /// −1, 0 or 1, as it is negative, zero (or NaN) or positive: the derivative of [`abs`](Scalar::abs). It has none itself.
+    fn sign(self) -> Self;
+
+    /// A whole power, by products: `powi(0)` is 1 everywhere, without derivatives, also at zero; negative powers are reciprocals.
+    #[inline]
+    fn powi(self, exponent: i32) -> Self {
+        let (mut square, mut left) = (self, exponent.unsigned_abs());
+        if left == 0 {
+            return Self::one();
+        }
+        while left & 1 == 0 {
+            square *= square;
+            left >>= 1;
+        }
+        let mut power = square;
+        while left > 1 {
+            square *= square;
+            left >>= 1;
+            if left & 1 == 1 {
+                power *= square;
+            }
+        }
+        if exponent < 0 { power.recip() } else { power }
+    }
+
     /// The constant nearest to `value`.
     #[inline(always)]
     fn literal(value: f64) -> Self {
@@ -117,8 +184,6 @@ pub trait Real: Scalar<Real = Self> + PartialOrd + Display {
     fn of(value: f64) -> Self;
     /// As `f64`, for reports.
     fn as_f64(self) -> f64;
-    /// Magnitude.
-    fn abs(self) -> Self;
     /// The larger of two; the other one if one is NaN.
     fn max(self, other: Self) -> Self;
     /// The smaller of two; the other one if one is NaN.

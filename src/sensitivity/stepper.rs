@@ -96,4 +96,10 @@ where
     fn sweeps(&self) -> usize {
         self.0.sweeps()
     }
+
+    type Memory = ();
+
+    fn memory(&self) {}
+
+    fn restore(&mut self, (): &()) {}
 }

@@ -1,6 +1,6 @@
 //! A run under way: step control, samples by dense output, location of events.
 
-use super::{EventFunction, Now, Run, Simulation};
+use super::{EventFunction, Now, Progress, Simulation};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -12,17 +12,18 @@ use crate::system::{MotionOf, Runs, System};
 use crate::time::Control;
 use num_traits::{One, Zero};
 
-/// A run under way.
-pub(super) struct Driver<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L, M, E, K, O> {
+/// A run under way, step by step: made by [`begin`](Simulation::begin) and [`resume`](Simulation::resume).
+pub struct Running<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L, M, E, K, O> {
     pub(super) plan: Simulation<'a, S, R, C, P, L, M, E>,
+    pub(super) end: RealOf<S>,
     pub(super) stepper: K,
     pub(super) past: MotionOf<S, R, C, P>,
     pub(super) next: MotionOf<S, R, C, P>,
     pub(super) between: MotionOf<S, R, C, P>,
     pub(super) observe: O,
-    pub(super) counters: Run<()>,
-    /// Number of the next sample.
-    pub(super) samples: usize,
+    pub(super) progress: Progress<RealOf<S>>,
+    /// The value of the event function at the past motion.
+    pub(super) value: Option<S::Scalar>,
 }
 
 /// What came of a step.
@@ -31,7 +32,7 @@ enum Outcome {
     Stop,
 }
 
-impl<'a, S, R, C, P, L, M, E, K, O> Driver<'a, S, R, C, P, L, M, E, K, O>
+impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
 where
     S: Space,
     R: Root<S>,
@@ -43,8 +44,12 @@ where
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
-    pub(super) fn drive(&mut self, end: RealOf<S>) -> Result<(), Error> {
-        let system = self.plan.system;
+    /// Refuses what makes no run, and motions of another scene.
+    fn check(&mut self) -> Result<(), Error> {
+        let (system, end) = (self.plan.system, self.end);
+        if !self.past.fits(&system.motion()) {
+            return Err(Error::new(Fault::Shape));
+        }
         system.accept(&self.past)?;
         if System::<S, R, C, P>::CLOSED > 0 {
             // Whether they are independent, once.
@@ -66,24 +71,57 @@ where
                 return Err(Error::new(Fault::NotPositive { parameter, value: number.as_f64() }));
             }
         }
+        Ok(())
+    }
+
+    /// Makes the start ready and shows it.
+    pub(super) fn start(&mut self) -> Result<(), Error> {
+        self.check()?;
+        let system = self.plan.system;
         let mut workspace = Dynamics::<L>::workspace(system);
         // In a copy: a run that cannot start gives the start back as it was.
         system.accelerate(&mut self.next, self.plan.loads, &mut workspace)?;
         core::mem::swap(&mut self.past, &mut self.next);
-        let start = self.past.time;
-        let one = RealOf::<S>::one();
-        let mut dt = match self.plan.rule.control {
+        self.progress.start = self.past.time;
+        self.progress.mark = (self.past.time, 0);
+        self.progress.size = match self.plan.rule.control {
             Control::Fixed(dt) => dt,
             Control::Tolerance(tolerance) => self.first_step(tolerance),
         };
         self.show(Shown::Past, false);
-        let mut value = self.value(Shown::Past);
-        let mut rejected = false;
-        while self.past.time < end {
+        self.value = self.value(Shown::Past);
+        Ok(())
+    }
+
+    /// Takes up what another run has left.
+    pub(super) fn take_up(&mut self, memory: &K::Memory) -> Result<(), Error> {
+        self.check()?;
+        self.stepper.restore(memory);
+        // An event where it stands was seen.
+        self.value = if self.progress.stopped { None } else { self.value(Shown::Past) };
+        self.progress.stopped = false;
+        Ok(())
+    }
+
+    /// The next step that is accepted; `false` where the run has ended, at its end or at an event.
+    ///
+    /// # Errors
+    /// What kept it from a finite motion within the tolerance; the motion is then that before the step.
+    pub fn step(&mut self) -> Result<bool, Error> {
+        let (start, end, one) = (self.progress.start, self.end, RealOf::<S>::one());
+        if self.progress.stopped || self.past.time >= end {
+            return Ok(false);
+        }
+        let (size, last) = loop {
             // Fixed steps end at multiples of their size, without the rounding of a running sum.
             let planned = match self.plan.rule.control {
-                Control::Fixed(dt) => start + dt * RealOf::<S>::of((self.counters.steps + 1) as f64) - self.past.time,
-                Control::Tolerance(_) => self.plan.longest.map_or(dt, |longest| dt.min(longest)),
+                Control::Fixed(dt) => {
+                    let (mark, count) = self.progress.mark;
+                    mark + dt * RealOf::<S>::of((count + 1) as f64) - self.past.time
+                }
+                Control::Tolerance(_) => {
+                    self.plan.longest.map_or(self.progress.size, |longest| self.progress.size.min(longest))
+                }
             };
             // The last step lands on the end; it may be longer by rounding.
             let remaining = end - self.past.time;
@@ -93,47 +131,51 @@ where
                 return Err(self.too_small(size));
             }
             let outcome = self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next);
-            if let Control::Tolerance(tolerance) = self.plan.rule.control {
-                let error = match outcome {
-                    Ok(()) => self.stepper.error(&self.past, size, &self.next, tolerance),
-                    Err(Error { fault: Fault::NonFiniteMotion, .. }) => Some(RealOf::<S>::INFINITY),
-                    // A step that is far too long may leap anywhere: its error by the size of the past motion says so.
-                    Err(refused @ Error { fault: Fault::AngleOutOfRange { .. }, .. }) => {
-                        let leap = self.stepper.error(&self.past, size, &self.past, tolerance);
-                        if leap.is_none_or(|leap| leap <= one) {
-                            return Err(refused);
-                        }
-                        leap
-                    }
-                    Err(error) => return Err(error),
-                };
-                let error = error.unwrap_or(RealOf::<S>::zero());
-                let factor = factor(error, self.stepper.error_order());
-                if !error.is_finite() || error > one {
-                    self.counters.rejected += 1;
-                    rejected = true;
-                    dt = size * factor.min(RealOf::<S>::of(0.9));
-                    continue;
-                }
-                // No growth right after a rejection, and none from a step cut short by the end.
-                let factor = if rejected || last { factor.min(one) } else { factor };
-                rejected = false;
-                dt = size * factor;
-            } else {
+            let Control::Tolerance(tolerance) = self.plan.rule.control else {
                 outcome?;
+                break (size, last);
+            };
+            let error = match outcome {
+                Ok(()) => self.stepper.error(&self.past, size, &self.next, tolerance),
+                Err(Error { fault: Fault::NonFiniteMotion, .. }) => Some(RealOf::<S>::INFINITY),
+                // A step that is far too long may leap anywhere: its error by the size of the past motion says so.
+                Err(refused @ Error { fault: Fault::AngleOutOfRange { .. }, .. }) => {
+                    let leap = self.stepper.error(&self.past, size, &self.past, tolerance);
+                    if leap.is_none_or(|leap| leap <= one) {
+                        return Err(refused);
+                    }
+                    leap
+                }
+                Err(error) => return Err(error),
+            };
+            let error = error.unwrap_or(RealOf::<S>::zero());
+            let factor = factor(error, self.stepper.error_order());
+            if !error.is_finite() || error > one {
+                self.progress.rejected += 1;
+                self.progress.careful = true;
+                self.progress.size = size * factor.min(RealOf::<S>::of(0.9));
+                continue;
             }
-            if last {
-                self.next.time = end;
-            }
-            self.counters.steps += 1;
-            let next_value = self.value(Shown::Next);
-            if let Outcome::Stop = self.shown(start, size, [value, next_value]) {
-                return Ok(());
-            }
-            value = next_value;
-            core::mem::swap(&mut self.past, &mut self.next);
+            // No growth right after a rejection, and none from a step cut short by the end.
+            let factor = if self.progress.careful || last { factor.min(one) } else { factor };
+            self.progress.careful = false;
+            self.progress.size = size * factor;
+            break (size, last);
+        };
+        if last {
+            self.next.time = end;
         }
-        Ok(())
+        self.progress.steps += 1;
+        self.progress.mark.1 += 1;
+        let next_value = self.value(Shown::Next);
+        if let Outcome::Stop = self.shown(start, size, [self.value, next_value]) {
+            self.progress.stopped = true;
+            self.progress.mark = (self.past.time, 0);
+            return Ok(false);
+        }
+        self.value = next_value;
+        core::mem::swap(&mut self.past, &mut self.next);
+        Ok(true)
     }
 
     /// A first step from the size of motion and accelerations (Hairer, Nørsett, Wanner, II.4, without its trial step).
@@ -210,12 +252,12 @@ where
         let rounding = RealOf::<S>::EPSILON * RealOf::<S>::of(4.0) * (self.past.time.abs() + size);
         let slack = 1e-9 * (every / size).as_f64().min(1.0) + (rounding / size).as_f64();
         loop {
-            let time = start + every * RealOf::<S>::of(self.samples as f64);
+            let time = start + every * RealOf::<S>::of(self.progress.samples as f64);
             let theta = ((time - self.past.time) / size).as_f64();
             if theta > share + slack {
                 return;
             }
-            self.samples += 1;
+            self.progress.samples += 1;
             if theta >= 1.0 - slack {
                 self.show(Shown::Next, false);
             } else {

@@ -1,17 +1,20 @@
 //! Running a scene through time: step control, dense output at requested times, events.
 
 mod drive;
+mod saved;
 
 use crate::element::{Budget, Element, Loading, RealOf, Space, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::observe::{PerBody, Stations};
-use crate::stepper::{Method, Stepper};
+use crate::stepper::Method;
 use crate::system::Dynamics;
 use crate::system::{Elements, MotionOf, Runs, System};
-use crate::time::Rule;
+use crate::time::{IntoRule, Rule};
 use core::fmt;
-use drive::Driver;
+
+pub use drive::Running;
+pub use saved::{Progress, Saved};
 
 /// An instant of a run, to be read.
 pub struct Now<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L> {
@@ -144,7 +147,21 @@ impl<N: ?Sized, T, F: FnMut(&N) -> T> EventFunction<N, T> for F {
 }
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// A stepper of a method for this scene: `pendulum.stepper(Rk4)`.
+    /// A stepper of a method for this scene. Its method is no rule: each step is told its size.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    /// let mut stepper = pendulum.stepper(Rk4);
+    /// let mut now = pendulum.at_rest(&[-1.0, -0.5])?;
+    /// let mut next = now; // a step reads one motion and writes another
+    /// for _ in 0..100 {
+    ///     stepper.step(&now, &Unloaded, 0.001, &mut next)?; // (s)
+    ///     core::mem::swap(&mut now, &mut next);
+    /// }
+    /// # Ok::<(), catena::Error>(())
+    /// ```
     pub fn stepper<'s, M: Method<&'s Self, L>, L: Loading<S>>(&'s self, method: M) -> M::Stepper
     where
         Self: Dynamics<L>,
@@ -160,8 +177,12 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         method.stepper(self)
     }
 
-    /// A run to be made by a rule.
-    pub fn simulation<M>(&self, rule: Rule<M, RealOf<S>>) -> Simulation<'_, S, R, C, P, Unloaded, M, NoEvent> {
+    /// A run to be made by a rule: a method that says how long its steps are.
+    pub fn simulation<K: IntoRule<RealOf<S>>>(
+        &self,
+        rule: K,
+    ) -> Simulation<'_, S, R, C, P, Unloaded, K::Method, NoEvent> {
+        let rule = rule.into_rule();
         Simulation { system: self, loads: &Unloaded, rule, every: None, longest: None, event: NoEvent, stop: false }
     }
 
@@ -170,10 +191,10 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// # Errors
     /// Why the run ended early, with the last accepted motion.
     #[allow(clippy::type_complexity)] // the types are those of the scene
-    pub fn simulate<'s, M: Method<&'s Self, Unloaded>>(
+    pub fn simulate<'s, K: IntoRule<RealOf<S>, Method: Method<&'s Self, Unloaded>>>(
         &'s self,
         start: MotionOf<S, R, C, P>,
-        rule: Rule<M, RealOf<S>>,
+        rule: K,
         end: RealOf<S>,
         observe: impl FnMut(&Now<'_, S, R, C, P, Unloaded>),
     ) -> Result<Run<MotionOf<S, R, C, P>>, Interrupted<MotionOf<S, R, C, P>>>
@@ -235,17 +256,6 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         M: Method<&'a System<S, R, C, P>, L>,
         E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     {
-        let stepper = self.rule.method.stepper(self.system);
-        let (next, between) = (start.clone(), start.clone());
-        let counters = Run { motion: (), steps: 0, rejected: 0, sweeps: 0 };
-        let mut driver = Driver { plan: self, stepper, past: start, next, between, observe, counters, samples: 1 };
-        match driver.drive(end) {
-            Ok(()) => {
-                let Run { steps, rejected, .. } = driver.counters;
-                let sweeps = driver.stepper.sweeps();
-                Ok(Run { motion: driver.past, steps, rejected, sweeps })
-            }
-            Err(error) => Err(Interrupted { error, last: driver.past }),
-        }
+        self.begin(start, end, observe)?.finish()
     }
 }

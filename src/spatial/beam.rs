@@ -17,7 +17,7 @@ use alloc::vec::Vec;
 /// // Length (m), bending stiffness EI about y and z (N·m²), torsional stiffness GJ (N·m²), mass ρA (kg/m) and moment of inertia
 /// // ρI_p about its axis (kg·m) per length.
 /// let beam = Beam::new(1.0, [2.0, 5.0], 1.5, 0.5, 1e-5);
-/// let cantilever = System::new(Clamped::origin(), beam.segments::<20>(), Free)?.with_gravity(9.81);
+/// let cantilever = System::new(Clamped::origin(), beam.segments::<20>(), Free)?.with_gravity([0.0, -9.81, 0.0]);
 /// let hub = RigidBody::new(3.0, [[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]], [0.0; 3], [0.2, 0.0, 0.0]);
 /// let blade = System::new(Pinned::origin(), (hub, beam.segments::<20>()), Free)?; // grows out of the hub
 /// let bridge = System::new(Pinned::origin(), beam.with_extension(1e5).segments::<20>(), Pinned::at(1.0, 0.0, 0.0))?;

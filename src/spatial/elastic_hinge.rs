@@ -36,7 +36,7 @@ use nalgebra::Vector3;
 ///     .damped(0.01) // (N·m·s/rad)
 ///     .resting_at([0.0, 0.0, 0.3]) // rotation vector (rad)
 ///     .with_linear(rubber, rubber, Spring::none());
-/// let mount = System::new(Clamped::origin(), (rod, hinge, rod), Free)?.with_gravity(9.81);
+/// let mount = System::new(Clamped::origin(), (rod, hinge, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,7 +51,7 @@ pub struct ElasticHinge<R, L = Absent> {
 /// use catena::spatial::*;
 /// let rod = Rod::uniform(0.5, 0.05, 1.0);
 /// let joint = ElasticBall::rotary([20.0, 5.0, 20.0]).damped(0.01); // (N·m/rad), (N·m·s/rad)
-/// let blade = System::new(Clamped::origin(), (rod, joint, rod), Free)?.with_gravity(9.81);
+/// let blade = System::new(Clamped::origin(), (rod, joint, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
 /// # Ok::<(), catena::Error>(())
 /// ```
 pub type ElasticBall<T, D = Absent, P = Absent> = ElasticHinge<RotarySpring<T, D, P>>;

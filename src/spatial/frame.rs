@@ -278,9 +278,6 @@ impl<T: Scalar> Space for Spatial<T> {
     fn work(column: FullColumn<T>, acceleration: &Acceleration<T>) -> T {
         dot(column.force, acceleration.linear) + dot(column.torque, acceleration.angular)
     }
-    fn downward(g: T) -> Vector3<T> {
-        Vector3::new(T::zero(), -g, T::zero())
-    }
     fn no_gravity() -> Vector3<T> {
         zero()
     }

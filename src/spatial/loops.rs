@@ -18,7 +18,7 @@ use nalgebra::Vector3;
 /// let rod = Rod::uniform(0.5, 0.01, 1.0); // length, radius (m), mass (kg)
 /// // Three rods between two balls of the body that carries them, 0.8 m apart.
 /// let swing = ClosedLoop::ending_at([0.8, 0.0, 0.0], (Ball, rod, Ball, rod, Ball, rod), Ball);
-/// let scene = System::new(Pinned::origin(), (rod, swing, Ball, rod), Free)?.with_gravity(9.81);
+/// let scene = System::new(Pinned::origin(), (rod, swing, Ball, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
 /// # Ok::<(), catena::Error>(())
 /// ```
 pub type ClosedLoop<T, A, K> = Branch<Network<RigidBody<T>, A, K>>;

@@ -56,15 +56,28 @@ impl Pece {
     }
 }
 
+/// What [`AdamsStepper`] carries from step to step: the motions that it wrote.
+#[derive(Clone, Debug)]
+pub struct AdamsMemory<M> {
+    /// A ring: at `newest` and after it motions of the past, `known` of them, and before it what the last step wrote, if it did.
+    ring: [M; DEPTH + 1],
+    newest: usize,
+    known: usize,
+    written: bool,
+}
+
+impl<M> AdamsMemory<M> {
+    /// Motions of the past, the newest one first.
+    fn history(&self) -> impl Iterator<Item = &M> {
+        self.ring[self.newest..].iter().chain(&self.ring)
+    }
+}
+
 /// Steps by [`Adams`].
 pub struct AdamsStepper<D: Dynamics<L>, L> {
     /// Steps where too little is remembered. It owns the scene.
     start: ExplicitStepper<D, L, Dopri5>,
-    /// A ring: at `newest` and after it motions of the past, `known` of them, and before it what the last step wrote, if it did.
-    ring: [MotionIn<D, L>; DEPTH + 1],
-    newest: usize,
-    known: usize,
-    written: bool,
+    memory: AdamsMemory<MotionIn<D, L>>,
     /// Accelerations: predicted, and of the past motions.
     slopes: [D::Rate; DEPTH + 1],
     /// When they were, as shares of the step.
@@ -85,10 +98,7 @@ impl<D: Dynamics<L>, L> Method<D, L> for Adams {
         let zero = still.rate.clone();
         AdamsStepper {
             start: Dopri5.stepper(scene),
-            ring: core::array::from_fn(|_| still.clone()),
-            newest: 0,
-            known: 0,
-            written: false,
+            memory: AdamsMemory { ring: core::array::from_fn(|_| still.clone()), newest: 0, known: 0, written: false },
             slopes: core::array::from_fn(|_| zero.clone()),
             nodes: [0.0; DEPTH + 1],
             weights: Pece::new(&[1.0, 0.0, -1.0, -2.0, -3.0]),
@@ -120,15 +130,16 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
                 && motion.rate.all(&past.rate, &mut equal)
                 && motion.acceleration.all(first, &mut equal)
         };
-        let before = (self.newest + DEPTH) % (DEPTH + 1);
-        if self.written && is(&self.ring[before]) {
-            self.newest = before;
-            self.known = DEPTH.min(self.known + 1);
-        } else if self.known == 0 || !is(&self.ring[self.newest]) {
-            Self::copy(&mut self.ring[self.newest], past, first, &self.zero);
-            self.known = 1;
+        let AdamsMemory { ring, newest, known, written } = &mut self.memory;
+        let before = (*newest + DEPTH) % (DEPTH + 1);
+        if *written && is(&ring[before]) {
+            *newest = before;
+            *known = DEPTH.min(*known + 1);
+        } else if *known == 0 || !is(&ring[*newest]) {
+            Self::copy(&mut ring[*newest], past, first, &self.zero);
+            *known = 1;
         }
-        self.written = false;
+        *written = false;
     }
 
     /// The step from the accelerations in the first row of [`start`](Self::start).
@@ -140,15 +151,15 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.recall(past);
-        self.own = self.known == DEPTH && self.spread(past.time, dt);
+        self.own = self.memory.known == DEPTH && self.spread(past.time, dt);
         if self.own {
             self.leap(past, loads, dt, next)?;
         } else {
             self.start.make(past, loads, dt, next)?;
         }
-        let before = (self.newest + DEPTH) % (DEPTH + 1);
-        Self::copy(&mut self.ring[before], next, &next.acceleration, &self.zero);
-        self.written = true;
+        let AdamsMemory { ring, newest, written, .. } = &mut self.memory;
+        Self::copy(&mut ring[(*newest + DEPTH) % (DEPTH + 1)], next, &next.acceleration, &self.zero);
+        *written = true;
         Ok(())
     }
 
@@ -158,8 +169,7 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
     /// near. Nor does it look back where steps turned round.
     fn spread(&mut self, now: TimeIn<D, L>, dt: TimeIn<D, L>) -> bool {
         self.nodes[0] = 1.0;
-        let history = self.ring[self.newest..].iter().chain(&self.ring);
-        for (node, before) in self.nodes[1..].iter_mut().zip(history) {
+        for (node, before) in self.nodes[1..].iter_mut().zip(self.memory.history()) {
             *node = ((before.time - now) / dt).as_f64();
         }
         self.nodes[1..].windows(2).all(|pair| pair[0] - pair[1] >= NEAREST)
@@ -174,8 +184,7 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         let Self { slopes, nodes, weights, start, stage: (position, rate), estimate, zero, .. } = self;
-        let history = self.ring[self.newest..].iter().chain(&self.ring);
-        for (slope, before) in slopes[1..].iter_mut().zip(history) {
+        for (slope, before) in slopes[1..].iter_mut().zip(self.memory.history()) {
             slope.set(&before.acceleration);
             if D::Position::CURVED {
                 before.position.unroll(&past.position, &before.rate, slope);
@@ -286,5 +295,15 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
 
     fn sweeps(&self) -> usize {
         self.start.sweeps
+    }
+
+    type Memory = AdamsMemory<MotionIn<D, L>>;
+
+    fn memory(&self) -> Self::Memory {
+        self.memory.clone()
+    }
+
+    fn restore(&mut self, memory: &Self::Memory) {
+        self.memory.clone_from(memory);
     }
 }

@@ -248,4 +248,11 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
     fn sweeps(&self) -> usize {
         self.sweeps
     }
+
+    /// Nothing: all that a step needs stands in its motion.
+    type Memory = ();
+
+    fn memory(&self) {}
+
+    fn restore(&mut self, (): &()) {}
 }

@@ -5,8 +5,10 @@ use super::{Method, MotionIn, Stepper, TimeIn, check};
 use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
+use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Dynamics, StiffDynamics};
+use crate::system::StiffDynamics;
 use crate::time::GeneralizedAlpha;
 use num_traits::{One, Zero};
 
@@ -17,8 +19,8 @@ pub struct ImplicitStepper<D: StiffDynamics<L>, L> {
     workspace: D::Workspace,
     stiff: D::StiffWorkspace,
     /// What is known of the last motion written, and of the one before.
-    last: Memory<D, L>,
-    before: Memory<D, L>,
+    last: Trace<TimeIn<D, L>, D::Position, D::Rate>,
+    before: Trace<TimeIn<D, L>, D::Position, D::Rate>,
     /// Where positions and rates would be without the acceleration sought.
     free: (D::Position, D::Rate),
     /// Where the geometry of a sweep is taken.
@@ -36,19 +38,31 @@ pub struct ImplicitStepper<D: StiffDynamics<L>, L> {
     sweeps: usize,
 }
 
-/// A motion, to be recognised by, and how far its auxiliary acceleration A is from the true one; no time before the first step.
-struct Memory<D: Dynamics<L>, L> {
-    time: Option<TimeIn<D, L>>,
-    position: D::Position,
-    rate: D::Rate,
-    /// A − a, and the size (s) of the step that left it: it grows with the size.
-    offset: D::Rate,
-    size: TimeIn<D, L>,
+/// What [`ImplicitStepper`] carries from step to step: traces of the last two motions, and what joints keep from sweep to sweep.
+#[derive(Clone)]
+pub struct ImplicitMemory<M, G> {
+    traces: [M; 2],
+    gains: G,
 }
 
-impl<D: Dynamics<L>, L> Memory<D, L> {
+/// A motion, to be recognised by, and how far its auxiliary acceleration A is from the true one; no time before the first step.
+#[derive(Clone)]
+pub struct Trace<R, P, V> {
+    time: Option<R>,
+    position: P,
+    rate: V,
+    /// A − a, and the size (s) of the step that left it: it grows with the size.
+    offset: V,
+    size: R,
+}
+
+impl<R: Real, P, V> Trace<R, P, V> {
     /// Whether it is of this motion.
-    fn is_of(&self, motion: &MotionIn<D, L>) -> bool {
+    fn is_of<T: Scalar<Real = R>, C: Closures>(&self, motion: &Motion<T, P, C>) -> bool
+    where
+        P: Position<T, Rate = V>,
+        V: Rate<T>,
+    {
         let mut same = |a, b| a == b;
         self.time == Some(motion.time)
             && self.position.all(&motion.position, &mut same)
@@ -56,9 +70,13 @@ impl<D: Dynamics<L>, L> Memory<D, L> {
     }
 
     /// Keeps a motion, without its accelerations.
-    fn keep(&mut self, motion: &MotionIn<D, L>, size: TimeIn<D, L>, zero: &D::Rate) {
+    fn keep<T: Scalar<Real = R>, C: Closures>(&mut self, motion: &Motion<T, P, C>, size: R, zero: &V)
+    where
+        P: Position<T, Rate = V>,
+        V: Rate<T>,
+    {
         self.time = Some(motion.time);
-        self.position.drift_0(&motion.position, (TimeIn::<D, L>::zero(), zero));
+        self.position.drift_0(&motion.position, (R::zero(), zero));
         self.rate.set(&motion.rate);
         self.size = size;
     }
@@ -71,7 +89,7 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for GeneralizedAlpha {
         let still = scene.still();
         let zero = still.rate.clone();
         let place = (still.position.clone(), zero.clone());
-        let memory = || Memory {
+        let trace = || Trace {
             time: None,
             position: still.position.clone(),
             rate: zero.clone(),
@@ -82,8 +100,8 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for GeneralizedAlpha {
             rule: *self,
             workspace: scene.workspace(),
             stiff: scene.stiff_workspace(),
-            last: memory(),
-            before: memory(),
+            last: trace(),
+            before: trace(),
             free: place.clone(),
             at: place,
             first: zero.clone(),
@@ -100,7 +118,7 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for GeneralizedAlpha {
 }
 
 impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
-    /// Makes `before` the memory of `past`: that of the last step if `past` is where it ended; otherwise A is the true
+    /// Makes `before` the trace of `past`: that of the last step if `past` is where it ended; otherwise A is the true
     /// acceleration, from which it differs by O(h). Where the acceleration has jumped since (with a load), so does A.
     fn recall(&mut self, past: &MotionIn<D, L>, dt: TimeIn<D, L>) {
         if self.last.is_of(past) {
@@ -112,7 +130,7 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
         self.last.time = None;
     }
 
-    /// The step from the accelerations in `first` and the memory of `past`, and nothing else: it changes neither.
+    /// The step from the accelerations in `first` and the trace of `past`, and nothing else: it changes neither.
     fn leap(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &mut MotionIn<D, L>) {
         let real = TimeIn::<D, L>::of;
         let GeneralizedAlpha { beta, gamma, sweeps, .. } = self.rule;
@@ -275,5 +293,19 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
 
     fn sweeps(&self) -> usize {
         self.sweeps
+    }
+
+    type Memory = ImplicitMemory<Trace<TimeIn<D, L>, D::Position, D::Rate>, D::Gains>;
+
+    fn memory(&self) -> Self::Memory {
+        let traces = [self.last.clone(), self.before.clone()];
+        ImplicitMemory { traces, gains: self.scene.gains(&self.stiff).clone() }
+    }
+
+    fn restore(&mut self, memory: &Self::Memory) {
+        let [last, before] = &memory.traces;
+        self.last.clone_from(last);
+        self.before.clone_from(before);
+        self.scene.restore_gains(&mut self.stiff, &memory.gains);
     }
 }

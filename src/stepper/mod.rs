@@ -12,9 +12,9 @@ use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
 use num_traits::Zero;
 
-pub use adams::AdamsStepper;
+pub use adams::{AdamsMemory, AdamsStepper};
 pub use explicit::ExplicitStepper;
-pub use implicit::ImplicitStepper;
+pub use implicit::{ImplicitMemory, ImplicitStepper, Trace};
 pub use sdirk::SdirkStepper;
 
 /// The motion of a scene described by `D`.
@@ -40,7 +40,8 @@ fn check<D: Dynamics<L>, L>(
     }
 }
 
-/// A method that can make steppers for scenes `D` with loads `L`.
+/// A method that can make steppers for scenes `D` with loads `L`: `Rk4`, which is told the size of every step, rather than the rule
+/// `Rk4::step(0.001)` of a run.
 pub trait Method<D: Dynamics<L>, L> {
     /// Its stepper.
     type Stepper: Stepper<D, L>;
@@ -106,4 +107,36 @@ pub trait Stepper<D: Dynamics<L>, L> {
 
     /// Sweeps made so far.
     fn sweeps(&self) -> usize;
+
+    /// What it carries from step to step besides the motion.
+    type Memory: Clone;
+
+    /// A copy of what it carries. With it and the last motion, another stepper of the same method for the same scene goes on bit by bit
+    /// as this one would.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    /// let mut stepper = pendulum.stepper(Adams); // it remembers four motions
+    /// let mut now = pendulum.at_rest(&[-1.0, -0.5])?;
+    /// let mut next = now;
+    /// for _ in 0..10 {
+    ///     stepper.step(&now, &Unloaded, 0.01, &mut next)?;
+    ///     core::mem::swap(&mut now, &mut next);
+    /// }
+    /// let saved = (now, stepper.memory());
+    /// stepper.step(&now, &Unloaded, 0.01, &mut next)?;
+    ///
+    /// let mut other = pendulum.stepper(Adams); // later, elsewhere
+    /// let mut resumed = saved.0;
+    /// other.restore(&saved.1);
+    /// other.step(&saved.0, &Unloaded, 0.01, &mut resumed)?;
+    /// assert_eq!(resumed, next);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    fn memory(&self) -> Self::Memory;
+
+    /// Goes on from what another one carried.
+    fn restore(&mut self, memory: &Self::Memory);
 }

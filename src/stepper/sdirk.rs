@@ -223,4 +223,15 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
     fn sweeps(&self) -> usize {
         self.sweeps
     }
+
+    /// What joints keep from sweep to sweep.
+    type Memory = D::Gains;
+
+    fn memory(&self) -> D::Gains {
+        self.scene.gains(&self.stiff).clone()
+    }
+
+    fn restore(&mut self, memory: &D::Gains) {
+        self.scene.restore_gains(&mut self.stiff, memory);
+    }
 }

@@ -103,6 +103,14 @@ pub trait StiffDynamics<L>: Dynamics<L> {
 
     /// Room for implicit sweeps.
     type StiffWorkspace;
+    /// What joints keep from sweep to sweep.
+    type Gains: Clone;
+
+    /// That of a workspace: with it, what comes next in another workspace is the same, bit by bit.
+    fn gains<'w>(&self, workspace: &'w Self::StiffWorkspace) -> &'w Self::Gains;
+
+    /// Puts it into a workspace.
+    fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains);
 
     /// Room for implicit sweeps.
     fn stiff_workspace(&self) -> Self::StiffWorkspace;

@@ -1,6 +1,7 @@
 //! A scene: root, chain and tip, validated once, and its forward and inverse dynamics.
 
 mod dynamics;
+mod gravity;
 mod hold;
 mod inspect;
 #[cfg(feature = "alloc")]
@@ -12,6 +13,7 @@ mod statics;
 mod sweeps;
 
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
+pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
 pub use linear::Inertial;
 #[cfg(feature = "std")]
@@ -88,13 +90,6 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// The same scene in a uniform field of gravity (m/s²).
     #[must_use]
     pub fn with_gravity_vector(self, gravity: S::Vector) -> Self {
-        Self { gravity, ..self }
-    }
-
-    /// The same scene in a field of gravity of this magnitude (m/s²) along −y.
-    #[must_use]
-    pub fn with_gravity(self, g: S::Scalar) -> Self {
-        let gravity = S::downward(g);
         Self { gravity, ..self }
     }
 

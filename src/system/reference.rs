@@ -91,6 +91,15 @@ impl<D: StiffDynamics<L>, L> StiffDynamics<L> for &D {
     const LINEAR: bool = D::LINEAR;
 
     type StiffWorkspace = D::StiffWorkspace;
+    type Gains = D::Gains;
+
+    fn gains<'w>(&self, workspace: &'w Self::StiffWorkspace) -> &'w Self::Gains {
+        (**self).gains(workspace)
+    }
+
+    fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains) {
+        (**self).restore_gains(workspace, gains);
+    }
 
     #[inline]
     fn stiff_workspace(&self) -> Self::StiffWorkspace {

@@ -176,6 +176,16 @@ where
 
     type StiffWorkspace = Workspace<S, Elements<S, R, C>, Carrying<L, Implicit<RealOf<S>>, P::Closures>>;
 
+    type Gains = <Elements<S, R, C> as Element<S>>::Kept<P::Closures>;
+
+    fn gains<'w>(&self, workspace: &'w Self::StiffWorkspace) -> &'w Self::Gains {
+        &workspace.kept
+    }
+
+    fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains) {
+        workspace.kept.clone_from(gains);
+    }
+
     fn stiff_workspace(&self) -> Self::StiffWorkspace {
         Workspace::new(&self.chain)
     }

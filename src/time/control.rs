@@ -1,12 +1,36 @@
 //! How a rule chooses its steps.
 
-/// A method and its choice of steps, for example `Dop853::tolerance(1e-12)` or `Rk4::step(1e-3)`.
+/// A method and its choice of steps, for example `Dop853::tolerance(1e-12)` or `Rk4::step(1e-3)`: what a run is made by.
+///
+/// A [`Stepper`](crate::stepper::Stepper) takes the method alone, `Dop853` or `Rk4`: it is told the size of every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rule<M, R> {
     /// The method.
     pub method: M,
     /// The choice of steps.
     pub control: Control<R>,
+}
+
+/// What a run is made by: a method that says how long its steps are, which is a [`Rule`] and nothing else.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not say how long the steps of a run are",
+    label = "a method alone",
+    note = "a run takes a rule: `Rk4::step(0.001)` for steps of one size (s), `Dop853::tolerance(1e-9)` for error control"
+)]
+pub trait IntoRule<R> {
+    /// The method.
+    type Method;
+
+    /// The rule.
+    fn into_rule(self) -> Rule<Self::Method, R>;
+}
+
+impl<M, R> IntoRule<R> for Rule<M, R> {
+    type Method = M;
+
+    fn into_rule(self) -> Self {
+        self
+    }
 }
 
 /// A choice of steps.

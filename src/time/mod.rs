@@ -12,7 +12,7 @@ mod tableau;
 
 pub use adams::Adams;
 pub(crate) use adams::Weights;
-pub use control::{Control, Rule};
+pub use control::{Control, IntoRule, Rule};
 pub use dop853::Dop853;
 pub use dopri5::Dopri5;
 pub use generalized_alpha::GeneralizedAlpha;

@@ -68,6 +68,11 @@ impl<const R: usize> ErrorWeights<R> {
 }
 
 /// An explicit Runge-Kutta method whose step ends where the next one starts (the last acceleration is reused).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` makes no stepper",
+    label = "not a method",
+    note = "a stepper is told the size of every step and takes a method alone, `Rk4`: `Rk4::step(0.001)` and `Dop853::tolerance(1e-9)` are rules of runs, for `simulate` and `simulation`"
+)]
 pub trait Explicit: Copy + Debug {
     /// Order of convergence.
     const ORDER: usize;

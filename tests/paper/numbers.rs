@@ -152,7 +152,8 @@ macro_rules! tip_in_space {
         let rod = spatial::Rod::uniform(number(0.3), number(0.1), number(0.4));
         let hinge = spatial::ElasticBall::rotary([$stiffness; 3]).damped(number(0.02));
         let chain = (rod, hinge, rod, spatial::Ball, rod);
-        let scene = spatial::System::new(spatial::Pinned::origin(), chain, spatial::Free)?.with_gravity(number(9.81));
+        let scene = spatial::System::new(spatial::Pinned::origin(), chain, spatial::Free)?
+            .with_gravity([0.0, -9.81, 0.0].map(number));
         let start = scene.at_rest(&[0.3, 0.2, -0.4, -0.2, 0.1, 0.3, 0.1, -0.2, 0.5].map(number))?;
         let dt = <<$T as Scalar>::Real as catena::Real>::of(0.004);
         let mut run = $scheme.start(&scene, &start, &Unloaded, dt)?;

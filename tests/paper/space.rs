@@ -77,7 +77,7 @@ fn chains_on_balls_have_order_two() -> Result<(), Error> {
         velocity: [0.1 * t.cos(), 0.0, 0.0],
         acceleration: [-0.1 * t.sin(), 0.0, 0.0],
     }));
-    let scene = System::new(ground, (plate(), Ball, rod, Ball, plate()), Free)?.with_gravity(9.81);
+    let scene = System::new(ground, (plate(), Ball, rod, Ball, plate()), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.at_rest(&[0.3, 0.2, -0.4, -0.2, 0.1, 0.3, 0.1, -0.2, 0.5])?;
     let start = scene.with_rates(start, &[1.0, -2.0, 0.5, 0.3, 0.5, 1.0, 0.2, -0.4, 0.3])?;
     all_orders!(scene, start, Unloaded, 0.3);
@@ -95,13 +95,13 @@ fn chains_on_balls_have_order_two() -> Result<(), Error> {
 #[test]
 fn floating_chains_and_held_tips_have_order_two() -> Result<(), Error> {
     let rod = Rod::uniform(0.6, 0.05, 0.8);
-    let scene = System::new(Free, (plate(), Ball, rod), Free)?.with_gravity(1.0);
+    let scene = System::new(Free, (plate(), Ball, rod), Free)?.with_gravity([0.0, -1.0, 0.0]);
     let start = scene.at_rest(&[0.3, 0.2, -0.4, -0.2, 0.1, 0.3])?;
     let start = scene.with_rates(start, &[0.1, 0.2, -0.1, 1.0, -2.0, 0.5, 0.3, 0.5, 1.0])?;
     all_orders!(scene, start, Unloaded, 0.3);
 
     let tip = Pinned::at(1.5, 0.0, 0.3);
-    let scene = System::new(Pinned::origin(), (plate(), Ball, rod, Ball, rod), tip)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), (plate(), Ball, rod, Ball, rod), tip)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.at_rest(&[0.3, 0.2, -0.4, -0.2, 0.1, 0.3, 0.1, -0.2, 0.5])?;
     let start = scene.assembled(start, &Unloaded)?;
     all_orders!(scene, start, Unloaded, 0.2);
@@ -122,7 +122,7 @@ fn elastic_balls_clamps_and_welds_have_order_two() -> Result<(), Error> {
             acceleration: [0.0, 0.0, -1.8 * (3.0 * t).sin()],
         }),
     };
-    let scene = System::new(shaken, (rod, hinge, plate(), bent, rod, Ball, rod), Free)?.with_gravity(9.81);
+    let scene = System::new(shaken, (rod, hinge, plate(), bent, rod, Ball, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.at_rest(&[0.3, 0.2, -0.4, 0.1, -0.2, 0.5])?;
     let start = scene.with_rates(start, &[0.4, -0.3, 0.5, 0.3, 0.5, 1.0])?;
     let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).turning_by(Slots::RotationVectors).solved_by(Solver::Riccati);
@@ -130,7 +130,7 @@ fn elastic_balls_clamps_and_welds_have_order_two() -> Result<(), Error> {
         orders!(format!("clamp, weld, spring, {at:?}"), scene, start, Unloaded, 0.3, 2.0, scheme.linearized(at));
     }
     // A hinge at the clamp itself.
-    let scene = System::new(Clamped::origin(), (hinge, rod, hinge, rod), Free)?.with_gravity(9.81);
+    let scene = System::new(Clamped::origin(), (hinge, rod, hinge, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.at_rest(&[0.3, 0.2, -0.4, 0.1, -0.2, 0.5])?;
     orders!("hinge at the clamp", scene, start, Unloaded, 0.3, 2.0, scheme.linearized(At::Predictor));
     Ok(())
@@ -149,7 +149,8 @@ fn ends_that_hold_attitudes_have_order_two() -> Result<(), Error> {
         }),
     };
     // A root on a hinge, with a torque about it.
-    let scene = System::new(Hinged::on(shaken, [0.2, 0.3, 0.9]), (plate(), Ball, rod), Free)?.with_gravity(9.81);
+    let scene =
+        System::new(Hinged::on(shaken, [0.2, 0.3, 0.9]), (plate(), Ball, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.at_rest(&[0.3, -0.2, 0.1, 0.3])?;
     let start = scene.with_rates(start, &[1.0, 0.3, 0.5, 1.0])?;
     all_orders!(scene, start, Unloaded, 0.3);
@@ -160,11 +161,11 @@ fn ends_that_hold_attitudes_have_order_two() -> Result<(), Error> {
 
     // A tip on a hinge, and one held fast.
     let tip = Hinged::at([1.2, 0.2, 0.1], [0.0, 0.6, 0.8]);
-    let scene = System::new(Pinned::origin(), (plate(), Ball, rod, Ball, rod), tip)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), (plate(), Ball, rod, Ball, rod), tip)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.assembled(scene.at_rest(&[0.3, 0.2, 0.4, -0.2, 0.1, -0.6, 0.0, 0.0, 0.1])?, &Unloaded)?;
     all_orders!(scene, start, Unloaded, 0.2);
     let tip = Clamped::at([1.2, 0.2, 0.1], Rotation::from_angles([0.3, -0.2, 0.1]));
-    let scene = System::new(Pinned::origin(), (plate(), Ball, rod, Ball, rod), tip)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), (plate(), Ball, rod, Ball, rod), tip)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.assembled(scene.at_rest(&[0.3, 0.2, 0.4, -0.2, 0.1, -0.6, 0.3, -0.2, 0.1])?, &Unloaded)?;
     all_orders!(scene, start, Unloaded, 0.2);
     Ok(())
@@ -176,7 +177,7 @@ fn tips_stay_as_they_are_held() -> Result<(), Error> {
     let rod = Rod::uniform(0.6, 0.05, 0.8);
     let attitude = Rotation::from_angles([0.3, -0.2, 0.1]);
     let tip = Clamped::at([1.2, 0.2, 0.1], attitude);
-    let scene = System::new(Pinned::origin(), (plate(), Ball, rod, Ball, rod), tip)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), (plate(), Ball, rod, Ball, rod), tip)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.assembled(scene.at_rest(&[0.3, 0.2, 0.4, -0.2, 0.1, -0.6, 0.3, -0.2, 0.1])?, &Unloaded)?;
     for slots in [Slots::Angles, Slots::RotationVectors] {
         for (at, allowed) in [(At::Iterated, 1e-12), (At::Predictor, 1e-6)] {
@@ -200,7 +201,7 @@ fn product_and_transform_agree_where_attitudes_are_held() -> Result<(), Error> {
     let (root, clamp) = (Hinged::at([0.0; 3], [0.2, 0.3, 0.9]), Rotation::from_angles([0.1, -0.2, -0.3]));
     macro_rules! agree {
         ($scene:expr) => {{
-            let scene = $scene?.with_gravity(9.81);
+            let scene = $scene?.with_gravity([0.0, -9.81, 0.0]);
             let start = scene.assembled(scene.at_rest(&[0.3, 0.1, 0.2, 0.1, -0.2, 0.1, -0.4])?, &Unloaded)?;
             for slots in [Slots::Angles, Slots::RotationVectors] {
                 for at in [At::Previous, At::Predictor, At::Iterated] {
@@ -231,7 +232,7 @@ fn product_and_transform_agree_where_attitudes_are_held() -> Result<(), Error> {
 fn printed_hinges_hold_in_a_plane() -> Result<(), Error> {
     let rod = Rod::uniform(0.6, 0.05, 0.8);
     let hinge = ElasticBall::rotary([5.0; 3]).damped(0.05);
-    let scene = System::new(Clamped::origin(), (rod, hinge, rod, hinge, rod), Free)?.with_gravity(9.81);
+    let scene = System::new(Clamped::origin(), (rod, hinge, rod, hinge, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.at_rest(&[0.0, 0.0, -0.4, 0.0, 0.0, 0.5])?;
     let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).solved_by(Solver::Riccati);
     for at in [At::Previous, At::Predictor, At::Iterated] {
@@ -243,7 +244,7 @@ fn printed_hinges_hold_in_a_plane() -> Result<(), Error> {
 /// Other rules, on the paper's example 5: what has which order.
 #[test]
 fn rules_have_their_orders() -> Result<(), Error> {
-    let scene = System::new(Pinned::origin(), (plate(), Ball, plate()), Free)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), (plate(), Ball, plate()), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.with_rates(scene.at_rest(&[0.3, 0.2, -0.4, 0.0, 0.1, 0.2])?, &[0.4, -0.3, 0.5, 0.3, 0.5, 1.0])?;
     macro_rules! rule {
         ($order:expr, $rule:expr, $($slots:ident),*) => {$(
@@ -267,7 +268,8 @@ fn rules_have_their_orders() -> Result<(), Error> {
 fn product_and_transform_agree() -> Result<(), Error> {
     let rod = Rod::uniform(0.6, 0.05, 0.8);
     let hinge = ElasticBall::rotary([5.0; 3]).damped(0.05);
-    let scene = System::new(Pinned::origin(), (plate(), Ball, rod, hinge, plate()), Free)?.with_gravity(9.81);
+    let scene =
+        System::new(Pinned::origin(), (plate(), Ball, rod, hinge, plate()), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.at_rest(&[0.3, 0.2, -0.4, -0.2, 0.1, 0.3, 0.1, -0.2, 0.5])?;
     for slots in [Slots::Angles, Slots::RotationVectors] {
         for at in [At::Previous, At::Predictor, At::Iterated] {
@@ -291,7 +293,7 @@ fn product_and_transform_agree() -> Result<(), Error> {
 fn residuals_stay_small_on_long_chains() -> Result<(), Box<dyn std::error::Error>> {
     let n = 10_000;
     let rod = Rod::uniform(1.0 / n as f64, 1e-3, 1.0 / n as f64);
-    let scene = System::new(Pinned::origin(), (rod, vec![(Ball, rod); n - 1]), Free)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), (rod, vec![(Ball, rod); n - 1]), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let angles: Vec<f64> = (0..n).flat_map(|k| [0.0, 0.1, -0.5 + 0.2 * (k as f64 / n as f64)]).collect();
     let start = scene.at_rest(&angles)?;
     for slots in [Slots::Angles, Slots::RotationVectors] {
@@ -312,7 +314,7 @@ fn residuals_stay_small_on_long_chains() -> Result<(), Box<dyn std::error::Error
 #[test]
 fn right_angles_are_refused_by_angles_only() -> Result<(), Error> {
     let rod = Rod::uniform(1.0, 0.05, 1.0);
-    let scene = System::new(Pinned::origin(), (plate(), Ball, rod), Free)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), (plate(), Ball, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let quarter = core::f64::consts::FRAC_PI_2;
     let start = scene.at_rest(&[0.1, 0.2, 0.3, 0.0, quarter, 0.0])?;
     let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).solved_by(Solver::Riccati);
@@ -411,7 +413,7 @@ fn what_the_paper_has_not_is_refused_with_its_place() -> Result<(), Error> {
     let j = 1.0 / 12.0;
     let inertia = [[1e-3, 0.0, 0.0], [0.0, j, 0.0], [0.0, 0.0, j]];
     let third = RigidBody::new(1.0, inertia, [0.5, 0.0, 0.0], [2.0 / 3.0, 0.0, 0.0]);
-    let scene = System::new(Pinned::origin(), (rod, Ball, third, Ball, rod), Free)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), (rod, Ball, third, Ball, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.with_rates(scene.at_rest(&[0.1, 0.2, -0.4, 0.0, 0.1, 0.2, 0.2, 0.1, 0.4])?, &[0.5; 9])?;
     let error = scheme.start(&scene, &start, &Unloaded, 0.01)?.step().unwrap_err();
     println!("{error}");
@@ -463,7 +465,7 @@ fn stand_in() -> RigidBody<f64> {
 /// Errors of angles (rad) and of the force at the root (N) after 1 s.
 macro_rules! errors {
     ($chain:expr, $known:expr, $scheme:expr, $dt:expr) => {{
-        let scene = System::new(Pinned::origin(), $chain, Free)?.with_gravity(9.81);
+        let scene = System::new(Pinned::origin(), $chain, Free)?.with_gravity([0.0, -9.81, 0.0]);
         let start = scene.with_rates(scene.at_rest(&$known.angles)?, &$known.rates)?;
         let mut run = $scheme.start(&scene, &start, &Unloaded, $dt)?;
         run.run_to(1.0)?;

@@ -377,7 +377,7 @@ fn block_42_of_the_global_equations_as_printed_fails() -> Result<(), catena::Err
     let (mass, centre, next) = (1.0, Vector3::new(0.5, 0.03, -0.02), Vector3::new(1.0, 0.1, 0.2));
     let about_centre = Matrix3::new(0.02, 0.001, 0.002, 0.001, 0.09, 0.003, 0.002, 0.003, 0.1);
     let rigid = RigidBody::new(mass, rows(&about_centre), centre.into(), next.into());
-    let scene = System::new(Pinned::origin(), (rigid, Ball, rigid, Ball, rigid), Free)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), (rigid, Ball, rigid, Ball, rigid), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let angles = [[0.3, 0.2, -0.4], [-0.2, 0.1, 0.3], [0.1, -0.2, 0.5]];
     let omega = [[1.0, -2.0, 0.5], [0.3, 0.5, 1.0], [0.2, -0.4, 0.3]].map(Vector3::from);
     let spins: Vec<f64> = omega.iter().flat_map(|w| w.iter().copied()).collect();

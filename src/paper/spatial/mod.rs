@@ -9,7 +9,7 @@
 //! use catena::spatial::{Ball, Free, Pinned, Rod, System};
 //!
 //! let rod = Rod::uniform(1.0, 0.05, 1.0); // length, radius (m), mass (kg)
-//! let chain = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity(9.81);
+//! let chain = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
 //! let start = chain.at_rest(&[0.0, 0.0, -1.0, 0.0, 0.3, -0.5])?;
 //! let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).linearized(At::Predictor).turning_by(Slots::RotationVectors);
 //! let mut run = scheme.solved_by(Solver::Riccati).start(&chain, &start, &Unloaded, 0.01)?;

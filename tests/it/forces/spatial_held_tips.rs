@@ -37,7 +37,7 @@ macro_rules! start {
 
 #[test]
 fn closure_holds_over_twenty_seconds() -> Result<(), Error> {
-    let linkage = linkage!()?.with_gravity(9.81);
+    let linkage = linkage!()?.with_gravity([0.0, -9.81, 0.0]);
     let axis = Vector3::new(0.0, 1.0, 0.2).normalize();
     let place = Vector3::new(0.9, 0.1, -0.2);
     let start = start!(linkage)?;
@@ -67,7 +67,7 @@ fn closure_holds_over_twenty_seconds() -> Result<(), Error> {
 
 #[test]
 fn energy_is_kept_by_a_hinge_that_rests() -> Result<(), Error> {
-    let linkage = linkage!()?.with_gravity(9.81);
+    let linkage = linkage!()?.with_gravity([0.0, -9.81, 0.0]);
     let start = start!(linkage)?;
     let energy = linkage.budget(&start).energy();
     let run = linkage.simulate(start, Dop853::tolerance(1e-12), 5.0, |_| ())?;
@@ -79,7 +79,7 @@ fn energy_is_kept_by_a_hinge_that_rests() -> Result<(), Error> {
 
 #[test]
 fn projection_keeps_the_order_of_a_rule() -> Result<(), Error> {
-    let linkage = linkage!()?.with_gravity(9.81);
+    let linkage = linkage!()?.with_gravity([0.0, -9.81, 0.0]);
     let start = start!(linkage)?;
     let reference = linkage.simulate(start, Dop853::tolerance(1e-13), 0.4, |_| ())?.motion;
     let [mut cranks, mut forces, mut stiff_cranks, mut stiff_forces] = [vec![], vec![], vec![], vec![]];
@@ -111,10 +111,10 @@ fn a_chain_told_backwards_moves_alike() -> Result<(), Error> {
     // Attitudes that close, found in one of them.
     let hinge = Hinged::at([0.0; 3], axis);
     let ball = Pinned::at(1.0, 0.3, -0.2);
-    let forward = System::new(hinge, (a, Ball, b, Ball, c), ball)?.with_gravity(9.81);
+    let forward = System::new(hinge, (a, Ball, b, Ball, c), ball)?.with_gravity([0.0, -9.81, 0.0]);
     let guess = forward.at_rest(&[0.5, 0.1, 0.2, -0.9, 0.4, -0.3, 0.8])?;
     let start = forward.assembled(guess, &Unloaded)?;
-    let backward = System::new(ball, (c_back, Ball, b_back, Ball, a_back), hinge)?.with_gravity(9.81);
+    let backward = System::new(ball, (c_back, Ball, b_back, Ball, a_back), hinge)?.with_gravity([0.0, -9.81, 0.0]);
     let mut other = backward.motion();
     let (angle, rest) = start.position();
     let turned = Rotation::exp((unit * *angle).into());
@@ -173,7 +173,7 @@ fn tips_follow_ground_that_moves_and_turns() -> Result<(), Error> {
     let axis = Vector3::new(0.3, 1.0, 0.2).normalize();
     macro_rules! follow {
         ($name:literal, $tip:expr, $turn:expr) => {{
-            let scene = System::new(Pinned::origin(), chain, $tip)?.with_gravity(9.81);
+            let scene = System::new(Pinned::origin(), chain, $tip)?.with_gravity([0.0, -9.81, 0.0]);
             let guess = scene.at_rest(&[0.2, 0.1, -0.8, 0.1, -0.3, 0.4, 0.0, 0.1, 0.3])?;
             let start = scene.assembled(guess, &Unloaded)?;
             let energy = scene.budget(&start).energy();
@@ -214,7 +214,7 @@ fn rules_keep_their_order_on_ground_that_moves_and_turns() -> Result<(), Error> 
     let (place, attitude) = ground();
     let chain = (body(0.5)[0], Ball, body(0.8)[0], Ball, body(0.6)[0]);
     let hinge = Hinged::on(Clamped { place, attitude }, [0.3, 1.0, 0.2]);
-    let scene = System::new(Pinned::origin(), chain, hinge)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), chain, hinge)?.with_gravity([0.0, -9.81, 0.0]);
     let guess = scene.at_rest(&[0.2, 0.1, -0.8, 0.1, -0.3, 0.4, 0.0, 0.1, 0.3])?;
     let start = scene.assembled(guess, &Unloaded)?;
     let reference = scene.simulate(start, Dop853::tolerance(1e-13), 0.5, |_| ())?.motion;
@@ -256,7 +256,8 @@ fn closure_forces_of_a_hinge_have_derivatives() -> Result<(), Error> {
         let rod = |length: f64| Rod::uniform(number(length), number(0.02), number(1.0));
         let chain = (rod(0.5), Ball, rod(0.8), Ball, rod(0.6));
         let hinge = Hinged::at([0.9, 0.1, -0.2].map(number), [number(0.3) + x, number(1.0), number(0.2)]);
-        let scene = System::new(Pinned::origin(), chain, hinge)?.with_gravity(number(9.81) + x);
+        let scene =
+            System::new(Pinned::origin(), chain, hinge)?.with_gravity([T::zero(), -(number(9.81) + x), T::zero()]);
         let guess = match near {
             Some(near) => near.lift(T::literal),
             None => scene.at_rest(&[0.2, 0.1, -0.8, 0.1, -0.3, 0.4, 0.0, 0.1, 0.3].map(number))?,

@@ -56,7 +56,7 @@ fn motions_are_those_of_the_oracle() -> Result<(), Error> {
     let first = ElasticHinge::rotary(all.rotary).damped_about(all.damping).resting_at(all.rest).with_linear(x, y, z);
     let second = ElasticHinge::linear(x, y, z);
     let root = Clamped { place: ground, attitude: Rotation::identity() };
-    let system = System::new(root, (body(), first, body(), second, body()), Free)?.with_gravity(9.81);
+    let system = System::new(root, (body(), first, body(), second, body()), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let mut start = system.motion();
     start.position_mut().1.1 = ([0.02, -0.05, 0.03], Rotation::exp([0.3, -0.2, 0.4]));
     start.position_mut().1.3 = ([-0.01, 0.04, 0.02], Rotation::exp([-0.5, 0.3, 0.8]));
@@ -204,7 +204,7 @@ fn implicit_rules_have_their_orders() -> Result<(), Error> {
     let hinge = hinge.with_linear(damped(60.0), damped(90.0), Spring::stiffness(200.0).resting_at(0.02));
     let loose = ElasticHinge::linear(damped(150.0), Spring::stiffness(100.0), damped(80.0));
     let chain = (body(), hinge, body(), loose, body());
-    let system = System::new(Clamped::origin(), chain, Free)?.with_gravity(3.0);
+    let system = System::new(Clamped::origin(), chain, Free)?.with_gravity([0.0, -3.0, 0.0]);
     let mut start = system.motion();
     start.rate_mut().1.1 = ([0.1, -0.2, 0.3], [1.0, -1.0, 0.5]);
     start.rate_mut().1.3 = ([0.0, 0.3, -0.1], [-1.0, 0.5, 1.0]);
@@ -234,14 +234,14 @@ fn implicit_rules_have_their_orders() -> Result<(), Error> {
 fn stiff_hinges_are_welds() -> Result<(), Error> {
     let weld = Weld::at(Rotation::identity());
     let welded = System::new(Clamped::origin(), (body(), weld, body(), Ball, body(), weld, body()), Free)?;
-    let welded = welded.with_gravity(3.0);
+    let welded = welded.with_gravity([0.0, -3.0, 0.0]);
     let exact = welded.simulate(welded.motion(), Dop853::tolerance(1e-13), END, |_| ())?.motion;
     for k in [1e6, 1e8, 1e10] {
         let c = 0.2 * f64::sqrt(k); // so that what the start leaves of vibration has died away
         let along = Spring::stiffness(k).damped(c);
         let stiff = ElasticHinge::rotary([k, 0.5 * k, 2.0 * k]).damped(c).with_linear(along, along, along);
         let system = System::new(Clamped::origin(), (body(), stiff, body(), Ball, body(), stiff, body()), Free)?;
-        let system = system.with_gravity(3.0);
+        let system = system.with_gravity([0.0, -3.0, 0.0]);
         let second = system.simulate(system.motion(), GeneralizedAlpha::new(0.8).step(0.0025), END, |_| ())?.motion;
         let fourth = system.simulate(system.motion(), Sdirk4::new().step(0.005), END, |_| ())?.motion;
         let forces = [system.stations(&second, &Unloaded), system.stations(&fourth, &Unloaded)];
@@ -260,7 +260,7 @@ fn tips_are_held_beyond_hinges() -> Result<(), Error> {
     let along = Spring::stiffness(300.0).damped(2.0);
     let hinge = ElasticHinge::rotary([20.0, 30.0, 25.0]).damped(0.3).with_linear(along, along, along);
     let system = System::new(Pinned::origin(), (body(), hinge, body(), hinge, body()), Pinned::at(3.0, 0.3, -0.15))?;
-    let system = system.with_gravity(9.81);
+    let system = system.with_gravity([0.0, -9.81, 0.0]);
     let start = system.motion();
     let end = 0.4;
     let exact = system.simulate(start, Dop853::tolerance(1e-13), end, |_| ())?.motion;
@@ -283,10 +283,11 @@ fn tips_are_held_beyond_hinges() -> Result<(), Error> {
 fn forms_of_a_chain_of_hinges_are_bit_identical() -> Result<(), Error> {
     let (h, b) = (elastic(1.0), body());
     let pin = Revolute::about([0.0, 1.0, 0.2]);
-    let flat = System::new(Pinned::origin(), (b, h, b, h, b, h, b, pin, b), Free)?.with_gravity(9.81);
-    let nested = System::new(Pinned::origin(), ((b, h, b), (h, b), h, (b, pin, b)), Free)?.with_gravity(9.81);
-    let array = System::new(Pinned::origin(), (b, [(h, b); 3], pin, b), Free)?.with_gravity(9.81);
-    let vector = System::new(Pinned::origin(), (b, vec![(h, b); 3], pin, b), Free)?.with_gravity(9.81);
+    let flat = System::new(Pinned::origin(), (b, h, b, h, b, h, b, pin, b), Free)?.with_gravity([0.0, -9.81, 0.0]);
+    let nested =
+        System::new(Pinned::origin(), ((b, h, b), (h, b), h, (b, pin, b)), Free)?.with_gravity([0.0, -9.81, 0.0]);
+    let array = System::new(Pinned::origin(), (b, [(h, b); 3], pin, b), Free)?.with_gravity([0.0, -9.81, 0.0]);
+    let vector = System::new(Pinned::origin(), (b, vec![(h, b); 3], pin, b), Free)?.with_gravity([0.0, -9.81, 0.0]);
     macro_rules! tip {
         ($system:expr, $rule:expr) => {{
             let angles: Vec<f64> = (0..13).map(|k| 0.3 * f64::from(k).sin()).collect();

@@ -25,7 +25,8 @@ fn found<T: Scalar>(zigzag: bool) -> Result<Found, Error> {
         [0.5, 0.03, -0.02].map(number),
         [1.0, 0.0, 0.0].map(number),
     );
-    let scene = System::new(Pinned::origin(), (body, vec![(Ball, body); N - 1]), Free)?.with_gravity(number(9.81));
+    let scene = System::new(Pinned::origin(), (body, vec![(Ball, body); N - 1]), Free)?
+        .with_gravity([0.0, -9.81, 0.0].map(number));
     let (mut angles, mut rates) = (vec![], vec![]);
     for k in 0..N {
         let x = if zigzag { k as f64 } else { core::f64::consts::TAU * k as f64 / N as f64 };

@@ -171,9 +171,11 @@ fn digits_go_with_every_body() -> Result<(), Error> {
     for (n, bound) in [(2, 1e-13), (4, 1e-13), (8, 1e-12), (16, 1e-9), (24, 1e-9), (32, 1e-6), (64, 1.0)] {
         let mut noise = Noise::new(7);
         let hinge = |k: usize| Revolute::about([0.1, if k.is_multiple_of(2) { 1.0 } else { 0.0 }, 1.0]);
-        let balls = System::new(Pinned::origin(), (rod, vec![(Ball, rod); n - 1]), Free)?.with_gravity(9.81);
+        let balls =
+            System::new(Pinned::origin(), (rod, vec![(Ball, rod); n - 1]), Free)?.with_gravity([0.0, -9.81, 0.0]);
         let links: Vec<_> = (1..n).map(|k| (hinge(k), rod)).collect();
-        let hinges = System::new(Hinged::at([0.0; 3], [0.0, 1.0, 0.0]), (rod, links), Free)?.with_gravity(9.81);
+        let hinges =
+            System::new(Hinged::at([0.0; 3], [0.0, 1.0, 0.0]), (rod, links), Free)?.with_gravity([0.0, -9.81, 0.0]);
         let angles: Vec<f64> = (0..3 * n).map(|_| 0.5 * noise.next()).collect();
         let rates: Vec<f64> = (0..3 * n).map(|_| noise.next()).collect();
         let one = balls.with_accelerations(balls.with_rates(balls.at_rest(&angles)?, &rates)?, &Unloaded)?;
@@ -191,7 +193,8 @@ fn digits_go_with_every_body() -> Result<(), Error> {
 
 #[test]
 fn matrices_of_bodies_have_determinant_one_and_those_of_balls_none() -> Result<(), Error> {
-    let scene = System::new(Pinned::origin(), (body(), Ball, Rod::uniform(1.0, 0.1, 1.0)), Free)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), (body(), Ball, Rod::uniform(1.0, 0.1, 1.0)), Free)?
+        .with_gravity([0.0, -9.81, 0.0]);
     let motion =
         scene.with_rates(scene.at_rest(&[0.3, 0.2, 0.1, -0.4, 0.5, 0.6])?, &[1.0, 0.5, -2.0, 0.3, 1.0, 0.7])?;
     scene.transfer_matrix(&motion, &Unloaded, |element, u: &TransferMatrix<f64, 13>| {

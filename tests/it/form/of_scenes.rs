@@ -202,7 +202,8 @@ fn links_on_balls_meet_springs() -> Result<(), Error> {
         (|k: usize| (spatial::Ball, rod(k)), spatial::ElasticBall::rotary([3.0, 4.0, 5.0]).damped(0.1));
     macro_rules! run {
         ($chain:expr) => {{
-            let system = spatial::System::new(spatial::Pinned::origin(), $chain, spatial::Free)?.with_gravity(9.81);
+            let system =
+                spatial::System::new(spatial::Pinned::origin(), $chain, spatial::Free)?.with_gravity([0.0, -9.81, 0.0]);
             let angles: Vec<f64> = (0..12).map(|k| 0.1 * f64::from(k) - 0.5).collect();
             bits(&system.simulate(system.at_rest(&angles)?, spatial::Rk4::step(0.01), 0.5, |_| ())?.motion)
         }};

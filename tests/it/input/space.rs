@@ -176,7 +176,8 @@ fn counts_of_numbers_are_checked() -> Result<(), Error> {
 /// A bob on a ball may spin about its link as it likes.
 #[test]
 fn a_ball_that_nothing_resists_is_named() -> Result<(), Error> {
-    let system = System::new(Pinned::origin(), (rod(), Ball, PointMass::new(1.0, 1.0)), Free)?.with_gravity(9.81);
+    let system =
+        System::new(Pinned::origin(), (rod(), Ball, PointMass::new(1.0, 1.0)), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let error = system.with_accelerations(system.motion(), &Unloaded).err();
     let singular = Error { time: Some(0.0), place: Some(Place::Station(1)), fault: Fault::SingularJoint };
     assert_eq!(error, Some(singular));

@@ -115,7 +115,7 @@ fn a_linkage_that_is_held_too_often_moves_as_in_the_plane() -> Result<(), Error>
     let (hinge, rod) = (Revolute::about([0.0, 0.0, 1.0]), |length| Rod::uniform(length, 1e-3, length));
     let arms = (hinge, rod(0.5), hinge, rod(1.2));
     let net = |closing| Network::new(arms, (RigidBody::massless([1.0, 0.0, 0.0]), hinge, rod(0.9)), closing);
-    let scene = System::new(Clamped::origin(), net(LeastNorm(hinge)), Free)?.with_gravity(9.81);
+    let scene = System::new(Clamped::origin(), net(LeastNorm(hinge)), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let (a, b, c) = (core::f64::consts::FRAC_PI_3, 0.321105014831, -2.017338833372);
     let start = scene.assembled(scene.at_rest(&[a, b - a, c + core::f64::consts::PI])?, &Unloaded)?;
     // Of the same rods, but for their moments across (a radius of 1 mm adds 2e-7 of them): what the plane finds at t = 0.5.

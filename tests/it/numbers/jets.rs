@@ -61,6 +61,13 @@ fn every_operation_has_the_derivatives_of_dual_numbers() {
     both!("sine", |a, _b, _c| Scalar::sin_cos(a).0);
     both!("cosine", |a, _b, _c| Scalar::sin_cos(a).1);
     both!("arctangent", |a, b, _c| Scalar::atan2(a, b));
+    both!("exponential", |a, _b, _c| Scalar::exp(a));
+    both!("logarithm", |a, _b, _c| Scalar::ln(a));
+    both!("hyperbolic tangent", |_a, b, _c| Scalar::tanh(b));
+    both!("magnitude", |_a, b, _c| Scalar::abs(b));
+    both!("sign", |_a, b, _c| Scalar::sign(b));
+    both!("power", |_a, b, _c| Scalar::powi(b, 7));
+    both!("inverse power", |a, _b, _c| Scalar::powi(a, -3));
     both!("combination", |a, b, c| {
         let mut sum = c;
         Scalar::combine(&mut sum, &a, [(0.3, &b), (-2.0, &c)]);
@@ -81,4 +88,33 @@ fn every_operation_has_the_derivatives_of_dual_numbers() {
 fn long_vectors_have_angles_too() {
     let (y, x) = (Jet::<f64, 1>::seed(3e200, 0), Jet::of(4e200));
     assert!((y.atan2(x).eps[0] - 4.0 / 25.0 * 1e-200).abs() < 1e-215);
+}
+
+/// Closed forms, by no other library: at 0.7, and at zero, where laws of friction turn round.
+#[test]
+fn functions_have_the_slopes_of_closed_forms() {
+    let slope = |f: fn(Jet<f64, 2>) -> Jet<f64, 2>, at: f64| {
+        let Jet { eps: [own, other], .. } = f(Jet::seed(at, 0));
+        assert_eq!(other, 0.0);
+        own
+    };
+    let cases: [(fn(Jet<f64, 2>) -> Jet<f64, 2>, f64, f64); 13] = [
+        (Scalar::exp, 0.7, 0.7_f64.exp()),
+        (Scalar::ln, 0.7, 1.0 / 0.7),
+        (Scalar::tanh, 0.7, 0.7_f64.cosh().powi(-2)),
+        (Scalar::abs, 0.7, 1.0),
+        (Scalar::abs, -0.7, -1.0),
+        (Scalar::abs, 0.0, 0.0),
+        (Scalar::sign, 0.7, 0.0),
+        (Scalar::tanh, 0.0, 1.0),
+        (|x| Scalar::powi(x, 3), 0.7, 3.0 * 0.49),
+        (|x| Scalar::powi(x, -2), 0.7, -2.0 / 0.343),
+        (|x| Scalar::powi(x, 0), 0.0, 0.0),
+        (|x| Scalar::powi(x, 1), 0.0, 1.0),
+        (|x| Scalar::powi(x, 2), 0.0, 0.0),
+    ];
+    for (case, (f, at, expected)) in cases.into_iter().enumerate() {
+        let found = slope(f, at);
+        assert!((found - expected).abs() <= 1e-15 * expected.abs(), "case {case}: {found} not {expected}");
+    }
 }

@@ -27,6 +27,14 @@ fn computes_like_its_plain_number<T: Scalar>() {
         same(x.recip(), plain_x.recip(), "recip");
         same((x * x).sqrt(), (plain_x * plain_x).sqrt(), "sqrt");
         same(y.atan2(x), plain_y.atan2(plain_x), "atan2");
+        same(Scalar::exp(y.scale(T::Real::of(0.125))), Scalar::exp(plain_y * T::Real::of(0.125)), "exp");
+        same(Scalar::ln(x * x), Scalar::ln(plain_x * plain_x), "ln");
+        same(Scalar::tanh(y), Scalar::tanh(plain_y), "tanh");
+        same(Scalar::abs(y), Scalar::abs(plain_y), "abs");
+        same(Scalar::sign(y), Scalar::sign(plain_y), "sign");
+        for exponent in [-3, 0, 1, 2, 7] {
+            same(Scalar::powi(x, exponent), Scalar::powi(plain_x, exponent), "powi");
+        }
         same(y.sin_cos().0, plain_y.sin_cos().0, "sine");
         same(y.sin_cos().1, plain_y.sin_cos().1, "cosine");
         assert!(y.is_finite() && x.is_finite());
@@ -45,6 +53,18 @@ fn plain_numbers_compute_like_the_standard_library() {
         // Root and arctangent come from the standard library, or from `libm` which is held to one ulp.
         assert!((Scalar::sqrt(x * x) - x.abs()).abs() <= f64::EPSILON * x.abs());
         assert!((Scalar::atan2(y, x) - f64::atan2(y, x)).abs() <= 2.0 * f64::EPSILON * f64::atan2(y, x).abs());
+        let near = |got: f64, want: f64, ulps: f64| {
+            assert!((got - want).abs() <= ulps * f64::EPSILON * want.abs(), "{got:e} instead of {want:e}");
+        };
+        near(Scalar::exp(0.125 * y), f64::exp(0.125 * y), 2.0);
+        near(Scalar::ln(x * x), f64::ln(x * x), 2.0);
+        near(Scalar::tanh(y), f64::tanh(y), 2.0);
+        assert_eq!(Scalar::abs(y), f64::abs(y));
+        assert_eq!(Scalar::sign(y), if y == 0.0 { 0.0 } else { f64::signum(y) });
+        // A rounding a product.
+        for exponent in [-3, 0, 1, 2, 7] {
+            near(Scalar::powi(x, exponent), f64::powi(x, exponent), 4.0);
+        }
         // One rounding of the product more or less.
         assert!((Scalar::mul_add(y, x, 0.1) - (y * x + 0.1)).abs() <= f64::EPSILON * (y * x).abs());
         // An ulp each on our and on their side.
@@ -52,6 +72,8 @@ fn plain_numbers_compute_like_the_standard_library() {
         assert!((sine - y.sin()).abs() <= f64::EPSILON && (cosine - y.cos()).abs() <= f64::EPSILON);
     }
     assert_eq!(Real::powf(2.0_f64, 0.5), core::f64::consts::SQRT_2);
+    assert_eq!(Scalar::powi(2.0_f64, i32::MIN), 0.0);
+    assert_eq!(Scalar::sign(f64::NAN), 0.0);
     assert_eq!(Real::max(f64::NAN, 1.0), 1.0);
     assert_eq!(Real::min(1.0, f32::NAN), 1.0);
     assert_eq!(<f32 as Real>::of(0.1), 0.1);
@@ -96,6 +118,21 @@ mod own {
         }
         fn atan2(self, x: Self) -> Self {
             Self(self.0.atan2(x.0))
+        }
+        fn exp(self) -> Self {
+            Self(self.0.exp())
+        }
+        fn ln(self) -> Self {
+            Self(self.0.ln())
+        }
+        fn tanh(self) -> Self {
+            Self(self.0.tanh())
+        }
+        fn abs(self) -> Self {
+            Self(self.0.abs())
+        }
+        fn sign(self) -> Self {
+            Self(Scalar::sign(self.0))
         }
     }
 

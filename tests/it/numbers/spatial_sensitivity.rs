@@ -20,7 +20,7 @@ fn balls_and_bodies_have_the_derivatives_of_dual_numbers() -> Result<(), Error> 
         let rod = Rod::uniform(x(0.7, 10), x(0.3, 11), x(0.8, 12));
         let bob = PointMass::new(x(0.4, 13), x(0.3, 14));
         let root = Pinned::at(x(0.0, FIXED), x(0.0, FIXED), x(0.0, FIXED));
-        let system = System::new(root, (body, Ball, rod, bob), Free)?.with_gravity(x(9.81, 15));
+        let system = System::new(root, (body, Ball, rod, bob), Free)?.with_gravity([x(0.0, FIXED), -x(9.81, 15), x(0.0, FIXED)]);
         let angles = [x(0.3, 16), x(-0.4, 17), x(0.9, 18), x(0.1, FIXED), x(0.5, 19), x(-0.6, 20)];
         let rates = [x(0.3, 22), x(-0.4, 23), x(0.9, 24), x(0.1, 21), x(0.5, 25), x(-0.6, FIXED)];
         let start = system.with_rates(system.at_rest(&angles)?, &rates)?;
@@ -40,7 +40,7 @@ fn axes_and_their_springs_have_the_derivatives_of_dual_numbers() -> Result<(), E
         let cardan = Universal::about([x(0.1, FIXED), x(1.0, 17), x(0.0, FIXED)], [x(0.2, 18), x(0.0, FIXED), x(1.0, FIXED)])
             .with(Spring::stiffness(x(3.0, 19)), Spring::stiffness(x(4.0, FIXED)));
         let chain = (sprung, body, cardan, rod, Weld::at(Rotation::from_angles([x(0.3, FIXED), x(0.2, 20), x(0.1, FIXED)])), rod, Ball, rod);
-        let system = System::new(Clamped::origin(), chain, Free)?.with_gravity(x(9.81, FIXED));
+        let system = System::new(Clamped::origin(), chain, Free)?.with_gravity([x(0.0, FIXED), -x(9.81, FIXED), x(0.0, FIXED)]);
         let angles = [x(0.3, FIXED), x(-0.4, 21), x(0.9, 22), x(0.1, FIXED), x(0.5, FIXED), x(-0.6, FIXED)];
         let rates = [x(0.8, FIXED), x(-0.4, FIXED), x(0.9, 23), x(0.1, FIXED), x(0.5, FIXED), x(-0.6, FIXED)];
         let start = system.with_rates(system.at_rest(&angles)?, &rates)?;

@@ -125,11 +125,13 @@ fn beams_stand_anywhere_in_a_chain() -> Result<(), Error> {
     let thick = Beam::new(L, EI, GJ, RHO_A, 0.01);
     let (beam, hub) = (thick.with_extension(EA).damped(0.01), Rod::uniform(0.3, 0.05, 0.4));
     let pin = Revolute::about([0.0, 1.0, 0.2]);
-    let array = System::new(Pinned::origin(), (hub, beam.segments::<10>(), pin, hub), Free)?.with_gravity(9.81);
-    let vector = System::new(Pinned::origin(), (hub, beam.segments_in_vec(10), pin, hub), Free)?.with_gravity(9.81);
+    let array =
+        System::new(Pinned::origin(), (hub, beam.segments::<10>(), pin, hub), Free)?.with_gravity([0.0, -9.81, 0.0]);
+    let vector =
+        System::new(Pinned::origin(), (hub, beam.segments_in_vec(10), pin, hub), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let (first, [l0, l1, l2, l3, l4, l5, l6, l7, l8, l9]) = beam.segments::<10>();
     let links = (l0, l1, (l2, l3), l4, [l5, l6, l7], l8, l9);
-    let tuple = System::new(Pinned::origin(), ((hub, first), links, pin, hub), Free)?.with_gravity(9.81);
+    let tuple = System::new(Pinned::origin(), ((hub, first), links, pin, hub), Free)?.with_gravity([0.0, -9.81, 0.0]);
     macro_rules! tip {
         ($system:expr, $rule:expr) => {{
             let angles: Vec<f64> = (0..34).map(|k| 0.05 * f64::from(k).sin()).collect();

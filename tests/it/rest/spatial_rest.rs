@@ -24,7 +24,7 @@ fn squares(mass: DMatrix<f64>, stiffness: DMatrix<f64>) -> Vec<f64> {
 fn two_hanging_rods_swing_alike_in_every_plane_and_spin_freely() -> Result<(), Error> {
     let (l, r, m) = (0.8, 0.05, 1.3);
     let rod = Rod::uniform(l, r, m);
-    let pendulum = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity(G);
+    let pendulum = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity([0.0, -G, 0.0]);
     let hanging = pendulum.at_rest(&[0.3, 0.0, -FRAC_PI_2, -0.4, 0.0, -FRAC_PI_2])?;
     let modes = pendulum.modes(&hanging, &Unloaded)?;
     // (J + m l²/4 + m l²) a + m l²/2 b, … : a quadratic equation for ω².
@@ -57,7 +57,7 @@ fn top(mass: f64, arm: f64, along: f64, across: f64) -> RigidBody<f64> {
 fn a_top_at_rest_swings_or_falls() -> Result<(), Error> {
     let (m, arm, along, across) = (1.5, 0.3, 0.02, 0.2);
     let body = top(m, arm, along, across);
-    let free = System::new(Pinned::origin(), body, Free)?.with_gravity(G);
+    let free = System::new(Pinned::origin(), body, Free)?.with_gravity([0.0, -G, 0.0]);
     let pull = (m * G * arm / across).sqrt();
     let hanging = free.modes(&free.at_rest(&[PI, 0.0, 0.0])?, &Unloaded)?;
     let standing = free.modes(&free.motion(), &Unloaded)?;
@@ -72,7 +72,8 @@ fn a_top_at_rest_swings_or_falls() -> Result<(), Error> {
     let ball = ElasticBall::rotary([20.0, 3.0, 30.0]);
     let o = 0.0;
     let post = Rod::uniform(1.0, 0.1, 1.0);
-    let held = System::new(Clamped::at([o; 3], Rotation::identity()), (post, ball, body), Free)?.with_gravity(G);
+    let held =
+        System::new(Clamped::at([o; 3], Rotation::identity()), (post, ball, body), Free)?.with_gravity([0.0, -G, 0.0]);
     let modes = held.modes(&held.motion(), &Unloaded)?;
     let expected = [3.0 / along, (20.0 - m * G * arm) / across, (30.0 - m * G * arm) / across].map(f64::sqrt);
     let mut expected = expected.to_vec();
@@ -88,7 +89,7 @@ fn a_top_at_rest_swings_or_falls() -> Result<(), Error> {
 fn a_heavy_top_precesses_steadily() -> Result<(), Error> {
     let (m, arm, along, across) = (1.5, 0.3, 0.02, 0.2);
     let (tilt, spin) = (0.9_f64, 90.0);
-    let scene = System::new(Pinned::origin(), top(m, arm, along, across), Free)?.with_gravity(G);
+    let scene = System::new(Pinned::origin(), top(m, arm, along, across), Free)?.with_gravity([0.0, -G, 0.0]);
     let (a, b, c) = (across * tilt.cos(), -along * spin, m * G * arm);
     let root = (b * b - 4.0 * a * c).sqrt();
     for precession in [(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)] {
@@ -253,7 +254,8 @@ fn a_hanging_chain_stays_in_the_plane_of_its_ends() -> Result<(), Error> {
         (chain.angles(&rest).iter().copied().collect::<Vec<f64>>(), *rest.multipliers())
     };
     let rod = Rod::uniform(l, 0.01, m);
-    let chain = System::new(Pinned::origin(), (rod, [(Ball, rod); N - 1]), Pinned::at(x, y, z))?.with_gravity(G);
+    let chain =
+        System::new(Pinned::origin(), (rod, [(Ball, rod); N - 1]), Pinned::at(x, y, z))?.with_gravity([0.0, -G, 0.0]);
     let heading = (-z).atan2(x); // about y
     let mut guess = vec![];
     for (k, slope) in slopes.iter().enumerate() {
@@ -353,11 +355,11 @@ fn equilibria_have_derivatives() -> Result<(), Error> {
 #[test]
 fn what_falls_has_no_equilibrium() -> Result<(), Error> {
     let rod = Rod::uniform(1.0, 0.1, 1.0);
-    let falling = System::new(Free, (rod, Ball, rod), Free)?.with_gravity(G);
+    let falling = System::new(Free, (rod, Ball, rod), Free)?.with_gravity([0.0, -G, 0.0]);
     let fault = falling.equilibrium(falling.motion(), &Unloaded).err().map(|error| error.fault);
     println!("{fault:?}");
     assert!(matches!(fault, Some(Fault::NoEquilibrium { .. })));
-    let tilted = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity(G);
+    let tilted = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity([0.0, -G, 0.0]);
     let fault = tilted.modes(&tilted.at_rest(&[0.0, 0.0, -1.5, 0.0, 0.0, -1.5])?, &Unloaded).err().map(|e| e.fault);
     println!("{fault:?}");
     assert!(matches!(fault, Some(Fault::NotAtRest { .. })));

@@ -14,7 +14,7 @@ type State = Motion<f64, (Rotation<f64>, ((), Rotation<f64>, ()))>;
 fn scene() -> Result<(Scene, State), Error> {
     let tensor = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]];
     let body = RigidBody::new(1.0, tensor, [0.5, 0.03, -0.02], [1.0, 0.0, 0.0]);
-    let system = System::new(Pinned::origin(), (body, Ball, body), Free)?.with_gravity(3.0);
+    let system = System::new(Pinned::origin(), (body, Ball, body), Free)?.with_gravity([0.0, -3.0, 0.0]);
     let start = system.at_rest(&[0.3, 0.2, -0.4, 1.0, -0.6, 0.5])?;
     let start = system.with_rates(start, &[1.0, -1.0, 0.5, 2.0, 1.0, -1.0])?;
     Ok((system, start))

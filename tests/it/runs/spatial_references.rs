@@ -3,7 +3,6 @@
 use crate::kit;
 use catena::Error;
 use catena::spatial::*;
-use nalgebra::Vector3;
 
 /// The body of both examples: mass centre and principal axes beside the line between the joints.
 fn body() -> RigidBody<f64> {
@@ -60,7 +59,7 @@ const EXAMPLE_4: [(f64, Row); 3] = [
 
 #[test]
 fn example_4_one_body_on_a_ball() -> Result<(), Error> {
-    let system = System::new(Pinned::origin(), body(), Free)?.with_gravity(9.81);
+    let system = System::new(Pinned::origin(), body(), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let start = system.with_rates(system.at_rest(&[0.3, 0.2, -0.4])?, &[1.0, -2.0, 0.5])?;
     let start = system.with_accelerations(start, &Unloaded)?;
     near(&start.acceleration().0, &[0.48084217704516696, -4.626867747096629, -10.609616898024486], 1e-13);
@@ -156,7 +155,7 @@ const EXAMPLE_5: [(f64, [Row; 3]); 3] = [
 #[test]
 fn example_5_three_bodies_on_balls() -> Result<(), Error> {
     let body = body();
-    let system = System::new(Pinned::origin(), (body, Ball, body, Ball, body), Free)?.with_gravity(9.81);
+    let system = System::new(Pinned::origin(), (body, Ball, body, Ball, body), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let rates = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.1, 0.0];
     let start = system.with_accelerations(system.with_rates(system.motion(), &rates)?, &Unloaded)?;
     let (first, (_, second, _, third, _)) = start.acceleration();
@@ -196,7 +195,7 @@ fn example_5_three_bodies_on_balls() -> Result<(), Error> {
 fn heavy_top() -> Result<(), Error> {
     let tensor = [[0.234375, 0.0, 0.0], [0.0, 0.46875, 0.0], [0.0, 0.0, 0.234375]];
     let top = RigidBody::new(15.0, tensor, [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]);
-    let system = System::new(Pinned::origin(), top, Free)?.with_gravity_vector(Vector3::new(0.0, 0.0, -9.81));
+    let system = System::new(Pinned::origin(), top, Free)?.with_gravity([0.0, 0.0, -9.81]);
     let start = system.with_rates(system.motion(), &[0.0, 150.0, -4.61538])?;
     let places = [
         (0.1, [0.42129665893, 0.89457197435, -0.14916470056], 1e-10),

@@ -80,7 +80,7 @@ fn an_elastic_ball_keeps_energy_and_momentum() -> Result<(), Error> {
 fn residuals(n: usize) -> Result<[f64; 2], Error> {
     let mut noise = Noise::new(n as u64);
     let links: Vec<(Ball, RigidBody<f64>)> = vec![(Ball, body()); n - 1];
-    let system = System::new(Pinned::origin(), (body(), links), Free)?.with_gravity(9.81);
+    let system = System::new(Pinned::origin(), (body(), links), Free)?.with_gravity([0.0, -9.81, 0.0]);
     let angles: Vec<f64> = (0..3 * n).map(|_| noise.next()).collect();
     let rates: Vec<f64> = (0..3 * n).map(|_| noise.next()).collect();
     let motion = system.with_rates(system.at_rest(&angles)?, &rates)?;
@@ -120,7 +120,7 @@ fn forms_of_a_scene_are_bit_identical() -> Result<(), Error> {
     macro_rules! run {
         ($chain:expr) => {{
             use catena::mirror::Position;
-            let system = System::new(Pinned::origin(), $chain, Free)?.with_gravity(9.81);
+            let system = System::new(Pinned::origin(), $chain, Free)?.with_gravity([0.0, -9.81, 0.0]);
             let start = system.at_rest(&[0.3, 0.2, -0.4, 1.0, 0.5, 0.1, -0.2, 0.7])?;
             let end = system.simulate(start, Rk4::step(1e-2), 0.5, |_| ())?.motion;
             let mut numbers = vec![];
@@ -143,7 +143,8 @@ fn held_tips_stay_where_they_are() -> Result<(), Error> {
     let free = System::new(Pinned::origin(), chain, Free)?;
     let start = free.at_rest(&[0.0, 0.3, 0.8, 0.0, -0.2, -0.4, 0.3, -0.6])?;
     let place = free.stations(&start, &Unloaded).tip().frame.place;
-    let system = System::new(Pinned::origin(), chain, Pinned::at(place.x, place.y, place.z))?.with_gravity(9.81);
+    let system =
+        System::new(Pinned::origin(), chain, Pinned::at(place.x, place.y, place.z))?.with_gravity([0.0, -9.81, 0.0]);
     let start = system.at_rest(&[0.0, 0.3, 0.8, 0.0, -0.2, -0.4, 0.3, -0.6])?;
     let energy = system.budget(&start).energy();
     let (mut gap, mut drift) = (0.0_f64, 0.0_f64);
@@ -172,7 +173,7 @@ fn held_tips_stay_where_they_are() -> Result<(), Error> {
     let start = free.at_rest(&angles)?;
     let tip = free.stations(&start, &Unloaded).tip().frame;
     let attitude = Rotation::from_matrix(&tip.turn.attitude);
-    let system = System::new(root, chain, Clamped::at(tip.place.into(), attitude))?.with_gravity(9.81);
+    let system = System::new(root, chain, Clamped::at(tip.place.into(), attitude))?.with_gravity([0.0, -9.81, 0.0]);
     let start = system.at_rest(&angles)?;
     let energy = system.budget(&start).energy();
     let (mut gap, mut turn, mut drift) = (0.0_f64, 0.0_f64, 0.0_f64);

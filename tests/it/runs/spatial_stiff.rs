@@ -20,7 +20,8 @@ fn scene(stiffness: f64) -> Result<(Scene, State), Error> {
     let hinge = Revolute::about([0.2, 1.0, 0.3]).with(Spring::stiffness(stiffness).damped(damper));
     let slider = Cylindrical::on([1.0, 0.1, 0.0])
         .with(Spring::stiffness(stiffness).damped(damper), Spring::stiffness(0.5 * stiffness));
-    let system = System::new(Pinned::origin(), (body, Ball, body, hinge, body, slider, body), Free)?.with_gravity(3.0);
+    let system = System::new(Pinned::origin(), (body, Ball, body, hinge, body, slider, body), Free)?
+        .with_gravity([0.0, -3.0, 0.0]);
     let start = system.at_rest(&[0.3, 0.2, -0.4, 1.0, -0.6, 0.5, 0.1, -0.2])?;
     let start = system.with_rates(start, &[1.0, -1.0, 0.5, 2.0, 1.0, -1.0, 0.3, 0.2, -0.4])?;
     Ok((system, start))
@@ -82,7 +83,8 @@ fn stiff_joints_are_welds() -> Result<(), Error> {
     let tensor = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]];
     let body = RigidBody::new(1.0, tensor, [0.5, 0.03, -0.02], [1.0, 0.0, 0.0]);
     let weld = Weld::at(Rotation::identity());
-    let welded = System::new(Pinned::origin(), (body, Ball, body, weld, body, weld, body), Free)?.with_gravity(3.0);
+    let welded =
+        System::new(Pinned::origin(), (body, Ball, body, weld, body, weld, body), Free)?.with_gravity([0.0, -3.0, 0.0]);
     let angles = [0.3, 0.2, -0.4, 1.0, -0.6, 0.5];
     let exact = welded.simulate(welded.at_rest(&angles)?, Dop853::tolerance(1e-13), END, |_| ())?.motion;
     let force = welded.stations(&exact, &Unloaded).root().internal.force;
@@ -133,7 +135,8 @@ fn held_chains_stay_closed_under_implicit_rules() -> Result<(), Error> {
     let free = System::new(Pinned::origin(), chain, Free)?;
     let angles = [0.0, 0.3, 0.8, -0.2, -0.4, 0.3, -0.6, 0.2, -0.1, -0.9];
     let place = free.stations(&free.at_rest(&angles)?, &Unloaded).tip().frame.place;
-    let system = System::new(Pinned::origin(), chain, Pinned::at(place.x, place.y, place.z))?.with_gravity(9.81);
+    let system =
+        System::new(Pinned::origin(), chain, Pinned::at(place.x, place.y, place.z))?.with_gravity([0.0, -9.81, 0.0]);
     let start = system.at_rest(&angles)?;
     let exact = system.simulate(start, Dop853::tolerance(1e-12), END, |_| ())?.motion;
     let mut gap = 0.0_f64;
@@ -174,7 +177,8 @@ fn elastic_balls_have_the_order_of_their_rule_and_become_welds() -> Result<(), E
     let body = RigidBody::new(1.0, tensor, [0.5, 0.03, -0.02], [1.0, 0.0, 0.0]);
     let ball = |k: f64| ElasticBall::rotary([k, 0.5 * k, 2.0 * k]).damped(0.02 * k.sqrt());
     let system = |k: f64| {
-        System::new(Pinned::origin(), (body, ball(k), body, ball(k), body), Free).map(|scene| scene.with_gravity(3.0))
+        System::new(Pinned::origin(), (body, ball(k), body, ball(k), body), Free)
+            .map(|scene| scene.with_gravity([0.0, -3.0, 0.0]))
     };
     let soft = system(5.0)?;
     let start = soft.at_rest(&[0.3, 0.2, -0.4, 1.0, -0.6, 0.5, 0.1, -0.2, 0.4])?;
@@ -210,7 +214,7 @@ fn elastic_balls_have_the_order_of_their_rule_and_become_welds() -> Result<(), E
     has_order("SDIRK4, force", 4.0, 1e-11, &points[3]);
 
     let weld = Weld::at(Rotation::identity());
-    let welded = System::new(Pinned::origin(), (body, weld, body, weld, body), Free)?.with_gravity(3.0);
+    let welded = System::new(Pinned::origin(), (body, weld, body, weld, body), Free)?.with_gravity([0.0, -3.0, 0.0]);
     let exact = welded.simulate(welded.at_rest(&[0.3, 0.2, -0.4])?, Dop853::tolerance(1e-13), END, |_| ())?.motion;
     let expected = force!(welded, exact);
     for k in [1e6, 1e8, 1e10] {

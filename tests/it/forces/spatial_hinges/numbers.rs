@@ -23,7 +23,8 @@ macro_rules! outcome {
             let along = |k: usize| Spring::stiffness(at[9 + k]).damped(at[12 + k]).resting_at(at[15 + k]);
             let hinge = ElasticHinge::rotary(three(0)).damped_about(three(3)).resting_at(three(6));
             let hinge = hinge.with_linear(along(0), along(1), along(2));
-            let system = System::new(Clamped::origin(), (body, hinge, body), Free)?.with_gravity(n(9.81));
+            let system =
+                System::new(Clamped::origin(), (body, hinge, body), Free)?.with_gravity([0.0, -9.81, 0.0].map(n));
             let mut start = system.motion();
             start.rate_mut().1.1 = ([0.1, -0.2, 0.3].map(n), [1.0, -1.0, 0.5].map(n));
             let of = <T::Real as Real>::of;

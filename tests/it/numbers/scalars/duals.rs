@@ -48,14 +48,18 @@ fn of_product(u: f64, v: f64, [f, d, dd, ddd]: [Exact; 4]) -> [Exact; 10] {
     ]
 }
 
-const CASES: usize = 7;
+const CASES: usize = 13;
 
 /// All derivatives of the arguments matter: those of sine and cosine have second ones by the same variable, too.
 fn computed<T: Scalar>(u: T, v: T) -> [T; CASES] {
     let (sine, cosine) = (u * v * u * v).sin_cos();
     let (root, inverse) = ((u * v).sqrt(), (u * v).recip());
     let scaled = (u * v).scale(T::Real::of(3.0));
-    [sine, cosine, root, inverse, scaled, (u * u * v).mul_add(u * v * v, u * v), u.atan2(v)]
+    let p = u * v;
+    let (power, inverse_power) = (Scalar::powi(p, 5), Scalar::powi(p, -3));
+    let functions = [Scalar::exp(p), Scalar::ln(p), Scalar::tanh(p), Scalar::abs(-p), power, inverse_power];
+    let others = [sine, cosine, root, inverse, scaled, (u * u * v).mul_add(u * v * v, p), u.atan2(v)];
+    core::array::from_fn(|k| others.get(k).copied().unwrap_or_else(|| functions[k - others.len()]))
 }
 
 fn exact(u: f64, v: f64) -> [[Exact; 10]; CASES] {
@@ -67,6 +71,8 @@ fn exact(u: f64, v: f64) -> [[Exact; 10]; CASES] {
     let (pp, ppp) = (p * p, p * p * p);
     let sine = [sum([s]), sum([2.0 * p * c]), sum([2.0 * c, -4.0 * pp * s]), sum([-12.0 * p * s, -8.0 * ppp * c])];
     let cosine = [sum([c]), sum([-2.0 * p * s]), sum([-2.0 * s, -4.0 * pp * c]), sum([-12.0 * p * c, 8.0 * ppp * s])];
+    let (t, t2) = (p.tanh(), p.tanh() * p.tanh());
+    let tanh = [sum([t]), sum([1.0, -t2]), sum([-2.0 * t, 2.0 * t * t2]), sum([-2.0, 8.0 * t2, -6.0 * t2 * t2])];
     let single = |jet: [f64; 4]| of_product(u, v, jet.map(|term| sum([term])));
     [
         of_product(u, v, sine),
@@ -87,6 +93,12 @@ fn exact(u: f64, v: f64) -> [[Exact; 10]; CASES] {
             sum([2.0 * v2 * v / r3, -6.0 * u2 * v / r3]),
             sum([2.0 * u2 * u / r3, -6.0 * u * v2 / r3]),
         ],
+        single([p.exp(); 4]),
+        single([p.ln(), 1.0 / p, -1.0 / pp, 2.0 / ppp]),
+        of_product(u, v, tanh),
+        single([p.abs(), p.signum(), 0.0, 0.0]),
+        single([pp * ppp, 5.0 * pp * pp, 20.0 * ppp, 60.0 * pp]),
+        single([1.0 / ppp, -3.0 / (pp * pp), 12.0 / (pp * ppp), -60.0 / (ppp * ppp)]),
     ]
 }
 
@@ -166,6 +178,28 @@ fn kinds<R: Real + num_dual::DualNum>() {
 fn derivatives_follow_closed_forms() {
     kinds::<f64>();
     kinds::<f32>();
+}
+
+/// Where laws of friction and stops turn round, nothing of a number is NaN: value, slope and the two derivatives that follow.
+#[test]
+fn at_zero_derivatives_are_those_of_either_side_or_between() {
+    let parts = |f: fn(Dual3<f64>) -> Dual3<f64>| {
+        let Dual3 { re, v1, v2, v3, .. } = f(Dual3::from_re(0.0).derivative());
+        [re, v1, v2, v3]
+    };
+    assert_eq!(parts(Scalar::abs), [0.0; 4]);
+    assert_eq!(parts(Scalar::sign), [0.0; 4]);
+    assert_eq!(parts(Scalar::exp), [1.0; 4]);
+    assert_eq!(parts(Scalar::tanh), [0.0, 1.0, 0.0, -2.0]);
+    assert_eq!(parts(|x| Scalar::powi(x, 0)), [1.0, 0.0, 0.0, 0.0]);
+    assert_eq!(parts(|x| Scalar::powi(x, 1)), [0.0, 1.0, 0.0, 0.0]);
+    assert_eq!(parts(|x| Scalar::powi(x, 2)), [0.0, 0.0, 2.0, 0.0]);
+    assert_eq!(parts(|x| Scalar::powi(x, 3)), [0.0, 0.0, 0.0, 6.0]);
+    // |x| x has a slope everywhere.
+    assert_eq!(parts(|x| Scalar::abs(x) * x)[..2], [0.0, 0.0]);
+    // Far out a hyperbolic tangent is flat, not lost.
+    let far = Scalar::tanh(Dual3::from_re(-1e3).derivative());
+    assert_eq!([far.re, far.v1, far.v2, far.v3], [-1.0, 0.0, 0.0, 0.0]);
 }
 
 #[test]

@@ -25,6 +25,13 @@ macro_rules! lanes_compute_alone {
             same((all_y * all_y).sqrt(), each(|y, _| Scalar::sqrt(y * y)));
             same(all_y.mul_add(all_x, all_y), each(|y, x| Scalar::mul_add(y, x, y)));
             same(all_y.scale(3.0), each(|y, _| y * 3.0));
+            same(Scalar::exp(all_y), each(|y, _| Scalar::exp(y)));
+            same(Scalar::ln(all_x), each(|_, x| Scalar::ln(x)));
+            same(Scalar::tanh(all_y), each(|y, _| Scalar::tanh(y)));
+            same(Scalar::abs(all_y), each(|y, _| Scalar::abs(y)));
+            same(Scalar::sign(all_y), each(|y, _| Scalar::sign(y)));
+            same(Scalar::powi(all_x, 5), each(|_, x| Scalar::powi(x, 5)));
+            same(Scalar::powi(all_x, -2), each(|_, x| Scalar::powi(x, -2)));
         }
     };
 }

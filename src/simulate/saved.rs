@@ -1,0 +1,192 @@
+//! Runs that are saved and go on later, bit by bit as if they had never stopped.
+
+use super::drive::Running;
+use super::{EventFunction, Interrupted, Now, Run, Simulation};
+use crate::element::{Element, Loading, RealOf, Space};
+use crate::ends::{Root, Tip};
+use crate::error::Error;
+use crate::scalar::Real;
+use crate::stepper::{Method, Stepper};
+use crate::system::{MotionOf, Runs, System};
+
+/// How far a run has come, besides its motion and what its stepper carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress<R> {
+    /// When it began (s): samples count from there.
+    pub(super) start: R,
+    /// When it began, or began anew after an event (s), and the number of steps since: fixed steps are multiples from there.
+    pub(super) mark: (R, usize),
+    /// The size (s) of the step that error control wants next.
+    pub(super) size: R,
+    /// Whether the last trial was rejected.
+    pub(super) careful: bool,
+    /// Whether an event has ended it.
+    pub(super) stopped: bool,
+    /// Number of the next sample.
+    pub(super) samples: usize,
+    pub(super) steps: usize,
+    pub(super) rejected: usize,
+    /// Sweeps made before it was saved.
+    pub(super) sweeps: usize,
+}
+
+impl<R: Real> Progress<R> {
+    pub(super) fn none() -> Self {
+        let (start, size, mark) = (R::zero(), R::zero(), (R::zero(), 0));
+        Self { start, mark, size, careful: false, stopped: false, samples: 1, steps: 0, rejected: 0, sweeps: 0 }
+    }
+}
+
+/// Where a run stands between two steps: a value to clone, to keep, and to [`resume`](Simulation::resume) from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Saved<M, K, R> {
+    /// The last motion, with its accelerations.
+    pub motion: M,
+    /// What the stepper carries.
+    pub memory: K,
+    /// Steps, samples and the size of the next step.
+    pub progress: Progress<R>,
+}
+
+/// What a run of a scene saves.
+type SavedOf<S, R, C, P, K> = Saved<MotionOf<S, R, C, P>, K, RealOf<S>>;
+
+impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Simulation<'a, S, R, C, P, L, M, E> {
+    fn running<O>(
+        self,
+        past: MotionOf<S, R, C, P>,
+        end: RealOf<S>,
+        observe: O,
+        progress: Progress<RealOf<S>>,
+    ) -> Running<'a, S, R, C, P, L, M, E, M::Stepper, O>
+    where
+        System<S, R, C, P>: Runs<L, S, R, C, P>,
+        M: Method<&'a System<S, R, C, P>, L>,
+    {
+        let stepper = self.rule.method.stepper(self.system);
+        let (next, between) = (past.clone(), past.clone());
+        Running { plan: self, end, stepper, past, next, between, observe, progress, value: None }
+    }
+
+    /// A run from `start` to the time `end` (s), to be made step by step, and saved between steps.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    /// let start = pendulum.at_rest(&[-1.0, -0.5])?;
+    /// let simulation = || pendulum.simulation(Dop853::tolerance(1e-9)).every(0.1);
+    ///
+    /// let mut run = simulation().begin(start, 2.0, |_| ())?;
+    /// run.until(1.0)?; // to the first step that ends there or later
+    /// let saved = run.save();
+    /// let whole = run.finish()?;
+    ///
+    /// let resumed = simulation().resume(saved, 2.0, |_| ())?.finish()?; // in another process, say
+    /// assert_eq!(resumed.motion, whole.motion);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What makes no run, with the start as it was.
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    pub fn begin<O>(
+        self,
+        start: MotionOf<S, R, C, P>,
+        end: RealOf<S>,
+        observe: O,
+    ) -> Result<Running<'a, S, R, C, P, L, M, E, M::Stepper, O>, Interrupted<MotionOf<S, R, C, P>>>
+    where
+        System<S, R, C, P>: Runs<L, S, R, C, P>,
+        M: Method<&'a System<S, R, C, P>, L>,
+        E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
+        O: FnMut(&Now<'_, S, R, C, P, L>),
+    {
+        let mut run = self.running(start, end, observe, Progress::none());
+        match run.start() {
+            Ok(()) => Ok(run),
+            Err(error) => Err(Interrupted { error, last: run.past }),
+        }
+    }
+
+    /// The rest of a run that was saved: the same, bit by bit, if scene, loads, rule, samples and end are. Only steps that follow are shown.
+    ///
+    /// After an event that ended it, it goes on from there: the event is not found again, and fixed steps count from it. A run to another
+    /// end is the same up to its last step, which is cut to end there.
+    ///
+    /// # Errors
+    /// As [`begin`](Self::begin).
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    pub fn resume<O>(
+        self,
+        saved: SavedOf<S, R, C, P, <M::Stepper as Stepper<&'a System<S, R, C, P>, L>>::Memory>,
+        end: RealOf<S>,
+        observe: O,
+    ) -> Result<Running<'a, S, R, C, P, L, M, E, M::Stepper, O>, Interrupted<MotionOf<S, R, C, P>>>
+    where
+        System<S, R, C, P>: Runs<L, S, R, C, P>,
+        M: Method<&'a System<S, R, C, P>, L>,
+        E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
+        O: FnMut(&Now<'_, S, R, C, P, L>),
+    {
+        let mut run = self.running(saved.motion, end, observe, saved.progress);
+        match run.take_up(&saved.memory) {
+            Ok(()) => Ok(run),
+            Err(error) => Err(Interrupted { error, last: run.past }),
+        }
+    }
+}
+
+impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
+where
+    S: Space,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    L: Loading<S>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>,
+    K: Stepper<&'a System<S, R, C, P>, L>,
+    E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
+    O: FnMut(&Now<'_, S, R, C, P, L>),
+{
+    /// The last motion.
+    pub fn motion(&self) -> &MotionOf<S, R, C, P> {
+        &self.past
+    }
+
+    /// Steps until one ends at a time (s) or later, which cuts none of them short.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn until(&mut self, time: RealOf<S>) -> Result<(), Error> {
+        while self.past.time < time && self.step()? {}
+        Ok(())
+    }
+
+    /// Where it stands.
+    pub fn save(&self) -> SavedOf<S, R, C, P, K::Memory> {
+        let progress = Progress { sweeps: self.sweeps(), ..self.progress };
+        Saved { motion: self.past.clone(), memory: self.stepper.memory(), progress }
+    }
+
+    fn sweeps(&self) -> usize {
+        self.progress.sweeps + self.stepper.sweeps()
+    }
+
+    /// All steps that are left.
+    ///
+    /// # Errors
+    /// Why the run ended early, with the last accepted motion.
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    pub fn finish(mut self) -> Result<Run<MotionOf<S, R, C, P>>, Interrupted<MotionOf<S, R, C, P>>> {
+        loop {
+            match self.step() {
+                Ok(true) => (),
+                Ok(false) => break,
+                Err(error) => return Err(Interrupted { error, last: self.past }),
+            }
+        }
+        let (sweeps, Progress { steps, rejected, .. }) = (self.sweeps(), self.progress);
+        Ok(Run { motion: self.past, steps, rejected, sweeps })
+    }
+}

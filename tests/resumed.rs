@@ -1,0 +1,208 @@
+//! A run that is saved and resumed goes on bit by bit: what steppers carry from step to step, for every rule and kind of scene.
+
+use catena::Error;
+use std::fmt::Debug;
+
+/// All numbers of a motion: `Debug` prints as many digits as tell each from all others, and the sign of zero.
+fn bits(motion: &impl Debug) -> String {
+    format!("{motion:?}")
+}
+
+/// Steps of a stepper, the last of which leads to what is given back; loads change at each.
+macro_rules! steps {
+    ($stepper:ident, $now:ident, $next:ident, $steps:expr, $h:expr) => {
+        for step in $steps {
+            // Some steps are shorter, as a controller's may be.
+            let h = if step % 5 == 4 { 0.7 * $h } else { $h };
+            $stepper.advance(&$now, &Unloaded, h, &mut $next)?;
+            core::mem::swap(&mut $now, &mut $next);
+        }
+    };
+}
+
+/// Twelve steps and twelve more; the same with a stepper that the first one's memory is put into; and with one that knows nothing.
+macro_rules! saved_and_resumed {
+    ($name:expr, $scene:expr, $start:expr, $method:expr, $h:expr) => {{
+        let scene = &$scene;
+        let (mut stepper, mut now) = (scene.stepper($method), scene.with_accelerations($start.clone(), &Unloaded)?);
+        let mut next = now.clone();
+        steps!(stepper, now, next, 0..12, $h);
+        let saved = (now.clone(), stepper.memory());
+        steps!(stepper, now, next, 12..24, $h);
+        let expected = bits(&now);
+
+        let (mut other, mut now) = (scene.stepper($method), saved.0.clone());
+        other.restore(&saved.1);
+        steps!(other, now, next, 12..24, $h);
+        assert_eq!(bits(&now), expected, "{}, {:?}", $name, $method);
+
+        let (mut blank, mut now) = (scene.stepper($method), saved.0.clone());
+        steps!(blank, now, next, 12..24, $h);
+        let differs = bits(&now) != expected;
+        println!("{}, {:?}: {}", $name, $method, if differs { "differs without memory" } else { "needs no memory" });
+        differs
+    }};
+}
+
+/// The same by every rule: only those that remember motions differ without memory.
+macro_rules! by_every_rule {
+    ($name:expr, $scene:expr, $start:expr, $h:expr) => {
+        assert!(!saved_and_resumed!($name, $scene, $start, Rk4, $h));
+        assert!(!saved_and_resumed!($name, $scene, $start, Dopri5, $h));
+        assert!(!saved_and_resumed!($name, $scene, $start, Dop853, $h));
+        assert!(saved_and_resumed!($name, $scene, $start, Adams, $h));
+        assert!(saved_and_resumed!($name, $scene, $start, GeneralizedAlpha::new(0.8), $h));
+        assert!(!saved_and_resumed!($name, $scene, $start, Sdirk4::new(), $h));
+    };
+}
+
+/// An observer that notes all there is to see.
+macro_rules! noting {
+    ($list:expr) => {
+        |now: &catena::simulate::Now<'_, _, _, _, _, _>| $list.push((now.is_event(), bits(now.motion())))
+    };
+}
+
+/// A run, saved half way and resumed by another one of the same rule: the same end, samples, events and counters; and once more from
+/// where the resumed one is saved in turn.
+macro_rules! run_in_parts {
+    ($name:expr, $scene:expr, $start:expr, $rule:expr, $end:expr) => {{
+        let (scene, mut seen) = (&$scene, [vec![], vec![]]);
+        let (whole, parts) = seen.split_at_mut(1);
+        let (mut note_whole, mut note_parts) = (noting!(whole[0]), noting!(parts[0]));
+        let simulation = || scene.simulation($rule).every(0.03).event(|now| now.energy() + 1.0);
+
+        let whole = simulation().run($start.clone(), $end, &mut note_whole)?;
+        let mut first = simulation().begin($start.clone(), $end, &mut note_parts)?;
+        first.until(0.4 * $end)?;
+        let saved = first.save();
+        drop(first);
+        assert!(saved.motion.time() < $end);
+        let mut second = simulation().resume(saved, $end, &mut note_parts)?;
+        second.until(0.7 * $end)?;
+        let saved = second.save();
+        drop(second);
+        let resumed = simulation().resume(saved, $end, &mut note_parts)?.finish()?;
+
+        assert_eq!(bits(&resumed), bits(&whole), "{}", $name);
+        println!("{}: {} steps, {} rejected, {} instants", $name, whole.steps, whole.rejected, seen[0].len());
+        assert!(seen[0] == seen[1] && seen[0].len() > 10, "{}", $name);
+    }};
+}
+
+/// The same by every rule, with fixed steps and under error control.
+macro_rules! parts_by_every_rule {
+    ($name:expr, $scene:expr, $start:expr, $h:expr) => {
+        run_in_parts!($name, $scene, $start, Rk4::step($h), 0.5);
+        run_in_parts!($name, $scene, $start, Dopri5::step($h), 0.5);
+        run_in_parts!($name, $scene, $start, Dopri5::tolerance(1e-6), 0.5);
+        run_in_parts!($name, $scene, $start, Dop853::step($h), 0.5);
+        run_in_parts!($name, $scene, $start, Dop853::tolerance(1e-9), 0.5);
+        run_in_parts!($name, $scene, $start, Adams::step($h), 0.5);
+        run_in_parts!($name, $scene, $start, Adams::tolerance(1e-6), 0.5);
+        run_in_parts!($name, $scene, $start, GeneralizedAlpha::new(0.8).step($h), 0.5);
+        run_in_parts!($name, $scene, $start, GeneralizedAlpha::new(0.8).tolerance(1e-4), 0.5);
+        run_in_parts!($name, $scene, $start, Sdirk4::new().step($h), 0.5);
+        run_in_parts!($name, $scene, $start, Sdirk4::new().tolerance(1e-6), 0.5);
+    };
+}
+
+mod plane {
+    use super::*;
+    use catena::planar::*;
+
+    #[test]
+    fn steppers_go_on_in_open_chains() -> Result<(), Error> {
+        let rod = Rod::uniform(0.5, 1.0);
+        let hinge = ElasticHinge::rotary(20.0).damped(0.1);
+        let slider = Slider::along(0.2).sprung(Spring::new(100.0));
+        let scene = System::new(Pinned::origin(), (rod, Pin, rod, hinge, rod, slider, rod), Free)?.with_gravity(9.81);
+        let start = scene.at_rest(&[-1.0, 0.3, 0.2])?;
+        by_every_rule!("open, plane", scene, start, 0.005);
+        parts_by_every_rule!("open, plane", scene, start, 0.005);
+        Ok(())
+    }
+
+    #[test]
+    fn steppers_go_on_where_tips_are_held() -> Result<(), Error> {
+        let rod = Rod::uniform(0.5, 1.0);
+        let scene = System::new(Pinned::origin(), (rod, Pin, rod, Pin, rod), Pinned::at(1.0, 0.1))?.with_gravity(9.81);
+        let start = scene.assembled(scene.at_rest(&[-1.0, 0.3, 1.2])?, &Unloaded)?;
+        by_every_rule!("held, plane", scene, start, 0.005);
+        parts_by_every_rule!("held, plane", scene, start, 0.005);
+        Ok(())
+    }
+
+    #[test]
+    fn steppers_go_on_in_loops() -> Result<(), Error> {
+        let rod = |length| Rod::uniform(length, length);
+        let net = Network::new(
+            (Pin, rod(0.5), Pin, rod(1.2)),
+            (RigidBody::massless([1.0, 0.0]), Pin, rod(0.9)),
+            LeastNorm(Pin),
+        );
+        let scene = System::new(Clamped::at(0.0, 0.0, 0.0), net, Free)?.with_gravity(9.81);
+        let start = scene.assembled(scene.at_rest(&[1.0, 0.3, 1.1])?, &Unloaded)?;
+        by_every_rule!("loop, plane", scene, start, 0.005);
+        parts_by_every_rule!("loop, plane", scene, start, 0.005);
+        Ok(())
+    }
+
+    /// Under implicit rules these hinges read the inboard body's angular acceleration where the sweep before has found it.
+    #[test]
+    fn steppers_go_on_in_hinges_with_axes_that_do_not_turn() -> Result<(), Error> {
+        let rod = Rod::uniform(0.5, 1.0);
+        let spring = Spring::new(1e3).damped(1.0);
+        let hinge = ElasticHinge::linear(spring, spring).in_fixed_axes();
+        let scene = System::new(Pinned::origin(), (rod, hinge, rod), Free)?.with_gravity(9.81);
+        let start = scene.at_rest(&[-1.0, 0.3])?;
+        assert!(saved_and_resumed!("fixed axes", scene, start, GeneralizedAlpha::new(0.8), 0.005));
+        assert!(saved_and_resumed!("fixed axes", scene, start, Sdirk4::new(), 0.005));
+        assert!(!saved_and_resumed!("fixed axes", scene, start, Dop853, 0.005));
+        run_in_parts!("fixed axes", scene, start, GeneralizedAlpha::new(0.8).step(0.007), 0.5);
+        run_in_parts!("fixed axes", scene, start, Sdirk4::new().tolerance(1e-6), 0.5);
+        Ok(())
+    }
+}
+
+mod space {
+    use super::*;
+    use catena::spatial::*;
+
+    #[test]
+    fn steppers_go_on_in_open_chains() -> Result<(), Error> {
+        let rod = Rod::uniform(0.5, 0.05, 1.0);
+        let elastic = ElasticBall::rotary([20.0, 5.0, 20.0]).damped(0.01);
+        let chain = (rod, Ball, rod, elastic, rod, Revolute::about([0.1, 1.0, 0.2]), rod);
+        let scene = System::new(Free, chain, Free)?.with_gravity([0.0, 0.0, -9.81]);
+        let start = scene.at_rest(&[0.1, -0.2, -1.0, 0.2, 0.3, 0.2, 0.2, 0.3, 0.25, 0.4])?;
+        by_every_rule!("open, space", scene, start, 0.005);
+        parts_by_every_rule!("open, space", scene, start, 0.005);
+        Ok(())
+    }
+
+    #[test]
+    fn steppers_go_on_where_tips_are_held() -> Result<(), Error> {
+        let rod = |length| Rod::uniform(length, 0.02, 1.0);
+        let hinge = Hinged::at([0.0; 3], [0.0, 1.0, 0.2]);
+        let scene = System::new(hinge, (rod(0.5), Ball, rod(0.8), Ball, rod(0.6)), Pinned::at(0.9, 0.1, -0.2))?;
+        let scene = scene.with_gravity([0.0, 0.0, -9.81]);
+        let start = scene.assembled(scene.at_rest(&[1.2, 0.0, -0.64, -0.22, 2.2, 0.1, 0.2])?, &Unloaded)?;
+        by_every_rule!("held, space", scene, start, 0.002);
+        parts_by_every_rule!("held, space", scene, start, 0.002);
+        Ok(())
+    }
+
+    #[test]
+    fn steppers_go_on_in_loops() -> Result<(), Error> {
+        let rod = Rod::uniform(0.5, 0.01, 1.0);
+        let swing = ClosedLoop::ending_at([0.8, 0.0, 0.0], (Ball, rod, Ball, rod, Ball, rod), Ball);
+        let scene = System::new(Pinned::origin(), (rod, swing, Ball, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
+        let mut angles = [0.1; 15];
+        (angles[5], angles[8], angles[11]) = (-0.9, 0.0, 0.9);
+        let start = scene.assembled(scene.at_rest(&angles)?, &Unloaded)?;
+        by_every_rule!("loop, space", scene, start, 0.002);
+        parts_by_every_rule!("loop, space", scene, start, 0.002);
+        Ok(())
+    }
+}
