@@ -65,7 +65,14 @@ fn open(record: &mut Record) -> Result<(), Error> {
     golden!(record, "floating tree, Adams", scene, scene.at_rest(&angles)?, Adams::step(1e-3), 0.1);
     let single = Rod::uniform(0.7_f32, 0.02, 1.3);
     let scene = System::new(Pinned::origin(), (single, Ball, single), Free)?.with_gravity(9.81);
-    golden!(record, "rods on balls in f32, RK4", scene, scene.at_rest(&[0.1, 0.2, -0.5, 0.0, -0.1, 0.3])?, Rk4::step(2e-3), 0.2);
+    golden!(
+        record,
+        "rods on balls in f32, RK4",
+        scene,
+        scene.at_rest(&[0.1, 0.2, -0.5, 0.0, -0.1, 0.3])?,
+        Rk4::step(2e-3),
+        0.2
+    );
     Ok(())
 }
 

@@ -2,3 +2,4 @@
 
 mod layers;
 mod of_scenes;
+mod readings;

@@ -6,6 +6,7 @@ mod in_time;
 mod numbers;
 mod plane;
 mod plane_at_random;
+mod shared_loops;
 mod space;
 mod space_at_random;
 mod struts;

@@ -2,9 +2,12 @@
 
 mod adams;
 mod double_pendulum;
+mod driven_sliders;
 mod flexible_pendulum;
 mod held_beam;
+mod laws_of_users;
 mod references;
+mod resumed;
 mod spatial_orders;
 mod spatial_references;
 mod spatial_runs;

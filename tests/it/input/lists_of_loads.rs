@@ -1,8 +1,6 @@
 //! Loads handed in as lists: refused where a list has not one value for each body or joint, and spread over the scene without a walk,
 //! whatever its form.
 
-mod kit;
-
 use catena::element::{Element, Loading, Unloaded};
 use catena::mirror::Rate;
 use catena::planar::{Pin, Planar, Rod};

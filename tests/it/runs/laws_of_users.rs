@@ -1,12 +1,10 @@
 //! Laws that users write for joints: under implicit rules they are the same motion as under any other, stops among them, and rules keep
 //! their order where a law is smooth. The truth is an integration of the equations of Lagrange that shares no code with the library.
 
-#[path = "laws_of_users/by_lagrange.rs"]
 mod by_lagrange;
-mod kit;
-#[path = "laws_of_users/laws.rs"]
 mod laws;
 
+use crate::kit::{has_order, near};
 use by_lagrange::{GRAVITY, LENGTH, MASS, cart_and_rod, integrate, integrate_to_stops, two_rods};
 use catena::element::{Element, Unloaded};
 use catena::ends::{Root, Tip};
@@ -14,7 +12,6 @@ use catena::mirror::{Position, Rate};
 use catena::system::{Dynamics, MotionOf, Runs, StiffDynamics, System};
 use catena::time::{GeneralizedAlpha, Sdirk4};
 use catena::{Error, planar, spatial};
-use kit::{has_order, near};
 use laws::{Cubic, Stop};
 
 const RK4: f64 = 2e-5; // (s): the truth, to 1e-12
