@@ -41,15 +41,15 @@ fn gravity() -> Vector3<f64> {
 /// Chains and trees.
 fn open(record: &mut Record) -> Result<(), Error> {
     let angles = [0.1, 0.2, -0.5, 0.0, -0.1, 0.3, 0.1, 0.2, 0.4];
-    let scene = System::new(Pinned::origin(), (rod(), Ball, rod(), Ball, rod()), Free)?.with_gravity_vector(gravity());
+    let scene = System::new(Pinned::origin(), (rod(), Ball, rod(), Ball, rod()), Free)?.with_gravity(gravity());
     golden!(record, "rods on balls, DOP853", scene, scene.at_rest(&angles)?, Dop853::tolerance(1e-9), 0.3);
-    let scene = System::new(Pinned::origin(), (body(), vec![(Ball, body()); 2]), Free)?.with_gravity_vector(gravity());
+    let scene = System::new(Pinned::origin(), (body(), vec![(Ball, body()); 2]), Free)?.with_gravity(gravity());
     golden!(record, "vector of bodies on balls, RK4", scene, scene.at_rest(&angles)?, Rk4::step(2e-3), 0.2);
     let joints = (
         (Revolute::about([0.0, 0.0, 1.0]), body(), Universal::about([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]), rod()),
         (Prismatic::along([1.0, 0.2, 0.0]), body(), Cylindrical::on([1.0, 0.1, 0.0]), body()),
     );
-    let scene = System::new(Clamped::origin(), joints, Free)?.with_gravity_vector(gravity());
+    let scene = System::new(Clamped::origin(), joints, Free)?.with_gravity(gravity());
     golden!(
         record,
         "joints about axes, DOPRI5",
@@ -60,11 +60,11 @@ fn open(record: &mut Record) -> Result<(), Error> {
     );
     let tree =
         (body(), Branch((Ball, rod())), Ball, body(), Branch((Revolute::about([0.0, 1.0, 0.0]), body())), Ball, rod());
-    let scene = System::new(Free, tree, Free)?.with_gravity_vector(gravity());
+    let scene = System::new(Free, tree, Free)?.with_gravity(gravity());
     let angles = [0.1, 0.2, -0.5, 0.0, -0.1, 0.3, 0.1, 0.2, 0.4, 0.7, 0.3, 0.2, 0.1];
     golden!(record, "floating tree, Adams", scene, scene.at_rest(&angles)?, Adams::step(1e-3), 0.1);
     let single = Rod::uniform(0.7_f32, 0.02, 1.3);
-    let scene = System::new(Pinned::origin(), (single, Ball, single), Free)?.with_gravity(9.81);
+    let scene = System::new(Pinned::origin(), (single, Ball, single), Free)?.with_gravity([0.0, -9.81, 0.0]);
     golden!(
         record,
         "rods on balls in f32, RK4",
@@ -79,18 +79,18 @@ fn open(record: &mut Record) -> Result<(), Error> {
 /// Springs under explicit and implicit rules.
 fn stiff(record: &mut Record) -> Result<(), Error> {
     let ball = ElasticBall::rotary([30.0, 20.0, 25.0]).damped(0.1);
-    let scene = System::new(Clamped::origin(), (ball, rod(), ball, body()), Free)?.with_gravity_vector(gravity());
+    let scene = System::new(Clamped::origin(), (ball, rod(), ball, body()), Free)?.with_gravity(gravity());
     let start = || scene.at_rest(&[0.1, 0.2, -0.5, 0.0, -0.1, 0.3]);
     golden!(record, "elastic balls, DOP853", scene, start()?, Dop853::tolerance(1e-9), 0.2);
     golden!(record, "elastic balls, generalised-alpha", scene, start()?, GeneralizedAlpha::new(0.8).step(5e-3), 0.1);
     golden!(record, "elastic balls, SDIRK4", scene, start()?, Sdirk4::new().step(1e-2), 0.1);
     let spring = Spring::stiffness(60.0).damped(0.3);
     let hinge = ElasticHinge::rotary([3.0, 8.0, 5.0]).with_linear(spring, spring, spring);
-    let scene = System::new(Clamped::origin(), (hinge, body(), hinge, body()), Free)?.with_gravity_vector(gravity());
+    let scene = System::new(Clamped::origin(), (hinge, body(), hinge, body()), Free)?.with_gravity(gravity());
     golden!(record, "elastic hinges, SDIRK4", scene, scene.motion(), Sdirk4::new().step(1e-2), 0.1);
     let slider = Prismatic::along([1.0, 0.0, 0.0]).with(Spring::stiffness(100.0).damped(0.2));
     let scene = System::new(Clamped::origin(), (slider, body(), Revolute::about([0.0, 0.0, 1.0]), body()), Free)?;
-    let scene = scene.with_gravity_vector(gravity());
+    let scene = scene.with_gravity(gravity());
     golden!(
         record,
         "sprung slider, generalised-alpha",
@@ -105,14 +105,14 @@ fn stiff(record: &mut Record) -> Result<(), Error> {
 /// Held tips and loops.
 fn closed(record: &mut Record) -> Result<(), Error> {
     let tip = Pinned::at(1.5, 0.2, -0.3);
-    let scene = System::new(Pinned::origin(), (rod(), Ball, body(), Ball, rod()), tip)?.with_gravity_vector(gravity());
+    let scene = System::new(Pinned::origin(), (rod(), Ball, body(), Ball, rod()), tip)?.with_gravity(gravity());
     let start = scene.assembled(scene.at_rest(&[0.1, 0.5, -0.3, 0.0, 0.2, 0.3, 0.1, -0.6, 0.4])?, &Unloaded)?;
     golden!(record, "held by balls, DOP853", scene, start, Dop853::tolerance(1e-8), 0.2);
     let link = |length: f64| Rod::uniform(length, 0.02, length);
     let (crank, rocker) = (Revolute::about([0.0, 0.0, 1.0]), Revolute::about([0.3, 1.0, 0.2]));
     let main = (crank, link(0.3), Ball, link(0.9));
     let net = Network::new(main, (RigidBody::massless([0.7, 0.1, 0.3]), rocker, link(0.8)), Ball);
-    let scene = System::new(Clamped::origin(), net, Free)?.with_gravity_vector(gravity());
+    let scene = System::new(Clamped::origin(), net, Free)?.with_gravity(gravity());
     let start = scene.assembled(scene.at_rest(&[0.4, 0.0, -0.5, 0.3, -1.1])?, &Unloaded)?;
     golden!(record, "spatial four-bar, RK4", scene, start, Rk4::step(2e-3), 0.2);
     Ok(())

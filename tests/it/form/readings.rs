@@ -64,6 +64,12 @@ impl<S: Space, E: Element<S>> Element<S> for Counting<E> {
         E::each_entry(bodies, joints, note);
     }
 
+    fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X] {
+        self.0.spread_bodies(values, bodies)
+    }
+    fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X] {
+        self.0.spread_joints(values, joints)
+    }
     fn check(&self, station: usize) -> Result<(), Error> {
         self.0.check(station)
     }

@@ -1,6 +1,7 @@
 //! Loads handed in as lists: refused where a list has not one value for each body or joint, and spread over the scene without a walk,
 //! whatever its form.
 
+use crate::kit;
 use catena::element::{Element, Loading, Unloaded};
 use catena::mirror::Rate;
 use catena::planar::{Pin, Planar, Rod};
