@@ -3,7 +3,7 @@
 mod in_turn;
 
 use crate::counts::HasBody;
-use crate::element::{Budget, Closed, Coordinates, Element, Entry, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::element::{Budget, Closed, Coordinates, Element, Entry, Gather, Level, Load, Loading, RealOf, Space, Visit};
 use crate::error::Error;
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
@@ -251,19 +251,21 @@ impl<S: Space, F: FnMut(Error)> Visit<S> for Doubts<F> {
     }
 }
 
-/// By how much the ends of a loop miss each other: the largest (m, rad), and the station of the joint that should close it.
+/// By how much the ends of a loop miss each other: the largest (m, rad, or these a second), and the station of the joint that should
+/// close it.
 pub(crate) fn loops_miss<S: Space, E: Element<S>>(
     chain: &E,
     ground: S::Frame,
     motion: Coordinates<'_, S, E>,
+    level: Level,
 ) -> (RealOf<S>, usize) {
-    let mut open = OpenLoop::<S> { entries: 0, worst: (Zero::zero(), 0) };
+    let mut open = OpenLoop::<S> { level, entries: 0, worst: (Zero::zero(), 0) };
     chain.travel(ground, motion, &mut open, &mut chain.per_body(()), &mut chain.per_joint(()));
     open.worst
 }
 
 /// Calls `note` with what each condition that closes a loop is missed by: in place (m, rad) and in velocity.
-#[cfg(feature = "alloc")] // for statics
+#[cfg(feature = "alloc")] // for statics and assembly
 pub(crate) fn each_miss<S: Space, E: Element<S>>(
     chain: &E,
     ground: S::Frame,
@@ -299,6 +301,7 @@ impl<S: Space, F: FnMut([S::Scalar; 2])> Visit<S> for Misses<F> {
 
 /// Keeps the loop that misses most.
 struct OpenLoop<S: Space> {
+    level: Level,
     /// Bodies and joints met; the first is the root's joint.
     entries: usize,
     worst: (RealOf<S>, usize),
@@ -316,7 +319,9 @@ impl<S: Space> Visit<S> for OpenLoop<S> {
     }
     fn closing(&mut self, closed: &Closed<S>) {
         self.entries += 1;
-        closed.miss[0].visit(&mut |x| {
+        let [place, velocity] = &closed.miss;
+        let miss = if self.level == Level::Place { place } else { velocity };
+        miss.visit(&mut |x| {
             if x.real().abs() > self.worst.0 {
                 self.worst = (x.real().abs(), self.entries - 2);
             }

@@ -1,8 +1,12 @@
 //! A scene: root, chain and tip, validated once, and its forward and inverse dynamics.
 
+#[cfg(feature = "alloc")]
+mod assembly;
 mod dynamics;
 mod hold;
 mod inspect;
+#[cfg(feature = "alloc")]
+mod least_change;
 #[cfg(feature = "alloc")]
 mod linear;
 mod reference;
@@ -11,6 +15,8 @@ mod start;
 mod statics;
 mod sweeps;
 
+#[cfg(feature = "alloc")]
+pub use assembly::{Assembled, Holding};
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 #[cfg(feature = "alloc")]
 pub use linear::Inertial;
