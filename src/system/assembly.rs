@@ -60,6 +60,9 @@ pub struct Assembled<M, T> {
     pub rate_changes: Vec<T>,
 }
 
+/// A motion of a scene that has been assembled.
+pub type AssembledOf<S, R, C, P> = Assembled<MotionOf<S, R, C, P>, <S as Space>::Scalar>;
+
 /// Conditions of a motion, and how they change with its coordinates.
 struct Conditions<T> {
     /// By how much each is missed, in place and in velocity.
@@ -97,7 +100,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         guess: MotionOf<S, R, C, P>,
         holding: Holding<'_>,
         loads: &L,
-    ) -> Result<Assembled<MotionOf<S, R, C, P>, S::Scalar>, Error>
+    ) -> Result<AssembledOf<S, R, C, P>, Error>
     where
         Self: Runs<L, S, R, C, P>,
     {
