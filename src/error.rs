@@ -115,6 +115,14 @@ pub enum Fault {
         /// By how much it misses (m, or rad for an angle).
         miss: f64,
     },
+    /// With what is held as it is given, the tip cannot be brought to where it is held, or the ends of a loop to each other, from this
+    /// guess.
+    ImpossibleHold {
+        /// What is held: coordinates or rates.
+        what: &'static str,
+        /// By how much it misses (m or rad; of rates, these a second).
+        miss: f64,
+    },
     /// No equilibrium was found from this guess.
     NoEquilibrium {
         /// The largest acceleration of a coordinate that is left (rad/s², or m/s² for a length).
@@ -221,6 +229,9 @@ impl fmt::Display for Error {
             ),
             Fault::NotClosed { miss } => {
                 write!(f, "what is held together cannot be brought there from this guess: it misses by {miss}")
+            }
+            Fault::ImpossibleHold { what, miss } => {
+                write!(f, "nothing closes from this guess with the {what} that are to stay: it misses by {miss}")
             }
             Fault::NoEquilibrium { residual } => {
                 write!(f, "no equilibrium found from this guess: an acceleration of {residual} is left")

@@ -1,17 +1,20 @@
 //! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
 
+mod doubts;
 mod in_turn;
+mod misses;
+
+pub(crate) use doubts::doubts;
+#[cfg(feature = "alloc")]
+pub(crate) use misses::each_miss;
+pub(crate) use misses::loops_miss;
 
 use crate::counts::HasBody;
 use crate::element::{Budget, Closed, Coordinates, Element, Entry, Gather, Load, Loading, RealOf, Space, Visit};
-use crate::error::Error;
-use crate::mirror::Rate;
-use crate::scalar::Scalar;
 use crate::visit::survey;
 use core::fmt;
 use core::marker::PhantomData;
 use in_turn::in_turn;
-use num_traits::Zero;
 
 /// Something of every body of a scene, by number.
 #[derive(Clone)]
@@ -216,112 +219,6 @@ impl<S: Space, F: FnMut(&S::BodyMotion)> Visit<S> for Show<F> {
         (self.0)(body);
     }
     fn joint(&mut self, _: &S::JointMotion) {}
-}
-
-/// Calls `tell` with what may be wrong with the inertia of a body, and at which station.
-pub(crate) fn doubts<S: Space, E: Element<S>>(
-    chain: &E,
-    ground: S::Frame,
-    motion: Coordinates<'_, S, E>,
-    tell: impl FnMut(Error),
-) {
-    let mut doubts = Doubts { entries: 0, tell };
-    chain.travel(ground, motion, &mut doubts, &mut chain.per_body(()), &mut chain.per_joint(()));
-}
-
-/// Shows bodies whose inertia may be wrong.
-struct Doubts<F> {
-    /// Bodies and joints met; the first is the root's joint.
-    entries: usize,
-    tell: F,
-}
-
-impl<S: Space, F: FnMut(Error)> Visit<S> for Doubts<F> {
-    type OnBody = ();
-    type InJoint = ();
-
-    fn body(&mut self, body: &S::BodyMotion) {
-        self.entries += 1;
-        if let Some(doubt) = S::doubt(body) {
-            (self.tell)(Error::new(doubt).at_station(self.entries - 2));
-        }
-    }
-    fn joint(&mut self, _: &S::JointMotion) {
-        self.entries += 1;
-    }
-}
-
-/// By how much the ends of a loop miss each other: the largest (m, rad), and the station of the joint that should close it.
-pub(crate) fn loops_miss<S: Space, E: Element<S>>(
-    chain: &E,
-    ground: S::Frame,
-    motion: Coordinates<'_, S, E>,
-) -> (RealOf<S>, usize) {
-    let mut open = OpenLoop::<S> { entries: 0, worst: (Zero::zero(), 0) };
-    chain.travel(ground, motion, &mut open, &mut chain.per_body(()), &mut chain.per_joint(()));
-    open.worst
-}
-
-/// Calls `note` with what each condition that closes a loop is missed by: in place (m, rad) and in velocity.
-#[cfg(feature = "alloc")] // for statics
-pub(crate) fn each_miss<S: Space, E: Element<S>>(
-    chain: &E,
-    ground: S::Frame,
-    motion: Coordinates<'_, S, E>,
-    note: impl FnMut([S::Scalar; 2]),
-) {
-    chain.travel(ground, motion, &mut Misses(note), &mut chain.per_body(()), &mut chain.per_joint(()));
-}
-
-/// Shows by how much loops miss.
-#[cfg(feature = "alloc")]
-struct Misses<F>(F);
-
-#[cfg(feature = "alloc")]
-impl<S: Space, F: FnMut([S::Scalar; 2])> Visit<S> for Misses<F> {
-    type OnBody = ();
-    type InJoint = ();
-
-    fn body(&mut self, _: &S::BodyMotion) {}
-    fn joint(&mut self, _: &S::JointMotion) {}
-    fn closing(&mut self, closed: &Closed<S>) {
-        let [place, velocity] = &closed.miss;
-        let mut count = 0;
-        place.all(velocity, &mut |place, velocity| {
-            if count < closed.conditions {
-                (self.0)([place, velocity]);
-            }
-            count += 1;
-            true
-        });
-    }
-}
-
-/// Keeps the loop that misses most.
-struct OpenLoop<S: Space> {
-    /// Bodies and joints met; the first is the root's joint.
-    entries: usize,
-    worst: (RealOf<S>, usize),
-}
-
-impl<S: Space> Visit<S> for OpenLoop<S> {
-    type OnBody = ();
-    type InJoint = ();
-
-    fn body(&mut self, _: &S::BodyMotion) {
-        self.entries += 1;
-    }
-    fn joint(&mut self, _: &S::JointMotion) {
-        self.entries += 1;
-    }
-    fn closing(&mut self, closed: &Closed<S>) {
-        self.entries += 1;
-        closed.miss[0].visit(&mut |x| {
-            if x.real().abs() > self.worst.0 {
-                self.worst = (x.real().abs(), self.entries - 2);
-            }
-        });
-    }
 }
 
 /// Energy and momentum of a motion.

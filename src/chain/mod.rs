@@ -10,6 +10,7 @@ mod branch;
 mod closing;
 mod items;
 mod least_norm;
+mod measure;
 mod network;
 mod parallel;
 mod poses;

@@ -8,7 +8,7 @@ use crate::lift::Lift;
 use crate::mirror::{Rate, Tied, TiedPosition};
 use crate::relation::{Closures, LoopGain, Looped, Own, Solvable};
 use crate::scalar::Scalar;
-use crate::visit::{last_body, take_first};
+use crate::visit::take_first;
 use core::ops::Add;
 use typenum::{Sum, Unsigned};
 
@@ -374,30 +374,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         let closing = after_main + self.side().bodies() + self.side().joints();
         let in_arms = self.side().broken(side, after_main).or_else(|| self.main().broken(main, station));
         in_arms.or_else(|| (!gain.is_finite()).then_some(closing))
-    }
-}
-
-impl<M, A, K> Network<M, A, K> {
-    /// What the last bodies of both arms would yield to the forces that close the loop if they were free.
-    fn yields<S: Space>(
-        &self,
-        frame: S::Frame,
-        main: Coordinates<'_, S, M>,
-        side: Coordinates<'_, S, A>,
-    ) -> <OwnOf<S, K> as Closures>::Each<S::Scalar>
-    where
-        M: Element<S>,
-        A: Element<S>,
-        K: Closing<S>,
-    {
-        let none = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
-        let bodies = [last_body(self.main(), frame, main), last_body(self.side(), frame, side)];
-        // A body without extent does not say how it would turn.
-        let add = |a: S::Scalar, b: S::Scalar| if b.is_finite() { a + b } else { a };
-        bodies
-            .iter()
-            .flatten()
-            .fold(none, |sum, body| OwnOf::<S, K>::zip(&sum, &self.closing.free_compliance(body), add))
     }
 }
 

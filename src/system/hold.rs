@@ -1,6 +1,6 @@
 //! Motions with their tip where it is held and their loops closed.
 
-use crate::element::{Element, Loading, RealOf, Space};
+use crate::element::{Element, Level, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
@@ -11,14 +11,15 @@ use crate::system::{Dynamics, MotionOf, Runs, System, coordinates};
 use num_traits::{One, Zero};
 
 /// Corrections of a guess before it counts as one that leads nowhere.
-const CORRECTIONS: usize = 60;
+pub(super) const CORRECTIONS: usize = 60;
 /// The longest correction of a coordinate (rad, m) at once.
-const SHARE: f64 = 0.3;
+pub(super) const SHARE: f64 = 0.3;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// The same motion with its loops closed and its tip where it is held: the least correction of positions and rates, as measured
     /// by the inertia of the scene (of a chain without loops from afar, by the angles), and the accelerations that belong to them. A
-    /// scene with neither is left as it is, but for its accelerations. A straight chain or loop cannot tell where to bend: bend it.
+    /// scene with neither is left as it is, but for its accelerations. What must not move is held by
+    /// [`assembled_holding`](Self::assembled_holding), which also tells what did (feature `alloc`). A straight chain or loop cannot tell where to bend: bend it.
     ///
     /// Corrections from afar (a coordinate by more than 0.3 rad or m) are cut short by a factor that has no derivative, and over lanes by
     /// that of the worst one.
@@ -83,7 +84,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             return Ok(());
         }
         let real = RealOf::<S>::of;
-        let (small, tiny) = (RealOf::<S>::EPSILON.powf(real(0.6)), RealOf::<S>::EPSILON);
+        let (small, tiny) = Self::tolerances();
         let mut last = RealOf::<S>::INFINITY;
         for pass in 0..CORRECTIONS {
             let mut corrected = motion.clone();
@@ -118,10 +119,25 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             }
             last = step;
         }
-        let at_tip = largest::<S::Scalar, P::Closures>(&self.miss(motion)[0]);
-        let (in_loop, station) = loops_miss(&self.chain, self.root.ground(motion.time), coordinates(motion));
-        let (miss, place) = if in_loop > at_tip { (in_loop, Place::Station(station)) } else { (at_tip, Place::Tip) };
+        let (miss, place) = self.worst_miss(motion, Level::Place);
         Err(Error::new(Fault::NotClosed { miss: miss.as_f64() }).at(place).at_time(motion.time.as_f64()))
+    }
+
+    /// Corrections (relative to coordinates) that are small enough to be the last ones when they fall no more, and those that are
+    /// rounding.
+    pub(super) fn tolerances() -> (RealOf<S>, RealOf<S>) {
+        (RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.6)), RealOf::<S>::EPSILON)
+    }
+
+    /// What misses most of all that is held (m, rad, or these a second), and where.
+    pub(super) fn worst_miss(&self, motion: &MotionOf<S, R, C, P>, level: Level) -> (RealOf<S>, Place) {
+        let [place, velocity] = self.miss(motion);
+        let at_tip = largest::<S::Scalar, P::Closures>(match level {
+            Level::Place => &place,
+            Level::Velocity => &velocity,
+        });
+        let (in_loop, station) = loops_miss(&self.chain, self.root.ground(motion.time), coordinates(motion), level);
+        if in_loop > at_tip { (in_loop, Place::Station(station)) } else { (at_tip, Place::Tip) }
     }
 
     /// Moves the tip towards where it is held by the least change of all coordinates alike, and not too far at once. From afar

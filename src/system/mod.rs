@@ -1,9 +1,14 @@
 //! A scene: root, chain and tip, validated once, and its forward and inverse dynamics.
 
+#[cfg(feature = "alloc")]
+mod assembly;
+mod doubts;
 mod dynamics;
 mod gravity;
 mod hold;
 mod inspect;
+#[cfg(feature = "alloc")]
+mod least_change;
 #[cfg(feature = "alloc")]
 mod linear;
 mod reference;
@@ -12,6 +17,8 @@ mod start;
 mod statics;
 mod sweeps;
 
+#[cfg(feature = "alloc")]
+pub use assembly::{Assembled, AssembledOf, Holding};
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
@@ -25,7 +32,7 @@ use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::Rate;
 use crate::motion::Motion;
-use crate::observe::{PerBody, Stations, budget, doubts};
+use crate::observe::{PerBody, Stations, budget};
 use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::solve::riccati::Site;
@@ -122,27 +129,6 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Where a sweep at a time takes place.
     pub(crate) fn site<'l, L>(&'l self, time: RealOf<S>, loads: &'l L) -> Site<'l, S, P, L> {
         Site { ground: self.root.ground(time), gravity: self.gravity, tip: &self.tip, loads, time }
-    }
-
-    /// Tells which bodies have an inertia that no distribution of mass has, where and what is wrong: [`Fault::ImpossibleInertia`] in
-    /// space, and also in the plane [`Fault::NotPositive`] for a moment of inertia without mass. Robot description files are full of
-    /// them. The motion of such a scene is well defined; whether it is meant is for the user to say, and `repaired` of the body finds
-    /// the nearest inertia that there is.
-    ///
-    /// ```
-    /// use catena::spatial::*;
-    /// let tensor = |x| [[x, 0.0, 0.0], [0.0, 0.012, 0.0], [0.0, 0.0, 0.004]];
-    /// let link = |x| RigidBody::new(0.8, tensor(x), [0.05, 0.0, 0.0], [0.1, 0.0, 0.0]);
-    /// let hinge = Revolute::about([0.0, 0.0, 1.0]);
-    /// let arm = System::new(Clamped::origin(), (hinge, link(0.0155), hinge, link(0.0161)), Free)?;
-    /// arm.doubts(|doubt| println!("{doubt}")); // no body has these moments of inertia: … at station 3
-    /// let arm = System::new(Clamped::origin(), (hinge, link(0.0155), hinge, link(0.0161).repaired()), Free)?;
-    /// arm.doubts(|_| unreachable!());
-    /// # Ok::<(), catena::Error>(())
-    /// ```
-    pub fn doubts(&self, tell: impl FnMut(Error)) {
-        let motion = self.motion();
-        doubts(&self.chain, self.root.ground(motion.time), coordinates(&motion), tell);
     }
 
     /// Number of bodies.

@@ -1,0 +1,37 @@
+//! Bodies whose inertia may be wrong.
+
+use crate::element::{Coordinates, Element, Space, Visit};
+use crate::error::Error;
+
+/// Calls `tell` with what may be wrong with the inertia of a body, and at which station.
+pub(crate) fn doubts<S: Space, E: Element<S>>(
+    chain: &E,
+    ground: S::Frame,
+    motion: Coordinates<'_, S, E>,
+    tell: impl FnMut(Error),
+) {
+    let mut doubts = Doubts { entries: 0, tell };
+    chain.travel(ground, motion, &mut doubts, &mut chain.per_body(()), &mut chain.per_joint(()));
+}
+
+/// Shows bodies whose inertia may be wrong.
+struct Doubts<F> {
+    /// Bodies and joints met; the first is the root's joint.
+    entries: usize,
+    tell: F,
+}
+
+impl<S: Space, F: FnMut(Error)> Visit<S> for Doubts<F> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, body: &S::BodyMotion) {
+        self.entries += 1;
+        if let Some(doubt) = S::doubt(body) {
+            (self.tell)(Error::new(doubt).at_station(self.entries - 2));
+        }
+    }
+    fn joint(&mut self, _: &S::JointMotion) {
+        self.entries += 1;
+    }
+}

@@ -1,0 +1,84 @@
+//! By how much loops miss.
+
+use crate::element::{Closed, Coordinates, Element, Level, RealOf, Space, Visit};
+use crate::mirror::Rate;
+use crate::scalar::Scalar;
+use num_traits::Zero;
+
+/// By how much the ends of a loop miss each other: the largest (m, rad, or these a second), and the station of the joint that should
+/// close it.
+pub(crate) fn loops_miss<S: Space, E: Element<S>>(
+    chain: &E,
+    ground: S::Frame,
+    motion: Coordinates<'_, S, E>,
+    level: Level,
+) -> (RealOf<S>, usize) {
+    let mut open = OpenLoop::<S> { level, entries: 0, worst: (Zero::zero(), 0) };
+    chain.travel(ground, motion, &mut open, &mut chain.per_body(()), &mut chain.per_joint(()));
+    open.worst
+}
+
+/// Calls `note` with what each condition that closes a loop is missed by: in place (m, rad) and in velocity.
+#[cfg(feature = "alloc")] // for statics and assembly
+pub(crate) fn each_miss<S: Space, E: Element<S>>(
+    chain: &E,
+    ground: S::Frame,
+    motion: Coordinates<'_, S, E>,
+    note: impl FnMut([S::Scalar; 2]),
+) {
+    chain.travel(ground, motion, &mut Misses(note), &mut chain.per_body(()), &mut chain.per_joint(()));
+}
+
+/// Shows by how much loops miss.
+#[cfg(feature = "alloc")]
+struct Misses<F>(F);
+
+#[cfg(feature = "alloc")]
+impl<S: Space, F: FnMut([S::Scalar; 2])> Visit<S> for Misses<F> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, _: &S::BodyMotion) {}
+    fn joint(&mut self, _: &S::JointMotion) {}
+    fn closing(&mut self, closed: &Closed<S>) {
+        let [place, velocity] = &closed.miss;
+        let mut count = 0;
+        place.all(velocity, &mut |place, velocity| {
+            if count < closed.conditions {
+                (self.0)([place, velocity]);
+            }
+            count += 1;
+            true
+        });
+    }
+}
+
+/// Keeps the loop that misses most.
+struct OpenLoop<S: Space> {
+    level: Level,
+    /// Bodies and joints met; the first is the root's joint.
+    entries: usize,
+    worst: (RealOf<S>, usize),
+}
+
+impl<S: Space> Visit<S> for OpenLoop<S> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, _: &S::BodyMotion) {
+        self.entries += 1;
+    }
+    fn joint(&mut self, _: &S::JointMotion) {
+        self.entries += 1;
+    }
+    fn closing(&mut self, closed: &Closed<S>) {
+        self.entries += 1;
+        let [place, velocity] = &closed.miss;
+        let miss = if self.level == Level::Place { place } else { velocity };
+        miss.visit(&mut |x| {
+            if x.real().abs() > self.worst.0 {
+                self.worst = (x.real().abs(), self.entries - 2);
+            }
+        });
+    }
+}
