@@ -10,10 +10,10 @@
 
 mod common;
 
+use catena::Scalar;
 use catena::element::Unloaded;
 use catena::planar::*;
-use catena::stepper::Stepper;
-use catena::{Motion, Scalar};
+use catena::stepper::{MotionIn, Stepper, StepperOf};
 use common::{BLUE, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
 use num_dual::Dual2_64;
 use std::error::Error;
@@ -23,8 +23,10 @@ use std::time::Instant;
 
 /// The arm and the model of it: the same type, other parameters.
 type Arm = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Pin, Rod<f64>), Free>;
+/// What drives it: a torque in each joint (N·m), from the root's on.
+type Torques = Loads<Absent, Values<[f64; 2]>>;
 /// Motions have the shape of their scene: a coordinate for each pin, none for a rod.
-type ArmMotion = Motion<f64, (f64, ((), f64, ()))>;
+type ArmMotion = MotionIn<Arm, Torques>;
 
 const CYCLE: f64 = 1e-3; // (s)
 const CYCLES: usize = 4000;
@@ -45,6 +47,30 @@ impl Sample {
     /// Distance of the hand from where it should be (mm).
     fn error(&self) -> f64 {
         1e3 * (self.hand[0] - self.wanted[0]).hypot(self.hand[1] - self.wanted[1])
+    }
+}
+
+/// The arm as its controller has it: torques go in, a motion comes out. All the room there is: a stepper with the scene and its workspace,
+/// and two motions to alternate between.
+struct Plant {
+    arm: StepperOf<Rk4, Arm, Torques>,
+    now: ArmMotion,
+    next: ArmMotion,
+    torques: Torques,
+}
+
+impl Plant {
+    fn new(arm: Arm, angles: &[f64]) -> Result<Self, catena::Error> {
+        let now = arm.at_rest(angles)?;
+        Ok(Self { arm: arm.into_stepper(Rk4), now, next: now, torques: Loads::none().torques([0.0; 2]) })
+    }
+
+    /// One cycle, in which torques stay as they are. A step reads one motion and writes another: one that fails loses nothing.
+    fn cycle(&mut self, torques: [f64; 2]) -> Result<(), catena::Error> {
+        self.torques = Loads::none().torques(torques);
+        self.arm.step(&self.now, &self.torques, CYCLE, &mut self.next)?;
+        std::mem::swap(&mut self.now, &mut self.next);
+        Ok(())
     }
 }
 
@@ -93,26 +119,19 @@ fn control(model: &Arm, motion: &ArmMotion) -> Option<[f64; 2]> {
 fn main() -> Result<(), Box<dyn Error>> {
     let (real, model) = (arm(0.1)?, arm(0.0)?);
 
-    // All the room there is: two motions to alternate between, a stepper with its workspace, and the log.
-    let mut past = real.at_rest(&reach([0.95, 0.15]))?;
-    let mut next = past;
-    let mut stepper = real.stepper(Rk4);
+    let mut plant = Plant::new(real.clone(), &reach([0.95, 0.15]))?;
     let mut log = vec![Sample::default(); CYCLES];
 
     let clock = Instant::now();
     for sample in &mut log {
-        let torques = control(&model, &past).ok_or("the model has two joints")?;
-        // The torques stay as they are for a cycle, though the law could use time and motion. It takes them along (`move`)
-        // because the stepper, whose type names the law's, outlives the cycle.
-        let loads = Loads::none().in_joints(move |_time, joint, _motion| torques[joint]);
-        // A step reads one motion and writes another: had it failed, the past would still be there to fall back on.
-        stepper.step(&past, &loads, CYCLE, &mut next)?;
-        std::mem::swap(&mut past, &mut next);
+        let torques = control(&model, &plant.now).ok_or("the model has two joints")?;
+        plant.cycle(torques)?;
 
-        let stations = real.stations(&past, &loads);
+        let Plant { now, torques: loads, .. } = &plant;
+        let stations = real.stations(now, loads);
         let elbow = stations.get(1).ok_or("station 1 is the elbow")?.frame.place.into();
         let hand = stations.tip().frame.place.into();
-        *sample = Sample { time: past.time(), torques, wanted: target(past.time()), elbow, hand };
+        *sample = Sample { time: now.time(), torques, wanted: target(now.time()), elbow, hand };
     }
     let nanoseconds = clock.elapsed().as_nanos() / CYCLES as u128;
 

@@ -117,6 +117,61 @@ impl<T: Scalar, C: Closures> Term<Full<T, C>> for Wrench<T> {
 /// let start = pendulum.with_accelerations(start, &loads)?;
 /// # Ok::<(), catena::Error>(())
 /// ```
+///
+/// # In a struct
+///
+/// A closure has a type without a name, and each another one. Values handed in have a name, [`InJoints`] with a function pointer has
+/// one, and so has a [`JointLaw`] of the user's own:
+///
+/// ```
+/// use catena::planar::*;
+/// use catena::stepper::{MotionIn, StepperOf};
+///
+/// type Arm = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Pin, Rod<f64>), Free>;
+///
+/// /// Holds the arm at two angles (rad), by torques that are at most 50 N·m.
+/// #[derive(Clone, Copy, Debug)]
+/// struct Hold {
+///     angles: [f64; 2],
+/// }
+///
+/// impl JointLaw<f64> for Hold {
+///     type Value = f64;
+///     fn at(&self, _time: f64, joint: usize, motion: &JointMotion<f64>) -> f64 {
+///         let wanted = -80.0 * (motion.outboard.turn.angle - self.angles[joint]) - 8.0 * motion.rate();
+///         wanted.clamp(-50.0, 50.0)
+///     }
+/// }
+///
+/// /// The arm inside a controller that runs at 1 kHz.
+/// struct Controller {
+///     stepper: StepperOf<Rk4, Arm, Loads<Absent, Hold>>,
+///     now: MotionIn<Arm, Loads<Absent, Hold>>,
+///     next: MotionIn<Arm, Loads<Absent, Hold>>,
+/// }
+///
+/// impl Controller {
+///     fn new(arm: Arm) -> Result<Self, catena::Error> {
+///         let now = arm.at_rest(&[0.0, 0.0])?;
+///         Ok(Self { stepper: arm.into_stepper(Rk4), now, next: now })
+///     }
+///     fn cycle(&mut self, angles: [f64; 2]) -> Result<(), catena::Error> {
+///         let loads = Loads::none().in_joints_by(Hold { angles });
+///         self.stepper.step(&self.now, &loads, 1e-3, &mut self.next)?;
+///         core::mem::swap(&mut self.now, &mut self.next);
+///         Ok(())
+///     }
+/// }
+///
+/// let rod = Rod::uniform(0.5, 1.0);
+/// let mut controller = Controller::new(System::new(Pinned::origin(), (rod, Pin, rod), Free)?)?;
+/// for _ in 0..2000 {
+///     controller.cycle([0.4, 0.9])?;
+/// }
+/// let (shoulder, ((), elbow, ())) = *controller.now.position();
+/// assert!((shoulder - 0.4).abs() < 0.01 && (elbow - 0.9).abs() < 0.01);
+/// # Ok::<(), catena::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Loads<B = Absent, J = Absent> {
     bodies: B,
@@ -149,7 +204,8 @@ impl<B, J> Loads<B, J> {
 impl<B, J> Loads<B, J> {
     /// Torques in joints (N·m; N in a slider) as values handed in, one for each joint from the root's on: as many as [`System::joints`](super::System::joints) says.
     ///
-    /// Unlike a law, values have a type that can be named: a stepper that takes them can be kept in a struct.
+    /// Values see no motion, so no walk shows it to them: they cost two copies and two additions a joint, 1.05 of a sweep of rods on
+    /// pins and less than 1.02 of one in space.
     pub fn torques<V>(self, torques: V) -> Loads<B, Values<V>> {
         Loads { bodies: self.bodies, joints: Values(torques) }
     }
@@ -161,6 +217,16 @@ impl<B, J> Loads<B, J> {
 }
 
 impl<B, J> Loads<B, J> {
+    /// What a law of the user's own exerts on bodies: a type that has a name, see [`BodyLaw`].
+    pub fn on_bodies_by<L>(self, law: L) -> Loads<L, J> {
+        Loads { bodies: law, joints: self.joints }
+    }
+
+    /// What a law of the user's own exerts in joints: a type that has a name, see [`JointLaw`].
+    pub fn in_joints_by<L>(self, law: L) -> Loads<B, L> {
+        Loads { bodies: self.bodies, joints: law }
+    }
+
     /// What acts on bodies.
     pub fn bodies(&self) -> &B {
         &self.bodies
@@ -176,22 +242,50 @@ impl<B, J> Loads<B, J> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Values<V>(pub V);
 
-/// A law of forces on bodies.
+/// A function as the law of what acts on bodies: with a function pointer or a boxed function inside, a type that has a name.
 #[derive(Clone, Copy, Debug)]
 pub struct OnBodies<F>(F);
 
-/// A law of torques in joints.
+/// A function as the law of torques in joints.
+///
+/// ```
+/// use catena::planar::*;
+/// type Torque = fn(f64, usize, &JointMotion<f64>) -> f64;
+/// fn brake(_: f64, _: usize, motion: &JointMotion<f64>) -> f64 {
+///     -3.0 * motion.rate()
+/// }
+/// fn push(_: f64, joint: usize, _: &JointMotion<f64>) -> f64 {
+///     if joint == 0 { 2.0 } else { 0.0 }
+/// }
+/// /// What may be chosen while a program runs: two laws, one type, one stepper.
+/// fn loads(moving: bool) -> Loads<Absent, InJoints<Torque>> {
+///     let law: Torque = if moving { brake } else { push };
+///     Loads::none().in_joints(law)
+/// }
+///
+/// let rod = Rod::uniform(0.5, 1.0);
+/// let arm = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
+/// let mut stepper = arm.stepper(Rk4);
+/// let (mut now, mut next) = (arm.at_rest(&[0.0, 0.0])?, arm.motion());
+/// for cycle in 0..100 {
+///     stepper.step(&now, &loads(cycle % 2 == 1), 1e-3, &mut next)?;
+///     core::mem::swap(&mut now, &mut next);
+/// }
+/// # Ok::<(), catena::Error>(())
+/// ```
+///
+/// Named by a function pointer or a boxed function, it is one type for many laws, which one stepper can take in turn.
 #[derive(Clone, Copy, Debug)]
 pub struct InJoints<F>(F);
 
-/// The part of a loading that acts on bodies.
+/// The part of a loading that acts on bodies. Implement it for a type that has a name.
 pub trait BodyLaw<T: Scalar> {
     /// `Wrench` or `Absent`.
     type Value: Load<Planar<T>>;
     /// No load.
     fn nothing() -> Self::Value;
     /// Whether there is one.
-    const ON: bool;
+    const ON: bool = true;
     /// Whether it depends on time or motion, or is a [`list`](Self::list).
     const READS: bool = true;
     /// The load on a body.
@@ -270,12 +364,12 @@ impl<T: Scalar, V: AsRef<[T]>> JointLaw<T> for Values<V> {
     }
 }
 
-/// The part of a loading that acts in joints.
+/// The part of a loading that acts in joints. Implement it for a type that has a name: see [`Loads`].
 pub trait JointLaw<T: Scalar> {
     /// `T` or `Absent`.
     type Value: Term<T>;
     /// Whether there is one.
-    const ON: bool;
+    const ON: bool = true;
     /// Whether it depends on time or motion, or is a [`list`](Self::list).
     const READS: bool = true;
     /// The torque in a joint.

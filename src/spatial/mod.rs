@@ -71,6 +71,7 @@ mod weld;
 
 pub use crate::chain::{Branch, LeastNorm, Network};
 pub use crate::element::Unloaded;
+pub use crate::relation::Absent;
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
 pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
@@ -87,7 +88,7 @@ pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Spatial,
 pub use inertia::Inertia;
 pub use joint::{Joint, Sets, Stored};
 pub use linear_hinge::{Linear, RotaryElimination};
-pub use loads::{Drive, Effort, Loads, Values, Wrench};
+pub use loads::{BodyLaw, Drive, Effort, InJoints, JointLaw, Loads, OnBodies, Values, Wrench};
 pub use loops::ClosedLoop;
 pub use point_mass::PointMass;
 pub use prismatic::Prismatic;

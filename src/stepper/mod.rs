@@ -23,6 +23,9 @@ pub type MotionIn<D, L> =
 /// Time in a scene described by `D`.
 pub type TimeIn<D, L> = <<D as Dynamics<L>>::Scalar as Scalar>::Real;
 
+/// The stepper of a method for scenes `D` with loads `L`, to be named in a struct.
+pub type StepperOf<M, D, L> = <M as Method<D, L>>::Stepper;
+
 /// Refuses motions of another scene, and steps that are none.
 fn check<D: Dynamics<L>, L>(
     still: &MotionIn<D, L>,

@@ -93,7 +93,7 @@ impl Case {
                     }
                     Kind::Slider([direction, stiffness, damping, rest]) => {
                         let (slide, rate) = coordinate();
-                        let force = -stiffness * (slide - rest) - damping * rate;
+                        let force = torque - stiffness * (slide - rest) - damping * rate; // a load along the line
                         let axis = Vector::new(direction.cos(), direction.sin(), 0.0);
                         oracle::Joint::Prismatic { axis, slide, rate, force }
                     }
