@@ -90,7 +90,7 @@ pub mod time;
 pub mod transfer;
 pub mod visit;
 
-pub use error::{Error, Fault, Place};
+pub use error::{Cause, Error, Fault, Place};
 pub use motion::Motion;
 pub use scalar::{Real, Scalar};
 pub use state::{StateVector, TransferMatrix};

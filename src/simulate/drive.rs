@@ -1,9 +1,10 @@
 //! A run under way: step control, samples by dense output, location of events.
 
-use super::{EventFunction, Now, Run, Simulation};
+use super::trials::{Trials, factor};
+use super::{EventFunction, Now, Run, Simulation, limits};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Cause, Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
@@ -50,22 +51,8 @@ where
             // Whether they are independent, once.
             system.accelerate(&mut self.next, self.plan.loads, &mut system.workspace())?;
         }
-        if !end.is_finite() || end < self.past.time {
-            return Err(Error::new(Fault::NotFinite { parameter: "end of the run after its start" }));
-        }
-        let (Control::Fixed(chosen) | Control::Tolerance(chosen)) = self.plan.rule.control;
-        let numbers = [
-            ("step size or tolerance", Some(chosen)),
-            ("interval between samples", self.plan.every),
-            ("longest step", self.plan.longest),
-        ];
-        for (parameter, number) in numbers {
-            if let Some(number) = number
-                && !(number.is_finite() && number > RealOf::<S>::zero())
-            {
-                return Err(Error::new(Fault::NotPositive { parameter, value: number.as_f64() }));
-            }
-        }
+        let Simulation { rule, every, longest, .. } = &self.plan;
+        limits::check([self.past.time, end], rule.control, *every, *longest)?;
         let mut workspace = Dynamics::<L>::workspace(system);
         // In a copy: a run that cannot start gives the start back as it was.
         system.accelerate(&mut self.next, self.plan.loads, &mut workspace)?;
@@ -77,7 +64,8 @@ where
             Control::Tolerance(tolerance) => self.first_step(tolerance),
         };
         self.show(Shown::Past, false);
-        let mut value = self.value(Shown::Past);
+        let mut value = self.value(Shown::Past)?;
+        let mut trials = Trials::new(System::<S, R, C, P>::CLOSED > 0, start);
         let mut rejected = false;
         while self.past.time < end {
             // Fixed steps end at multiples of their size, without the rounding of a running sum.
@@ -89,32 +77,20 @@ where
             let remaining = end - self.past.time;
             let last = remaining <= planned * (one + RealOf::<S>::EPSILON * RealOf::<S>::of(1e6));
             let size = if last { remaining } else { planned };
-            if self.past.time + size <= self.past.time {
-                return Err(self.too_small(size));
+            if let Control::Tolerance(_) = self.plan.rule.control {
+                trials.count(self.past.time, size).map_err(|error| self.named(error))?;
             }
             let outcome = self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next);
             if let Control::Tolerance(tolerance) = self.plan.rule.control {
-                let error = match outcome {
-                    Ok(()) => self.stepper.error(&self.past, size, &self.next, tolerance),
-                    Err(Error { fault: Fault::NonFiniteMotion, .. }) => Some(RealOf::<S>::INFINITY),
-                    // A step that is far too long may leap anywhere: its error by the size of the past motion says so.
-                    Err(refused @ Error { fault: Fault::AngleOutOfRange { .. }, .. }) => {
-                        let leap = self.stepper.error(&self.past, size, &self.past, tolerance);
-                        if leap.is_none_or(|leap| leap <= one) {
-                            return Err(refused);
-                        }
-                        leap
-                    }
-                    Err(error) => return Err(error),
-                };
-                let error = error.unwrap_or(RealOf::<S>::zero());
+                let error = self.judge(outcome, size, tolerance, &mut trials)?;
                 let factor = factor(error, self.stepper.error_order());
-                if !error.is_finite() || error > one {
+                if !trials.accepts(error) {
                     self.counters.rejected += 1;
                     rejected = true;
-                    dt = size * factor.min(RealOf::<S>::of(0.9));
+                    dt = trials.after(size, error, tolerance, factor);
                     continue;
                 }
+                trials.taken(size);
                 // No growth right after a rejection, and none from a step cut short by the end.
                 let factor = if rejected || last { factor.min(one) } else { factor };
                 rejected = false;
@@ -126,8 +102,8 @@ where
                 self.next.time = end;
             }
             self.counters.steps += 1;
-            let next_value = self.value(Shown::Next);
-            if let Outcome::Stop = self.shown(start, size, [value, next_value]) {
+            let next_value = self.value(Shown::Next)?;
+            if let Outcome::Stop = self.shown(start, size, [value, next_value])? {
                 return Ok(());
             }
             value = next_value;
@@ -156,15 +132,60 @@ where
         (small * RealOf::<S>::of(100.0)).min(safe)
     }
 
-    fn too_small(&self, size: RealOf<S>) -> Error {
-        Error::new(Fault::StepTooSmall { step: size.as_f64() }).at_time(self.past.time.as_f64())
+    /// The error of a trial step as a multiple of the tolerance: infinite where its outcome is no motion, though the past one is sound.
+    fn judge(
+        &mut self,
+        outcome: Result<(), Error>,
+        size: RealOf<S>,
+        tolerance: RealOf<S>,
+        trials: &mut Trials<RealOf<S>>,
+    ) -> Result<RealOf<S>, Error> {
+        let Self { stepper, past, next, .. } = self;
+        let mut estimate = |size_of: &MotionOf<S, R, C, P>| {
+            let error = stepper.error(past, size, size_of, tolerance).unwrap_or(RealOf::<S>::zero());
+            if error.is_finite() { error } else { RealOf::<S>::INFINITY }
+        };
+        let Err(refused) = outcome else {
+            let error = estimate(next);
+            if !trials.accepts(error) {
+                trials.inaccurate();
+            }
+            return Ok(error);
+        };
+        trials.failed(refused)?;
+        if let Fault::AngleOutOfRange { .. } = refused.fault {
+            // A step that is far too long may leap anywhere: its error by the size of the past motion says so.
+            let leap = estimate(past);
+            return if leap > RealOf::<S>::one() { Ok(leap) } else { Err(refused) };
+        }
+        Ok(RealOf::<S>::INFINITY)
+    }
+
+    /// The same error; closures that have become dependent where a run does not come on are named.
+    fn named(&mut self, error: Error) -> Error {
+        let Fault::StepTooSmall { step, cause: Cause::Inaccurate } = error.fault else { return error };
+        let (system, mut workspace) = (self.plan.system, self.plan.system.workspace());
+        self.next.clone_from(&self.past);
+        match system.accelerate(&mut self.next, self.plan.loads, &mut workspace) {
+            Err(Error { fault, place, .. }) => {
+                let cause = Cause::of(fault).unwrap_or(Cause::Inaccurate);
+                Error { place, fault: Fault::StepTooSmall { step, cause }, ..error }
+            }
+            Ok(()) => error,
+        }
     }
 
     /// The value of the event function, if there is one.
-    fn value(&mut self, which: Shown) -> Option<S::Scalar> {
+    ///
+    /// # Errors
+    /// [`Fault::NotFinite`] where it is not a number, whose sign says nothing.
+    fn value(&mut self, which: Shown) -> Result<Option<S::Scalar>, Error> {
         let Self { plan, past, next, between, .. } = self;
         let motion = which.of(past, next, between);
-        plan.event.value(&Now { system: plan.system, motion, loads: plan.loads, event: false })
+        let value = plan.event.value(&Now { system: plan.system, motion, loads: plan.loads, event: false });
+        let number = value.is_none_or(|value| value.real() == value.real());
+        let fault = Fault::NotFinite { parameter: "value of the event function" };
+        if number { Ok(value) } else { Err(Error::new(fault).at_time(motion.time.as_f64())) }
     }
 
     fn show(&mut self, which: Shown, event: bool) {
@@ -178,10 +199,10 @@ where
     }
 
     /// Shows what there is to see of an accepted step: samples, an event, its end.
-    fn shown(&mut self, start: RealOf<S>, size: RealOf<S>, values: [Option<S::Scalar>; 2]) -> Outcome {
+    fn shown(&mut self, start: RealOf<S>, size: RealOf<S>, values: [Option<S::Scalar>; 2]) -> Result<Outcome, Error> {
         let crossing = match values.map(|value| value.map(|value| value.real().as_f64())) {
             [Some(before), Some(after)] if before != 0.0 && before * after <= 0.0 => {
-                Some(self.crossing(size, [before, after]))
+                Some(self.crossing(size, [before, after])?)
             }
             _ => None,
         };
@@ -191,14 +212,14 @@ where
             self.show(Shown::Between, true);
             if self.plan.stop {
                 core::mem::swap(&mut self.past, &mut self.between);
-                return Outcome::Stop;
+                return Ok(Outcome::Stop);
             }
         }
         self.samples_until(start, size, 1.0);
         if self.plan.every.is_none() {
             self.show(Shown::Next, false);
         }
-        Outcome::Continue
+        Ok(Outcome::Continue)
     }
 
     /// Shows the samples up to a share of the step.
@@ -226,14 +247,14 @@ where
     }
 
     /// The share of the step at which the event function crosses zero: regula falsi with the Illinois modification.
-    fn crossing(&mut self, size: RealOf<S>, values: [f64; 2]) -> f64 {
+    fn crossing(&mut self, size: RealOf<S>, values: [f64; 2]) -> Result<f64, Error> {
         let ([mut low, mut high], [mut below, mut above]) = ([0.0, 1.0], values);
         let mut kept = 0;
         for _ in 0..100 {
             let theta = high - above * (high - low) / (above - below);
             let theta = if theta > low && theta < high { theta } else { 0.5 * (low + high) };
             self.interpolate(size, theta);
-            let value = self.value(Shown::Between).map_or(0.0, |value| value.real().as_f64());
+            let value = self.value(Shown::Between)?.map_or(0.0, |value| value.real().as_f64());
             if value * above > 0.0 {
                 (high, above) = (theta, value);
                 below *= if kept == 1 { 0.5 } else { 1.0 };
@@ -244,10 +265,10 @@ where
                 kept = -1;
             }
             if value == 0.0 || high - low < 4.0 * f64::EPSILON {
-                return theta;
+                return Ok(theta);
             }
         }
-        0.5 * (low + high)
+        Ok(0.5 * (low + high))
     }
 }
 
@@ -267,13 +288,4 @@ impl Shown {
             Self::Between => between,
         }
     }
-}
-
-/// By how much the next step should differ, for an error given as a multiple of the tolerance.
-fn factor<R: Real>(error: R, order: f64) -> R {
-    if !error.is_finite() {
-        return R::of(0.1);
-    }
-    let wanted = R::of(0.9) * error.max(R::of(1e-12)).powf(R::of(-1.0 / order));
-    wanted.max(R::of(0.2)).min(R::of(6.0))
 }

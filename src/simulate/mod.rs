@@ -1,6 +1,8 @@
 //! Running a scene through time: step control, dense output at requested times, events.
 
 mod drive;
+mod limits;
+mod trials;
 
 use crate::element::{Budget, Element, Loading, RealOf, Space, Unloaded};
 use crate::ends::{Root, Tip};
