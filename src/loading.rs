@@ -1,5 +1,6 @@
 //! What acts on a scene besides uniform gravity.
 
+use crate::error::Fault;
 use crate::relation::{Absent, Part};
 use crate::space::{RealOf, Space};
 
@@ -30,6 +31,15 @@ pub trait Loading<S: Space> {
     fn on_body(&self, seen: &Self::Seen, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> Self::OnBody;
     /// The torque in joint number `joint` (0 is the root's) at a time.
     fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> Self::InJoint;
+
+    /// Refuses loads that do not fit a scene with so many bodies and joints.
+    ///
+    /// # Errors
+    /// [`Fault::NoSuchBody`].
+    fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
+        let _ = (bodies, joints);
+        Ok(())
+    }
 }
 
 /// A load on a body, or [`Absent`].

@@ -200,6 +200,7 @@ where
         if !(elements.fits(position, rate) && elements.fits(position, acceleration)) {
             return Err(Error::new(Fault::Shape));
         }
+        self.admits(loads)?;
         self.accelerations(*time, position, rate, loads, workspace, acceleration);
         if motion.is_finite() { Ok(()) } else { Err(self.diagnose(motion, loads, workspace)) }
     }
@@ -269,6 +270,10 @@ where
 
     fn still(&self) -> MotionOf<S, R, C, P> {
         self.scene.motion()
+    }
+
+    fn admits(&self, loads: &L) -> Result<(), Error> {
+        self.scene.admits(loads)
     }
 
     #[inline(never)]

@@ -227,6 +227,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
+        self.start.scene.admits(loads)?;
         self.start.begin(past, loads, next)?;
         self.make(past, loads, dt, next)
     }
@@ -238,6 +239,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
+        self.start.scene.admits(loads)?;
         self.start.resume(past, next)?;
         self.make(past, loads, dt, next)
     }

@@ -33,6 +33,12 @@ pub trait Dynamics<L> {
     /// A motion with all coordinates zero.
     fn still(&self) -> Motion<Self::Scalar, Self::Position, Self::Closures>;
 
+    /// Refuses loads that do not fit the scene's bodies and joints.
+    ///
+    /// # Errors
+    /// [`NoSuchBody`](crate::error::Fault::NoSuchBody).
+    fn admits(&self, loads: &L) -> Result<(), Error>;
+
     /// One sweep: accelerations from time, positions and rates; returns the forces that hold the tip.
     fn accelerations(
         &self,

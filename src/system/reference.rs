@@ -25,6 +25,11 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     }
 
     #[inline]
+    fn admits(&self, loads: &L) -> Result<(), Error> {
+        D::admits(self, loads)
+    }
+
+    #[inline]
     fn accelerations(
         &self,
         time: <Self::Scalar as Scalar>::Real,
