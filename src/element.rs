@@ -294,7 +294,7 @@ pub trait Element<S: Space>: Clone {
         gather: &mut G,
     ) -> G::Carried;
 
-    /// The outermost joint whose gains are not finite: the station, counted from `station`, where a sweep failed.
+    /// The outermost joint whose pivot does not resist: the station, counted from `station`, where a sweep failed.
     fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize>;
 }
 

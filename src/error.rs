@@ -83,10 +83,20 @@ pub enum Fault {
         /// The angle (rad).
         angle: f64,
     },
-    /// Error control asks for a step that no longer advances time.
+    /// Error control asks for a step that no longer advances time, or a thousand trial steps have hardly advanced it. Where a place made
+    /// trial steps fail, the error names it.
     StepTooSmall {
         /// The step refused (s).
         step: f64,
+        /// What was wrong with the last trial step that was rejected.
+        cause: Cause,
+    },
+    /// A load acts on a body that the scene does not have.
+    NoSuchBody {
+        /// Its number, counted from 0 at the root.
+        body: usize,
+        /// Number of bodies.
+        bodies: usize,
     },
     /// A list of coordinates, rates or loads has the wrong length.
     Count {
@@ -157,6 +167,80 @@ pub enum Fault {
     },
 }
 
+/// What is wrong with a trial step from a motion that is sound, so that a shorter step is tried: faults of these names.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Cause {
+    /// Its estimated error exceeds the tolerance.
+    Inaccurate,
+    /// [`Fault::NonFiniteMotion`].
+    NonFiniteMotion,
+    /// [`Fault::NonFiniteLoad`].
+    NonFiniteLoad,
+    /// [`Fault::NotFinite`]: the motion of the ground, for example.
+    NotFinite {
+        /// Its name.
+        parameter: &'static str,
+    },
+    /// [`Fault::SingularJoint`].
+    SingularJoint,
+    /// [`Fault::AngleOutOfRange`].
+    AngleOutOfRange {
+        /// The angle (rad).
+        angle: f64,
+    },
+    /// [`Fault::RedundantClosures`].
+    RedundantClosures {
+        /// What one of those that depend on others holds.
+        closure: &'static str,
+        /// How many are independent.
+        independent: usize,
+        /// Number of closures.
+        of: usize,
+    },
+}
+
+impl Cause {
+    /// That of a trial step which failed like this; none for what no shorter step would mend.
+    pub(crate) const fn of(fault: Fault) -> Option<Self> {
+        Some(match fault {
+            Fault::NonFiniteMotion => Self::NonFiniteMotion,
+            Fault::NonFiniteLoad => Self::NonFiniteLoad,
+            Fault::NotFinite { parameter } => Self::NotFinite { parameter },
+            Fault::SingularJoint => Self::SingularJoint,
+            Fault::AngleOutOfRange { angle } => Self::AngleOutOfRange { angle },
+            Fault::RedundantClosures { closure, independent, of } => {
+                Self::RedundantClosures { closure, independent, of }
+            }
+            _ => return None,
+        })
+    }
+
+    /// The fault of this name; none for a step that is only inaccurate.
+    pub const fn fault(self) -> Option<Fault> {
+        Some(match self {
+            Self::Inaccurate => return None,
+            Self::NonFiniteMotion => Fault::NonFiniteMotion,
+            Self::NonFiniteLoad => Fault::NonFiniteLoad,
+            Self::NotFinite { parameter } => Fault::NotFinite { parameter },
+            Self::SingularJoint => Fault::SingularJoint,
+            Self::AngleOutOfRange { angle } => Fault::AngleOutOfRange { angle },
+            Self::RedundantClosures { closure, independent, of } => {
+                Fault::RedundantClosures { closure, independent, of }
+            }
+        })
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.fault() {
+            Some(fault) => fault.fmt(f),
+            None => write!(f, "its estimated error exceeds the tolerance"),
+        }
+    }
+}
+
 impl Error {
     /// A fault without time or place.
     pub const fn new(fault: Fault) -> Self {
@@ -192,9 +276,9 @@ impl Error {
     }
 }
 
-impl fmt::Display for Error {
+impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.fault {
+        match *self {
             Fault::NotPositive { parameter, value } => write!(f, "{parameter} must be positive, but is {value}"),
             Fault::Negative { parameter, value } => write!(f, "{parameter} must not be negative, but is {value}"),
             Fault::OutOfRange { parameter, value, least, most, outside } if most.is_finite() => {
@@ -213,7 +297,10 @@ impl fmt::Display for Error {
             Fault::NonFiniteLoad => write!(f, "a load is not finite"),
             Fault::NonFiniteMotion => write!(f, "the motion is no longer finite"),
             Fault::AngleOutOfRange { angle } => write!(f, "the angle {angle} rad is out of range"),
-            Fault::StepTooSmall { step } => write!(f, "a step of {step} s no longer advances time"),
+            Fault::StepTooSmall { step, cause } => write!(f, "a step of {step} s no longer advances time: {cause}"),
+            Fault::NoSuchBody { body, bodies } => {
+                write!(f, "there is no body {body}: the scene has {bodies}, from 0 on")
+            }
             Fault::Count { expected, given } => write!(f, "{expected} values needed, {given} given"),
             Fault::NoBodies => write!(f, "the chain has no body"),
             Fault::Shape => write!(f, "the motion belongs to a scene of another shape"),
@@ -252,7 +339,13 @@ impl fmt::Display for Error {
                 write!(f, "the equations of a step are not met after {sweeps} sweeps: take smaller steps")
             }
             Fault::Unsupported { what } => write!(f, "this formulation does not know {what}"),
-        }?;
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.fault.fmt(f)?;
         match self.place {
             Some(Place::Station(station)) => write!(f, ", at station {station}")?,
             Some(Place::Root) => write!(f, ", at the root")?,

@@ -97,7 +97,7 @@ pub use nalgebra;
 #[cfg(feature = "num-dual")]
 pub use num_dual;
 
-pub use error::{Error, Fault, Place};
+pub use error::{Cause, Error, Fault, Place};
 pub use motion::Motion;
 pub use scalar::{Real, Scalar};
 pub use state::{StateVector, TransferMatrix};

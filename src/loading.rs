@@ -44,10 +44,10 @@ pub trait Loading<S: Space> {
         &[]
     }
 
-    /// Refuses lists that do not have one value for each body or joint of a scene with as many of them.
+    /// Refuses loads that do not fit a scene with so many bodies and joints: lists of another length, bodies that do not exist.
     ///
     /// # Errors
-    /// [`Fault::Count`].
+    /// [`Fault::Count`], [`Fault::NoSuchBody`].
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
         let _ = (bodies, joints);
         Ok(())

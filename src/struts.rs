@@ -159,7 +159,7 @@ where
         (S::Wrench::none(), L::nothing().1)
     }
     fn unseen() -> Self::Seen {
-        // A body that does not exist is nowhere: its strut's force is not a number, which says so.
+        // Until a body has been seen it is nowhere.
         let nowhere = SVector::repeat(S::Scalar::literal(f64::NAN));
         ([[[nowhere; 2]; 2]; N], L::unseen())
     }
@@ -195,6 +195,13 @@ where
         self.others.in_joint(time, joint, motion)
     }
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
+        for end in self.struts.iter().flat_map(|strut| &strut.ends) {
+            if let End::Body(body, _) = *end
+                && body >= bodies
+            {
+                return Err(Fault::NoSuchBody { body, bodies });
+            }
+        }
         self.others.check(bodies, joints)
     }
 }

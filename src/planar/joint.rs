@@ -45,7 +45,7 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     fn rate() -> Self::Rate;
     /// Room for the gains.
     fn kept<C: Closures>() -> Self::Kept<C>;
-    /// Whether all gains are finite.
+    /// Whether its pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
     fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
 
     /// The gains without what velocities, loads and springs contribute.

@@ -1,9 +1,10 @@
 //! A run under way: step control, samples by dense output, location of events.
 
-use super::{EventFunction, Now, Progress, Simulation};
+use super::trials::{Trials, factor};
+use super::{EventFunction, Now, Progress, Simulation, limits};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Cause, Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
@@ -46,7 +47,7 @@ where
 {
     /// Refuses what makes no run, and motions of another scene.
     fn check(&mut self) -> Result<(), Error> {
-        let (system, end) = (self.plan.system, self.end);
+        let system = self.plan.system;
         if !self.past.fits(&system.motion()) {
             return Err(Error::new(Fault::Shape));
         }
@@ -55,23 +56,8 @@ where
             // Whether they are independent, once.
             system.accelerate(&mut self.next, self.plan.loads, &mut system.workspace())?;
         }
-        if !end.is_finite() || end < self.past.time {
-            return Err(Error::new(Fault::NotFinite { parameter: "end of the run after its start" }));
-        }
-        let (Control::Fixed(chosen) | Control::Tolerance(chosen)) = self.plan.rule.control;
-        let numbers = [
-            ("step size or tolerance", Some(chosen)),
-            ("interval between samples", self.plan.every),
-            ("longest step", self.plan.longest),
-        ];
-        for (parameter, number) in numbers {
-            if let Some(number) = number
-                && !(number.is_finite() && number > RealOf::<S>::zero())
-            {
-                return Err(Error::new(Fault::NotPositive { parameter, value: number.as_f64() }));
-            }
-        }
-        Ok(())
+        let Simulation { rule, every, longest, .. } = &self.plan;
+        limits::check([self.past.time, self.end], rule.control, *every, *longest)
     }
 
     /// Makes the start ready and shows it.
@@ -82,14 +68,13 @@ where
         // In a copy: a run that cannot start gives the start back as it was.
         system.accelerate(&mut self.next, self.plan.loads, &mut workspace)?;
         core::mem::swap(&mut self.past, &mut self.next);
-        self.progress.start = self.past.time;
-        self.progress.mark = (self.past.time, 0);
-        self.progress.size = match self.plan.rule.control {
+        let size = match self.plan.rule.control {
             Control::Fixed(dt) => dt,
             Control::Tolerance(tolerance) => self.first_step(tolerance),
         };
+        self.progress = Progress::at(self.past.time, size, System::<S, R, C, P>::CLOSED > 0);
         self.show(Shown::Past, false);
-        self.value = self.value(Shown::Past);
+        self.value = self.value(Shown::Past)?;
         Ok(())
     }
 
@@ -98,7 +83,7 @@ where
         self.check()?;
         self.stepper.restore(memory);
         // An event where it stands was seen.
-        self.value = if self.progress.stopped { None } else { self.value(Shown::Past) };
+        self.value = if self.progress.stopped { None } else { self.value(Shown::Past)? };
         self.progress.stopped = false;
         Ok(())
     }
@@ -108,67 +93,17 @@ where
     /// # Errors
     /// What kept it from a finite motion within the tolerance; the motion is then that before the step.
     pub fn step(&mut self) -> Result<bool, Error> {
-        let (start, end, one) = (self.progress.start, self.end, RealOf::<S>::one());
-        if self.progress.stopped || self.past.time >= end {
+        if self.progress.stopped || self.past.time >= self.end {
             return Ok(false);
         }
-        let (size, last) = loop {
-            // Fixed steps end at multiples of their size, without the rounding of a running sum.
-            let planned = match self.plan.rule.control {
-                Control::Fixed(dt) => {
-                    let (mark, count) = self.progress.mark;
-                    mark + dt * RealOf::<S>::of((count + 1) as f64) - self.past.time
-                }
-                Control::Tolerance(_) => {
-                    self.plan.longest.map_or(self.progress.size, |longest| self.progress.size.min(longest))
-                }
-            };
-            // The last step lands on the end; it may be longer by rounding.
-            let remaining = end - self.past.time;
-            let last = remaining <= planned * (one + RealOf::<S>::EPSILON * RealOf::<S>::of(1e6));
-            let size = if last { remaining } else { planned };
-            if self.past.time + size <= self.past.time {
-                return Err(self.too_small(size));
-            }
-            let outcome = self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next);
-            let Control::Tolerance(tolerance) = self.plan.rule.control else {
-                outcome?;
-                break (size, last);
-            };
-            let error = match outcome {
-                Ok(()) => self.stepper.error(&self.past, size, &self.next, tolerance),
-                Err(Error { fault: Fault::NonFiniteMotion, .. }) => Some(RealOf::<S>::INFINITY),
-                // A step that is far too long may leap anywhere: its error by the size of the past motion says so.
-                Err(refused @ Error { fault: Fault::AngleOutOfRange { .. }, .. }) => {
-                    let leap = self.stepper.error(&self.past, size, &self.past, tolerance);
-                    if leap.is_none_or(|leap| leap <= one) {
-                        return Err(refused);
-                    }
-                    leap
-                }
-                Err(error) => return Err(error),
-            };
-            let error = error.unwrap_or(RealOf::<S>::zero());
-            let factor = factor(error, self.stepper.error_order());
-            if !error.is_finite() || error > one {
-                self.progress.rejected += 1;
-                self.progress.careful = true;
-                self.progress.size = size * factor.min(RealOf::<S>::of(0.9));
-                continue;
-            }
-            // No growth right after a rejection, and none from a step cut short by the end.
-            let factor = if self.progress.careful || last { factor.min(one) } else { factor };
-            self.progress.careful = false;
-            self.progress.size = size * factor;
-            break (size, last);
-        };
+        let (size, last) = self.accepted()?;
         if last {
-            self.next.time = end;
+            self.next.time = self.end;
         }
         self.progress.steps += 1;
         self.progress.mark.1 += 1;
-        let next_value = self.value(Shown::Next);
-        if let Outcome::Stop = self.shown(start, size, [self.value, next_value]) {
+        let next_value = self.value(Shown::Next)?;
+        if let Outcome::Stop = self.shown(self.progress.start, size, [self.value, next_value])? {
             self.progress.stopped = true;
             self.progress.mark = (self.past.time, 0);
             return Ok(false);
@@ -176,6 +111,52 @@ where
         self.value = next_value;
         core::mem::swap(&mut self.past, &mut self.next);
         Ok(true)
+    }
+
+    /// Tries steps until one is accepted; gives its size (s), and whether it is the last.
+    fn accepted(&mut self) -> Result<(RealOf<S>, bool), Error> {
+        let one = RealOf::<S>::one();
+        let mut trials = self.progress.trials;
+        loop {
+            // Fixed steps end at multiples of their size, without the rounding of a running sum.
+            let planned = match self.plan.rule.control {
+                Control::Fixed(dt) => {
+                    let (mark, count) = self.progress.mark;
+                    mark + dt * RealOf::<S>::of((count + 1) as f64) - self.past.time
+                }
+                Control::Tolerance(_) => {
+                    let wanted = self.progress.size;
+                    self.plan.longest.map_or(wanted, |longest| wanted.min(longest))
+                }
+            };
+            // The last step lands on the end; it may be longer by rounding.
+            let remaining = self.end - self.past.time;
+            let last = remaining <= planned * (one + RealOf::<S>::EPSILON * RealOf::<S>::of(1e6));
+            let size = if last { remaining } else { planned };
+            if let Control::Tolerance(_) = self.plan.rule.control {
+                trials.count(self.past.time, size).map_err(|error| self.named(error))?;
+            }
+            let outcome = self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next);
+            let Control::Tolerance(tolerance) = self.plan.rule.control else {
+                outcome?;
+                return Ok((size, last));
+            };
+            let error = self.judge(outcome, size, tolerance, &mut trials)?;
+            let factor = factor(error, self.stepper.error_order());
+            if !trials.accepts(error) {
+                self.progress.rejected += 1;
+                self.progress.careful = true;
+                self.progress.size = trials.after(size, error, tolerance, factor);
+                continue;
+            }
+            trials.taken(size);
+            self.progress.trials = trials;
+            // No growth right after a rejection, and none from a step cut short by the end.
+            let factor = if self.progress.careful || last { factor.min(one) } else { factor };
+            self.progress.careful = false;
+            self.progress.size = size * factor;
+            return Ok((size, last));
+        }
     }
 
     /// A first step from the size of motion and accelerations (Hairer, Nørsett, Wanner, II.4, without its trial step).
@@ -198,15 +179,60 @@ where
         (small * RealOf::<S>::of(100.0)).min(safe)
     }
 
-    fn too_small(&self, size: RealOf<S>) -> Error {
-        Error::new(Fault::StepTooSmall { step: size.as_f64() }).at_time(self.past.time.as_f64())
+    /// The error of a trial step as a multiple of the tolerance: infinite where its outcome is no motion, though the past one is sound.
+    fn judge(
+        &mut self,
+        outcome: Result<(), Error>,
+        size: RealOf<S>,
+        tolerance: RealOf<S>,
+        trials: &mut Trials<RealOf<S>>,
+    ) -> Result<RealOf<S>, Error> {
+        let Self { stepper, past, next, .. } = self;
+        let mut estimate = |size_of: &MotionOf<S, R, C, P>| {
+            let error = stepper.error(past, size, size_of, tolerance).unwrap_or(RealOf::<S>::zero());
+            if error.is_finite() { error } else { RealOf::<S>::INFINITY }
+        };
+        let Err(refused) = outcome else {
+            let error = estimate(next);
+            if !trials.accepts(error) {
+                trials.inaccurate();
+            }
+            return Ok(error);
+        };
+        trials.failed(refused)?;
+        if let Fault::AngleOutOfRange { .. } = refused.fault {
+            // A step that is far too long may leap anywhere: its error by the size of the past motion says so.
+            let leap = estimate(past);
+            return if leap > RealOf::<S>::one() { Ok(leap) } else { Err(refused) };
+        }
+        Ok(RealOf::<S>::INFINITY)
+    }
+
+    /// The same error; closures that have become dependent where a run does not come on are named.
+    fn named(&mut self, error: Error) -> Error {
+        let Fault::StepTooSmall { step, cause: Cause::Inaccurate } = error.fault else { return error };
+        let (system, mut workspace) = (self.plan.system, self.plan.system.workspace());
+        self.next.clone_from(&self.past);
+        match system.accelerate(&mut self.next, self.plan.loads, &mut workspace) {
+            Err(Error { fault, place, .. }) => {
+                let cause = Cause::of(fault).unwrap_or(Cause::Inaccurate);
+                Error { place, fault: Fault::StepTooSmall { step, cause }, ..error }
+            }
+            Ok(()) => error,
+        }
     }
 
     /// The value of the event function, if there is one.
-    fn value(&mut self, which: Shown) -> Option<S::Scalar> {
+    ///
+    /// # Errors
+    /// [`Fault::NotFinite`] where it is not a number, whose sign says nothing.
+    fn value(&mut self, which: Shown) -> Result<Option<S::Scalar>, Error> {
         let Self { plan, past, next, between, .. } = self;
         let motion = which.of(past, next, between);
-        plan.event.value(&Now { system: plan.system, motion, loads: plan.loads, event: false })
+        let value = plan.event.value(&Now { system: plan.system, motion, loads: plan.loads, event: false });
+        let number = value.is_none_or(|value| value.real() == value.real());
+        let fault = Fault::NotFinite { parameter: "value of the event function" };
+        if number { Ok(value) } else { Err(Error::new(fault).at_time(motion.time.as_f64())) }
     }
 
     fn show(&mut self, which: Shown, event: bool) {
@@ -220,10 +246,10 @@ where
     }
 
     /// Shows what there is to see of an accepted step: samples, an event, its end.
-    fn shown(&mut self, start: RealOf<S>, size: RealOf<S>, values: [Option<S::Scalar>; 2]) -> Outcome {
+    fn shown(&mut self, start: RealOf<S>, size: RealOf<S>, values: [Option<S::Scalar>; 2]) -> Result<Outcome, Error> {
         let crossing = match values.map(|value| value.map(|value| value.real().as_f64())) {
             [Some(before), Some(after)] if before != 0.0 && before * after <= 0.0 => {
-                Some(self.crossing(size, [before, after]))
+                Some(self.crossing(size, [before, after])?)
             }
             _ => None,
         };
@@ -233,14 +259,14 @@ where
             self.show(Shown::Between, true);
             if self.plan.stop {
                 core::mem::swap(&mut self.past, &mut self.between);
-                return Outcome::Stop;
+                return Ok(Outcome::Stop);
             }
         }
         self.samples_until(start, size, 1.0);
         if self.plan.every.is_none() {
             self.show(Shown::Next, false);
         }
-        Outcome::Continue
+        Ok(Outcome::Continue)
     }
 
     /// Shows the samples up to a share of the step.
@@ -268,14 +294,14 @@ where
     }
 
     /// The share of the step at which the event function crosses zero: regula falsi with the Illinois modification.
-    fn crossing(&mut self, size: RealOf<S>, values: [f64; 2]) -> f64 {
+    fn crossing(&mut self, size: RealOf<S>, values: [f64; 2]) -> Result<f64, Error> {
         let ([mut low, mut high], [mut below, mut above]) = ([0.0, 1.0], values);
         let mut kept = 0;
         for _ in 0..100 {
             let theta = high - above * (high - low) / (above - below);
             let theta = if theta > low && theta < high { theta } else { 0.5 * (low + high) };
             self.interpolate(size, theta);
-            let value = self.value(Shown::Between).map_or(0.0, |value| value.real().as_f64());
+            let value = self.value(Shown::Between)?.map_or(0.0, |value| value.real().as_f64());
             if value * above > 0.0 {
                 (high, above) = (theta, value);
                 below *= if kept == 1 { 0.5 } else { 1.0 };
@@ -286,10 +312,10 @@ where
                 kept = -1;
             }
             if value == 0.0 || high - low < 4.0 * f64::EPSILON {
-                return theta;
+                return Ok(theta);
             }
         }
-        0.5 * (low + high)
+        Ok(0.5 * (low + high))
     }
 }
 
@@ -309,13 +335,4 @@ impl Shown {
             Self::Between => between,
         }
     }
-}
-
-/// By how much the next step should differ, for an error given as a multiple of the tolerance.
-fn factor<R: Real>(error: R, order: f64) -> R {
-    if !error.is_finite() {
-        return R::of(0.1);
-    }
-    let wanted = R::of(0.9) * error.max(R::of(1e-12)).powf(R::of(-1.0 / order));
-    wanted.max(R::of(0.2)).min(R::of(6.0))
 }

@@ -1,7 +1,9 @@
 //! Running a scene through time: step control, dense output at requested times, events.
 
 mod drive;
+mod limits;
 mod saved;
+mod trials;
 
 use crate::element::{Budget, Element, Loading, RealOf, Space, Unloaded};
 use crate::ends::{Root, Tip};

@@ -1,6 +1,7 @@
 //! Runs that are saved and go on later, bit by bit as if they had never stopped.
 
 use super::drive::Running;
+use super::trials::Trials;
 use super::{EventFunction, Interrupted, Now, Run, Simulation};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
@@ -8,6 +9,7 @@ use crate::error::Error;
 use crate::scalar::Real;
 use crate::stepper::{Method, Stepper};
 use crate::system::{MotionOf, Runs, System};
+use num_traits::Zero;
 
 /// How far a run has come, besides its motion and what its stepper carries.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +22,8 @@ pub struct Progress<R> {
     pub(super) size: R,
     /// Whether the last trial was rejected.
     pub(super) careful: bool,
+    /// What has come of trials so far.
+    pub(super) trials: Trials<R>,
     /// Whether an event has ended it.
     pub(super) stopped: bool,
     /// Number of the next sample.
@@ -31,9 +35,20 @@ pub struct Progress<R> {
 }
 
 impl<R: Real> Progress<R> {
-    pub(super) fn none() -> Self {
-        let (start, size, mark) = (R::zero(), R::zero(), (R::zero(), 0));
-        Self { start, mark, size, careful: false, stopped: false, samples: 1, steps: 0, rejected: 0, sweeps: 0 }
+    /// That of a run which begins at a time (s), with the size of its first step (s), in a scene that closures may hold together.
+    pub(super) fn at(start: R, size: R, closed: bool) -> Self {
+        Self {
+            start,
+            mark: (start, 0),
+            size,
+            careful: false,
+            trials: Trials::new(closed, start),
+            stopped: false,
+            samples: 1,
+            steps: 0,
+            rejected: 0,
+            sweeps: 0,
+        }
     }
 }
 
@@ -102,7 +117,8 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
         O: FnMut(&Now<'_, S, R, C, P, L>),
     {
-        let mut run = self.running(start, end, observe, Progress::none());
+        let begun = Progress::at(start.time, Zero::zero(), false);
+        let mut run = self.running(start, end, observe, begun);
         match run.start() {
             Ok(()) => Ok(run),
             Err(error) => Err(Interrupted { error, last: run.past }),

@@ -1,7 +1,7 @@
 //! Steps by explicit methods.
 
 use super::displace::{displace, gather, mean_square};
-use super::{Method, MotionIn, Stepper, TimeIn};
+use super::{Method, MotionIn, Stepper, TimeIn, of_stage};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
@@ -95,7 +95,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
             }
             stage.acceleration.clone_from(&self.slopes.as_ref()[row]);
             if !stage.is_finite() {
-                return self.scene.diagnose(&stage, loads, &mut self.workspace);
+                return of_stage(self.scene.diagnose(&stage, loads, &mut self.workspace));
             }
         }
         Error::new(Fault::NonFiniteMotion).at_time((past.time + dt).as_f64())

@@ -1,7 +1,7 @@
 //! Steps by the generalised-α family.
 
 use super::displace::mean_square;
-use super::{Method, MotionIn, Stepper, TimeIn, check};
+use super::{Method, MotionIn, Stepper, TimeIn, check, of_stage};
 use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
@@ -209,7 +209,7 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
         self.rule.fault.map_or(Ok(()), |fault| Err(Error::new(fault)))
     }
 
-    /// Finds where a step went wrong: at its start, or at its end.
+    /// Finds where a step went wrong: at its start, or where its first geometry is taken.
     #[cold]
     fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
         // Joints may remember accelerations of the sweeps that failed.
@@ -218,8 +218,9 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
         stage.acceleration.clone_from(&self.first);
         if stage.is_finite() {
             stage.time = past.time + dt;
+            stage.position.drift_0(&past.position, (dt, &past.rate));
         }
-        self.scene.diagnose(&stage, loads, &mut self.workspace)
+        of_stage(self.scene.diagnose(&stage, loads, &mut self.workspace))
     }
 }
 

@@ -43,6 +43,14 @@ fn check<D: Dynamics<L>, L>(
     }
 }
 
+/// What is wrong with a stage of a step: one that leaps out of the range of angles says no more than that the step is too long.
+fn of_stage(error: Error) -> Error {
+    match error.fault {
+        Fault::AngleOutOfRange { .. } => Error { fault: Fault::NonFiniteMotion, ..error },
+        _ => error,
+    }
+}
+
 /// A method that can make steppers for scenes `D` with loads `L`: `Rk4`, which is told the size of every step, rather than the rule
 /// `Rk4::step(0.001)` of a run.
 pub trait Method<D: Dynamics<L>, L> {

@@ -1,7 +1,7 @@
 //! Steps by a singly diagonally implicit Runge-Kutta method.
 
 use super::displace::{displace, gather, mean_square};
-use super::{Method, MotionIn, Stepper, TimeIn, check};
+use super::{Method, MotionIn, Stepper, TimeIn, check, of_stage};
 use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
@@ -158,7 +158,7 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
             stage.acceleration.set(&self.slopes[row]);
             stage.position.drift_0(&past.position, (stage.time - past.time, &past.rate));
         }
-        self.scene.diagnose(&stage, loads, &mut self.workspace)
+        of_stage(self.scene.diagnose(&stage, loads, &mut self.workspace))
     }
 }
 

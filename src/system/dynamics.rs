@@ -33,10 +33,10 @@ pub trait Dynamics<L> {
     /// A motion with all coordinates zero.
     fn still(&self) -> Motion<Self::Scalar, Self::Position, Self::Closures>;
 
-    /// Refuses loads that are lists of another length than the scene has bodies or joints.
+    /// Refuses loads that do not fit the scene's bodies and joints.
     ///
     /// # Errors
-    /// [`Count`](crate::error::Fault::Count).
+    /// [`Count`](crate::error::Fault::Count), [`NoSuchBody`](crate::error::Fault::NoSuchBody).
     fn admits(&self, loads: &L) -> Result<(), Error>;
 
     /// One sweep: accelerations from time, positions and rates; returns the forces that hold the tip.

@@ -28,7 +28,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::SingularTransfer`] where a joint is a centre of percussion of what lies outboard;
-    /// [`Fault::Unsupported`] for arms, and in the plane for joints that slide.
+    /// [`Fault::Unsupported`] for arms, and in the plane for joints that slide; [`Fault::Shape`] for a motion of another scene.
     pub fn transfer_matrix<L: Loading<S>, const N: usize>(
         &self,
         motion: &MotionOf<S, R, C, P>,
@@ -52,6 +52,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         S: Exact<N>,
         L::InJoint: Efforts<S>,
     {
+        self.fits(motion)?;
         let (position, rate, acceleration) = (motion.position(), motion.rate(), motion.acceleration());
         let coordinates = Coordinates { position, rate, acceleration };
         let ground = self.ground(motion.time());

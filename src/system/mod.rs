@@ -4,6 +4,7 @@
 mod assembly;
 mod doubts;
 mod dynamics;
+mod fitting;
 mod gravity;
 mod hold;
 mod inspect;
@@ -177,12 +178,14 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// bodies (rad/s)).
     ///
     /// # Errors
-    /// [`Fault::Count`] when there are more or fewer numbers than coordinates, [`Fault::NotFinite`].
+    /// [`Fault::Count`] when there are more or fewer numbers than coordinates, [`Fault::NotFinite`]; [`Fault::Shape`] for a motion of
+    /// another scene.
     pub fn with_rates(
         &self,
         mut motion: MotionOf<S, R, C, P>,
         rates: &[S::Scalar],
     ) -> Result<MotionOf<S, R, C, P>, Error> {
+        self.fits(&motion)?;
         let mut expected = 0;
         motion.rate.replace(&mut |_| {
             expected += 1;
@@ -197,14 +200,18 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(motion)
     }
 
-    /// Motion of every body, in one walk outward.
+    /// Motion of every body, in one walk outward; not a number for a motion of another scene (see [`fits`](Self::fits)).
     pub fn body_motions(&self, motion: &MotionOf<S, R, C, P>) -> PerBody<'_, S, Elements<S, R, C>, S::BodyMotion> {
-        PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), |body| *body)
+        self.reading(motion, |motion| {
+            PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), |body| *body)
+        })
     }
 
     /// Orientation of every body: in the plane absolute angles (rad).
     pub fn angles(&self, motion: &MotionOf<S, R, C, P>) -> PerBody<'_, S, Elements<S, R, C>, S::Angles> {
-        PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), S::angles)
+        self.reading(motion, |motion| {
+            PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), S::angles)
+        })
     }
 
     /// Inverse dynamics: motion, internal force and torque at every station, from positions, rates and accelerations.
@@ -217,13 +224,17 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         motion: &MotionOf<S, R, C, P>,
         loads: &L,
     ) -> Stations<'_, S, Elements<S, R, C>> {
-        let (ground, tip) = (self.root.ground(motion.time), self.tip.internal(motion.time, &motion.multipliers));
-        Stations::of(&self.chain, ground, self.gravity, coordinates(motion), motion.time, loads, tip)
+        self.reading(motion, |motion| {
+            let (ground, tip) = (self.root.ground(motion.time), self.tip.internal(motion.time, &motion.multipliers));
+            Stations::of(&self.chain, ground, self.gravity, coordinates(motion), motion.time, loads, tip)
+        })
     }
 
     /// Energy and momentum of all bodies and springs.
     pub fn budget(&self, motion: &MotionOf<S, R, C, P>) -> Budget<S> {
-        budget(&self.chain, self.root.ground(motion.time), self.gravity, coordinates(motion))
+        self.reading(motion, |motion| {
+            budget(&self.chain, self.root.ground(motion.time), self.gravity, coordinates(motion))
+        })
     }
 }
 

@@ -95,7 +95,8 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
     /// ```
     ///
     /// # Errors
-    /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`].
+    /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`]; [`Fault::Shape`] for a
+    /// motion of another scene.
     pub fn with_body_rates(
         &self,
         motion: PlaneMotion<T, R, C, P>,
@@ -121,7 +122,8 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
     /// ```
     ///
     /// # Errors
-    /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`].
+    /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`]; [`Fault::Shape`] for a
+    /// motion of another scene.
     pub fn with_joint_rates(
         &self,
         motion: PlaneMotion<T, R, C, P>,
@@ -143,6 +145,7 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
     where
         PositionOf<Planar<T>, R, C>: Position<T, Rate = PositionOf<Planar<T>, R, C>> + Rate<T>,
     {
+        self.fits(&motion)?;
         let turn = |angle| Turn { angle, rate: T::zero() };
         let chain = self.elements();
         let inboard = self.ground(motion.time).turn.rate;

@@ -119,13 +119,8 @@ where
         if !finite {
             return error(Fault::NonFiniteMotion);
         }
-        if far {
-            let (mut look, ground) = (LookForAngles(None), self.root.ground(motion.time));
-            let (mut bodies, mut joints) = (self.chain.per_body(()), self.chain.per_joint(()));
-            self.chain.travel(ground, coordinates(motion), &mut look, &mut bodies, &mut joints);
-            if let Some(angle) = look.0 {
-                return error(Fault::AngleOutOfRange { angle });
-            }
+        if far && let Some(angle) = self.angle_out_of_range(motion) {
+            return error(Fault::AngleOutOfRange { angle });
         }
         Ok(())
     }
@@ -135,7 +130,8 @@ where
         let place = |entry: usize| entry.checked_sub(1).map_or(Place::Root, Place::Station); // entry 0: the root's joint
         let error = |fault| Error::new(fault).at_time(time.as_f64());
         let mut finite = true;
-        motion.position.visit(&mut |x| finite &= x.is_finite());
+        // So far away pivots would overflow too.
+        motion.position.visit(&mut |x| finite &= x.is_finite() && (x * x * x * x).real().is_finite());
         motion.rate.visit(&mut |x| finite &= x.is_finite());
         if !finite {
             return error(Fault::NonFiniteMotion);
@@ -152,8 +148,20 @@ where
         if let Some(entry) = broken_load(&self.chain, &ground, loads, time, coordinates) {
             return error(Fault::NonFiniteLoad).at(place(entry));
         }
-        let mut acceleration = motion.acceleration.clone();
-        self.accelerations(time, &motion.position, &motion.rate, loads, workspace, &mut acceleration);
+        if let Some(angle) = self.angle_out_of_range(motion) {
+            return error(Fault::AngleOutOfRange { angle });
+        }
+        let (mut acceleration, mut rate) = (motion.acceleration.clone(), motion.rate.clone());
+        self.accelerations(time, &motion.position, &rate, loads, workspace, &mut acceleration);
+        if let Err(redundant) = self.independent(motion, workspace, &mut |_, _| ()) {
+            return redundant;
+        }
+        if self.chain.broken::<P::Closures>(&workspace.kept, 0).is_none() {
+            return error(Fault::NonFiniteMotion);
+        }
+        // A joint that nothing resists does not move at rest either; one at which the forces of velocities overflow does.
+        rate.replace(&mut |_| S::Scalar::constant(RealOf::<S>::of(0.0)));
+        self.accelerations(time, &motion.position, &rate, loads, workspace, &mut acceleration);
         match self.chain.broken::<P::Closures>(&workspace.kept, 0) {
             Some(entry) => error(Fault::SingularJoint).at(place(entry)),
             None => error(Fault::NonFiniteMotion),
@@ -267,14 +275,35 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if Self::LOOPED && last > size * RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.25)) {
             motion.position.replace(&mut |_| S::Scalar::constant(RealOf::<S>::INFINITY));
         }
-        for _ in 0..Self::CLOSED {
+        let (mut last, mut size) = (RealOf::<S>::INFINITY, RealOf::<S>::of(1.0));
+        if Self::LOOPED {
+            motion.rate.visit(&mut |x| size = x.real().abs().max(size));
+        }
+        for count in 1..=most {
             let [_, velocity] = self.miss(motion);
             let ground = self.root.ground(motion.time);
             let level = Level::Velocity;
             if let Some(step) = correction(&self.chain, ground, coordinates(motion), level, &velocity, workspace) {
                 motion.rate.add(step);
+                if Self::LOOPED {
+                    let mut length = RealOf::<S>::of(0.0);
+                    step.visit(&mut |x| length = x.real().abs().max(length));
+                    let before = core::mem::replace(&mut last, length);
+                    let short = size * RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS);
+                    if count >= Self::CLOSED && (length <= short || length >= before) {
+                        break;
+                    }
+                }
             }
         }
+    }
+
+    /// The angle of a body or joint that is too large for accurate sines, if there is one.
+    fn angle_out_of_range(&self, motion: &MotionOf<S, R, C, P>) -> Option<f64> {
+        let (mut look, ground) = (LookForAngles(None), self.root.ground(motion.time));
+        let (mut bodies, mut joints) = (self.chain.per_body(()), self.chain.per_joint(()));
+        self.chain.travel(ground, coordinates(motion), &mut look, &mut bodies, &mut joints);
+        look.0
     }
 
     /// By how much the tip misses its place and velocity.

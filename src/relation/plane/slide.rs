@@ -56,10 +56,10 @@ impl<T: Scalar, C: Closures> SlideGain<T, C> {
         Self { per_acceleration: self.per_acceleration.yx(), ..self }
     }
 
-    /// Whether it is finite.
+    /// Whether its pivot resists: what velocities, loads and springs contribute may overflow where it does.
     pub fn is_finite(&self) -> bool {
         let w = self.per_acceleration;
-        w.x.is_finite() && w.y.is_finite() && self.per_angular.is_finite() && self.free.is_finite()
+        w.x.is_finite() && w.y.is_finite() && self.per_angular.is_finite()
     }
 
     /// The gain without what velocities, loads and springs contribute.

@@ -175,10 +175,10 @@ impl<T: Scalar, C: Closures> Gain<T, C> {
         Self { per_acceleration: Columns::zero(), free: zero(), per_closure: C::each(|_| zero()) }
     }
 
-    /// Whether it is finite.
+    /// Whether its pivots resist: what velocities, loads and springs contribute may overflow where they do.
     pub fn is_finite(&self) -> bool {
         let Columns { x, y, z } = self.per_acceleration;
-        [x, y, z, self.free].into_iter().all(is_finite)
+        [x, y, z].into_iter().all(is_finite)
     }
 
     /// The angular acceleration (rad/s²) of the eliminated rotation where its station accelerates by `a`.
@@ -222,7 +222,7 @@ impl<T: Scalar, C: Closures> BallGain<T, C> {
         Self { absolute: Gain { free: zero(), ..self.absolute }, ..*self }
     }
 
-    /// Whether it is finite.
+    /// Whether its pivots resist: what velocities, loads and springs contribute may overflow where they do.
     pub fn is_finite(&self) -> bool {
         let Columns { x, y, z } = self.per_angular;
         self.absolute.is_finite() && [x, y, z].into_iter().all(is_finite)
@@ -254,9 +254,9 @@ impl<T: Scalar, C: Closures> Pivot<T, C> {
         Self { per_linear: zero(), per_angular: zero(), free: T::zero(), per_closure: C::each(|_| T::zero()) }
     }
 
-    /// Whether it is finite.
+    /// Whether its pivot resists: what velocities, loads and springs contribute may overflow where it does.
     pub fn is_finite(&self) -> bool {
-        is_finite(self.per_linear) && is_finite(self.per_angular) && self.free.is_finite()
+        is_finite(self.per_linear) && is_finite(self.per_angular)
     }
 
     /// The acceleration of the coordinate where its station accelerates by (`linear`, `angular`).

@@ -24,7 +24,7 @@ fn floor(module: &str) -> Option<usize> {
 /// Names that the crate's root gives to things of its modules.
 fn home(name: &str) -> &str {
     match name {
-        "Error" | "Fault" | "Place" => "error",
+        "Cause" | "Error" | "Fault" | "Place" => "error",
         "Motion" => "motion",
         "Real" | "Scalar" => "scalar",
         "StateVector" | "TransferMatrix" => "state",

@@ -10,7 +10,7 @@ use catena::simulate::Interrupted;
 use catena::stepper::{Method, Stepper};
 use catena::system::{MotionOf, Runs};
 use catena::time::{Explicit, Rule, Sdirk4};
-use catena::{Error, Fault, Motion, Place, Scalar};
+use catena::{Cause, Error, Fault, Motion, Place, Scalar};
 use core::fmt::Debug;
 
 const NAN: f64 = f64::NAN;
@@ -442,12 +442,13 @@ fn steps_too_small_to_advance_time_end_a_run() -> Result<(), Error> {
         shown.push(bits(now.motion()));
     });
     let Interrupted { error, last } = run.unwrap_err();
-    let Error { time: Some(time), place: None, fault: Fault::StepTooSmall { step } } = error else {
+    let Error { time: Some(time), place: None, fault: Fault::StepTooSmall { step, cause } } = error else {
         panic!("{error:?}");
     };
     println!("{error}, after {} steps", shown.len());
     // Where the solution ends but for the errors of the steps; a step of half an ulp.
     assert!((time - 1.0).abs() < 1e-8 && step > 0.0 && step < 2.3e-16);
+    assert!(matches!(cause, Cause::Inaccurate | Cause::NonFiniteMotion), "{cause:?}");
     assert_eq!(last.time(), time);
     assert_eq!(shown.last(), Some(&bits(&last)));
     Ok(())

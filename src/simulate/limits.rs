@@ -1,0 +1,59 @@
+//! Numbers of a run that would be no run, or none that ends.
+
+use crate::error::{Error, Fault};
+use crate::scalar::Real;
+use crate::time::Control;
+
+/// So many steps of a given size, or samples, a run may have at most: at a tenth of a microsecond each they take hours.
+const MOST: f64 = 1e11;
+
+/// Refuses times, steps, tolerances and intervals that make no run from `start` to `end` (s).
+pub(super) fn check<R: Real>(
+    [start, end]: [R; 2],
+    control: Control<R>,
+    every: Option<R>,
+    longest: Option<R>,
+) -> Result<(), Error> {
+    if !end.is_finite() || end < start {
+        return Err(Error::new(Fault::NotFinite { parameter: "end of the run after its start" }));
+    }
+    let (Control::Fixed(chosen) | Control::Tolerance(chosen)) = control;
+    let numbers =
+        [("step size or tolerance", Some(chosen)), ("interval between samples", every), ("longest step", longest)];
+    for (parameter, number) in numbers {
+        if let Some(number) = number
+            && !(number.is_finite() && number > R::zero())
+        {
+            return Err(Error::new(Fault::NotPositive { parameter, value: number.as_f64() }));
+        }
+    }
+    if let Control::Tolerance(tolerance) = control {
+        let outside = "numbers are rounded by more";
+        at_least("tolerance", tolerance.as_f64(), R::EPSILON.as_f64(), outside)?;
+    }
+    let fixed = match control {
+        Control::Fixed(step) => Some(step),
+        Control::Tolerance(_) => None,
+    };
+    // A duration of the scalar may be rounded to nothing; that of its times as f64 is exact enough.
+    let least = (end.as_f64() - start.as_f64()) / MOST;
+    let outside = "a run of more than 1e11 instants does not end";
+    if let Some(step) = fixed {
+        // Times of steps would round to each other.
+        let late = start.abs().max(end.abs()).as_f64();
+        at_least("step size", step.as_f64(), 2.0 * R::EPSILON.as_f64() * late, "it no longer advances time")?;
+    }
+    for (parameter, number) in [("step size", fixed), ("interval between samples", every), ("longest step", longest)] {
+        if let Some(number) = number {
+            at_least(parameter, number.as_f64(), least, outside)?;
+        }
+    }
+    Ok(())
+}
+
+fn at_least(parameter: &'static str, value: f64, least: f64, outside: &'static str) -> Result<(), Error> {
+    if value >= least {
+        return Ok(());
+    }
+    Err(Error::new(Fault::OutOfRange { parameter, value, least, most: f64::INFINITY, outside }))
+}

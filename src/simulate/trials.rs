@@ -1,0 +1,138 @@
+//! Trial steps under error control: what is made of one that is rejected, and when a run has tried enough.
+
+use crate::error::{Cause, Error, Fault, Place};
+use crate::scalar::Real;
+
+/// In so many trial steps a run must advance by more than [`ADVANCE`].
+const WINDOW: usize = 1000;
+/// A share of the longest step that the run has taken.
+const ADVANCE: f64 = 1e-6;
+
+/// An error that is no matter of the step's size, as a multiple of the tolerance: the step met it unawares.
+const STARTLING: f64 = 100.0;
+/// Steps somewhat shorter that are tried first where closures may have become dependent within such a step, and by how much.
+const EVASIONS: usize = 5;
+const SHORTER: f64 = 0.8;
+/// Trial steps that are shorter than the best one and no better, before that is taken.
+const WORSE: usize = 2;
+
+/// The trial steps of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Trials<R> {
+    /// Whether closures hold the scene together: near a place where they become dependent, errors rise as steps shrink.
+    closed: bool,
+    /// What was wrong with the last one that was rejected, and where.
+    cause: (Cause, Option<Place>),
+    /// The longest one accepted (s).
+    longest: R,
+    /// When the last window began (s), and how many there were since.
+    mark: R,
+    count: usize,
+    /// Of those from the present motion the most accurate: its size (s) and its error as a multiple of the tolerance.
+    best: Option<(R, R)>,
+    /// How many shorter ones were no better, and how many have evaded.
+    worse: usize,
+    evasions: usize,
+    /// Whether the next one is the best one again, to be taken.
+    settled: bool,
+}
+
+impl<R: Real> Trials<R> {
+    /// None yet, at a time (s).
+    pub(super) fn new(closed: bool, time: R) -> Self {
+        Self {
+            closed,
+            cause: (Cause::Inaccurate, None),
+            longest: R::zero(),
+            mark: time,
+            count: 0,
+            best: None,
+            worse: 0,
+            evasions: 0,
+            settled: false,
+        }
+    }
+
+    /// Whether a step with an error as a multiple of the tolerance is to be taken.
+    pub(super) fn accepts(&self, error: R) -> bool {
+        error <= R::one() || (self.settled && error < R::INFINITY)
+    }
+
+    /// A step was taken.
+    pub(super) fn taken(&mut self, size: R) {
+        self.longest = self.longest.max(size);
+        (self.best, self.worse, self.evasions, self.settled) = (None, 0, 0, false);
+    }
+
+    /// A step failed: by what no shorter step would mend, or it counts as one that is not accurate at all.
+    pub(super) fn failed(&mut self, error: Error) -> Result<(), Error> {
+        self.cause = (Cause::of(error.fault).ok_or(error)?, error.place);
+        Ok(())
+    }
+
+    /// A step was finite, but inaccurate.
+    pub(super) fn inaccurate(&mut self) {
+        self.cause = (Cause::Inaccurate, None);
+    }
+
+    /// The size to try after a step that was rejected, whose error (not NaN) calls for a change by `factor`.
+    ///
+    /// A step over a place where closures become dependent errs by where its stages happen to fall, and by the more the shorter it is:
+    /// what rounding leaves open of the motion grows towards that place with the inverse square of the distance. So steps of about the
+    /// same size are tried first, and if shorter ones are no better the best one is taken, unless it errs by more than a hundred
+    /// tolerances and the root of rounding: at the place itself closures say no more of a position.
+    pub(super) fn after(&mut self, size: R, error: R, tolerance: R, factor: R) -> R {
+        let shorter = size * factor.min(R::of(0.9));
+        if !self.closed || self.longest <= R::zero() {
+            return shorter;
+        }
+        match self.best {
+            Some((_, least)) if error >= least => self.worse += 1,
+            _ => (self.best, self.worse) = (Some((size, error)), 0),
+        }
+        if let Some((best, least)) = self.best
+            && self.worse >= WORSE
+            && (least <= R::of(STARTLING) || least * tolerance <= R::EPSILON.sqrt())
+            && !self.settled
+        {
+            self.settled = true;
+            return best;
+        }
+        self.settled = false;
+        if error > R::of(STARTLING) && self.evasions < EVASIONS {
+            self.evasions += 1;
+            return size * R::of(SHORTER);
+        }
+        shorter
+    }
+
+    /// Counts a trial step from a time (s); fails where the run hardly advances.
+    pub(super) fn count(&mut self, time: R, size: R) -> Result<(), Error> {
+        if time + size <= time {
+            return Err(self.too_small(time, size));
+        }
+        self.count += 1;
+        if self.count > WINDOW {
+            if time - self.mark <= self.longest * R::of(ADVANCE) {
+                return Err(self.too_small(time, size));
+            }
+            (self.mark, self.count) = (time, 1);
+        }
+        Ok(())
+    }
+
+    fn too_small(&self, time: R, size: R) -> Error {
+        let (cause, place) = self.cause;
+        let fault = Fault::StepTooSmall { step: size.as_f64(), cause };
+        Error { place, ..Error::new(fault).at_time(time.as_f64()) }
+    }
+}
+
+/// By how much the next step should differ, for an error given as a multiple of the tolerance.
+pub(super) fn factor<R: Real>(error: R, order: f64) -> R {
+    if !error.is_finite() {
+        return R::of(0.1);
+    }
+    let wanted = R::of(0.9) * error.max(R::of(1e-12)).powf(R::of(-1.0 / order));
+    wanted.max(R::of(0.2)).min(R::of(6.0))
+}
