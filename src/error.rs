@@ -220,7 +220,10 @@ impl fmt::Display for Error {
                 write!(f, "what is held together cannot be brought there from this guess: it misses by {miss}")
             }
             Fault::NoEquilibrium { residual } => {
-                write!(f, "no equilibrium found from this guess: an acceleration of {residual} is left")
+                write!(
+                    f,
+                    "no equilibrium found from this guess: an acceleration of {residual} is left; guess nearer, or let a run with dampers come to rest and begin there"
+                )
             }
             Fault::NotAtRest { distance } => write!(f, "the motion is not at rest: rest is about {distance} away"),
             Fault::NotConservative { asymmetry } => {

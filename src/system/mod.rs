@@ -2,6 +2,8 @@
 
 mod dynamics;
 mod hold;
+#[cfg(feature = "alloc")]
+mod inertial_forces;
 mod inspect;
 #[cfg(feature = "alloc")]
 mod linear;
@@ -13,7 +15,7 @@ mod sweeps;
 
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 #[cfg(feature = "alloc")]
-pub use linear::Inertial;
+pub use linear::{Carried, Inertial};
 #[cfg(feature = "std")]
 pub(crate) use linear::numbers;
 
