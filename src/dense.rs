@@ -34,6 +34,16 @@ impl<R: Real> Matrix<R> {
         self.entries.chunks_exact_mut(self.columns.max(1))
     }
 
+    /// The entry in row `i` and column `j`.
+    pub fn get(&self, i: usize, j: usize) -> R {
+        self.entries[i * self.columns + j]
+    }
+
+    /// Sets the entry in row `i` and column `j`.
+    pub fn put(&mut self, i: usize, j: usize, entry: R) {
+        self.entries[i * self.columns + j] = entry;
+    }
+
     /// Sets column `j`.
     pub fn set_column(&mut self, j: usize, column: &[R]) {
         for (row, x) in self.rows_mut().zip(column) {
@@ -208,6 +218,11 @@ impl<R: Real> Tangent<R> {
             tangent.normals.push(normal);
         }
         tangent
+    }
+
+    /// Number of coordinates.
+    pub fn freedoms(&self) -> usize {
+        self.freedoms
     }
 
     /// Number of directions.

@@ -321,7 +321,10 @@ impl fmt::Display for Fault {
                 write!(f, "nothing closes from this guess with the {what} that are to stay: it misses by {miss}")
             }
             Fault::NoEquilibrium { residual } => {
-                write!(f, "no equilibrium found from this guess: an acceleration of {residual} is left")
+                write!(
+                    f,
+                    "no equilibrium found from this guess: an acceleration of {residual} is left; guess nearer, or let a run with dampers come to rest and begin there"
+                )
             }
             Fault::NotAtRest { distance } => write!(f, "the motion is not at rest: rest is about {distance} away"),
             Fault::NotConservative { asymmetry } => {

@@ -12,6 +12,7 @@ use crate::scalar::{Real, Scalar};
 use crate::spatial::{self, Spatial};
 use alloc::vec;
 use alloc::vec::Vec;
+use nalgebra::Vector3;
 use num_traits::{One, Zero};
 
 /// A space in which the kinetic energy of a body is half a sum of squares.
@@ -19,6 +20,31 @@ pub trait Inertial: Space {
     /// Notes velocities of a body times the roots of what resists them, so that their squares add up to twice its kinetic
     /// energy.
     fn weighted(body: &Self::BodyMotion, note: &mut impl FnMut(RealOf<Self>));
+    /// Velocity and momentum of a body.
+    fn carried(body: &Self::BodyMotion) -> Carried<RealOf<Self>>;
+}
+
+/// Velocity and momentum of a body, inertial axes (in the plane with z across it).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Carried<R> {
+    /// Velocity of the mass centre (m/s).
+    pub velocity: Vector3<R>,
+    /// Angular velocity (rad/s).
+    pub spin: Vector3<R>,
+    /// Momentum (N·s).
+    pub momentum: Vector3<R>,
+    /// Angular momentum about the mass centre (N·m·s).
+    pub angular: Vector3<R>,
+}
+
+impl<R: Real> Carried<R> {
+    /// Takes away what another one is.
+    pub(crate) fn less(&mut self, other: Self) {
+        self.velocity -= other.velocity;
+        self.spin -= other.spin;
+        self.momentum -= other.momentum;
+        self.angular -= other.angular;
+    }
 }
 
 impl<T: Scalar> Inertial for Planar<T> {
@@ -30,6 +56,15 @@ impl<T: Scalar> Inertial for Planar<T> {
         note(mass * velocity.x.real());
         note(mass * velocity.y.real());
         note(about_centre * body.rate().real());
+    }
+
+    fn carried(body: &planar::BodyMotion<T>) -> Carried<T::Real> {
+        let zero = T::Real::zero();
+        let centre = body.centre().velocity;
+        let (velocity, spin) =
+            (Vector3::new(centre.x.real(), centre.y.real(), zero), Vector3::new(zero, zero, body.rate().real()));
+        let [mass, about_centre] = [body.inertia.mass, body.inertia.about_centre].map(|x| x.real());
+        Carried { velocity, spin, momentum: velocity * mass, angular: spin * about_centre }
     }
 }
 
@@ -52,6 +87,14 @@ impl<T: Scalar> Inertial for Spatial<T> {
             note((k..3).fold(T::Real::zero(), |sum, i| sum + column[i] * spin[i]));
         }
     }
+
+    fn carried(body: &spatial::BodyMotion<T>) -> Carried<T::Real> {
+        let rate = body.rate();
+        let own = body.inertia.about_centre.map(|row| (0..3).fold(T::zero(), |sum, i| sum + row[i] * rate[i]));
+        let [spin, angular] = [rate, own].map(|of_body| body.turned(of_body).map(|x| x.real()));
+        let velocity = body.centre().velocity.map(|x| x.real());
+        Carried { velocity, spin, momentum: velocity * body.inertia.mass.real(), angular }
+    }
 }
 
 /// A scene near a position, in the directions that its closures leave open. Linear maps are real; of dual numbers they hold the
@@ -63,8 +106,6 @@ pub(crate) struct Linear<R> {
     pub root: Matrix<R>,
     /// Accelerations for unit displacements, −M⁻¹ K at rest.
     pub response: Matrix<R>,
-    /// The part of it that springs in joints have.
-    pub springs: Matrix<R>,
 }
 
 /// The numbers of a rate, root to tip.
@@ -175,7 +216,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             }
         }
         let [others, springs] = responses.map(|response| tangent.reduce(&response));
-        Linear { root: tangent.restrict(&root), response: others.plus(RealOf::<S>::one(), &springs), springs, tangent }
+        Linear { root: tangent.restrict(&root), response: others.plus(RealOf::<S>::one(), &springs), tangent }
     }
 }
 

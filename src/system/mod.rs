@@ -7,6 +7,8 @@ mod dynamics;
 mod fitting;
 mod gravity;
 mod hold;
+#[cfg(feature = "alloc")]
+mod inertial_forces;
 mod inspect;
 #[cfg(feature = "alloc")]
 mod least_change;
@@ -23,7 +25,7 @@ pub use assembly::{Assembled, AssembledOf, Holding};
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
-pub use linear::Inertial;
+pub use linear::{Carried, Inertial};
 #[cfg(feature = "std")]
 pub(crate) use linear::numbers;
 

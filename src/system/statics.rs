@@ -29,9 +29,11 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// coordinates vanish under gravity, springs and loads. Its forces λ at a held tip are in its
     /// [`multipliers`](crate::Motion::multipliers), internal forces in its [`stations`](Self::stations).
     ///
-    /// Newton's method on sweeps, (K + μ M) δ = M a, with M, K of [`modes`](Self::modes) and a the accelerations. Far from
-    /// equilibrium, springs alone or an inertia μ M that is large enough lead downhill, as the work done on the way proves; near a
-    /// stable equilibrium μ vanishes, and digits double. An unstable equilibrium is found from a guess within 0.01 rad of it. A
+    /// Newton's method on sweeps, (K + μ D) δ = M a, with the mass matrix M and accelerations a. K is how the forces M a change with
+    /// position, which near rest is that of [`modes`](Self::modes). Far from equilibrium, the inertia D of each coordinate by itself
+    /// (about all axes of a ball alike) times a μ that is large enough leads downhill, as the work done on the way proves; near a
+    /// stable equilibrium μ vanishes, and digits double. A heavy load on a rope of 50 segments in space falls from the
+    /// horizontal to rest in 14 steps. An unstable equilibrium is found from a guess within 0.01 rad of it. A
     /// tip that the guess does not put where it is held is put there first, as by [`assembled`](Self::assembled). Loads
     /// are arbitrary functions of the motion, with a potential or without.
     ///
@@ -71,7 +73,9 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let (mut last, mut damping) = (RealOf::<S>::INFINITY, RealOf::<S>::zero());
         let mut near = false;
         for step in 0..STEPS {
-            let fall = Fall::of(self.linearise(&now, loads, &mut stiff), &numbers(&now.acceleration));
+            let linear = self.linearise(&now, loads, &mut stiff);
+            let inertial = self.inertial_forces(&now, &linear.tangent, &linear.root);
+            let fall = Fall::of(linear, inertial, &numbers(&now.acceleration));
             if fall.scale.is_zero() {
                 return Ok(now); // nothing pulls, wherever it is
             }
@@ -82,8 +86,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let mut ladder = RealOf::<S>::zero();
             let (found, next) = loop {
                 let proven = if ladder.is_zero() {
-                    let step = fall.step(ladder, !near).or_else(|| fall.spring_step());
-                    step.and_then(|found| found.within(real(LONGEST)))
+                    fall.step(ladder, !near).and_then(|found| found.within(real(LONGEST)))
                 } else {
                     fall.step(ladder, true).filter(|found| found.size <= real(LONGEST))
                 };
@@ -174,9 +177,12 @@ fn residual<T: Scalar, V: Rate<T>>(acceleration: &V) -> T::Real {
 /// What pulls a scene towards rest, in the directions that its closures leave open.
 struct Fall<T: Scalar> {
     linear: Linear<T::Real>,
-    mass: Matrix<T::Real>,
+    /// −∂(M a)/∂q, and its symmetric part.
     stiffness: Matrix<T::Real>,
-    springs: Matrix<T::Real>,
+    symmetric: Matrix<T::Real>,
+    /// The inertia D that steps are damped by.
+    metric: Matrix<T::Real>,
+    /// M a.
     force: Vec<T>,
     /// The size of accelerations that a displacement of one radian causes, or of those there are.
     scale: T::Real,
@@ -209,34 +215,26 @@ impl<T: Scalar> Step<T> {
 }
 
 impl<T: Scalar> Fall<T> {
-    fn of(linear: Linear<T::Real>, acceleration: &[T]) -> Self {
-        let mass = linear.root.gram();
-        let stiffness = |response: &Matrix<_>| mass.times(response).scaled(-T::Real::one());
-        let (stiffness, springs) = (stiffness(&linear.response), stiffness(&linear.springs));
+    fn of(linear: Linear<T::Real>, [inertial, metric]: [Matrix<T::Real>; 2], acceleration: &[T]) -> Self {
+        let (one, mass) = (T::Real::one(), linear.root.gram());
+        let stiffness = mass.times(&linear.response).plus(one, &inertial).scaled(-one);
+        let symmetric = stiffness.plus(one, &stiffness.transposed()).scaled(T::Real::of(0.5));
         let force = mass.apply(&linear.tangent.components(acceleration));
         let most = acceleration.iter().fold(T::Real::zero(), |most, x| most.max(x.real().abs()));
         let scale = linear.response.norm() + most;
-        Self { linear, mass, stiffness, springs, force, scale }
+        Self { linear, stiffness, symmetric, metric, force, scale }
     }
 
-    /// The step with this damping μ; none where the matrix is singular or, if that is asked for, not definite.
+    /// The step with this damping μ; none where the matrix is singular or, if that is asked for, not definite. A damped one goes
+    /// where the potential does: what forces without one would add only leads astray from afar.
     fn step(&self, damping: T::Real, definite: bool) -> Option<Step<T>> {
-        self.against(&self.stiffness, damping, definite)
-    }
-
-    /// The step against springs alone, if they resist all directions. Far from rest that is better than all stiffness: what is
-    /// linearised are accelerations, and where they are large the change of inertia with position drowns the rest.
-    fn spring_step(&self) -> Option<Step<T>> {
-        self.against(&self.springs, T::Real::zero(), true)
-    }
-
-    fn against(&self, stiffness: &Matrix<T::Real>, damping: T::Real, definite: bool) -> Option<Step<T>> {
+        let stiffness = if damping.is_zero() { &self.stiffness } else { &self.symmetric };
         // Stiffness that may as well be rounding resists nothing.
         let margin = self.scale * T::Real::EPSILON * T::Real::of(16.0);
-        if definite && !stiffness.plus(damping - margin, &self.mass).is_definite() {
+        if definite && !stiffness.plus(damping - margin, &self.metric).is_definite() {
             return None;
         }
-        let along = Factors::of(stiffness.plus(damping, &self.mass))?.solve(&self.force);
+        let along = Factors::of(stiffness.plus(damping, &self.metric))?.solve(&self.force);
         let work = along.iter().zip(&self.force).fold(T::Real::zero(), |sum, (a, b)| sum + (*a * *b).real());
         let displacement = self.linear.tangent.vector(&along);
         let mut size = T::Real::zero();
