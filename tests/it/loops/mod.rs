@@ -2,6 +2,7 @@
 
 mod andrews;
 mod assembly;
+mod assembly_held;
 mod in_time;
 mod numbers;
 mod plane;

@@ -80,7 +80,8 @@ fn rules_keep_their_order_on_a_smooth_law_in_a_hinge() -> Result<(), Error> {
 
     let axis = spatial::Revolute::about([0.0, 0.0, 1.0]);
     let chain = (axis, rod_in_space(), axis.with(CUBIC), rod_in_space());
-    let scene = spatial::System::new(spatial::Clamped::origin(), chain, spatial::Free)?.with_gravity([0.0, -GRAVITY, 0.0]);
+    let scene =
+        spatial::System::new(spatial::Clamped::origin(), chain, spatial::Free)?.with_gravity([0.0, -GRAVITY, 0.0]);
     let mut start = scene.with_rates(scene.motion(), &[0.0, 1.0])?;
     *start.position_mut() = ((), (0.2, (), 0.7, ()));
     let error = |p: &[f64], r: &[f64]| {
@@ -113,7 +114,8 @@ fn rules_keep_their_order_on_a_smooth_law_along_a_line() -> Result<(), Error> {
     let cart = spatial::RigidBody::new(by_lagrange::CART, tensor, [0.0; 3], [0.0; 3]);
     let track = spatial::Prismatic::along([1.0, 0.0, 0.0]).with(law);
     let chain = (track, cart, spatial::Revolute::about([0.0, 0.0, 1.0]), rod_in_space());
-    let scene = spatial::System::new(spatial::Clamped::origin(), chain, spatial::Free)?.with_gravity([0.0, -GRAVITY, 0.0]);
+    let scene =
+        spatial::System::new(spatial::Clamped::origin(), chain, spatial::Free)?.with_gravity([0.0, -GRAVITY, 0.0]);
     let mut start = scene.with_rates(scene.motion(), &[0.5, 0.0])?;
     *start.position_mut() = ((), (0.3, (), -0.4, ()));
     let found = errors(&scene, start, end, [200, 400, 800, 1600], "alpha", error)?;
@@ -197,7 +199,8 @@ fn a_stop_acts_where_it_is_touched_and_nowhere_else() -> Result<(), Error> {
 
         let axis = spatial::Revolute::about([0.0, 0.0, 1.0]);
         let chain = (axis, rod_in_space(), axis.with(stop), rod_in_space());
-        let scene = spatial::System::new(spatial::Clamped::origin(), chain, spatial::Free)?.with_gravity([0.0, -GRAVITY, 0.0]);
+        let scene =
+            spatial::System::new(spatial::Clamped::origin(), chain, spatial::Free)?.with_gravity([0.0, -GRAVITY, 0.0]);
         let mut start = scene.motion();
         *start.position_mut() = ((), (0.0, (), 0.4, ()));
         let mut turned = 0.0_f64;

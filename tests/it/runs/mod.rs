@@ -3,6 +3,7 @@
 mod adams;
 mod double_pendulum;
 mod driven_sliders;
+mod endless_runs;
 mod flexible_pendulum;
 mod held_beam;
 mod laws_of_users;
@@ -14,4 +15,5 @@ mod spatial_runs;
 mod spatial_stiff;
 mod start;
 mod stiff_rules;
+mod stops;
 mod through_time;

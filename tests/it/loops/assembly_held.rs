@@ -1,13 +1,11 @@
 //! Motions assembled with some coordinates and rates held: against the closed forms of linkages.
 
-mod kit;
-
+use crate::kit::near;
 use catena::element::Unloaded;
 use catena::planar::*;
 use catena::system::Holding;
 use catena::{Error, Fault, Place, Scalar};
 use core::f64::consts::PI;
-use kit::near;
 
 /// Crank, coupler, rocker, and the distance of their ground pins (m).
 const LENGTHS: [f64; 4] = [0.5, 1.2, 0.9, 1.0];
