@@ -180,7 +180,7 @@ fn two_hundred_segments_take_no_more_steps() -> Result<(), Error> {
 #[test]
 fn what_finds_no_rest_is_told_what_to_do() -> Result<(), Error> {
     let rod = Rod::uniform(1.0, 0.1, 1.0);
-    let falling = System::new(Free, (rod, Ball, rod), Free)?.with_gravity(G);
+    let falling = System::new(Free, (rod, Ball, rod), Free)?.with_gravity([0.0, -G, 0.0]);
     let Err(error) = falling.equilibrium(falling.motion(), &Unloaded) else { panic!("nothing holds it") };
     assert!(matches!(error.fault, Fault::NoEquilibrium { .. }));
     assert!(error.to_string().contains("guess nearer, or let a run with dampers come to rest"), "{error}");
