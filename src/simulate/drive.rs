@@ -149,6 +149,11 @@ where
             let error = estimate(next);
             if !trials.accepts(error) {
                 trials.inaccurate();
+            } else if trials.startled()
+                && let Err(dependent) = self.stands()
+            {
+                trials.blocked(dependent)?;
+                return Ok(RealOf::<S>::INFINITY);
             }
             return Ok(error);
         };
@@ -159,6 +164,14 @@ where
             return if leap > RealOf::<S>::one() { Ok(leap) } else { Err(refused) };
         }
         Ok(RealOf::<S>::INFINITY)
+    }
+
+    /// Whether closures are independent at the end of a step: where they are not, a motion could go on in more than one way.
+    #[cold]
+    fn stands(&mut self) -> Result<(), Error> {
+        self.between.clone_from(&self.next);
+        let system = self.plan.system;
+        system.accelerate(&mut self.between, self.plan.loads, &mut system.workspace())
     }
 
     /// The same error; closures that have become dependent where a run does not come on are named.

@@ -13,6 +13,8 @@ const STARTLING: f64 = 100.0;
 /// Steps somewhat shorter that are tried first where closures may have become dependent within such a step, and by how much.
 const EVASIONS: usize = 5;
 const SHORTER: f64 = 0.8;
+/// By how many times the error of such a step falls where it was a matter of where stages fell: by more than any order explains.
+const FALL: f64 = 10.0;
 /// Trial steps that are shorter than the best one and no better, before that is taken.
 const WORSE: usize = 2;
 
@@ -29,8 +31,9 @@ pub(super) struct Trials<R> {
     count: usize,
     /// Of those from the present motion the most accurate: its size (s) and its error as a multiple of the tolerance.
     best: Option<(R, R)>,
-    /// How many shorter ones were no better, and how many have evaded.
+    /// How many shorter ones were no better, the error of the last one, and how many have evaded.
     worse: usize,
+    last: R,
     evasions: usize,
     /// Whether the next one is the best one again, to be taken.
     settled: bool,
@@ -47,6 +50,7 @@ impl<R: Real> Trials<R> {
             count: 0,
             best: None,
             worse: 0,
+            last: R::zero(),
             evasions: 0,
             settled: false,
         }
@@ -54,7 +58,28 @@ impl<R: Real> Trials<R> {
 
     /// Whether a step with an error as a multiple of the tolerance is to be taken.
     pub(super) fn accepts(&self, error: R) -> bool {
-        error <= R::one() || (self.settled && error < R::INFINITY)
+        error <= R::one() || (self.settled && error < R::INFINITY) || self.evaded(error)
+    }
+
+    /// Whether a step somewhat shorter than one of a startling error errs by so much less that the size of steps is not what matters.
+    fn evaded(&self, error: R) -> bool {
+        self.evasions > 0 && error <= R::of(STARTLING) && error * R::of(FALL) < self.last
+    }
+
+    /// Whether an error is within what closures leave open of a position where they are dependent.
+    fn bounded(error: R, tolerance: R) -> bool {
+        error <= R::of(STARTLING) || error * tolerance <= R::EPSILON.sqrt()
+    }
+
+    /// Whether steps from the present motion have failed by more than their size.
+    pub(super) fn startled(&self) -> bool {
+        self.evasions > 0
+    }
+
+    /// The best step leads where a run cannot stay.
+    pub(super) fn blocked(&mut self, error: Error) -> Result<(), Error> {
+        (self.best, self.worse) = (None, 0);
+        self.failed(error)
     }
 
     /// A step was taken.
@@ -78,20 +103,21 @@ impl<R: Real> Trials<R> {
     ///
     /// A step over a place where closures become dependent errs by where its stages happen to fall, and by the more the shorter it is:
     /// what rounding leaves open of the motion grows towards that place with the inverse square of the distance. So steps of about the
-    /// same size are tried first, and if shorter ones are no better the best one is taken, unless it errs by more than a hundred
-    /// tolerances and the root of rounding: at the place itself closures say no more of a position.
+    /// same size are tried first. One that errs by far less is taken; and if shorter ones are no better the best one is, unless it errs
+    /// by more than a hundred tolerances and the root of rounding: at the place itself closures say no more of a position.
     pub(super) fn after(&mut self, size: R, error: R, tolerance: R, factor: R) -> R {
         let shorter = size * factor.min(R::of(0.9));
         if !self.closed || self.longest <= R::zero() {
             return shorter;
         }
+        self.last = error;
         match self.best {
             Some((_, least)) if error >= least => self.worse += 1,
             _ => (self.best, self.worse) = (Some((size, error)), 0),
         }
         if let Some((best, least)) = self.best
             && self.worse >= WORSE
-            && (least <= R::of(STARTLING) || least * tolerance <= R::EPSILON.sqrt())
+            && Self::bounded(least, tolerance)
             && !self.settled
         {
             self.settled = true;
