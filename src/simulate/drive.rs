@@ -65,7 +65,8 @@ where
         };
         self.show(Shown::Past, false);
         let mut value = self.value(Shown::Past)?;
-        let mut trials = Trials::new(System::<S, R, C, P>::CLOSED > 0, start);
+        let (Control::Fixed(chosen) | Control::Tolerance(chosen)) = self.plan.rule.control;
+        let mut trials = Trials::new(System::<S, R, C, P>::CLOSED > 0, chosen, start);
         let mut rejected = false;
         while self.past.time < end {
             // Fixed steps end at multiples of their size, without the rounding of a running sum.
@@ -87,7 +88,7 @@ where
                 if !trials.accepts(error) {
                     self.counters.rejected += 1;
                     rejected = true;
-                    dt = trials.after(size, error, tolerance, factor);
+                    dt = trials.after(size, error, factor);
                     continue;
                 }
                 trials.taken(size);

@@ -20,8 +20,9 @@ const WORSE: usize = 2;
 
 /// The trial steps of a run.
 pub(super) struct Trials<R> {
-    /// Whether closures hold the scene together: near a place where they become dependent, errors rise as steps shrink.
-    closed: bool,
+    /// The error (as a multiple of the tolerance) that a step may have where shorter ones are no better, in a scene that closures hold
+    /// together: near a place where they become dependent, errors rise as steps shrink.
+    allowed: Option<R>,
     /// What was wrong with the last one that was rejected, and where.
     cause: (Cause, Option<Place>),
     /// The longest one accepted (s).
@@ -40,10 +41,12 @@ pub(super) struct Trials<R> {
 }
 
 impl<R: Real> Trials<R> {
-    /// None yet, at a time (s).
-    pub(super) fn new(closed: bool, time: R) -> Self {
+    /// None yet, at a time (s), for a tolerance.
+    pub(super) fn new(closed: bool, tolerance: R, time: R) -> Self {
+        let (root, coarse) = (R::EPSILON.sqrt(), R::EPSILON.sqrt().sqrt());
+        let allowed = (R::of(STARTLING) * tolerance).min(coarse).max(root) / tolerance;
         Self {
-            closed,
+            allowed: (closed && tolerance < coarse).then_some(allowed),
             cause: (Cause::Inaccurate, None),
             longest: R::zero(),
             mark: time,
@@ -63,12 +66,12 @@ impl<R: Real> Trials<R> {
 
     /// Whether a step somewhat shorter than one of a startling error errs by so much less that the size of steps is not what matters.
     fn evaded(&self, error: R) -> bool {
-        self.evasions > 0 && error <= R::of(STARTLING) && error * R::of(FALL) < self.last
+        self.evasions > 0 && self.allows(error) && error * R::of(FALL) < self.last
     }
 
     /// Whether an error is within what closures leave open of a position where they are dependent.
-    fn bounded(error: R, tolerance: R) -> bool {
-        error <= R::of(STARTLING) || error * tolerance <= R::EPSILON.sqrt()
+    fn allows(&self, error: R) -> bool {
+        self.allowed.is_some_and(|most| error <= most)
     }
 
     /// Whether steps from the present motion have failed by more than their size.
@@ -104,10 +107,11 @@ impl<R: Real> Trials<R> {
     /// A step over a place where closures become dependent errs by where its stages happen to fall, and by the more the shorter it is:
     /// what rounding leaves open of the motion grows towards that place with the inverse square of the distance. So steps of about the
     /// same size are tried first. One that errs by far less is taken; and if shorter ones are no better the best one is, unless it errs
-    /// by more than a hundred tolerances and the root of rounding: at the place itself closures say no more of a position.
-    pub(super) fn after(&mut self, size: R, error: R, tolerance: R, factor: R) -> R {
+    /// by more than a hundred tolerances and the root of rounding: at the place itself closures say no more of a position. Tolerances
+    /// coarser than the fourth root of rounding are kept.
+    pub(super) fn after(&mut self, size: R, error: R, factor: R) -> R {
         let shorter = size * factor.min(R::of(0.9));
-        if !self.closed || self.longest <= R::zero() {
+        if self.allowed.is_none() || self.longest <= R::zero() {
             return shorter;
         }
         self.last = error;
@@ -117,7 +121,7 @@ impl<R: Real> Trials<R> {
         }
         if let Some((best, least)) = self.best
             && self.worse >= WORSE
-            && Self::bounded(least, tolerance)
+            && self.allows(least)
             && !self.settled
         {
             self.settled = true;
