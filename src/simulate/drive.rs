@@ -72,7 +72,9 @@ where
             Control::Fixed(dt) => dt,
             Control::Tolerance(tolerance) => self.first_step(tolerance),
         };
-        self.progress = Progress::at(self.past.time, size, System::<S, R, C, P>::CLOSED > 0);
+        let (Control::Fixed(chosen) | Control::Tolerance(chosen)) = self.plan.rule.control;
+        let trials = Trials::new(System::<S, R, C, P>::CLOSED > 0, chosen, self.past.time);
+        self.progress = Progress::at(self.past.time, size, trials);
         self.show(Shown::Past, false);
         self.value = self.value(Shown::Past)?;
         Ok(())
@@ -146,7 +148,7 @@ where
             if !trials.accepts(error) {
                 self.progress.rejected += 1;
                 self.progress.careful = true;
-                self.progress.size = trials.after(size, error, tolerance, factor);
+                self.progress.size = trials.after(size, error, factor);
                 continue;
             }
             trials.taken(size);
@@ -196,6 +198,11 @@ where
             let error = estimate(next);
             if !trials.accepts(error) {
                 trials.inaccurate();
+            } else if trials.startled()
+                && let Err(dependent) = self.stands()
+            {
+                trials.blocked(dependent)?;
+                return Ok(RealOf::<S>::INFINITY);
             }
             return Ok(error);
         };
@@ -206,6 +213,14 @@ where
             return if leap > RealOf::<S>::one() { Ok(leap) } else { Err(refused) };
         }
         Ok(RealOf::<S>::INFINITY)
+    }
+
+    /// Whether closures are independent at the end of a step: where they are not, a motion could go on in more than one way.
+    #[cold]
+    fn stands(&mut self) -> Result<(), Error> {
+        self.between.clone_from(&self.next);
+        let system = self.plan.system;
+        system.accelerate(&mut self.between, self.plan.loads, &mut system.workspace())
     }
 
     /// The same error; closures that have become dependent where a run does not come on are named.

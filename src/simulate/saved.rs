@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::scalar::Real;
 use crate::stepper::{Method, Stepper};
 use crate::system::{MotionOf, Runs, System};
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// How far a run has come, besides its motion and what its stepper carries.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,14 +35,14 @@ pub struct Progress<R> {
 }
 
 impl<R: Real> Progress<R> {
-    /// That of a run which begins at a time (s), with the size of its first step (s), in a scene that closures may hold together.
-    pub(super) fn at(start: R, size: R, closed: bool) -> Self {
+    /// That of a run which begins at a time (s), with the size of its first step (s).
+    pub(super) fn at(start: R, size: R, trials: Trials<R>) -> Self {
         Self {
             start,
             mark: (start, 0),
             size,
             careful: false,
-            trials: Trials::new(closed, start),
+            trials,
             stopped: false,
             samples: 1,
             steps: 0,
@@ -117,7 +117,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
         O: FnMut(&Now<'_, S, R, C, P, L>),
     {
-        let begun = Progress::at(start.time, Zero::zero(), false);
+        let begun = Progress::at(start.time, Zero::zero(), Trials::new(false, One::one(), start.time));
         let mut run = self.running(start, end, observe, begun);
         match run.start() {
             Ok(()) => Ok(run),

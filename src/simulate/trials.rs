@@ -13,14 +13,17 @@ const STARTLING: f64 = 100.0;
 /// Steps somewhat shorter that are tried first where closures may have become dependent within such a step, and by how much.
 const EVASIONS: usize = 5;
 const SHORTER: f64 = 0.8;
+/// By how many times the error of such a step falls where it was a matter of where stages fell: by more than any order explains.
+const FALL: f64 = 10.0;
 /// Trial steps that are shorter than the best one and no better, before that is taken.
 const WORSE: usize = 2;
 
 /// The trial steps of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Trials<R> {
-    /// Whether closures hold the scene together: near a place where they become dependent, errors rise as steps shrink.
-    closed: bool,
+    /// The error (as a multiple of the tolerance) that a step may have where shorter ones are no better, in a scene that closures hold
+    /// together: near a place where they become dependent, errors rise as steps shrink.
+    allowed: Option<R>,
     /// What was wrong with the last one that was rejected, and where.
     cause: (Cause, Option<Place>),
     /// The longest one accepted (s).
@@ -30,24 +33,28 @@ pub(super) struct Trials<R> {
     count: usize,
     /// Of those from the present motion the most accurate: its size (s) and its error as a multiple of the tolerance.
     best: Option<(R, R)>,
-    /// How many shorter ones were no better, and how many have evaded.
+    /// How many shorter ones were no better, the error of the last one, and how many have evaded.
     worse: usize,
+    last: R,
     evasions: usize,
     /// Whether the next one is the best one again, to be taken.
     settled: bool,
 }
 
 impl<R: Real> Trials<R> {
-    /// None yet, at a time (s).
-    pub(super) fn new(closed: bool, time: R) -> Self {
+    /// None yet, at a time (s), for a tolerance.
+    pub(super) fn new(closed: bool, tolerance: R, time: R) -> Self {
+        let (root, coarse) = (R::EPSILON.sqrt(), R::EPSILON.sqrt().sqrt());
+        let allowed = (R::of(STARTLING) * tolerance).min(coarse).max(root) / tolerance;
         Self {
-            closed,
+            allowed: (closed && tolerance < coarse).then_some(allowed),
             cause: (Cause::Inaccurate, None),
             longest: R::zero(),
             mark: time,
             count: 0,
             best: None,
             worse: 0,
+            last: R::zero(),
             evasions: 0,
             settled: false,
         }
@@ -55,7 +62,28 @@ impl<R: Real> Trials<R> {
 
     /// Whether a step with an error as a multiple of the tolerance is to be taken.
     pub(super) fn accepts(&self, error: R) -> bool {
-        error <= R::one() || (self.settled && error < R::INFINITY)
+        error <= R::one() || (self.settled && error < R::INFINITY) || self.evaded(error)
+    }
+
+    /// Whether a step somewhat shorter than one of a startling error errs by so much less that the size of steps is not what matters.
+    fn evaded(&self, error: R) -> bool {
+        self.evasions > 0 && self.allows(error) && error * R::of(FALL) < self.last
+    }
+
+    /// Whether an error is within what closures leave open of a position where they are dependent.
+    fn allows(&self, error: R) -> bool {
+        self.allowed.is_some_and(|most| error <= most)
+    }
+
+    /// Whether steps from the present motion have failed by more than their size.
+    pub(super) fn startled(&self) -> bool {
+        self.evasions > 0
+    }
+
+    /// The best step leads where a run cannot stay.
+    pub(super) fn blocked(&mut self, error: Error) -> Result<(), Error> {
+        (self.best, self.worse) = (None, 0);
+        self.failed(error)
     }
 
     /// A step was taken.
@@ -79,20 +107,22 @@ impl<R: Real> Trials<R> {
     ///
     /// A step over a place where closures become dependent errs by where its stages happen to fall, and by the more the shorter it is:
     /// what rounding leaves open of the motion grows towards that place with the inverse square of the distance. So steps of about the
-    /// same size are tried first, and if shorter ones are no better the best one is taken, unless it errs by more than a hundred
-    /// tolerances and the root of rounding: at the place itself closures say no more of a position.
-    pub(super) fn after(&mut self, size: R, error: R, tolerance: R, factor: R) -> R {
+    /// same size are tried first. One that errs by far less is taken; and if shorter ones are no better the best one is, unless it errs
+    /// by more than a hundred tolerances and the root of rounding: at the place itself closures say no more of a position. Tolerances
+    /// coarser than the fourth root of rounding are kept.
+    pub(super) fn after(&mut self, size: R, error: R, factor: R) -> R {
         let shorter = size * factor.min(R::of(0.9));
-        if !self.closed || self.longest <= R::zero() {
+        if self.allowed.is_none() || self.longest <= R::zero() {
             return shorter;
         }
+        self.last = error;
         match self.best {
             Some((_, least)) if error >= least => self.worse += 1,
             _ => (self.best, self.worse) = (Some((size, error)), 0),
         }
         if let Some((best, least)) = self.best
             && self.worse >= WORSE
-            && (least <= R::of(STARTLING) || least * tolerance <= R::EPSILON.sqrt())
+            && self.allows(least)
             && !self.settled
         {
             self.settled = true;

@@ -27,6 +27,9 @@ pub trait Dynamics<L> {
     /// Room for sweeps.
     type Workspace;
 
+    /// Whether a tip is held or loops are closed, so that [`project`](Self::project) does something.
+    const CLOSED: bool = false;
+
     /// Room for sweeps.
     fn workspace(&self) -> Self::Workspace;
 

@@ -14,6 +14,8 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     type Closures = D::Closures;
     type Workspace = D::Workspace;
 
+    const CLOSED: bool = D::CLOSED;
+
     #[inline]
     fn workspace(&self) -> Self::Workspace {
         D::workspace(self)

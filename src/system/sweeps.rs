@@ -30,6 +30,8 @@ where
     type Closures = P::Closures;
     type Workspace = Workspace<S, Elements<S, R, C>, Carrying<L, Explicit, P::Closures>>;
 
+    const CLOSED: bool = Self::CLOSED > 0;
+
     fn workspace(&self) -> Self::Workspace {
         Workspace::new(&self.chain)
     }
@@ -275,6 +277,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if Self::LOOPED && last > size * RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.25)) {
             motion.position.replace(&mut |_| S::Scalar::constant(RealOf::<S>::INFINITY));
         }
+        // Velocities are linear, but the gains are not of this very place: near where closures depend on each other it takes more than two.
         let (mut last, mut size) = (RealOf::<S>::INFINITY, RealOf::<S>::of(1.0));
         if Self::LOOPED {
             motion.rate.visit(&mut |x| size = x.real().abs().max(size));

@@ -13,3 +13,4 @@ mod space_at_random;
 mod struts;
 mod trees;
 mod trees_at_random;
+mod windows;
