@@ -38,6 +38,11 @@ use typenum::{Sum, Unsigned};
 /// come after those of both arms: bodies, joints, stations and coordinates are numbered main arm, side arm, closing joint, what
 /// follows. The force at its station is that which the side arm passes on to the main arm, and positive as in any joint of the side arm.
 ///
+/// Loops in a row, such as the windows of a ladder, nest: `Network::new((Pin, rod), (reach, rest, Pin, rod), Pin)`, where `rest` is the same
+/// with one window less, or `Network::new((rest, Pin, rod), (reach, Pin, rod), Pin)`. Into a side arm only the forces of its own loop
+/// ride, into a main arm also those of all loops around it: let the *side* arm carry the rest. A run of twelve windows compiles
+/// in 8 s so and in 17 s with the rest in main arms (release; 0.3 GB), and steps a tenth faster.
+///
 /// Motions keep the coordinates of both arms, more than there are freedoms: steps keep them closed by projection of positions and
 /// rates through the gains of the sweep. An end of an arm between a joint and the closing joint must have inertia, as
 /// everywhere: cut a loop at a smooth joint, and let springs sit elsewhere.
