@@ -4,6 +4,7 @@ mod andrews;
 mod assembly;
 mod assembly_held;
 mod in_time;
+mod ladders;
 mod numbers;
 mod plane;
 mod plane_at_random;
