@@ -1,6 +1,6 @@
 //! A run under way: step control, samples by dense output, location of events.
 
-use super::{EventFunction, Now, Run, Simulation};
+use super::{EventFunction, Find, Now, Run, Simulation, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -10,6 +10,7 @@ use crate::stepper::Stepper;
 use crate::system::Dynamics;
 use crate::system::{MotionOf, Runs, System};
 use crate::time::Control;
+use core::cell::OnceCell;
 use num_traits::{One, Zero};
 
 /// A run under way.
@@ -43,6 +44,9 @@ where
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
+    /// How readings find accelerations, if the method leaves others.
+    const FIND: Option<Find<S, R, C, P, L>> = if K::SETTLED { None } else { Some(settled) };
+
     pub(super) fn drive(&mut self, end: RealOf<S>) -> Result<(), Error> {
         let system = self.plan.system;
         system.accept(&self.past)?;
@@ -163,14 +167,16 @@ where
     /// The value of the event function, if there is one.
     fn value(&mut self, which: Shown) -> Option<S::Scalar> {
         let Self { plan, past, next, between, .. } = self;
-        let motion = which.of(past, next, between);
-        plan.event.value(&Now { system: plan.system, motion, loads: plan.loads, event: false })
+        let stepped = which.of(past, next, between);
+        let (find, found) = (Self::FIND, OnceCell::new());
+        plan.event.value(&Now { system: plan.system, stepped, loads: plan.loads, event: false, find, found })
     }
 
     fn show(&mut self, which: Shown, event: bool) {
         let Self { plan, past, next, between, observe, .. } = self;
-        let motion = which.of(past, next, between);
-        observe(&Now { system: plan.system, motion, loads: plan.loads, event });
+        let stepped = which.of(past, next, between);
+        let (find, found) = (Self::FIND, OnceCell::new());
+        observe(&Now { system: plan.system, stepped, loads: plan.loads, event, find, found });
     }
 
     fn interpolate(&mut self, size: RealOf<S>, theta: f64) {

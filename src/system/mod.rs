@@ -14,10 +14,10 @@ mod statics;
 mod sweeps;
 
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
-#[cfg(feature = "alloc")]
-pub use linear::{Carried, Inertial};
 #[cfg(feature = "std")]
 pub(crate) use linear::numbers;
+#[cfg(feature = "alloc")]
+pub use linear::{Carried, Inertial};
 
 use crate::element::{Budget, Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
