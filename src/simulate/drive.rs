@@ -1,7 +1,7 @@
 //! A run under way: step control, samples by dense output, location of events.
 
 use super::trials::{Trials, factor};
-use super::{EventFunction, Now, Progress, Simulation, limits};
+use super::{EventFunction, Find, Now, Progress, Simulation, limits, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Cause, Error, Fault};
@@ -11,6 +11,7 @@ use crate::stepper::Stepper;
 use crate::system::Dynamics;
 use crate::system::{MotionOf, Runs, System};
 use crate::time::Control;
+use core::cell::OnceCell;
 use num_traits::{One, Zero};
 
 /// A run under way, step by step: made by [`begin`](Simulation::begin) and [`resume`](Simulation::resume).
@@ -45,6 +46,9 @@ where
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
+    /// How readings find accelerations, if the method leaves others.
+    const FIND: Option<Find<S, R, C, P, L>> = if K::SETTLED { None } else { Some(settled) };
+
     /// Refuses what makes no run, and motions of another scene.
     fn check(&mut self) -> Result<(), Error> {
         let system = self.plan.system;
@@ -243,17 +247,20 @@ where
     /// [`Fault::NotFinite`] where it is not a number, whose sign says nothing.
     fn value(&mut self, which: Shown) -> Result<Option<S::Scalar>, Error> {
         let Self { plan, past, next, between, .. } = self;
-        let motion = which.of(past, next, between);
-        let value = plan.event.value(&Now { system: plan.system, motion, loads: plan.loads, event: false });
+        let stepped = which.of(past, next, between);
+        let (find, found) = (Self::FIND, OnceCell::new());
+        let now = Now { system: plan.system, stepped, loads: plan.loads, event: false, find, found };
+        let value = plan.event.value(&now);
         let number = value.is_none_or(|value| value.real() == value.real());
         let fault = Fault::NotFinite { parameter: "value of the event function" };
-        if number { Ok(value) } else { Err(Error::new(fault).at_time(motion.time.as_f64())) }
+        if number { Ok(value) } else { Err(Error::new(fault).at_time(stepped.time.as_f64())) }
     }
 
     fn show(&mut self, which: Shown, event: bool) {
         let Self { plan, past, next, between, observe, .. } = self;
-        let motion = which.of(past, next, between);
-        observe(&Now { system: plan.system, motion, loads: plan.loads, event });
+        let stepped = which.of(past, next, between);
+        let (find, found) = (Self::FIND, OnceCell::new());
+        observe(&Now { system: plan.system, stepped, loads: plan.loads, event, find, found });
     }
 
     fn interpolate(&mut self, size: RealOf<S>, theta: f64) {

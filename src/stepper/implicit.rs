@@ -225,6 +225,8 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
 }
 
 impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
+    const SETTLED: bool = false;
+
     fn step(
         &mut self,
         past: &MotionIn<D, L>,

@@ -64,6 +64,11 @@ pub trait Method<D: Dynamics<L>, L> {
 /// Advances the motion of one scene. It owns its workspace: a step allocates nothing, costs the same every time, reads one
 /// motion and writes another, so that a step that fails loses nothing.
 pub trait Stepper<D: Dynamics<L>, L> {
+    /// Whether a step leaves the accelerations that positions, rates and loads cause at its end. Otherwise they are those of its last
+    /// iteration, which the next step goes on with: [`System::accelerate`](crate::system::System::accelerate) finds the true ones,
+    /// in a copy, and so do the readings of a run.
+    const SETTLED: bool = true;
+
     /// One step of size `dt` (s) from `past` under `loads`, written to `next`.
     ///
     /// The accelerations at the start are found anew, because loads may have changed since they were.

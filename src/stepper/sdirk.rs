@@ -171,6 +171,8 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
 }
 
 impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
+    const SETTLED: bool = false;
+
     fn step(
         &mut self,
         past: &MotionIn<D, L>,
