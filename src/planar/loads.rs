@@ -204,8 +204,8 @@ impl<B, J> Loads<B, J> {
 impl<B, J> Loads<B, J> {
     /// Torques in joints (N·m; N in a slider) as values handed in, one for each joint from the root's on: as many as [`System::joints`](super::System::joints) says.
     ///
-    /// Values see no motion, so no walk shows it to them: they cost two copies and two additions a joint, 1.05 of a sweep of rods on
-    /// pins and less than 1.02 of one in space.
+    /// Values see no motion, so no walk shows it to them: they cost a copy and two additions a joint, 1.05 of a sweep of rods on
+    /// pins and 1.02 of one in space.
     pub fn torques<V>(self, torques: V) -> Loads<B, Values<V>> {
         Loads { bodies: self.bodies, joints: Values(torques) }
     }

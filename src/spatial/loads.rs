@@ -206,7 +206,7 @@ impl<B, J> Loads<B, J> {
 
     /// Efforts in joints as values handed in, one for each joint from the root's on: as many as [`System::joints`](super::System::joints) says.
     ///
-    /// Values see no motion, so no walk shows it to them: they cost less than 0.02 of a sweep.
+    /// Values see no motion, so no walk shows it to them: they cost 0.02 of a sweep.
     pub fn efforts<V>(self, efforts: V) -> Loads<B, Values<V>> {
         Loads { bodies: self.bodies, joints: Values(efforts) }
     }
