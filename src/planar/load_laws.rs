@@ -133,7 +133,7 @@ impl<T: Scalar, V: AsRef<[T]>> JointLaw<T> for Values<V> {
     }
 }
 
-/// The part of a loading that acts in joints. Implement it for a type that has a name: see [`Loads`].
+/// The part of a loading that acts in joints. Implement it for a type that has a name: see [`Loads`](super::Loads).
 pub trait JointLaw<T: Scalar> {
     /// `T` or `Absent`.
     type Value: Term<T>;
