@@ -7,7 +7,12 @@
 //!
 //! ```text
 //! orient    root → tip   each body's angle and rate                        Element::pose
+<<<<<<< HEAD
 //! load      root → tip   loads, with the motion they depend on (if any)    Element::travel
+=======
+//! load      root → tip   forces that depend on the motion (if any)         Element::travel
+//!                        lists of forces (if any), without kinematics      Element::spread_bodies
+>>>>>>> h3
 //! condense  tip → root   F = S p + e at each station                       Condense::condense
 //! recover   root → tip   accelerations of the joint coordinates            Element::recover
 //! ```
@@ -40,7 +45,7 @@
 //! * **An implicit rule.** Only a joint's pivot gains K̂ and its torque an affine term. A stiff joint is the same element
 //!   condensed for another type of springs, [`Implicit`], after which the relation is full; rods and pins neither know nor pay.
 //!   Springs are read where coordinates would be without the acceleration sought, which makes a linear law exact; those of
-//!   rotations, which are not linear, where the last sweep has led ([`Reading`]).
+//!   rotations and laws of users, which are not linear, where the last sweep has led ([`Reading`]).
 //! * **Projections and a tangent sweep through stored gains.** [`Element::Kept`] holds what the outward walk needs of each
 //!   elimination, one value per joint in the order of the chain, and outlives the sweep: [`Element::respond`] walks it again for
 //!   corrections of positions and rates, and other right-hand sides can.

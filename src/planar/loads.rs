@@ -1,9 +1,9 @@
 //! What acts on planar scenes besides gravity.
 
+use super::load_laws::{BodyLaw, InJoints, JointLaw, OnBodies, Values};
 use super::{BodyMotion, Frame, JointMotion, Planar, Station};
 use crate::element::{Load, Loading};
 use crate::error::Fault;
-use crate::loading::count;
 use crate::relation::plane::Full;
 use crate::relation::plane::algebra::cross;
 use crate::relation::{Absent, Closures, Part, Term};
@@ -204,8 +204,8 @@ impl<B, J> Loads<B, J> {
 impl<B, J> Loads<B, J> {
     /// Torques in joints (N·m; N in a slider) as values handed in, one for each joint from the root's on: as many as [`System::joints`](super::System::joints) says.
     ///
-    /// Values see no motion, so no walk shows it to them: they cost two copies and two additions a joint, 1.05 of a sweep of rods on
-    /// pins and less than 1.02 of one in space.
+    /// Values see no motion, so no walk shows it to them: they cost a copy and two additions a joint, 1.05 of a sweep of rods on
+    /// pins and 1.02 of one in space.
     pub fn torques<V>(self, torques: V) -> Loads<B, Values<V>> {
         Loads { bodies: self.bodies, joints: Values(torques) }
     }
@@ -235,173 +235,6 @@ impl<B, J> Loads<B, J> {
     /// What acts in joints.
     pub fn joints(&self) -> &J {
         &self.joints
-    }
-}
-
-/// Loads given as values: an array, a slice, a vector.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Values<V>(pub V);
-
-/// A function as the law of what acts on bodies: with a function pointer or a boxed function inside, a type that has a name.
-#[derive(Clone, Copy, Debug)]
-pub struct OnBodies<F>(F);
-
-/// A function as the law of torques in joints.
-///
-/// ```
-/// use catena::planar::*;
-/// type Torque = fn(f64, usize, &JointMotion<f64>) -> f64;
-/// fn brake(_: f64, _: usize, motion: &JointMotion<f64>) -> f64 {
-///     -3.0 * motion.rate()
-/// }
-/// fn push(_: f64, joint: usize, _: &JointMotion<f64>) -> f64 {
-///     if joint == 0 { 2.0 } else { 0.0 }
-/// }
-/// /// What may be chosen while a program runs: two laws, one type, one stepper.
-/// fn loads(moving: bool) -> Loads<Absent, InJoints<Torque>> {
-///     let law: Torque = if moving { brake } else { push };
-///     Loads::none().in_joints(law)
-/// }
-///
-/// let rod = Rod::uniform(0.5, 1.0);
-/// let arm = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
-/// let mut stepper = arm.stepper(Rk4);
-/// let (mut now, mut next) = (arm.at_rest(&[0.0, 0.0])?, arm.motion());
-/// for cycle in 0..100 {
-///     stepper.step(&now, &loads(cycle % 2 == 1), 1e-3, &mut next)?;
-///     core::mem::swap(&mut now, &mut next);
-/// }
-/// # Ok::<(), catena::Error>(())
-/// ```
-///
-/// Named by a function pointer or a boxed function, it is one type for many laws, which one stepper can take in turn.
-#[derive(Clone, Copy, Debug)]
-pub struct InJoints<F>(F);
-
-/// The part of a loading that acts on bodies. Implement it for a type that has a name.
-pub trait BodyLaw<T: Scalar> {
-    /// `Wrench` or `Absent`.
-    type Value: Load<Planar<T>>;
-    /// No load.
-    fn nothing() -> Self::Value;
-    /// Whether there is one.
-    const ON: bool = true;
-    /// Whether it depends on time or motion, or is a [`list`](Self::list).
-    const READS: bool = true;
-    /// The load on a body.
-    fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Self::Value;
-    /// Loads on bodies where they are a list.
-    fn list(&self) -> &[Self::Value] {
-        &[]
-    }
-    /// Refuses a list that is not as long as the scene has bodies.
-    ///
-    /// # Errors
-    /// [`Fault::Count`].
-    fn check(&self, bodies: usize) -> Result<(), Fault> {
-        let _ = bodies;
-        Ok(())
-    }
-}
-
-impl<T: Scalar> BodyLaw<T> for Absent {
-    type Value = Absent;
-    fn nothing() -> Absent {
-        Absent
-    }
-    const ON: bool = false;
-    const READS: bool = false;
-    fn at(&self, _: T::Real, _: usize, _: &BodyMotion<T>) -> Absent {
-        Absent
-    }
-}
-
-impl<T: Scalar, F: Fn(T::Real, usize, &BodyMotion<T>) -> Wrench<T>> BodyLaw<T> for OnBodies<F> {
-    type Value = Wrench<T>;
-    fn nothing() -> Wrench<T> {
-        Wrench::default()
-    }
-    const ON: bool = true;
-    fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
-        (self.0)(time, body, motion)
-    }
-}
-
-impl<T: Scalar, V: AsRef<[Wrench<T>]>> BodyLaw<T> for Values<V> {
-    type Value = Wrench<T>;
-    fn nothing() -> Wrench<T> {
-        Wrench::default()
-    }
-    const ON: bool = true;
-    const READS: bool = false;
-    #[inline(always)]
-    fn at(&self, _: T::Real, body: usize, _: &BodyMotion<T>) -> Wrench<T> {
-        self.0.as_ref().get(body).copied().unwrap_or_default()
-    }
-    #[inline(always)]
-    fn list(&self) -> &[Wrench<T>] {
-        self.0.as_ref()
-    }
-    fn check(&self, bodies: usize) -> Result<(), Fault> {
-        count(bodies, self.0.as_ref().len())
-    }
-}
-
-impl<T: Scalar, V: AsRef<[T]>> JointLaw<T> for Values<V> {
-    type Value = T;
-    const ON: bool = true;
-    const READS: bool = false;
-    #[inline(always)]
-    fn at(&self, _: T::Real, joint: usize, _: &JointMotion<T>) -> T {
-        self.0.as_ref().get(joint).copied().unwrap_or(T::zero())
-    }
-    #[inline(always)]
-    fn list(&self) -> &[T] {
-        self.0.as_ref()
-    }
-    fn check(&self, joints: usize) -> Result<(), Fault> {
-        count(joints, self.0.as_ref().len())
-    }
-}
-
-/// The part of a loading that acts in joints. Implement it for a type that has a name: see [`Loads`].
-pub trait JointLaw<T: Scalar> {
-    /// `T` or `Absent`.
-    type Value: Term<T>;
-    /// Whether there is one.
-    const ON: bool = true;
-    /// Whether it depends on time or motion, or is a [`list`](Self::list).
-    const READS: bool = true;
-    /// The torque in a joint.
-    fn at(&self, time: T::Real, joint: usize, motion: &JointMotion<T>) -> Self::Value;
-    /// The torques where they are a list.
-    fn list(&self) -> &[Self::Value] {
-        &[]
-    }
-    /// Refuses a list that is not as long as the scene has joints.
-    ///
-    /// # Errors
-    /// [`Fault::Count`].
-    fn check(&self, joints: usize) -> Result<(), Fault> {
-        let _ = joints;
-        Ok(())
-    }
-}
-
-impl<T: Scalar> JointLaw<T> for Absent {
-    type Value = Absent;
-    const ON: bool = false;
-    const READS: bool = false;
-    fn at(&self, _: T::Real, _: usize, _: &JointMotion<T>) -> Absent {
-        Absent
-    }
-}
-
-impl<T: Scalar, F: Fn(T::Real, usize, &JointMotion<T>) -> T> JointLaw<T> for InJoints<F> {
-    type Value = T;
-    const ON: bool = true;
-    fn at(&self, time: T::Real, joint: usize, motion: &JointMotion<T>) -> T {
-        (self.0)(time, joint, motion)
     }
 }
 

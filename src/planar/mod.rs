@@ -20,6 +20,7 @@ mod frame;
 mod joint;
 mod linear;
 mod linear_hinge;
+mod load_laws;
 mod loads;
 mod loops;
 mod pin;
@@ -47,7 +48,8 @@ pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Planar, 
 pub use joint::Joint;
 pub use linear::{HingeAxes, Linear, Unbalanced};
 pub use linear_hinge::{LinearGains, Rotation};
-pub use loads::{BodyLaw, InJoints, JointLaw, Loads, OnBodies, Values, Wrench};
+pub use load_laws::{BodyLaw, InJoints, JointLaw, OnBodies, Values};
+pub use loads::{Loads, Wrench};
 pub use loops::ClosedLoop;
 pub use pin::Pin;
 pub use point_mass::PointMass;

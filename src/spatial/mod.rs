@@ -50,6 +50,7 @@ mod inertia;
 mod isometry;
 mod joint;
 mod linear_hinge;
+mod load_laws;
 mod loads;
 mod loops;
 pub mod maps;
@@ -88,7 +89,8 @@ pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Spatial,
 pub use inertia::Inertia;
 pub use joint::{Joint, Sets, Stored};
 pub use linear_hinge::{Linear, RotaryElimination};
-pub use loads::{BodyLaw, Drive, Effort, InJoints, JointLaw, Loads, OnBodies, Values, Wrench};
+pub use load_laws::{BodyLaw, InJoints, JointLaw, OnBodies, Values};
+pub use loads::{Drive, Effort, Loads, Wrench};
 pub use loops::ClosedLoop;
 pub use point_mass::PointMass;
 pub use prismatic::Prismatic;

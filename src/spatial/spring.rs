@@ -75,10 +75,10 @@ impl<K, D> Spring<K, D> {
 ///     }
 ///     fn energy(&self, position: T) -> T {
 ///         let square = position * position;
-///         self.stiffness * (square.scale(T::Real::from(0.5_f32)) + (square * square).scale(T::Real::from(0.25_f32)))
+///         self.stiffness * square * (T::literal(0.5) + T::literal(0.25) * square)
 ///     }
 ///     fn pivot(&self, position: T, _: T, springs: Implicit<T::Real>) -> T {
-///         let slope = self.stiffness * (T::one() + (position * position).scale(T::Real::from(3.0_f32)));
+///         let slope = self.stiffness * (T::one() + T::literal(3.0) * position * position);
 ///         springs.pivot(slope, self.damping)
 ///     }
 ///     fn check(&self) -> Result<(), Fault> {

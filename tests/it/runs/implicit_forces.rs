@@ -1,14 +1,12 @@
 //! Forces after steps by implicit rules: a smooth pin bears no torque, forces keep their order, and reading them changes no step.
 
-mod kit;
-
+use crate::kit::has_order;
 use catena::element::Unloaded;
 use catena::planar::*;
 use catena::stepper::Stepper;
 use catena::time::Sdirk4;
 use catena::{Error, spatial};
 use core::f64::consts::FRAC_PI_2;
-use kit::has_order;
 
 const G: f64 = 9.81;
 const START: [f64; 3] = [-0.3, 0.2, 0.1];
