@@ -7,12 +7,8 @@
 //!
 //! ```text
 //! orient    root → tip   each body's angle and rate                        Element::pose
-<<<<<<< HEAD
 //! load      root → tip   loads, with the motion they depend on (if any)    Element::travel
-=======
-//! load      root → tip   forces that depend on the motion (if any)         Element::travel
 //!                        lists of forces (if any), without kinematics      Element::spread_bodies
->>>>>>> h3
 //! condense  tip → root   F = S p + e at each station                       Condense::condense
 //! recover   root → tip   accelerations of the joint coordinates            Element::recover
 //! ```
