@@ -129,7 +129,7 @@ fn reading_forces_changes_no_step() -> Result<(), Error> {
 fn a_ball_bears_no_torque_either() -> Result<(), Error> {
     use spatial::*;
     let rod = Rod::uniform(0.5, 0.05, 1.0);
-    let scene = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity(G);
+    let scene = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity([0.0, -G, 0.0]);
     let start = scene.at_rest(&[0.0, 0.3, -0.2, 0.1, -0.5, 0.4 - FRAC_PI_2])?;
     with_every_rule!(|rule, _order| {
         let mut worst = 0.0_f64;
