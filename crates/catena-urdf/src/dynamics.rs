@@ -137,15 +137,15 @@ fn load(inertia: &crate::Inertia, motion: &Motion) -> [Vector; 2] {
 pub fn solve(matrix: &[Vec<f64>], right: &[f64]) -> Result<Vec<f64>, usize> {
     let (mut m, mut x) = (matrix.to_vec(), right.to_vec());
     for k in (0..m.len()).rev() {
-        let pivot = m[k][k];
-        if !(pivot > 1e-12 * matrix[k][k]) {
+        let (others, last) = m.split_at_mut(k);
+        let last = &last[0];
+        let holds = last[k] > 1e-12 * matrix[k][k]; // which no NaN is
+        if !holds {
             return Err(k);
         }
-        for i in 0..k {
-            let factor = m[i][k] / pivot;
-            for j in 0..k {
-                m[i][j] -= factor * m[k][j];
-            }
+        for (i, row) in others.iter_mut().enumerate() {
+            let factor = row[k] / last[k];
+            row[..k].iter_mut().zip(&last[..k]).for_each(|(entry, by)| *entry -= factor * by);
             x[i] -= factor * x[k];
         }
     }

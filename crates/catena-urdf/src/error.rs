@@ -1,10 +1,13 @@
 //! Why a description is refused: values that say where and what.
 
 use std::fmt;
+use std::path::PathBuf;
 
 /// Why a description is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Error {
+    /// The file, where one was read.
+    pub file: Option<PathBuf>,
     /// The line of the description, counted from one, where there is one.
     pub line: Option<usize>,
     /// What is wrong there.
@@ -163,17 +166,20 @@ pub enum Fault {
 impl Error {
     /// A fault at a line.
     pub(crate) fn at(line: usize, fault: Fault) -> Self {
-        Self { line: Some(line), fault }
+        Self { file: None, line: Some(line), fault }
     }
 
     /// A fault of the whole.
     pub(crate) fn new(fault: Fault) -> Self {
-        Self { line: None, fault }
+        Self { file: None, line: None, fault }
     }
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(file) = &self.file {
+            write!(f, "{}: ", file.display())?;
+        }
         if let Some(line) = self.line {
             write!(f, "line {line}: ")?;
         }

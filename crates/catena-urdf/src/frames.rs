@@ -4,11 +4,11 @@
 //! that lays the joint's axis along a coordinate axis. Where hinges stand at right angles, as in most robots, no turn is left at
 //! all; where one leans in a coordinate plane, a turn about one axis.
 
-use crate::algebra::{IDENTITY, Matrix, Vector, apply, least_turn, times, transpose};
+use crate::algebra::{IDENTITY, Matrix, Vector, apply, least_turn, matrix, times, transpose};
 use crate::robot::Robot;
 
-/// Beyond rounding of a product of some turns, an axis is not a coordinate axis.
-const ROUNDED: f64 = 4.0 * f64::EPSILON;
+/// What is off by more than rounding of a product of turns is not a coordinate axis.
+const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
 /// How axes of bodies are chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,32 +31,38 @@ fn nearest(axis: Vector) -> Vector {
     nearest
 }
 
+/// A turn without the errors of the products it came from: one step of Newton's towards the nearest turn.
+fn orthonormal(a: &Matrix) -> Matrix {
+    let square = times(&transpose(a), a);
+    times(a, &matrix(|i, k| 1.5 * IDENTITY[i][k] - 0.5 * square[i][k]))
+}
+
 /// Chooses axes for all bodies.
 pub fn choose(robot: &mut Robot, frames: Frames) {
     if frames == Frames::AsWritten {
         return;
     }
-    // New axes of each body as columns in its old ones.
+    // For each body, its new axes as columns in its old ones; the turn that is left; and its axis.
     let mut turns: Vec<Matrix> = Vec::with_capacity(robot.bodies.len());
+    let mut left = Vec::with_capacity(robot.bodies.len());
     for body in &robot.bodies {
         let parent = body.parent.map_or(IDENTITY, |parent| turns[parent]);
         let parallel = times(&transpose(&body.pose.turn), &parent);
         let axis = apply(&transpose(&parallel), body.axis);
-        let turn = match frames {
-            Frames::AlongHinges => least_turn(axis, nearest(axis)).unwrap_or(IDENTITY),
-            _ => IDENTITY,
+        let along = nearest(axis);
+        let (turn, axis) = if (0..3).all(|k| (along[k] - axis[k]).abs() <= ROUNDED) {
+            (IDENTITY, along)
+        } else if frames == Frames::AlongHinges {
+            (orthonormal(&least_turn(along, axis)), along)
+        } else {
+            (IDENTITY, axis)
         };
-        turns.push(times(&parallel, &transpose(&turn)));
+        turns.push(orthonormal(&times(&parallel, &turn)));
+        left.push((turn, axis));
     }
     robot.reframe(&turns);
-    // What is a coordinate axis or no turn but for rounding is one: the products above had no other error.
-    for body in &mut robot.bodies {
-        let along = nearest(body.axis);
-        if (0..3).all(|k| (along[k] - body.axis[k]).abs() <= ROUNDED) {
-            body.axis = along;
-        }
-        if (0..9).all(|i| (IDENTITY[i / 3][i % 3] - body.pose.turn[i / 3][i % 3]).abs() <= ROUNDED) {
-            body.pose.turn = IDENTITY;
-        }
+    // What products of turns say of them but for rounding, which would double from joint to joint.
+    for (body, (turn, axis)) in robot.bodies.iter_mut().zip(left) {
+        (body.pose.turn, body.axis) = (turn, axis);
     }
 }

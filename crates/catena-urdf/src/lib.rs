@@ -5,9 +5,11 @@
 //! A build script:
 //!
 //! ```no_run
-//! fn main() -> Result<(), catena_urdf::Error> {
-//!     let options = catena_urdf::Options::new().snap(1e-6).repair();
-//!     options.build("robots/arm.urdf")?; // says what is left out, as warnings with lines
+//! use catena_urdf::{Error, Options};
+//!
+//! fn main() -> Result<(), Error> {
+//!     // Says what is left out, as warnings with lines; and what was snapped and repaired.
+//!     Options::new().snap(1e-6).repair().build("robots/arm.urdf")?;
 //!     Ok(())
 //! }
 //! ```
@@ -15,12 +17,12 @@
 //! The program:
 //!
 //! ```ignore
-//! mod arm {
-//!     include!(concat!(env!("OUT_DIR"), "/arm.rs"));
-//! }
-//! let scene = arm::scene::<f64>()?; // or f32, dual numbers, lanes
-//! let loads = Loads::none().efforts(arm::efforts([0.0; arm::JOINTS.len()]));
-//! println!("{} m", arm::frame::TOOL.place[2]);
+//! include!(concat!(env!("OUT_DIR"), "/arm.rs")); // a module `arm`
+//!
+//! let robot = arm::scene::<f64>()?; // or f32, dual numbers, lanes
+//! let mut torques = [0.0; arm::JOINTS.len()];
+//! torques[arm::joint::ELBOW] = 12.0;
+//! let moving = robot.with_accelerations(robot.motion(), &Loads::none().efforts(arm::efforts(torques)))?;
 //! ```
 //!
 //! # What it does

@@ -152,7 +152,7 @@ impl Lump<'_> {
             Inertia { mass: inertial.mass, centre: ZERO, tensor: inertial.tensor }.seen_from(&inertial.origin);
         if carrier == Carrier::Ground {
             if inertia.mass != 0.0 {
-                self.notes.add(inertial.line, Remark::MassOfGround { link: link.name.clone() });
+                self.notes.add(inertial.line, Remark::MassOfGround);
             }
             return;
         }
@@ -186,7 +186,8 @@ fn check(base: &Option<Inertia>, bodies: &[Body], frames: &[Frame], notes: &mut 
     let carried = |carrier| name(carrier).unwrap_or_default();
     let mut inertia = |inertia: &Inertia, line: Option<usize>, carrier| {
         if !inertia.is_finite() {
-            return Err(Error { line, fault: Fault::Overflow { of: format!("the body of {:?}", carried(carrier)) } });
+            let of = format!("the body of {:?}", carried(carrier));
+            return Err(Error { line, ..Error::new(Fault::Overflow { of }) });
         }
         if !inertia.is_possible() {
             notes.add(line.unwrap_or(1), Remark::Refused { of: carried(carrier) });

@@ -57,11 +57,8 @@ pub enum Remark {
         /// Its name.
         name: String,
     },
-    /// The mass of the ground.
-    MassOfGround {
-        /// The root link.
-        link: String,
-    },
+    /// Masses of links that are fixed to the ground.
+    MassOfGround,
     /// A link has moments of inertia without a mass.
     TensorWithoutMass {
         /// The link.
@@ -130,7 +127,7 @@ impl fmt::Display for Remark {
             Self::Transmission { name } => {
                 write!(f, "transmission {name:?} is left out: it has not one joint of this robot and one reduction")
             }
-            Self::MassOfGround { link } => write!(f, "the mass of {link:?} is left out: it is the ground"),
+            Self::MassOfGround => f.write_str("the mass of what is fixed to the ground is left out"),
             Self::TensorWithoutMass { link } => write!(f, "link {link:?} has moments of inertia, but no mass"),
             Self::PlanarSplit { joint } => {
                 write!(f, "planar joint {joint:?} became two slides across its normal and a hinge about it")

@@ -7,6 +7,7 @@ use crate::frames::{self, Frames};
 use crate::note::Notes;
 use crate::robot::Robot;
 use crate::{emit, lump, read};
+use std::fmt::Display;
 use std::path::Path;
 
 /// What the root link is.
@@ -101,24 +102,24 @@ impl Options {
         Ok(robot)
     }
 
-    /// For build scripts: reads a file, named from the folder of the package, and writes its module to `OUT_DIR`, named after the
-    /// file. Says notes as warnings of the build, and when to build again.
+    /// For build scripts: reads a file, named from the folder of the package, and writes its module to `OUT_DIR`; file and module are
+    /// named after it. Says notes as warnings of the build, and when to build again.
     ///
     /// # Errors
     /// What is wrong with the description, and at which line; a file or variable that is not there.
     pub fn build(&self, path: impl AsRef<Path>) -> Result<Robot, Error> {
         let path = path.as_ref();
         println!("cargo::rerun-if-changed={}", path.display());
-        let failed = |what: String| Error::new(Fault::File(what));
-        let text = std::fs::read_to_string(path).map_err(|error| failed(format!("{}: {error}", path.display())))?;
-        let robot = self.read(&text)?;
+        let failed = |what: &dyn Display, error: &dyn Display| Error::new(Fault::File(format!("{what}: {error}")));
+        let text = std::fs::read_to_string(path).map_err(|error| failed(&path.display(), &error))?;
+        let robot = self.read(&text).map_err(|error| Error { file: Some(path.to_owned()), ..error })?;
         for note in robot.notes() {
             println!("cargo::warning={}: {note}", path.display());
         }
-        let folder = std::env::var("OUT_DIR").map_err(|error| failed(format!("OUT_DIR: {error}")))?;
-        let target = Path::new(&folder).join(path.file_stem().unwrap_or_default()).with_extension("rs");
-        std::fs::write(&target, emit::module(&robot))
-            .map_err(|error| failed(format!("{}: {error}", target.display())))?;
+        let folder = std::env::var("OUT_DIR").map_err(|error| failed(&"OUT_DIR", &error))?;
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let target = Path::new(&folder).join(&*name).with_extension("rs");
+        std::fs::write(&target, emit::module(&robot, &name)).map_err(|error| failed(&target.display(), &error))?;
         Ok(robot)
     }
 }

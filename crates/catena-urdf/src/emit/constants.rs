@@ -34,8 +34,10 @@ pub fn joints(robot: &Robot) -> String {
     numbers("DAMPING", "Viscous damping (N·m·s/rad, N·s/m).", furniture().map(|f| f.damping).collect());
     numbers("FRICTION", "Dry friction (N·m, N).", furniture().map(|f| f.friction).collect());
     if furniture().any(|f| f.reduction.is_some()) {
-        let title = "Turns of the motor a turn of the joint; NaN where no transmission says it.";
-        numbers("REDUCTION", title, furniture().map(|f| f.reduction.unwrap_or(f64::NAN)).collect());
+        let value = |reduction: Option<f64>| reduction.map_or("None".to_owned(), |x| format!("Some({})", number(x)));
+        let values: Vec<_> = furniture().map(|f| value(f.reduction)).collect();
+        let _ = writeln!(text, "/// Turns of the motor a turn of the joint, where a transmission says it.");
+        let _ = writeln!(text, "pub const REDUCTION: [Option<f64>; {count}] = [{}];\n", values.join(", "));
     }
     text += &mimics(robot);
     text

@@ -11,20 +11,10 @@ use crate::robot::Robot;
 use plan::Plan;
 use std::fmt::Write;
 
-/// The module of a robot: what to include in a program.
-pub fn module(robot: &Robot) -> String {
+/// The module of a robot, as the text of a Rust file for a program to include; `name` becomes that of the module.
+pub fn module(robot: &Robot, name: &str) -> String {
     let plan = Plan::of(robot);
-    let mut text = String::new();
-    let (name, joints) = (names::comment(&robot.name), robot.bodies.len());
-    let base = if robot.base.is_some() { " and a floating base" } else { "" };
-    let _ =
-        writeln!(text, "// Robot {name}: {joints} joints{base}. Written from its description; change that instead.");
-    let _ = writeln!(
-        text,
-        "//\n// The origin of a body is at its joint. While all joints are at zero, its axes are those of its parent,"
-    );
-    let _ = writeln!(text, "// but for a turn that stands before the joint. SI units.\n");
-    text += &elements::imports(robot, &plan);
+    let mut text = elements::imports(robot, &plan);
     text += "\n";
     text += &elements::types(robot, &plan);
     text += &constants::joints(robot);
@@ -36,7 +26,23 @@ pub fn module(robot: &Robot) -> String {
         text += "\n";
         text += &test::module(robot);
     }
-    text
+    let joints = robot.bodies.len();
+    let base = if robot.base.is_some() { ", and a floating base" } else { "" };
+    let title = names::comment(&robot.name);
+    let mut whole = String::new();
+    let _ = writeln!(
+        whole,
+        "/// Robot `{title}`: {joints} joints{base}. Written from its description; change that instead."
+    );
+    whole += "///\n/// The origin of a body is at its joint. While all joints are at zero, its axes are those of its parent, but for a\n\
+              /// turn that stands before the joint. SI units.\n\
+              #[allow(dead_code, clippy::approx_constant, clippy::excessive_precision)]\n";
+    let _ = writeln!(whole, "pub mod {} {{", names::Scope::new().of_function(name));
+    for line in text.lines() {
+        let indent = if line.is_empty() { "" } else { "    " };
+        let _ = writeln!(whole, "{indent}{line}");
+    }
+    whole + "}\n"
 }
 
 /// A number as Rust writes it, to the last bit; zero without a sign.

@@ -23,7 +23,7 @@ struct Reader<'n> {
 /// Reads a description.
 pub fn model(text: &str, options: &Options, notes: &mut Notes) -> Result<Model, Error> {
     let document = roxmltree::Document::parse(text)
-        .map_err(|error| Error { line: Some(error.pos().row as usize), fault: Fault::Xml(error.to_string()) })?;
+        .map_err(|error| Error::at(error.pos().row as usize, Fault::Xml(error.to_string())))?;
     let lines = Lines::of(text);
     let root = Element::new(document.root_element(), &lines);
     if !root.is("robot") {

@@ -8,5 +8,6 @@ fn main() -> Result<(), Error> {
     Options::new().snap(1e-4).build(format!("{robots}/quadruped.urdf"))?;
     Options::new().base(Base::Floating).build(format!("{robots}/humanoid.urdf"))?;
     Options::new().repair().build(format!("{robots}/cart.urdf"))?;
+    Options::new().build("names.urdf")?;
     Ok(())
 }

@@ -4,7 +4,7 @@
 use catena::mirror::{Position, Rate};
 use catena::spatial::{Loads, Wrench};
 use catena_urdf::{Base, Options, Robot, State, solve};
-use catena_urdf_robots::{arm7, cart, humanoid, quadruped};
+use catena_urdf_robots::{arm7, cart, humanoid, names, quadruped};
 use std::error::Error;
 
 const STATES: usize = 100;
@@ -85,10 +85,10 @@ fn compare(
 }
 
 macro_rules! agrees {
-    ($($test:ident: $name:ident, $options:expr;)*) => {$(
+    ($($test:ident: $folder:literal $name:ident, $options:expr;)*) => {$(
         #[test]
         fn $test() -> Result<(), Box<dyn Error>> {
-            let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/", stringify!($name), ".urdf");
+            let path = concat!(env!("CARGO_MANIFEST_DIR"), "/", $folder, stringify!($name), ".urdf");
             let robot = $options.read(&std::fs::read_to_string(path)?)?;
             let scene = $name::scene::<f64>()?;
             let worst = compare(&robot, |positions, rates, wrench, torques| {
@@ -110,8 +110,26 @@ macro_rules! agrees {
 }
 
 agrees! {
-    the_arm_accelerates_as_its_description_says: arm7, Options::new();
-    the_quadruped_accelerates_as_its_description_says: quadruped, Options::new().snap(1e-4);
-    the_humanoid_accelerates_as_its_description_says: humanoid, Options::new().base(Base::Floating);
-    the_cart_accelerates_as_its_description_says: cart, Options::new().repair();
+    the_arm_accelerates_as_its_description_says: "../../robots/" arm7, Options::new();
+    the_quadruped_accelerates_as_its_description_says: "../../robots/" quadruped, Options::new().snap(1e-4);
+    the_humanoid_accelerates_as_its_description_says: "../../robots/" humanoid, Options::new().base(Base::Floating);
+    the_cart_accelerates_as_its_description_says: "../../robots/" cart, Options::new().repair();
+    odd_names_and_many_fingers_change_nothing: "" names, Options::new();
+}
+
+#[test]
+fn a_scene_in_single_precision_is_the_same_scene() -> Result<(), Box<dyn Error>> {
+    let (single, double) = (arm7::scene::<f32>()?, arm7::scene::<f64>()?);
+    let (single, double) = (
+        single.with_accelerations(single.motion(), &Loads::none().efforts(arm7::efforts([1.0; 7])))?,
+        double.with_accelerations(double.motion(), &Loads::none().efforts(arm7::efforts([1.0; 7])))?,
+    );
+    let (mut found, mut expected) = (vec![], vec![]);
+    Rate::visit(single.acceleration(), &mut |x: f32| found.push(f64::from(x)));
+    Rate::visit(double.acceleration(), &mut |x: f64| expected.push(x));
+    let largest = expected.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    for (x, right) in found.iter().zip(&expected) {
+        assert!((x - right).abs() < 1e-3 * largest, "{found:?} {expected:?}");
+    }
+    Ok(())
 }
