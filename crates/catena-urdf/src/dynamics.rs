@@ -2,10 +2,11 @@
 //! with the library it checks.
 
 use crate::algebra::{
-    IDENTITY, Matrix, Vector, ZERO, about, add, apply, cross, dot, scale, subtract, times, transpose,
+    IDENTITY, Matrix, Vector, ZERO, about, add, apply, cross, dot, scale, subtract, times, transpose, turned,
 };
 use crate::error::{Error, Fault};
-use crate::robot::Robot;
+use crate::inertia::Inertia;
+use crate::robot::{Body, Robot};
 
 /// Positions and rates. The base stays as it is without one.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,25 +107,25 @@ impl Robot {
 }
 
 /// A body's motion from that of the body inboard of its joint.
-fn outboard(inboard: &Motion, body: &crate::Body, q: f64, rate: f64, acceleration: f64) -> Motion {
+fn outboard(inboard: &Motion, body: &Body, q: f64, rate: f64, acceleration: f64) -> Motion {
     let turn = times(&inboard.turn, &body.pose.turn);
     let axis = apply(&turn, body.axis);
     let (turning, sliding) = if body.slides { (0.0, 1.0) } else { (1.0, 0.0) };
     let turn = if body.slides { turn } else { times(&turn, &about(body.axis, q)) };
     let arm = add(apply(&inboard.turn, body.pose.place), scale(sliding * q, axis));
     let spin = add(inboard.spin, scale(turning * rate, axis));
-    let turned = cross(inboard.spin, axis);
-    let angular = add(inboard.angular, add(scale(turning * acceleration, axis), scale(turning * rate, turned)));
+    let swept = cross(inboard.spin, axis);
+    let angular = add(inboard.angular, add(scale(turning * acceleration, axis), scale(turning * rate, swept)));
     let centripetal = cross(inboard.spin, cross(inboard.spin, arm));
-    let slide = add(scale(sliding * acceleration, axis), scale(2.0 * sliding * rate, turned));
+    let slide = add(scale(sliding * acceleration, axis), scale(2.0 * sliding * rate, swept));
     let linear = add(add(inboard.linear, cross(inboard.angular, arm)), add(centripetal, slide));
     Motion { place: add(inboard.place, arm), turn, spin, angular, linear }
 }
 
 /// Force, and torque about the body's origin, that its motion takes.
-fn load(inertia: &crate::Inertia, motion: &Motion) -> [Vector; 2] {
+fn load(inertia: &Inertia, motion: &Motion) -> [Vector; 2] {
     let centre = apply(&motion.turn, inertia.centre);
-    let tensor = crate::algebra::turned(&motion.turn, &inertia.tensor);
+    let tensor = turned(&motion.turn, &inertia.tensor);
     let centripetal = cross(motion.spin, cross(motion.spin, centre));
     let force = scale(inertia.mass, add(motion.linear, add(cross(motion.angular, centre), centripetal)));
     let gyroscopic = cross(motion.spin, apply(&tensor, motion.spin));
@@ -194,6 +195,6 @@ pub(crate) fn check_inertia(robot: &Robot) -> Result<(), Error> {
             let body = &robot.bodies[joint];
             Error::at(body.line, Fault::NoInertia { joint: body.joint.clone() })
         }
-        None => Error::new(Fault::NoInertia { joint: "of the floating base".to_owned() }),
+        None => Error::new(Fault::NoInertiaOfBase),
     })
 }

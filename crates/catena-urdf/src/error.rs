@@ -149,6 +149,8 @@ pub enum Fault {
         /// The joint.
         joint: String,
     },
+    /// The floating base and all that it carries have no inertia about or along some axis.
+    NoInertiaOfBase,
     /// Numbers are so large that sums of them are not finite.
     Overflow {
         /// Where.
@@ -224,6 +226,9 @@ impl fmt::Display for Fault {
             Self::CannotHold { joint } => write!(f, "joint {joint:?} has no single coordinate to be held at"),
             Self::NoInertia { joint } => {
                 write!(f, "nothing beyond joint {joint:?} resists it: no inertia about or along its axis")
+            }
+            Self::NoInertiaOfBase => {
+                f.write_str("the floating base, with all that it carries, has no inertia in some direction")
             }
             Self::Overflow { of } => write!(f, "the numbers of {of} are too large to be added up"),
             Self::TooLarge { joints, most } => write!(f, "{joints} moving joints are more than {most}"),

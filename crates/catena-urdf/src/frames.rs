@@ -17,7 +17,8 @@ pub enum Frames {
     /// Each joint's axis along a coordinate axis of its body, as few turns between bodies as that allows.
     #[default]
     AlongHinges,
-    /// No turns between bodies: while all joints are at zero, all axes are those of the root. Joints' axes point anywhere.
+    /// No turns between bodies: while all joints are at zero, all axes are those of the root. Joints' axes point anywhere, which
+    /// the library's present elements do not mind.
     Parallel,
     /// As the description has them.
     AsWritten,

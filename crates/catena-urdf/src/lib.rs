@@ -41,6 +41,7 @@
 //! of a body is at its joint. A floating base comes first, with velocity in axes of the ground and angular velocity in its own.
 
 mod algebra;
+mod build;
 mod dynamics;
 mod emit;
 mod error;

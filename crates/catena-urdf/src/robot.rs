@@ -1,6 +1,6 @@
 //! A robot as a scene needs it: moving bodies, fixed links lumped into them, frames by name.
 
-use crate::algebra::{Matrix, Vector};
+use crate::algebra::{Matrix, Vector, apply, times, transpose};
 use crate::inertia::Inertia;
 use crate::model::{Furniture, Pose};
 use crate::note::Note;
@@ -98,7 +98,6 @@ impl Robot {
 
     /// Puts all axes of bodies elsewhere: column k of `turns[i]` is the k-th new axis of body i, in its old axes.
     pub(crate) fn reframe(&mut self, turns: &[Matrix]) {
-        use crate::algebra::{apply, times, transpose};
         for (number, body) in self.bodies.iter_mut().enumerate() {
             let own = &turns[number];
             if let Some(parent) = body.parent {

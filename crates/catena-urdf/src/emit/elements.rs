@@ -19,8 +19,7 @@ impl Names {
         let (mut types, mut functions) = (Scope::new(), Scope::new());
         let joint = |first: Option<usize>| first.map_or("", |first| robot.bodies[first].joint.as_str());
         let mut names = Self { types: Vec::new(), functions: Vec::new() };
-        let (_, inner) = plan.arms.split_last().map_or((None, &[][..]), |(whole, inner)| (Some(whole), inner));
-        for arm in inner {
+        for arm in &plan.arms[..plan.arms.len() - 1] {
             names.types.push(types.of_type(joint(arm.first)));
             names.functions.push(functions.of_function(joint(arm.first)));
         }
@@ -133,7 +132,7 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
                 Part::Body(number, end) => body(&robot.bodies[*number].inertia, *end),
                 Part::Massless(way) => format!("RigidBody::massless({})", vector(*way)),
                 Part::Weld(body) => {
-                    let [w, x, y, z] = quaternion(&robot.bodies[*body].pose.turn).map(number_of);
+                    let [w, x, y, z] = quaternion(&robot.bodies[*body].pose.turn).map(super::number);
                     format!("Weld::at(Rotation::from_quaternion([{w}, {x}, {y}, {z}].map(T::literal))?)")
                 }
                 Part::Joint(joint) => {
@@ -150,10 +149,6 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
         let _ = writeln!(text, "    {close}\n}}\n");
     }
     text
-}
-
-fn number_of(x: f64) -> String {
-    number(x)
 }
 
 fn vector(x: Vector) -> String {

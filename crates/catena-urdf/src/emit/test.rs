@@ -66,7 +66,8 @@ pub fn module(robot: &Robot) -> String {
          let (mut positions, mut rates) = (POSITIONS.into_iter(), RATES.into_iter());\n        \
          Position::replace(motion.position_mut(), &mut |x| positions.next().unwrap_or(x));\n        \
          Rate::replace(motion.rate_mut(), &mut |x| rates.next().unwrap_or(x));\n        \
-         // A column of the mass matrix more is one acceleration more by one.\n        \
+         // A column of the mass matrix more is one acceleration more by one. What is off is rounding of the forces over the\n        \
+         // least inertia that a joint moves.\n        \
          for more in 0..=MASS.len() {{\n            \
          let column = MASS.get(more).copied().unwrap_or([0.0; {count}]);\n            \
          let forces: [f64; {count}] = core::array::from_fn(|k| FORCES[k] + column[k]);\n{split}            \

@@ -97,10 +97,11 @@ mod tests {
 
     #[test]
     fn what_is_near_a_right_angle_stays_unless_told() {
-        let (turn, moved) = Angles { tolerance: 0.0 }.turn([1.5708, 0.0, 0.0]);
-        assert_eq!((moved, turn[1][1]), (0.0, 1.5708_f64.cos()));
-        let (turn, moved) = Angles { tolerance: 1e-5 }.turn([1.5708, 0.0, 0.3]);
-        assert!((moved - 3.673e-6).abs() < 1e-9);
+        let near = FRAC_PI_2 + 4e-6;
+        let (turn, moved) = Angles { tolerance: 0.0 }.turn([near, 0.0, 0.0]);
+        assert_eq!((moved, turn[1][1]), (0.0, near.cos()));
+        let (turn, moved) = Angles { tolerance: 1e-5 }.turn([near, 0.0, 0.3]);
+        assert!((moved - 4e-6).abs() < 1e-15);
         assert_eq!((turn[2][1], turn[2][2]), (1.0, 0.0));
     }
 }

@@ -8,7 +8,7 @@ mod transmission;
 
 use crate::Options;
 use crate::error::{Error, Fault};
-use crate::model::{Joint, Kind, Model};
+use crate::model::{Joint, Kind, Link, Model};
 use crate::note::{Notes, Remark};
 use angles::Angles;
 use element::{Element, Lines};
@@ -37,7 +37,7 @@ pub fn model(text: &str, options: &Options, notes: &mut Notes) -> Result<Model, 
     for element in root.children().filter(|child| child.is("link")) {
         let link = reader.link(element)?;
         known_once("link", &link.name, links.len(), element, &mut numbers, |at| {
-            links.get(at).map_or(0, |link: &crate::model::Link| link.line)
+            links.get(at).map_or(0, |link: &Link| link.line)
         })?;
         links.push(link);
     }
