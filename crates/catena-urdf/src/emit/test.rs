@@ -71,7 +71,7 @@ pub fn module(robot: &Robot) -> String {
          for more in 0..=MASS.len() {{\n            \
          let column = MASS.get(more).copied().unwrap_or([0.0; {count}]);\n            \
          let forces: [f64; {count}] = core::array::from_fn(|k| FORCES[k] + column[k]);\n{split}            \
-         let moved = scene.with_accelerations(motion.clone(), &{loads})?;\n            \
+         let moved = scene.with_accelerations(motion, &{loads})?;\n            \
          let mut k = 0;\n            \
          Rate::visit(moved.acceleration(), &mut |x: f64| {{\n                \
          let right = ACCELERATIONS[k] + if k == more {{ 1.0 }} else {{ 0.0 }};\n                \
