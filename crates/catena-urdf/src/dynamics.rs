@@ -133,6 +133,9 @@ fn load(inertia: &Inertia, motion: &Motion) -> [Vector; 2] {
     [force, add(torque, cross(centre, force))]
 }
 
+/// What is left of an inertia is none below this share: eliminations before it leave rounding, and no robot comes near it.
+const ROUNDED: f64 = 1e-10;
+
 /// Solves M x = b for a symmetric positive definite matrix, eliminating from the last row to the first, as a sweep from tip to root
 /// does; fails with the row whose pivot is not positive.
 pub fn solve(matrix: &[Vec<f64>], right: &[f64]) -> Result<Vec<f64>, usize> {
@@ -140,7 +143,7 @@ pub fn solve(matrix: &[Vec<f64>], right: &[f64]) -> Result<Vec<f64>, usize> {
     for k in (0..m.len()).rev() {
         let (others, last) = m.split_at_mut(k);
         let last = &last[0];
-        let holds = last[k] > 1e-12 * matrix[k][k]; // which no NaN is
+        let holds = last[k] > ROUNDED * matrix[k][k]; // which no NaN is
         if !holds {
             return Err(k);
         }
