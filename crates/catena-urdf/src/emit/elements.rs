@@ -1,0 +1,177 @@
+//! Chains as types and values of the library's elements. All that the module says of elements stands here.
+
+use super::names::{Scope, comment};
+use super::plan::{Part, Plan};
+use super::{list, number};
+use crate::algebra::{Matrix, Vector, quaternion};
+use crate::inertia::Inertia;
+use crate::robot::{Carrier, Robot};
+use std::fmt::Write;
+
+/// Names of the chains' types and constructors.
+struct Names {
+    types: Vec<String>,
+    functions: Vec<String>,
+}
+
+impl Names {
+    fn of(robot: &Robot, plan: &Plan) -> Self {
+        let (mut types, mut functions) = (Scope::new(), Scope::new());
+        let joint = |first: Option<usize>| first.map_or("", |first| robot.bodies[first].joint.as_str());
+        let mut names = Self { types: Vec::new(), functions: Vec::new() };
+        for arm in &plan.arms[..plan.arms.len() - 1] {
+            names.types.push(types.of_type(joint(arm.first)));
+            names.functions.push(functions.of_function(joint(arm.first)));
+        }
+        names.types.push("Chain".to_owned());
+        names.functions.push("chain".to_owned());
+        names
+    }
+}
+
+/// What the module uses of the library.
+pub fn imports(robot: &Robot, plan: &Plan) -> String {
+    let parts = || plan.arms.iter().flat_map(|arm| &arm.parts);
+    let slides = |slides: bool| robot.bodies.iter().any(|body| body.slides == slides);
+    let welds = parts().any(|part| matches!(part, Part::Weld(_)));
+    let fixed = robot.base.is_none();
+    let used = [
+        ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
+        ("Clamped", fixed),
+        ("Effort", true),
+        ("Free", true),
+        ("Prismatic", slides(true)),
+        ("Revolute", slides(false)),
+        ("RigidBody", true),
+        ("Rotation", fixed || welds),
+        ("System", true),
+        ("Weld", welds),
+    ];
+    let used: Vec<_> = used.iter().filter(|(_, used)| *used).map(|(name, _)| *name).collect();
+    format!("use catena::spatial::{{{}}};\nuse catena::{{Error, Scalar}};\n", used.join(", "))
+}
+
+/// Types of all chains and of the scene.
+pub fn types(robot: &Robot, plan: &Plan) -> String {
+    let names = Names::of(robot, plan);
+    let mut text = String::new();
+    for (number, arm) in plan.arms.iter().enumerate() {
+        let from = arm.first.map(|first| comment(&robot.bodies[first].joint));
+        let title = match from {
+            _ if number + 1 == plan.arms.len() => "All elements, from root to tip.".to_owned(),
+            Some(joint) => format!("What begins with joint `{joint}`."),
+            None => "What goes on.".to_owned(),
+        };
+        let _ = writeln!(text, "/// {title}\npub type {}<T> = (", names.types[number]);
+        for part in &arm.parts {
+            let (kind, remark) = match part {
+                Part::Base(_) => ("RigidBody<T>".to_owned(), title_of(robot, Carrier::Base)),
+                Part::Body(body, _) => ("RigidBody<T>".to_owned(), title_of(robot, Carrier::Body(*body))),
+                Part::Massless(_) => ("RigidBody<T>".to_owned(), "a way without mass".to_owned()),
+                Part::Weld(_) => ("Weld<T>".to_owned(), "a turn".to_owned()),
+                Part::Joint(joint) => {
+                    let body = &robot.bodies[*joint];
+                    let kind = if body.slides { "Prismatic<T>" } else { "Revolute<T>" };
+                    (kind.to_owned(), format!("joint {}", comment(&body.joint)))
+                }
+                Part::Arm(arm) => (format!("Branch<{}<T>>", names.types[*arm]), String::new()),
+                Part::Rest(arm) => (format!("{}<T>", names.types[*arm]), String::new()),
+            };
+            let remark = if remark.is_empty() { remark } else { format!(" // {remark}") };
+            let _ = writeln!(text, "    {kind},{remark}");
+        }
+        text += ");\n\n";
+    }
+    let root = if robot.base.is_some() { "Free" } else { "Clamped<[T; 3], Rotation<T>>" };
+    let _ = writeln!(text, "/// The robot.\npub type Scene<T> = System<T, {root}, Chain<T>, Free>;\n");
+    text
+}
+
+/// Constructors of all chains and of the scene.
+pub fn constructors(robot: &Robot, plan: &Plan) -> String {
+    let names = Names::of(robot, plan);
+    let mut text = String::new();
+    let root = match robot.base {
+        Some(_) => "Free".to_owned(),
+        None => format!("Clamped::at({}, Rotation::identity())", vector(plan.root)),
+    };
+    let fails = plan.arms.iter().any(|arm| arm.parts.iter().any(|part| matches!(part, Part::Weld(_))));
+    let [x, y, z] = robot.gravity;
+    let _ = writeln!(
+        text,
+        "/// The robot, in gravity of {} m/s².\n///\n/// # Errors\n/// Where a body has moments of inertia that no body has.\n\
+         pub fn scene<T: Scalar>() -> Result<Scene<T>, Error> {{\n    let scene = System::new({root}, chain(){}, Free)?;\n    \
+         Ok(scene.with_gravity_vector({}.into()))\n}}\n",
+        list([x, y, z]),
+        if fails { "?" } else { "" },
+        vector(robot.gravity),
+    );
+    let slots: Vec<_> = plan.joints.iter().map(usize::to_string).collect();
+    let (count, all) = (slots.len(), plan.slots);
+    let _ = writeln!(
+        text,
+        "/// Torques (N·m) and forces (N) in the joints, in the order of [`JOINTS`], as efforts of the scene:\n\
+         /// `Loads::none().efforts(efforts(torques))`.\n\
+         pub fn efforts<T: Scalar>(torques: [T; {count}]) -> [Effort<T>; {all}] {{\n    \
+         let slots: [usize; {count}] = [{}];\n    let mut efforts = [Effort::default(); {all}];\n    \
+         for (slot, torque) in slots.into_iter().zip(torques) {{\n        \
+         efforts[slot] = Effort([torque, T::literal(0.0), T::literal(0.0)]);\n    }}\n    efforts\n}}\n",
+        slots.join(", ")
+    );
+    for (number, arm) in plan.arms.iter().enumerate() {
+        let (kind, name) = (&names.types[number], &names.functions[number]);
+        let (kind, open, close) = match fails {
+            true => (format!("Result<{kind}<T>, Error>"), "Ok((", "))"),
+            false => (format!("{kind}<T>"), "(", ")"),
+        };
+        let ask = if fails { "?" } else { "" };
+        let _ = writeln!(text, "fn {name}<T: Scalar>() -> {kind} {{\n    {open}");
+        for part in &arm.parts {
+            let element = match part {
+                Part::Base(end) => body(&robot.base.unwrap_or(Inertia::NONE), *end),
+                Part::Body(number, end) => body(&robot.bodies[*number].inertia, *end),
+                Part::Massless(way) => format!("RigidBody::massless({})", vector(*way)),
+                Part::Weld(body) => {
+                    let [w, x, y, z] = quaternion(&robot.bodies[*body].pose.turn).map(super::number);
+                    format!("Weld::at(Rotation::from_quaternion([{w}, {x}, {y}, {z}].map(T::literal))?)")
+                }
+                Part::Joint(joint) => {
+                    let body = &robot.bodies[*joint];
+                    let make = if body.slides { "Prismatic::along" } else { "Revolute::about" };
+                    format!("{make}({}), // {}", vector(body.axis), comment(&body.joint))
+                }
+                Part::Arm(arm) => format!("Branch({}(){ask})", names.functions[*arm]),
+                Part::Rest(arm) => format!("{}(){ask}", names.functions[*arm]),
+            };
+            let comma = if matches!(part, Part::Joint(_)) { "" } else { "," };
+            let _ = writeln!(text, "        {element}{comma}");
+        }
+        let _ = writeln!(text, "    {close}\n}}\n");
+    }
+    text
+}
+
+fn vector(x: Vector) -> String {
+    format!("vector({})", list(x))
+}
+
+fn matrix(rows: &Matrix) -> String {
+    let [x, y, z] = rows.map(list);
+    format!("tensor([{x}, {y}, {z}])")
+}
+
+/// A body with its mass, tensor, mass centre and outboard end.
+fn body(inertia: &Inertia, end: Vector) -> String {
+    if *inertia == Inertia::NONE {
+        return format!("RigidBody::massless({})", vector(end));
+    }
+    let Inertia { mass, centre, tensor } = inertia;
+    let (mass, tensor) = (number(*mass), matrix(tensor));
+    let inner = [format!("T::literal({mass})"), tensor, vector(*centre), vector(end)];
+    format!("RigidBody::new(\n            {},\n        )", inner.join(",\n            "))
+}
+
+/// The link that a body is.
+fn title_of(robot: &Robot, carrier: Carrier) -> String {
+    robot.frames.iter().find(|frame| frame.carrier == carrier).map(|frame| comment(&frame.name)).unwrap_or_default()
+}

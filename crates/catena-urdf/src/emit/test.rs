@@ -1,0 +1,82 @@
+//! The test of a module: mass matrix and forces at one state, as numbers.
+
+use super::{number, numbers};
+use crate::algebra::quaternion;
+use crate::dynamics::sample;
+use crate::robot::Robot;
+use std::fmt::Write;
+
+/// The test.
+pub fn module(robot: &Robot) -> String {
+    let state = sample(robot);
+    let offset = robot.base_freedoms();
+    let count = offset + robot.bodies.len();
+    // Accelerations unlike each other.
+    let accelerations: Vec<f64> = (0..count).map(|k| 1.0 - 0.37 * (k % 7) as f64).collect();
+    let forces = robot.inverse_dynamics(&state, &accelerations, robot.gravity);
+    let mass = robot.mass_matrix(&state);
+    let attitude = quaternion(&state.attitude);
+    let (mut positions, mut rates) = (Vec::new(), Vec::new());
+    if offset == 6 {
+        positions.extend(state.place.into_iter().chain(attitude));
+        rates.extend(state.base_rates.into_iter().flatten());
+    }
+    positions.extend(&state.q);
+    rates.extend(&state.rates);
+
+    let mut text = "#[cfg(test)]\nmod tests {\n    use catena::mirror::{Position, Rate};\n".to_owned();
+    text += if offset == 6 {
+        "    use catena::spatial::{Loads, Rotation, Wrench};\n\n    \
+         /// Place, attitude (a quaternion) and joints.\n"
+    } else {
+        "    use catena::spatial::Loads;\n\n    /// Joints.\n"
+    };
+    let mut constant = |title: &str, name: &str, values: &[f64]| {
+        let title = if title.is_empty() { String::new() } else { format!("    /// {title}\n") };
+        let _ = writeln!(text, "{title}    const {name}: [f64; {}] = {};", values.len(), numbers(values));
+    };
+    constant("", "POSITIONS", &positions);
+    constant("Their rates.", "RATES", &rates);
+    constant("And accelerations.", "ACCELERATIONS", &accelerations);
+    constant("What these accelerations take, by a recursion that shares nothing with the library.", "FORCES", &forces);
+    let rows: Vec<_> = mass.iter().map(|row| format!("        {},\n", numbers(row))).collect();
+    let _ = writeln!(
+        text,
+        "    /// The mass matrix.\n    const MASS: [[f64; {count}]; {count}] = [\n{}    ];\n",
+        rows.concat()
+    );
+    let (split, loads) = if offset == 6 {
+        let [w, x, y, z] = attitude.map(number);
+        (
+            format!(
+                "            // A force in axes of the ground, a torque in axes of the base.\n            \
+                 let attitude = Rotation::from_quaternion([{w}, {x}, {y}, {z}])?;\n            \
+                 let [fx, fy, fz, tx, ty, tz, torques @ ..] = forces;\n            \
+                 let base = Wrench {{ force: [fx, fy, fz].into(), torque: attitude.turned([tx, ty, tz]).into() }};\n"
+            ),
+            "Loads::none().efforts(super::efforts(torques)).wrenches([base])",
+        )
+    } else {
+        (String::new(), "Loads::none().efforts(super::efforts(forces))")
+    };
+    let _ = write!(
+        text,
+        "    #[test]\n    fn forces_cause_the_accelerations_that_they_take() -> Result<(), catena::Error> {{\n        \
+         let scene = super::scene::<f64>()?;\n        let mut motion = scene.motion();\n        \
+         let (mut positions, mut rates) = (POSITIONS.into_iter(), RATES.into_iter());\n        \
+         Position::replace(motion.position_mut(), &mut |x| positions.next().unwrap_or(x));\n        \
+         Rate::replace(motion.rate_mut(), &mut |x| rates.next().unwrap_or(x));\n        \
+         // A column of the mass matrix more is one acceleration more by one. What is off is rounding of the forces over the\n        \
+         // least inertia that a joint moves.\n        \
+         for more in 0..=MASS.len() {{\n            \
+         let column = MASS.get(more).copied().unwrap_or([0.0; {count}]);\n            \
+         let forces: [f64; {count}] = core::array::from_fn(|k| FORCES[k] + column[k]);\n{split}            \
+         let moved = scene.with_accelerations(motion, &{loads})?;\n            \
+         let mut k = 0;\n            \
+         Rate::visit(moved.acceleration(), &mut |x: f64| {{\n                \
+         let right = ACCELERATIONS[k] + if k == more {{ 1.0 }} else {{ 0.0 }};\n                \
+         assert!((x - right).abs() < 1e-8, \"coordinate {{k}}, column {{more}}: {{x}}, not {{right}}\");\n                \
+         k += 1;\n            }});\n        }}\n        Ok(())\n    }}\n}}\n"
+    );
+    text
+}

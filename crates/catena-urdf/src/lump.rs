@@ -1,0 +1,210 @@
+//! From links and joints to bodies that move: what is fixed becomes part of what carries it.
+
+use crate::algebra::{IDENTITY, Vector, ZERO, about, cross, scale, unit};
+use crate::error::{Error, Fault};
+use crate::inertia::Inertia;
+use crate::model::{Furniture, Joint, Kind, Link, Model, Pose};
+use crate::note::{Notes, Remark};
+use crate::options::{Base, Options};
+use crate::robot::{Body, Carrier, Frame, Robot};
+use crate::tree;
+
+/// More joints than any robot has; a Rust type of so many elements takes minutes.
+const MOST_JOINTS: usize = 512;
+
+/// Lumps a description into a robot.
+pub fn robot(model: &Model, options: &Options, notes: &mut Notes) -> Result<Robot, Error> {
+    let order = tree::order(model)?;
+    for (name, _) in &options.held {
+        if !model.joints.iter().any(|joint| joint.name == *name) {
+            let by = "what is to be held".to_owned();
+            return Err(Error::new(Fault::UnknownJoint { by, joint: name.clone() }));
+        }
+    }
+    let moving = model.joints.iter().filter(|joint| joint.kind != Kind::Fixed).count();
+    if moving > MOST_JOINTS {
+        return Err(Error::new(Fault::TooLarge { joints: moving, most: MOST_JOINTS }));
+    }
+    let floats = floats(model, options, &order);
+    let mut lump = Lump { options, notes, base: None, bodies: Vec::new() };
+    // Where each link is carried, once it has been reached.
+    let mut at = vec![(Carrier::Ground, Pose::IDENTITY); model.links.len()];
+    let mut frames = Vec::with_capacity(model.links.len());
+    for (link, joint) in order {
+        at[link] = match joint.map(|joint| &model.joints[joint]) {
+            None if floats == Floats::Root => (Carrier::Base, Pose::IDENTITY),
+            None => (Carrier::Ground, Pose::IDENTITY),
+            Some(joint) => lump.attach(joint, at[joint.parent], floats)?,
+        };
+        let (carrier, pose) = at[link];
+        lump.add(&model.links[link], carrier, &pose);
+        frames.push(Frame { name: model.links[link].name.clone(), carrier, pose });
+    }
+    let Lump { base, bodies, notes, .. } = lump;
+    let base = if floats == Floats::None { None } else { Some(base.unwrap_or(Inertia::NONE)) };
+    if bodies.is_empty() && base.is_none() {
+        return Err(Error::new(Fault::NothingMoves));
+    }
+    check(&base, &bodies, &frames, notes)?;
+    let (name, gravity, test) = (model.name.clone(), options.gravity, options.test);
+    Ok(Robot { name, base, bodies, frames, notes: Vec::new(), gravity, test })
+}
+
+/// Which link floats.
+#[derive(Clone, Copy, PartialEq)]
+enum Floats {
+    None,
+    Root,
+    /// The only child of a root without mass.
+    Child,
+}
+
+fn floats(model: &Model, options: &Options, order: &[(usize, Option<usize>)]) -> Floats {
+    let Some((root, _)) = order.first() else { return Floats::None };
+    let massless = model.links[*root].inertial.as_ref().is_none_or(|inertial| inertial.mass == 0.0);
+    let mut joints = model.joints.iter().filter(|joint| joint.parent == *root);
+    let only = match (joints.next(), joints.next()) {
+        (Some(joint), None) => joint.kind == Kind::Floating,
+        _ => false,
+    };
+    match options.base {
+        Base::Written | Base::Floating if massless && only => Floats::Child,
+        Base::Floating => Floats::Root,
+        Base::Written | Base::Fixed => Floats::None,
+    }
+}
+
+struct Lump<'a> {
+    options: &'a Options,
+    notes: &'a mut Notes,
+    base: Option<Inertia>,
+    bodies: Vec<Body>,
+}
+
+impl Lump<'_> {
+    /// What carries the child of a joint, and where: a new body if the joint moves.
+    fn attach(
+        &mut self,
+        joint: &Joint,
+        (carrier, pose): (Carrier, Pose),
+        floats: Floats,
+    ) -> Result<(Carrier, Pose), Error> {
+        let pose = pose.then(&joint.origin);
+        if let Some((_, value)) = self.options.held.iter().find(|(name, _)| *name == joint.name) {
+            let moved = match joint.kind {
+                Kind::Revolute | Kind::Continuous => Pose { place: ZERO, turn: about(joint.axis, *value) },
+                Kind::Prismatic => Pose { place: scale(*value, joint.axis), turn: IDENTITY },
+                Kind::Fixed | Kind::Floating | Kind::Planar => {
+                    return Err(Error::at(joint.line, Fault::CannotHold { joint: joint.name.clone() }));
+                }
+            };
+            return Ok((carrier, pose.then(&moved)));
+        }
+        Ok(match joint.kind {
+            Kind::Fixed => (carrier, pose),
+            Kind::Revolute | Kind::Continuous => self.body(joint, "", false, joint.axis, carrier, pose),
+            Kind::Prismatic => self.body(joint, "", true, joint.axis, carrier, pose),
+            Kind::Planar => {
+                let (one, other) = across(joint.axis);
+                self.notes.add(joint.line, Remark::PlanarSplit { joint: joint.name.clone() });
+                let (carrier, _) = self.body(joint, "/first", true, one, carrier, pose);
+                let (carrier, _) = self.body(joint, "/second", true, other, carrier, Pose::IDENTITY);
+                self.body(joint, "", false, joint.axis, carrier, Pose::IDENTITY)
+            }
+            // The coordinates of the base are its place and attitude in axes of the ground, wherever the joint puts it.
+            Kind::Floating if floats == Floats::Child && carrier == Carrier::Ground => {
+                if joint.origin != Pose::IDENTITY {
+                    let (element, inside) = ("origin".to_owned(), "joint type=\"floating\"".to_owned());
+                    self.notes.add(joint.line, Remark::LeftOut { element, inside });
+                }
+                (Carrier::Base, Pose::IDENTITY)
+            }
+            Kind::Floating => {
+                return Err(Error::at(joint.line, Fault::FloatingInside { joint: joint.name.clone() }));
+            }
+        })
+    }
+
+    fn body(
+        &mut self,
+        joint: &Joint,
+        suffix: &str,
+        slides: bool,
+        axis: Vector,
+        carrier: Carrier,
+        pose: Pose,
+    ) -> (Carrier, Pose) {
+        let parent = match carrier {
+            Carrier::Body(parent) => Some(parent),
+            Carrier::Base | Carrier::Ground => None,
+        };
+        let furniture = if joint.kind == Kind::Planar { Furniture::default() } else { joint.furniture.clone() };
+        let name = format!("{}{suffix}", joint.name);
+        let inertia = Inertia::NONE;
+        self.bodies.push(Body { joint: name, line: joint.line, slides, axis, parent, pose, inertia, furniture });
+        (Carrier::Body(self.bodies.len() - 1), Pose::IDENTITY)
+    }
+
+    /// Adds a link's mass to what carries it.
+    fn add(&mut self, link: &Link, carrier: Carrier, pose: &Pose) {
+        let Some(inertial) = &link.inertial else { return };
+        let mut inertia =
+            Inertia { mass: inertial.mass, centre: ZERO, tensor: inertial.tensor }.seen_from(&inertial.origin);
+        if carrier == Carrier::Ground {
+            if inertia.mass != 0.0 {
+                self.notes.add(inertial.line, Remark::MassOfGround);
+            }
+            return;
+        }
+        if let Some(deficit) = inertia.deficit() {
+            let repaired = self.options.repair;
+            self.notes.add(inertial.line, Remark::Impossible { of: link.name.clone(), deficit, repaired });
+        }
+        if self.options.repair {
+            inertia = inertia.repaired();
+        }
+        let inertia = inertia.seen_from(pose);
+        match carrier {
+            Carrier::Body(body) => self.bodies[body].inertia = self.bodies[body].inertia.with(&inertia),
+            _ => self.base = Some(self.base.unwrap_or(Inertia::NONE).with(&inertia)),
+        }
+    }
+}
+
+/// Two directions across a unit vector and each other; coordinate axes across a coordinate axis.
+fn across(axis: Vector) -> (Vector, Vector) {
+    let most = (0..3).fold(0, |most, k| if axis[k].abs() > axis[most].abs() { k } else { most });
+    let mut next = ZERO;
+    next[(most + 1) % 3] = 1.0;
+    let second = unit(cross(axis, next)).unwrap_or(next);
+    (cross(second, axis), second)
+}
+
+/// Whether all numbers are finite, and catena will take them.
+fn check(base: &Option<Inertia>, bodies: &[Body], frames: &[Frame], notes: &mut Notes) -> Result<(), Error> {
+    let name = |carrier| frames.iter().find(|frame| frame.carrier == carrier).map(|frame| frame.name.clone());
+    let carried = |carrier| name(carrier).unwrap_or_default();
+    let mut inertia = |inertia: &Inertia, line: Option<usize>, carrier| {
+        if !inertia.is_finite() {
+            let of = format!("the body of {:?}", carried(carrier));
+            return Err(Error { line, ..Error::new(Fault::Overflow { of }) });
+        }
+        if !inertia.is_possible() {
+            notes.add(line.unwrap_or(1), Remark::Refused { of: carried(carrier) });
+        }
+        Ok(())
+    };
+    if let Some(base) = base {
+        inertia(base, None, Carrier::Base)?;
+    }
+    for (number, body) in bodies.iter().enumerate() {
+        inertia(&body.inertia, Some(body.line), Carrier::Body(number))?;
+    }
+    let poses = bodies.iter().map(|body| (&body.joint, body.pose)).chain(frames.iter().map(|f| (&f.name, f.pose)));
+    for (name, pose) in poses {
+        if !pose.place.iter().all(|x| x.is_finite()) {
+            return Err(Error::new(Fault::Overflow { of: format!("the place of {name:?}") }));
+        }
+    }
+    Ok(())
+}

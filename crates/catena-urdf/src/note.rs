@@ -1,0 +1,171 @@
+//! What a module leaves out of its description, or changes in it: nothing silently.
+
+use std::collections::HashMap;
+use std::fmt;
+
+/// A remark about a description, with the lines that it concerns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Note {
+    /// Lines of the description, counted from one.
+    pub lines: Vec<usize>,
+    /// What is remarked.
+    pub remark: Remark,
+}
+
+/// What there is to remark.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Remark {
+    /// Elements that the module knows nothing of.
+    LeftOut {
+        /// Their name.
+        element: String,
+        /// The element around them.
+        inside: String,
+    },
+    /// Attributes that the module knows nothing of.
+    AttributeLeftOut {
+        /// Their name.
+        attribute: String,
+        /// The element that has them.
+        of: String,
+    },
+    /// Numbers that the module has as constants, while the scene does not act by them.
+    ConstantOnly {
+        /// What they are.
+        what: &'static str,
+    },
+    /// A joint that must have limits has none written, and is unlimited.
+    NoLimits {
+        /// The joint.
+        joint: String,
+    },
+    /// The lower limit lies above the upper one.
+    LimitsReversed {
+        /// The joint.
+        joint: String,
+    },
+    /// A joint follows another one: the module says how, and its scene lets it move by itself.
+    MimicFree {
+        /// The joint.
+        joint: String,
+        /// The joint followed.
+        of: String,
+    },
+    /// A transmission that does not belong to one joint of the description.
+    Transmission {
+        /// Its name.
+        name: String,
+    },
+    /// Masses of links that are fixed to the ground.
+    MassOfGround,
+    /// A link has moments of inertia without a mass.
+    TensorWithoutMass {
+        /// The link.
+        link: String,
+    },
+    /// A planar joint became two slides and a hinge: along two directions of the parent, then about the normal.
+    PlanarSplit {
+        /// The joint.
+        joint: String,
+    },
+    /// An angle (or an axis) was taken for a right one.
+    Snapped {
+        /// What was turned.
+        of: String,
+        /// By how much (rad).
+        by: f64,
+    },
+    /// No distribution of mass has these moments of inertia.
+    Impossible {
+        /// The link or the body.
+        of: String,
+        /// The least second moment, relative to the trace of the tensor.
+        deficit: f64,
+        /// Whether it was repaired: negative second moments became zero.
+        repaired: bool,
+    },
+    /// A whole body is so impossible that catena refuses it.
+    Refused {
+        /// The body's link.
+        of: String,
+    },
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const SHOWN: usize = 4;
+        match self.lines.as_slice() {
+            [] => (),
+            [line] => write!(f, "line {line}: ")?,
+            lines => {
+                let shown: Vec<_> = lines.iter().take(SHOWN).map(usize::to_string).collect();
+                write!(f, "lines {}", shown.join(", "))?;
+                match lines.len().checked_sub(SHOWN) {
+                    None | Some(0) => f.write_str(": ")?,
+                    Some(more) => write!(f, " and {more} more: ")?,
+                }
+            }
+        }
+        self.remark.fmt(f)
+    }
+}
+
+impl fmt::Display for Remark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::LeftOut { element, inside } => write!(f, "<{element}> in <{inside}> is left out"),
+            Self::AttributeLeftOut { attribute, of } => write!(f, "{attribute} of <{of}> is left out"),
+            Self::ConstantOnly { what } => {
+                write!(f, "{what} is among the constants of the module; its scene does not act by it")
+            }
+            Self::NoLimits { joint } => write!(f, "joint {joint:?} has no <limit>, and is taken as unlimited"),
+            Self::LimitsReversed { joint } => write!(f, "joint {joint:?} has its lower limit above its upper one"),
+            Self::MimicFree { joint, of } => {
+                write!(f, "joint {joint:?} follows {of:?}: among the constants; in the scene it moves by itself")
+            }
+            Self::Transmission { name } => {
+                write!(f, "transmission {name:?} is left out: it has not one joint of this robot and one reduction")
+            }
+            Self::MassOfGround => f.write_str("the mass of what is fixed to the ground is left out"),
+            Self::TensorWithoutMass { link } => write!(f, "link {link:?} has moments of inertia, but no mass"),
+            Self::PlanarSplit { joint } => {
+                write!(f, "planar joint {joint:?} became two slides across its normal and a hinge about it")
+            }
+            Self::Snapped { of, by } => write!(f, "{of} turned by {by:.1e} rad to a right angle"),
+            Self::Impossible { of, deficit, repaired } => {
+                let percent = 100.0 * deficit;
+                write!(
+                    f,
+                    "no body has the moments of inertia of {of:?}: a second moment is {percent:.2} % of the trace"
+                )?;
+                f.write_str(if *repaired { "; it became zero, the others stay" } else { "" })
+            }
+            Self::Refused { of } => {
+                write!(f, "catena refuses the body of {of:?} for its moments of inertia; have it repaired")
+            }
+        }
+    }
+}
+
+/// Notes as they come, equal remarks at several lines as one.
+#[derive(Default)]
+pub(crate) struct Notes {
+    notes: Vec<Note>,
+    known: HashMap<String, usize>,
+}
+
+impl Notes {
+    pub fn add(&mut self, line: usize, remark: Remark) {
+        let next = self.notes.len();
+        let at = *self.known.entry(remark.to_string()).or_insert(next);
+        match self.notes.get_mut(at) {
+            Some(note) => note.lines.push(line),
+            None => self.notes.push(Note { lines: vec![line], remark }),
+        }
+    }
+
+    pub fn into_list(self) -> Vec<Note> {
+        self.notes
+    }
+}

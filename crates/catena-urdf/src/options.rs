@@ -1,0 +1,83 @@
+//! How a description is read.
+
+use crate::algebra::Vector;
+use crate::frames::Frames;
+
+/// What the root link is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Base {
+    /// Fixed to the ground; but where it has no mass, and a floating joint as its only one, it is the ground, and its child floats.
+    #[default]
+    Written,
+    /// Fixed to the ground.
+    Fixed,
+    /// Floating.
+    Floating,
+}
+
+/// How a description is read. The defaults change nothing in it.
+#[derive(Clone, Debug, PartialEq)]
+#[must_use]
+pub struct Options {
+    pub(crate) snap: f64,
+    pub(crate) repair: bool,
+    pub(crate) base: Base,
+    pub(crate) frames: Frames,
+    pub(crate) held: Vec<(String, f64)>,
+    pub(crate) gravity: Vector,
+    pub(crate) test: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Options {
+    /// Nothing snapped, nothing repaired, the base as written, gravity 9.81 m/s² along −z, with a test.
+    pub fn new() -> Self {
+        let (base, frames) = (Base::Written, Frames::AlongHinges);
+        let gravity = [0.0, 0.0, -9.81];
+        Self { snap: 0.0, repair: false, base, frames, held: Vec::new(), gravity, test: true }
+    }
+
+    /// Takes angles, and axes of joints, within a tolerance (rad) of a right angle for right, and notes by how much each was
+    /// turned. Those right to the last bit of a double are right in any case.
+    pub fn snap(self, tolerance: f64) -> Self {
+        Self { snap: tolerance, ..self }
+    }
+
+    /// Repairs moments of inertia that no body has: negative second moments ∫ (x·n)² dm about the mass centre become zero, the
+    /// others and their directions stay. Without, they are noted only, and catena refuses bodies that have them.
+    pub fn repair(self) -> Self {
+        Self { repair: true, ..self }
+    }
+
+    /// What the root link is.
+    pub fn base(self, base: Base) -> Self {
+        Self { base, ..self }
+    }
+
+    /// How axes of bodies are chosen.
+    pub fn frames(self, frames: Frames) -> Self {
+        Self { frames, ..self }
+    }
+
+    /// Holds a joint at an angle (rad) or a way (m), as if it were fixed there: a gripper, a wheel.
+    pub fn hold(mut self, joint: &str, at: f64) -> Self {
+        self.held.push((joint.to_owned(), at));
+        self
+    }
+
+    /// Gravity (m/s²).
+    pub fn gravity(self, gravity: [f64; 3]) -> Self {
+        Self { gravity, ..self }
+    }
+
+    /// Writes no test into the module.
+    pub fn without_test(self) -> Self {
+        Self { test: false, ..self }
+    }
+}

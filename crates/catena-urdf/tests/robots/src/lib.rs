@@ -1,0 +1,7 @@
+//! The robots of `catena-urdf`, as its modules say them. Their own tests run with those of this crate.
+
+include!(concat!(env!("OUT_DIR"), "/arm7.rs"));
+include!(concat!(env!("OUT_DIR"), "/quadruped.rs"));
+include!(concat!(env!("OUT_DIR"), "/humanoid.rs"));
+include!(concat!(env!("OUT_DIR"), "/cart.rs"));
+include!(concat!(env!("OUT_DIR"), "/names.rs"));
