@@ -180,7 +180,7 @@ fn across(axis: Vector) -> (Vector, Vector) {
     (cross(second, axis), second)
 }
 
-/// Whether all numbers are finite, and catena will take them.
+/// Whether all numbers are finite, and which bodies no distribution of mass has.
 fn check(base: &Option<Inertia>, bodies: &[Body], frames: &[Frame], notes: &mut Notes) -> Result<(), Error> {
     let name = |carrier| frames.iter().find(|frame| frame.carrier == carrier).map(|frame| frame.name.clone());
     let carried = |carrier| name(carrier).unwrap_or_default();
@@ -190,7 +190,7 @@ fn check(base: &Option<Inertia>, bodies: &[Body], frames: &[Frame], notes: &mut 
             return Err(Error { line, ..Error::new(Fault::Overflow { of }) });
         }
         if !inertia.is_possible() {
-            notes.add(line.unwrap_or(1), Remark::Refused { of: carried(carrier) });
+            notes.add(line.unwrap_or(1), Remark::Doubtful { of: carried(carrier) });
         }
         Ok(())
     };

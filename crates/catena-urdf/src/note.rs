@@ -85,8 +85,8 @@ pub enum Remark {
         /// Whether it was repaired: negative second moments became zero.
         repaired: bool,
     },
-    /// A whole body is so impossible that catena refuses it.
-    Refused {
+    /// A whole body has moments of inertia that no distribution of mass has: catena refuses it where one is negative.
+    Doubtful {
         /// The body's link.
         of: String,
     },
@@ -141,8 +141,11 @@ impl fmt::Display for Remark {
                 )?;
                 f.write_str(if *repaired { "; it became zero, the others stay" } else { "" })
             }
-            Self::Refused { of } => {
-                write!(f, "catena refuses the body of {of:?} for its moments of inertia; have it repaired")
+            Self::Doubtful { of } => {
+                write!(
+                    f,
+                    "no distribution of mass has the moments of inertia of the body of {of:?}: have it repaired, or catena lists it as doubtful"
+                )
             }
         }
     }

@@ -50,7 +50,7 @@ impl Options {
     }
 
     /// Repairs moments of inertia that no body has: negative second moments ∫ (x·n)² dm about the mass centre become zero, the
-    /// others and their directions stay. Without, they are noted only, and catena refuses bodies that have them.
+    /// others and their directions stay. Without, they are noted only; catena refuses bodies of which a moment is negative.
     pub fn repair(self) -> Self {
         Self { repair: true, ..self }
     }

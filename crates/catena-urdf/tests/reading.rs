@@ -100,11 +100,11 @@ fn impossible_inertias_are_reported_and_repaired_on_request() {
     let [(lines, (deficit, repaired))] = &found(&read(CART, Options::new()))[..] else { panic!("one note") };
     assert_eq!((lines.as_slice(), *repaired), ([finger].as_slice(), false));
     assert!((deficit + 0.2 / 4.4).abs() < 1e-12);
-    assert!(read(CART, Options::new()).notes().iter().any(|note| matches!(note.remark, Remark::Refused { .. })));
+    assert!(read(CART, Options::new()).notes().iter().any(|note| matches!(note.remark, Remark::Doubtful { .. })));
 
     let repaired = read(CART, Options::new().repair().frames(Frames::AsWritten));
     assert!(found(&repaired)[0].1.1);
-    assert!(!repaired.notes().iter().any(|note| matches!(note.remark, Remark::Refused { .. })));
+    assert!(!repaired.notes().iter().any(|note| matches!(note.remark, Remark::Doubtful { .. })));
     let finger = repaired.bodies().iter().find(|body| body.joint == "left_grip").expect("a finger");
     // Second moments 1.2, 1.2 and −0.2 became 1.2, 1.2 and 0.
     let [[xx, ..], [_, yy, _], [.., zz]] = finger.inertia.tensor;
