@@ -39,7 +39,7 @@
 //!   condensed for another type of springs, [`Implicit`], after which the relation is full; rods and pins neither know nor pay.
 //!   Springs are read where coordinates would be without the acceleration sought, which makes a linear law exact; those of
 //!   rotations, which are not linear, where the last sweep has led ([`Reading`]).
-//! * **Projections and a tangent sweep through stored gains.** [`Element::Kept`] holds what the outward walk needs of each
+//! * **Projections and a tangent sweep through stored gains.** [`Kept`] holds what the outward walk needs of each
 //!   elimination, one value per joint in the order of the chain, and outlives the sweep: [`Element::respond`] walks it again for
 //!   corrections of positions and rates, and other right-hand sides can.
 //! * **The paper's displacement level** builds matrices from the same elements and shares no walk with this one.
@@ -58,6 +58,7 @@ pub use crate::visit::{Closed, Gather, Level, Visit, look};
 
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
+use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
 
 /// A body, a joint, or a chain of them.
 ///
@@ -68,25 +69,13 @@ use crate::relation::Closures;
     label = "not an element of `{S}`",
     note = "a chain consists of bodies and joints of one space and one scalar: tuples (to 16), arrays or vectors of them"
 )]
-pub trait Element<S: Space>: Clone {
+pub trait Element<S: Space>:
+    Shape<S, Store<Positions> = <Self as Element<S>>::Position, Store<Rates> = <Self as Element<S>>::Rate>
+{
     /// Positions of the joint coordinates inside.
     type Position: Position<S::Scalar, Rate = Self::Rate>;
     /// Rates and accelerations of the joint coordinates inside.
     type Rate: Rate<S::Scalar>;
-    /// What the outward walk needs of each elimination inside.
-    type Kept<C: Closures>: Clone;
-    /// One `X` for each body inside.
-    type PerBody<X: Copy>: Clone;
-    /// One `X` for each joint inside.
-    type PerJoint<X: Copy>: Clone;
-    /// One `X` for each set of axes inside: those of bodies, and those of joints that push along the axes of a neighbour.
-    type PerAxes<X: Copy>: Clone;
-
-    /// Number of bodies inside, if the type decides it.
-    const BODIES: Option<usize>;
-    /// Number of joints inside, if the type decides it.
-    const JOINTS: Option<usize>;
-
     /// Number of bodies inside.
     fn bodies(&self) -> usize;
     /// Number of joints inside.
@@ -101,25 +90,13 @@ pub trait Element<S: Space>: Clone {
         true
     }
 
-    /// All coordinates zero.
-    fn position(&self) -> Self::Position;
-    /// All rates zero.
-    fn rate(&self) -> Self::Rate;
-    /// Room for the gains.
-    fn kept<C: Closures>(&self) -> Self::Kept<C>;
-    /// `fill` for each body inside.
-    fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X>;
-    /// `fill` for each joint inside.
-    fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X>;
-    /// `fill` for each set of axes inside.
-    fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X>;
     /// The entry of body `k` inside.
-    fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X>;
+    fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X>;
     /// The entry of body or joint `k` inside, counted together from the root.
-    fn entry<'a, X: Copy>(
+    fn entry<'a, X: Copy + 'static>(
         &self,
-        bodies: &'a Self::PerBody<X>,
-        joints: &'a Self::PerJoint<X>,
+        bodies: &'a Self::Store<PerBody<X>>,
+        joints: &'a Self::Store<PerJoint<X>>,
         k: usize,
     ) -> Option<&'a X>;
 
@@ -154,23 +131,23 @@ pub trait Element<S: Space>: Clone {
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn;
 
     /// Writes down, once for a scene, what `resolve` reads of the shapes inside.
-    fn size(&self, sizes: &mut Self::PerAxes<S::Size>);
+    fn size(&self, sizes: &mut Self::Store<PerAxes<S::Size>>);
 
     /// Turns what `orient` stored into postures, without regard to order. It reads nothing but stores of numbers, so that the
     /// loop vectorises.
     fn resolve(
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     );
 
     /// `orient` and `resolve` at once.
@@ -181,11 +158,11 @@ pub trait Element<S: Space>: Clone {
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
         let turn = self.orient(position, rate, turn, x, y, p, q);
         Self::resolve(sizes, x, y, p, q);
@@ -198,7 +175,7 @@ pub trait Element<S: Space>: Clone {
         &self,
         acceleration: S::Acceleration,
         posture: Posture<'_, S, Self>,
-        kept: &mut Self::Kept<C>,
+        kept: &mut Self::Store<Kept<C>>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration;
@@ -209,13 +186,10 @@ pub trait Element<S: Space>: Clone {
         &self,
         acceleration: S::Acceleration,
         posture: Posture<'_, S, Self>,
-        kept: &Self::Kept<C>,
+        kept: &Self::Store<Kept<C>>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration;
-
-    /// How deep loops are nested inside.
-    const LOOPS: usize = 0;
 
     /// `respond` where loops are to be closed: each finds the forces that move its ends together by what they miss each other at
     /// this motion. Walks outward with complete kinematics too.
@@ -228,7 +202,7 @@ pub trait Element<S: Space>: Clone {
         level: Level,
         acceleration: S::Acceleration,
         posture: Posture<'_, S, Self>,
-        kept: &Self::Kept<C>,
+        kept: &Self::Store<Kept<C>>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> (S::Frame, S::Acceleration) {
@@ -243,7 +217,7 @@ pub trait Element<S: Space>: Clone {
         &self,
         frame: S::Frame,
         motion: Coordinates<'_, S, Self>,
-        kept: &Self::Kept<C>,
+        kept: &Self::Store<Kept<C>>,
         station: usize,
         tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<S::Frame, Error> {
@@ -257,21 +231,21 @@ pub trait Element<S: Space>: Clone {
         frame: S::Frame,
         motion: Coordinates<'_, S, Self>,
         visit: &mut V,
-        on_bodies: &mut Self::PerBody<V::OnBody>,
-        in_joints: &mut Self::PerJoint<V::InJoint>,
+        on_bodies: &mut Self::Store<PerBody<V::OnBody>>,
+        in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
     ) -> S::Frame;
 
     /// Walks the entries of bodies and joints from tip to root, with what comes from the outboard side.
     fn inward<G: Gather>(
         &self,
-        bodies: &mut Self::PerBody<G::Entry>,
-        joints: &mut Self::PerJoint<G::Entry>,
+        bodies: &mut Self::Store<PerBody<G::Entry>>,
+        joints: &mut Self::Store<PerJoint<G::Entry>>,
         outer: G::Carried,
         gather: &mut G,
     ) -> G::Carried;
 
     /// The outermost joint whose gains are not finite: the station, counted from `station`, where a sweep failed.
-    fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize>;
+    fn broken<C: Closures>(&self, kept: &Self::Store<Kept<C>>, station: usize) -> Option<usize>;
 }
 
 /// An element that can condense a relation of type `R` in a sweep that carries `L`.
@@ -291,7 +265,7 @@ pub trait Condense<S: Space, R, W: Sweep<S>>: Element<S> {
         outer: R,
         posture: Posture<'_, S, Self>,
         given: Given<'_, S, Self, W>,
-        kept: &mut Self::Kept<W::Closures>,
+        kept: &mut Self::Store<Kept<W::Closures>>,
     ) -> Self::Out;
 }
 
@@ -308,29 +282,29 @@ pub trait Close<S: Space, C: Closures> {
 /// tuples as well as for arrays.
 ///
 /// In the plane a rod keeps its arm (x, y) and the centripetal acceleration (p, q) of its outboard end.
-pub struct Posture<'a, S: Space, E: Element<S>> {
+pub struct Posture<'a, S: Space, E: Shape<S>> {
     /// First values.
-    pub x: &'a E::PerAxes<S::X>,
+    pub x: &'a E::Store<PerAxes<S::X>>,
     /// Second values.
-    pub y: &'a E::PerAxes<S::Y>,
+    pub y: &'a E::Store<PerAxes<S::Y>>,
     /// Third values.
-    pub p: &'a E::PerAxes<S::P>,
+    pub p: &'a E::Store<PerAxes<S::P>>,
     /// Fourth values.
-    pub q: &'a E::PerAxes<S::Q>,
+    pub q: &'a E::Store<PerAxes<S::Q>>,
 }
 
 /// What acts in an element besides inertia.
-pub struct Given<'a, S: Space, E: Element<S>, W: Sweep<S>> {
+pub struct Given<'a, S: Space, E: Shape<S>, W: Sweep<S>> {
     /// Loads on bodies.
-    pub on_bodies: &'a E::PerBody<OnBody<S, W>>,
+    pub on_bodies: &'a E::Store<PerBody<OnBody<S, W>>>,
     /// Torques in joints.
-    pub in_joints: &'a E::PerJoint<InJoint<S, W>>,
+    pub in_joints: &'a E::Store<PerJoint<InJoint<S, W>>>,
     /// Positions of the joint coordinates for springs; in an implicit sweep those that no acceleration would give.
-    pub position: &'a E::Position,
+    pub position: &'a E::Store<Positions>,
     /// Their rates for dampers, likewise.
-    pub rate: &'a E::Rate,
+    pub rate: &'a E::Store<Rates>,
     /// Where laws that are not linear in the coordinates are read in an implicit sweep.
-    pub reading: Reading<'a, E::Position, E::Rate>,
+    pub reading: Reading<'a, E::Store<Positions>, E::Store<Rates>>,
     /// How springs enter.
     pub springs: W::Springs,
 }
@@ -341,24 +315,24 @@ pub type OnBody<S, W> = <<W as Sweep<S>>::Loads as Loading<S>>::OnBody;
 pub type InJoint<S, W> = <<W as Sweep<S>>::Loads as Loading<S>>::InJoint;
 
 /// Positions, rates and accelerations of the joint coordinates of an element.
-pub struct Coordinates<'a, S: Space, E: Element<S>> {
+pub struct Coordinates<'a, S: Space, E: Shape<S>> {
     /// Positions.
-    pub position: &'a E::Position,
+    pub position: &'a E::Store<Positions>,
     /// Rates.
-    pub rate: &'a E::Rate,
+    pub rate: &'a E::Store<Rates>,
     /// Accelerations.
-    pub acceleration: &'a E::Rate,
+    pub acceleration: &'a E::Store<Rates>,
 }
 
 macro_rules! copy_references {
     ($($name:ident<$($extra:ident: $bound:ident),*>),*) => {$(
-        impl<S: Space, E: Element<S>, $($extra: $bound<S>),*> Clone for $name<'_, S, E, $($extra),*> {
+        impl<S: Space, E: Shape<S>, $($extra: $bound<S>),*> Clone for $name<'_, S, E, $($extra),*> {
             #[inline(always)]
             fn clone(&self) -> Self {
                 *self
             }
         }
-        impl<S: Space, E: Element<S>, $($extra: $bound<S>),*> Copy for $name<'_, S, E, $($extra),*> {}
+        impl<S: Space, E: Shape<S>, $($extra: $bound<S>),*> Copy for $name<'_, S, E, $($extra),*> {}
     )*};
 }
 copy_references!(Posture<>, Given<W: Sweep>, Coordinates<>);

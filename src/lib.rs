@@ -77,6 +77,7 @@ pub mod relation;
 pub mod scalar;
 pub mod sensitive;
 pub mod sensitivity;
+pub mod shape;
 pub mod simulate;
 pub mod solve;
 pub mod space;

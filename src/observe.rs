@@ -4,6 +4,7 @@ use crate::counts::HasBody;
 use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
+use crate::shape::{self, PerJoint};
 use crate::visit::survey;
 use core::fmt;
 use core::marker::PhantomData;
@@ -11,12 +12,12 @@ use num_traits::Zero;
 
 /// Something of every body of a scene, by number.
 #[derive(Clone)]
-pub struct PerBody<'a, S: Space, E: Element<S>, X: Copy> {
+pub struct PerBody<'a, S: Space, E: Element<S>, X: Copy + 'static> {
     chain: &'a E,
-    bodies: E::PerBody<Option<X>>,
+    bodies: E::Store<shape::PerBody<Option<X>>>,
 }
 
-impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
+impl<'a, S: Space, E: Element<S>, X: Copy + 'static> PerBody<'a, S, E, X> {
     /// Walks a motion outward and keeps what `read` says of each body.
     pub(crate) fn of(
         chain: &'a E,
@@ -24,8 +25,8 @@ impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
         motion: Coordinates<'_, S, E>,
         read: impl FnMut(&S::BodyMotion) -> X,
     ) -> Self {
-        let mut bodies = chain.per_body(None);
-        chain.travel(ground, motion, &mut Collect(read), &mut bodies, &mut chain.per_joint(()));
+        let mut bodies = chain.store::<shape::PerBody<_>>(None);
+        chain.travel(ground, motion, &mut Collect(read), &mut bodies, &mut chain.store::<PerJoint<()>>(()));
         Self { chain, bodies }
     }
 
@@ -67,7 +68,7 @@ impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
     }
 }
 
-impl<S: Space, E: Element<S>, X: Copy + fmt::Debug> fmt::Debug for PerBody<'_, S, E, X> {
+impl<S: Space, E: Element<S>, X: Copy + fmt::Debug + 'static> fmt::Debug for PerBody<'_, S, E, X> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_list().entries(self.iter()).finish()
     }
@@ -80,8 +81,8 @@ impl<S: Space, E: Element<S>, X: Copy + fmt::Debug> fmt::Debug for PerBody<'_, S
 #[derive(Clone)]
 pub struct Stations<'a, S: Space, E: Element<S>> {
     chain: &'a E,
-    bodies: E::PerBody<Option<S::Station>>,
-    joints: E::PerJoint<Option<S::Station>>,
+    bodies: E::Store<shape::PerBody<Option<S::Station>>>,
+    joints: E::Store<PerJoint<Option<S::Station>>>,
     root: S::Station,
     tip: S::Station,
 }
@@ -96,7 +97,7 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
         loads: &L,
         tip: S::Internal,
     ) -> Self {
-        let (mut bodies, mut joints) = (chain.per_body(None), chain.per_joint(None));
+        let (mut bodies, mut joints) = (chain.store::<shape::PerBody<_>>(None), chain.store::<PerJoint<_>>(None));
         let seen = survey(chain, ground, motion, loads);
         let mut visit = Balance::<S, L> { gravity, loads, seen, time, body: 0 };
         let end = chain.travel(ground, motion, &mut visit, &mut bodies, &mut joints);
@@ -160,7 +161,7 @@ impl<S: Space> Gather for Internals<S> {
 /// Keeps something of each body.
 struct Collect<F>(F);
 
-impl<S: Space, X: Copy, F: FnMut(&S::BodyMotion) -> X> Visit<S> for Collect<F> {
+impl<S: Space, X: Copy + 'static, F: FnMut(&S::BodyMotion) -> X> Visit<S> for Collect<F> {
     type OnBody = Option<X>;
     type InJoint = ();
 
@@ -178,7 +179,13 @@ pub(crate) fn each_body<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
     read: impl FnMut(&S::BodyMotion),
 ) {
-    chain.travel(ground, motion, &mut Show(read), &mut chain.per_body(()), &mut chain.per_joint(()));
+    chain.travel(
+        ground,
+        motion,
+        &mut Show(read),
+        &mut chain.store::<shape::PerBody<()>>(()),
+        &mut chain.store::<PerJoint<()>>(()),
+    );
 }
 
 /// Shows each body.
@@ -203,7 +210,13 @@ pub(crate) fn loops_miss<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
 ) -> (RealOf<S>, usize) {
     let mut open = OpenLoop::<S> { entries: 0, worst: (Zero::zero(), 0) };
-    chain.travel(ground, motion, &mut open, &mut chain.per_body(()), &mut chain.per_joint(()));
+    chain.travel(
+        ground,
+        motion,
+        &mut open,
+        &mut chain.store::<shape::PerBody<()>>(()),
+        &mut chain.store::<PerJoint<()>>(()),
+    );
     open.worst
 }
 
@@ -215,7 +228,13 @@ pub(crate) fn each_miss<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
     note: impl FnMut([S::Scalar; 2]),
 ) {
-    chain.travel(ground, motion, &mut Misses(note), &mut chain.per_body(()), &mut chain.per_joint(()));
+    chain.travel(
+        ground,
+        motion,
+        &mut Misses(note),
+        &mut chain.store::<shape::PerBody<()>>(()),
+        &mut chain.store::<PerJoint<()>>(()),
+    );
 }
 
 /// Shows by how much loops miss.
@@ -277,7 +296,13 @@ pub(crate) fn budget<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
 ) -> Budget<S> {
     let mut audit = Audit { gravity, sum: S::no_budget() };
-    chain.travel(ground, motion, &mut audit, &mut chain.per_body(()), &mut chain.per_joint(()));
+    chain.travel(
+        ground,
+        motion,
+        &mut audit,
+        &mut chain.store::<shape::PerBody<()>>(()),
+        &mut chain.store::<PerJoint<()>>(()),
+    );
     audit.sum
 }
 

@@ -2,14 +2,15 @@
 
 use crate::element::{Coordinates, Element};
 use crate::loading::Loading;
+use crate::shape::{PerBody, PerJoint};
 use crate::space::Space;
 
 /// A visitor of [`Element::travel`].
 pub trait Visit<S: Space> {
     /// Entry written for each body.
-    type OnBody: Copy;
+    type OnBody: Copy + 'static;
     /// Entry written for each joint.
-    type InJoint: Copy;
+    type InJoint: Copy + 'static;
 
     /// Meets a body.
     fn body(&mut self, body: &S::BodyMotion) -> Self::OnBody;
@@ -48,7 +49,7 @@ pub struct Closed<S: Space> {
 /// A gatherer of [`Element::inward`]: internal forces that add up from the tips to the root, for example.
 pub trait Gather {
     /// What it reads or writes of each body and joint.
-    type Entry: Copy;
+    type Entry: Copy + 'static;
     /// What it carries inward.
     type Carried: Copy;
 
@@ -73,7 +74,13 @@ pub enum Level {
 
 /// The frame at the end of a walk outward.
 pub fn look<S: Space, E: Element<S>>(element: &E, frame: S::Frame, motion: Coordinates<'_, S, E>) -> S::Frame {
-    element.travel(frame, motion, &mut Look, &mut element.per_body(()), &mut element.per_joint(()))
+    element.travel(
+        frame,
+        motion,
+        &mut Look,
+        &mut element.store::<PerBody<()>>(()),
+        &mut element.store::<PerJoint<()>>(()),
+    )
 }
 
 /// Looks at nothing.
@@ -93,7 +100,7 @@ pub(crate) fn last_body<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
 ) -> Option<S::BodyMotion> {
     let mut last = Last::<S> { arms: 0, body: None };
-    chain.travel(ground, motion, &mut last, &mut chain.per_body(()), &mut chain.per_joint(()));
+    chain.travel(ground, motion, &mut last, &mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()));
     last.body
 }
 
@@ -132,7 +139,13 @@ pub(crate) fn survey<S: Space, E: Element<S>, L: Loading<S>>(
     let mut surveyor = Surveyor { loads, seen: L::unseen(), body: 0 };
     // A constant, so that a compiler does not even look at what follows where there is nothing to see.
     if const { L::SURVEYS } {
-        chain.travel(ground, motion, &mut surveyor, &mut chain.per_body(()), &mut chain.per_joint(()));
+        chain.travel(
+            ground,
+            motion,
+            &mut surveyor,
+            &mut chain.store::<PerBody<()>>(()),
+            &mut chain.store::<PerJoint<()>>(()),
+        );
     }
     surveyor.seen
 }

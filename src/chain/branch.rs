@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::lift::Lift;
 use crate::relation::{Closures, Join, Open};
 use crate::scalar::Scalar;
+use crate::shape::{Arm, Field, Kept, PerAxes, PerBody, PerJoint, Shape};
 use num_traits::Zero;
 
 /// An arm that leaves the chain where this stands in it: a chain of its own with a free tip, that begins at this station. The chain
@@ -35,16 +36,22 @@ use num_traits::Zero;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Branch<A>(pub A);
 
-impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
-    type Position = A::Position;
-    type Rate = A::Rate;
-    type Kept<C: Closures> = A::Kept<Open>;
-    type PerBody<X: Copy> = A::PerBody<X>;
-    type PerJoint<X: Copy> = A::PerJoint<X>;
-    type PerAxes<X: Copy> = A::PerAxes<X>;
+impl<S: Space, A: Shape<S>> Shape<S> for Branch<A> {
+    type Store<F: Field<S>> = A::Store<F::In<Arm>>;
 
     const BODIES: Option<usize> = A::BODIES;
     const JOINTS: Option<usize> = A::JOINTS;
+    const LOOPS: usize = A::LOOPS;
+
+    fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
+        self.0.store::<F::In<Arm>>(F::fill_in::<Arm>(fill))
+    }
+}
+
+impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
+    type Position = A::Position;
+    type Rate = A::Rate;
+
     const ABSOLUTE: bool = A::ABSOLUTE;
 
     fn bodies(&self) -> usize {
@@ -59,31 +66,13 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
         self.0.fits(position, rate)
     }
-    fn position(&self) -> Self::Position {
-        self.0.position()
-    }
-    fn rate(&self) -> Self::Rate {
-        self.0.rate()
-    }
-    fn kept<C: Closures>(&self) -> A::Kept<Open> {
-        self.0.kept()
-    }
-    fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
-        self.0.per_body(fill)
-    }
-    fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
-        self.0.per_joint(fill)
-    }
-    fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-        self.0.per_axes(fill)
-    }
-    fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
+    fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
         self.0.body_entry(bodies, k)
     }
-    fn entry<'a, X: Copy>(
+    fn entry<'a, X: Copy + 'static>(
         &self,
-        bodies: &'a Self::PerBody<X>,
-        joints: &'a Self::PerJoint<X>,
+        bodies: &'a Self::Store<PerBody<X>>,
+        joints: &'a Self::Store<PerJoint<X>>,
         k: usize,
     ) -> Option<&'a X> {
         self.0.entry(bodies, joints, k)
@@ -106,24 +95,24 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
         self.0.orient(position, rate, turn, x, y, p, q);
         turn
     }
-    fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
+    fn size(&self, sizes: &mut Self::Store<PerAxes<S::Size>>) {
         self.0.size(sizes);
     }
     #[inline(always)]
     fn resolve(
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) {
         A::resolve(sizes, x, y, p, q);
     }
@@ -133,11 +122,11 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
         self.0.pose(position, rate, turn, sizes, x, y, p, q);
         turn
@@ -147,7 +136,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         &self,
         acceleration: S::Acceleration,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &mut A::Kept<Open>,
+        kept: &mut A::Store<Kept<Open>>,
         _: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration {
@@ -159,14 +148,13 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         &self,
         acceleration: S::Acceleration,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &A::Kept<Open>,
+        kept: &A::Store<Kept<Open>>,
         _: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration {
         self.0.respond::<Open>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
         acceleration
     }
-    const LOOPS: usize = A::LOOPS;
     fn restore<C: Closures>(
         &self,
         frame: S::Frame,
@@ -174,7 +162,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         level: Level,
         acceleration: S::Acceleration,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &A::Kept<Open>,
+        kept: &A::Store<Kept<Open>>,
         _: &C::Each<S::Scalar>,
         step: &mut Self::Rate,
     ) -> (S::Frame, S::Acceleration) {
@@ -186,7 +174,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         &self,
         frame: S::Frame,
         Coordinates { position, rate, acceleration }: Coordinates<'_, S, Self>,
-        kept: &A::Kept<Open>,
+        kept: &A::Store<Kept<Open>>,
         station: usize,
         tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<S::Frame, Error> {
@@ -199,8 +187,8 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         frame: S::Frame,
         Coordinates { position, rate, acceleration }: Coordinates<'_, S, Self>,
         visit: &mut V,
-        on_bodies: &mut Self::PerBody<V::OnBody>,
-        in_joints: &mut Self::PerJoint<V::InJoint>,
+        on_bodies: &mut Self::Store<PerBody<V::OnBody>>,
+        in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
     ) -> S::Frame {
         visit.enter_arm();
         self.0.travel(frame, Coordinates { position, rate, acceleration }, visit, on_bodies, in_joints);
@@ -209,8 +197,8 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     }
     fn inward<G: Gather>(
         &self,
-        bodies: &mut Self::PerBody<G::Entry>,
-        joints: &mut Self::PerJoint<G::Entry>,
+        bodies: &mut Self::Store<PerBody<G::Entry>>,
+        joints: &mut Self::Store<PerJoint<G::Entry>>,
         outer: G::Carried,
         gather: &mut G,
     ) -> G::Carried {
@@ -218,7 +206,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         let arm = self.0.inward(bodies, joints, beyond, gather);
         gather.join(outer, arm)
     }
-    fn broken<C: Closures>(&self, kept: &A::Kept<Open>, station: usize) -> Option<usize> {
+    fn broken<C: Closures>(&self, kept: &A::Store<Kept<Open>>, station: usize) -> Option<usize> {
         self.0.broken::<Open>(kept, station)
     }
 }
@@ -241,7 +229,7 @@ where
         outer: R,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
         Given { on_bodies, in_joints, position, rate, reading, springs }: Given<'_, S, Self, W>,
-        kept: &mut A::Kept<Open>,
+        kept: &mut A::Store<Kept<Open>>,
     ) -> R::Out {
         let given = Given { on_bodies, in_joints, position, rate, reading, springs };
         outer.join(self.0.condense(S::Nothing::default(), Posture { x, y, p, q }, given, kept))

@@ -9,6 +9,7 @@ use crate::element::{
 };
 use crate::error::Error;
 use crate::relation::{Closures, Meet};
+use crate::shape::{Field, Kept, PerAxes, PerBody, PerJoint, Shape};
 
 /// An array, spelled like a vector.
 type Array<X, const K: usize> = [X; K];
@@ -58,23 +59,29 @@ macro_rules! item_motion {
 /// One implementation for arrays and vectors, `$Of<item $extra>`.
 macro_rules! chain_items {
     ($Of:ident, $map:ident, $pose:ident $pose_in_order:ident, [$($K:tt)*], [$($extra:tt)*], |$A:ident| $length:expr) => {
-        impl<S: Space, A: Element<S> $($K)*> Element<S> for $Of<A $($extra)*> {
-            type Position = $Of<A::Position $($extra)*>;
-            type Rate = $Of<A::Rate $($extra)*>;
-            type Kept<C: Closures> = $Of<A::Kept<C> $($extra)*>;
-            type PerBody<X: Copy> = $Of<A::PerBody<X> $($extra)*>;
-            type PerJoint<X: Copy> = $Of<A::PerJoint<X> $($extra)*>;
-            type PerAxes<X: Copy> = $Of<A::PerAxes<X> $($extra)*>;
+        impl<S: Space, A: Shape<S> $($K)*> Shape<S> for $Of<A $($extra)*> {
+            type Store<F: Field<S>> = $Of<A::Store<F> $($extra)*>;
 
             const BODIES: Option<usize> = {
                 let $A = A::BODIES;
                 $length
             };
-            const ABSOLUTE: bool = A::ABSOLUTE;
             const JOINTS: Option<usize> = {
                 let $A = A::JOINTS;
                 $length
             };
+            const LOOPS: usize = A::LOOPS;
+
+            fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
+                $map(self, |item| item.store::<F>(fill))
+            }
+        }
+
+        impl<S: Space, A: Element<S> $($K)*> Element<S> for $Of<A $($extra)*> {
+            type Position = $Of<A::Position $($extra)*>;
+            type Rate = $Of<A::Rate $($extra)*>;
+
+            const ABSOLUTE: bool = A::ABSOLUTE;
 
             fn bodies(&self) -> usize {
                 A::BODIES.map_or_else(|| self.iter().map(Element::bodies).sum(), |each| each * self.len())
@@ -95,32 +102,14 @@ macro_rules! chain_items {
                     && self.len() == rate.len()
                     && self.iter().zip(position).zip(rate).all(|((item, position), rate)| item.fits(position, rate))
             }
-            fn position(&self) -> Self::Position {
-                $map(self, Element::position)
-            }
-            fn rate(&self) -> Self::Rate {
-                $map(self, Element::rate)
-            }
-            fn kept<C: Closures>(&self) -> Self::Kept<C> {
-                $map(self, Element::kept)
-            }
-            fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
-                $map(self, |item| item.per_body(fill))
-            }
-            fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
-                $map(self, |item| item.per_joint(fill))
-            }
-            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-                $map(self, |item| item.per_axes(fill))
-            }
-            fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
+            fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
                 let (i, k) = locate(self, A::BODIES, Element::bodies, k)?;
                 self.get(i)?.body_entry(bodies.get(i)?, k)
             }
-            fn entry<'a, X: Copy>(
+            fn entry<'a, X: Copy + 'static>(
                 &self,
-                bodies: &'a Self::PerBody<X>,
-                joints: &'a Self::PerJoint<X>,
+                bodies: &'a Self::Store<PerBody<X>>,
+                joints: &'a Self::Store<PerJoint<X>>,
                 k: usize,
             ) -> Option<&'a X> {
                 let (i, k) = locate(self, sum(A::BODIES, A::JOINTS), |item| item.bodies() + item.joints(), k)?;
@@ -147,23 +136,23 @@ macro_rules! chain_items {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: S::Turn,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) -> S::Turn {
                 orient_items(self, position, rate, turn, x, y, p, q)
             }
-            fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
+            fn size(&self, sizes: &mut Self::Store<PerAxes<S::Size>>) {
                 self.iter().zip(sizes).for_each(|(item, size)| item.size(size));
             }
             #[inline]
             fn resolve(
-                sizes: &Self::PerAxes<S::Size>,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                sizes: &Self::Store<PerAxes<S::Size>>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) {
                 resolve_items::<S, A>(sizes, x, y, p, q);
             }
@@ -173,11 +162,11 @@ macro_rules! chain_items {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: S::Turn,
-                sizes: &Self::PerAxes<S::Size>,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                sizes: &Self::Store<PerAxes<S::Size>>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) -> S::Turn {
                 if A::ABSOLUTE {
                     $pose(self, position, rate, turn, sizes, x, y, p, q);
@@ -191,7 +180,7 @@ macro_rules! chain_items {
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &mut Self::Kept<C>,
+                kept: &mut Self::Store<Kept<C>>,
                 multipliers: &C::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
@@ -211,7 +200,7 @@ macro_rules! chain_items {
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<C>,
+                kept: &Self::Store<Kept<C>>,
                 multipliers: &C::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
@@ -225,7 +214,6 @@ macro_rules! chain_items {
                 }
                 acceleration
             }
-            const LOOPS: usize = A::LOOPS;
             fn restore<C: Closures>(
                 &self,
                 frame: S::Frame,
@@ -233,7 +221,7 @@ macro_rules! chain_items {
                 level: Level,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<C>,
+                kept: &Self::Store<Kept<C>>,
                 multipliers: &C::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> (S::Frame, S::Acceleration) {
@@ -251,7 +239,7 @@ macro_rules! chain_items {
                 &self,
                 frame: S::Frame,
                 motion: Coordinates<'_, S, Self>,
-                kept: &Self::Kept<C>,
+                kept: &Self::Store<Kept<C>>,
                 station: usize,
         tell: &mut impl FnMut(usize, &'static str),
             ) -> Result<S::Frame, Error> {
@@ -268,8 +256,8 @@ macro_rules! chain_items {
                 frame: S::Frame,
                 motion: Coordinates<'_, S, Self>,
                 visit: &mut V,
-                on_bodies: &mut Self::PerBody<V::OnBody>,
-                in_joints: &mut Self::PerJoint<V::InJoint>,
+                on_bodies: &mut Self::Store<PerBody<V::OnBody>>,
+                in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
             ) -> S::Frame {
                 let Coordinates { position, rate, acceleration } = motion;
                 let items = &self[..];
@@ -284,15 +272,15 @@ macro_rules! chain_items {
             }
             fn inward<G: Gather>(
                 &self,
-                bodies: &mut Self::PerBody<G::Entry>,
-                joints: &mut Self::PerJoint<G::Entry>,
+                bodies: &mut Self::Store<PerBody<G::Entry>>,
+                joints: &mut Self::Store<PerJoint<G::Entry>>,
                 outer: G::Carried,
                 gather: &mut G,
             ) -> G::Carried {
                 let items = self.iter().zip(bodies).zip(joints).rev();
                 items.fold(outer, |outer, ((item, bodies), joints)| item.inward(bodies, joints, outer, gather))
             }
-            fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
+            fn broken<C: Closures>(&self, kept: &Self::Store<Kept<C>>, station: usize) -> Option<usize> {
                 let mut station = station;
                 let mut outermost = None;
                 for (item, kept) in self.iter().zip(kept) {
@@ -316,7 +304,7 @@ macro_rules! chain_items {
                 outer: R,
                 posture: Posture<'_, S, Self>,
                 given: Given<'_, S, Self, W>,
-                kept: &mut Self::Kept<W::Closures>,
+                kept: &mut Self::Store<Kept<W::Closures>>,
             ) -> Q::Both {
                 let Posture { x, y, p, q } = posture;
                 let Given { on_bodies, in_joints, position, rate, reading, springs } = given;

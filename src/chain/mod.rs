@@ -16,8 +16,9 @@ mod poses;
 mod sensitive;
 mod tuple;
 
+pub use crate::shape::{Closing, Ends};
 pub use branch::Branch;
-pub use closing::{CloseOff, Closing, Ends};
+pub use closing::CloseOff;
 pub use least_norm::LeastNorm;
 pub use network::Network;
 

@@ -1,13 +1,13 @@
 //! Arms in parallel, between two stations.
 
-use super::closing::{Closing, Ends};
 use super::{deeper, sum};
 use crate::element::{Closed, Coordinates, Element, Gather, Level, Posture, Space, Springs, Visit, look};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Rate, Tied, TiedPosition};
-use crate::relation::{Closures, LoopGain, Looped, Own, Solvable};
+use crate::relation::{Closures, Looped, Own, Solvable};
 use crate::scalar::Scalar;
+use crate::shape::{Closing, Ends, Field, Kept, Main, PerAxes, PerBody, PerJoint, Shape, Side};
 use crate::visit::last_body;
 use core::ops::Add;
 use typenum::{Sum, Unsigned};
@@ -68,21 +68,27 @@ impl<M, A, K> Network<M, A, K> {
 pub(super) type OwnOf<S, K> = <K as Closing<S>>::Closures;
 /// Closure forces in the main arm.
 pub(super) type Inside<S, C, K> = Looped<C, OwnOf<S, K>>;
-/// Gains of the loop, whose columns are those of the space.
-type Gains<S, C, K> = LoopGain<<S as Space>::Column, <S as Space>::Scalar, C, OwnOf<S, K>>;
+
+impl<S: Space, M: Shape<S>, A: Shape<S>, K: Closing<S>> Shape<S> for Network<M, A, K> {
+    type Store<F: Field<S>> =
+        Tied<(M::Store<F::In<Main<OwnOf<S, K>>>>, A::Store<F::In<Side<OwnOf<S, K>>>>), F::InClosing<K>>;
+
+    const BODIES: Option<usize> = sum(M::BODIES, A::BODIES);
+    const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
+    const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
+
+    fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
+        let main = self.main().store::<F::In<Main<OwnOf<S, K>>>>(F::fill_in::<Main<OwnOf<S, K>>>(fill));
+        let side = self.side().store::<F::In<Side<OwnOf<S, K>>>>(F::fill_in::<Side<OwnOf<S, K>>>(fill));
+        Tied { arms: (main, side), closing: F::in_closing(&self.closing, fill) }
+    }
+}
 
 impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Network<M, A, K> {
     type Position = TiedPosition<(M::Position, A::Position), S::Numbers>;
     type Rate = Tied<(M::Rate, A::Rate), S::Numbers>;
-    type Kept<C: Closures> = (M::Kept<Inside<S, C, K>>, A::Kept<OwnOf<S, K>>, Gains<S, C, K>, S::Internal);
-    type PerBody<X: Copy> = (M::PerBody<X>, A::PerBody<X>);
-    type PerJoint<X: Copy> = (M::PerJoint<X>, A::PerJoint<X>, X);
-    type PerAxes<X: Copy> = (M::PerAxes<X>, A::PerAxes<X>, K::PerAxes<X>);
 
-    const BODIES: Option<usize> = sum(M::BODIES, A::BODIES);
-    const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
     const ABSOLUTE: bool = M::ABSOLUTE && A::ABSOLUTE;
-    const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
 
     fn bodies(&self) -> usize {
         self.arms.bodies()
@@ -98,42 +104,24 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
     fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
         self.arms.fits(&position.arms, &rate.arms)
     }
-    fn position(&self) -> Self::Position {
-        TiedPosition::of(self.arms.position())
+    fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
+        self.arms.body_entry(&bodies.arms, k)
     }
-    fn rate(&self) -> Self::Rate {
-        Tied { arms: self.arms.rate(), closing: S::numbers(S::no_force()) }
-    }
-    fn kept<C: Closures>(&self) -> Self::Kept<C> {
-        (self.main().kept(), self.side().kept(), LoopGain::blank(S::no_column()), S::no_force())
-    }
-    fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
-        self.arms.per_body(fill)
-    }
-    fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
-        (self.main().per_joint(fill), self.side().per_joint(fill), fill)
-    }
-    fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-        (self.main().per_axes(fill), self.side().per_axes(fill), K::per_axes(fill))
-    }
-    fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
-        self.arms.body_entry(bodies, k)
-    }
-    fn entry<'a, X: Copy>(
+    fn entry<'a, X: Copy + 'static>(
         &self,
-        bodies: &'a Self::PerBody<X>,
-        joints: &'a Self::PerJoint<X>,
+        bodies: &'a Self::Store<PerBody<X>>,
+        joints: &'a Self::Store<PerJoint<X>>,
         k: usize,
     ) -> Option<&'a X> {
         let in_main = self.main().bodies() + self.main().joints();
         let Some(k) = k.checked_sub(in_main) else {
-            return self.main().entry(&bodies.0, &joints.0, k);
+            return self.main().entry(&bodies.arms.0, &joints.arms.0, k);
         };
         let in_side = self.side().bodies() + self.side().joints();
         let Some(k) = k.checked_sub(in_side) else {
-            return self.side().entry(&bodies.1, &joints.1, k);
+            return self.side().entry(&bodies.arms.1, &joints.arms.1, k);
         };
-        (k == 0).then_some(&joints.2)
+        (k == 0).then_some(&joints.closing)
     }
     fn aim(
         &self,
@@ -158,31 +146,33 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
         let (position, rate) = (&position.arms, &rate.arms);
-        let side = self.side().orient(&position.1, &rate.1, turn, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
-        let main = self.main().orient(&position.0, &rate.0, turn, &mut x.0, &mut y.0, &mut p.0, &mut q.0);
-        self.closing.orient(side, main, &mut x.2, &mut y.2, &mut p.2, &mut q.2);
+        let side =
+            self.side().orient(&position.1, &rate.1, turn, &mut x.arms.1, &mut y.arms.1, &mut p.arms.1, &mut q.arms.1);
+        let main =
+            self.main().orient(&position.0, &rate.0, turn, &mut x.arms.0, &mut y.arms.0, &mut p.arms.0, &mut q.arms.0);
+        self.closing.orient(side, main, &mut x.closing, &mut y.closing, &mut p.closing, &mut q.closing);
         main
     }
-    fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
-        self.main().size(&mut sizes.0);
-        self.side().size(&mut sizes.1);
+    fn size(&self, sizes: &mut Self::Store<PerAxes<S::Size>>) {
+        self.main().size(&mut sizes.arms.0);
+        self.side().size(&mut sizes.arms.1);
     }
     #[inline(always)]
     fn resolve(
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) {
-        M::resolve(&sizes.0, &mut x.0, &mut y.0, &mut p.0, &mut q.0);
-        A::resolve(&sizes.1, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
+        M::resolve(&sizes.arms.0, &mut x.arms.0, &mut y.arms.0, &mut p.arms.0, &mut q.arms.0);
+        A::resolve(&sizes.arms.1, &mut x.arms.1, &mut y.arms.1, &mut p.arms.1, &mut q.arms.1);
     }
     #[inline(always)]
     fn pose(
@@ -190,16 +180,34 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
         let (position, rate) = (&position.arms, &rate.arms);
-        let side = self.side().pose(&position.1, &rate.1, turn, &sizes.1, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
-        let main = self.main().pose(&position.0, &rate.0, turn, &sizes.0, &mut x.0, &mut y.0, &mut p.0, &mut q.0);
-        self.closing.orient(side, main, &mut x.2, &mut y.2, &mut p.2, &mut q.2);
+        let side = self.side().pose(
+            &position.1,
+            &rate.1,
+            turn,
+            &sizes.arms.1,
+            &mut x.arms.1,
+            &mut y.arms.1,
+            &mut p.arms.1,
+            &mut q.arms.1,
+        );
+        let main = self.main().pose(
+            &position.0,
+            &rate.0,
+            turn,
+            &sizes.arms.0,
+            &mut x.arms.0,
+            &mut y.arms.0,
+            &mut p.arms.0,
+            &mut q.arms.0,
+        );
+        self.closing.orient(side, main, &mut x.closing, &mut y.closing, &mut p.closing, &mut q.closing);
         main
     }
     #[inline(always)]
@@ -207,16 +215,17 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         &self,
         acceleration: S::Acceleration,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
-        (main, side, gain, driven): &mut Self::Kept<C>,
+        Tied { arms: (main, side), closing: (gain, driven) }: &mut Self::Store<Kept<C>>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration {
         let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, gain.gap());
-        let ends = Ends { x: &x.2, y: &y.2, p: &p.2, q: &q.2 };
+        let ends = Ends { x: &x.closing, y: &y.closing, p: &p.closing, q: &q.closing };
         rate.closing = S::numbers(S::together(*driven, self.closing.internal(&forces, ends)));
-        let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
+        let posture = Posture { x: &x.arms.1, y: &y.arms.1, p: &p.arms.1, q: &q.arms.1 };
         self.side().recover::<OwnOf<S, K>, By>(acceleration, posture, side, &forces, &mut rate.arms.1);
-        let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
+        let (posture, all) =
+            (Posture { x: &x.arms.0, y: &y.arms.0, p: &p.arms.0, q: &q.arms.0 }, (*multipliers, forces));
         self.main().recover::<Inside<S, C, K>, By>(acceleration, posture, main, &all, &mut rate.arms.0)
     }
     #[inline(always)]
@@ -224,15 +233,16 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         &self,
         acceleration: S::Acceleration,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
-        (main, side, gain, _): &Self::Kept<C>,
+        Tied { arms: (main, side), closing: (gain, _) }: &Self::Store<Kept<C>>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration {
         let still = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
         let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, &still);
-        let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
+        let posture = Posture { x: &x.arms.1, y: &y.arms.1, p: &p.arms.1, q: &q.arms.1 };
         self.side().respond::<OwnOf<S, K>>(acceleration, posture, side, &forces, &mut rate.arms.1);
-        let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
+        let (posture, all) =
+            (Posture { x: &x.arms.0, y: &y.arms.0, p: &p.arms.0, q: &q.arms.0 }, (*multipliers, forces));
         self.main().respond::<Inside<S, C, K>>(acceleration, posture, main, &all, &mut rate.arms.0)
     }
     fn restore<C: Closures>(
@@ -242,7 +252,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         level: Level,
         acceleration: S::Acceleration,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
-        (main, side, gain, _): &Self::Kept<C>,
+        Tied { arms: (main, side), closing: (gain, _) }: &Self::Store<Kept<C>>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> (S::Frame, S::Acceleration) {
@@ -255,10 +265,11 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         };
         let gap = OwnOf::<S, K>::reduced(gain, &miss);
         let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, &gap);
-        let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
+        let posture = Posture { x: &x.arms.1, y: &y.arms.1, p: &p.arms.1, q: &q.arms.1 };
         let step = &mut rate.arms.1;
         self.side().restore::<OwnOf<S, K>>(frame, in_side, level, acceleration, posture, side, &forces, step);
-        let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
+        let (posture, all) =
+            (Posture { x: &x.arms.0, y: &y.arms.0, p: &p.arms.0, q: &q.arms.0 }, (*multipliers, forces));
         let step = &mut rate.arms.0;
         self.main().restore::<Inside<S, C, K>>(frame, in_main, level, acceleration, posture, main, &all, step)
     }
@@ -266,7 +277,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         &self,
         frame: S::Frame,
         motion: Coordinates<'_, S, Self>,
-        (main, side, gain, _): &Self::Kept<C>,
+        Tied { arms: (main, side), closing: (gain, _) }: &Self::Store<Kept<C>>,
         station: usize,
         tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<S::Frame, Error> {
@@ -306,14 +317,14 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         frame: S::Frame,
         motion: Coordinates<'_, S, Self>,
         visit: &mut V,
-        on_bodies: &mut Self::PerBody<V::OnBody>,
-        in_joints: &mut Self::PerJoint<V::InJoint>,
+        on_bodies: &mut Self::Store<PerBody<V::OnBody>>,
+        in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
     ) -> S::Frame {
         let (in_main, in_side) = arms(motion);
-        let main = self.main().travel(frame, in_main, visit, &mut on_bodies.0, &mut in_joints.0);
+        let main = self.main().travel(frame, in_main, visit, &mut on_bodies.arms.0, &mut in_joints.arms.0);
         visit.enter_arm();
-        let side = self.side().travel(frame, in_side, visit, &mut on_bodies.1, &mut in_joints.1);
-        in_joints.2 = visit.closing(&Closed {
+        let side = self.side().travel(frame, in_side, visit, &mut on_bodies.arms.1, &mut in_joints.arms.1);
+        in_joints.closing = visit.closing(&Closed {
             joint: self.closing.joint(&side, &main),
             internal: S::internal(motion.acceleration.closing),
             conditions: OwnOf::<S, K>::COUNT,
@@ -335,20 +346,24 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
     }
     fn inward<G: Gather>(
         &self,
-        bodies: &mut Self::PerBody<G::Entry>,
-        joints: &mut Self::PerJoint<G::Entry>,
+        bodies: &mut Self::Store<PerBody<G::Entry>>,
+        joints: &mut Self::Store<PerJoint<G::Entry>>,
         outer: G::Carried,
         gather: &mut G,
     ) -> G::Carried {
         let beyond = gather.beyond_arm();
-        let closing = gather.meet(&mut joints.2, beyond);
-        let side = self.side().inward(&mut bodies.1, &mut joints.1, closing, gather);
+        let closing = gather.meet(&mut joints.closing, beyond);
+        let side = self.side().inward(&mut bodies.arms.1, &mut joints.arms.1, closing, gather);
         let opposite = gather.opposite(closing);
         let outer = gather.join(outer, opposite);
-        let main = self.main().inward(&mut bodies.0, &mut joints.0, outer, gather);
+        let main = self.main().inward(&mut bodies.arms.0, &mut joints.arms.0, outer, gather);
         gather.join(main, side)
     }
-    fn broken<C: Closures>(&self, (main, side, gain, _): &Self::Kept<C>, station: usize) -> Option<usize> {
+    fn broken<C: Closures>(
+        &self,
+        Tied { arms: (main, side), closing: (gain, _) }: &Self::Store<Kept<C>>,
+        station: usize,
+    ) -> Option<usize> {
         let after_main = station + self.main().bodies() + self.main().joints();
         let closing = after_main + self.side().bodies() + self.side().joints();
         let in_arms = self.side().broken(side, after_main).or_else(|| self.main().broken(main, station));

@@ -6,6 +6,7 @@ use crate::element::{
 };
 use crate::error::Error;
 use crate::relation::Closures;
+use crate::shape::{Field, Kept, PerAxes, PerBody, PerJoint, Shape};
 use crate::tuples::for_each_tuple;
 
 /// The first of a list.
@@ -27,25 +28,35 @@ macro_rules! chain_tuple {
 
 macro_rules! chain_of {
     ([$($inline:tt)*] $met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
-        impl<S: Space, $($A: Element<S>),*> Element<S> for ($($A,)*) {
-            type Position = ($($A::Position,)*);
-            type Rate = ($($A::Rate,)*);
-            type Kept<Cuts: Closures> = ($($A::Kept<Cuts>,)*);
-            type PerBody<X: Copy> = ($($A::PerBody<X>,)*);
-            type PerJoint<X: Copy> = ($($A::PerJoint<X>,)*);
-            type PerAxes<X: Copy> = ($($A::PerAxes<X>,)*);
+        impl<S: Space, $($A: Shape<S>),*> Shape<S> for ($($A,)*) {
+            type Store<Stored: Field<S>> = ($($A::Store<Stored>,)*);
 
             const BODIES: Option<usize> = {
                 let n = Some(0);
                 $(let n = sum(n, $A::BODIES);)*
                 n
             };
-            const ABSOLUTE: bool = first!($($A::ABSOLUTE,)*);
             const JOINTS: Option<usize> = {
                 let n = Some(0);
                 $(let n = sum(n, $A::JOINTS);)*
                 n
             };
+            const LOOPS: usize = {
+                let deepest = 0;
+                $(let deepest = deeper(deepest, $A::LOOPS);)*
+                deepest
+            };
+
+            fn store<Stored: Field<S>>(&self, fill: Stored::Fill) -> Self::Store<Stored> {
+                ($(self.$i.store::<Stored>(fill),)*)
+            }
+        }
+
+        impl<S: Space, $($A: Element<S>),*> Element<S> for ($($A,)*) {
+            type Position = ($($A::Position,)*);
+            type Rate = ($($A::Rate,)*);
+
+            const ABSOLUTE: bool = first!($($A::ABSOLUTE,)*);
 
             fn bodies(&self) -> usize {
                 0 $(+ self.$i.bodies())*
@@ -64,25 +75,7 @@ macro_rules! chain_of {
             fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
                 true $(&& self.$i.fits(&position.$i, &rate.$i))*
             }
-            fn position(&self) -> Self::Position {
-                ($(self.$i.position(),)*)
-            }
-            fn rate(&self) -> Self::Rate {
-                ($(self.$i.rate(),)*)
-            }
-            fn kept<Cuts: Closures>(&self) -> Self::Kept<Cuts> {
-                ($(self.$i.kept(),)*)
-            }
-            fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
-                ($(self.$i.per_body(fill),)*)
-            }
-            fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
-                ($(self.$i.per_joint(fill),)*)
-            }
-            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-                ($(self.$i.per_axes(fill),)*)
-            }
-            fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
+            fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
                 $(
                     let n = self.$i.bodies();
                     if k < n {
@@ -93,10 +86,10 @@ macro_rules! chain_of {
                 let _ = k;
                 None
             }
-            fn entry<'a, X: Copy>(
+            fn entry<'a, X: Copy + 'static>(
                 &self,
-                bodies: &'a Self::PerBody<X>,
-                joints: &'a Self::PerJoint<X>,
+                bodies: &'a Self::Store<PerBody<X>>,
+                joints: &'a Self::Store<PerJoint<X>>,
                 k: usize,
             ) -> Option<&'a X> {
                 $(
@@ -133,10 +126,10 @@ macro_rules! chain_of {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: S::Turn,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) -> S::Turn {
                 $(let turn = self.$i.orient(
                     &position.$i,
@@ -149,16 +142,16 @@ macro_rules! chain_of {
                 );)*
                 turn
             }
-            fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
+            fn size(&self, sizes: &mut Self::Store<PerAxes<S::Size>>) {
                 $(self.$i.size(&mut sizes.$i);)*
             }
             #[inline]
             fn resolve(
-                sizes: &Self::PerAxes<S::Size>,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                sizes: &Self::Store<PerAxes<S::Size>>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) {
                 $($A::resolve(&sizes.$i, &mut x.$i, &mut y.$i, &mut p.$i, &mut q.$i);)*
             }
@@ -168,11 +161,11 @@ macro_rules! chain_of {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: S::Turn,
-                sizes: &Self::PerAxes<S::Size>,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                sizes: &Self::Store<PerAxes<S::Size>>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) -> S::Turn {
                 $(let turn = self.$i.pose(
                     &position.$i,
@@ -191,7 +184,7 @@ macro_rules! chain_of {
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &mut Self::Kept<Cuts>,
+                kept: &mut Self::Store<Kept<Cuts>>,
                 multipliers: &Cuts::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
@@ -209,7 +202,7 @@ macro_rules! chain_of {
                 &self,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<Cuts>,
+                kept: &Self::Store<Kept<Cuts>>,
                 multipliers: &Cuts::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> S::Acceleration {
@@ -222,11 +215,6 @@ macro_rules! chain_of {
                 );)*
                 acceleration
             }
-            const LOOPS: usize = {
-                let deepest = 0;
-                $(let deepest = deeper(deepest, $A::LOOPS);)*
-                deepest
-            };
             fn restore<Cuts: Closures>(
                 &self,
                 frame: S::Frame,
@@ -234,7 +222,7 @@ macro_rules! chain_of {
                 level: Level,
                 acceleration: S::Acceleration,
                 posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<Cuts>,
+                kept: &Self::Store<Kept<Cuts>>,
                 multipliers: &Cuts::Each<S::Scalar>,
                 rate: &mut Self::Rate,
             ) -> (S::Frame, S::Acceleration) {
@@ -258,7 +246,7 @@ macro_rules! chain_of {
                 &self,
                 frame: S::Frame,
                 motion: Coordinates<'_, S, Self>,
-                kept: &Self::Kept<Cuts>,
+                kept: &Self::Store<Kept<Cuts>>,
                 station: usize,
         tell: &mut impl FnMut(usize, &'static str),
             ) -> Result<S::Frame, Error> {
@@ -285,8 +273,8 @@ macro_rules! chain_of {
                 frame: S::Frame,
                 motion: Coordinates<'_, S, Self>,
                 visit: &mut V,
-                on_bodies: &mut Self::PerBody<V::OnBody>,
-                in_joints: &mut Self::PerJoint<V::InJoint>,
+                on_bodies: &mut Self::Store<PerBody<V::OnBody>>,
+                in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
             ) -> S::Frame {
                 $(let frame = self.$i.travel(
                     frame,
@@ -303,15 +291,15 @@ macro_rules! chain_of {
             }
             fn inward<Found: Gather>(
                 &self,
-                bodies: &mut Self::PerBody<Found::Entry>,
-                joints: &mut Self::PerJoint<Found::Entry>,
+                bodies: &mut Self::Store<PerBody<Found::Entry>>,
+                joints: &mut Self::Store<PerJoint<Found::Entry>>,
                 outer: Found::Carried,
                 gather: &mut Found,
             ) -> Found::Carried {
                 $(let outer = self.$j.inward(&mut bodies.$j, &mut joints.$j, outer, gather);)*
                 outer
             }
-            fn broken<Cuts: Closures>(&self, kept: &Self::Kept<Cuts>, station: usize) -> Option<usize> {
+            fn broken<Cuts: Closures>(&self, kept: &Self::Store<Kept<Cuts>>, station: usize) -> Option<usize> {
                 let outermost = None;
                 $(
                     let outermost = self.$i.broken(&kept.$i, station).or(outermost);
@@ -333,7 +321,7 @@ macro_rules! chain_of {
                 outer: $met,
                 posture: Posture<'_, S, Self>,
                 given: Given<'_, S, Self, W>,
-                kept: &mut Self::Kept<W::Closures>,
+                kept: &mut Self::Store<Kept<W::Closures>>,
             ) -> X0 {
                 $(let outer = self.$j.condense(
                     outer,

@@ -7,6 +7,7 @@ use crate::element::{Coordinates, Element, Space, Visit};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::scalar::Scalar;
+use crate::shape::{PerBody, PerJoint, Shape};
 use crate::system::{MotionOf, System};
 use alloc::vec::Vec;
 
@@ -113,7 +114,13 @@ where
     let mut list = List::<S> { met: Vec::with_capacity(chain.bodies() + chain.joints()), arm: None };
     let coordinates = Coordinates { position, rate, acceleration };
     let ground = system.ground(motion.time());
-    chain.travel(ground, coordinates, &mut list, &mut chain.per_body(()), &mut chain.per_joint(()));
+    chain.travel(
+        ground,
+        coordinates,
+        &mut list,
+        &mut chain.store::<PerBody<()>>(()),
+        &mut chain.store::<PerJoint<()>>(()),
+    );
     match list.arm {
         Some(station) => Err(Error::new(Fault::Unsupported { what: "a chain that branches" }).at_station(station)),
         None => Ok(list.met),

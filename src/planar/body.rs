@@ -8,6 +8,7 @@ use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
 use crate::relation::{Closures, Term};
 use crate::scalar::{Real, Scalar};
+use crate::shape::{PerAxes, Shape};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use num_traits::Zero;
@@ -63,7 +64,7 @@ pub(super) fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(
 /// A rigid body in the plane, between an inboard end I (the origin of its axes) and an outboard end O.
 ///
 /// With these methods a type is a body; the macro `body!` in this file makes it an element.
-pub trait Body<T: Scalar>: Copy + Debug {
+pub trait Body<T: Scalar>: Copy + Debug + 'static {
     /// Its inertia.
     fn inertia(&self) -> Inertia<T>;
 
@@ -136,7 +137,7 @@ impl<T: Scalar> Pose<T> {
     }
 
     #[inline(always)]
-    pub(super) fn of<E: Element<Planar<T>, PerAxes<T> = T>>(posture: Posture<'_, Planar<T>, E>) -> Self {
+    pub(super) fn of<E: Shape<Planar<T>, Store<PerAxes<T>> = T>>(posture: Posture<'_, Planar<T>, E>) -> Self {
         Self { x: *posture.x, y: *posture.y, p: *posture.p, q: *posture.q }
     }
 
@@ -157,19 +158,17 @@ pub(super) fn body_motion<T: Scalar, B: Body<T>>(body: &B, inboard: Frame<T>) ->
     BodyMotion { arm: motion.turned(body.outboard()), to_centre: motion.turned(inertia.centre), ..motion }
 }
 
+impl<T: Scalar, B: Body<T>> crate::shape::Body<Planar<T>> for B {}
+
 /// Makes planar bodies elements.
 macro_rules! body {
     ($($Body:ident),*) => {$(
+        crate::shape::leaf!(body [T: Scalar] super::$Body<T>: Planar<T>);
+
         impl<T: Scalar> Element<Planar<T>> for super::$Body<T> {
             type Position = ();
             type Rate = ();
-            type Kept<C: Closures> = ();
-            type PerBody<X: Copy> = X;
-            type PerJoint<X: Copy> = ();
-            type PerAxes<X: Copy> = X;
 
-            const BODIES: Option<usize> = Some(1);
-            const JOINTS: Option<usize> = Some(0);
             const ABSOLUTE: bool = false;
 
             fn bodies(&self) -> usize {
@@ -181,20 +180,10 @@ macro_rules! body {
             fn check(&self, station: usize) -> Result<(), Error> {
                 Body::check(self).map_err(|fault| Error::new(fault).at_station(station))
             }
-            fn position(&self) {}
-            fn rate(&self) {}
-            fn kept<C: Closures>(&self) {}
-            fn per_body<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn per_joint<X: Copy>(&self, _: X) {}
-            fn per_axes<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn body_entry<'a, X: Copy>(&self, body: &'a X, k: usize) -> Option<&'a X> {
+            fn body_entry<'a, X: Copy + 'static>(&self, body: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
             }
-            fn entry<'a, X: Copy>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
+            fn entry<'a, X: Copy + 'static>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
             }
             fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {

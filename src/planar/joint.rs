@@ -10,6 +10,7 @@ use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Coefficient, Term};
 use crate::scalar::Scalar;
+use crate::shape::{PerAxes, Shape};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use typenum::{U0, U1, U3, Unsigned};
@@ -18,7 +19,7 @@ use typenum::{U0, U1, U3, Unsigned};
 ///
 /// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
 /// macro `joint!` in this file makes it an element.
-pub trait Joint<T: Scalar>: Copy + Debug {
+pub trait Joint<T: Scalar>: Copy + Debug + 'static {
     /// Its coordinates.
     type Position: Position<T, Rate = Self::Rate>;
     /// Their rates and accelerations.
@@ -139,24 +140,39 @@ pub trait Joint<T: Scalar>: Copy + Debug {
 #[inline(always)]
 pub(super) fn offset<T: Scalar, J>(posture: Posture<'_, Planar<T>, J>) -> <<J as Joint<T>>::Axes as Axes>::Offset<T>
 where
-    J: Joint<T> + Element<Planar<T>, PerAxes<T> = <<J as Joint<T>>::Axes as Axes>::Per<T>>,
+    J: Joint<T> + Shape<Planar<T>, Store<PerAxes<T>> = <<J as Joint<T>>::Axes as Axes>::Per<T>>,
 {
     <J as Joint<T>>::Axes::offset(posture.x, posture.y, posture.p, posture.q)
+}
+
+impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Planar<T>> for J {
+    type Position = <J as Joint<T>>::Position;
+    type Rate = <J as Joint<T>>::Rate;
+    type Kept<C: Closures> = <J as Joint<T>>::Kept<C>;
+    type Per<X: Copy> = <J::Axes as Axes>::Per<X>;
+
+    fn position() -> <J as Joint<T>>::Position {
+        <J as Joint<T>>::position()
+    }
+    fn rate() -> <J as Joint<T>>::Rate {
+        <J as Joint<T>>::rate()
+    }
+    fn kept<C: Closures>() -> <J as Joint<T>>::Kept<C> {
+        <J as Joint<T>>::kept::<C>()
+    }
+    fn per<X: Copy>(fill: X) -> <J::Axes as Axes>::Per<X> {
+        J::Axes::per(fill)
+    }
 }
 
 /// Makes planar joints elements.
 macro_rules! joint {
     ([$($generics:tt)*] $Joint:ty) => {
+        crate::shape::leaf!(joint [$($generics)*] $Joint: Planar<T>);
+
         impl<$($generics)*> Element<Planar<T>> for $Joint {
             type Position = <Self as Joint<T>>::Position;
             type Rate = <Self as Joint<T>>::Rate;
-            type Kept<C: Closures> = <Self as Joint<T>>::Kept<C>;
-            type PerBody<X: Copy> = ();
-            type PerJoint<X: Copy> = X;
-            type PerAxes<X: Copy> = <<Self as Joint<T>>::Axes as Axes>::Per<X>;
-
-            const BODIES: Option<usize> = Some(0);
-            const JOINTS: Option<usize> = Some(1);
             const ABSOLUTE: bool = <Self as Joint<T>>::ABSOLUTE;
 
             fn bodies(&self) -> usize {
@@ -168,26 +184,10 @@ macro_rules! joint {
             fn check(&self, station: usize) -> Result<(), Error> {
                 Joint::<T>::check(self).map_err(|fault| Error::new(fault).at_station(station))
             }
-            fn position(&self) -> Self::Position {
-                <Self as Joint<T>>::position()
-            }
-            fn rate(&self) -> Self::Rate {
-                <Self as Joint<T>>::rate()
-            }
-            fn kept<C: Closures>(&self) -> Self::Kept<C> {
-                <Self as Joint<T>>::kept::<C>()
-            }
-            fn per_body<X: Copy>(&self, _: X) {}
-            fn per_joint<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-                <Self as Joint<T>>::Axes::per(fill)
-            }
-            fn body_entry<'a, X: Copy>(&self, _: &'a (), _: usize) -> Option<&'a X> {
+            fn body_entry<'a, X: Copy + 'static>(&self, _: &'a (), _: usize) -> Option<&'a X> {
                 None
             }
-            fn entry<'a, X: Copy>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
+            fn entry<'a, X: Copy + 'static>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(joint)
             }
             fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
@@ -206,21 +206,21 @@ macro_rules! joint {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: Turn<T>,
-                x: &mut Self::PerAxes<T>,
-                y: &mut Self::PerAxes<T>,
-                p: &mut Self::PerAxes<T>,
-                q: &mut Self::PerAxes<T>,
+                x: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                y: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                p: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                q: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
             ) -> Turn<T> {
                 Joint::orient(self, position, rate, turn, x, y, p, q)
             }
-            fn size(&self, _: &mut Self::PerAxes<T>) {}
+            fn size(&self, _: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>) {}
             #[inline(always)]
             fn resolve(
-                _: &Self::PerAxes<T>,
-                x: &mut Self::PerAxes<T>,
-                y: &mut Self::PerAxes<T>,
-                p: &mut Self::PerAxes<T>,
-                q: &mut Self::PerAxes<T>,
+                _: &<<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                x: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                y: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                p: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                q: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
             ) {
                 <Self as Joint<T>>::Axes::resolve::<T>(x, y, p, q);
             }
@@ -229,7 +229,7 @@ macro_rules! joint {
                 &self,
                 acceleration: Acceleration<T>,
                 posture: Posture<'_, Planar<T>, Self>,
-                kept: &mut Self::Kept<C>,
+                kept: &mut <Self as Joint<T>>::Kept<C>,
                 multipliers: &C::Each<T>,
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
@@ -242,7 +242,7 @@ macro_rules! joint {
                 &self,
                 acceleration: Acceleration<T>,
                 posture: Posture<'_, Planar<T>, Self>,
-                kept: &Self::Kept<C>,
+                kept: &<Self as Joint<T>>::Kept<C>,
                 multipliers: &C::Each<T>,
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
@@ -278,7 +278,7 @@ macro_rules! joint {
             ) -> Found::Carried {
                 gather.meet(joint, outer)
             }
-            fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
+            fn broken<C: Closures>(&self, kept: &<Self as Joint<T>>::Kept<C>, station: usize) -> Option<usize> {
                 (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)
             }
         }

@@ -9,20 +9,21 @@ use crate::element::{
 };
 use crate::ends::Tip;
 use crate::relation::{Closures, Part, Solvable};
+use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::visit::survey;
 use num_traits::Zero;
 
 /// Room for the sweeps of one scene: reused, never reallocated.
 #[derive(Clone)]
 pub struct Workspace<S: Space, E: Element<S>, W: Sweep<S>> {
-    sizes: E::PerAxes<S::Size>,
-    x: E::PerAxes<S::X>,
-    y: E::PerAxes<S::Y>,
-    p: E::PerAxes<S::P>,
-    q: E::PerAxes<S::Q>,
-    on_bodies: E::PerBody<OnBody<S, W>>,
-    in_joints: E::PerJoint<InJoint<S, W>>,
-    pub(crate) kept: E::Kept<W::Closures>,
+    sizes: E::Store<PerAxes<S::Size>>,
+    x: E::Store<PerAxes<S::X>>,
+    y: E::Store<PerAxes<S::Y>>,
+    p: E::Store<PerAxes<S::P>>,
+    q: E::Store<PerAxes<S::Q>>,
+    on_bodies: E::Store<PerBody<OnBody<S, W>>>,
+    in_joints: E::Store<PerJoint<InJoint<S, W>>>,
+    pub(crate) kept: E::Store<Kept<W::Closures>>,
     /// Closure forces λ of the last sweep, and Λ.
     pub(crate) multipliers: <W::Closures as Closures>::Each<S::Scalar>,
     compliance: <W::Closures as Closures>::Pairs<S::Scalar>,
@@ -35,20 +36,20 @@ impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
     pub fn new(chain: &E) -> Self {
         let (x, y, p, q) = S::blank();
         let (on_body, in_joint) = W::Loads::nothing();
-        let mut sizes = chain.per_axes(S::no_size());
+        let mut sizes = chain.store::<PerAxes<_>>(S::no_size());
         chain.size(&mut sizes);
         Self {
             sizes,
-            x: chain.per_axes(x),
-            y: chain.per_axes(y),
-            p: chain.per_axes(p),
-            q: chain.per_axes(q),
-            on_bodies: chain.per_body(on_body),
-            in_joints: chain.per_joint(in_joint),
-            kept: chain.kept(),
+            x: chain.store::<PerAxes<_>>(x),
+            y: chain.store::<PerAxes<_>>(y),
+            p: chain.store::<PerAxes<_>>(p),
+            q: chain.store::<PerAxes<_>>(q),
+            on_bodies: chain.store::<PerBody<_>>(on_body),
+            in_joints: chain.store::<PerJoint<_>>(in_joint),
+            kept: chain.store::<Kept<_>>(()),
             multipliers: W::Closures::each(|_| S::Scalar::zero()),
             compliance: W::Closures::no_pairs(),
-            correction: (W::Closures::COUNT + E::LOOPS > 0).then(|| chain.rate()),
+            correction: (W::Closures::COUNT + E::LOOPS > 0).then(|| chain.store::<Rates>(())),
         }
     }
 }
@@ -184,7 +185,13 @@ pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
     }
     let seen = survey(chain, *ground, motion, loads);
     let mut check = LoadCheck { pass: LoadPass { loads, seen, time, body: 0, joint: 0 }, broken: None };
-    chain.travel(*ground, motion, &mut check, &mut chain.per_body(()), &mut chain.per_joint(()));
+    chain.travel(
+        *ground,
+        motion,
+        &mut check,
+        &mut chain.store::<PerBody<()>>(()),
+        &mut chain.store::<PerJoint<()>>(()),
+    );
     check.broken
 }
 

@@ -15,7 +15,7 @@ use typenum::{U0, U1};
 /// A rigid body in space, between an inboard end I (the origin of its axes) and an outboard end O.
 ///
 /// With these methods a type is a body; the macro `body!` in this file makes it an element.
-pub trait Body<T: Scalar>: Copy + Debug {
+pub trait Body<T: Scalar>: Copy + Debug + 'static {
     /// Its inertia.
     fn inertia(&self) -> Inertia<T>;
 
@@ -63,19 +63,17 @@ impl<T: Scalar> Pose<T> {
     }
 }
 
+impl<T: Scalar, B: Body<T>> crate::shape::Body<Spatial<T>> for B {}
+
 /// Makes spatial bodies elements.
 macro_rules! body {
     ($($Body:ident),*) => {$(
+        crate::shape::leaf!(body [T: Scalar] super::$Body<T>: Spatial<T>);
+
         impl<T: Scalar> Element<Spatial<T>> for super::$Body<T> {
             type Position = ();
             type Rate = ();
-            type Kept<C: Closures> = ();
-            type PerBody<X: Copy> = X;
-            type PerJoint<X: Copy> = ();
-            type PerAxes<X: Copy> = X;
 
-            const BODIES: Option<usize> = Some(1);
-            const JOINTS: Option<usize> = Some(0);
             const ABSOLUTE: bool = false;
 
             fn bodies(&self) -> usize {
@@ -87,20 +85,10 @@ macro_rules! body {
             fn check(&self, station: usize) -> Result<(), Error> {
                 Body::check(self).map_err(|fault| Error::new(fault).at_station(station))
             }
-            fn position(&self) {}
-            fn rate(&self) {}
-            fn kept<C: Closures>(&self) {}
-            fn per_body<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn per_joint<X: Copy>(&self, _: X) {}
-            fn per_axes<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn body_entry<'a, X: Copy>(&self, body: &'a X, k: usize) -> Option<&'a X> {
+            fn body_entry<'a, X: Copy + 'static>(&self, body: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
             }
-            fn entry<'a, X: Copy>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
+            fn entry<'a, X: Copy + 'static>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
             }
             fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {

@@ -60,7 +60,7 @@ pub type StoredIn<T, J> = (Axes<T, J>, Biases<T, J>);
 ///
 /// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
 /// macro `joint!` in this file makes it an element.
-pub trait Joint<T: Scalar>: Copy + Debug {
+pub trait Joint<T: Scalar>: Copy + Debug + 'static {
     /// Its coordinates.
     type Position: Position<T, Rate = Self::Rate>;
     /// Their rates and accelerations.
@@ -135,6 +135,26 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     ) -> Acceleration<T>;
 }
 
+impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Spatial<T>> for J {
+    type Position = <J as Joint<T>>::Position;
+    type Rate = <J as Joint<T>>::Rate;
+    type Kept<C: Closures> = <J as Joint<T>>::Kept<C>;
+    type Per<X: Copy> = <J::Sets as Sets>::Per<X>;
+
+    fn position() -> <J as Joint<T>>::Position {
+        <J as Joint<T>>::position()
+    }
+    fn rate() -> <J as Joint<T>>::Rate {
+        <J as Joint<T>>::rate()
+    }
+    fn kept<C: Closures>() -> <J as Joint<T>>::Kept<C> {
+        <J as Joint<T>>::kept::<C>()
+    }
+    fn per<X: Copy>(fill: X) -> <J::Sets as Sets>::Per<X> {
+        J::Sets::per(fill)
+    }
+}
+
 /// What a joint lets move, if it says so.
 macro_rules! release {
     ($joint:expr, $motion:expr, $position:expr, $rate:expr) => {
@@ -148,16 +168,11 @@ macro_rules! release {
 /// Makes spatial joints elements. What they let move serves transfer matrices, and may be left out.
 macro_rules! joint {
     ([$($generics:tt)*] $Joint:ty, $absolute:literal $(, $release:path)?) => {
+        crate::shape::leaf!(joint [$($generics)*] $Joint: Spatial<T>);
+
         impl<$($generics)*> Element<Spatial<T>> for $Joint {
             type Position = <Self as Joint<T>>::Position;
             type Rate = <Self as Joint<T>>::Rate;
-            type Kept<C: Closures> = <Self as Joint<T>>::Kept<C>;
-            type PerBody<X: Copy> = ();
-            type PerJoint<X: Copy> = X;
-            type PerAxes<X: Copy> = <<Self as Joint<T>>::Sets as Sets>::Per<X>;
-
-            const BODIES: Option<usize> = Some(0);
-            const JOINTS: Option<usize> = Some(1);
             const ABSOLUTE: bool = $absolute;
 
             fn bodies(&self) -> usize {
@@ -169,26 +184,10 @@ macro_rules! joint {
             fn check(&self, station: usize) -> Result<(), Error> {
                 Joint::<T>::check(self).map_err(|fault| Error::new(fault).at_station(station))
             }
-            fn position(&self) -> Self::Position {
-                <Self as Joint<T>>::position()
-            }
-            fn rate(&self) -> Self::Rate {
-                <Self as Joint<T>>::rate()
-            }
-            fn kept<C: Closures>(&self) -> Self::Kept<C> {
-                <Self as Joint<T>>::kept::<C>()
-            }
-            fn per_body<X: Copy>(&self, _: X) {}
-            fn per_joint<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-                <Self as Joint<T>>::Sets::per(fill)
-            }
-            fn body_entry<'a, X: Copy>(&self, _: &'a (), _: usize) -> Option<&'a X> {
+            fn body_entry<'a, X: Copy + 'static>(&self, _: &'a (), _: usize) -> Option<&'a X> {
                 None
             }
-            fn entry<'a, X: Copy>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
+            fn entry<'a, X: Copy + 'static>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(joint)
             }
             fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
@@ -207,23 +206,23 @@ macro_rules! joint {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: Turn<T>,
-                x: &mut Self::PerAxes<Columns<T>>,
-                y: &mut Self::PerAxes<[Vector3<T>; 2]>,
-                _: &mut Self::PerAxes<Vector3<T>>,
-                _: &mut Self::PerAxes<Vector3<T>>,
+                x: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Columns<T>>,
+                y: &mut <<Self as Joint<T>>::Sets as Sets>::Per<[Vector3<T>; 2]>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Vector3<T>>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Vector3<T>>,
             ) -> Turn<T> {
                 let (outboard, stored) = self.oriented(position, rate, turn);
                 <Self as Joint<T>>::store(stored, x, y);
                 outboard
             }
-            fn size(&self, _: &mut Self::PerAxes<()>) {}
+            fn size(&self, _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<()>) {}
             #[inline(always)]
             fn resolve(
-                _: &Self::PerAxes<()>,
-                _: &mut Self::PerAxes<Columns<T>>,
-                _: &mut Self::PerAxes<[Vector3<T>; 2]>,
-                _: &mut Self::PerAxes<Vector3<T>>,
-                _: &mut Self::PerAxes<Vector3<T>>,
+                _: &<<Self as Joint<T>>::Sets as Sets>::Per<()>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Columns<T>>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<[Vector3<T>; 2]>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Vector3<T>>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Vector3<T>>,
             ) {
             }
             #[inline(always)]
@@ -231,7 +230,7 @@ macro_rules! joint {
                 &self,
                 acceleration: Acceleration<T>,
                 posture: Posture<'_, Spatial<T>, Self>,
-                kept: &mut Self::Kept<C>,
+                kept: &mut <Self as Joint<T>>::Kept<C>,
                 multipliers: &C::Each<T>,
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
@@ -242,7 +241,7 @@ macro_rules! joint {
                 &self,
                 acceleration: Acceleration<T>,
                 posture: Posture<'_, Spatial<T>, Self>,
-                kept: &Self::Kept<C>,
+                kept: &<Self as Joint<T>>::Kept<C>,
                 multipliers: &C::Each<T>,
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
@@ -271,7 +270,7 @@ macro_rules! joint {
             ) -> G::Carried {
                 gather.meet(joint, outer)
             }
-            fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
+            fn broken<C: Closures>(&self, kept: &<Self as Joint<T>>::Kept<C>, station: usize) -> Option<usize> {
                 (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)
             }
         }

@@ -52,7 +52,7 @@ impl<K, D> Spring<K, D> {
 }
 
 /// What acts on a coordinate of a joint by itself.
-pub trait Law<T: Scalar>: Copy + Debug {
+pub trait Law<T: Scalar>: Copy + Debug + 'static {
     /// Adds its generalised force (N·m, N) to a sum.
     fn force_onto(&self, position: T, rate: T, sum: T) -> T;
     /// Energy stored (J).

@@ -26,6 +26,7 @@ use crate::motion::Motion;
 use crate::observe::{PerBody, Stations, budget};
 use crate::relation::Closures;
 use crate::scalar::Scalar;
+use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
 use num_traits::Zero;
 
@@ -141,7 +142,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 
     /// A motion at time zero with all coordinates, rates and accelerations zero.
     pub fn motion(&self) -> MotionOf<S, R, C, P> {
-        let (position, rate) = (self.chain.position(), self.chain.rate());
+        let (position, rate) = (self.chain.store::<Positions>(()), self.chain.store::<Rates>(()));
         let multipliers = P::Closures::each(|_| S::Scalar::zero());
         Motion { time: Zero::zero(), position, acceleration: rate.clone(), rate, multipliers }
     }

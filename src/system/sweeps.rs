@@ -10,6 +10,7 @@ use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Solvable};
 use crate::scalar::{Real, Scalar};
+use crate::shape::{PerBody, PerJoint, Shape};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
@@ -78,7 +79,7 @@ where
         tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error> {
         let ground = self.root.ground(motion.time);
-        if const { <Elements<S, R, C> as Element<S>>::LOOPS > 0 } {
+        if const { <Elements<S, R, C> as Shape<S>>::LOOPS > 0 } {
             self.chain
                 .independent::<P::Closures>(ground, coordinates(motion), &workspace.kept, 0, tell)
                 .map_err(|error| error.at_time(motion.time.as_f64()).beyond_root())?;
@@ -117,7 +118,7 @@ where
         }
         if far {
             let (mut look, ground) = (LookForAngles(None), self.root.ground(motion.time));
-            let (mut bodies, mut joints) = (self.chain.per_body(()), self.chain.per_joint(()));
+            let (mut bodies, mut joints) = (self.chain.store::<PerBody<()>>(()), self.chain.store::<PerJoint<()>>(()));
             self.chain.travel(ground, coordinates(motion), &mut look, &mut bodies, &mut joints);
             if let Some(angle) = look.0 {
                 return error(Fault::AngleOutOfRange { angle });
@@ -204,7 +205,7 @@ const ROUNDINGS: f64 = 4.0;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Whether there are loops.
-    pub(super) const LOOPED: bool = <Elements<S, R, C> as Element<S>>::LOOPS > 0;
+    pub(super) const LOOPED: bool = <Elements<S, R, C> as Shape<S>>::LOOPS > 0;
     /// How deep closures are nested: loops, and the ground to which a tip is held.
     pub(crate) const CLOSED: usize = C::LOOPS + (P::Closures::COUNT > 0) as usize;
 

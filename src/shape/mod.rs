@@ -1,0 +1,36 @@
+//! The shape of a chain: which bodies and joints it has, and what is stored beside them.
+//!
+//! A *field* ([`Field`]) says what a store holds for a body, for a joint and for what closes a loop; a composite says once how the
+//! stores of its items are put together ([`Shape::Store`]). So gains, postures, loads and coordinates have one type for all.
+
+mod closing;
+mod field;
+mod leaf;
+
+pub use closing::{Closing, Ends};
+pub use field::{Arm, Field, Kept, Main, PerAxes, PerBody, PerJoint, Positions, Rates, Side, Way};
+pub(crate) use leaf::leaf;
+pub use leaf::{Body, Joint};
+
+use crate::space::Space;
+
+/// A body, a joint, or a chain of them, as far as it is the same in all spaces: what is stored beside it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not an element of the chain's space `{S}`",
+    label = "not an element of `{S}`",
+    note = "a chain consists of bodies and joints of one space and one scalar: tuples (to 16), arrays or vectors of them"
+)]
+pub trait Shape<S: Space>: Clone + 'static {
+    /// What a field is of all bodies and joints inside.
+    type Store<F: Field<S>>: Clone;
+
+    /// Number of bodies inside, if the type decides it.
+    const BODIES: Option<usize>;
+    /// Number of joints inside, if the type decides it.
+    const JOINTS: Option<usize>;
+    /// How deep loops are nested inside.
+    const LOOPS: usize = 0;
+
+    /// A store of a field.
+    fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F>;
+}
