@@ -235,15 +235,6 @@ pub trait Element<S: Space>:
         in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
     ) -> S::Frame;
 
-    /// Walks the entries of bodies and joints from tip to root, with what comes from the outboard side.
-    fn inward<G: Gather>(
-        &self,
-        bodies: &mut Self::Store<PerBody<G::Entry>>,
-        joints: &mut Self::Store<PerJoint<G::Entry>>,
-        outer: G::Carried,
-        gather: &mut G,
-    ) -> G::Carried;
-
     /// The outermost joint whose gains are not finite: the station, counted from `station`, where a sweep failed.
     fn broken<C: Closures>(&self, kept: &Self::Store<Kept<C>>, station: usize) -> Option<usize>;
 }

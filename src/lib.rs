@@ -90,6 +90,7 @@ pub mod system;
 pub mod time;
 pub mod transfer;
 pub mod visit;
+pub mod walks;
 
 pub use error::{Error, Fault, Place};
 pub use motion::Motion;

@@ -6,6 +6,7 @@ use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::shape::{self, PerJoint};
 use crate::visit::survey;
+use crate::walks::gather::gather;
 use core::fmt;
 use core::marker::PhantomData;
 use num_traits::Zero;
@@ -101,7 +102,7 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
         let seen = survey(chain, ground, motion, loads);
         let mut visit = Balance::<S, L> { gravity, loads, seen, time, body: 0 };
         let end = chain.travel(ground, motion, &mut visit, &mut bodies, &mut joints);
-        let internal = chain.inward(&mut bodies, &mut joints, tip, &mut Internals::<S>(PhantomData));
+        let internal = gather(chain, &mut bodies, &mut joints, tip, &mut Internals::<S>(PhantomData));
         let (root, tip) = (S::end_station(&ground, internal), S::end_station(&end, tip));
         Self { chain, bodies, joints, root, tip }
     }

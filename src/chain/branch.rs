@@ -1,14 +1,14 @@
 //! Arms that leave a chain.
 
 use crate::counts::Counted;
-use crate::element::{
-    Carrying, Condense, Coordinates, Element, Gather, Given, Level, Posture, Space, Springs, Sweep, Visit,
-};
+use crate::element::{Carrying, Condense, Coordinates, Element, Given, Level, Posture, Space, Springs, Sweep, Visit};
 use crate::error::Error;
 use crate::lift::Lift;
 use crate::relation::{Closures, Join, Open};
 use crate::scalar::Scalar;
-use crate::shape::{Arm, Field, Kept, PerAxes, PerBody, PerJoint, Shape};
+use crate::shape::{
+    Arm, Aside, Field, Inward, Kept, Of, Outward, PerAxes, PerBody, PerJoint, Shape, arm_inward, arm_outward,
+};
 use num_traits::Zero;
 
 /// An arm that leaves the chain where this stands in it: a chain of its own with a free tip, that begins at this station. The chain
@@ -45,6 +45,27 @@ impl<S: Space, A: Shape<S>> Shape<S> for Branch<A> {
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
         self.0.store::<F::In<Arm>>(F::fill_in::<Arm>(fill))
+    }
+    #[inline(always)]
+    fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+        arm_outward::<S, W, Self>(walk, &self.0, carried, stores)
+    }
+    #[inline(always)]
+    fn inward<W: Inward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+        arm_inward::<S, W, Self>(walk, &self.0, carried, stores)
+    }
+}
+
+impl<S: Space, A: Shape<S>> Aside<S> for Branch<A> {
+    type Arm = A;
+
+    #[inline(always)]
+    fn arm<F: Field<S>>(store: &A::Store<F::In<Arm>>) -> &A::Store<F::In<Arm>> {
+        store
+    }
+    #[inline(always)]
+    fn arm_mut<F: Field<S>>(store: &mut A::Store<F::In<Arm>>) -> &mut A::Store<F::In<Arm>> {
+        store
     }
 }
 
@@ -194,17 +215,6 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         self.0.travel(frame, Coordinates { position, rate, acceleration }, visit, on_bodies, in_joints);
         visit.leave_arm();
         frame
-    }
-    fn inward<G: Gather>(
-        &self,
-        bodies: &mut Self::Store<PerBody<G::Entry>>,
-        joints: &mut Self::Store<PerJoint<G::Entry>>,
-        outer: G::Carried,
-        gather: &mut G,
-    ) -> G::Carried {
-        let beyond = gather.beyond_arm();
-        let arm = self.0.inward(bodies, joints, beyond, gather);
-        gather.join(outer, arm)
     }
     fn broken<C: Closures>(&self, kept: &A::Store<Kept<Open>>, station: usize) -> Option<usize> {
         self.0.broken::<Open>(kept, station)

@@ -4,12 +4,10 @@ use super::poses::{march, orient_items, pose_items, pose_items_in_order, resolve
 #[cfg(feature = "alloc")]
 use super::poses::{pose_slices, pose_slices_in_order};
 use super::{product, sum};
-use crate::element::{
-    Condense, Coordinates, Element, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
-};
+use crate::element::{Condense, Coordinates, Element, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit};
 use crate::error::Error;
 use crate::relation::{Closures, Meet};
-use crate::shape::{Field, Kept, PerAxes, PerBody, PerJoint, Shape};
+use crate::shape::{Field, Inward, Items, Kept, Of, Outward, PerAxes, PerBody, PerJoint, Shape, Slot};
 
 /// An array, spelled like a vector.
 type Array<X, const K: usize> = [X; K];
@@ -74,6 +72,27 @@ macro_rules! chain_items {
 
             fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
                 $map(self, |item| item.store::<F>(fill))
+            }
+            #[inline]
+            fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+                walk.items(&self[..], carried, W::Stores::all::<Self>(stores))
+            }
+            #[inline]
+            fn inward<W: Inward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+                walk.items(&self[..], carried, W::Stores::all::<Self>(stores))
+            }
+        }
+
+        impl<S: Space, A: Shape<S> $($K)*> Items<S> for $Of<A $($extra)*> {
+            type Item = A;
+
+            #[inline(always)]
+            fn slice<F: Field<S>>(store: &Self::Store<F>) -> &[A::Store<F>] {
+                store
+            }
+            #[inline(always)]
+            fn slice_mut<F: Field<S>>(store: &mut Self::Store<F>) -> &mut [A::Store<F>] {
+                store
             }
         }
 
@@ -269,16 +288,6 @@ macro_rules! chain_items {
                     frame = items[i].travel(frame, motion, visit, &mut on_bodies[i], &mut in_joints[i]);
                 }
                 frame
-            }
-            fn inward<G: Gather>(
-                &self,
-                bodies: &mut Self::Store<PerBody<G::Entry>>,
-                joints: &mut Self::Store<PerJoint<G::Entry>>,
-                outer: G::Carried,
-                gather: &mut G,
-            ) -> G::Carried {
-                let items = self.iter().zip(bodies).zip(joints).rev();
-                items.fold(outer, |outer, ((item, bodies), joints)| item.inward(bodies, joints, outer, gather))
             }
             fn broken<C: Closures>(&self, kept: &Self::Store<Kept<C>>, station: usize) -> Option<usize> {
                 let mut station = station;

@@ -1,13 +1,16 @@
 //! Arms in parallel, between two stations.
 
 use super::{deeper, sum};
-use crate::element::{Closed, Coordinates, Element, Gather, Level, Posture, Space, Springs, Visit, look};
+use crate::element::{Closed, Coordinates, Element, Level, Posture, Space, Springs, Visit, look};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Rate, Tied, TiedPosition};
 use crate::relation::{Closures, Looped, Own, Solvable};
 use crate::scalar::Scalar;
-use crate::shape::{Closing, Ends, Field, Kept, Main, PerAxes, PerBody, PerJoint, Shape, Side};
+use crate::shape::{
+    Closing, ClosingEntry, Ends, Field, Inward, Kept, Main, MainStore, Of, Outward, Parallel, PerAxes, PerBody,
+    PerJoint, Shape, Side, SideStore,
+};
 use crate::visit::last_body;
 use core::ops::Add;
 use typenum::{Sum, Unsigned};
@@ -81,6 +84,42 @@ impl<S: Space, M: Shape<S>, A: Shape<S>, K: Closing<S>> Shape<S> for Network<M, 
         let main = self.main().store::<F::In<Main<OwnOf<S, K>>>>(F::fill_in::<Main<OwnOf<S, K>>>(fill));
         let side = self.side().store::<F::In<Side<OwnOf<S, K>>>>(F::fill_in::<Side<OwnOf<S, K>>>(fill));
         Tied { arms: (main, side), closing: F::in_closing(&self.closing, fill) }
+    }
+    #[inline(always)]
+    fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+        walk.parallel(self, carried, stores)
+    }
+    #[inline(always)]
+    fn inward<W: Inward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+        walk.parallel(self, carried, stores)
+    }
+}
+
+impl<S: Space, M: Shape<S>, A: Shape<S>, K: Closing<S>> Parallel<S> for Network<M, A, K> {
+    type Main = M;
+    type Side = A;
+    type Closing = K;
+
+    fn main_arm(&self) -> &M {
+        &self.arms.0
+    }
+    fn side_arm(&self) -> &A {
+        &self.arms.1
+    }
+    fn closing_joint(&self) -> &K {
+        &self.closing
+    }
+    #[inline(always)]
+    fn fork<F: Field<S>>(
+        store: &Self::Store<F>,
+    ) -> (&MainStore<S, Self, F>, &SideStore<S, Self, F>, &ClosingEntry<S, Self, F>) {
+        (&store.arms.0, &store.arms.1, &store.closing)
+    }
+    #[inline(always)]
+    fn fork_mut<F: Field<S>>(
+        store: &mut Self::Store<F>,
+    ) -> (&mut MainStore<S, Self, F>, &mut SideStore<S, Self, F>, &mut ClosingEntry<S, Self, F>) {
+        (&mut store.arms.0, &mut store.arms.1, &mut store.closing)
     }
 }
 
@@ -343,21 +382,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         });
         visit.leave_arm();
         main
-    }
-    fn inward<G: Gather>(
-        &self,
-        bodies: &mut Self::Store<PerBody<G::Entry>>,
-        joints: &mut Self::Store<PerJoint<G::Entry>>,
-        outer: G::Carried,
-        gather: &mut G,
-    ) -> G::Carried {
-        let beyond = gather.beyond_arm();
-        let closing = gather.meet(&mut joints.closing, beyond);
-        let side = self.side().inward(&mut bodies.arms.1, &mut joints.arms.1, closing, gather);
-        let opposite = gather.opposite(closing);
-        let outer = gather.join(outer, opposite);
-        let main = self.main().inward(&mut bodies.arms.0, &mut joints.arms.0, outer, gather);
-        gather.join(main, side)
     }
     fn broken<C: Closures>(
         &self,

@@ -1,18 +1,39 @@
 //! Tuples of elements.
 
 use super::{deeper, sum};
-use crate::element::{
-    Condense, Coordinates, Element, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
-};
+use crate::element::{Condense, Coordinates, Element, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit};
 use crate::error::Error;
 use crate::relation::Closures;
-use crate::shape::{Field, Kept, PerAxes, PerBody, PerJoint, Shape};
+use crate::shape::{Field, Inward, Kept, Member, Nth, Of, Outward, PerAxes, PerBody, PerJoint, Shape, Slot};
 use crate::tuples::for_each_tuple;
 
 /// The first of a list.
 macro_rules! first {
     ($first:expr, $($rest:expr,)*) => {
         $first
+    };
+}
+
+/// Where the items of a tuple are: a macro cannot repeat all items for each item, so they are passed on as one list.
+macro_rules! members {
+    ($all:tt $($A:ident $i:tt)*) => {
+        $(member!($all $A $i);)*
+    };
+}
+macro_rules! member {
+    ([$($All:ident)*] $A:ident $i:tt) => {
+        impl<S: Space, $($All: Shape<S>),*> Member<S, ($($All,)*)> for Nth<$i> {
+            type Item = $A;
+
+            #[inline(always)]
+            fn get<Stored: Field<S>>(store: &($($All::Store<Stored>,)*)) -> &$A::Store<Stored> {
+                &store.$i
+            }
+            #[inline(always)]
+            fn get_mut<Stored: Field<S>>(store: &mut ($($All::Store<Stored>,)*)) -> &mut $A::Store<Stored> {
+                &mut store.$i
+            }
+        }
     };
 }
 
@@ -50,7 +71,20 @@ macro_rules! chain_of {
             fn store<Stored: Field<S>>(&self, fill: Stored::Fill) -> Self::Store<Stored> {
                 ($(self.$i.store::<Stored>(fill),)*)
             }
+            #[$($inline)*]
+            fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+                let mut stores = stores;
+                $(let carried = self.$i.outward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$i>));)*
+                carried
+            }
+            #[$($inline)*]
+            fn inward<W: Inward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+                let mut stores = stores;
+                $(let carried = self.$j.inward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$j>));)*
+                carried
+            }
         }
+        members!([$($A)*] $($A $i)*);
 
         impl<S: Space, $($A: Element<S>),*> Element<S> for ($($A,)*) {
             type Position = ($($A::Position,)*);
@@ -288,16 +322,6 @@ macro_rules! chain_of {
                     &mut in_joints.$i,
                 );)*
                 frame
-            }
-            fn inward<Found: Gather>(
-                &self,
-                bodies: &mut Self::Store<PerBody<Found::Entry>>,
-                joints: &mut Self::Store<PerJoint<Found::Entry>>,
-                outer: Found::Carried,
-                gather: &mut Found,
-            ) -> Found::Carried {
-                $(let outer = self.$j.inward(&mut bodies.$j, &mut joints.$j, outer, gather);)*
-                outer
             }
             fn broken<Cuts: Closures>(&self, kept: &Self::Store<Kept<Cuts>>, station: usize) -> Option<usize> {
                 let outermost = None;

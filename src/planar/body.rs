@@ -2,7 +2,7 @@
 
 use super::{BodyMotion, Frame, Planar, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Coordinates, Element, Gather, Given, OnBody, Posture, Springs, Sweep, Visit};
+use crate::element::{Condense, Coordinates, Element, Given, OnBody, Posture, Springs, Sweep, Visit};
 use crate::error::{Error, Fault};
 use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
@@ -251,15 +251,6 @@ macro_rules! body {
                 let motion = body_motion(self, frame);
                 *on_body = visit.body(&motion);
                 motion.outboard()
-            }
-            fn inward<G: Gather>(
-                &self,
-                body: &mut G::Entry,
-                _: &mut (),
-                outer: G::Carried,
-                gather: &mut G,
-            ) -> G::Carried {
-                gather.meet(body, outer)
             }
             fn broken<C: Closures>(&self, _: &(), _: usize) -> Option<usize> {
                 None

@@ -5,7 +5,7 @@ use super::linear::{HingeAxes, Linear};
 use super::spring::{Spring, SpringLaw};
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Gather, Posture, Springs, Visit};
+use crate::element::{Coordinates, Element, Posture, Springs, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Coefficient, Term};
@@ -268,15 +268,6 @@ macro_rules! joint {
                 let motion = JointMotion { inboard: frame, outboard, arm, spring, turns };
                 *in_joint = visit.joint_with(&motion, || <<Self as Counted>::Freedoms as Unsigned>::USIZE);
                 outboard
-            }
-            fn inward<Found: Gather>(
-                &self,
-                _: &mut (),
-                joint: &mut Found::Entry,
-                outer: Found::Carried,
-                gather: &mut Found,
-            ) -> Found::Carried {
-                gather.meet(joint, outer)
             }
             fn broken<C: Closures>(&self, kept: &<Self as Joint<T>>::Kept<C>, station: usize) -> Option<usize> {
                 (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)

@@ -1,5 +1,7 @@
 //! What stores and walks ask of bodies and joints, whatever their space.
 
+use super::Shape;
+use super::field::Field;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::space::Space;
@@ -36,15 +38,31 @@ pub trait Joint<S: Space>: Copy + 'static {
     fn per<X: Copy>(fill: X) -> Self::Per<X>;
 }
 
-/// Gives bodies or joints of a space their shape: `leaf!(body [T: Scalar] Rod<T>: Planar<T>)`.
+/// An element that is a body, with its entry of a store.
+pub trait AsBody<S: Space>: Shape<S> + Body<S> {
+    /// The entry.
+    fn entry<F: Field<S>>(store: &Self::Store<F>) -> &F::InBody<Self>;
+    /// The entry, to be written.
+    fn entry_mut<F: Field<S>>(store: &mut Self::Store<F>) -> &mut F::InBody<Self>;
+}
+
+/// An element that is a joint, with its entry of a store.
+pub trait AsJoint<S: Space>: Shape<S> + Joint<S> {
+    /// The entry.
+    fn entry<F: Field<S>>(store: &Self::Store<F>) -> &F::InJoint<Self>;
+    /// The entry, to be written.
+    fn entry_mut<F: Field<S>>(store: &mut Self::Store<F>) -> &mut F::InJoint<Self>;
+}
+
+/// Gives bodies or joints of a space their shape: `leaf!(body [T: Scalar] Rod<T>: Planar<T>)`. No walk is named here.
 macro_rules! leaf {
     (body [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(InBody, in_body, 1, 0, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, [$($generics)*] $Leaf, $S);
     };
     (joint [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(InJoint, in_joint, 0, 1, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, [$($generics)*] $Leaf, $S);
     };
-    ($In:ident, $in:ident, $bodies:literal, $joints:literal, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
+    ($As:ident, $In:ident, $meet:ident, $in:ident, $bodies:literal, $joints:literal, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
         impl<$($generics)*> $crate::shape::Shape<$S> for $Leaf {
             type Store<Stored: $crate::shape::Field<$S>> = Stored::$In<Self>;
 
@@ -53,6 +71,35 @@ macro_rules! leaf {
 
             fn store<Stored: $crate::shape::Field<$S>>(&self, fill: Stored::Fill) -> Stored::$In<Self> {
                 Stored::$in(self, fill)
+            }
+            #[inline(always)]
+            fn outward<Walk: $crate::shape::Outward<$S>>(
+                &self,
+                walk: &mut Walk,
+                carried: Walk::Carried,
+                stores: $crate::shape::Of<'_, $S, Walk, Self>,
+            ) -> Walk::Carried {
+                walk.$meet(self, carried, <Walk::Stores as $crate::shape::Slot<$S>>::$meet::<Self>(stores))
+            }
+            #[inline(always)]
+            fn inward<Walk: $crate::shape::Inward<$S>>(
+                &self,
+                walk: &mut Walk,
+                carried: Walk::Carried,
+                stores: $crate::shape::Of<'_, $S, Walk, Self>,
+            ) -> Walk::Carried {
+                walk.$meet(self, carried, <Walk::Stores as $crate::shape::Slot<$S>>::$meet::<Self>(stores))
+            }
+        }
+
+        impl<$($generics)*> $crate::shape::$As<$S> for $Leaf {
+            #[inline(always)]
+            fn entry<Stored: $crate::shape::Field<$S>>(store: &Stored::$In<Self>) -> &Stored::$In<Self> {
+                store
+            }
+            #[inline(always)]
+            fn entry_mut<Stored: $crate::shape::Field<$S>>(store: &mut Stored::$In<Self>) -> &mut Stored::$In<Self> {
+                store
             }
         }
     };

@@ -10,6 +10,7 @@ use crate::shape::{PerBody, PerJoint};
 use crate::state::TransferMatrix;
 use crate::transfer::{Efforts, Exact, Passage, Whole};
 use crate::visit::survey;
+use crate::walks::gather::gather;
 use core::marker::PhantomData;
 use num_traits::Zero;
 
@@ -92,7 +93,7 @@ where
         each,
         space: PhantomData::<S>,
     };
-    chain.inward(&mut bodies, &mut joints, (), &mut multiply);
+    gather(chain, &mut bodies, &mut joints, (), &mut multiply);
     let Multiply { whole, root, outcome, .. } = multiply;
     outcome.map(|()| (whole, root))
 }

@@ -2,7 +2,7 @@
 
 use super::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Coordinates, Element, Gather, Given, OnBody, Posture, Springs, Sweep, Visit};
+use crate::element::{Condense, Coordinates, Element, Given, OnBody, Posture, Springs, Sweep, Visit};
 use crate::error::{Error, Fault};
 use crate::relation::space::algebra::{Columns, centripetal};
 use crate::relation::space::{Full, Relation};
@@ -162,15 +162,6 @@ macro_rules! body {
                 let motion = BodyMotion { inboard: frame, arm, to_centre: turned(inertia.centre), inertia };
                 *on_body = visit.body(&motion);
                 motion.outboard()
-            }
-            fn inward<G: Gather>(
-                &self,
-                body: &mut G::Entry,
-                _: &mut (),
-                outer: G::Carried,
-                gather: &mut G,
-            ) -> G::Carried {
-                gather.meet(body, outer)
             }
             fn broken<C: Closures>(&self, _: &(), _: usize) -> Option<usize> {
                 None

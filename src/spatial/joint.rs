@@ -6,7 +6,7 @@ use super::{
 };
 use super::{Universal, Weld, release, spring::Law};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Gather, Posture, Springs, Visit};
+use crate::element::{Coordinates, Element, Posture, Springs, Visit};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
@@ -260,15 +260,6 @@ macro_rules! joint {
                 let motion = self.moved(frame, position, rate, acceleration);
                 *in_joint = visit.joint_with(&motion, || release!(self, &motion, position, rate $(, $release)?));
                 motion.outboard
-            }
-            fn inward<G: Gather>(
-                &self,
-                _: &mut (),
-                joint: &mut G::Entry,
-                outer: G::Carried,
-                gather: &mut G,
-            ) -> G::Carried {
-                gather.meet(joint, outer)
             }
             fn broken<C: Closures>(&self, kept: &<Self as Joint<T>>::Kept<C>, station: usize) -> Option<usize> {
                 (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)

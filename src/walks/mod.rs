@@ -1,0 +1,7 @@
+//! Walks over chains, one a file: a value that says what is done at a body and at a joint.
+//!
+//! The shortest of them shows how to write another: [`count`]. No composite, body or joint names a walk, so a new one is a file here and
+//! a line below.
+
+pub mod count;
+pub mod gather;
