@@ -137,9 +137,6 @@ pub trait Element<S: Space>:
         q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn;
 
-    /// Writes down, once for a scene, what `resolve` reads of the shapes inside.
-    fn size(&self, sizes: &mut Self::Store<PerAxes<S::Size>>);
-
     /// Turns what `orient` stored into postures, without regard to order. It reads nothing but stores of numbers, so that the
     /// loop vectorises.
     fn resolve(

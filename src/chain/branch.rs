@@ -124,9 +124,6 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         self.0.orient(position, rate, turn, x, y, p, q);
         turn
     }
-    fn size(&self, sizes: &mut Self::Store<PerAxes<S::Size>>) {
-        self.0.size(sizes);
-    }
     #[inline(always)]
     fn resolve(
         sizes: &Self::Store<PerAxes<S::Size>>,

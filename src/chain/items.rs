@@ -162,9 +162,6 @@ macro_rules! chain_items {
             ) -> S::Turn {
                 orient_items(self, position, rate, turn, x, y, p, q)
             }
-            fn size(&self, sizes: &mut Self::Store<PerAxes<S::Size>>) {
-                self.iter().zip(sizes).for_each(|(item, size)| item.size(size));
-            }
             #[inline]
             fn resolve(
                 sizes: &Self::Store<PerAxes<S::Size>>,

@@ -198,10 +198,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         self.closing.orient(side, main, &mut x.closing, &mut y.closing, &mut p.closing, &mut q.closing);
         main
     }
-    fn size(&self, sizes: &mut Self::Store<PerAxes<S::Size>>) {
-        self.main().size(&mut sizes.arms.0);
-        self.side().size(&mut sizes.arms.1);
-    }
     #[inline(always)]
     fn resolve(
         sizes: &Self::Store<PerAxes<S::Size>>,

@@ -176,9 +176,6 @@ macro_rules! chain_of {
                 );)*
                 turn
             }
-            fn size(&self, sizes: &mut Self::Store<PerAxes<S::Size>>) {
-                $(self.$i.size(&mut sizes.$i);)*
-            }
             #[inline]
             fn resolve(
                 sizes: &Self::Store<PerAxes<S::Size>>,

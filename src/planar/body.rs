@@ -158,7 +158,19 @@ pub(super) fn body_motion<T: Scalar, B: Body<T>>(body: &B, inboard: Frame<T>) ->
     BodyMotion { arm: motion.turned(body.outboard()), to_centre: motion.turned(inertia.centre), ..motion }
 }
 
-impl<T: Scalar, B: Body<T>> crate::shape::Body<Planar<T>> for B {}
+impl<T: Scalar, B: Body<T>> crate::shape::Body<Planar<T>> for B {
+    fn size(&self) -> T {
+        Body::size(self)
+    }
+    #[inline(always)]
+    fn motion(&self, inboard: Frame<T>) -> (BodyMotion<T>, Frame<T>) {
+        let motion = body_motion(self, inboard);
+        (motion, motion.outboard())
+    }
+    fn check(&self) -> Result<(), Fault> {
+        Body::check(self)
+    }
+}
 
 /// Makes planar bodies elements.
 macro_rules! body {
@@ -206,9 +218,6 @@ macro_rules! body {
                 *x = turn.angle;
                 *y = turn.rate;
                 turn
-            }
-            fn size(&self, size: &mut T) {
-                *size = Body::size(self);
             }
             #[inline(always)]
             fn resolve(size: &T, x: &mut T, y: &mut T, p: &mut T, q: &mut T) {

@@ -19,7 +19,7 @@ use typenum::{U0, U1, U3, Unsigned};
 ///
 /// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
 /// macro `joint!` in this file makes it an element.
-pub trait Joint<T: Scalar>: Copy + Debug + 'static {
+pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     /// Its coordinates.
     type Position: Position<T, Rate = Self::Rate>;
     /// Their rates and accelerations.
@@ -163,6 +163,40 @@ impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Planar<T>> for J {
     fn per<X: Copy>(fill: X) -> <J::Axes as Axes>::Per<X> {
         J::Axes::per(fill)
     }
+    fn is_finite<C: Closures>(kept: &<J as Joint<T>>::Kept<C>) -> bool {
+        <J as Joint<T>>::is_finite::<C>(kept)
+    }
+    fn aim(
+        &self,
+        position: &mut <J as Joint<T>>::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T> {
+        Joint::aim(self, position, inboard, next)
+    }
+    #[inline(always)]
+    fn motion(
+        &self,
+        inboard: Frame<T>,
+        position: &<J as Joint<T>>::Position,
+        rate: &<J as Joint<T>>::Rate,
+        acceleration: &<J as Joint<T>>::Rate,
+    ) -> (JointMotion<T>, Frame<T>) {
+        let outboard = self.moved(inboard, position, rate, acceleration);
+        let arm = match J::LEVER {
+            true => outboard.place - inboard.place,
+            false => Vector2::new(T::zero(), T::zero()),
+        };
+        (JointMotion { inboard, outboard, arm, spring: self.spring(position, rate), turns: J::TURNS }, outboard)
+    }
+    /// How many coordinates it has.
+    #[inline(always)]
+    fn release(&self, _: &JointMotion<T>, _: &<J as Joint<T>>::Position, _: &<J as Joint<T>>::Rate) -> usize {
+        J::Freedoms::USIZE
+    }
+    fn check(&self) -> Result<(), Fault> {
+        Joint::<T>::check(self)
+    }
 }
 
 /// Makes planar joints elements.
@@ -213,7 +247,6 @@ macro_rules! joint {
             ) -> Turn<T> {
                 Joint::orient(self, position, rate, turn, x, y, p, q)
             }
-            fn size(&self, _: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>) {}
             #[inline(always)]
             fn resolve(
                 _: &<<Self as Joint<T>>::Axes as Axes>::Per<T>,

@@ -62,6 +62,7 @@ use crate::shape::{PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
 use crate::system::{Dynamics, Elements, MotionOf, PositionOf, RateOf, Runs, System};
 use crate::time::{Explicit, Rule};
 use crate::visit::survey;
+use crate::walks::size::sizes;
 
 /// An explicit method whose derivatives go through kept gains.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -109,12 +110,10 @@ impl<S: Varied, E: Sensitive<S>> SensitiveWorkspace<S, E> {
     fn new(elements: &E, plain: &E::Plain) -> Self {
         let (x, y, p, q) = S::Plain::blank();
         let (on_body, in_joint) = S::no_load();
-        let mut sizes = plain.store::<PerAxes<_>>(S::Plain::no_size());
-        plain.size(&mut sizes);
         Self {
             position: plain.store::<Positions>(()),
             rate: plain.store::<Rates>(()),
-            sizes,
+            sizes: sizes(plain),
             x: plain.store::<PerAxes<_>>(x),
             y: plain.store::<PerAxes<_>>(y),
             p: plain.store::<PerAxes<_>>(p),

@@ -2,6 +2,7 @@
 
 use super::Shape;
 use super::field::Field;
+use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::space::Space;
@@ -11,7 +12,17 @@ use crate::space::Space;
     message = "`{Self}` is not a body of the chain's space `{S}`",
     label = "not an element of `{S}`"
 )]
-pub trait Body<S: Space>: Copy + 'static {}
+pub trait Body<S: Space>: Copy + 'static {
+    /// What resolving its posture reads of its shape.
+    fn size(&self) -> S::Size;
+    /// Its motion, if its inboard end moves like this, and that of its outboard end.
+    fn motion(&self, inboard: S::Frame) -> (S::BodyMotion, S::Frame);
+    /// Rejects parameters that make no mechanics.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn check(&self) -> Result<(), Fault>;
+}
 
 /// A joint, as it is the same in all spaces. Each space says so of its own joints (`planar::Joint`, `spatial::Joint`).
 #[diagnostic::on_unimplemented(
@@ -36,6 +47,32 @@ pub trait Joint<S: Space>: Copy + 'static {
     fn kept<C: Closures>() -> Self::Kept<C>;
     /// `fill` for each set of axes.
     fn per<X: Copy>(fill: X) -> Self::Per<X>;
+
+    /// Whether all gains are finite.
+    fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
+    /// Coordinates that turn the outboard body to an absolute orientation, and that orientation: one number of `next`, which is told
+    /// the orientation of the inboard body, for each rotary coordinate.
+    fn aim(
+        &self,
+        position: &mut Self::Position,
+        inboard: S::Turn,
+        next: &mut impl FnMut(S::Turn) -> S::Scalar,
+    ) -> S::Turn;
+    /// Its motion, if its inboard side moves like this, and that of its outboard side.
+    fn motion(
+        &self,
+        inboard: S::Frame,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        acceleration: &Self::Rate,
+    ) -> (S::JointMotion, S::Frame);
+    /// What it lets move.
+    fn release(&self, motion: &S::JointMotion, position: &Self::Position, rate: &Self::Rate) -> S::Release;
+    /// Rejects parameters that make no mechanics.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn check(&self) -> Result<(), Fault>;
 }
 
 /// An element that is a body, with its entry of a store.

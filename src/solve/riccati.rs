@@ -11,6 +11,7 @@ use crate::ends::Tip;
 use crate::relation::{Closures, Part, Solvable};
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::visit::survey;
+use crate::walks::size::sizes;
 use num_traits::Zero;
 
 /// Room for the sweeps of one scene: reused, never reallocated.
@@ -36,10 +37,8 @@ impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
     pub fn new(chain: &E) -> Self {
         let (x, y, p, q) = S::blank();
         let (on_body, in_joint) = W::Loads::nothing();
-        let mut sizes = chain.store::<PerAxes<_>>(S::no_size());
-        chain.size(&mut sizes);
         Self {
-            sizes,
+            sizes: sizes(chain),
             x: chain.store::<PerAxes<_>>(x),
             y: chain.store::<PerAxes<_>>(y),
             p: chain.store::<PerAxes<_>>(p),

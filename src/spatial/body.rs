@@ -63,7 +63,20 @@ impl<T: Scalar> Pose<T> {
     }
 }
 
-impl<T: Scalar, B: Body<T>> crate::shape::Body<Spatial<T>> for B {}
+impl<T: Scalar, B: Body<T>> crate::shape::Body<Spatial<T>> for B {
+    fn size(&self) {}
+    #[inline(always)]
+    fn motion(&self, inboard: Frame<T>) -> (BodyMotion<T>, Frame<T>) {
+        let inertia = Body::inertia(self);
+        let turned = |at: [T; 3]| inboard.turn.attitude.apply(Vector3::from(at));
+        let arm = turned(Body::outboard(self));
+        let motion = BodyMotion { inboard, arm, to_centre: turned(inertia.centre), inertia };
+        (motion, motion.outboard())
+    }
+    fn check(&self) -> Result<(), Fault> {
+        Body::check(self)
+    }
+}
 
 /// Makes spatial bodies elements.
 macro_rules! body {
@@ -115,7 +128,6 @@ macro_rules! body {
                 (y[0], *p, *q) = (pose.turning, pose.arm, pose.centripetal);
                 turn
             }
-            fn size(&self, (): &mut ()) {}
             #[inline(always)]
             fn resolve(
                 (): &(),

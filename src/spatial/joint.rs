@@ -4,7 +4,7 @@ use super::{
     Acceleration, Ball, Cylindrical, ElasticHinge, Floating, Frame, JointMotion, Linear, Prismatic, Revolute,
     RotaryLaw, Spatial, Turn,
 };
-use super::{Universal, Weld, release, spring::Law};
+use super::{Universal, Weld, release::Release, spring::Law};
 use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Posture, Springs, Visit};
 use crate::error::{Error, Fault};
@@ -106,6 +106,12 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
         acceleration: &Self::Rate,
     ) -> JointMotion<T>;
 
+    /// What it lets move, for transfer matrices; a joint that does not say so has none.
+    #[inline(always)]
+    fn release(&self, _motion: &JointMotion<T>, _position: &Self::Position, _rate: &Self::Rate) -> Option<Release<T>> {
+        None
+    }
+
     /// Rejects parameters that make no mechanics.
     ///
     /// # Errors
@@ -153,21 +159,45 @@ impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Spatial<T>> for J {
     fn per<X: Copy>(fill: X) -> <J::Sets as Sets>::Per<X> {
         J::Sets::per(fill)
     }
+    fn is_finite<C: Closures>(kept: &<J as Joint<T>>::Kept<C>) -> bool {
+        <J as Joint<T>>::is_finite::<C>(kept)
+    }
+    fn aim(
+        &self,
+        position: &mut <J as Joint<T>>::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T> {
+        Joint::aim(self, position, inboard, next)
+    }
+    #[inline(always)]
+    fn motion(
+        &self,
+        inboard: Frame<T>,
+        position: &<J as Joint<T>>::Position,
+        rate: &<J as Joint<T>>::Rate,
+        acceleration: &<J as Joint<T>>::Rate,
+    ) -> (JointMotion<T>, Frame<T>) {
+        let motion = self.moved(inboard, position, rate, acceleration);
+        (motion, motion.outboard)
+    }
+    #[inline(always)]
+    fn release(
+        &self,
+        motion: &JointMotion<T>,
+        position: &<J as Joint<T>>::Position,
+        rate: &<J as Joint<T>>::Rate,
+    ) -> Option<Release<T>> {
+        Joint::release(self, motion, position, rate)
+    }
+    fn check(&self) -> Result<(), Fault> {
+        Joint::<T>::check(self)
+    }
 }
 
-/// What a joint lets move, if it says so.
-macro_rules! release {
-    ($joint:expr, $motion:expr, $position:expr, $rate:expr) => {
-        None
-    };
-    ($joint:expr, $motion:expr, $position:expr, $rate:expr, $release:path) => {
-        Some($release($joint, $motion, $position, $rate))
-    };
-}
-
-/// Makes spatial joints elements. What they let move serves transfer matrices, and may be left out.
+/// Makes spatial joints elements.
 macro_rules! joint {
-    ([$($generics:tt)*] $Joint:ty, $absolute:literal $(, $release:path)?) => {
+    ([$($generics:tt)*] $Joint:ty, $absolute:literal) => {
         crate::shape::leaf!(joint [$($generics)*] $Joint: Spatial<T>);
 
         impl<$($generics)*> Element<Spatial<T>> for $Joint {
@@ -215,7 +245,6 @@ macro_rules! joint {
                 <Self as Joint<T>>::store(stored, x, y);
                 outboard
             }
-            fn size(&self, _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<()>) {}
             #[inline(always)]
             fn resolve(
                 _: &<<Self as Joint<T>>::Sets as Sets>::Per<()>,
@@ -258,7 +287,7 @@ macro_rules! joint {
             ) -> Frame<T> {
                 let Coordinates { position, rate, acceleration } = motion;
                 let motion = self.moved(frame, position, rate, acceleration);
-                *in_joint = visit.joint_with(&motion, || release!(self, &motion, position, rate $(, $release)?));
+                *in_joint = visit.joint_with(&motion, || Joint::release(self, &motion, position, rate));
                 motion.outboard
             }
             fn broken<C: Closures>(&self, kept: &<Self as Joint<T>>::Kept<C>, station: usize) -> Option<usize> {
@@ -267,15 +296,15 @@ macro_rules! joint {
         }
     };
 }
-joint!([T: Scalar] Ball, true, release::ball);
-joint!([T: Scalar, R: RotaryLaw<T>] ElasticHinge<R>, false, release::rotary);
-joint!([T: Scalar, R: RotaryLaw<T>, L: Law<T>, M: Law<T>, N: Law<T>] ElasticHinge<R, Linear<T, L, M, N>>, false, release::elastic);
-joint!([T: Scalar] Floating<T>, true, release::floating);
-joint!([T: Scalar] Weld<T>, false, release::weld);
-joint!([T: Scalar, L: Law<T>] Revolute<T, L>, false, release::axial);
-joint!([T: Scalar, L: Law<T>] Prismatic<T, L>, false, release::axial);
-joint!([T: Scalar, L: Law<T>, M: Law<T>] Universal<T, L, M>, false, release::axial);
-joint!([T: Scalar, L: Law<T>, M: Law<T>] Cylindrical<T, L, M>, false, release::axial);
+joint!([T: Scalar] Ball, true);
+joint!([T: Scalar, R: RotaryLaw<T>] ElasticHinge<R>, false);
+joint!([T: Scalar, R: RotaryLaw<T>, L: Law<T>, M: Law<T>, N: Law<T>] ElasticHinge<R, Linear<T, L, M, N>>, false);
+joint!([T: Scalar] Floating<T>, true);
+joint!([T: Scalar] Weld<T>, false);
+joint!([T: Scalar, L: Law<T>] Revolute<T, L>, false);
+joint!([T: Scalar, L: Law<T>] Prismatic<T, L>, false);
+joint!([T: Scalar, L: Law<T>, M: Law<T>] Universal<T, L, M>, false);
+joint!([T: Scalar, L: Law<T>, M: Law<T>] Cylindrical<T, L, M>, false);
 
 /// Gives joints their counts.
 macro_rules! count {
