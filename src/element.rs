@@ -84,12 +84,6 @@ pub trait Element<S: Space>:
     /// Rejects parameters that make no mechanics; `station` is the number of the inboard end.
     fn check(&self, station: usize) -> Result<(), Error>;
 
-    /// Whether coordinates and rates have its shape: only vectors can differ, in length.
-    fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
-        let _ = (position, rate);
-        true
-    }
-
     /// The entry of body `k` inside.
     fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X>;
     /// The entry of body or joint `k` inside, counted together from the root.

@@ -84,9 +84,6 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     fn check(&self, station: usize) -> Result<(), Error> {
         self.0.check(station)
     }
-    fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
-        self.0.fits(position, rate)
-    }
     fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
         self.0.body_entry(bodies, k)
     }

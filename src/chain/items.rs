@@ -116,11 +116,6 @@ macro_rules! chain_items {
                 }
                 Ok(())
             }
-            fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
-                self.len() == position.len()
-                    && self.len() == rate.len()
-                    && self.iter().zip(position).zip(rate).all(|((item, position), rate)| item.fits(position, rate))
-            }
             fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
                 let (i, k) = locate(self, A::BODIES, Element::bodies, k)?;
                 self.get(i)?.body_entry(bodies.get(i)?, k)

@@ -140,9 +140,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         let closing = station + self.arms.bodies() + self.arms.joints();
         self.closing.check().map_err(|fault| Error::new(fault).at_station(closing))
     }
-    fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
-        self.arms.fits(&position.arms, &rate.arms)
-    }
     fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
         self.arms.body_entry(&bodies.arms, k)
     }

@@ -106,9 +106,6 @@ macro_rules! chain_of {
                 let _ = station;
                 Ok(())
             }
-            fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
-                true $(&& self.$i.fits(&position.$i, &rate.$i))*
-            }
             fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
                 $(
                     let n = self.$i.bodies();

@@ -62,6 +62,7 @@ use crate::shape::{PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
 use crate::system::{Dynamics, Elements, MotionOf, PositionOf, RateOf, Runs, System};
 use crate::time::{Explicit, Rule};
 use crate::visit::survey;
+use crate::walks::fits::fits;
 use crate::walks::size::sizes;
 
 /// An explicit method whose derivatives go through kept gains.
@@ -197,7 +198,7 @@ where
     {
         let elements = self.scene.elements();
         let Motion { time, position, rate, acceleration, .. } = motion;
-        if !(elements.fits(position, rate) && elements.fits(position, acceleration)) {
+        if !(fits(elements, position, rate) && fits(elements, position, acceleration)) {
             return Err(Error::new(Fault::Shape));
         }
         self.accelerations(*time, position, rate, loads, workspace, acceleration);

@@ -28,6 +28,7 @@ use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
+use crate::walks::fits::fits;
 use num_traits::Zero;
 
 /// A mechanical scene. It holds parameters only; its motion is a value of its own ([`Motion`]).
@@ -293,7 +294,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<L, S, R, C, P>,
     {
         let Motion { time, position, rate, acceleration, multipliers } = motion;
-        if !(self.chain.fits(position, rate) && self.chain.fits(position, acceleration)) {
+        if !(fits(&self.chain, position, rate) && fits(&self.chain, position, acceleration)) {
             return Err(Error::new(Fault::Shape));
         }
         *multipliers = self.accelerations(*time, position, rate, loads, workspace, acceleration);

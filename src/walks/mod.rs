@@ -4,5 +4,6 @@
 //! a line below.
 
 pub mod count;
+pub mod fits;
 pub mod gather;
 pub mod size;
