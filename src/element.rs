@@ -81,9 +81,6 @@ pub trait Element<S: Space>:
     /// Number of joints inside.
     fn joints(&self) -> usize;
 
-    /// Rejects parameters that make no mechanics; `station` is the number of the inboard end.
-    fn check(&self, station: usize) -> Result<(), Error>;
-
     /// The entry of body `k` inside.
     fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X>;
     /// The entry of body or joint `k` inside, counted together from the root.
@@ -93,15 +90,6 @@ pub trait Element<S: Space>:
         joints: &'a Self::Store<PerJoint<X>>,
         k: usize,
     ) -> Option<&'a X>;
-
-    /// Gives each joint the coordinates that turn its outboard body to an absolute orientation; `next` is told that of the
-    /// inboard body and yields one number for each rotary coordinate, root to tip.
-    fn aim(
-        &self,
-        position: &mut Self::Position,
-        inboard: S::Turn,
-        next: &mut impl FnMut(S::Turn) -> S::Scalar,
-    ) -> S::Turn;
 
     /// Moves point masses inboard, tip to root, once for a scene: takes the mass (kg) that its outboard neighbour lumps at the
     /// station between them, and hands on what it lumps at its own inboard end instead of adding it in every sweep.
@@ -225,9 +213,6 @@ pub trait Element<S: Space>:
         on_bodies: &mut Self::Store<PerBody<V::OnBody>>,
         in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
     ) -> S::Frame;
-
-    /// The outermost joint whose gains are not finite: the station, counted from `station`, where a sweep failed.
-    fn broken<C: Closures>(&self, kept: &Self::Store<Kept<C>>, station: usize) -> Option<usize>;
 }
 
 /// An element that can condense a relation of type `R` in a sweep that carries `L`.

@@ -81,9 +81,6 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     fn joints(&self) -> usize {
         self.0.joints()
     }
-    fn check(&self, station: usize) -> Result<(), Error> {
-        self.0.check(station)
-    }
     fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
         self.0.body_entry(bodies, k)
     }
@@ -94,15 +91,6 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         k: usize,
     ) -> Option<&'a X> {
         self.0.entry(bodies, joints, k)
-    }
-    fn aim(
-        &self,
-        position: &mut Self::Position,
-        turn: S::Turn,
-        next: &mut impl FnMut(S::Turn) -> S::Scalar,
-    ) -> S::Turn {
-        self.0.aim(position, turn, next);
-        turn
     }
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         mass + self.0.lump(S::Scalar::zero())
@@ -209,9 +197,6 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         self.0.travel(frame, Coordinates { position, rate, acceleration }, visit, on_bodies, in_joints);
         visit.leave_arm();
         frame
-    }
-    fn broken<C: Closures>(&self, kept: &A::Store<Kept<Open>>, station: usize) -> Option<usize> {
-        self.0.broken::<Open>(kept, station)
     }
 }
 

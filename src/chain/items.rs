@@ -108,14 +108,6 @@ macro_rules! chain_items {
             fn joints(&self) -> usize {
                 A::JOINTS.map_or_else(|| self.iter().map(Element::joints).sum(), |each| each * self.len())
             }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                let mut station = station;
-                for item in self {
-                    item.check(station)?;
-                    station += item.bodies() + item.joints();
-                }
-                Ok(())
-            }
             fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
                 let (i, k) = locate(self, A::BODIES, Element::bodies, k)?;
                 self.get(i)?.body_entry(bodies.get(i)?, k)
@@ -128,14 +120,6 @@ macro_rules! chain_items {
             ) -> Option<&'a X> {
                 let (i, k) = locate(self, sum(A::BODIES, A::JOINTS), |item| item.bodies() + item.joints(), k)?;
                 self.get(i)?.entry(bodies.get(i)?, joints.get(i)?, k)
-            }
-            fn aim(
-                &self,
-                position: &mut Self::Position,
-                turn: S::Turn,
-                next: &mut impl FnMut(S::Turn) -> S::Scalar,
-            ) -> S::Turn {
-                self.iter().zip(position).fold(turn, |turn, (item, position)| item.aim(position, turn, next))
             }
             fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
                 self.iter_mut().rev().fold(mass, |mass, item| item.lump(mass))
@@ -280,15 +264,6 @@ macro_rules! chain_items {
                     frame = items[i].travel(frame, motion, visit, &mut on_bodies[i], &mut in_joints[i]);
                 }
                 frame
-            }
-            fn broken<C: Closures>(&self, kept: &Self::Store<Kept<C>>, station: usize) -> Option<usize> {
-                let mut station = station;
-                let mut outermost = None;
-                for (item, kept) in self.iter().zip(kept) {
-                    outermost = item.broken(kept, station).or(outermost);
-                    station += item.bodies() + item.joints();
-                }
-                outermost
             }
         }
 

@@ -135,11 +135,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
     fn joints(&self) -> usize {
         self.arms.joints() + 1
     }
-    fn check(&self, station: usize) -> Result<(), Error> {
-        self.arms.check(station)?;
-        let closing = station + self.arms.bodies() + self.arms.joints();
-        self.closing.check().map_err(|fault| Error::new(fault).at_station(closing))
-    }
     fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
         self.arms.body_entry(&bodies.arms, k)
     }
@@ -158,16 +153,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
             return self.side().entry(&bodies.arms.1, &joints.arms.1, k);
         };
         (k == 0).then_some(&joints.closing)
-    }
-    fn aim(
-        &self,
-        position: &mut Self::Position,
-        turn: S::Turn,
-        next: &mut impl FnMut(S::Turn) -> S::Scalar,
-    ) -> S::Turn {
-        let outboard = self.main().aim(&mut position.arms.0, turn, next);
-        self.side().aim(&mut position.arms.1, turn, next);
-        outboard
     }
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         self.arms.0.lump(mass) + self.arms.1.lump(num_traits::Zero::zero())
@@ -375,16 +360,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         });
         visit.leave_arm();
         main
-    }
-    fn broken<C: Closures>(
-        &self,
-        Tied { arms: (main, side), closing: (gain, _) }: &Self::Store<Kept<C>>,
-        station: usize,
-    ) -> Option<usize> {
-        let after_main = station + self.main().bodies() + self.main().joints();
-        let closing = after_main + self.side().bodies() + self.side().joints();
-        let in_arms = self.side().broken(side, after_main).or_else(|| self.main().broken(main, station));
-        in_arms.or_else(|| (!gain.is_finite()).then_some(closing))
     }
 }
 

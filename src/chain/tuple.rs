@@ -98,14 +98,6 @@ macro_rules! chain_of {
             fn joints(&self) -> usize {
                 0 $(+ self.$i.joints())*
             }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                $(
-                    self.$i.check(station)?;
-                    let station = station + self.$i.bodies() + self.$i.joints();
-                )*
-                let _ = station;
-                Ok(())
-            }
             fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
                 $(
                     let n = self.$i.bodies();
@@ -132,15 +124,6 @@ macro_rules! chain_of {
                 )*
                 let _ = k;
                 None
-            }
-            fn aim(
-                &self,
-                position: &mut Self::Position,
-                turn: S::Turn,
-                next: &mut impl FnMut(S::Turn) -> S::Scalar,
-            ) -> S::Turn {
-                $(let turn = self.$i.aim(&mut position.$i, turn, next);)*
-                turn
             }
             fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
                 $(let mass = self.$j.lump(mass);)*
@@ -316,15 +299,6 @@ macro_rules! chain_of {
                     &mut in_joints.$i,
                 );)*
                 frame
-            }
-            fn broken<Cuts: Closures>(&self, kept: &Self::Store<Kept<Cuts>>, station: usize) -> Option<usize> {
-                let outermost = None;
-                $(
-                    let outermost = self.$i.broken(&kept.$i, station).or(outermost);
-                    let station = station + self.$i.bodies() + self.$i.joints();
-                )*
-                let _ = station;
-                outermost
             }
         }
 

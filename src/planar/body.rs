@@ -3,7 +3,7 @@
 use super::{BodyMotion, Frame, Planar, Turn};
 use crate::counts::Counted;
 use crate::element::{Condense, Coordinates, Element, Given, OnBody, Posture, Springs, Sweep, Visit};
-use crate::error::{Error, Fault};
+use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
 use crate::relation::{Closures, Term};
@@ -189,17 +189,11 @@ macro_rules! body {
             fn joints(&self) -> usize {
                 0
             }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                Body::check(self).map_err(|fault| Error::new(fault).at_station(station))
-            }
             fn body_entry<'a, X: Copy + 'static>(&self, body: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
             }
             fn entry<'a, X: Copy + 'static>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
-            }
-            fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-                turn
             }
             fn lump(&mut self, mass: T) -> T {
                 Body::lump(self, mass)
@@ -260,9 +254,6 @@ macro_rules! body {
                 let motion = body_motion(self, frame);
                 *on_body = visit.body(&motion);
                 motion.outboard()
-            }
-            fn broken<C: Closures>(&self, _: &(), _: usize) -> Option<usize> {
-                None
             }
         }
 

@@ -6,7 +6,7 @@ use super::spring::{Spring, SpringLaw};
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Posture, Springs, Visit};
-use crate::error::{Error, Fault};
+use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Coefficient, Term};
 use crate::scalar::Scalar;
@@ -215,17 +215,11 @@ macro_rules! joint {
             fn joints(&self) -> usize {
                 1
             }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                Joint::<T>::check(self).map_err(|fault| Error::new(fault).at_station(station))
-            }
             fn body_entry<'a, X: Copy + 'static>(&self, _: &'a (), _: usize) -> Option<&'a X> {
                 None
             }
             fn entry<'a, X: Copy + 'static>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(joint)
-            }
-            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-                Joint::aim(self, position, inboard, next)
             }
             fn lump(&mut self, mass: T) -> T {
                 Joint::lump(self, mass)
@@ -301,9 +295,6 @@ macro_rules! joint {
                 let motion = JointMotion { inboard: frame, outboard, arm, spring, turns };
                 *in_joint = visit.joint_with(&motion, || <<Self as Counted>::Freedoms as Unsigned>::USIZE);
                 outboard
-            }
-            fn broken<C: Closures>(&self, kept: &<Self as Joint<T>>::Kept<C>, station: usize) -> Option<usize> {
-                (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)
             }
         }
     };

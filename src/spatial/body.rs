@@ -3,7 +3,7 @@
 use super::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
 use crate::counts::Counted;
 use crate::element::{Condense, Coordinates, Element, Given, OnBody, Posture, Springs, Sweep, Visit};
-use crate::error::{Error, Fault};
+use crate::error::Fault;
 use crate::relation::space::algebra::{Columns, centripetal};
 use crate::relation::space::{Full, Relation};
 use crate::relation::{Closures, Term};
@@ -95,17 +95,11 @@ macro_rules! body {
             fn joints(&self) -> usize {
                 0
             }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                Body::check(self).map_err(|fault| Error::new(fault).at_station(station))
-            }
             fn body_entry<'a, X: Copy + 'static>(&self, body: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
             }
             fn entry<'a, X: Copy + 'static>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
                 (k == 0).then_some(body)
-            }
-            fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-                turn
             }
             fn lump(&mut self, mass: T) -> T {
                 Body::lump(self, mass)
@@ -174,9 +168,6 @@ macro_rules! body {
                 let motion = BodyMotion { inboard: frame, arm, to_centre: turned(inertia.centre), inertia };
                 *on_body = visit.body(&motion);
                 motion.outboard()
-            }
-            fn broken<C: Closures>(&self, _: &(), _: usize) -> Option<usize> {
-                None
             }
         }
 

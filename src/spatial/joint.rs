@@ -7,7 +7,7 @@ use super::{
 use super::{Universal, Weld, release::Release, spring::Law};
 use crate::counts::Counted;
 use crate::element::{Coordinates, Element, Posture, Springs, Visit};
-use crate::error::{Error, Fault};
+use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::relation::space::algebra::Columns;
@@ -211,17 +211,11 @@ macro_rules! joint {
             fn joints(&self) -> usize {
                 1
             }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                Joint::<T>::check(self).map_err(|fault| Error::new(fault).at_station(station))
-            }
             fn body_entry<'a, X: Copy + 'static>(&self, _: &'a (), _: usize) -> Option<&'a X> {
                 None
             }
             fn entry<'a, X: Copy + 'static>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
                 (k == 0).then_some(joint)
-            }
-            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-                Joint::aim(self, position, inboard, next)
             }
             fn lump(&mut self, mass: T) -> T {
                 Joint::lump(self, mass)
@@ -289,9 +283,6 @@ macro_rules! joint {
                 let motion = self.moved(frame, position, rate, acceleration);
                 *in_joint = visit.joint_with(&motion, || Joint::release(self, &motion, position, rate));
                 motion.outboard
-            }
-            fn broken<C: Closures>(&self, kept: &<Self as Joint<T>>::Kept<C>, station: usize) -> Option<usize> {
-                (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)
             }
         }
     };

@@ -28,6 +28,8 @@ use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
+use crate::walks::aim::aim;
+use crate::walks::check::check;
 use crate::walks::fits::fits;
 use num_traits::Zero;
 
@@ -79,7 +81,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<Unloaded, S, R, C, P>,
     {
         root.check()?;
-        chain.check(0)?;
+        check(&chain)?;
         tip.check()?;
         if chain.bodies() == 0 {
             return Err(Error::new(Fault::NoBodies));
@@ -163,7 +165,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             expected += 1;
             orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         };
-        self.chain.aim(&mut motion.position, S::turn(&ground), &mut next);
+        aim(&self.chain, &mut motion.position, S::turn(&ground), &mut next);
         if expected != orientations.len() {
             return Err(Error::new(Fault::Count { expected, given: orientations.len() }));
         }

@@ -14,6 +14,7 @@ use crate::shape::{PerBody, PerJoint, Shape};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
+use crate::walks::broken::broken;
 
 impl<S, R, C, P, L> Dynamics<L> for System<S, R, C, P>
 where
@@ -151,7 +152,7 @@ where
         }
         let mut acceleration = motion.acceleration.clone();
         self.accelerations(time, &motion.position, &motion.rate, loads, workspace, &mut acceleration);
-        match self.chain.broken::<P::Closures>(&workspace.kept, 0) {
+        match broken::<S, _, P::Closures>(&self.chain, &workspace.kept) {
             Some(entry) => error(Fault::SingularJoint).at(place(entry)),
             None => error(Fault::NonFiniteMotion),
         }

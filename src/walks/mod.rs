@@ -3,6 +3,9 @@
 //! The shortest of them shows how to write another: [`count`]. No composite, body or joint names a walk, so a new one is a file here and
 //! a line below.
 
+pub mod aim;
+pub mod broken;
+pub mod check;
 pub mod count;
 pub mod fits;
 pub mod gather;
