@@ -50,7 +50,6 @@
 //! needs no running sums; a hinge with a spring stores the relative angle, because the difference of two absolute angles loses
 //! digits when bodies are short.
 
-use crate::error::Error;
 pub use crate::loading::{Load, Loading, Unloaded};
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
 pub use crate::sweep::{Carrying, Explicit, Implicit, Reading, Springs, Sweep};
@@ -59,6 +58,7 @@ pub use crate::visit::{Closed, Gather, Level, Visit, look};
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
+use crate::walks::count;
 
 /// A body, a joint, or a chain of them.
 ///
@@ -76,20 +76,15 @@ pub trait Element<S: Space>:
     type Position: Position<S::Scalar, Rate = Self::Rate>;
     /// Rates and accelerations of the joint coordinates inside.
     type Rate: Rate<S::Scalar>;
-    /// Number of bodies inside.
-    fn bodies(&self) -> usize;
-    /// Number of joints inside.
-    fn joints(&self) -> usize;
 
-    /// The entry of body `k` inside.
-    fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X>;
-    /// The entry of body or joint `k` inside, counted together from the root.
-    fn entry<'a, X: Copy + 'static>(
-        &self,
-        bodies: &'a Self::Store<PerBody<X>>,
-        joints: &'a Self::Store<PerJoint<X>>,
-        k: usize,
-    ) -> Option<&'a X>;
+    /// Number of bodies inside.
+    fn bodies(&self) -> usize {
+        count::bodies::<S, Self>(self)
+    }
+    /// Number of joints inside.
+    fn joints(&self) -> usize {
+        count::joints::<S, Self>(self)
+    }
 
     /// Moves point masses inboard, tip to root, once for a scene: takes the mass (kg) that its outboard neighbour lumps at the
     /// station between them, and hands on what it lumps at its own inboard end instead of adding it in every sweep.
@@ -189,30 +184,6 @@ pub trait Element<S: Space>:
         let frame = look(self, frame, motion);
         (frame, self.respond::<C>(acceleration, posture, kept, multipliers, rate))
     }
-
-    /// Fails where the closures of a loop do not hold independently of each other, as the last sweep saw it; where they need not, tells
-    /// stations and names of forces that the motion does not decide. Walks outward with complete kinematics.
-    fn independent<C: Closures>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        kept: &Self::Store<Kept<C>>,
-        station: usize,
-        tell: &mut impl FnMut(usize, &'static str),
-    ) -> Result<S::Frame, Error> {
-        let _ = (kept, station, tell);
-        Ok(look(self, frame, motion))
-    }
-
-    /// Walks outward with complete kinematics and lets a visitor write an entry for each body and joint.
-    fn travel<V: Visit<S>>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        visit: &mut V,
-        on_bodies: &mut Self::Store<PerBody<V::OnBody>>,
-        in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
-    ) -> S::Frame;
 }
 
 /// An element that can condense a relation of type `R` in a sweep that carries `L`.

@@ -6,7 +6,9 @@ use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::shape::{self, PerJoint};
 use crate::visit::survey;
+use crate::walks::find;
 use crate::walks::gather::gather;
+use crate::walks::travel::travel;
 use core::fmt;
 use core::marker::PhantomData;
 use num_traits::Zero;
@@ -27,7 +29,7 @@ impl<'a, S: Space, E: Element<S>, X: Copy + 'static> PerBody<'a, S, E, X> {
         read: impl FnMut(&S::BodyMotion) -> X,
     ) -> Self {
         let mut bodies = chain.store::<shape::PerBody<_>>(None);
-        chain.travel(ground, motion, &mut Collect(read), &mut bodies, &mut chain.store::<PerJoint<()>>(()));
+        travel(chain, ground, motion, &mut Collect(read), &mut bodies, &mut chain.store::<PerJoint<()>>(()));
         Self { chain, bodies }
     }
 
@@ -43,7 +45,7 @@ impl<'a, S: Space, E: Element<S>, X: Copy + 'static> PerBody<'a, S, E, X> {
 
     /// That of body number `k`, counted from 0 at the root.
     pub fn get(&self, k: usize) -> Option<&X> {
-        self.chain.body_entry(&self.bodies, k)?.as_ref()
+        find::body(self.chain, &self.bodies, k)?.as_ref()
     }
 
     /// That of body number `K`; a scene without such a body does not compile.
@@ -101,7 +103,7 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
         let (mut bodies, mut joints) = (chain.store::<shape::PerBody<_>>(None), chain.store::<PerJoint<_>>(None));
         let seen = survey(chain, ground, motion, loads);
         let mut visit = Balance::<S, L> { gravity, loads, seen, time, body: 0 };
-        let end = chain.travel(ground, motion, &mut visit, &mut bodies, &mut joints);
+        let end = travel(chain, ground, motion, &mut visit, &mut bodies, &mut joints);
         let internal = gather(chain, &mut bodies, &mut joints, tip, &mut Internals::<S>(PhantomData));
         let (root, tip) = (S::end_station(&ground, internal), S::end_station(&end, tip));
         Self { chain, bodies, joints, root, tip }
@@ -119,7 +121,7 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
             return Some(&self.tip);
         }
         // Entry 0 is the root's joint.
-        self.chain.entry(&self.bodies, &self.joints, k + 1)?.as_ref()
+        find::entry(self.chain, &self.bodies, &self.joints, k + 1)?.as_ref()
     }
 
     /// The ground's side of the root's joint: its force is that of the ground on the chain.
@@ -180,7 +182,8 @@ pub(crate) fn each_body<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
     read: impl FnMut(&S::BodyMotion),
 ) {
-    chain.travel(
+    travel(
+        chain,
         ground,
         motion,
         &mut Show(read),
@@ -211,7 +214,8 @@ pub(crate) fn loops_miss<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
 ) -> (RealOf<S>, usize) {
     let mut open = OpenLoop::<S> { entries: 0, worst: (Zero::zero(), 0) };
-    chain.travel(
+    travel(
+        chain,
         ground,
         motion,
         &mut open,
@@ -229,7 +233,8 @@ pub(crate) fn each_miss<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
     note: impl FnMut([S::Scalar; 2]),
 ) {
-    chain.travel(
+    travel(
+        chain,
         ground,
         motion,
         &mut Misses(note),
@@ -297,7 +302,8 @@ pub(crate) fn budget<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
 ) -> Budget<S> {
     let mut audit = Audit { gravity, sum: S::no_budget() };
-    chain.travel(
+    travel(
+        chain,
         ground,
         motion,
         &mut audit,

@@ -1,11 +1,12 @@
 //! What walks over a scene do at its bodies, at its joints and where arms leave.
 
-use crate::element::{Coordinates, Element};
+use crate::element::Coordinates;
 use crate::loading::Loading;
-use crate::shape::{PerBody, PerJoint};
+use crate::shape::{PerBody, PerJoint, Shape};
 use crate::space::Space;
+use crate::walks::travel::travel;
 
-/// A visitor of [`Element::travel`].
+/// A visitor of [`travel`].
 pub trait Visit<S: Space> {
     /// Entry written for each body.
     type OnBody: Copy + 'static;
@@ -46,7 +47,7 @@ pub struct Closed<S: Space> {
     pub miss: [S::Numbers; 2],
 }
 
-/// A gatherer of [`Element::inward`]: internal forces that add up from the tips to the root, for example.
+/// A gatherer of [`gather`](crate::walks::gather::gather): internal forces that add up from the tips to the root, for example.
 pub trait Gather {
     /// What it reads or writes of each body and joint.
     type Entry: Copy + 'static;
@@ -73,8 +74,9 @@ pub enum Level {
 }
 
 /// The frame at the end of a walk outward.
-pub fn look<S: Space, E: Element<S>>(element: &E, frame: S::Frame, motion: Coordinates<'_, S, E>) -> S::Frame {
-    element.travel(
+pub fn look<S: Space, E: Shape<S>>(element: &E, frame: S::Frame, motion: Coordinates<'_, S, E>) -> S::Frame {
+    travel(
+        element,
         frame,
         motion,
         &mut Look,
@@ -94,13 +96,13 @@ impl<S: Space> Visit<S> for Look {
 }
 
 /// The body at the tip of a chain.
-pub(crate) fn last_body<S: Space, E: Element<S>>(
+pub(crate) fn last_body<S: Space, E: Shape<S>>(
     chain: &E,
     ground: S::Frame,
     motion: Coordinates<'_, S, E>,
 ) -> Option<S::BodyMotion> {
     let mut last = Last::<S> { arms: 0, body: None };
-    chain.travel(ground, motion, &mut last, &mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()));
+    travel(chain, ground, motion, &mut last, &mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()));
     last.body
 }
 
@@ -130,7 +132,7 @@ impl<S: Space> Visit<S> for Last<S> {
 }
 
 /// What loads have to see of a whole scene first.
-pub(crate) fn survey<S: Space, E: Element<S>, L: Loading<S>>(
+pub(crate) fn survey<S: Space, E: Shape<S>, L: Loading<S>>(
     chain: &E,
     ground: S::Frame,
     motion: Coordinates<'_, S, E>,
@@ -139,7 +141,8 @@ pub(crate) fn survey<S: Space, E: Element<S>, L: Loading<S>>(
     let mut surveyor = Surveyor { loads, seen: L::unseen(), body: 0 };
     // A constant, so that a compiler does not even look at what follows where there is nothing to see.
     if const { L::SURVEYS } {
-        chain.travel(
+        travel(
+            chain,
             ground,
             motion,
             &mut surveyor,

@@ -1,14 +1,11 @@
 //! Arms that leave a chain.
 
 use crate::counts::Counted;
-use crate::element::{Carrying, Condense, Coordinates, Element, Given, Level, Posture, Space, Springs, Sweep, Visit};
-use crate::error::Error;
+use crate::element::{Carrying, Condense, Coordinates, Element, Given, Level, Posture, Space, Springs, Sweep};
 use crate::lift::Lift;
 use crate::relation::{Closures, Join, Open};
 use crate::scalar::Scalar;
-use crate::shape::{
-    Arm, Aside, Field, Inward, Kept, Of, Outward, PerAxes, PerBody, PerJoint, Shape, arm_inward, arm_outward,
-};
+use crate::shape::{Arm, Aside, Field, Inward, Kept, Of, Outward, PerAxes, Shape, arm_inward, arm_outward};
 use num_traits::Zero;
 
 /// An arm that leaves the chain where this stands in it: a chain of its own with a free tip, that begins at this station. The chain
@@ -75,23 +72,6 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
 
     const ABSOLUTE: bool = A::ABSOLUTE;
 
-    fn bodies(&self) -> usize {
-        self.0.bodies()
-    }
-    fn joints(&self) -> usize {
-        self.0.joints()
-    }
-    fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
-        self.0.body_entry(bodies, k)
-    }
-    fn entry<'a, X: Copy + 'static>(
-        &self,
-        bodies: &'a Self::Store<PerBody<X>>,
-        joints: &'a Self::Store<PerJoint<X>>,
-        k: usize,
-    ) -> Option<&'a X> {
-        self.0.entry(bodies, joints, k)
-    }
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         mass + self.0.lump(S::Scalar::zero())
     }
@@ -172,31 +152,6 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         let (motion, posture) = (Coordinates { position, rate, acceleration: at }, Posture { x, y, p, q });
         self.0.restore::<Open>(frame, motion, level, acceleration, posture, kept, &(), step);
         (frame, acceleration)
-    }
-    fn independent<C: Closures>(
-        &self,
-        frame: S::Frame,
-        Coordinates { position, rate, acceleration }: Coordinates<'_, S, Self>,
-        kept: &A::Store<Kept<Open>>,
-        station: usize,
-        tell: &mut impl FnMut(usize, &'static str),
-    ) -> Result<S::Frame, Error> {
-        self.0.independent::<Open>(frame, Coordinates { position, rate, acceleration }, kept, station, tell)?;
-        Ok(frame)
-    }
-    #[inline(always)]
-    fn travel<V: Visit<S>>(
-        &self,
-        frame: S::Frame,
-        Coordinates { position, rate, acceleration }: Coordinates<'_, S, Self>,
-        visit: &mut V,
-        on_bodies: &mut Self::Store<PerBody<V::OnBody>>,
-        in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
-    ) -> S::Frame {
-        visit.enter_arm();
-        self.0.travel(frame, Coordinates { position, rate, acceleration }, visit, on_bodies, in_joints);
-        visit.leave_arm();
-        frame
     }
 }
 

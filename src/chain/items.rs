@@ -3,11 +3,10 @@
 use super::poses::{march, orient_items, pose_items, pose_items_in_order, resolve_items, turned_by_items};
 #[cfg(feature = "alloc")]
 use super::poses::{pose_slices, pose_slices_in_order};
-use super::{product, sum};
-use crate::element::{Condense, Coordinates, Element, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit};
-use crate::error::Error;
+use super::product;
+use crate::element::{Condense, Coordinates, Element, Given, Level, Posture, Reading, Space, Springs, Sweep};
 use crate::relation::{Closures, Meet};
-use crate::shape::{Field, Inward, Items, Kept, Of, Outward, PerAxes, PerBody, PerJoint, Shape, Slot};
+use crate::shape::{Field, Inward, Items, Kept, Of, Outward, PerAxes, Shape, Slot};
 
 /// An array, spelled like a vector.
 type Array<X, const K: usize> = [X; K];
@@ -24,23 +23,6 @@ use alloc::vec::Vec;
 #[cfg(feature = "alloc")]
 fn map_vec<A, B>(items: &[A], make: impl FnMut(&A) -> B) -> Vec<B> {
     items.iter().map(make).collect()
-}
-
-/// The item in which the k-th of something lies, and its number there: by division where each item has as many, by counting
-/// elsewhere.
-fn locate<A>(items: &[A], each: Option<usize>, count: impl Fn(&A) -> usize, k: usize) -> Option<(usize, usize)> {
-    if let Some(each) = each {
-        return Some((k.checked_div(each)?, k % each));
-    }
-    let mut k = k;
-    for (i, item) in items.iter().enumerate() {
-        let n = count(item);
-        if k < n {
-            return Some((i, k));
-        }
-        k -= n;
-    }
-    None
 }
 
 /// The coordinates of an item.
@@ -102,25 +84,6 @@ macro_rules! chain_items {
 
             const ABSOLUTE: bool = A::ABSOLUTE;
 
-            fn bodies(&self) -> usize {
-                A::BODIES.map_or_else(|| self.iter().map(Element::bodies).sum(), |each| each * self.len())
-            }
-            fn joints(&self) -> usize {
-                A::JOINTS.map_or_else(|| self.iter().map(Element::joints).sum(), |each| each * self.len())
-            }
-            fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
-                let (i, k) = locate(self, A::BODIES, Element::bodies, k)?;
-                self.get(i)?.body_entry(bodies.get(i)?, k)
-            }
-            fn entry<'a, X: Copy + 'static>(
-                &self,
-                bodies: &'a Self::Store<PerBody<X>>,
-                joints: &'a Self::Store<PerJoint<X>>,
-                k: usize,
-            ) -> Option<&'a X> {
-                let (i, k) = locate(self, sum(A::BODIES, A::JOINTS), |item| item.bodies() + item.joints(), k)?;
-                self.get(i)?.entry(bodies.get(i)?, joints.get(i)?, k)
-            }
             fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
                 self.iter_mut().rev().fold(mass, |mass, item| item.lump(mass))
             }
@@ -229,41 +192,6 @@ macro_rules! chain_items {
                         item.restore(frame, motion, level, acceleration, posture, &kept[i], multipliers, &mut rate[i]);
                 }
                 (frame, acceleration)
-            }
-            fn independent<C: Closures>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                kept: &Self::Store<Kept<C>>,
-                station: usize,
-        tell: &mut impl FnMut(usize, &'static str),
-            ) -> Result<S::Frame, Error> {
-                let (mut frame, mut station) = (frame, station);
-                for (i, item) in self.iter().enumerate() {
-                    frame = item.independent(frame, item_motion!(motion, i), &kept[i], station, tell)?;
-                    station += item.bodies() + item.joints();
-                }
-                Ok(frame)
-            }
-            #[inline]
-            fn travel<V: Visit<S>>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                visit: &mut V,
-                on_bodies: &mut Self::Store<PerBody<V::OnBody>>,
-                in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
-            ) -> S::Frame {
-                let Coordinates { position, rate, acceleration } = motion;
-                let items = &self[..];
-                march!(n: items position rate acceleration; mut on_bodies in_joints; else frame);
-                let mut frame = frame;
-                for i in 0..n {
-                    let motion =
-                        Coordinates { position: &position[i], rate: &rate[i], acceleration: &acceleration[i] };
-                    frame = items[i].travel(frame, motion, visit, &mut on_bodies[i], &mut in_joints[i]);
-                }
-                frame
             }
         }
 

@@ -1,17 +1,15 @@
 //! Arms in parallel, between two stations.
 
 use super::{deeper, sum};
-use crate::element::{Closed, Coordinates, Element, Level, Posture, Space, Springs, Visit, look};
-use crate::error::{Error, Fault};
+use crate::element::{Coordinates, Element, Level, Posture, Space, Springs, look};
 use crate::lift::Lift;
-use crate::mirror::{Rate, Tied, TiedPosition};
-use crate::relation::{Closures, Looped, Own, Solvable};
+use crate::mirror::{Tied, TiedPosition};
+use crate::relation::{Closures, Looped, Own};
 use crate::scalar::Scalar;
 use crate::shape::{
-    Closing, ClosingEntry, Ends, Field, Inward, Kept, Main, MainStore, Of, Outward, Parallel, PerAxes, PerBody,
-    PerJoint, Shape, Side, SideStore,
+    Closing, ClosingEntry, Ends, Field, Inward, Kept, Main, MainStore, Of, Outward, Parallel, PerAxes, Shape, Side,
+    SideStore,
 };
-use crate::visit::last_body;
 use core::ops::Add;
 use typenum::{Sum, Unsigned};
 
@@ -129,31 +127,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
 
     const ABSOLUTE: bool = M::ABSOLUTE && A::ABSOLUTE;
 
-    fn bodies(&self) -> usize {
-        self.arms.bodies()
-    }
-    fn joints(&self) -> usize {
-        self.arms.joints() + 1
-    }
-    fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
-        self.arms.body_entry(&bodies.arms, k)
-    }
-    fn entry<'a, X: Copy + 'static>(
-        &self,
-        bodies: &'a Self::Store<PerBody<X>>,
-        joints: &'a Self::Store<PerJoint<X>>,
-        k: usize,
-    ) -> Option<&'a X> {
-        let in_main = self.main().bodies() + self.main().joints();
-        let Some(k) = k.checked_sub(in_main) else {
-            return self.main().entry(&bodies.arms.0, &joints.arms.0, k);
-        };
-        let in_side = self.side().bodies() + self.side().joints();
-        let Some(k) = k.checked_sub(in_side) else {
-            return self.side().entry(&bodies.arms.1, &joints.arms.1, k);
-        };
-        (k == 0).then_some(&joints.closing)
-    }
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         self.arms.0.lump(mass) + self.arms.1.lump(num_traits::Zero::zero())
     }
@@ -289,77 +262,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
             (Posture { x: &x.arms.0, y: &y.arms.0, p: &p.arms.0, q: &q.arms.0 }, (*multipliers, forces));
         let step = &mut rate.arms.0;
         self.main().restore::<Inside<S, C, K>>(frame, in_main, level, acceleration, posture, main, &all, step)
-    }
-    fn independent<C: Closures>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        Tied { arms: (main, side), closing: (gain, _) }: &Self::Store<Kept<C>>,
-        station: usize,
-        tell: &mut impl FnMut(usize, &'static str),
-    ) -> Result<S::Frame, Error> {
-        let (in_main, in_side) = arms(motion);
-        let end = self.main().independent::<Inside<S, C, K>>(frame, in_main, main, station, tell)?;
-        let station = station + self.main().bodies() + self.main().joints();
-        self.side().independent::<OwnOf<S, K>>(frame, in_side, side, station, tell)?;
-        let station = station + self.side().bodies() + self.side().joints();
-        OwnOf::<S, K>::zip(&OwnOf::<S, K>::undetermined(gain), &self.closing.names(), |open, name| {
-            if open {
-                tell(station, name);
-            }
-        });
-        // What the last bodies of both arms would yield to the forces if they were free; one without mass is not.
-        let mut measure = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
-        for body in [last_body(self.main(), frame, in_main), last_body(self.side(), frame, in_side)].iter().flatten() {
-            let yields = self.closing.free_compliance(body);
-            let add = |a: S::Scalar, b: S::Scalar| if b.is_finite() { a + b } else { a };
-            measure = OwnOf::<S, K>::zip(&measure, &yields, add);
-        }
-        let Some((row, independent)) = OwnOf::<S, K>::dependent(gain.compliance(), &measure) else {
-            return Ok(end);
-        };
-        let (mut closure, mut number) = ("", 0);
-        OwnOf::<S, K>::map(&self.closing.names(), |name| {
-            if number == row {
-                closure = name;
-            }
-            number += 1;
-        });
-        let of = OwnOf::<S, K>::COUNT;
-        Err(Error::new(Fault::RedundantClosures { closure, independent, of }).at_station(station))
-    }
-    #[inline(always)]
-    fn travel<V: Visit<S>>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        visit: &mut V,
-        on_bodies: &mut Self::Store<PerBody<V::OnBody>>,
-        in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
-    ) -> S::Frame {
-        let (in_main, in_side) = arms(motion);
-        let main = self.main().travel(frame, in_main, visit, &mut on_bodies.arms.0, &mut in_joints.arms.0);
-        visit.enter_arm();
-        let side = self.side().travel(frame, in_side, visit, &mut on_bodies.arms.1, &mut in_joints.arms.1);
-        in_joints.closing = visit.closing(&Closed {
-            joint: self.closing.joint(&side, &main),
-            internal: S::internal(motion.acceleration.closing),
-            conditions: OwnOf::<S, K>::COUNT,
-            miss: self.closing.miss(&side, &main).map(|miss| {
-                let (mut numbers, mut k) = (S::numbers(S::no_force()), 0);
-                OwnOf::<S, K>::map(&miss, |x| {
-                    let mut at = 0;
-                    numbers.replace(&mut |old| {
-                        at += 1;
-                        if at == k + 1 { x } else { old }
-                    });
-                    k += 1;
-                });
-                numbers
-            }),
-        });
-        visit.leave_arm();
-        main
     }
 }
 

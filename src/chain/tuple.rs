@@ -1,10 +1,9 @@
 //! Tuples of elements.
 
 use super::{deeper, sum};
-use crate::element::{Condense, Coordinates, Element, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit};
-use crate::error::Error;
+use crate::element::{Condense, Coordinates, Element, Given, Level, Posture, Reading, Space, Springs, Sweep};
 use crate::relation::Closures;
-use crate::shape::{Field, Inward, Kept, Member, Nth, Of, Outward, PerAxes, PerBody, PerJoint, Shape, Slot};
+use crate::shape::{Field, Inward, Kept, Member, Nth, Of, Outward, PerAxes, Shape, Slot};
 use crate::tuples::for_each_tuple;
 
 /// The first of a list.
@@ -92,39 +91,6 @@ macro_rules! chain_of {
 
             const ABSOLUTE: bool = first!($($A::ABSOLUTE,)*);
 
-            fn bodies(&self) -> usize {
-                0 $(+ self.$i.bodies())*
-            }
-            fn joints(&self) -> usize {
-                0 $(+ self.$i.joints())*
-            }
-            fn body_entry<'a, X: Copy + 'static>(&self, bodies: &'a Self::Store<PerBody<X>>, k: usize) -> Option<&'a X> {
-                $(
-                    let n = self.$i.bodies();
-                    if k < n {
-                        return self.$i.body_entry(&bodies.$i, k);
-                    }
-                    let k = k - n;
-                )*
-                let _ = k;
-                None
-            }
-            fn entry<'a, X: Copy + 'static>(
-                &self,
-                bodies: &'a Self::Store<PerBody<X>>,
-                joints: &'a Self::Store<PerJoint<X>>,
-                k: usize,
-            ) -> Option<&'a X> {
-                $(
-                    let n = self.$i.bodies() + self.$i.joints();
-                    if k < n {
-                        return self.$i.entry(&bodies.$i, &joints.$i, k);
-                    }
-                    let k = k - n;
-                )*
-                let _ = k;
-                None
-            }
             fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
                 $(let mass = self.$j.lump(mass);)*
                 mass
@@ -252,53 +218,6 @@ macro_rules! chain_of {
                     &mut rate.$i,
                 );)*
                 (frame, acceleration)
-            }
-            fn independent<Cuts: Closures>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                kept: &Self::Store<Kept<Cuts>>,
-                station: usize,
-        tell: &mut impl FnMut(usize, &'static str),
-            ) -> Result<S::Frame, Error> {
-                $(
-                    let frame = self.$i.independent(
-                        frame,
-                        Coordinates {
-                            position: &motion.position.$i,
-                            rate: &motion.rate.$i,
-                            acceleration: &motion.acceleration.$i,
-                        },
-                        &kept.$i,
-                        station,
-                        tell,
-                    )?;
-                    let station = station + self.$i.bodies() + self.$i.joints();
-                )*
-                let _ = station;
-                Ok(frame)
-            }
-            #[inline]
-            fn travel<V: Visit<S>>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                visit: &mut V,
-                on_bodies: &mut Self::Store<PerBody<V::OnBody>>,
-                in_joints: &mut Self::Store<PerJoint<V::InJoint>>,
-            ) -> S::Frame {
-                $(let frame = self.$i.travel(
-                    frame,
-                    Coordinates {
-                        position: &motion.position.$i,
-                        rate: &motion.rate.$i,
-                        acceleration: &motion.acceleration.$i,
-                    },
-                    visit,
-                    &mut on_bodies.$i,
-                    &mut in_joints.$i,
-                );)*
-                frame
             }
         }
 

@@ -9,6 +9,7 @@ use crate::error::{Error, Fault};
 use crate::scalar::Scalar;
 use crate::shape::{PerBody, PerJoint, Shape};
 use crate::system::{MotionOf, System};
+use crate::walks::travel::travel;
 use alloc::vec::Vec;
 
 /// What a scene is read as.
@@ -114,7 +115,8 @@ where
     let mut list = List::<S> { met: Vec::with_capacity(chain.bodies() + chain.joints()), arm: None };
     let coordinates = Coordinates { position, rate, acceleration };
     let ground = system.ground(motion.time());
-    chain.travel(
+    travel(
+        chain,
         ground,
         coordinates,
         &mut list,

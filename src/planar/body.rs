@@ -2,7 +2,7 @@
 
 use super::{BodyMotion, Frame, Planar, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Coordinates, Element, Given, OnBody, Posture, Springs, Sweep, Visit};
+use crate::element::{Condense, Element, Given, OnBody, Posture, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
@@ -183,18 +183,6 @@ macro_rules! body {
 
             const ABSOLUTE: bool = false;
 
-            fn bodies(&self) -> usize {
-                1
-            }
-            fn joints(&self) -> usize {
-                0
-            }
-            fn body_entry<'a, X: Copy + 'static>(&self, body: &'a X, k: usize) -> Option<&'a X> {
-                (k == 0).then_some(body)
-            }
-            fn entry<'a, X: Copy + 'static>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
-                (k == 0).then_some(body)
-            }
             fn lump(&mut self, mass: T) -> T {
                 Body::lump(self, mass)
             }
@@ -241,19 +229,6 @@ macro_rules! body {
                 _: &mut (),
             ) -> super::Acceleration<T> {
                 acceleration.swung(self.arm(Pose::of(posture))[0])
-            }
-            #[inline(always)]
-            fn travel<V: Visit<Planar<T>>>(
-                &self,
-                frame: Frame<T>,
-                _: Coordinates<'_, Planar<T>, Self>,
-                visit: &mut V,
-                on_body: &mut V::OnBody,
-                _: &mut (),
-            ) -> Frame<T> {
-                let motion = body_motion(self, frame);
-                *on_body = visit.body(&motion);
-                motion.outboard()
             }
         }
 

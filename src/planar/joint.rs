@@ -5,7 +5,7 @@ use super::linear::{HingeAxes, Linear};
 use super::spring::{Spring, SpringLaw};
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Posture, Springs, Visit};
+use crate::element::{Element, Posture, Springs};
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Coefficient, Term};
@@ -209,18 +209,6 @@ macro_rules! joint {
             type Rate = <Self as Joint<T>>::Rate;
             const ABSOLUTE: bool = <Self as Joint<T>>::ABSOLUTE;
 
-            fn bodies(&self) -> usize {
-                0
-            }
-            fn joints(&self) -> usize {
-                1
-            }
-            fn body_entry<'a, X: Copy + 'static>(&self, _: &'a (), _: usize) -> Option<&'a X> {
-                None
-            }
-            fn entry<'a, X: Copy + 'static>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
-                (k == 0).then_some(joint)
-            }
             fn lump(&mut self, mass: T) -> T {
                 Joint::lump(self, mass)
             }
@@ -275,26 +263,6 @@ macro_rules! joint {
             ) -> Acceleration<T> {
                 let offset = <Self as Joint<T>>::Axes::at_rest::<T>(offset::<T, Self>(posture));
                 self.recovered::<C>(acceleration, offset, &<Self as Joint<T>>::homogeneous::<C>(kept), multipliers, rate)
-            }
-            #[inline(always)]
-            fn travel<V: Visit<Planar<T>>>(
-                &self,
-                frame: Frame<T>,
-                motion: Coordinates<'_, Planar<T>, Self>,
-                visit: &mut V,
-                _: &mut (),
-                in_joint: &mut V::InJoint,
-            ) -> Frame<T> {
-                let outboard = self.moved(frame, motion.position, motion.rate, motion.acceleration);
-                let arm = match <Self as Joint<T>>::LEVER {
-                    true => outboard.place - frame.place,
-                    false => Vector2::new(T::zero(), T::zero()),
-                };
-                let spring = self.spring(motion.position, motion.rate);
-                let turns = <Self as Joint<T>>::TURNS;
-                let motion = JointMotion { inboard: frame, outboard, arm, spring, turns };
-                *in_joint = visit.joint_with(&motion, || <<Self as Counted>::Freedoms as Unsigned>::USIZE);
-                outboard
             }
         }
     };

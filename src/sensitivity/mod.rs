@@ -64,6 +64,7 @@ use crate::time::{Explicit, Rule};
 use crate::visit::survey;
 use crate::walks::fits::fits;
 use crate::walks::size::sizes;
+use crate::walks::travel::travel;
 
 /// An explicit method whose derivatives go through kept gains.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -288,7 +289,7 @@ where
             let motion = Coordinates { position, rate, acceleration };
             let seen = survey(elements, ground, motion, loads);
             let mut pass = Loads { loads, seen, time, body: 0, joint: 0 };
-            elements.travel(ground, motion, &mut pass, &mut workspace.on_bodies, &mut workspace.in_joints);
+            travel(elements, ground, motion, &mut pass, &mut workspace.on_bodies, &mut workspace.in_joints);
             elements.load(&workspace.on_bodies, &workspace.in_joints, &mut workspace.store);
         }
         {

@@ -207,7 +207,7 @@ macro_rules! alike {
         type In<Y: $crate::shape::Way> = Self;
 
         #[inline(always)]
-        fn enter<Y: $crate::shape::Way, X>(&mut self, go: impl FnOnce(&mut Self) -> X) -> X {
+        fn enter<Y: $crate::shape::Way, Answer>(&mut self, go: impl FnOnce(&mut Self) -> Answer) -> Answer {
             go(self)
         }
     };

@@ -11,6 +11,7 @@ use crate::state::TransferMatrix;
 use crate::transfer::{Efforts, Exact, Passage, Whole};
 use crate::visit::survey;
 use crate::walks::gather::gather;
+use crate::walks::travel::travel;
 use core::marker::PhantomData;
 use num_traits::Zero;
 
@@ -81,7 +82,7 @@ where
     let (mut bodies, mut joints) = (chain.store::<PerBody<_>>(Entry::Blank), chain.store::<PerJoint<_>>(Entry::Blank));
     let seen = survey(chain, *ground, motion, loads);
     let mut form = Form { loads, seen, time, gravity, held, body: 0, joint: 0, space: PhantomData };
-    chain.travel(*ground, motion, &mut form, &mut bodies, &mut joints);
+    travel(chain, *ground, motion, &mut form, &mut bodies, &mut joints);
 
     let identity = TransferMatrix::identity();
     let mut multiply = Multiply {

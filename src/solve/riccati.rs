@@ -12,6 +12,7 @@ use crate::relation::{Closures, Part, Solvable};
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::visit::survey;
 use crate::walks::size::sizes;
+use crate::walks::travel::travel;
 use num_traits::Zero;
 
 /// Room for the sweeps of one scene: reused, never reallocated.
@@ -108,7 +109,7 @@ pub fn sweep<S: Space, E, W, P>(
         let motion = Coordinates { position, rate, acceleration };
         let seen = survey(chain, *ground, motion, *loads);
         let mut pass = LoadPass { loads: *loads, seen, time: *time, body: 0, joint: 0 };
-        chain.travel(*ground, motion, &mut pass, on_bodies, in_joints);
+        travel(chain, *ground, motion, &mut pass, on_bodies, in_joints);
     }
     let posture = Posture { x, y, p, q };
     let &Spring { position, rate, reading, springs } = spring;
@@ -184,7 +185,8 @@ pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
     }
     let seen = survey(chain, *ground, motion, loads);
     let mut check = LoadCheck { pass: LoadPass { loads, seen, time, body: 0, joint: 0 }, broken: None };
-    chain.travel(
+    travel(
+        chain,
         *ground,
         motion,
         &mut check,

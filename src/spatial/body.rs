@@ -2,7 +2,7 @@
 
 use super::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Coordinates, Element, Given, OnBody, Posture, Springs, Sweep, Visit};
+use crate::element::{Condense, Element, Given, OnBody, Posture, Springs, Sweep};
 use crate::error::Fault;
 use crate::relation::space::algebra::{Columns, centripetal};
 use crate::relation::space::{Full, Relation};
@@ -89,18 +89,6 @@ macro_rules! body {
 
             const ABSOLUTE: bool = false;
 
-            fn bodies(&self) -> usize {
-                1
-            }
-            fn joints(&self) -> usize {
-                0
-            }
-            fn body_entry<'a, X: Copy + 'static>(&self, body: &'a X, k: usize) -> Option<&'a X> {
-                (k == 0).then_some(body)
-            }
-            fn entry<'a, X: Copy + 'static>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
-                (k == 0).then_some(body)
-            }
             fn lump(&mut self, mass: T) -> T {
                 Body::lump(self, mass)
             }
@@ -152,22 +140,6 @@ macro_rules! body {
                 _: &mut (),
             ) -> Acceleration<T> {
                 acceleration.swung(*posture.p)
-            }
-            #[inline(always)]
-            fn travel<V: Visit<Spatial<T>>>(
-                &self,
-                frame: Frame<T>,
-                _: Coordinates<'_, Spatial<T>, Self>,
-                visit: &mut V,
-                on_body: &mut V::OnBody,
-                _: &mut (),
-            ) -> Frame<T> {
-                let inertia = Body::inertia(self);
-                let turned = |at: [T; 3]| frame.turn.attitude.apply(Vector3::from(at));
-                let arm = turned(Body::outboard(self));
-                let motion = BodyMotion { inboard: frame, arm, to_centre: turned(inertia.centre), inertia };
-                *on_body = visit.body(&motion);
-                motion.outboard()
             }
         }
 

@@ -6,7 +6,7 @@ use super::{
 };
 use super::{Universal, Weld, release::Release, spring::Law};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Posture, Springs, Visit};
+use crate::element::{Element, Posture, Springs};
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
@@ -205,18 +205,6 @@ macro_rules! joint {
             type Rate = <Self as Joint<T>>::Rate;
             const ABSOLUTE: bool = $absolute;
 
-            fn bodies(&self) -> usize {
-                0
-            }
-            fn joints(&self) -> usize {
-                1
-            }
-            fn body_entry<'a, X: Copy + 'static>(&self, _: &'a (), _: usize) -> Option<&'a X> {
-                None
-            }
-            fn entry<'a, X: Copy + 'static>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
-                (k == 0).then_some(joint)
-            }
             fn lump(&mut self, mass: T) -> T {
                 Joint::lump(self, mass)
             }
@@ -269,20 +257,6 @@ macro_rules! joint {
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
                 self.responded::<C>(acceleration, (posture.x, posture.y), kept, multipliers, rate)
-            }
-            #[inline(always)]
-            fn travel<V: Visit<Spatial<T>>>(
-                &self,
-                frame: Frame<T>,
-                motion: Coordinates<'_, Spatial<T>, Self>,
-                visit: &mut V,
-                _: &mut (),
-                in_joint: &mut V::InJoint,
-            ) -> Frame<T> {
-                let Coordinates { position, rate, acceleration } = motion;
-                let motion = self.moved(frame, position, rate, acceleration);
-                *in_joint = visit.joint_with(&motion, || Joint::release(self, &motion, position, rate));
-                motion.outboard
             }
         }
     };

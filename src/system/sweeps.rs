@@ -15,6 +15,8 @@ use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
 use crate::walks::broken::broken;
+use crate::walks::independent::independent;
+use crate::walks::travel::travel;
 
 impl<S, R, C, P, L> Dynamics<L> for System<S, R, C, P>
 where
@@ -81,8 +83,7 @@ where
     ) -> Result<(), Error> {
         let ground = self.root.ground(motion.time);
         if const { <Elements<S, R, C> as Shape<S>>::LOOPS > 0 } {
-            self.chain
-                .independent::<P::Closures>(ground, coordinates(motion), &workspace.kept, 0, tell)
+            independent::<S, _, P::Closures>(&self.chain, ground, coordinates(motion), &workspace.kept, tell)
                 .map_err(|error| error.at_time(motion.time.as_f64()).beyond_root())?;
         }
         if P::Closures::COUNT == 0 {
@@ -120,7 +121,7 @@ where
         if far {
             let (mut look, ground) = (LookForAngles(None), self.root.ground(motion.time));
             let (mut bodies, mut joints) = (self.chain.store::<PerBody<()>>(()), self.chain.store::<PerJoint<()>>(()));
-            self.chain.travel(ground, coordinates(motion), &mut look, &mut bodies, &mut joints);
+            travel(&self.chain, ground, coordinates(motion), &mut look, &mut bodies, &mut joints);
             if let Some(angle) = look.0 {
                 return error(Fault::AngleOutOfRange { angle });
             }
