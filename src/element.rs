@@ -153,37 +153,6 @@ pub trait Element<S: Space>:
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> S::Acceleration;
-
-    /// What the joint coordinates do where only closure forces act: `recover` through the same gains without velocities, loads
-    /// and springs. It serves corrections of positions and rates as well as accelerations.
-    fn respond<C: Closures>(
-        &self,
-        acceleration: S::Acceleration,
-        posture: Posture<'_, S, Self>,
-        kept: &Self::Store<Kept<C>>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration;
-
-    /// `respond` where loops are to be closed: each finds the forces that move its ends together by what they miss each other at
-    /// this motion. Walks outward with complete kinematics too.
-    #[inline(always)]
-    #[allow(clippy::too_many_arguments)] // two walks at once
-    fn restore<C: Closures>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        level: Level,
-        acceleration: S::Acceleration,
-        posture: Posture<'_, S, Self>,
-        kept: &Self::Store<Kept<C>>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> (S::Frame, S::Acceleration) {
-        let _ = level;
-        let frame = look(self, frame, motion);
-        (frame, self.respond::<C>(acceleration, posture, kept, multipliers, rate))
-    }
 }
 
 /// An element that can condense a relation of type `R` in a sweep that carries `L`.

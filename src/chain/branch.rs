@@ -1,7 +1,7 @@
 //! Arms that leave a chain.
 
 use crate::counts::Counted;
-use crate::element::{Carrying, Condense, Coordinates, Element, Given, Level, Posture, Space, Springs, Sweep};
+use crate::element::{Carrying, Condense, Element, Given, Posture, Space, Springs, Sweep};
 use crate::lift::Lift;
 use crate::relation::{Closures, Join, Open};
 use crate::scalar::Scalar;
@@ -125,33 +125,6 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     ) -> S::Acceleration {
         self.0.recover::<Open, By>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
         acceleration
-    }
-    #[inline(always)]
-    fn respond<C: Closures>(
-        &self,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &A::Store<Kept<Open>>,
-        _: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration {
-        self.0.respond::<Open>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
-        acceleration
-    }
-    fn restore<C: Closures>(
-        &self,
-        frame: S::Frame,
-        Coordinates { position, rate, acceleration: at }: Coordinates<'_, S, Self>,
-        level: Level,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &A::Store<Kept<Open>>,
-        _: &C::Each<S::Scalar>,
-        step: &mut Self::Rate,
-    ) -> (S::Frame, S::Acceleration) {
-        let (motion, posture) = (Coordinates { position, rate, acceleration: at }, Posture { x, y, p, q });
-        self.0.restore::<Open>(frame, motion, level, acceleration, posture, kept, &(), step);
-        (frame, acceleration)
     }
 }
 

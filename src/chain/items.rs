@@ -4,7 +4,7 @@ use super::poses::{march, orient_items, pose_items, pose_items_in_order, resolve
 #[cfg(feature = "alloc")]
 use super::poses::{pose_slices, pose_slices_in_order};
 use super::product;
-use crate::element::{Condense, Coordinates, Element, Given, Level, Posture, Reading, Space, Springs, Sweep};
+use crate::element::{Condense, Element, Given, Posture, Reading, Space, Springs, Sweep};
 use crate::relation::{Closures, Meet};
 use crate::shape::{Field, Inward, Items, Kept, Of, Outward, PerAxes, Shape, Slot};
 
@@ -23,17 +23,6 @@ use alloc::vec::Vec;
 #[cfg(feature = "alloc")]
 fn map_vec<A, B>(items: &[A], make: impl FnMut(&A) -> B) -> Vec<B> {
     items.iter().map(make).collect()
-}
-
-/// The coordinates of an item.
-macro_rules! item_motion {
-    ($motion:ident, $i:ident) => {
-        Coordinates {
-            position: &$motion.position[$i],
-            rate: &$motion.rate[$i],
-            acceleration: &$motion.acceleration[$i],
-        }
-    };
 }
 
 /// One implementation for arrays and vectors, `$Of<item $extra>`.
@@ -152,46 +141,6 @@ macro_rules! chain_items {
                         items[i].recover::<C, By>(acceleration, posture, &mut kept[i], multipliers, &mut rate[i]);
                 }
                 acceleration
-            }
-            #[inline]
-            fn respond<C: Closures>(
-                &self,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &Self::Store<Kept<C>>,
-                multipliers: &C::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> S::Acceleration {
-                let Posture { x, y, p, q } = posture;
-                let items = &self[..];
-                march!(n: items x y p q kept; mut rate; else acceleration);
-                let mut acceleration = acceleration;
-                for i in 0..n {
-                    let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
-                    acceleration = items[i].respond(acceleration, posture, &kept[i], multipliers, &mut rate[i]);
-                }
-                acceleration
-            }
-            fn restore<C: Closures>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                level: Level,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &Self::Store<Kept<C>>,
-                multipliers: &C::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> (S::Frame, S::Acceleration) {
-                let Posture { x, y, p, q } = posture;
-                let (mut frame, mut acceleration) = (frame, acceleration);
-                for (i, item) in self.iter().enumerate() {
-                    let motion = item_motion!(motion, i);
-                    let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
-                    (frame, acceleration) =
-                        item.restore(frame, motion, level, acceleration, posture, &kept[i], multipliers, &mut rate[i]);
-                }
-                (frame, acceleration)
             }
         }
 

@@ -1,7 +1,7 @@
 //! Arms in parallel, between two stations.
 
 use super::{deeper, sum};
-use crate::element::{Coordinates, Element, Level, Posture, Space, Springs, look};
+use crate::element::{Coordinates, Element, Posture, Space, Springs};
 use crate::lift::Lift;
 use crate::mirror::{Tied, TiedPosition};
 use crate::relation::{Closures, Looped, Own};
@@ -218,60 +218,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
             (Posture { x: &x.arms.0, y: &y.arms.0, p: &p.arms.0, q: &q.arms.0 }, (*multipliers, forces));
         self.main().recover::<Inside<S, C, K>, By>(acceleration, posture, main, &all, &mut rate.arms.0)
     }
-    #[inline(always)]
-    fn respond<C: Closures>(
-        &self,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        Tied { arms: (main, side), closing: (gain, _) }: &Self::Store<Kept<C>>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration {
-        let still = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
-        let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, &still);
-        let posture = Posture { x: &x.arms.1, y: &y.arms.1, p: &p.arms.1, q: &q.arms.1 };
-        self.side().respond::<OwnOf<S, K>>(acceleration, posture, side, &forces, &mut rate.arms.1);
-        let (posture, all) =
-            (Posture { x: &x.arms.0, y: &y.arms.0, p: &p.arms.0, q: &q.arms.0 }, (*multipliers, forces));
-        self.main().respond::<Inside<S, C, K>>(acceleration, posture, main, &all, &mut rate.arms.0)
-    }
-    fn restore<C: Closures>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        level: Level,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        Tied { arms: (main, side), closing: (gain, _) }: &Self::Store<Kept<C>>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> (S::Frame, S::Acceleration) {
-        let (in_main, in_side) = arms(motion);
-        let (main_end, side_end) = (look(self.main(), frame, in_main), look(self.side(), frame, in_side));
-        let [place, velocity] = self.closing.miss(&side_end, &main_end);
-        let miss = match level {
-            Level::Place => place,
-            Level::Velocity => velocity,
-        };
-        let gap = OwnOf::<S, K>::reduced(gain, &miss);
-        let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, &gap);
-        let posture = Posture { x: &x.arms.1, y: &y.arms.1, p: &p.arms.1, q: &q.arms.1 };
-        let step = &mut rate.arms.1;
-        self.side().restore::<OwnOf<S, K>>(frame, in_side, level, acceleration, posture, side, &forces, step);
-        let (posture, all) =
-            (Posture { x: &x.arms.0, y: &y.arms.0, p: &p.arms.0, q: &q.arms.0 }, (*multipliers, forces));
-        let step = &mut rate.arms.0;
-        self.main().restore::<Inside<S, C, K>>(frame, in_main, level, acceleration, posture, main, &all, step)
-    }
-}
-
-/// The coordinates of both arms.
-fn arms<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>>(
-    motion: Coordinates<'_, S, Network<M, A, K>>,
-) -> (Coordinates<'_, S, M>, Coordinates<'_, S, A>) {
-    let Coordinates { position, rate, acceleration } = motion;
-    let ((p, q), (r, s), (a, b)) = (&position.arms, &rate.arms, &acceleration.arms);
-    (Coordinates { position: p, rate: r, acceleration: a }, Coordinates { position: q, rate: s, acceleration: b })
 }
 
 impl<M, A, K> crate::counts::Counted for Network<M, A, K>

@@ -1,7 +1,7 @@
 //! Tuples of elements.
 
 use super::{deeper, sum};
-use crate::element::{Condense, Coordinates, Element, Given, Level, Posture, Reading, Space, Springs, Sweep};
+use crate::element::{Condense, Element, Given, Posture, Reading, Space, Springs, Sweep};
 use crate::relation::Closures;
 use crate::shape::{Field, Inward, Kept, Member, Nth, Of, Outward, PerAxes, Shape, Slot};
 use crate::tuples::for_each_tuple;
@@ -173,51 +173,6 @@ macro_rules! chain_of {
                     &mut rate.$i,
                 );)*
                 acceleration
-            }
-            #[inline]
-            fn respond<Cuts: Closures>(
-                &self,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &Self::Store<Kept<Cuts>>,
-                multipliers: &Cuts::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> S::Acceleration {
-                $(let acceleration = self.$i.respond(
-                    acceleration,
-                    Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
-                    &kept.$i,
-                    multipliers,
-                    &mut rate.$i,
-                );)*
-                acceleration
-            }
-            fn restore<Cuts: Closures>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                level: Level,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &Self::Store<Kept<Cuts>>,
-                multipliers: &Cuts::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> (S::Frame, S::Acceleration) {
-                $(let (frame, acceleration) = self.$i.restore(
-                    frame,
-                    Coordinates {
-                        position: &motion.position.$i,
-                        rate: &motion.rate.$i,
-                        acceleration: &motion.acceleration.$i,
-                    },
-                    level,
-                    acceleration,
-                    Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
-                    &kept.$i,
-                    multipliers,
-                    &mut rate.$i,
-                );)*
-                (frame, acceleration)
             }
         }
 

@@ -1,6 +1,6 @@
 //! What a planar body has to say of itself, and how that makes it an element.
 
-use super::{BodyMotion, Frame, Planar, Turn};
+use super::{Acceleration, BodyMotion, Frame, Planar, Turn};
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, OnBody, Posture, Springs, Sweep};
 use crate::error::Fault;
@@ -8,7 +8,7 @@ use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
 use crate::relation::{Closures, Term};
 use crate::scalar::{Real, Scalar};
-use crate::shape::{PerAxes, Shape};
+use crate::shape::{PerAxes, PostureOf, Shape};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use num_traits::Zero;
@@ -163,6 +163,15 @@ impl<T: Scalar, B: Body<T>> crate::shape::Body<Planar<T>> for B {
         Body::size(self)
     }
     #[inline(always)]
+    fn shifted(&self, inboard: Acceleration<T>, (&x, &y, &p, &q): PostureOf<'_, Planar<T>>) -> Acceleration<T> {
+        let [arm, centripetal] = self.arm(Pose { x, y, p, q });
+        inboard.shifted(arm, centripetal)
+    }
+    #[inline(always)]
+    fn swung(&self, inboard: Acceleration<T>, (&x, &y, &p, &q): PostureOf<'_, Planar<T>>) -> Acceleration<T> {
+        inboard.swung(self.arm(Pose { x, y, p, q })[0])
+    }
+    #[inline(always)]
     fn motion(&self, inboard: Frame<T>) -> (BodyMotion<T>, Frame<T>) {
         let motion = body_motion(self, inboard);
         (motion, motion.outboard())
@@ -210,25 +219,14 @@ macro_rules! body {
             #[inline(always)]
             fn recover<C: Closures, By: Springs<T>>(
                 &self,
-                acceleration: super::Acceleration<T>,
+                acceleration: Acceleration<T>,
                 posture: Posture<'_, Planar<T>, Self>,
                 _: &mut (),
                 _: &C::Each<T>,
                 _: &mut (),
-            ) -> super::Acceleration<T> {
+            ) -> Acceleration<T> {
                 let [arm, centripetal] = self.arm(Pose::of(posture));
                 acceleration.shifted(arm, centripetal)
-            }
-            #[inline(always)]
-            fn respond<C: Closures>(
-                &self,
-                acceleration: super::Acceleration<T>,
-                posture: Posture<'_, Planar<T>, Self>,
-                _: &(),
-                _: &C::Each<T>,
-                _: &mut (),
-            ) -> super::Acceleration<T> {
-                acceleration.swung(self.arm(Pose::of(posture))[0])
             }
         }
 

@@ -10,7 +10,7 @@ use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Coefficient, Term};
 use crate::scalar::Scalar;
-use crate::shape::{PerAxes, Shape};
+use crate::shape::{JointPosture, PerAxes, Shape};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use typenum::{U0, U1, U3, Unsigned};
@@ -175,6 +175,33 @@ impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Planar<T>> for J {
         Joint::aim(self, position, inboard, next)
     }
     #[inline(always)]
+    fn recover<C: Closures, By: Springs<T>>(
+        &self,
+        inboard: Acceleration<T>,
+        posture: JointPosture<'_, Planar<T>, J>,
+        kept: &mut <J as Joint<T>>::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut <J as Joint<T>>::Rate,
+    ) -> Acceleration<T> {
+        let (x, y, p, q) = posture;
+        let offset = J::Axes::offset(x, y, p, q);
+        self.note::<C>(inboard, offset, kept);
+        self.recovered_after::<C, By>(inboard, offset, kept, multipliers, rate)
+    }
+    #[inline(always)]
+    fn respond<C: Closures>(
+        &self,
+        inboard: Acceleration<T>,
+        posture: JointPosture<'_, Planar<T>, J>,
+        kept: &<J as Joint<T>>::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut <J as Joint<T>>::Rate,
+    ) -> Acceleration<T> {
+        let (x, y, p, q) = posture;
+        let offset = J::Axes::at_rest::<T>(J::Axes::offset(x, y, p, q));
+        self.recovered::<C>(inboard, offset, &J::homogeneous::<C>(kept), multipliers, rate)
+    }
+    #[inline(always)]
     fn motion(
         &self,
         inboard: Frame<T>,
@@ -251,18 +278,6 @@ macro_rules! joint {
                 let offset = offset::<T, Self>(posture);
                 self.note::<C>(acceleration, offset, kept);
                 self.recovered_after::<C, By>(acceleration, offset, kept, multipliers, rate)
-            }
-            #[inline(always)]
-            fn respond<C: Closures>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Planar<T>, Self>,
-                kept: &<Self as Joint<T>>::Kept<C>,
-                multipliers: &C::Each<T>,
-                rate: &mut Self::Rate,
-            ) -> Acceleration<T> {
-                let offset = <Self as Joint<T>>::Axes::at_rest::<T>(offset::<T, Self>(posture));
-                self.recovered::<C>(acceleration, offset, &<Self as Joint<T>>::homogeneous::<C>(kept), multipliers, rate)
             }
         }
     };

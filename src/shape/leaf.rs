@@ -6,6 +6,7 @@ use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::space::Space;
+use crate::sweep::Springs;
 
 /// A body, as it is the same in all spaces. Each space says so of its own bodies (`planar::Body`, `spatial::Body`).
 #[diagnostic::on_unimplemented(
@@ -15,6 +16,10 @@ use crate::space::Space;
 pub trait Body<S: Space>: Copy + 'static {
     /// What resolving its posture reads of its shape.
     fn size(&self) -> S::Size;
+    /// The acceleration of its outboard end, from that of its inboard end.
+    fn shifted(&self, inboard: S::Acceleration, posture: PostureOf<'_, S>) -> S::Acceleration;
+    /// What [`shifted`](Self::shifted) gives without velocities.
+    fn swung(&self, inboard: S::Acceleration, posture: PostureOf<'_, S>) -> S::Acceleration;
     /// Its motion, if its inboard end moves like this, and that of its outboard end.
     fn motion(&self, inboard: S::Frame) -> (S::BodyMotion, S::Frame);
     /// Rejects parameters that make no mechanics.
@@ -23,6 +28,17 @@ pub trait Body<S: Space>: Copy + 'static {
     /// What is wrong with them.
     fn check(&self) -> Result<(), Fault>;
 }
+
+/// The posture of a body.
+pub type PostureOf<'a, S> = (&'a <S as Space>::X, &'a <S as Space>::Y, &'a <S as Space>::P, &'a <S as Space>::Q);
+
+/// The posture of a joint.
+pub type JointPosture<'a, S, J> = (
+    &'a <J as Joint<S>>::Per<<S as Space>::X>,
+    &'a <J as Joint<S>>::Per<<S as Space>::Y>,
+    &'a <J as Joint<S>>::Per<<S as Space>::P>,
+    &'a <J as Joint<S>>::Per<<S as Space>::Q>,
+);
 
 /// A joint, as it is the same in all spaces. Each space says so of its own joints (`planar::Joint`, `spatial::Joint`).
 #[diagnostic::on_unimplemented(
@@ -58,6 +74,25 @@ pub trait Joint<S: Space>: Copy + 'static {
         inboard: S::Turn,
         next: &mut impl FnMut(S::Turn) -> S::Scalar,
     ) -> S::Turn;
+    /// The accelerations of its coordinates and of its outboard side from that of its inboard side, after a sweep in which springs
+    /// entered by `By`.
+    fn recover<C: Closures, By: Springs<S::Scalar>>(
+        &self,
+        inboard: S::Acceleration,
+        posture: JointPosture<'_, S, Self>,
+        kept: &mut Self::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
+        rate: &mut Self::Rate,
+    ) -> S::Acceleration;
+    /// What [`recover`](Self::recover) gives without velocities, loads and springs.
+    fn respond<C: Closures>(
+        &self,
+        inboard: S::Acceleration,
+        posture: JointPosture<'_, S, Self>,
+        kept: &Self::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
+        rate: &mut Self::Rate,
+    ) -> S::Acceleration;
     /// Its motion, if its inboard side moves like this, and that of its outboard side.
     fn motion(
         &self,

@@ -11,6 +11,8 @@ use crate::ends::Tip;
 use crate::relation::{Closures, Part, Solvable};
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::visit::survey;
+use crate::walks::respond::respond;
+use crate::walks::restore::restore;
 use crate::walks::size::sizes;
 use crate::walks::travel::travel;
 use num_traits::Zero;
@@ -137,9 +139,9 @@ pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S, Closures: Solvable>>(
     let force = W::Closures::solve(compliance, &W::Closures::map(miss, |miss| -miss));
     let (still, posture) = (S::no_acceleration(), Posture { x, y, p, q });
     if const { E::LOOPS == 0 } {
-        chain.respond::<W::Closures>(still, posture, kept, &force, correction);
+        respond::<S, E, W::Closures>(chain, still, posture, kept, force, correction);
     } else {
-        chain.restore::<W::Closures>(ground, motion, level, still, posture, kept, &force, correction);
+        restore::<S, E, W::Closures>(chain, ground, motion, level, still, posture, kept, force, correction);
     }
     Some(correction)
 }

@@ -8,6 +8,7 @@ use crate::relation::space::algebra::{Columns, centripetal};
 use crate::relation::space::{Full, Relation};
 use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
+use crate::shape::PostureOf;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use typenum::{U0, U1};
@@ -65,6 +66,18 @@ impl<T: Scalar> Pose<T> {
 
 impl<T: Scalar, B: Body<T>> crate::shape::Body<Spatial<T>> for B {
     fn size(&self) {}
+    #[inline(always)]
+    fn shifted(
+        &self,
+        inboard: Acceleration<T>,
+        (_, _, &arm, &centripetal): PostureOf<'_, Spatial<T>>,
+    ) -> Acceleration<T> {
+        inboard.shifted(arm, centripetal)
+    }
+    #[inline(always)]
+    fn swung(&self, inboard: Acceleration<T>, (_, _, &arm, _): PostureOf<'_, Spatial<T>>) -> Acceleration<T> {
+        inboard.swung(arm)
+    }
     #[inline(always)]
     fn motion(&self, inboard: Frame<T>) -> (BodyMotion<T>, Frame<T>) {
         let inertia = Body::inertia(self);
@@ -129,17 +142,6 @@ macro_rules! body {
                 _: &mut (),
             ) -> Acceleration<T> {
                 acceleration.shifted(*posture.p, *posture.q)
-            }
-            #[inline(always)]
-            fn respond<C: Closures>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Spatial<T>, Self>,
-                _: &(),
-                _: &C::Each<T>,
-                _: &mut (),
-            ) -> Acceleration<T> {
-                acceleration.swung(*posture.p)
             }
         }
 

@@ -12,6 +12,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::relation::space::algebra::Columns;
 use crate::scalar::Scalar;
+use crate::shape::JointPosture;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use typenum::{U0, U1, U2, U3, U6};
@@ -171,6 +172,28 @@ impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Spatial<T>> for J {
         Joint::aim(self, position, inboard, next)
     }
     #[inline(always)]
+    fn recover<C: Closures, By: Springs<T>>(
+        &self,
+        inboard: Acceleration<T>,
+        posture: JointPosture<'_, Spatial<T>, J>,
+        kept: &mut <J as Joint<T>>::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut <J as Joint<T>>::Rate,
+    ) -> Acceleration<T> {
+        self.recovered::<C>(inboard, (posture.0, posture.1), kept, multipliers, rate)
+    }
+    #[inline(always)]
+    fn respond<C: Closures>(
+        &self,
+        inboard: Acceleration<T>,
+        posture: JointPosture<'_, Spatial<T>, J>,
+        kept: &<J as Joint<T>>::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut <J as Joint<T>>::Rate,
+    ) -> Acceleration<T> {
+        self.responded::<C>(inboard, (posture.0, posture.1), kept, multipliers, rate)
+    }
+    #[inline(always)]
     fn motion(
         &self,
         inboard: Frame<T>,
@@ -246,17 +269,6 @@ macro_rules! joint {
                 rate: &mut Self::Rate,
             ) -> Acceleration<T> {
                 self.recovered::<C>(acceleration, (posture.x, posture.y), kept, multipliers, rate)
-            }
-            #[inline(always)]
-            fn respond<C: Closures>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Spatial<T>, Self>,
-                kept: &<Self as Joint<T>>::Kept<C>,
-                multipliers: &C::Each<T>,
-                rate: &mut Self::Rate,
-            ) -> Acceleration<T> {
-                self.responded::<C>(acceleration, (posture.x, posture.y), kept, multipliers, rate)
             }
         }
     };
