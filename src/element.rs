@@ -142,17 +142,6 @@ pub trait Element<S: Space>:
         Self::resolve(sizes, x, y, p, q);
         turn
     }
-
-    /// Recovers the accelerations of the joint coordinates from that of the inboard station, outward, after a sweep in which
-    /// springs entered by `By`.
-    fn recover<C: Closures, By: Springs<S::Scalar>>(
-        &self,
-        acceleration: S::Acceleration,
-        posture: Posture<'_, S, Self>,
-        kept: &mut Self::Store<Kept<C>>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration;
 }
 
 /// An element that can condense a relation of type `R` in a sweep that carries `L`.

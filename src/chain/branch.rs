@@ -1,9 +1,9 @@
 //! Arms that leave a chain.
 
 use crate::counts::Counted;
-use crate::element::{Carrying, Condense, Element, Given, Posture, Space, Springs, Sweep};
+use crate::element::{Carrying, Condense, Element, Given, Posture, Space, Sweep};
 use crate::lift::Lift;
-use crate::relation::{Closures, Join, Open};
+use crate::relation::{Join, Open};
 use crate::scalar::Scalar;
 use crate::shape::{Arm, Aside, Field, Inward, Kept, Of, Outward, PerAxes, Shape, arm_inward, arm_outward};
 use num_traits::Zero;
@@ -113,18 +113,6 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     ) -> S::Turn {
         self.0.pose(position, rate, turn, sizes, x, y, p, q);
         turn
-    }
-    #[inline(always)]
-    fn recover<C: Closures, By: Springs<S::Scalar>>(
-        &self,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &mut A::Store<Kept<Open>>,
-        _: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration {
-        self.0.recover::<Open, By>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
-        acceleration
     }
 }
 

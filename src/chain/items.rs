@@ -4,8 +4,8 @@ use super::poses::{march, orient_items, pose_items, pose_items_in_order, resolve
 #[cfg(feature = "alloc")]
 use super::poses::{pose_slices, pose_slices_in_order};
 use super::product;
-use crate::element::{Condense, Element, Given, Posture, Reading, Space, Springs, Sweep};
-use crate::relation::{Closures, Meet};
+use crate::element::{Condense, Element, Given, Posture, Reading, Space, Sweep};
+use crate::relation::Meet;
 use crate::shape::{Field, Inward, Items, Kept, Of, Outward, PerAxes, Shape, Slot};
 
 /// An array, spelled like a vector.
@@ -121,26 +121,6 @@ macro_rules! chain_items {
                 } else {
                     $pose_in_order(self, position, rate, turn, sizes, x, y, p, q)
                 }
-            }
-            #[inline]
-            fn recover<C: Closures, By: Springs<S::Scalar>>(
-                &self,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &mut Self::Store<Kept<C>>,
-                multipliers: &C::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> S::Acceleration {
-                let Posture { x, y, p, q } = posture;
-                let items = &self[..];
-                march!(n: items x y p q; mut kept rate; else acceleration);
-                let mut acceleration = acceleration;
-                for i in 0..n {
-                    let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
-                    acceleration =
-                        items[i].recover::<C, By>(acceleration, posture, &mut kept[i], multipliers, &mut rate[i]);
-                }
-                acceleration
             }
         }
 

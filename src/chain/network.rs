@@ -1,14 +1,13 @@
 //! Arms in parallel, between two stations.
 
 use super::{deeper, sum};
-use crate::element::{Coordinates, Element, Posture, Space, Springs};
+use crate::element::{Element, Space};
 use crate::lift::Lift;
 use crate::mirror::{Tied, TiedPosition};
-use crate::relation::{Closures, Looped, Own};
+use crate::relation::Looped;
 use crate::scalar::Scalar;
 use crate::shape::{
-    Closing, ClosingEntry, Ends, Field, Inward, Kept, Main, MainStore, Of, Outward, Parallel, PerAxes, Shape, Side,
-    SideStore,
+    Closing, ClosingEntry, Field, Inward, Main, MainStore, Of, Outward, Parallel, PerAxes, Shape, Side, SideStore,
 };
 use core::ops::Add;
 use typenum::{Sum, Unsigned};
@@ -199,24 +198,6 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         );
         self.closing.orient(side, main, &mut x.closing, &mut y.closing, &mut p.closing, &mut q.closing);
         main
-    }
-    #[inline(always)]
-    fn recover<C: Closures, By: Springs<S::Scalar>>(
-        &self,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        Tied { arms: (main, side), closing: (gain, driven) }: &mut Self::Store<Kept<C>>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration {
-        let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, gain.gap());
-        let ends = Ends { x: &x.closing, y: &y.closing, p: &p.closing, q: &q.closing };
-        rate.closing = S::numbers(S::together(*driven, self.closing.internal(&forces, ends)));
-        let posture = Posture { x: &x.arms.1, y: &y.arms.1, p: &p.arms.1, q: &q.arms.1 };
-        self.side().recover::<OwnOf<S, K>, By>(acceleration, posture, side, &forces, &mut rate.arms.1);
-        let (posture, all) =
-            (Posture { x: &x.arms.0, y: &y.arms.0, p: &p.arms.0, q: &q.arms.0 }, (*multipliers, forces));
-        self.main().recover::<Inside<S, C, K>, By>(acceleration, posture, main, &all, &mut rate.arms.0)
     }
 }
 

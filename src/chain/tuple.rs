@@ -1,8 +1,7 @@
 //! Tuples of elements.
 
 use super::{deeper, sum};
-use crate::element::{Condense, Element, Given, Posture, Reading, Space, Springs, Sweep};
-use crate::relation::Closures;
+use crate::element::{Condense, Element, Given, Posture, Reading, Space, Sweep};
 use crate::shape::{Field, Inward, Kept, Member, Nth, Of, Outward, PerAxes, Shape, Slot};
 use crate::tuples::for_each_tuple;
 
@@ -155,24 +154,6 @@ macro_rules! chain_of {
                     &mut q.$i,
                 );)*
                 turn
-            }
-            #[$($inline)*]
-            fn recover<Cuts: Closures, By: Springs<S::Scalar>>(
-                &self,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &mut Self::Store<Kept<Cuts>>,
-                multipliers: &Cuts::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> S::Acceleration {
-                $(let acceleration = self.$i.recover::<Cuts, By>(
-                    acceleration,
-                    Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
-                    &mut kept.$i,
-                    multipliers,
-                    &mut rate.$i,
-                );)*
-                acceleration
             }
         }
 

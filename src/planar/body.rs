@@ -2,11 +2,11 @@
 
 use super::{Acceleration, BodyMotion, Frame, Planar, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Element, Given, OnBody, Posture, Springs, Sweep};
+use crate::element::{Condense, Element, Given, OnBody, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::lift;
+use crate::relation::Term;
 use crate::relation::plane::{Full, Relation};
-use crate::relation::{Closures, Term};
 use crate::scalar::{Real, Scalar};
 use crate::shape::{PerAxes, PostureOf, Shape};
 use core::fmt::Debug;
@@ -215,18 +215,6 @@ macro_rules! body {
                 // The square is left to this pass, which goes many bodies at a time where rates add up along the chain.
                 let pose = <Self as Body<T>>::pose(*size, *x, -(*y * *y));
                 (*x, *y, *p, *q) = (pose.x, pose.y, pose.p, pose.q);
-            }
-            #[inline(always)]
-            fn recover<C: Closures, By: Springs<T>>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Planar<T>, Self>,
-                _: &mut (),
-                _: &C::Each<T>,
-                _: &mut (),
-            ) -> Acceleration<T> {
-                let [arm, centripetal] = self.arm(Pose::of(posture));
-                acceleration.shifted(arm, centripetal)
             }
         }
 

@@ -266,19 +266,6 @@ macro_rules! joint {
             ) {
                 <Self as Joint<T>>::Axes::resolve::<T>(x, y, p, q);
             }
-            #[inline(always)]
-            fn recover<C: Closures, By: Springs<T>>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Planar<T>, Self>,
-                kept: &mut <Self as Joint<T>>::Kept<C>,
-                multipliers: &C::Each<T>,
-                rate: &mut Self::Rate,
-            ) -> Acceleration<T> {
-                let offset = offset::<T, Self>(posture);
-                self.note::<C>(acceleration, offset, kept);
-                self.recovered_after::<C, By>(acceleration, offset, kept, multipliers, rate)
-            }
         }
     };
 }

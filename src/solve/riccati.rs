@@ -11,6 +11,7 @@ use crate::ends::Tip;
 use crate::relation::{Closures, Part, Solvable};
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::visit::survey;
+use crate::walks::recover::recover;
 use crate::walks::respond::respond;
 use crate::walks::restore::restore;
 use crate::walks::size::sizes;
@@ -120,7 +121,7 @@ pub fn sweep<S: Space, E, W, P>(
     let relation = chain.condense(tip.relation(*time, *gravity, &turn), posture, given, kept);
     *multipliers = relation.multipliers(&root);
     *compliance = relation.compliance();
-    chain.recover::<W::Closures, W::Springs>(root, posture, kept, multipliers, acceleration);
+    recover::<S, E, W::Closures, W::Springs>(chain, root, posture, kept, *multipliers, acceleration);
 }
 
 /// The correction of joint coordinates that moves the tip by −`miss` and closes loops, through the gains and the Λ of the last sweep:

@@ -2,11 +2,11 @@
 
 use super::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Element, Given, OnBody, Posture, Springs, Sweep};
+use crate::element::{Condense, Element, Given, OnBody, Posture, Sweep};
 use crate::error::Fault;
+use crate::relation::Term;
 use crate::relation::space::algebra::{Columns, centripetal};
 use crate::relation::space::{Full, Relation};
-use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
 use crate::shape::PostureOf;
 use core::fmt::Debug;
@@ -131,17 +131,6 @@ macro_rules! body {
                 _: &mut Vector3<T>,
                 _: &mut Vector3<T>,
             ) {
-            }
-            #[inline(always)]
-            fn recover<C: Closures, By: Springs<T>>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Spatial<T>, Self>,
-                _: &mut (),
-                _: &C::Each<T>,
-                _: &mut (),
-            ) -> Acceleration<T> {
-                acceleration.shifted(*posture.p, *posture.q)
             }
         }
 

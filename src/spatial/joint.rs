@@ -6,7 +6,7 @@ use super::{
 };
 use super::{Universal, Weld, release::Release, spring::Law};
 use crate::counts::Counted;
-use crate::element::{Element, Posture, Springs};
+use crate::element::{Element, Springs};
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
@@ -258,17 +258,6 @@ macro_rules! joint {
                 _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Vector3<T>>,
                 _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Vector3<T>>,
             ) {
-            }
-            #[inline(always)]
-            fn recover<C: Closures, By: Springs<T>>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Spatial<T>, Self>,
-                kept: &mut <Self as Joint<T>>::Kept<C>,
-                multipliers: &C::Each<T>,
-                rate: &mut Self::Rate,
-            ) -> Acceleration<T> {
-                self.recovered::<C>(acceleration, (posture.x, posture.y), kept, multipliers, rate)
             }
         }
     };
