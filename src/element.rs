@@ -6,14 +6,22 @@
 //!
 //! ```text
 //! orient    root → tip   each body's angle and rate                        Element::pose
-//! load      root → tip   forces that depend on the motion (if any)         Element::travel
+//! load      root → tip   forces that depend on the motion (if any)         walks::travel
 //! condense  tip → root   F = S p + e at each station                       Condense::condense
-//! recover   root → tip   accelerations of the joint coordinates            Element::recover
+//! recover   root → tip   accelerations of the joint coordinates            walks::recover
 //! ```
 //!
 //! Joints own coordinates, bodies own none. What a walk carries from element to element has a type, and an element maps
 //! the type it takes to the type it hands on: [`Condense`] is generic over the relation met. That is how a pin gets away
 //! with a 2 × 2 block, how a free tip costs nothing, and why a pin with no body outboard of it does not compile.
+//!
+//! Which bodies and joints there are, what is stored beside them and in which order they are met, a composite says once ([`Shape`]).
+//! Walks are values with a file each ([`walks`](crate::walks)), of which neither composites nor bodies and joints know. Two
+//! are still methods, of [`Condense`] and [`Element`]:
+//!
+//! * Condensation, because what it carries changes type from element to element: that takes a trait with the relation as a parameter.
+//! * Poses, because of arguments alone a compiler knows that they do not overlap: stores in a bundle, as walks have them, keep sines of
+//!   long tuples from vectorising.
 //!
 //! # Signs
 //!
@@ -40,7 +48,7 @@
 //!   Springs are read where coordinates would be without the acceleration sought, which makes a linear law exact; those of
 //!   rotations, which are not linear, where the last sweep has led ([`Reading`]).
 //! * **Projections and a tangent sweep through stored gains.** [`Kept`] holds what the outward walk needs of each
-//!   elimination, one value per joint in the order of the chain, and outlives the sweep: [`Element::respond`] walks it again for
+//!   elimination, one value per joint in the order of the chain, and outlives the sweep: [`respond`](crate::walks::respond) walks it again for
 //!   corrections of positions and rates, and other right-hand sides can.
 //! * **The paper's displacement level** builds matrices from the same elements and shares no walk with this one.
 //! * **Branches** are elements whose condensation adds the relation of an arm to that of the chain at one station; walks inward
@@ -60,10 +68,10 @@ use crate::relation::Closures;
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
 use crate::walks::count;
 
-/// A body, a joint, or a chain of them.
+/// A body, a joint, or a chain of them, as a sweep sees it: a [`Shape`] with coordinates that time rules can move, and poses.
 ///
 /// Composition ([`chain`](crate::chain)) implements it for tuples, arrays and vectors of elements; a new body or joint
-/// implements a trait of its space with one or two methods of physics instead (see `planar::Body`).
+/// implements a trait of its space with its physics instead (see `planar::Body`), and how it condenses.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an element of the chain's space `{S}`",
     label = "not an element of `{S}`",

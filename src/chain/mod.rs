@@ -1,8 +1,9 @@
 //! Composition: tuples (to 16), arrays and vectors of elements are elements, and so are arms that leave them ([`Branch`])
 //! and arms that meet again ([`Network`]).
 //!
-//! Nothing here knows any physics. A chain hands what it carries from item to item, outward from first to last or inward
-//! from last to first, and its stores (gains, directions, loads, coordinates) have its own shape. An array or a vector
+//! Nothing here knows any physics, nor any walk but condensation and poses. A chain says of what stores its own stores consist
+//! and in which order its items are met ([`Shape`](crate::shape::Shape)): outward from first to last, inward from last to first. In a
+//! condensation it hands the relation from item to item. An array or a vector
 //! that meets a lesser relation than its links hand on, such as a free tip, peels its last link: from then on the type of
 //! the relation stays the same.
 
