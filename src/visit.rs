@@ -4,6 +4,7 @@ use crate::element::Coordinates;
 use crate::loading::Loading;
 use crate::shape::{PerBody, PerJoint, Shape};
 use crate::space::Space;
+pub use crate::walks::look::look;
 use crate::walks::travel::travel;
 
 /// A visitor of [`travel`].
@@ -71,28 +72,6 @@ pub enum Level {
     Place,
     /// Rates.
     Velocity,
-}
-
-/// The frame at the end of a walk outward.
-pub fn look<S: Space, E: Shape<S>>(element: &E, frame: S::Frame, motion: Coordinates<'_, S, E>) -> S::Frame {
-    travel(
-        element,
-        frame,
-        motion,
-        &mut Look,
-        &mut element.store::<PerBody<()>>(()),
-        &mut element.store::<PerJoint<()>>(()),
-    )
-}
-
-/// Looks at nothing.
-struct Look;
-
-impl<S: Space> Visit<S> for Look {
-    type OnBody = ();
-    type InJoint = ();
-    fn body(&mut self, _: &S::BodyMotion) {}
-    fn joint(&mut self, _: &S::JointMotion) {}
 }
 
 /// The body at the tip of a chain.

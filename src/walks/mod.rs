@@ -11,6 +11,7 @@ pub mod find;
 pub mod fits;
 pub mod gather;
 pub mod independent;
+pub mod look;
 pub mod recover;
 pub mod respond;
 pub mod restore;
