@@ -7,15 +7,23 @@
 //!
 //! ```text
 //! orient    root → tip   each body's angle and rate                        Element::pose
-//! load      root → tip   loads, with the motion they depend on (if any)    Element::travel
-//!                        lists of forces (if any), without kinematics      Element::spread_bodies
+//! load      root → tip   loads, with the motion they depend on (if any)    walks::travel
+//!                        lists of forces (if any), without kinematics      walks::spread
 //! condense  tip → root   F = S p + e at each station                       Condense::condense
-//! recover   root → tip   accelerations of the joint coordinates            Element::recover
+//! recover   root → tip   accelerations of the joint coordinates            walks::recover
 //! ```
 //!
 //! Joints own coordinates, bodies own none. What a walk carries from element to element has a type, and an element maps
 //! the type it takes to the type it hands on: [`Condense`] is generic over the relation met. That is how a pin gets away
 //! with a 2 × 2 block, how a free tip costs nothing, and why a pin with no body outboard of it does not compile.
+//!
+//! Which bodies and joints there are, what is stored beside them and in which order they are met, a composite says once ([`Shape`]).
+//! Walks are values with a file each ([`walks`](crate::walks)), of which neither composites nor bodies and joints know. Two
+//! are still methods, of [`Condense`] and [`Element`]:
+//!
+//! * Condensation, because what it carries changes type from element to element: that takes a trait with the relation as a parameter.
+//! * Poses, because of arguments alone a compiler knows that they do not overlap: stores in a bundle, as walks have them, keep sines of
+//!   long tuples from vectorising.
 //!
 //! # Signs
 //!
@@ -42,11 +50,11 @@
 //!   condensed for another type of springs, [`Implicit`], after which the relation is full; rods and pins neither know nor pay.
 //!   Springs are read where coordinates would be without the acceleration sought, which makes a linear law exact; those of
 //!   rotations and laws of users, which are not linear, where the last sweep has led ([`Reading`]).
-//! * **Projections and a tangent sweep through stored gains.** [`Element::Kept`] holds what the outward walk needs of each
-//!   elimination, one value per joint in the order of the chain, and outlives the sweep: [`Element::respond`] walks it again for
+//! * **Projections and a tangent sweep through stored gains.** [`Kept`] holds what the outward walk needs of each
+//!   elimination, one value per joint in the order of the chain, and outlives the sweep: [`respond`](crate::walks::respond) walks it again for
 //!   corrections of positions and rates, and other right-hand sides can.
-//! * **The paper's displacement level** builds matrices from the same elements: it reads them by one [`Element::travel`], and shares no
-//!   other walk with this one.
+//! * **The paper's displacement level** builds matrices from the same elements: it reads them by one [`travel`](crate::walks::travel), and
+//!   shares no other walk with this one.
 //! * **Branches** are elements whose condensation adds the relation of an arm to that of the chain at one station; walks inward
 //!   add what comes from both ([`Gather`]), walks outward set out from that station twice.
 //!
@@ -54,7 +62,6 @@
 //! needs no running sums; a hinge with a spring stores the relative angle, because the difference of two absolute angles loses
 //! digits when bodies are short.
 
-use crate::error::Error;
 pub use crate::loading::{Load, Loading, Unloaded};
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
 pub use crate::sweep::{Carrying, Explicit, Implicit, Reading, Springs, Sweep};
@@ -62,91 +69,39 @@ pub use crate::visit::{Closed, Gather, Level, Visit, look};
 
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
+use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
+use crate::walks::count;
 
-/// A body, a joint, or a chain of them.
+/// A body, a joint, or a chain of them, as a sweep sees it: a [`Shape`] with coordinates that time rules can move, and poses.
 ///
 /// Composition ([`chain`](crate::chain)) implements it for tuples, arrays and vectors of elements, arms and networks. For the bodies and
 /// joints of this crate a macro of their space does, from a trait that holds their physics: parameters and their check, posture and
 /// condensation of a body ([`planar::Body`](crate::planar::Body), [`spatial::Body`](crate::spatial::Body)); coordinates, gains, springs
 /// and the outward walk of a joint ([`planar::Joint`](crate::planar::Joint), [`spatial::Joint`](crate::spatial::Joint)), which implements
 /// [`Condense`] by hand for the relations that it can take. These macros are not exported: a type of another crate that is to be an
-/// element implements this trait and [`Condense`] itself, all methods without a default; that of these traits of physics alone does not
-/// make it one.
+/// element implements this trait, [`Shape`] (with [`AsBody`](crate::shape::AsBody) or [`AsJoint`](crate::shape::AsJoint), which say where
+/// its entry of a store is) and [`Condense`] itself; that of these traits of physics alone does not make it one.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an element of the chain's space `{S}`",
     label = "not an element of `{S}`",
     note = "a chain consists of bodies and joints of one space and one scalar: tuples (to 16), arrays or vectors of them"
 )]
-pub trait Element<S: Space>: Clone {
+pub trait Element<S: Space>:
+    Shape<S, Store<Positions> = <Self as Element<S>>::Position, Store<Rates> = <Self as Element<S>>::Rate>
+{
     /// Positions of the joint coordinates inside.
     type Position: Position<S::Scalar, Rate = Self::Rate>;
     /// Rates and accelerations of the joint coordinates inside.
     type Rate: Rate<S::Scalar>;
-    /// What the outward walk needs of each elimination inside.
-    type Kept<C: Closures>: Clone;
-    /// One `X` for each body inside.
-    type PerBody<X: Copy>: Clone;
-    /// One `X` for each joint inside.
-    type PerJoint<X: Copy>: Clone;
-    /// One `X` for each set of axes inside: those of bodies, and those of joints that keep some (in the plane where they push along the
-    /// axes of a neighbour, in space all of them).
-    type PerAxes<X: Copy>: Clone;
-
-    /// Number of bodies inside, if the type decides it.
-    const BODIES: Option<usize>;
-    /// Number of joints inside, if the type decides it.
-    const JOINTS: Option<usize>;
 
     /// Number of bodies inside.
-    fn bodies(&self) -> usize;
-    /// Number of joints inside.
-    fn joints(&self) -> usize;
-
-    /// Rejects parameters that make no mechanics; `station` is the number of the inboard end.
-    fn check(&self, station: usize) -> Result<(), Error>;
-
-    /// Whether coordinates and rates have its shape: only vectors can differ, in length.
-    fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
-        let _ = (position, rate);
-        true
+    fn bodies(&self) -> usize {
+        count::bodies::<S, Self>(self)
     }
-
-    /// All coordinates zero.
-    fn position(&self) -> Self::Position;
-    /// All rates zero.
-    fn rate(&self) -> Self::Rate;
-    /// Room for the gains.
-    fn kept<C: Closures>(&self) -> Self::Kept<C>;
-    /// `fill` for each body inside.
-    fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X>;
-    /// `fill` for each joint inside.
-    fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X>;
-    /// `fill` for each set of axes inside.
-    fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X>;
-    /// The entry of body `k` inside.
-    fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X>;
-    /// The entry of body or joint `k` inside, counted together from the root.
-    fn entry<'a, X: Copy>(
-        &self,
-        bodies: &'a Self::PerBody<X>,
-        joints: &'a Self::PerJoint<X>,
-        k: usize,
-    ) -> Option<&'a X>;
-    /// Shows the entries of all bodies and joints inside, root to tip, in one walk.
-    fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
-        bodies: &'a Self::PerBody<X>,
-        joints: &'b Self::PerJoint<Y>,
-        note: &mut impl FnMut(Entry<&'a X, &'b Y>),
-    );
-
-    /// Gives each joint the coordinates that turn its outboard body to an absolute orientation; `next` is told that of the
-    /// inboard body and yields one number for each rotary coordinate, root to tip.
-    fn aim(
-        &self,
-        position: &mut Self::Position,
-        inboard: S::Turn,
-        next: &mut impl FnMut(S::Turn) -> S::Scalar,
-    ) -> S::Turn;
+    /// Number of joints inside.
+    fn joints(&self) -> usize {
+        count::joints::<S, Self>(self)
+    }
 
     /// Moves point masses inboard, tip to root, once for a scene: takes the mass (kg) that its outboard neighbour lumps at the
     /// station between them, and hands on what it lumps at its own inboard end instead of adding it in every sweep.
@@ -170,23 +125,20 @@ pub trait Element<S: Space>: Clone {
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn;
-
-    /// Writes down, once for a scene, what `resolve` reads of the shapes inside.
-    fn size(&self, sizes: &mut Self::PerAxes<S::Size>);
 
     /// Turns what `orient` stored into postures, without regard to order. It reads nothing but stores of numbers, so that the
     /// loop vectorises.
     fn resolve(
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     );
 
     /// `orient` and `resolve` at once.
@@ -197,115 +149,16 @@ pub trait Element<S: Space>: Clone {
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
         let turn = self.orient(position, rate, turn, x, y, p, q);
         Self::resolve(sizes, x, y, p, q);
         turn
     }
-
-    /// Recovers the accelerations of the joint coordinates from that of the inboard station, outward, after a sweep in which
-    /// springs entered by `By`.
-    fn recover<C: Closures, By: Springs<S::Scalar>>(
-        &self,
-        acceleration: S::Acceleration,
-        posture: Posture<'_, S, Self>,
-        kept: &mut Self::Kept<C>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration;
-
-    /// What the joint coordinates do where only closure forces act: `recover` through the same gains without velocities, loads
-    /// and springs. It serves corrections of positions and rates as well as accelerations.
-    fn respond<C: Closures>(
-        &self,
-        acceleration: S::Acceleration,
-        posture: Posture<'_, S, Self>,
-        kept: &Self::Kept<C>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration;
-
-    /// How deep loops are nested inside.
-    const LOOPS: usize = 0;
-
-    /// Whether no law of a spring or damper inside has to be read where the last sweep of an implicit rule has led.
-    const LINEAR: bool = true;
-
-    /// `respond` where loops are to be closed: each finds the forces that move its ends together by what they miss each other at
-    /// this motion. Walks outward with complete kinematics too.
-    #[inline(always)]
-    #[allow(clippy::too_many_arguments)] // two walks at once
-    fn restore<C: Closures>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        level: Level,
-        acceleration: S::Acceleration,
-        posture: Posture<'_, S, Self>,
-        kept: &Self::Kept<C>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> (S::Frame, S::Acceleration) {
-        let _ = level;
-        let frame = look(self, frame, motion);
-        (frame, self.respond::<C>(acceleration, posture, kept, multipliers, rate))
-    }
-
-    /// Fails where the closures of a loop do not hold independently of each other, as the last sweep saw it; where they need not, tells
-    /// stations and names of forces that the motion does not decide. Walks outward with complete kinematics.
-    fn independent<C: Closures>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        kept: &Self::Kept<C>,
-        station: usize,
-        tell: &mut impl FnMut(usize, &'static str),
-    ) -> Result<S::Frame, Error> {
-        let _ = (kept, station, tell);
-        Ok(look(self, frame, motion))
-    }
-
-    /// Copies values, one for each body inside, root to tip, to the entries of bodies, and gives those that are left.
-    fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X];
-
-    /// The same for joints.
-    fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X];
-
-    /// Walks outward with complete kinematics and lets a visitor write an entry for each body and joint.
-    fn travel<V: Visit<S>>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        visit: &mut V,
-        on_bodies: &mut Self::PerBody<V::OnBody>,
-        in_joints: &mut Self::PerJoint<V::InJoint>,
-    ) -> S::Frame;
-
-    /// Walks the entries of bodies and joints from tip to root, with what comes from the outboard side.
-    fn inward<G: Gather>(
-        &self,
-        bodies: &mut Self::PerBody<G::Entry>,
-        joints: &mut Self::PerJoint<G::Entry>,
-        outer: G::Carried,
-        gather: &mut G,
-    ) -> G::Carried;
-
-    /// The outermost joint whose pivot does not resist: the station, counted from `station`, where a sweep failed.
-    fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize>;
-}
-
-/// What a store holds for a body, or for a joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Entry<X, Y> {
-    /// For a body.
-    Body(X),
-    /// For a joint.
-    Joint(Y),
 }
 
 /// An element that can condense a relation of type `R` in a sweep that carries `L`.
@@ -325,7 +178,7 @@ pub trait Condense<S: Space, R, W: Sweep<S>>: Element<S> {
         outer: R,
         posture: Posture<'_, S, Self>,
         given: Given<'_, S, Self, W>,
-        kept: &mut Self::Kept<W::Closures>,
+        kept: &mut Self::Store<Kept<W::Closures>>,
     ) -> Self::Out;
 }
 
@@ -342,29 +195,29 @@ pub trait Close<S: Space, C: Closures> {
 /// tuples as well as for arrays.
 ///
 /// In the plane a rod keeps its arm (x, y) and the centripetal acceleration (p, q) of its outboard end.
-pub struct Posture<'a, S: Space, E: Element<S>> {
+pub struct Posture<'a, S: Space, E: Shape<S>> {
     /// First values.
-    pub x: &'a E::PerAxes<S::X>,
+    pub x: &'a E::Store<PerAxes<S::X>>,
     /// Second values.
-    pub y: &'a E::PerAxes<S::Y>,
+    pub y: &'a E::Store<PerAxes<S::Y>>,
     /// Third values.
-    pub p: &'a E::PerAxes<S::P>,
+    pub p: &'a E::Store<PerAxes<S::P>>,
     /// Fourth values.
-    pub q: &'a E::PerAxes<S::Q>,
+    pub q: &'a E::Store<PerAxes<S::Q>>,
 }
 
 /// What acts in an element besides inertia.
-pub struct Given<'a, S: Space, E: Element<S>, W: Sweep<S>> {
+pub struct Given<'a, S: Space, E: Shape<S>, W: Sweep<S>> {
     /// Loads on bodies.
-    pub on_bodies: &'a E::PerBody<OnBody<S, W>>,
+    pub on_bodies: &'a E::Store<PerBody<OnBody<S, W>>>,
     /// Torques in joints.
-    pub in_joints: &'a E::PerJoint<InJoint<S, W>>,
+    pub in_joints: &'a E::Store<PerJoint<InJoint<S, W>>>,
     /// Positions of the joint coordinates for springs; in an implicit sweep those that no acceleration would give.
-    pub position: &'a E::Position,
+    pub position: &'a E::Store<Positions>,
     /// Their rates for dampers, likewise.
-    pub rate: &'a E::Rate,
+    pub rate: &'a E::Store<Rates>,
     /// Where laws that are not linear in the coordinates are read in an implicit sweep.
-    pub reading: Reading<'a, E::Position, E::Rate>,
+    pub reading: Reading<'a, E::Store<Positions>, E::Store<Rates>>,
     /// How springs enter.
     pub springs: W::Springs,
 }
@@ -375,24 +228,24 @@ pub type OnBody<S, W> = <<W as Sweep<S>>::Loads as Loading<S>>::OnBody;
 pub type InJoint<S, W> = <<W as Sweep<S>>::Loads as Loading<S>>::InJoint;
 
 /// Positions, rates and accelerations of the joint coordinates of an element.
-pub struct Coordinates<'a, S: Space, E: Element<S>> {
+pub struct Coordinates<'a, S: Space, E: Shape<S>> {
     /// Positions.
-    pub position: &'a E::Position,
+    pub position: &'a E::Store<Positions>,
     /// Rates.
-    pub rate: &'a E::Rate,
+    pub rate: &'a E::Store<Rates>,
     /// Accelerations.
-    pub acceleration: &'a E::Rate,
+    pub acceleration: &'a E::Store<Rates>,
 }
 
 macro_rules! copy_references {
     ($($name:ident<$($extra:ident: $bound:ident),*>),*) => {$(
-        impl<S: Space, E: Element<S>, $($extra: $bound<S>),*> Clone for $name<'_, S, E, $($extra),*> {
+        impl<S: Space, E: Shape<S>, $($extra: $bound<S>),*> Clone for $name<'_, S, E, $($extra),*> {
             #[inline(always)]
             fn clone(&self) -> Self {
                 *self
             }
         }
-        impl<S: Space, E: Element<S>, $($extra: $bound<S>),*> Copy for $name<'_, S, E, $($extra),*> {}
+        impl<S: Space, E: Shape<S>, $($extra: $bound<S>),*> Copy for $name<'_, S, E, $($extra),*> {}
     )*};
 }
 copy_references!(Posture<>, Given<W: Sweep>, Coordinates<>);

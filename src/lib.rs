@@ -39,7 +39,7 @@
 //! |---|---|
 //! | 0 | [`scalar`], errors, [`StateVector`] and [`TransferMatrix`] |
 //! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
-//! | 2 | [`space`], [`loading`], [`sweep`], [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions, [`sensitive`] |
+//! | 2 | [`space`], [`loading`], [`sweep`], [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions, [`sensitive`] |
 //! | 3 | [`chain`] (composition: tuples, arrays, vectors, branches, networks), [`counts`], [`struts`] |
 //! | 4 | [`planar`], [`spatial`] |
 //! | 5 | [`solve`], [`observe`] |
@@ -79,6 +79,7 @@ pub mod relation;
 pub mod scalar;
 pub mod sensitive;
 pub mod sensitivity;
+pub mod shape;
 pub mod simulate;
 pub mod solve;
 pub mod space;
@@ -91,6 +92,7 @@ pub mod system;
 pub mod time;
 pub mod transfer;
 pub mod visit;
+pub mod walks;
 
 // Their types stand in this library's own: users take them from here rather than meet a second version of them.
 pub use nalgebra;

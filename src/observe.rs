@@ -10,20 +10,25 @@ pub(crate) use misses::each_miss;
 pub(crate) use misses::loops_miss;
 
 use crate::counts::HasBody;
-use crate::element::{Budget, Closed, Coordinates, Element, Entry, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::shape::{self, PerJoint};
 use crate::visit::survey;
+use crate::walks::entries::{Entry, entries};
+use crate::walks::find;
+use crate::walks::gather::gather;
+use crate::walks::travel::{show, travel};
 use core::fmt;
 use core::marker::PhantomData;
 use in_turn::in_turn;
 
 /// Something of every body of a scene, by number.
 #[derive(Clone)]
-pub struct PerBody<'a, S: Space, E: Element<S>, X: Copy> {
+pub struct PerBody<'a, S: Space, E: Element<S>, X: Copy + 'static> {
     chain: &'a E,
-    bodies: E::PerBody<Option<X>>,
+    bodies: E::Store<shape::PerBody<Option<X>>>,
 }
 
-impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
+impl<'a, S: Space, E: Element<S>, X: Copy + 'static> PerBody<'a, S, E, X> {
     /// Walks a motion outward and keeps what `read` says of each body.
     pub(crate) fn of(
         chain: &'a E,
@@ -31,8 +36,8 @@ impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
         motion: Coordinates<'_, S, E>,
         read: impl FnMut(&S::BodyMotion) -> X,
     ) -> Self {
-        let mut bodies = chain.per_body(None);
-        chain.travel(ground, motion, &mut Collect(read), &mut bodies, &mut chain.per_joint(()));
+        let mut bodies = chain.store::<shape::PerBody<_>>(None);
+        travel(chain, ground, motion, &mut Collect(read), &mut bodies, &mut chain.store::<PerJoint<()>>(()));
         Self { chain, bodies }
     }
 
@@ -48,7 +53,7 @@ impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
 
     /// That of body number `k`, counted from 0 at the root.
     pub fn get(&self, k: usize) -> Option<&X> {
-        self.chain.body_entry(&self.bodies, k)?.as_ref()
+        find::body(self.chain, &self.bodies, k)?.as_ref()
     }
 
     /// That of body number `K`; a scene without such a body does not compile.
@@ -75,7 +80,7 @@ impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
             self.len(),
             |k| self.get(k),
             |list| {
-                E::each_entry(&self.bodies, &self.chain.per_joint(()), &mut |entry| {
+                entries(self.chain, &self.bodies, &self.chain.store::<PerJoint<()>>(()), &mut |entry| {
                     if let Entry::Body(body) = entry {
                         list(body.as_ref());
                     }
@@ -85,7 +90,7 @@ impl<'a, S: Space, E: Element<S>, X: Copy> PerBody<'a, S, E, X> {
     }
 }
 
-impl<S: Space, E: Element<S>, X: Copy + fmt::Debug> fmt::Debug for PerBody<'_, S, E, X> {
+impl<S: Space, E: Element<S>, X: Copy + fmt::Debug + 'static> fmt::Debug for PerBody<'_, S, E, X> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_list().entries(self.iter()).finish()
     }
@@ -98,8 +103,8 @@ impl<S: Space, E: Element<S>, X: Copy + fmt::Debug> fmt::Debug for PerBody<'_, S
 #[derive(Clone)]
 pub struct Stations<'a, S: Space, E: Element<S>> {
     chain: &'a E,
-    bodies: E::PerBody<Option<S::Station>>,
-    joints: E::PerJoint<Option<S::Station>>,
+    bodies: E::Store<shape::PerBody<Option<S::Station>>>,
+    joints: E::Store<PerJoint<Option<S::Station>>>,
     root: S::Station,
     tip: S::Station,
 }
@@ -114,11 +119,11 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
         loads: &L,
         tip: S::Internal,
     ) -> Self {
-        let (mut bodies, mut joints) = (chain.per_body(None), chain.per_joint(None));
+        let (mut bodies, mut joints) = (chain.store::<shape::PerBody<_>>(None), chain.store::<PerJoint<_>>(None));
         let seen = survey(chain, ground, motion, loads);
         let mut visit = Balance::<S, L> { gravity, loads, seen, time, body: 0 };
-        let end = chain.travel(ground, motion, &mut visit, &mut bodies, &mut joints);
-        let internal = chain.inward(&mut bodies, &mut joints, tip, &mut Internals::<S>(PhantomData));
+        let end = travel(chain, ground, motion, &mut visit, &mut bodies, &mut joints);
+        let internal = gather(chain, &mut bodies, &mut joints, tip, &mut Internals::<S>(PhantomData));
         let (root, tip) = (S::end_station(&ground, internal), S::end_station(&end, tip));
         Self { chain, bodies, joints, root, tip }
     }
@@ -135,7 +140,7 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
             return Some(&self.tip);
         }
         // Entry 0 is the root's joint.
-        self.chain.entry(&self.bodies, &self.joints, k + 1)?.as_ref()
+        find::entry(self.chain, &self.bodies, &self.joints, k + 1)?.as_ref()
     }
 
     /// The ground's side of the root's joint: its force is that of the ground on the chain.
@@ -151,9 +156,9 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
     /// All stations, root to tip, each met once.
     pub fn iter(&self) -> impl Iterator<Item = &S::Station> {
         // Entry 0 is the root's joint, and the tip comes last.
-        let get = |k| self.chain.entry(&self.bodies, &self.joints, k).and_then(Option::as_ref);
+        let get = |k| find::entry(self.chain, &self.bodies, &self.joints, k).and_then(Option::as_ref);
         let stations = in_turn(E::BODIES.is_some() && E::JOINTS.is_some(), self.elements() + 1, get, |list| {
-            E::each_entry(&self.bodies, &self.joints, &mut |entry| match entry {
+            entries(self.chain, &self.bodies, &self.joints, &mut |entry| match entry {
                 Entry::Body(station) | Entry::Joint(station) => list(station.as_ref()),
             });
         });
@@ -185,7 +190,7 @@ impl<S: Space> Gather for Internals<S> {
 /// Keeps something of each body.
 struct Collect<F>(F);
 
-impl<S: Space, X: Copy, F: FnMut(&S::BodyMotion) -> X> Visit<S> for Collect<F> {
+impl<S: Space, X: Copy + 'static, F: FnMut(&S::BodyMotion) -> X> Visit<S> for Collect<F> {
     type OnBody = Option<X>;
     type InJoint = ();
 
@@ -203,7 +208,7 @@ pub(crate) fn each_body<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
     read: impl FnMut(&S::BodyMotion),
 ) {
-    chain.travel(ground, motion, &mut Show(read), &mut chain.per_body(()), &mut chain.per_joint(()));
+    show(chain, ground, motion, &mut Show(read));
 }
 
 /// Shows each body.
@@ -229,7 +234,7 @@ pub(crate) fn budget<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
 ) -> Budget<S> {
     let mut audit = Audit { gravity, sum: S::no_budget() };
-    chain.travel(ground, motion, &mut audit, &mut chain.per_body(()), &mut chain.per_joint(()));
+    show(chain, ground, motion, &mut audit);
     audit.sum
 }
 

@@ -19,6 +19,7 @@
 use crate::element::{Element, Load, Posture, Space, SpaceOver};
 use crate::relation::{Absent, Part};
 use crate::scalar::Scalar;
+use crate::shape::{PerBody, PerJoint};
 
 /// A space of jets.
 pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
@@ -35,9 +36,9 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     /// What [`Sensitive::answer`] carries: columns of an acceleration.
     type Response: Copy;
     /// The load on a body.
-    type BodyLoad: Copy;
+    type BodyLoad: Copy + 'static;
     /// The efforts in a joint.
-    type JointLoad: Copy;
+    type JointLoad: Copy + 'static;
 
     /// The plain number behind a jet.
     fn plain(number: Self::Scalar) -> Self::Number;
@@ -107,10 +108,10 @@ pub trait Sensitive<S: Varied>: Element<S> {
     /// The same element over plain numbers.
     type Plain: Element<S::Plain>;
     /// What the walks keep.
-    type Store: Clone;
+    type Room: Clone;
 
     /// Room for it.
-    fn store(&self) -> Self::Store;
+    fn room(&self) -> Self::Room;
 
     /// Plain coordinates of coordinates over jets.
     fn read(
@@ -123,13 +124,13 @@ pub trait Sensitive<S: Varied>: Element<S> {
     /// Keeps loads.
     fn load(
         &self,
-        on_bodies: &Self::PerBody<S::BodyLoad>,
-        in_joints: &Self::PerJoint<S::JointLoad>,
-        store: &mut Self::Store,
+        on_bodies: &Self::Store<PerBody<S::BodyLoad>>,
+        in_joints: &Self::Store<PerJoint<S::JointLoad>>,
+        store: &mut Self::Room,
     );
 
     /// Condenses the values of what lies outboard, and keeps gains.
-    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Store) -> S::Relation;
+    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Room) -> S::Relation;
 
     /// Recovers the values of accelerations, and carries columns of the motion outward as they are at fixed accelerations of the joint
     /// coordinates.
@@ -137,7 +138,7 @@ pub trait Sensitive<S: Varied>: Element<S> {
         &self,
         at: At<'_, S, Self>,
         carried: &mut S::Outward,
-        store: &mut Self::Store,
+        store: &mut Self::Room,
         acceleration: &mut Self::Rate,
     );
 
@@ -147,18 +148,12 @@ pub trait Sensitive<S: Varied>: Element<S> {
         &self,
         at: At<'_, S, Self>,
         carried: &mut S::Inward,
-        store: &mut Self::Store,
+        store: &mut Self::Room,
         acceleration: &mut Self::Rate,
     );
 
     /// Adds to these what the inboard station does.
-    fn answer(
-        &self,
-        at: At<'_, S, Self>,
-        carried: &mut S::Response,
-        store: &Self::Store,
-        acceleration: &mut Self::Rate,
-    );
+    fn answer(&self, at: At<'_, S, Self>, carried: &mut S::Response, store: &Self::Room, acceleration: &mut Self::Rate);
 }
 
 /// Where an element is.

@@ -1,17 +1,20 @@
 //! What walks over a scene do at its bodies, at its joints and where arms leave.
 
-use crate::element::{Coordinates, Element};
+use crate::element::Coordinates;
 use crate::loading::Loading;
 use crate::scalar::Scalar;
+use crate::shape::Shape;
 use crate::space::Space;
+pub use crate::walks::look::look;
+use crate::walks::travel::show;
 use num_traits::Zero;
 
-/// A visitor of [`Element::travel`].
+/// A visitor of [`travel`](crate::walks::travel::travel).
 pub trait Visit<S: Space> {
     /// Entry written for each body.
-    type OnBody: Copy;
+    type OnBody: Copy + 'static;
     /// Entry written for each joint.
-    type InJoint: Copy;
+    type InJoint: Copy + 'static;
 
     /// Meets a body.
     fn body(&mut self, body: &S::BodyMotion) -> Self::OnBody;
@@ -47,10 +50,10 @@ pub struct Closed<S: Space> {
     pub miss: [S::Numbers; 2],
 }
 
-/// A gatherer of [`Element::inward`]: internal forces that add up from the tips to the root, for example.
+/// A gatherer of [`gather`](crate::walks::gather::gather): internal forces that add up from the tips to the root, for example.
 pub trait Gather {
     /// What it reads or writes of each body and joint.
-    type Entry: Copy;
+    type Entry: Copy + 'static;
     /// What it carries inward.
     type Carried: Copy;
 
@@ -73,41 +76,14 @@ pub enum Level {
     Velocity,
 }
 
-/// Takes the first of a list of values that are spread over entries, and gives the others.
-#[inline(always)]
-pub(crate) fn take_first<'v, X: Copy>(values: &'v [X], entry: &mut X) -> &'v [X] {
-    match values.split_first() {
-        Some((first, others)) => {
-            *entry = *first;
-            others
-        }
-        None => values,
-    }
-}
-
-/// The frame at the end of a walk outward.
-pub fn look<S: Space, E: Element<S>>(element: &E, frame: S::Frame, motion: Coordinates<'_, S, E>) -> S::Frame {
-    element.travel(frame, motion, &mut Look, &mut element.per_body(()), &mut element.per_joint(()))
-}
-
-/// Looks at nothing.
-struct Look;
-
-impl<S: Space> Visit<S> for Look {
-    type OnBody = ();
-    type InJoint = ();
-    fn body(&mut self, _: &S::BodyMotion) {}
-    fn joint(&mut self, _: &S::JointMotion) {}
-}
-
 /// The last body of a chain that has mass: what lies beyond it is part of it.
-pub(crate) fn last_body<S: Space, E: Element<S>>(
+pub(crate) fn last_body<S: Space, E: Shape<S>>(
     chain: &E,
     ground: S::Frame,
     motion: Coordinates<'_, S, E>,
 ) -> Option<S::BodyMotion> {
     let mut last = Last::<S> { arms: 0, body: None };
-    chain.travel(ground, motion, &mut last, &mut chain.per_body(()), &mut chain.per_joint(()));
+    show(chain, ground, motion, &mut last);
     last.body
 }
 
@@ -137,7 +113,7 @@ impl<S: Space> Visit<S> for Last<S> {
 }
 
 /// What loads have to see of a whole scene first.
-pub(crate) fn survey<S: Space, E: Element<S>, L: Loading<S>>(
+pub(crate) fn survey<S: Space, E: Shape<S>, L: Loading<S>>(
     chain: &E,
     ground: S::Frame,
     motion: Coordinates<'_, S, E>,
@@ -146,7 +122,7 @@ pub(crate) fn survey<S: Space, E: Element<S>, L: Loading<S>>(
     let mut surveyor = Surveyor { loads, seen: L::unseen(), body: 0 };
     // A constant, so that a compiler does not even look at what follows where there is nothing to see.
     if const { L::SURVEYS } {
-        chain.travel(ground, motion, &mut surveyor, &mut chain.per_body(()), &mut chain.per_joint(()));
+        show(chain, ground, motion, &mut surveyor);
     }
     surveyor.seen
 }

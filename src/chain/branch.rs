@@ -1,13 +1,11 @@
 //! Arms that leave a chain.
 
 use crate::counts::Counted;
-use crate::element::{
-    Carrying, Condense, Coordinates, Element, Entry, Gather, Given, Level, Posture, Space, Springs, Sweep, Visit,
-};
-use crate::error::Error;
+use crate::element::{Carrying, Condense, Element, Given, Posture, Space, Sweep};
 use crate::lift::Lift;
-use crate::relation::{Closures, Join, Open};
+use crate::relation::{Join, Open};
 use crate::scalar::Scalar;
+use crate::shape::{Arm, Aside, Field, Inward, Kept, Of, Outward, PerAxes, Shape, arm_inward, arm_outward};
 use num_traits::Zero;
 
 /// An arm that leaves the chain where this stands in it: a chain of its own with a free tip, that begins at this station. The chain
@@ -35,75 +33,46 @@ use num_traits::Zero;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Branch<A>(pub A);
 
-impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
-    type Position = A::Position;
-    type Rate = A::Rate;
-    type Kept<C: Closures> = A::Kept<Open>;
-    type PerBody<X: Copy> = A::PerBody<X>;
-    type PerJoint<X: Copy> = A::PerJoint<X>;
-    type PerAxes<X: Copy> = A::PerAxes<X>;
+impl<S: Space, A: Shape<S>> Shape<S> for Branch<A> {
+    type Store<F: Field<S>> = A::Store<F::In<Arm>>;
 
     const BODIES: Option<usize> = A::BODIES;
     const JOINTS: Option<usize> = A::JOINTS;
+    const LOOPS: usize = A::LOOPS;
+    const LINEAR: bool = A::LINEAR;
+
+    fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
+        self.0.store::<F::In<Arm>>(F::fill_in::<Arm>(fill))
+    }
+    #[inline(always)]
+    fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+        arm_outward::<S, W, Self>(walk, &self.0, carried, stores)
+    }
+    #[inline(always)]
+    fn inward<W: Inward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+        arm_inward::<S, W, Self>(walk, &self.0, carried, stores)
+    }
+}
+
+impl<S: Space, A: Shape<S>> Aside<S> for Branch<A> {
+    type Arm = A;
+
+    #[inline(always)]
+    fn arm<F: Field<S>>(store: &A::Store<F::In<Arm>>) -> &A::Store<F::In<Arm>> {
+        store
+    }
+    #[inline(always)]
+    fn arm_mut<F: Field<S>>(store: &mut A::Store<F::In<Arm>>) -> &mut A::Store<F::In<Arm>> {
+        store
+    }
+}
+
+impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
+    type Position = A::Position;
+    type Rate = A::Rate;
+
     const ABSOLUTE: bool = A::ABSOLUTE;
 
-    fn bodies(&self) -> usize {
-        self.0.bodies()
-    }
-    fn joints(&self) -> usize {
-        self.0.joints()
-    }
-    fn check(&self, station: usize) -> Result<(), Error> {
-        self.0.check(station)
-    }
-    fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
-        self.0.fits(position, rate)
-    }
-    fn position(&self) -> Self::Position {
-        self.0.position()
-    }
-    fn rate(&self) -> Self::Rate {
-        self.0.rate()
-    }
-    fn kept<C: Closures>(&self) -> A::Kept<Open> {
-        self.0.kept()
-    }
-    fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
-        self.0.per_body(fill)
-    }
-    fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
-        self.0.per_joint(fill)
-    }
-    fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-        self.0.per_axes(fill)
-    }
-    fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
-        self.0.body_entry(bodies, k)
-    }
-    fn entry<'a, X: Copy>(
-        &self,
-        bodies: &'a Self::PerBody<X>,
-        joints: &'a Self::PerJoint<X>,
-        k: usize,
-    ) -> Option<&'a X> {
-        self.0.entry(bodies, joints, k)
-    }
-    fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
-        bodies: &'a Self::PerBody<X>,
-        joints: &'b Self::PerJoint<Y>,
-        note: &mut impl FnMut(Entry<&'a X, &'b Y>),
-    ) {
-        A::each_entry(bodies, joints, note);
-    }
-    fn aim(
-        &self,
-        position: &mut Self::Position,
-        turn: S::Turn,
-        next: &mut impl FnMut(S::Turn) -> S::Scalar,
-    ) -> S::Turn {
-        self.0.aim(position, turn, next);
-        turn
-    }
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         mass + self.0.lump(S::Scalar::zero())
     }
@@ -113,24 +82,21 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
         self.0.orient(position, rate, turn, x, y, p, q);
         turn
     }
-    fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
-        self.0.size(sizes);
-    }
     #[inline(always)]
     fn resolve(
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) {
         A::resolve(sizes, x, y, p, q);
     }
@@ -140,102 +106,14 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
         self.0.pose(position, rate, turn, sizes, x, y, p, q);
         turn
-    }
-    #[inline(always)]
-    fn recover<C: Closures, By: Springs<S::Scalar>>(
-        &self,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &mut A::Kept<Open>,
-        _: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration {
-        self.0.recover::<Open, By>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
-        acceleration
-    }
-    #[inline(always)]
-    fn respond<C: Closures>(
-        &self,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &A::Kept<Open>,
-        _: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration {
-        self.0.respond::<Open>(acceleration, Posture { x, y, p, q }, kept, &(), rate);
-        acceleration
-    }
-    const LOOPS: usize = A::LOOPS;
-    const LINEAR: bool = A::LINEAR;
-    fn restore<C: Closures>(
-        &self,
-        frame: S::Frame,
-        Coordinates { position, rate, acceleration: at }: Coordinates<'_, S, Self>,
-        level: Level,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &A::Kept<Open>,
-        _: &C::Each<S::Scalar>,
-        step: &mut Self::Rate,
-    ) -> (S::Frame, S::Acceleration) {
-        let (motion, posture) = (Coordinates { position, rate, acceleration: at }, Posture { x, y, p, q });
-        self.0.restore::<Open>(frame, motion, level, acceleration, posture, kept, &(), step);
-        (frame, acceleration)
-    }
-    fn independent<C: Closures>(
-        &self,
-        frame: S::Frame,
-        Coordinates { position, rate, acceleration }: Coordinates<'_, S, Self>,
-        kept: &A::Kept<Open>,
-        station: usize,
-        tell: &mut impl FnMut(usize, &'static str),
-    ) -> Result<S::Frame, Error> {
-        self.0.independent::<Open>(frame, Coordinates { position, rate, acceleration }, kept, station, tell)?;
-        Ok(frame)
-    }
-    #[inline(always)]
-    fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X] {
-        self.0.spread_bodies(values, bodies)
-    }
-    #[inline(always)]
-    fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X] {
-        self.0.spread_joints(values, joints)
-    }
-    #[inline(always)]
-    fn travel<V: Visit<S>>(
-        &self,
-        frame: S::Frame,
-        Coordinates { position, rate, acceleration }: Coordinates<'_, S, Self>,
-        visit: &mut V,
-        on_bodies: &mut Self::PerBody<V::OnBody>,
-        in_joints: &mut Self::PerJoint<V::InJoint>,
-    ) -> S::Frame {
-        visit.enter_arm();
-        self.0.travel(frame, Coordinates { position, rate, acceleration }, visit, on_bodies, in_joints);
-        visit.leave_arm();
-        frame
-    }
-    fn inward<G: Gather>(
-        &self,
-        bodies: &mut Self::PerBody<G::Entry>,
-        joints: &mut Self::PerJoint<G::Entry>,
-        outer: G::Carried,
-        gather: &mut G,
-    ) -> G::Carried {
-        let beyond = gather.beyond_arm();
-        let arm = self.0.inward(bodies, joints, beyond, gather);
-        gather.join(outer, arm)
-    }
-    fn broken<C: Closures>(&self, kept: &A::Kept<Open>, station: usize) -> Option<usize> {
-        self.0.broken::<Open>(kept, station)
     }
 }
 
@@ -257,7 +135,7 @@ where
         outer: R,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
         Given { on_bodies, in_joints, position, rate, reading, springs }: Given<'_, S, Self, W>,
-        kept: &mut A::Kept<Open>,
+        kept: &mut A::Store<Kept<Open>>,
     ) -> R::Out {
         let given = Given { on_bodies, in_joints, position, rate, reading, springs };
         outer.join(self.0.condense(S::Nothing::default(), Posture { x, y, p, q }, given, kept))

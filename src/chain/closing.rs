@@ -1,51 +1,7 @@
-//! Joints that close loops.
+//! The condensation of joints that close loops.
 
-use crate::element::Space;
-use crate::error::Fault;
-use crate::relation::{Closures, Own};
-
-/// A joint that can close a loop: it holds the ends of two arms together.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot close a loop in `{S}`",
-    label = "not a joint that closes loops",
-    note = "in the plane `Pin` and `Weld` do, in space `Ball`, `Revolute` and `Weld`: cut the loop at one of these"
-)]
-pub trait Closing<S: Space>: Clone {
-    /// Its closure forces, ON the last body of the side arm.
-    type Closures: Own;
-    /// What it keeps of the orientations of both ends.
-    type PerAxes<X: Copy>: Clone;
-
-    /// Room for that.
-    fn per_axes<X: Copy>(fill: X) -> Self::PerAxes<X>;
-    /// Keeps what it needs of the orientations of both ends.
-    #[allow(clippy::too_many_arguments)] // one store each
-    fn orient(
-        &self,
-        side: S::Turn,
-        main: S::Turn,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
-    );
-
-    /// The joint and its motion: from the side arm to the main one.
-    fn joint(&self, side: &S::Frame, main: &S::Frame) -> S::JointMotion;
-    /// The force and torque that closure forces are.
-    fn internal(&self, forces: &<Self::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> S::Internal;
-    /// By how much the end of the side arm misses that of the main one, in place and in velocity.
-    fn miss(&self, side: &S::Frame, main: &S::Frame) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
-    /// How much the outboard end of a free body would yield to each of the forces.
-    fn free_compliance(&self, body: &S::BodyMotion) -> <Self::Closures as Closures>::Each<S::Scalar>;
-    /// What each of the forces holds, for messages.
-    fn names(&self) -> <Self::Closures as Closures>::Each<&'static str>;
-    /// Rejects parameters that make no mechanics.
-    ///
-    /// # Errors
-    /// What is wrong with them.
-    fn check(&self) -> Result<(), Fault>;
-}
+use crate::shape::{Closing, Ends};
+use crate::space::Space;
 
 /// A joint that closes a loop where the chain hands on `R`, and a torque of type `Q` acts in it.
 #[diagnostic::on_unimplemented(
@@ -60,16 +16,4 @@ pub trait CloseOff<S: Space, R, Q>: Closing<S> {
     type Side: Copy;
     /// Cuts the loop; the torque too is passed on.
     fn close_off(&self, outer: R, torque: Q, axes: Ends<'_, S, Self>) -> (Self::Main, Self::Side, S::Internal);
-}
-
-/// What a closing joint has kept of the orientations of both ends.
-pub struct Ends<'a, S: Space, K: Closing<S>> {
-    /// First values.
-    pub x: &'a K::PerAxes<S::X>,
-    /// Second values.
-    pub y: &'a K::PerAxes<S::Y>,
-    /// Third values.
-    pub p: &'a K::PerAxes<S::P>,
-    /// Fourth values.
-    pub q: &'a K::PerAxes<S::Q>,
 }

@@ -3,12 +3,10 @@
 use super::poses::{march, orient_items, pose_items, pose_items_in_order, resolve_items, turned_by_items};
 #[cfg(feature = "alloc")]
 use super::poses::{pose_slices, pose_slices_in_order};
-use super::{product, sum};
-use crate::element::{
-    Condense, Coordinates, Element, Entry, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
-};
-use crate::error::Error;
-use crate::relation::{Closures, Meet};
+use super::product;
+use crate::element::{Condense, Element, Given, Posture, Reading, Space, Sweep};
+use crate::relation::Meet;
+use crate::shape::{Field, Inward, Items, Kept, Of, Outward, PerAxes, Shape, Slot};
 
 /// An array, spelled like a vector.
 type Array<X, const K: usize> = [X; K];
@@ -27,136 +25,55 @@ fn map_vec<A, B>(items: &[A], make: impl FnMut(&A) -> B) -> Vec<B> {
     items.iter().map(make).collect()
 }
 
-/// The item in which the k-th of something lies, and its number there: by division where each item has as many, by counting
-/// elsewhere.
-fn locate<A>(items: &[A], each: Option<usize>, count: impl Fn(&A) -> usize, k: usize) -> Option<(usize, usize)> {
-    if let Some(each) = each {
-        return Some((k.checked_div(each)?, k % each));
-    }
-    let mut k = k;
-    for (i, item) in items.iter().enumerate() {
-        let n = count(item);
-        if k < n {
-            return Some((i, k));
-        }
-        k -= n;
-    }
-    None
-}
-
-/// The coordinates of an item.
-macro_rules! item_motion {
-    ($motion:ident, $i:ident) => {
-        Coordinates {
-            position: &$motion.position[$i],
-            rate: &$motion.rate[$i],
-            acceleration: &$motion.acceleration[$i],
-        }
-    };
-}
-
-/// Spreads values over items: in equal shares, whose loop vectorises, where each item has as many.
-macro_rules! spread {
-    ($items:ident, $each:expr, $spread:ident: $values:ident, $entries:ident) => {{
-        let items = $items.iter().zip(&mut $entries[..]);
-        match const { $each } {
-            Some(0) => $values,
-            Some(each) => {
-                let (own, others) = $values.split_at_checked(each * $items.len()).unwrap_or(($values, &[]));
-                items.zip(own.chunks_exact(each)).for_each(|((item, entry), share)| _ = item.$spread(share, entry));
-                others
-            }
-            None => items.fold($values, |values, (item, entry)| item.$spread(values, entry)),
-        }
-    }};
-}
-
 /// One implementation for arrays and vectors, `$Of<item $extra>`.
 macro_rules! chain_items {
     ($Of:ident, $map:ident, $pose:ident $pose_in_order:ident, [$($K:tt)*], [$($extra:tt)*], |$A:ident| $length:expr) => {
-        impl<S: Space, A: Element<S> $($K)*> Element<S> for $Of<A $($extra)*> {
-            type Position = $Of<A::Position $($extra)*>;
-            type Rate = $Of<A::Rate $($extra)*>;
-            type Kept<C: Closures> = $Of<A::Kept<C> $($extra)*>;
-            type PerBody<X: Copy> = $Of<A::PerBody<X> $($extra)*>;
-            type PerJoint<X: Copy> = $Of<A::PerJoint<X> $($extra)*>;
-            type PerAxes<X: Copy> = $Of<A::PerAxes<X> $($extra)*>;
+        impl<S: Space, A: Shape<S> $($K)*> Shape<S> for $Of<A $($extra)*> {
+            type Store<F: Field<S>> = $Of<A::Store<F> $($extra)*>;
 
             const BODIES: Option<usize> = {
                 let $A = A::BODIES;
                 $length
             };
-            const ABSOLUTE: bool = A::ABSOLUTE;
             const JOINTS: Option<usize> = {
                 let $A = A::JOINTS;
                 $length
             };
+            const LOOPS: usize = A::LOOPS;
+            const LINEAR: bool = A::LINEAR;
 
-            fn bodies(&self) -> usize {
-                A::BODIES.map_or_else(|| self.iter().map(Element::bodies).sum(), |each| each * self.len())
+            fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
+                $map(self, |item| item.store::<F>(fill))
             }
-            fn joints(&self) -> usize {
-                A::JOINTS.map_or_else(|| self.iter().map(Element::joints).sum(), |each| each * self.len())
+            #[inline]
+            fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+                walk.items(&self[..], carried, W::Stores::all::<Self>(stores))
             }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                let mut station = station;
-                for item in self {
-                    item.check(station)?;
-                    station += item.bodies() + item.joints();
-                }
-                Ok(())
+            #[inline]
+            fn inward<W: Inward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+                walk.items(&self[..], carried, W::Stores::all::<Self>(stores))
             }
-            fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
-                self.len() == position.len()
-                    && self.len() == rate.len()
-                    && self.iter().zip(position).zip(rate).all(|((item, position), rate)| item.fits(position, rate))
+        }
+
+        impl<S: Space, A: Shape<S> $($K)*> Items<S> for $Of<A $($extra)*> {
+            type Item = A;
+
+            #[inline(always)]
+            fn slice<F: Field<S>>(store: &Self::Store<F>) -> &[A::Store<F>] {
+                store
             }
-            fn position(&self) -> Self::Position {
-                $map(self, Element::position)
+            #[inline(always)]
+            fn slice_mut<F: Field<S>>(store: &mut Self::Store<F>) -> &mut [A::Store<F>] {
+                store
             }
-            fn rate(&self) -> Self::Rate {
-                $map(self, Element::rate)
-            }
-            fn kept<C: Closures>(&self) -> Self::Kept<C> {
-                $map(self, Element::kept)
-            }
-            fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
-                $map(self, |item| item.per_body(fill))
-            }
-            fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
-                $map(self, |item| item.per_joint(fill))
-            }
-            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-                $map(self, |item| item.per_axes(fill))
-            }
-            fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
-                let (i, k) = locate(self, A::BODIES, Element::bodies, k)?;
-                self.get(i)?.body_entry(bodies.get(i)?, k)
-            }
-            fn entry<'a, X: Copy>(
-                &self,
-                bodies: &'a Self::PerBody<X>,
-                joints: &'a Self::PerJoint<X>,
-                k: usize,
-            ) -> Option<&'a X> {
-                let (i, k) = locate(self, sum(A::BODIES, A::JOINTS), |item| item.bodies() + item.joints(), k)?;
-                self.get(i)?.entry(bodies.get(i)?, joints.get(i)?, k)
-            }
-            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
-                bodies: &'a Self::PerBody<X>,
-                joints: &'b Self::PerJoint<Y>,
-                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
-            ) {
-                bodies.iter().zip(joints).for_each(|(bodies, joints)| A::each_entry(bodies, joints, note));
-            }
-            fn aim(
-                &self,
-                position: &mut Self::Position,
-                turn: S::Turn,
-                next: &mut impl FnMut(S::Turn) -> S::Scalar,
-            ) -> S::Turn {
-                self.iter().zip(position).fold(turn, |turn, (item, position)| item.aim(position, turn, next))
-            }
+        }
+
+        impl<S: Space, A: Element<S> $($K)*> Element<S> for $Of<A $($extra)*> {
+            type Position = $Of<A::Position $($extra)*>;
+            type Rate = $Of<A::Rate $($extra)*>;
+
+            const ABSOLUTE: bool = A::ABSOLUTE;
+
             fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
                 self.iter_mut().rev().fold(mass, |mass, item| item.lump(mass))
             }
@@ -170,23 +87,20 @@ macro_rules! chain_items {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: S::Turn,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) -> S::Turn {
                 orient_items(self, position, rate, turn, x, y, p, q)
             }
-            fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
-                self.iter().zip(sizes).for_each(|(item, size)| item.size(size));
-            }
             #[inline]
             fn resolve(
-                sizes: &Self::PerAxes<S::Size>,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                sizes: &Self::Store<PerAxes<S::Size>>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) {
                 resolve_items::<S, A>(sizes, x, y, p, q);
             }
@@ -196,11 +110,11 @@ macro_rules! chain_items {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: S::Turn,
-                sizes: &Self::PerAxes<S::Size>,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                sizes: &Self::Store<PerAxes<S::Size>>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) -> S::Turn {
                 if A::ABSOLUTE {
                     $pose(self, position, rate, turn, sizes, x, y, p, q);
@@ -208,130 +122,6 @@ macro_rules! chain_items {
                 } else {
                     $pose_in_order(self, position, rate, turn, sizes, x, y, p, q)
                 }
-            }
-            #[inline]
-            fn recover<C: Closures, By: Springs<S::Scalar>>(
-                &self,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &mut Self::Kept<C>,
-                multipliers: &C::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> S::Acceleration {
-                let Posture { x, y, p, q } = posture;
-                let items = &self[..];
-                march!(n: items x y p q; mut kept rate; else acceleration);
-                let mut acceleration = acceleration;
-                for i in 0..n {
-                    let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
-                    acceleration =
-                        items[i].recover::<C, By>(acceleration, posture, &mut kept[i], multipliers, &mut rate[i]);
-                }
-                acceleration
-            }
-            #[inline]
-            fn respond<C: Closures>(
-                &self,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<C>,
-                multipliers: &C::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> S::Acceleration {
-                let Posture { x, y, p, q } = posture;
-                let items = &self[..];
-                march!(n: items x y p q kept; mut rate; else acceleration);
-                let mut acceleration = acceleration;
-                for i in 0..n {
-                    let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
-                    acceleration = items[i].respond(acceleration, posture, &kept[i], multipliers, &mut rate[i]);
-                }
-                acceleration
-            }
-            const LOOPS: usize = A::LOOPS;
-            const LINEAR: bool = A::LINEAR;
-            fn restore<C: Closures>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                level: Level,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<C>,
-                multipliers: &C::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> (S::Frame, S::Acceleration) {
-                let Posture { x, y, p, q } = posture;
-                let (mut frame, mut acceleration) = (frame, acceleration);
-                for (i, item) in self.iter().enumerate() {
-                    let motion = item_motion!(motion, i);
-                    let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
-                    (frame, acceleration) =
-                        item.restore(frame, motion, level, acceleration, posture, &kept[i], multipliers, &mut rate[i]);
-                }
-                (frame, acceleration)
-            }
-            fn independent<C: Closures>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                kept: &Self::Kept<C>,
-                station: usize,
-        tell: &mut impl FnMut(usize, &'static str),
-            ) -> Result<S::Frame, Error> {
-                let (mut frame, mut station) = (frame, station);
-                for (i, item) in self.iter().enumerate() {
-                    frame = item.independent(frame, item_motion!(motion, i), &kept[i], station, tell)?;
-                    station += item.bodies() + item.joints();
-                }
-                Ok(frame)
-            }
-            #[inline(always)]
-            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X] {
-                spread!(self, A::BODIES, spread_bodies: values, bodies)
-            }
-            #[inline(always)]
-            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X] {
-                spread!(self, A::JOINTS, spread_joints: values, joints)
-            }
-            #[inline]
-            fn travel<V: Visit<S>>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                visit: &mut V,
-                on_bodies: &mut Self::PerBody<V::OnBody>,
-                in_joints: &mut Self::PerJoint<V::InJoint>,
-            ) -> S::Frame {
-                let Coordinates { position, rate, acceleration } = motion;
-                let items = &self[..];
-                march!(n: items position rate acceleration; mut on_bodies in_joints; else frame);
-                let mut frame = frame;
-                for i in 0..n {
-                    let motion =
-                        Coordinates { position: &position[i], rate: &rate[i], acceleration: &acceleration[i] };
-                    frame = items[i].travel(frame, motion, visit, &mut on_bodies[i], &mut in_joints[i]);
-                }
-                frame
-            }
-            fn inward<G: Gather>(
-                &self,
-                bodies: &mut Self::PerBody<G::Entry>,
-                joints: &mut Self::PerJoint<G::Entry>,
-                outer: G::Carried,
-                gather: &mut G,
-            ) -> G::Carried {
-                let items = self.iter().zip(bodies).zip(joints).rev();
-                items.fold(outer, |outer, ((item, bodies), joints)| item.inward(bodies, joints, outer, gather))
-            }
-            fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
-                let mut station = station;
-                let mut outermost = None;
-                for (item, kept) in self.iter().zip(kept) {
-                    outermost = item.broken(kept, station).or(outermost);
-                    station += item.bodies() + item.joints();
-                }
-                outermost
             }
         }
 
@@ -348,7 +138,7 @@ macro_rules! chain_items {
                 outer: R,
                 posture: Posture<'_, S, Self>,
                 given: Given<'_, S, Self, W>,
-                kept: &mut Self::Kept<W::Closures>,
+                kept: &mut Self::Store<Kept<W::Closures>>,
             ) -> Q::Both {
                 let Posture { x, y, p, q } = posture;
                 let Given { on_bodies, in_joints, position, rate, reading, springs } = given;

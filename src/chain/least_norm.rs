@@ -1,11 +1,11 @@
 //! Loops that are held more often than they can move.
 
-use super::closing::{Closing, Ends};
 use crate::element::Space;
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::{Cut, Shared};
 use crate::scalar::Scalar;
+use crate::shape::{Closing, Ends};
 
 /// A joint that closes a loop where some of its closures follow from others, as in a planar linkage of revolutes in space. It moves as
 /// with the joint itself; of all forces that cause this motion those of least norm are taken (the sum of squares in N² and (N·m)²).

@@ -1,14 +1,14 @@
 //! Arms in parallel, between two stations.
 
-use super::closing::{Closing, Ends};
-use super::{deeper, entries, sum};
-use crate::element::{Closed, Coordinates, Element, Entry, Gather, Level, Posture, Space, Springs, Visit, look};
-use crate::error::{Error, Fault};
+use super::{deeper, sum};
+use crate::element::{Element, Space};
 use crate::lift::Lift;
-use crate::mirror::{Rate, Tied, TiedPosition};
-use crate::relation::{Closures, LoopGain, Looped, Own, Solvable};
+use crate::mirror::{Tied, TiedPosition};
+use crate::relation::Looped;
 use crate::scalar::Scalar;
-use crate::visit::take_first;
+use crate::shape::{
+    Closing, ClosingEntry, Field, Inward, Main, MainStore, Of, Outward, Parallel, PerAxes, Shape, Side, SideStore,
+};
 use core::ops::Add;
 use typenum::{Sum, Unsigned};
 
@@ -73,99 +73,65 @@ impl<M, A, K> Network<M, A, K> {
 pub(super) type OwnOf<S, K> = <K as Closing<S>>::Closures;
 /// Closure forces in the main arm.
 pub(super) type Inside<S, C, K> = Looped<C, OwnOf<S, K>>;
-/// Gains of the loop, whose columns are those of the space.
-type Gains<S, C, K> = LoopGain<<S as Space>::Column, <S as Space>::Scalar, C, OwnOf<S, K>>;
+
+impl<S: Space, M: Shape<S>, A: Shape<S>, K: Closing<S>> Shape<S> for Network<M, A, K> {
+    type Store<F: Field<S>> =
+        Tied<(M::Store<F::In<Main<OwnOf<S, K>>>>, A::Store<F::In<Side<OwnOf<S, K>>>>), F::InClosing<K>>;
+
+    const BODIES: Option<usize> = sum(M::BODIES, A::BODIES);
+    const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
+    const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
+    const LINEAR: bool = M::LINEAR && A::LINEAR;
+
+    fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
+        let main = self.main().store::<F::In<Main<OwnOf<S, K>>>>(F::fill_in::<Main<OwnOf<S, K>>>(fill));
+        let side = self.side().store::<F::In<Side<OwnOf<S, K>>>>(F::fill_in::<Side<OwnOf<S, K>>>(fill));
+        Tied { arms: (main, side), closing: F::in_closing(&self.closing, fill) }
+    }
+    #[inline(always)]
+    fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+        walk.parallel(self, carried, stores)
+    }
+    #[inline(always)]
+    fn inward<W: Inward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+        walk.parallel(self, carried, stores)
+    }
+}
+
+impl<S: Space, M: Shape<S>, A: Shape<S>, K: Closing<S>> Parallel<S> for Network<M, A, K> {
+    type Main = M;
+    type Side = A;
+    type Closing = K;
+
+    fn main_arm(&self) -> &M {
+        &self.arms.0
+    }
+    fn side_arm(&self) -> &A {
+        &self.arms.1
+    }
+    fn closing_joint(&self) -> &K {
+        &self.closing
+    }
+    #[inline(always)]
+    fn fork<F: Field<S>>(
+        store: &Self::Store<F>,
+    ) -> (&MainStore<S, Self, F>, &SideStore<S, Self, F>, &ClosingEntry<S, Self, F>) {
+        (&store.arms.0, &store.arms.1, &store.closing)
+    }
+    #[inline(always)]
+    fn fork_mut<F: Field<S>>(
+        store: &mut Self::Store<F>,
+    ) -> (&mut MainStore<S, Self, F>, &mut SideStore<S, Self, F>, &mut ClosingEntry<S, Self, F>) {
+        (&mut store.arms.0, &mut store.arms.1, &mut store.closing)
+    }
+}
 
 impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Network<M, A, K> {
     type Position = TiedPosition<(M::Position, A::Position), S::Numbers>;
     type Rate = Tied<(M::Rate, A::Rate), S::Numbers>;
-    type Kept<C: Closures> = (M::Kept<Inside<S, C, K>>, A::Kept<OwnOf<S, K>>, Gains<S, C, K>, S::Internal);
-    type PerBody<X: Copy> = (M::PerBody<X>, A::PerBody<X>);
-    type PerJoint<X: Copy> = (M::PerJoint<X>, A::PerJoint<X>, X);
-    type PerAxes<X: Copy> = (M::PerAxes<X>, A::PerAxes<X>, K::PerAxes<X>);
 
-    const BODIES: Option<usize> = sum(M::BODIES, A::BODIES);
-    const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
     const ABSOLUTE: bool = M::ABSOLUTE && A::ABSOLUTE;
-    const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
-    const LINEAR: bool = M::LINEAR && A::LINEAR;
 
-    fn bodies(&self) -> usize {
-        self.arms.bodies()
-    }
-    fn joints(&self) -> usize {
-        self.arms.joints() + 1
-    }
-    fn check(&self, station: usize) -> Result<(), Error> {
-        self.arms.check(station)?;
-        let closing = station + self.arms.bodies() + self.arms.joints();
-        self.closing.check().map_err(|fault| Error::new(fault).at_station(closing))
-    }
-    fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
-        self.arms.fits(&position.arms, &rate.arms)
-    }
-    fn position(&self) -> Self::Position {
-        TiedPosition::of(self.arms.position())
-    }
-    fn rate(&self) -> Self::Rate {
-        Tied { arms: self.arms.rate(), closing: S::numbers(S::no_force()) }
-    }
-    fn kept<C: Closures>(&self) -> Self::Kept<C> {
-        // A measure need not know where bodies are: as they are turned, each yields by a factor of a few at most.
-        let measure = OwnOf::<S, K>::measure(|| {
-            let ((p, q), (v, w)) = (self.arms.position(), self.arms.rate());
-            let in_main = Coordinates { position: &p, rate: &v, acceleration: &v };
-            self.yields(S::resting(), in_main, Coordinates { position: &q, rate: &w, acceleration: &w })
-        });
-        (self.main().kept(), self.side().kept(), LoopGain::blank(S::no_column(), measure), S::no_force())
-    }
-    fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
-        self.arms.per_body(fill)
-    }
-    fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
-        (self.main().per_joint(fill), self.side().per_joint(fill), fill)
-    }
-    fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-        (self.main().per_axes(fill), self.side().per_axes(fill), K::per_axes(fill))
-    }
-    fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
-        self.arms.body_entry(bodies, k)
-    }
-    fn entry<'a, X: Copy>(
-        &self,
-        bodies: &'a Self::PerBody<X>,
-        joints: &'a Self::PerJoint<X>,
-        k: usize,
-    ) -> Option<&'a X> {
-        let in_main = entries(self.main());
-        let Some(k) = k.checked_sub(in_main) else {
-            return self.main().entry(&bodies.0, &joints.0, k);
-        };
-        let in_side = entries(self.side());
-        let Some(k) = k.checked_sub(in_side) else {
-            return self.side().entry(&bodies.1, &joints.1, k);
-        };
-        (k == 0).then_some(&joints.2)
-    }
-    fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
-        bodies: &'a Self::PerBody<X>,
-        joints: &'b Self::PerJoint<Y>,
-        note: &mut impl FnMut(Entry<&'a X, &'b Y>),
-    ) {
-        M::each_entry(&bodies.0, &joints.0, note);
-        A::each_entry(&bodies.1, &joints.1, note);
-        note(Entry::Joint(&joints.2));
-    }
-    fn aim(
-        &self,
-        position: &mut Self::Position,
-        turn: S::Turn,
-        next: &mut impl FnMut(S::Turn) -> S::Scalar,
-    ) -> S::Turn {
-        let outboard = self.main().aim(&mut position.arms.0, turn, next);
-        self.side().aim(&mut position.arms.1, turn, next);
-        outboard
-    }
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         self.arms.0.lump(mass) + self.arms.1.lump(num_traits::Zero::zero())
     }
@@ -179,31 +145,29 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
         let (position, rate) = (&position.arms, &rate.arms);
-        let side = self.side().orient(&position.1, &rate.1, turn, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
-        let main = self.main().orient(&position.0, &rate.0, turn, &mut x.0, &mut y.0, &mut p.0, &mut q.0);
-        self.closing.orient(side, main, &mut x.2, &mut y.2, &mut p.2, &mut q.2);
+        let side =
+            self.side().orient(&position.1, &rate.1, turn, &mut x.arms.1, &mut y.arms.1, &mut p.arms.1, &mut q.arms.1);
+        let main =
+            self.main().orient(&position.0, &rate.0, turn, &mut x.arms.0, &mut y.arms.0, &mut p.arms.0, &mut q.arms.0);
+        self.closing.orient(side, main, &mut x.closing, &mut y.closing, &mut p.closing, &mut q.closing);
         main
-    }
-    fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
-        self.main().size(&mut sizes.0);
-        self.side().size(&mut sizes.1);
     }
     #[inline(always)]
     fn resolve(
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) {
-        M::resolve(&sizes.0, &mut x.0, &mut y.0, &mut p.0, &mut q.0);
-        A::resolve(&sizes.1, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
+        M::resolve(&sizes.arms.0, &mut x.arms.0, &mut y.arms.0, &mut p.arms.0, &mut q.arms.0);
+        A::resolve(&sizes.arms.1, &mut x.arms.1, &mut y.arms.1, &mut p.arms.1, &mut q.arms.1);
     }
     #[inline(always)]
     fn pose(
@@ -211,184 +175,36 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
         let (position, rate) = (&position.arms, &rate.arms);
-        let side = self.side().pose(&position.1, &rate.1, turn, &sizes.1, &mut x.1, &mut y.1, &mut p.1, &mut q.1);
-        let main = self.main().pose(&position.0, &rate.0, turn, &sizes.0, &mut x.0, &mut y.0, &mut p.0, &mut q.0);
-        self.closing.orient(side, main, &mut x.2, &mut y.2, &mut p.2, &mut q.2);
+        let side = self.side().pose(
+            &position.1,
+            &rate.1,
+            turn,
+            &sizes.arms.1,
+            &mut x.arms.1,
+            &mut y.arms.1,
+            &mut p.arms.1,
+            &mut q.arms.1,
+        );
+        let main = self.main().pose(
+            &position.0,
+            &rate.0,
+            turn,
+            &sizes.arms.0,
+            &mut x.arms.0,
+            &mut y.arms.0,
+            &mut p.arms.0,
+            &mut q.arms.0,
+        );
+        self.closing.orient(side, main, &mut x.closing, &mut y.closing, &mut p.closing, &mut q.closing);
         main
     }
-    #[inline(always)]
-    fn recover<C: Closures, By: Springs<S::Scalar>>(
-        &self,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        (main, side, gain, driven): &mut Self::Kept<C>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration {
-        let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, gain.gap());
-        let ends = Ends { x: &x.2, y: &y.2, p: &p.2, q: &q.2 };
-        rate.closing = S::numbers(S::together(*driven, self.closing.internal(&forces, ends)));
-        let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
-        self.side().recover::<OwnOf<S, K>, By>(acceleration, posture, side, &forces, &mut rate.arms.1);
-        let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
-        self.main().recover::<Inside<S, C, K>, By>(acceleration, posture, main, &all, &mut rate.arms.0)
-    }
-    #[inline(always)]
-    fn respond<C: Closures>(
-        &self,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        (main, side, gain, _): &Self::Kept<C>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration {
-        let still = OwnOf::<S, K>::each(|_| num_traits::Zero::zero());
-        let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, &still);
-        let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
-        self.side().respond::<OwnOf<S, K>>(acceleration, posture, side, &forces, &mut rate.arms.1);
-        let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
-        self.main().respond::<Inside<S, C, K>>(acceleration, posture, main, &all, &mut rate.arms.0)
-    }
-    fn restore<C: Closures>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        level: Level,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        (main, side, gain, _): &Self::Kept<C>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> (S::Frame, S::Acceleration) {
-        let (in_main, in_side) = arms(motion);
-        let (main_end, side_end) = (look(self.main(), frame, in_main), look(self.side(), frame, in_side));
-        let [place, velocity] = self.closing.miss(&side_end, &main_end);
-        let miss = match level {
-            Level::Place => place,
-            Level::Velocity => velocity,
-        };
-        let gap = OwnOf::<S, K>::reduced(gain, &miss);
-        let forces = OwnOf::<S, K>::forces(gain, |w| S::work(w, &acceleration), multipliers, &gap);
-        let posture = Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 };
-        let step = &mut rate.arms.1;
-        self.side().restore::<OwnOf<S, K>>(frame, in_side, level, acceleration, posture, side, &forces, step);
-        let (posture, all) = (Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 }, (*multipliers, forces));
-        let step = &mut rate.arms.0;
-        self.main().restore::<Inside<S, C, K>>(frame, in_main, level, acceleration, posture, main, &all, step)
-    }
-    fn independent<C: Closures>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        (main, side, gain, _): &Self::Kept<C>,
-        station: usize,
-        tell: &mut impl FnMut(usize, &'static str),
-    ) -> Result<S::Frame, Error> {
-        let (in_main, in_side) = arms(motion);
-        let end = self.main().independent::<Inside<S, C, K>>(frame, in_main, main, station, tell)?;
-        let station = station + self.main().bodies() + self.main().joints();
-        self.side().independent::<OwnOf<S, K>>(frame, in_side, side, station, tell)?;
-        let station = station + self.side().bodies() + self.side().joints();
-        OwnOf::<S, K>::zip(&OwnOf::<S, K>::undetermined(gain), &self.closing.names(), |open, name| {
-            if open {
-                tell(station, name);
-            }
-        });
-        let measure = self.yields(frame, in_main, in_side);
-        let Some((row, independent)) = OwnOf::<S, K>::dependent(gain.compliance(), &measure) else {
-            return Ok(end);
-        };
-        let (mut closure, mut number) = ("", 0);
-        OwnOf::<S, K>::map(&self.closing.names(), |name| {
-            if number == row {
-                closure = name;
-            }
-            number += 1;
-        });
-        let of = OwnOf::<S, K>::COUNT;
-        Err(Error::new(Fault::RedundantClosures { closure, independent, of }).at_station(station))
-    }
-    #[inline(always)]
-    fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X] {
-        let values = self.main().spread_bodies(values, &mut bodies.0);
-        self.side().spread_bodies(values, &mut bodies.1)
-    }
-    #[inline(always)]
-    fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X] {
-        let values = self.main().spread_joints(values, &mut joints.0);
-        let values = self.side().spread_joints(values, &mut joints.1);
-        take_first(values, &mut joints.2)
-    }
-    #[inline(always)]
-    fn travel<V: Visit<S>>(
-        &self,
-        frame: S::Frame,
-        motion: Coordinates<'_, S, Self>,
-        visit: &mut V,
-        on_bodies: &mut Self::PerBody<V::OnBody>,
-        in_joints: &mut Self::PerJoint<V::InJoint>,
-    ) -> S::Frame {
-        let (in_main, in_side) = arms(motion);
-        let main = self.main().travel(frame, in_main, visit, &mut on_bodies.0, &mut in_joints.0);
-        visit.enter_arm();
-        let side = self.side().travel(frame, in_side, visit, &mut on_bodies.1, &mut in_joints.1);
-        in_joints.2 = visit.closing(&Closed {
-            joint: self.closing.joint(&side, &main),
-            internal: S::internal(motion.acceleration.closing),
-            conditions: OwnOf::<S, K>::COUNT,
-            miss: self.closing.miss(&side, &main).map(|miss| {
-                let (mut numbers, mut k) = (S::numbers(S::no_force()), 0);
-                OwnOf::<S, K>::map(&miss, |x| {
-                    let mut at = 0;
-                    numbers.replace(&mut |old| {
-                        at += 1;
-                        if at == k + 1 { x } else { old }
-                    });
-                    k += 1;
-                });
-                numbers
-            }),
-        });
-        visit.leave_arm();
-        main
-    }
-    fn inward<G: Gather>(
-        &self,
-        bodies: &mut Self::PerBody<G::Entry>,
-        joints: &mut Self::PerJoint<G::Entry>,
-        outer: G::Carried,
-        gather: &mut G,
-    ) -> G::Carried {
-        let beyond = gather.beyond_arm();
-        let closing = gather.meet(&mut joints.2, beyond);
-        let side = self.side().inward(&mut bodies.1, &mut joints.1, closing, gather);
-        let opposite = gather.opposite(closing);
-        let outer = gather.join(outer, opposite);
-        let main = self.main().inward(&mut bodies.0, &mut joints.0, outer, gather);
-        gather.join(main, side)
-    }
-    fn broken<C: Closures>(&self, (main, side, gain, _): &Self::Kept<C>, station: usize) -> Option<usize> {
-        let after_main = station + self.main().bodies() + self.main().joints();
-        let closing = after_main + self.side().bodies() + self.side().joints();
-        let in_arms = self.side().broken(side, after_main).or_else(|| self.main().broken(main, station));
-        in_arms.or_else(|| (!gain.is_finite()).then_some(closing))
-    }
-}
-
-/// The coordinates of both arms.
-fn arms<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>>(
-    motion: Coordinates<'_, S, Network<M, A, K>>,
-) -> (Coordinates<'_, S, M>, Coordinates<'_, S, A>) {
-    let Coordinates { position, rate, acceleration } = motion;
-    let ((p, q), (r, s), (a, b)) = (&position.arms, &rate.arms, &acceleration.arms);
-    (Coordinates { position: p, rate: r, acceleration: a }, Coordinates { position: q, rate: s, acceleration: b })
 }
 
 impl<M, A, K> crate::counts::Counted for Network<M, A, K>

@@ -1,9 +1,10 @@
 //! The condensation of arms in parallel.
 
-use super::closing::{CloseOff, Ends};
+use super::closing::CloseOff;
 use super::network::{Inside, Network, OwnOf};
 use crate::element::{Carrying, Condense, Given, InJoint, Posture, Reading, Space, Sweep};
 use crate::relation::Settle;
+use crate::shape::{Ends, Kept};
 
 /// What a sweep carries into the main arm.
 type InMain<S, W, K> =
@@ -28,42 +29,45 @@ where
         outer: R,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
         Given { on_bodies, in_joints, position, rate, reading, springs }: Given<'_, S, Self, W>,
-        kept: &mut Self::Kept<W::Closures>,
+        kept: &mut Self::Store<Kept<W::Closures>>,
     ) -> Self::Out {
-        let (main, side, driven) =
-            self.closing.close_off(outer, in_joints.2, Ends { x: &x.2, y: &y.2, p: &p.2, q: &q.2 });
+        let (main, side, driven) = self.closing.close_off(
+            outer,
+            in_joints.closing,
+            Ends { x: &x.closing, y: &y.closing, p: &p.closing, q: &q.closing },
+        );
         let (position, rate) = (&position.arms, &rate.arms);
         let Reading { position: read, rate: read_rate, acceleration } = reading;
         let in_main = Reading { position: &read.arms.0, rate: &read_rate.arms.0, acceleration: &acceleration.arms.0 };
         let in_side = Reading { position: &read.arms.1, rate: &read_rate.arms.1, acceleration: &acceleration.arms.1 };
         let main = self.main().condense(
             main,
-            Posture { x: &x.0, y: &y.0, p: &p.0, q: &q.0 },
+            Posture { x: &x.arms.0, y: &y.arms.0, p: &p.arms.0, q: &q.arms.0 },
             Given {
-                on_bodies: &on_bodies.0,
-                in_joints: &in_joints.0,
+                on_bodies: &on_bodies.arms.0,
+                in_joints: &in_joints.arms.0,
                 position: &position.0,
                 rate: &rate.0,
                 reading: in_main,
                 springs,
             },
-            &mut kept.0,
+            &mut kept.arms.0,
         );
         let side = self.side().condense(
             side,
-            Posture { x: &x.1, y: &y.1, p: &p.1, q: &q.1 },
+            Posture { x: &x.arms.1, y: &y.arms.1, p: &p.arms.1, q: &q.arms.1 },
             Given {
-                on_bodies: &on_bodies.1,
-                in_joints: &in_joints.1,
+                on_bodies: &on_bodies.arms.1,
+                in_joints: &in_joints.arms.1,
                 position: &position.1,
                 rate: &rate.1,
                 reading: in_side,
                 springs,
             },
-            &mut kept.1,
+            &mut kept.arms.1,
         );
-        let (relation, gain) = main.settle(side, kept.2.measure());
-        (kept.2, kept.3) = (gain, driven);
+        let (relation, gain) = main.settle(side, kept.closing.0.measure());
+        kept.closing = (gain, driven);
         relation
     }
 }

@@ -1,6 +1,7 @@
 //! Postures of the items of arrays and vectors: loops that vectorise.
 
 use crate::element::{Element, Space};
+use crate::shape::PerAxes;
 
 /// Binds slices that march together, and leaves where they differ in length: then loops over them need no bounds checks.
 /// Stores are made by the chain that walks them, and motions are compared with their scene before, so they do not differ.
@@ -37,10 +38,10 @@ pub(super) fn orient_items<S: Space, A: Element<S>>(
     position: &[A::Position],
     rate: &[A::Rate],
     mut turn: S::Turn,
-    x: &mut [A::PerAxes<S::X>],
-    y: &mut [A::PerAxes<S::Y>],
-    p: &mut [A::PerAxes<S::P>],
-    q: &mut [A::PerAxes<S::Q>],
+    x: &mut [A::Store<PerAxes<S::X>>],
+    y: &mut [A::Store<PerAxes<S::Y>>],
+    p: &mut [A::Store<PerAxes<S::P>>],
+    q: &mut [A::Store<PerAxes<S::Q>>],
 ) -> S::Turn {
     march!(n: items position rate; mut x y p q; else turn);
     for i in 0..n {
@@ -53,11 +54,11 @@ pub(super) fn orient_items<S: Space, A: Element<S>>(
 /// `Element::resolve` of items.
 #[inline(always)]
 pub(super) fn resolve_items<S: Space, A: Element<S>>(
-    sizes: &[A::PerAxes<S::Size>],
-    x: &mut [A::PerAxes<S::X>],
-    y: &mut [A::PerAxes<S::Y>],
-    p: &mut [A::PerAxes<S::P>],
-    q: &mut [A::PerAxes<S::Q>],
+    sizes: &[A::Store<PerAxes<S::Size>>],
+    x: &mut [A::Store<PerAxes<S::X>>],
+    y: &mut [A::Store<PerAxes<S::Y>>],
+    p: &mut [A::Store<PerAxes<S::P>>],
+    q: &mut [A::Store<PerAxes<S::Q>>],
 ) {
     march!(n: sizes; mut x y p q; else);
     for i in 0..n {
@@ -74,11 +75,11 @@ pub(super) fn pose_items<S: Space, A: Element<S>>(
     position: &[A::Position],
     rate: &[A::Rate],
     turn: S::Turn,
-    sizes: &[A::PerAxes<S::Size>],
-    x: &mut [A::PerAxes<S::X>],
-    y: &mut [A::PerAxes<S::Y>],
-    p: &mut [A::PerAxes<S::P>],
-    q: &mut [A::PerAxes<S::Q>],
+    sizes: &[A::Store<PerAxes<S::Size>>],
+    x: &mut [A::Store<PerAxes<S::X>>],
+    y: &mut [A::Store<PerAxes<S::Y>>],
+    p: &mut [A::Store<PerAxes<S::P>>],
+    q: &mut [A::Store<PerAxes<S::Q>>],
 ) {
     march!(n: items position rate sizes; mut x y p q; else);
     for i in 0..n {
@@ -95,11 +96,11 @@ pub(super) fn pose_items_in_order<S: Space, A: Element<S>>(
     position: &[A::Position],
     rate: &[A::Rate],
     turn: S::Turn,
-    sizes: &[A::PerAxes<S::Size>],
-    x: &mut [A::PerAxes<S::X>],
-    y: &mut [A::PerAxes<S::Y>],
-    p: &mut [A::PerAxes<S::P>],
-    q: &mut [A::PerAxes<S::Q>],
+    sizes: &[A::Store<PerAxes<S::Size>>],
+    x: &mut [A::Store<PerAxes<S::X>>],
+    y: &mut [A::Store<PerAxes<S::Y>>],
+    p: &mut [A::Store<PerAxes<S::P>>],
+    q: &mut [A::Store<PerAxes<S::Q>>],
 ) -> S::Turn {
     let turn = orient_items(items, position, rate, turn, x, y, p, q);
     resolve_items::<S, A>(sizes, x, y, p, q);
@@ -115,11 +116,11 @@ pub(super) fn pose_slices<S: Space, A: Element<S>>(
     position: &[A::Position],
     rate: &[A::Rate],
     turn: S::Turn,
-    sizes: &[A::PerAxes<S::Size>],
-    x: &mut [A::PerAxes<S::X>],
-    y: &mut [A::PerAxes<S::Y>],
-    p: &mut [A::PerAxes<S::P>],
-    q: &mut [A::PerAxes<S::Q>],
+    sizes: &[A::Store<PerAxes<S::Size>>],
+    x: &mut [A::Store<PerAxes<S::X>>],
+    y: &mut [A::Store<PerAxes<S::Y>>],
+    p: &mut [A::Store<PerAxes<S::P>>],
+    q: &mut [A::Store<PerAxes<S::Q>>],
 ) {
     pose_items(items, position, rate, turn, sizes, x, y, p, q);
 }
@@ -133,11 +134,11 @@ pub(super) fn pose_slices_in_order<S: Space, A: Element<S>>(
     position: &[A::Position],
     rate: &[A::Rate],
     turn: S::Turn,
-    sizes: &[A::PerAxes<S::Size>],
-    x: &mut [A::PerAxes<S::X>],
-    y: &mut [A::PerAxes<S::Y>],
-    p: &mut [A::PerAxes<S::P>],
-    q: &mut [A::PerAxes<S::Q>],
+    sizes: &[A::Store<PerAxes<S::Size>>],
+    x: &mut [A::Store<PerAxes<S::X>>],
+    y: &mut [A::Store<PerAxes<S::Y>>],
+    p: &mut [A::Store<PerAxes<S::P>>],
+    q: &mut [A::Store<PerAxes<S::Q>>],
 ) -> S::Turn {
     pose_items_in_order(items, position, rate, turn, sizes, x, y, p, q)
 }

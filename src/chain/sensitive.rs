@@ -3,6 +3,7 @@
 use super::Branch;
 use crate::element::{Element, Posture};
 use crate::sensitive::{At, Seeds, Sensitive, Varied};
+use crate::shape::{PerBody, PerJoint};
 use crate::tuples::for_each_tuple;
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
@@ -38,10 +39,10 @@ macro_rules! sensitive_of {
     ([$($inline:tt)*] $met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
         impl<S: Varied, $($A: Sensitive<S>),*> Sensitive<S> for ($($A,)*) {
             type Plain = ($($A::Plain,)*);
-            type Store = ($($A::Store,)*);
+            type Room = ($($A::Room,)*);
 
-            fn store(&self) -> Self::Store {
-                ($(self.$i.store(),)*)
+            fn room(&self) -> Self::Room {
+                ($(self.$i.room(),)*)
             }
             #[$($inline)*]
             fn read(
@@ -54,14 +55,14 @@ macro_rules! sensitive_of {
             }
             fn load(
                 &self,
-                on_bodies: &Self::PerBody<S::BodyLoad>,
-                in_joints: &Self::PerJoint<S::JointLoad>,
-                store: &mut Self::Store,
+                on_bodies: &Self::Store<PerBody<S::BodyLoad>>,
+                in_joints: &Self::Store<PerJoint<S::JointLoad>>,
+                store: &mut Self::Room,
             ) {
                 $(self.$i.load(&on_bodies.$i, &in_joints.$i, &mut store.$i);)*
             }
             #[$($inline)*]
-            fn factor<Known: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Store) -> S::Relation {
+            fn factor<Known: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Room) -> S::Relation {
                 $(let outer = self.$j.factor::<Known>(part!(at .$j), outer, &mut store.$j);)*
                 outer
             }
@@ -70,7 +71,7 @@ macro_rules! sensitive_of {
                 &self,
                 at: At<'_, S, Self>,
                 carried: &mut S::Outward,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
                 acceleration: &mut Self::Rate,
             ) {
                 $(self.$i.vary::<Known>(part!(at .$i), carried, &mut store.$i, &mut acceleration.$i);)*
@@ -80,7 +81,7 @@ macro_rules! sensitive_of {
                 &self,
                 at: At<'_, S, Self>,
                 carried: &mut S::Inward,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
                 acceleration: &mut Self::Rate,
             ) {
                 $(self.$j.gather::<Known>(part!(at .$j), carried, &mut store.$j, &mut acceleration.$j);)*
@@ -90,7 +91,7 @@ macro_rules! sensitive_of {
                 &self,
                 at: At<'_, S, Self>,
                 carried: &mut S::Response,
-                store: &Self::Store,
+                store: &Self::Room,
                 acceleration: &mut Self::Rate,
             ) {
                 $(self.$i.answer(part!(at .$i), carried, &store.$i, &mut acceleration.$i);)*
@@ -102,12 +103,12 @@ for_each_tuple!(sensitive_tuple);
 
 /// One implementation for arrays and vectors.
 macro_rules! sensitive_items {
-    ([$($K:tt)*] $Of:ty, $Plain:ty, $Store:ty, $store:expr) => {
+    ([$($K:tt)*] $Of:ty, $Plain:ty, $Room:ty, $store:expr) => {
         impl<S: Varied, A: Sensitive<S> $($K)*> Sensitive<S> for $Of {
             type Plain = $Plain;
-            type Store = $Store;
+            type Room = $Room;
 
-            fn store(&self) -> Self::Store {
+            fn room(&self) -> Self::Room {
                 $store(self)
             }
             #[inline]
@@ -122,15 +123,15 @@ macro_rules! sensitive_items {
             }
             fn load(
                 &self,
-                on_bodies: &Self::PerBody<S::BodyLoad>,
-                in_joints: &Self::PerJoint<S::JointLoad>,
-                store: &mut Self::Store,
+                on_bodies: &Self::Store<PerBody<S::BodyLoad>>,
+                in_joints: &Self::Store<PerJoint<S::JointLoad>>,
+                store: &mut Self::Room,
             ) {
                 let loads = on_bodies.iter().zip(in_joints);
                 self.iter().zip(loads).zip(store).for_each(|((item, (b, j)), store)| item.load(b, j, store));
             }
             #[inline]
-            fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Store) -> S::Relation {
+            fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Room) -> S::Relation {
                 let mut outer = outer;
                 for i in (0..self.len()).rev() {
                     outer = self[i].factor::<N>(part!(at [i]), outer, &mut store[i]);
@@ -142,7 +143,7 @@ macro_rules! sensitive_items {
                 &self,
                 at: At<'_, S, Self>,
                 carried: &mut S::Outward,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
                 acceleration: &mut Self::Rate,
             ) {
                 for i in 0..self.len() {
@@ -154,7 +155,7 @@ macro_rules! sensitive_items {
                 &self,
                 at: At<'_, S, Self>,
                 carried: &mut S::Inward,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
                 acceleration: &mut Self::Rate,
             ) {
                 for i in (0..self.len()).rev() {
@@ -166,7 +167,7 @@ macro_rules! sensitive_items {
                 &self,
                 at: At<'_, S, Self>,
                 carried: &mut S::Response,
-                store: &Self::Store,
+                store: &Self::Room,
                 acceleration: &mut Self::Rate,
             ) {
                 for i in 0..self.len() {
@@ -176,16 +177,16 @@ macro_rules! sensitive_items {
         }
     };
 }
-sensitive_items!([, const K: usize] [A; K], [A::Plain; K], [A::Store; K], |items: &Self| items.each_ref().map(A::store));
+sensitive_items!([, const K: usize] [A; K], [A::Plain; K], [A::Room; K], |items: &Self| items.each_ref().map(A::room));
 #[cfg(feature = "alloc")]
-sensitive_items!([] Vec<A>, Vec<A::Plain>, Vec<A::Store>, |items: &Self| items.iter().map(A::store).collect());
+sensitive_items!([] Vec<A>, Vec<A::Plain>, Vec<A::Room>, |items: &Self| items.iter().map(A::room).collect());
 
 impl<S: Varied, A: Sensitive<S>> Sensitive<S> for Branch<A> {
     type Plain = Branch<A::Plain>;
-    type Store = A::Store;
+    type Room = A::Room;
 
-    fn store(&self) -> A::Store {
-        self.0.store()
+    fn room(&self) -> A::Room {
+        self.0.room()
     }
     #[inline]
     fn read(
@@ -198,14 +199,14 @@ impl<S: Varied, A: Sensitive<S>> Sensitive<S> for Branch<A> {
     }
     fn load(
         &self,
-        on_bodies: &Self::PerBody<S::BodyLoad>,
-        in_joints: &Self::PerJoint<S::JointLoad>,
-        store: &mut Self::Store,
+        on_bodies: &Self::Store<PerBody<S::BodyLoad>>,
+        in_joints: &Self::Store<PerJoint<S::JointLoad>>,
+        store: &mut Self::Room,
     ) {
         self.0.load(on_bodies, in_joints, store);
     }
     #[inline]
-    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Store) -> S::Relation {
+    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Room) -> S::Relation {
         S::join(outer, self.0.factor::<N>(arm(&at), S::nothing(), store))
     }
     #[inline]
@@ -213,7 +214,7 @@ impl<S: Varied, A: Sensitive<S>> Sensitive<S> for Branch<A> {
         &self,
         at: At<'_, S, Self>,
         carried: &mut S::Outward,
-        store: &mut Self::Store,
+        store: &mut Self::Room,
         acceleration: &mut Self::Rate,
     ) {
         self.0.vary::<N>(arm(&at), &mut { *carried }, store, acceleration);
@@ -223,7 +224,7 @@ impl<S: Varied, A: Sensitive<S>> Sensitive<S> for Branch<A> {
         &self,
         at: At<'_, S, Self>,
         carried: &mut S::Inward,
-        store: &mut Self::Store,
+        store: &mut Self::Room,
         acceleration: &mut Self::Rate,
     ) {
         let mut pull = S::no_pull();
@@ -235,7 +236,7 @@ impl<S: Varied, A: Sensitive<S>> Sensitive<S> for Branch<A> {
         &self,
         at: At<'_, S, Self>,
         carried: &mut S::Response,
-        store: &Self::Store,
+        store: &Self::Room,
         acceleration: &mut Self::Rate,
     ) {
         self.0.answer(arm(&at), &mut { *carried }, store, acceleration);

@@ -1,17 +1,37 @@
 //! Tuples of elements.
 
-use super::{deeper, entries, sum};
-use crate::element::{
-    Condense, Coordinates, Element, Entry, Gather, Given, Level, Posture, Reading, Space, Springs, Sweep, Visit,
-};
-use crate::error::Error;
-use crate::relation::Closures;
+use super::{deeper, sum};
+use crate::element::{Condense, Element, Given, Posture, Reading, Space, Sweep};
+use crate::shape::{Field, Inward, Kept, Member, Nth, Of, Outward, PerAxes, Shape, Slot};
 use crate::tuples::for_each_tuple;
 
 /// The first of a list.
 macro_rules! first {
     ($first:expr, $($rest:expr,)*) => {
         $first
+    };
+}
+
+/// Where the items of a tuple are: a macro cannot repeat all items for each item, so they are passed on as one list.
+macro_rules! members {
+    ($all:tt $($A:ident $i:tt)*) => {
+        $(member!($all $A $i);)*
+    };
+}
+macro_rules! member {
+    ([$($All:ident)*] $A:ident $i:tt) => {
+        impl<S: Space, $($All: Shape<S>),*> Member<S, ($($All,)*)> for Nth<$i> {
+            type Item = $A;
+
+            #[inline(always)]
+            fn get<Stored: Field<S>>(store: &($($All::Store<Stored>,)*)) -> &$A::Store<Stored> {
+                &store.$i
+            }
+            #[inline(always)]
+            fn get_mut<Stored: Field<S>>(store: &mut ($($All::Store<Stored>,)*)) -> &mut $A::Store<Stored> {
+                &mut store.$i
+            }
+        }
     };
 }
 
@@ -27,104 +47,50 @@ macro_rules! chain_tuple {
 
 macro_rules! chain_of {
     ([$($inline:tt)*] $met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
-        impl<S: Space, $($A: Element<S>),*> Element<S> for ($($A,)*) {
-            type Position = ($($A::Position,)*);
-            type Rate = ($($A::Rate,)*);
-            type Kept<Cuts: Closures> = ($($A::Kept<Cuts>,)*);
-            type PerBody<X: Copy> = ($($A::PerBody<X>,)*);
-            type PerJoint<X: Copy> = ($($A::PerJoint<X>,)*);
-            type PerAxes<X: Copy> = ($($A::PerAxes<X>,)*);
+        impl<S: Space, $($A: Shape<S>),*> Shape<S> for ($($A,)*) {
+            type Store<Stored: Field<S>> = ($($A::Store<Stored>,)*);
 
             const BODIES: Option<usize> = {
                 let n = Some(0);
                 $(let n = sum(n, $A::BODIES);)*
                 n
             };
-            const ABSOLUTE: bool = first!($($A::ABSOLUTE,)*);
             const JOINTS: Option<usize> = {
                 let n = Some(0);
                 $(let n = sum(n, $A::JOINTS);)*
                 n
             };
+            const LOOPS: usize = {
+                let deepest = 0;
+                $(let deepest = deeper(deepest, $A::LOOPS);)*
+                deepest
+            };
+            const LINEAR: bool = true $(&& $A::LINEAR)*;
 
-            fn bodies(&self) -> usize {
-                0 $(+ self.$i.bodies())*
+            fn store<Stored: Field<S>>(&self, fill: Stored::Fill) -> Self::Store<Stored> {
+                ($(self.$i.store::<Stored>(fill),)*)
             }
-            fn joints(&self) -> usize {
-                0 $(+ self.$i.joints())*
+            #[$($inline)*]
+            fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+                let mut stores = stores;
+                $(let carried = self.$i.outward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$i>));)*
+                carried
             }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                $(
-                    self.$i.check(station)?;
-                    let station = station + self.$i.bodies() + self.$i.joints();
-                )*
-                let _ = station;
-                Ok(())
+            #[$($inline)*]
+            fn inward<W: Inward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+                let mut stores = stores;
+                $(let carried = self.$j.inward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$j>));)*
+                carried
             }
-            fn fits(&self, position: &Self::Position, rate: &Self::Rate) -> bool {
-                true $(&& self.$i.fits(&position.$i, &rate.$i))*
-            }
-            fn position(&self) -> Self::Position {
-                ($(self.$i.position(),)*)
-            }
-            fn rate(&self) -> Self::Rate {
-                ($(self.$i.rate(),)*)
-            }
-            fn kept<Cuts: Closures>(&self) -> Self::Kept<Cuts> {
-                ($(self.$i.kept(),)*)
-            }
-            fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
-                ($(self.$i.per_body(fill),)*)
-            }
-            fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
-                ($(self.$i.per_joint(fill),)*)
-            }
-            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-                ($(self.$i.per_axes(fill),)*)
-            }
-            fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
-                $(
-                    let n = $A::BODIES.unwrap_or_else(|| self.$i.bodies());
-                    if k < n {
-                        return self.$i.body_entry(&bodies.$i, k);
-                    }
-                    let k = k - n;
-                )*
-                let _ = k;
-                None
-            }
-            fn entry<'a, X: Copy>(
-                &self,
-                bodies: &'a Self::PerBody<X>,
-                joints: &'a Self::PerJoint<X>,
-                k: usize,
-            ) -> Option<&'a X> {
-                $(
-                    let n = entries(&self.$i);
-                    if k < n {
-                        return self.$i.entry(&bodies.$i, &joints.$i, k);
-                    }
-                    let k = k - n;
-                )*
-                let _ = k;
-                None
-            }
-            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
-                bodies: &'a Self::PerBody<X>,
-                joints: &'b Self::PerJoint<Y>,
-                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
-            ) {
-                $($A::each_entry(&bodies.$i, &joints.$i, note);)*
-            }
-            fn aim(
-                &self,
-                position: &mut Self::Position,
-                turn: S::Turn,
-                next: &mut impl FnMut(S::Turn) -> S::Scalar,
-            ) -> S::Turn {
-                $(let turn = self.$i.aim(&mut position.$i, turn, next);)*
-                turn
-            }
+        }
+        members!([$($A)*] $($A $i)*);
+
+        impl<S: Space, $($A: Element<S>),*> Element<S> for ($($A,)*) {
+            type Position = ($($A::Position,)*);
+            type Rate = ($($A::Rate,)*);
+
+            const ABSOLUTE: bool = first!($($A::ABSOLUTE,)*);
+
             fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
                 $(let mass = self.$j.lump(mass);)*
                 mass
@@ -140,10 +106,10 @@ macro_rules! chain_of {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: S::Turn,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) -> S::Turn {
                 $(let turn = self.$i.orient(
                     &position.$i,
@@ -156,16 +122,13 @@ macro_rules! chain_of {
                 );)*
                 turn
             }
-            fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
-                $(self.$i.size(&mut sizes.$i);)*
-            }
             #[inline]
             fn resolve(
-                sizes: &Self::PerAxes<S::Size>,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                sizes: &Self::Store<PerAxes<S::Size>>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) {
                 $($A::resolve(&sizes.$i, &mut x.$i, &mut y.$i, &mut p.$i, &mut q.$i);)*
             }
@@ -175,11 +138,11 @@ macro_rules! chain_of {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: S::Turn,
-                sizes: &Self::PerAxes<S::Size>,
-                x: &mut Self::PerAxes<S::X>,
-                y: &mut Self::PerAxes<S::Y>,
-                p: &mut Self::PerAxes<S::P>,
-                q: &mut Self::PerAxes<S::Q>,
+                sizes: &Self::Store<PerAxes<S::Size>>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
             ) -> S::Turn {
                 $(let turn = self.$i.pose(
                     &position.$i,
@@ -192,151 +155,6 @@ macro_rules! chain_of {
                     &mut q.$i,
                 );)*
                 turn
-            }
-            #[$($inline)*]
-            fn recover<Cuts: Closures, By: Springs<S::Scalar>>(
-                &self,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &mut Self::Kept<Cuts>,
-                multipliers: &Cuts::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> S::Acceleration {
-                $(let acceleration = self.$i.recover::<Cuts, By>(
-                    acceleration,
-                    Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
-                    &mut kept.$i,
-                    multipliers,
-                    &mut rate.$i,
-                );)*
-                acceleration
-            }
-            #[inline]
-            fn respond<Cuts: Closures>(
-                &self,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<Cuts>,
-                multipliers: &Cuts::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> S::Acceleration {
-                $(let acceleration = self.$i.respond(
-                    acceleration,
-                    Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
-                    &kept.$i,
-                    multipliers,
-                    &mut rate.$i,
-                );)*
-                acceleration
-            }
-            const LOOPS: usize = {
-                let deepest = 0;
-                $(let deepest = deeper(deepest, $A::LOOPS);)*
-                deepest
-            };
-            const LINEAR: bool = true $(&& $A::LINEAR)*;
-            fn restore<Cuts: Closures>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                level: Level,
-                acceleration: S::Acceleration,
-                posture: Posture<'_, S, Self>,
-                kept: &Self::Kept<Cuts>,
-                multipliers: &Cuts::Each<S::Scalar>,
-                rate: &mut Self::Rate,
-            ) -> (S::Frame, S::Acceleration) {
-                $(let (frame, acceleration) = self.$i.restore(
-                    frame,
-                    Coordinates {
-                        position: &motion.position.$i,
-                        rate: &motion.rate.$i,
-                        acceleration: &motion.acceleration.$i,
-                    },
-                    level,
-                    acceleration,
-                    Posture { x: &posture.x.$i, y: &posture.y.$i, p: &posture.p.$i, q: &posture.q.$i },
-                    &kept.$i,
-                    multipliers,
-                    &mut rate.$i,
-                );)*
-                (frame, acceleration)
-            }
-            fn independent<Cuts: Closures>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                kept: &Self::Kept<Cuts>,
-                station: usize,
-        tell: &mut impl FnMut(usize, &'static str),
-            ) -> Result<S::Frame, Error> {
-                $(
-                    let frame = self.$i.independent(
-                        frame,
-                        Coordinates {
-                            position: &motion.position.$i,
-                            rate: &motion.rate.$i,
-                            acceleration: &motion.acceleration.$i,
-                        },
-                        &kept.$i,
-                        station,
-                        tell,
-                    )?;
-                    let station = station + self.$i.bodies() + self.$i.joints();
-                )*
-                let _ = station;
-                Ok(frame)
-            }
-            #[inline(always)]
-            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X] {
-                $(let values = self.$i.spread_bodies(values, &mut bodies.$i);)*
-                values
-            }
-            #[inline(always)]
-            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X] {
-                $(let values = self.$i.spread_joints(values, &mut joints.$i);)*
-                values
-            }
-            #[inline]
-            fn travel<V: Visit<S>>(
-                &self,
-                frame: S::Frame,
-                motion: Coordinates<'_, S, Self>,
-                visit: &mut V,
-                on_bodies: &mut Self::PerBody<V::OnBody>,
-                in_joints: &mut Self::PerJoint<V::InJoint>,
-            ) -> S::Frame {
-                $(let frame = self.$i.travel(
-                    frame,
-                    Coordinates {
-                        position: &motion.position.$i,
-                        rate: &motion.rate.$i,
-                        acceleration: &motion.acceleration.$i,
-                    },
-                    visit,
-                    &mut on_bodies.$i,
-                    &mut in_joints.$i,
-                );)*
-                frame
-            }
-            fn inward<Found: Gather>(
-                &self,
-                bodies: &mut Self::PerBody<Found::Entry>,
-                joints: &mut Self::PerJoint<Found::Entry>,
-                outer: Found::Carried,
-                gather: &mut Found,
-            ) -> Found::Carried {
-                $(let outer = self.$j.inward(&mut bodies.$j, &mut joints.$j, outer, gather);)*
-                outer
-            }
-            fn broken<Cuts: Closures>(&self, kept: &Self::Kept<Cuts>, station: usize) -> Option<usize> {
-                let outermost = None;
-                $(
-                    let outermost = self.$i.broken(&kept.$i, station).or(outermost);
-                    let station = station + self.$i.bodies() + self.$i.joints();
-                )*
-                let _ = station;
-                outermost
             }
         }
 
@@ -364,7 +182,7 @@ macro_rules! condense_tuple {
                 outer: R,
                 posture: Posture<'_, S, Self>,
                 given: Given<'_, S, Self, W>,
-                kept: &mut Self::Kept<W::Closures>,
+                kept: &mut Self::Store<Kept<W::Closures>>,
             ) -> Self::Out {
                 $(let outer = self.$j.condense(
                     outer,

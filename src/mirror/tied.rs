@@ -5,23 +5,20 @@ use crate::lift::Lift;
 use crate::scalar::Scalar;
 use core::marker::PhantomData;
 
-/// Rates or accelerations of the coordinates of a loop. The force that closes it belongs to its accelerations and is no coordinate:
-/// it is carried along in sums, but not counted, visited or replaced.
+/// What is stored of the arms of a loop and of the joint that closes it.
+///
+/// With rates and accelerations this is the force that closes it. It belongs to the accelerations and is no coordinate: it is carried
+/// along in sums, but not counted, visited or replaced.
 #[derive(Clone, Copy, Debug)]
 pub struct Tied<X, F> {
-    /// Rates or accelerations of the arms.
+    /// Of the main arm and the side arm.
     pub arms: X,
-    /// Internal force and torque where the loop is closed (N, N·m).
+    /// Of the joint that closes it: with rates, internal force and torque there (N, N·m).
     pub closing: F,
 }
 
 /// Positions of the coordinates of a loop.
-#[derive(Clone, Copy, Debug)]
-pub struct TiedPosition<X, F> {
-    /// Positions of the arms.
-    pub arms: X,
-    closing: PhantomData<F>,
-}
+pub type TiedPosition<X, F> = Tied<X, PhantomData<F>>;
 
 impl<X, F> TiedPosition<X, F> {
     /// Positions of the arms.
@@ -145,9 +142,9 @@ impl<T: Scalar, U: Scalar, X: Lift<T, U>, F: Lift<T, U>> Lift<T, U> for Tied<X, 
     }
 }
 
-impl<T: Scalar, U: Scalar, X: Lift<T, U>, F: Lift<T, U>> Lift<T, U> for TiedPosition<X, F> {
-    type Over = TiedPosition<X::Over, F::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        TiedPosition::of(self.arms.lift(number))
+impl<T: Scalar, U: Scalar, F: Lift<T, U>> Lift<T, U> for PhantomData<F> {
+    type Over = PhantomData<F::Over>;
+    fn lift(&self, _: &mut impl FnMut(T) -> U) -> Self::Over {
+        PhantomData
     }
 }

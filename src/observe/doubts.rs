@@ -2,6 +2,7 @@
 
 use crate::element::{Coordinates, Element, Space, Visit};
 use crate::error::Error;
+use crate::walks::travel::show;
 
 /// Calls `tell` with what may be wrong with the inertia of a body, and at which station.
 pub(crate) fn doubts<S: Space, E: Element<S>>(
@@ -11,7 +12,7 @@ pub(crate) fn doubts<S: Space, E: Element<S>>(
     tell: impl FnMut(Error),
 ) {
     let mut doubts = Doubts { entries: 0, tell };
-    chain.travel(ground, motion, &mut doubts, &mut chain.per_body(()), &mut chain.per_joint(()));
+    show(chain, ground, motion, &mut doubts);
 }
 
 /// Shows bodies whose inertia may be wrong.

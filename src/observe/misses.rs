@@ -3,6 +3,7 @@
 use crate::element::{Closed, Coordinates, Element, Level, RealOf, Space, Visit};
 use crate::mirror::Rate;
 use crate::scalar::Scalar;
+use crate::walks::travel::show;
 use num_traits::Zero;
 
 /// By how much the ends of a loop miss each other: the largest (m, rad, or these a second), and the station of the joint that should
@@ -14,7 +15,7 @@ pub(crate) fn loops_miss<S: Space, E: Element<S>>(
     level: Level,
 ) -> (RealOf<S>, usize) {
     let mut open = OpenLoop::<S> { level, entries: 0, worst: (Zero::zero(), 0) };
-    chain.travel(ground, motion, &mut open, &mut chain.per_body(()), &mut chain.per_joint(()));
+    show(chain, ground, motion, &mut open);
     open.worst
 }
 
@@ -26,7 +27,7 @@ pub(crate) fn each_miss<S: Space, E: Element<S>>(
     motion: Coordinates<'_, S, E>,
     note: impl FnMut([S::Scalar; 2]),
 ) {
-    chain.travel(ground, motion, &mut Misses(note), &mut chain.per_body(()), &mut chain.per_joint(()));
+    show(chain, ground, motion, &mut Misses(note));
 }
 
 /// Shows by how much loops miss.

@@ -8,6 +8,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::scalar::Scalar;
 use crate::system::{MotionOf, System};
+use crate::walks::travel::show;
 use alloc::vec::Vec;
 
 /// What a scene is read as.
@@ -113,7 +114,7 @@ where
     let mut list = List::<S> { met: Vec::with_capacity(chain.bodies() + chain.joints()), arm: None };
     let coordinates = Coordinates { position, rate, acceleration };
     let ground = system.ground(motion.time());
-    chain.travel(ground, coordinates, &mut list, &mut chain.per_body(()), &mut chain.per_joint(()));
+    show(chain, ground, coordinates, &mut list);
     match list.arm {
         Some(station) => Err(Error::new(Fault::Unsupported { what: "a chain that branches" }).at_station(station)),
         None => Ok(list.met),

@@ -1,14 +1,14 @@
 //! What a planar body has to say of itself, and how that makes it an element.
 
-use super::{BodyMotion, Frame, Planar, Turn};
+use super::{Acceleration, BodyMotion, Frame, Planar, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Coordinates, Element, Entry, Gather, Given, OnBody, Posture, Springs, Sweep, Visit};
-use crate::error::{Error, Fault};
+use crate::element::{Condense, Element, Given, OnBody, Posture, Sweep};
+use crate::error::Fault;
 use crate::lift::lift;
+use crate::relation::Term;
 use crate::relation::plane::{Full, Relation};
-use crate::relation::{Closures, Term};
 use crate::scalar::{Real, Scalar};
-use crate::visit::take_first;
+use crate::shape::{PerAxes, PostureOf, Shape};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use num_traits::Zero;
@@ -70,7 +70,7 @@ pub(super) fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(
 /// A rigid body in the plane, between an inboard end I (the origin of its axes) and an outboard end O.
 ///
 /// With these methods a type is a body; the macro `body!` in this file, which is not exported, makes it an element.
-pub trait Body<T: Scalar>: Copy + Debug {
+pub trait Body<T: Scalar>: Copy + Debug + 'static {
     /// Its inertia.
     fn inertia(&self) -> Inertia<T>;
 
@@ -143,7 +143,7 @@ impl<T: Scalar> Pose<T> {
     }
 
     #[inline(always)]
-    pub(super) fn of<E: Element<Planar<T>, PerAxes<T> = T>>(posture: Posture<'_, Planar<T>, E>) -> Self {
+    pub(super) fn of<E: Shape<Planar<T>, Store<PerAxes<T>> = T>>(posture: Posture<'_, Planar<T>, E>) -> Self {
         Self { x: *posture.x, y: *posture.y, p: *posture.p, q: *posture.q }
     }
 
@@ -164,56 +164,40 @@ pub(super) fn body_motion<T: Scalar, B: Body<T>>(body: &B, inboard: Frame<T>) ->
     BodyMotion { arm: motion.turned(body.outboard()), to_centre: motion.turned(inertia.centre), ..motion }
 }
 
+impl<T: Scalar, B: Body<T>> crate::shape::Body<Planar<T>> for B {
+    fn size(&self) -> T {
+        Body::size(self)
+    }
+    #[inline(always)]
+    fn shifted(&self, inboard: Acceleration<T>, (&x, &y, &p, &q): PostureOf<'_, Planar<T>>) -> Acceleration<T> {
+        let [arm, centripetal] = self.arm(Pose { x, y, p, q });
+        inboard.shifted(arm, centripetal)
+    }
+    #[inline(always)]
+    fn swung(&self, inboard: Acceleration<T>, (&x, &y, &p, &q): PostureOf<'_, Planar<T>>) -> Acceleration<T> {
+        inboard.swung(self.arm(Pose { x, y, p, q })[0])
+    }
+    #[inline(always)]
+    fn motion(&self, inboard: Frame<T>) -> (BodyMotion<T>, Frame<T>) {
+        let motion = body_motion(self, inboard);
+        (motion, motion.outboard())
+    }
+    fn check(&self) -> Result<(), Fault> {
+        Body::check(self)
+    }
+}
+
 /// Makes planar bodies elements.
 macro_rules! body {
     ($($Body:ident),*) => {$(
+        crate::shape::leaf!(body [T: Scalar] super::$Body<T>: Planar<T>);
+
         impl<T: Scalar> Element<Planar<T>> for super::$Body<T> {
             type Position = ();
             type Rate = ();
-            type Kept<C: Closures> = ();
-            type PerBody<X: Copy> = X;
-            type PerJoint<X: Copy> = ();
-            type PerAxes<X: Copy> = X;
 
-            const BODIES: Option<usize> = Some(1);
-            const JOINTS: Option<usize> = Some(0);
             const ABSOLUTE: bool = false;
 
-            fn bodies(&self) -> usize {
-                1
-            }
-            fn joints(&self) -> usize {
-                0
-            }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                Body::check(self).map_err(|fault| Error::new(fault).at_station(station))
-            }
-            fn position(&self) {}
-            fn rate(&self) {}
-            fn kept<C: Closures>(&self) {}
-            fn per_body<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn per_joint<X: Copy>(&self, _: X) {}
-            fn per_axes<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn body_entry<'a, X: Copy>(&self, body: &'a X, k: usize) -> Option<&'a X> {
-                (k == 0).then_some(body)
-            }
-            fn entry<'a, X: Copy>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
-                (k == 0).then_some(body)
-            }
-            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
-                body: &'a X,
-                _: &'b (),
-                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
-            ) {
-                note(Entry::Body(body));
-            }
-            fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-                turn
-            }
             fn lump(&mut self, mass: T) -> T {
                 Body::lump(self, mass)
             }
@@ -232,70 +216,11 @@ macro_rules! body {
                 *y = turn.rate;
                 turn
             }
-            fn size(&self, size: &mut T) {
-                *size = Body::size(self);
-            }
             #[inline(always)]
             fn resolve(size: &T, x: &mut T, y: &mut T, p: &mut T, q: &mut T) {
                 // The square is left to this pass, which goes many bodies at a time where rates add up along the chain.
                 let pose = <Self as Body<T>>::pose(*size, *x, -(*y * *y));
                 (*x, *y, *p, *q) = (pose.x, pose.y, pose.p, pose.q);
-            }
-            #[inline(always)]
-            fn recover<C: Closures, By: Springs<T>>(
-                &self,
-                acceleration: super::Acceleration<T>,
-                posture: Posture<'_, Planar<T>, Self>,
-                _: &mut (),
-                _: &C::Each<T>,
-                _: &mut (),
-            ) -> super::Acceleration<T> {
-                let [arm, centripetal] = self.arm(Pose::of(posture));
-                acceleration.shifted(arm, centripetal)
-            }
-            #[inline(always)]
-            fn respond<C: Closures>(
-                &self,
-                acceleration: super::Acceleration<T>,
-                posture: Posture<'_, Planar<T>, Self>,
-                _: &(),
-                _: &C::Each<T>,
-                _: &mut (),
-            ) -> super::Acceleration<T> {
-                acceleration.swung(self.arm(Pose::of(posture))[0])
-            }
-            #[inline(always)]
-            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], body: &mut X) -> &'v [X] {
-                take_first(values, body)
-            }
-            #[inline(always)]
-            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], _: &mut ()) -> &'v [X] {
-                values
-            }
-            #[inline(always)]
-            fn travel<V: Visit<Planar<T>>>(
-                &self,
-                frame: Frame<T>,
-                _: Coordinates<'_, Planar<T>, Self>,
-                visit: &mut V,
-                on_body: &mut V::OnBody,
-                _: &mut (),
-            ) -> Frame<T> {
-                let motion = body_motion(self, frame);
-                *on_body = visit.body(&motion);
-                motion.outboard()
-            }
-            fn inward<G: Gather>(
-                &self,
-                body: &mut G::Entry,
-                _: &mut (),
-                outer: G::Carried,
-                gather: &mut G,
-            ) -> G::Carried {
-                gather.meet(body, outer)
-            }
-            fn broken<C: Closures>(&self, _: &(), _: usize) -> Option<usize> {
-                None
             }
         }
 

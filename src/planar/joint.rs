@@ -5,12 +5,12 @@ use super::linear::{HingeAxes, Linear};
 use super::spring::SpringLaw;
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Entry, Gather, Posture, Springs, Visit};
-use crate::error::{Error, Fault};
+use crate::element::{Element, Posture, Springs};
+use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::scalar::Scalar;
-use crate::visit::take_first;
+use crate::shape::{JointPosture, PerAxes, Shape};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use typenum::{U0, U1, U3, Unsigned};
@@ -19,7 +19,7 @@ use typenum::{U0, U1, U3, Unsigned};
 ///
 /// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
 /// macro `joint!` in this file, which is not exported, makes it an element.
-pub trait Joint<T: Scalar>: Copy + Debug {
+pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     /// Its coordinates.
     type Position: Position<T, Rate = Self::Rate>;
     /// Their rates and accelerations.
@@ -149,68 +149,105 @@ pub trait Joint<T: Scalar>: Copy + Debug {
 #[inline(always)]
 pub(super) fn offset<T: Scalar, J>(posture: Posture<'_, Planar<T>, J>) -> <<J as Joint<T>>::Axes as Axes>::Offset<T>
 where
-    J: Joint<T> + Element<Planar<T>, PerAxes<T> = <<J as Joint<T>>::Axes as Axes>::Per<T>>,
+    J: Joint<T> + Shape<Planar<T>, Store<PerAxes<T>> = <<J as Joint<T>>::Axes as Axes>::Per<T>>,
 {
     <J as Joint<T>>::Axes::offset(posture.x, posture.y, posture.p, posture.q)
+}
+
+impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Planar<T>> for J {
+    type Position = <J as Joint<T>>::Position;
+    type Rate = <J as Joint<T>>::Rate;
+    type Kept<C: Closures> = <J as Joint<T>>::Kept<C>;
+    type Per<X: Copy> = <J::Axes as Axes>::Per<X>;
+
+    const LINEAR: bool = <J as Joint<T>>::LINEAR;
+
+    fn position() -> <J as Joint<T>>::Position {
+        <J as Joint<T>>::position()
+    }
+    fn rate() -> <J as Joint<T>>::Rate {
+        <J as Joint<T>>::rate()
+    }
+    fn kept<C: Closures>() -> <J as Joint<T>>::Kept<C> {
+        <J as Joint<T>>::kept::<C>()
+    }
+    fn per<X: Copy>(fill: X) -> <J::Axes as Axes>::Per<X> {
+        J::Axes::per(fill)
+    }
+    fn is_finite<C: Closures>(kept: &<J as Joint<T>>::Kept<C>) -> bool {
+        <J as Joint<T>>::is_finite::<C>(kept)
+    }
+    fn aim(
+        &self,
+        position: &mut <J as Joint<T>>::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T> {
+        Joint::aim(self, position, inboard, next)
+    }
+    #[inline(always)]
+    fn recover<C: Closures, By: Springs<T>>(
+        &self,
+        inboard: Acceleration<T>,
+        posture: JointPosture<'_, Planar<T>, J>,
+        kept: &mut <J as Joint<T>>::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut <J as Joint<T>>::Rate,
+    ) -> Acceleration<T> {
+        let (x, y, p, q) = posture;
+        let offset = J::Axes::offset(x, y, p, q);
+        self.note::<C>(inboard, offset, kept);
+        self.recovered_after::<C, By>(inboard, offset, kept, multipliers, rate)
+    }
+    #[inline(always)]
+    fn respond<C: Closures>(
+        &self,
+        inboard: Acceleration<T>,
+        posture: JointPosture<'_, Planar<T>, J>,
+        kept: &<J as Joint<T>>::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut <J as Joint<T>>::Rate,
+    ) -> Acceleration<T> {
+        let (x, y, p, q) = posture;
+        let offset = J::Axes::at_rest::<T>(J::Axes::offset(x, y, p, q));
+        self.recovered::<C>(inboard, offset, &J::homogeneous::<C>(kept), multipliers, rate)
+    }
+    #[inline(always)]
+    fn motion(
+        &self,
+        inboard: Frame<T>,
+        position: &<J as Joint<T>>::Position,
+        rate: &<J as Joint<T>>::Rate,
+        acceleration: &<J as Joint<T>>::Rate,
+    ) -> (JointMotion<T>, Frame<T>) {
+        let outboard = self.moved(inboard, position, rate, acceleration);
+        let arm = match J::LEVER {
+            true => outboard.place - inboard.place,
+            false => Vector2::new(T::zero(), T::zero()),
+        };
+        let (spring, [slide, sliding]) = (self.spring(position, rate), self.slid(position, rate));
+        (JointMotion { inboard, outboard, arm, spring, turns: J::TURNS, slide, sliding }, outboard)
+    }
+    /// How many coordinates it has.
+    #[inline(always)]
+    fn release(&self, _: &JointMotion<T>, _: &<J as Joint<T>>::Position, _: &<J as Joint<T>>::Rate) -> usize {
+        J::Freedoms::USIZE
+    }
+    fn check(&self) -> Result<(), Fault> {
+        Joint::<T>::check(self)
+    }
 }
 
 /// Makes planar joints elements.
 macro_rules! joint {
     ([$($generics:tt)*] $Joint:ty) => {
+        crate::shape::leaf!(joint [$($generics)*] $Joint: Planar<T>);
+
         impl<$($generics)*> Element<Planar<T>> for $Joint {
             type Position = <Self as Joint<T>>::Position;
             type Rate = <Self as Joint<T>>::Rate;
-            type Kept<C: Closures> = <Self as Joint<T>>::Kept<C>;
-            type PerBody<X: Copy> = ();
-            type PerJoint<X: Copy> = X;
-            type PerAxes<X: Copy> = <<Self as Joint<T>>::Axes as Axes>::Per<X>;
-
-            const BODIES: Option<usize> = Some(0);
-            const JOINTS: Option<usize> = Some(1);
             const ABSOLUTE: bool = <Self as Joint<T>>::ABSOLUTE;
-            const LINEAR: bool = <Self as Joint<T>>::LINEAR;
 
-            fn bodies(&self) -> usize {
-                0
-            }
-            fn joints(&self) -> usize {
-                1
-            }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                Joint::<T>::check(self).map_err(|fault| Error::new(fault).at_station(station))
-            }
-            fn position(&self) -> Self::Position {
-                <Self as Joint<T>>::position()
-            }
-            fn rate(&self) -> Self::Rate {
-                <Self as Joint<T>>::rate()
-            }
-            fn kept<C: Closures>(&self) -> Self::Kept<C> {
-                <Self as Joint<T>>::kept::<C>()
-            }
-            fn per_body<X: Copy>(&self, _: X) {}
-            fn per_joint<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-                <Self as Joint<T>>::Axes::per(fill)
-            }
-            fn body_entry<'a, X: Copy>(&self, _: &'a (), _: usize) -> Option<&'a X> {
-                None
-            }
-            fn entry<'a, X: Copy>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
-                (k == 0).then_some(joint)
-            }
-            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
-                _: &'a (),
-                joint: &'b Y,
-                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
-            ) {
-                note(Entry::Joint(joint));
-            }
-            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-                Joint::aim(self, position, inboard, next)
-            }
             fn lump(&mut self, mass: T) -> T {
                 Joint::lump(self, mass)
             }
@@ -224,89 +261,22 @@ macro_rules! joint {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: Turn<T>,
-                x: &mut Self::PerAxes<T>,
-                y: &mut Self::PerAxes<T>,
-                p: &mut Self::PerAxes<T>,
-                q: &mut Self::PerAxes<T>,
+                x: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                y: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                p: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                q: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
             ) -> Turn<T> {
                 Joint::orient(self, position, rate, turn, x, y, p, q)
             }
-            fn size(&self, _: &mut Self::PerAxes<T>) {}
             #[inline(always)]
             fn resolve(
-                _: &Self::PerAxes<T>,
-                x: &mut Self::PerAxes<T>,
-                y: &mut Self::PerAxes<T>,
-                p: &mut Self::PerAxes<T>,
-                q: &mut Self::PerAxes<T>,
+                _: &<<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                x: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                y: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                p: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
+                q: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
             ) {
                 <Self as Joint<T>>::Axes::resolve::<T>(x, y, p, q);
-            }
-            #[inline(always)]
-            fn recover<C: Closures, By: Springs<T>>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Planar<T>, Self>,
-                kept: &mut Self::Kept<C>,
-                multipliers: &C::Each<T>,
-                rate: &mut Self::Rate,
-            ) -> Acceleration<T> {
-                let offset = offset::<T, Self>(posture);
-                self.note::<C>(acceleration, offset, kept);
-                self.recovered_after::<C, By>(acceleration, offset, kept, multipliers, rate)
-            }
-            #[inline(always)]
-            fn respond<C: Closures>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Planar<T>, Self>,
-                kept: &Self::Kept<C>,
-                multipliers: &C::Each<T>,
-                rate: &mut Self::Rate,
-            ) -> Acceleration<T> {
-                let offset = <Self as Joint<T>>::Axes::at_rest::<T>(offset::<T, Self>(posture));
-                self.recovered::<C>(acceleration, offset, &<Self as Joint<T>>::homogeneous::<C>(kept), multipliers, rate)
-            }
-            #[inline(always)]
-            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], _: &mut ()) -> &'v [X] {
-                values
-            }
-            #[inline(always)]
-            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joint: &mut X) -> &'v [X] {
-                take_first(values, joint)
-            }
-            #[inline(always)]
-            fn travel<V: Visit<Planar<T>>>(
-                &self,
-                frame: Frame<T>,
-                motion: Coordinates<'_, Planar<T>, Self>,
-                visit: &mut V,
-                _: &mut (),
-                in_joint: &mut V::InJoint,
-            ) -> Frame<T> {
-                let outboard = self.moved(frame, motion.position, motion.rate, motion.acceleration);
-                let arm = match <Self as Joint<T>>::LEVER {
-                    true => outboard.place - frame.place,
-                    false => Vector2::new(T::zero(), T::zero()),
-                };
-                let spring = self.spring(motion.position, motion.rate);
-                let turns = <Self as Joint<T>>::TURNS;
-                let [slide, sliding] = self.slid(motion.position, motion.rate);
-                let motion = JointMotion { inboard: frame, outboard, arm, spring, turns, slide, sliding };
-                *in_joint = visit.joint_with(&motion, || <<Self as Counted>::Freedoms as Unsigned>::USIZE);
-                outboard
-            }
-            fn inward<Found: Gather>(
-                &self,
-                _: &mut (),
-                joint: &mut Found::Entry,
-                outer: Found::Carried,
-                gather: &mut Found,
-            ) -> Found::Carried {
-                gather.meet(joint, outer)
-            }
-            fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
-                (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)
             }
         }
     };

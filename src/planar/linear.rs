@@ -69,7 +69,7 @@ impl<T: Scalar, X, Y, A> Linear<T, X, Y, A> {
 }
 
 /// Axes along which the linear springs of a hinge push.
-pub trait HingeAxes: Axes + Copy + Debug {
+pub trait HingeAxes: Axes + Copy + Debug + 'static {
     /// Whether the force has a moment about the inboard point.
     const LEVER: bool;
 

@@ -203,6 +203,11 @@ impl<V: Copy, T: Scalar, C: Closures, O: Own> LoopGain<V, T, C, O> {
         }
     }
 
+    /// The gain, measured by this.
+    pub fn measured(self, measure: O::Measure<T>) -> Self {
+        Self { measure, ..self }
+    }
+
     /// By which pivots of Λ are measured.
     #[inline(always)]
     pub fn measure(&self) -> O::Measure<T> {

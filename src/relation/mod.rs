@@ -29,7 +29,7 @@ use core::fmt::Debug;
 pub struct Absent;
 
 /// A value that a scene may or may not have.
-pub trait Part: Copy + Debug {
+pub trait Part: Copy + Debug + 'static {
     /// Whether it is finite; nothing is.
     fn is_finite(self) -> bool;
 }

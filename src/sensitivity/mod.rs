@@ -58,9 +58,13 @@ use crate::motion::Motion;
 use crate::relation::Open;
 
 use crate::sensitive::{At, Columns, Effort, Seeds, Sensitive, Varied};
+use crate::shape::{PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
 use crate::system::{Dynamics, Elements, MotionOf, PositionOf, RateOf, Runs, System};
 use crate::time::{Explicit, Rule};
 use crate::visit::survey;
+use crate::walks::fits::fits;
+use crate::walks::size::sizes;
+use crate::walks::travel::travel;
 
 /// An explicit method whose derivatives go through kept gains.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,7 +81,7 @@ impl<M: Explicit, R> Rule<M, R> {
 /// The elements of a scene over plain numbers.
 type Plain<S, E> = <E as Sensitive<S>>::Plain;
 /// One `X` for each set of axes in them.
-type PerAxes<S, E, X> = <Plain<S, E> as Element<<S as Varied>::Plain>>::PerAxes<X>;
+type Axes<S, E, X> = <Plain<S, E> as Shape<<S as Varied>::Plain>>::Store<PerAxes<X>>;
 
 /// A scene over jets whose sweeps go through kept gains.
 pub struct Sensitivity<'s, S: Varied, R: Root<S>, C: Element<S>, P>
@@ -94,33 +98,31 @@ where
 pub struct SensitiveWorkspace<S: Varied, E: Sensitive<S>> {
     position: <E::Plain as Element<S::Plain>>::Position,
     rate: <E::Plain as Element<S::Plain>>::Rate,
-    sizes: PerAxes<S, E, <S::Plain as Space>::Size>,
-    x: PerAxes<S, E, <S::Plain as Space>::X>,
-    y: PerAxes<S, E, <S::Plain as Space>::Y>,
-    p: PerAxes<S, E, <S::Plain as Space>::P>,
-    q: PerAxes<S, E, <S::Plain as Space>::Q>,
-    store: E::Store,
-    on_bodies: E::PerBody<S::BodyLoad>,
-    in_joints: E::PerJoint<S::JointLoad>,
+    sizes: Axes<S, E, <S::Plain as Space>::Size>,
+    x: Axes<S, E, <S::Plain as Space>::X>,
+    y: Axes<S, E, <S::Plain as Space>::Y>,
+    p: Axes<S, E, <S::Plain as Space>::P>,
+    q: Axes<S, E, <S::Plain as Space>::Q>,
+    store: E::Room,
+    on_bodies: E::Store<PerBody<S::BodyLoad>>,
+    in_joints: E::Store<PerJoint<S::JointLoad>>,
 }
 
 impl<S: Varied, E: Sensitive<S>> SensitiveWorkspace<S, E> {
     fn new(elements: &E, plain: &E::Plain) -> Self {
         let (x, y, p, q) = S::Plain::blank();
         let (on_body, in_joint) = S::no_load();
-        let mut sizes = plain.per_axes(S::Plain::no_size());
-        plain.size(&mut sizes);
         Self {
-            position: plain.position(),
-            rate: plain.rate(),
-            sizes,
-            x: plain.per_axes(x),
-            y: plain.per_axes(y),
-            p: plain.per_axes(p),
-            q: plain.per_axes(q),
-            store: elements.store(),
-            on_bodies: elements.per_body(on_body),
-            in_joints: elements.per_joint(in_joint),
+            position: plain.store::<Positions>(()),
+            rate: plain.store::<Rates>(()),
+            sizes: sizes(plain),
+            x: plain.store::<PerAxes<_>>(x),
+            y: plain.store::<PerAxes<_>>(y),
+            p: plain.store::<PerAxes<_>>(p),
+            q: plain.store::<PerAxes<_>>(q),
+            store: elements.room(),
+            on_bodies: elements.store::<PerBody<_>>(on_body),
+            in_joints: elements.store::<PerJoint<_>>(in_joint),
         }
     }
 }
@@ -197,7 +199,7 @@ where
     {
         let elements = self.scene.elements();
         let Motion { time, position, rate, acceleration, .. } = motion;
-        if !(elements.fits(position, rate) && elements.fits(position, acceleration)) {
+        if !(fits(elements, position, rate) && fits(elements, position, acceleration)) {
             return Err(Error::new(Fault::Shape));
         }
         self.admits(loads)?;
@@ -292,7 +294,7 @@ where
             let motion = Coordinates { position, rate, acceleration };
             let seen = survey(elements, ground, motion, loads);
             let mut pass = Loads { loads, seen, time, body: 0, joint: 0 };
-            elements.travel(ground, motion, &mut pass, &mut workspace.on_bodies, &mut workspace.in_joints);
+            travel(elements, ground, motion, &mut pass, &mut workspace.on_bodies, &mut workspace.in_joints);
             elements.load(&workspace.on_bodies, &workspace.in_joints, &mut workspace.store);
         }
         {

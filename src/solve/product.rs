@@ -6,9 +6,12 @@
 use crate::element::{Coordinates, Element, Gather, Loading, RealOf, Space, Visit};
 use crate::error::{Error, Fault};
 use crate::scalar::{Real, Scalar};
+use crate::shape::{PerBody, PerJoint};
 use crate::state::TransferMatrix;
 use crate::transfer::{Efforts, Exact, Passage, Whole};
 use crate::visit::survey;
+use crate::walks::gather::gather;
+use crate::walks::travel::travel;
 use core::marker::PhantomData;
 use num_traits::Zero;
 
@@ -76,10 +79,10 @@ pub fn product<S: Exact<N>, E: Element<S>, L: Loading<S>, const N: usize>(
 where
     L::InJoint: Efforts<S>,
 {
-    let (mut bodies, mut joints) = (chain.per_body(Entry::Blank), chain.per_joint(Entry::Blank));
+    let (mut bodies, mut joints) = (chain.store::<PerBody<_>>(Entry::Blank), chain.store::<PerJoint<_>>(Entry::Blank));
     let seen = survey(chain, *ground, motion, loads);
     let mut form = Form { loads, seen, time, gravity, held, body: 0, joint: 0, space: PhantomData };
-    chain.travel(*ground, motion, &mut form, &mut bodies, &mut joints);
+    travel(chain, *ground, motion, &mut form, &mut bodies, &mut joints);
 
     let identity = TransferMatrix::identity();
     let mut multiply = Multiply {
@@ -91,7 +94,7 @@ where
         each,
         space: PhantomData::<S>,
     };
-    chain.inward(&mut bodies, &mut joints, (), &mut multiply);
+    gather(chain, &mut bodies, &mut joints, (), &mut multiply);
     let Multiply { whole, root, outcome, .. } = multiply;
     outcome.map(|()| (whole, root))
 }

@@ -9,20 +9,28 @@ use crate::element::{
 };
 use crate::ends::Tip;
 use crate::relation::{Closures, Part, Solvable};
+use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::visit::survey;
+use crate::walks::measure::gains;
+use crate::walks::recover::recover;
+use crate::walks::respond::respond;
+use crate::walks::restore::restore;
+use crate::walks::size::sizes;
+use crate::walks::spread;
+use crate::walks::travel::{show, travel};
 use num_traits::Zero;
 
 /// Room for the sweeps of one scene: reused, never reallocated.
 #[derive(Clone)]
 pub struct Workspace<S: Space, E: Element<S>, W: Sweep<S>> {
-    sizes: E::PerAxes<S::Size>,
-    x: E::PerAxes<S::X>,
-    y: E::PerAxes<S::Y>,
-    p: E::PerAxes<S::P>,
-    q: E::PerAxes<S::Q>,
-    on_bodies: E::PerBody<OnBody<S, W>>,
-    in_joints: E::PerJoint<InJoint<S, W>>,
-    pub(crate) kept: E::Kept<W::Closures>,
+    sizes: E::Store<PerAxes<S::Size>>,
+    x: E::Store<PerAxes<S::X>>,
+    y: E::Store<PerAxes<S::Y>>,
+    p: E::Store<PerAxes<S::P>>,
+    q: E::Store<PerAxes<S::Q>>,
+    on_bodies: E::Store<PerBody<OnBody<S, W>>>,
+    in_joints: E::Store<PerJoint<InJoint<S, W>>>,
+    pub(crate) kept: E::Store<Kept<W::Closures>>,
     /// Closure forces λ of the last sweep, and Λ.
     pub(crate) multipliers: <W::Closures as Closures>::Each<S::Scalar>,
     compliance: <W::Closures as Closures>::Pairs<S::Scalar>,
@@ -35,20 +43,18 @@ impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
     pub fn new(chain: &E) -> Self {
         let (x, y, p, q) = S::blank();
         let (on_body, in_joint) = W::Loads::nothing();
-        let mut sizes = chain.per_axes(S::no_size());
-        chain.size(&mut sizes);
         Self {
-            sizes,
-            x: chain.per_axes(x),
-            y: chain.per_axes(y),
-            p: chain.per_axes(p),
-            q: chain.per_axes(q),
-            on_bodies: chain.per_body(on_body),
-            in_joints: chain.per_joint(in_joint),
-            kept: chain.kept(),
+            sizes: sizes(chain),
+            x: chain.store::<PerAxes<_>>(x),
+            y: chain.store::<PerAxes<_>>(y),
+            p: chain.store::<PerAxes<_>>(p),
+            q: chain.store::<PerAxes<_>>(q),
+            on_bodies: chain.store::<PerBody<_>>(on_body),
+            in_joints: chain.store::<PerJoint<_>>(in_joint),
+            kept: gains(chain),
             multipliers: W::Closures::each(|_| S::Scalar::zero()),
             compliance: W::Closures::no_pairs(),
-            correction: (W::Closures::COUNT + E::LOOPS > 0).then(|| chain.rate()),
+            correction: (W::Closures::COUNT + E::LOOPS > 0).then(|| chain.store::<Rates>(())),
         }
     }
 }
@@ -105,12 +111,13 @@ pub fn sweep<S: Space, E, W, P>(
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
     let turn = chain.pose(position, rate, S::turn(ground), sizes, x, y, p, q);
     if const { W::Loads::ON && !W::Loads::READS } {
-        spread(chain, *loads, on_bodies, in_joints);
+        spread::to_bodies(chain, loads.on_bodies_listed(), on_bodies);
+        spread::to_joints(chain, loads.in_joints_listed(), in_joints);
     } else if W::Loads::ON {
         let motion = Coordinates { position, rate, acceleration };
         let seen = survey(chain, *ground, motion, *loads);
         let mut pass = LoadPass { loads: *loads, seen, time: *time, body: 0, joint: 0 };
-        chain.travel(*ground, motion, &mut pass, on_bodies, in_joints);
+        travel(chain, *ground, motion, &mut pass, on_bodies, in_joints);
     }
     let posture = Posture { x, y, p, q };
     let &Spring { position, rate, reading, springs } = spring;
@@ -119,25 +126,7 @@ pub fn sweep<S: Space, E, W, P>(
     let relation = chain.condense(tip.relation(*time, *gravity, &turn), posture, given, kept);
     *multipliers = relation.multipliers(&root);
     *compliance = relation.compliance();
-    chain.recover::<W::Closures, W::Springs>(root, posture, kept, multipliers, acceleration);
-}
-
-/// Copies loads that are lists to where the walks read them.
-#[inline(always)]
-fn spread<S: Space, E: Element<S>, L: Loading<S>>(
-    chain: &E,
-    loads: &L,
-    on_bodies: &mut E::PerBody<L::OnBody>,
-    in_joints: &mut E::PerJoint<L::InJoint>,
-) {
-    chain.spread_bodies(exactly(loads.on_bodies_listed(), E::BODIES), on_bodies);
-    chain.spread_joints(exactly(loads.in_joints_listed(), E::JOINTS), in_joints);
-}
-
-/// A list with as many values as the type of a chain says: where it does, a compiler need not ask again.
-#[inline(always)]
-fn exactly<X>(values: &[X], count: Option<usize>) -> &[X] {
-    count.map_or(values, |count| values.get(..count).unwrap_or(&[]))
+    recover::<S, E, W::Closures, W::Springs>(chain, root, posture, kept, *multipliers, acceleration);
 }
 
 /// The correction of joint coordinates that moves the tip by −`miss` and closes loops, through the gains and the Λ of the last sweep:
@@ -156,9 +145,9 @@ pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S, Closures: Solvable>>(
     let force = W::Closures::solve(compliance, &W::Closures::map(miss, |miss| -miss));
     let (still, posture) = (S::no_acceleration(), Posture { x, y, p, q });
     if const { E::LOOPS == 0 } {
-        chain.respond::<W::Closures>(still, posture, kept, &force, correction);
+        respond::<S, E, W::Closures>(chain, still, posture, kept, force, correction);
     } else {
-        chain.restore::<W::Closures>(ground, motion, level, still, posture, kept, &force, correction);
+        restore::<S, E, W::Closures>(chain, ground, motion, level, still, posture, kept, force, correction);
     }
     Some(correction)
 }
@@ -204,7 +193,7 @@ pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
     }
     let seen = survey(chain, *ground, motion, loads);
     let mut check = LoadCheck { pass: LoadPass { loads, seen, time, body: 0, joint: 0 }, broken: None };
-    chain.travel(*ground, motion, &mut check, &mut chain.per_body(()), &mut chain.per_joint(()));
+    show(chain, *ground, motion, &mut check);
     check.broken
 }
 

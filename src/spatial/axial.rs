@@ -58,7 +58,7 @@ pub struct Relative<T, const K: usize> {
 }
 
 /// A joint that turns about axes or slides along them, at most two.
-pub trait Axial<T: Scalar, const K: usize>: Copy + Debug {
+pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
     /// Its coordinates.
     type Coordinates: Listed<T, K>;
     /// What they do, innermost first.

@@ -6,6 +6,7 @@
 use super::axial::{Axial, Listed, Relative};
 use super::joint::{Joint, One, Stored};
 use super::loads::Drive;
+use super::release::{self, Release};
 use super::spring::{Law, PivotRule};
 use super::{Acceleration, Cylindrical, Frame, JointMotion, Prismatic, Revolute, Spatial, Turn, Universal};
 use crate::element::{Condense, Given, InJoint, Posture, Reading, Springs, Sweep};
@@ -248,6 +249,10 @@ macro_rules! axial {
                 if <Self as Axial<T, $K>>::TURNS {
                     y[1] = bias[1];
                 }
+            }
+            #[inline(always)]
+            fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
+                Some(release::axial(self, motion, position, rate))
             }
             #[inline(always)]
             fn moved(

@@ -1,6 +1,7 @@
 //! The ball joint.
 
 use super::loads::Drive;
+use super::release::{self, Release};
 use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, joint::One, joint::Stored};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::lift::lift;
@@ -51,6 +52,10 @@ impl<T: Scalar> Joint<T> for Ball {
     #[inline(always)]
     fn store((attitude, _): Stored<T>, x: &mut Columns<T>, _: &mut [Vector3<T>; 2]) {
         *x = attitude;
+    }
+    #[inline(always)]
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
+        Some(release::ball(self, motion, position, rate))
     }
     #[inline(always)]
     fn moved(&self, inboard: Frame<T>, position: &Rotation<T>, rate: &[T; 3], acceleration: &[T; 3]) -> JointMotion<T> {

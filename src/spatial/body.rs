@@ -2,13 +2,13 @@
 
 use super::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
 use crate::counts::Counted;
-use crate::element::{Condense, Coordinates, Element, Entry, Gather, Given, OnBody, Posture, Springs, Sweep, Visit};
-use crate::error::{Error, Fault};
+use crate::element::{Condense, Element, Given, OnBody, Posture, Sweep};
+use crate::error::Fault;
+use crate::relation::Term;
 use crate::relation::space::algebra::{Columns, centripetal};
 use crate::relation::space::{Full, Relation};
-use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
-use crate::visit::take_first;
+use crate::shape::PostureOf;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use typenum::{U0, U1};
@@ -16,7 +16,7 @@ use typenum::{U0, U1};
 /// A rigid body in space, between an inboard end I (the origin of its axes) and an outboard end O.
 ///
 /// With these methods a type is a body; the macro `body!` in this file, which is not exported, makes it an element.
-pub trait Body<T: Scalar>: Copy + Debug {
+pub trait Body<T: Scalar>: Copy + Debug + 'static {
     /// Its inertia.
     fn inertia(&self) -> Inertia<T>;
 
@@ -64,56 +64,44 @@ impl<T: Scalar> Pose<T> {
     }
 }
 
+impl<T: Scalar, B: Body<T>> crate::shape::Body<Spatial<T>> for B {
+    fn size(&self) {}
+    #[inline(always)]
+    fn shifted(
+        &self,
+        inboard: Acceleration<T>,
+        (_, _, &arm, &centripetal): PostureOf<'_, Spatial<T>>,
+    ) -> Acceleration<T> {
+        inboard.shifted(arm, centripetal)
+    }
+    #[inline(always)]
+    fn swung(&self, inboard: Acceleration<T>, (_, _, &arm, _): PostureOf<'_, Spatial<T>>) -> Acceleration<T> {
+        inboard.swung(arm)
+    }
+    #[inline(always)]
+    fn motion(&self, inboard: Frame<T>) -> (BodyMotion<T>, Frame<T>) {
+        let inertia = Body::inertia(self);
+        let turned = |at: [T; 3]| inboard.turn.attitude.apply(Vector3::from(at));
+        let arm = turned(Body::outboard(self));
+        let motion = BodyMotion { inboard, arm, to_centre: turned(inertia.centre), inertia };
+        (motion, motion.outboard())
+    }
+    fn check(&self) -> Result<(), Fault> {
+        Body::check(self)
+    }
+}
+
 /// Makes spatial bodies elements.
 macro_rules! body {
     ($($Body:ident),*) => {$(
+        crate::shape::leaf!(body [T: Scalar] super::$Body<T>: Spatial<T>);
+
         impl<T: Scalar> Element<Spatial<T>> for super::$Body<T> {
             type Position = ();
             type Rate = ();
-            type Kept<C: Closures> = ();
-            type PerBody<X: Copy> = X;
-            type PerJoint<X: Copy> = ();
-            type PerAxes<X: Copy> = X;
 
-            const BODIES: Option<usize> = Some(1);
-            const JOINTS: Option<usize> = Some(0);
             const ABSOLUTE: bool = false;
 
-            fn bodies(&self) -> usize {
-                1
-            }
-            fn joints(&self) -> usize {
-                0
-            }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                Body::check(self).map_err(|fault| Error::new(fault).at_station(station))
-            }
-            fn position(&self) {}
-            fn rate(&self) {}
-            fn kept<C: Closures>(&self) {}
-            fn per_body<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn per_joint<X: Copy>(&self, _: X) {}
-            fn per_axes<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn body_entry<'a, X: Copy>(&self, body: &'a X, k: usize) -> Option<&'a X> {
-                (k == 0).then_some(body)
-            }
-            fn entry<'a, X: Copy>(&self, body: &'a X, _: &'a (), k: usize) -> Option<&'a X> {
-                (k == 0).then_some(body)
-            }
-            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
-                body: &'a X,
-                _: &'b (),
-                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
-            ) {
-                note(Entry::Body(body));
-            }
-            fn aim(&self, _: &mut (), turn: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-                turn
-            }
             fn lump(&mut self, mass: T) -> T {
                 Body::lump(self, mass)
             }
@@ -135,7 +123,6 @@ macro_rules! body {
                 (y[0], *p, *q) = (pose.turning, pose.arm, pose.centripetal);
                 turn
             }
-            fn size(&self, (): &mut ()) {}
             #[inline(always)]
             fn resolve(
                 (): &(),
@@ -144,64 +131,6 @@ macro_rules! body {
                 _: &mut Vector3<T>,
                 _: &mut Vector3<T>,
             ) {
-            }
-            #[inline(always)]
-            fn recover<C: Closures, By: Springs<T>>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Spatial<T>, Self>,
-                _: &mut (),
-                _: &C::Each<T>,
-                _: &mut (),
-            ) -> Acceleration<T> {
-                acceleration.shifted(*posture.p, *posture.q)
-            }
-            #[inline(always)]
-            fn respond<C: Closures>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Spatial<T>, Self>,
-                _: &(),
-                _: &C::Each<T>,
-                _: &mut (),
-            ) -> Acceleration<T> {
-                acceleration.swung(*posture.p)
-            }
-            #[inline(always)]
-            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], body: &mut X) -> &'v [X] {
-                take_first(values, body)
-            }
-            #[inline(always)]
-            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], _: &mut ()) -> &'v [X] {
-                values
-            }
-            #[inline(always)]
-            fn travel<V: Visit<Spatial<T>>>(
-                &self,
-                frame: Frame<T>,
-                _: Coordinates<'_, Spatial<T>, Self>,
-                visit: &mut V,
-                on_body: &mut V::OnBody,
-                _: &mut (),
-            ) -> Frame<T> {
-                let inertia = Body::inertia(self);
-                let turned = |at: [T; 3]| frame.turn.attitude.apply(Vector3::from(at));
-                let arm = turned(Body::outboard(self));
-                let motion = BodyMotion { inboard: frame, arm, to_centre: turned(inertia.centre), inertia };
-                *on_body = visit.body(&motion);
-                motion.outboard()
-            }
-            fn inward<G: Gather>(
-                &self,
-                body: &mut G::Entry,
-                _: &mut (),
-                outer: G::Carried,
-                gather: &mut G,
-            ) -> G::Carried {
-                gather.meet(body, outer)
-            }
-            fn broken<C: Closures>(&self, _: &(), _: usize) -> Option<usize> {
-                None
             }
         }
 

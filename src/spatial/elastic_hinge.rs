@@ -1,6 +1,7 @@
 //! The elastic hinge: a joint with springs and dampers.
 
 use super::loads::Drive;
+use super::release::{self, Release};
 use super::rotary_spring::{RotaryLaw, RotarySpring};
 use super::{Acceleration, Frame, Joint, JointMotion, Law, Linear, Rotation, Spatial, Turn};
 use super::{joint::One, joint::Stored};
@@ -202,6 +203,10 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
         let relative = attitude.apply(Vector3::from(*rate));
         let bias = cross(inboard.spin, relative);
         (Turn { attitude, spin: inboard.spin + relative }, (attitude, [zero(), bias]))
+    }
+    #[inline(always)]
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
+        Some(release::rotary(self, motion, position, rate))
     }
     #[inline(always)]
     fn moved(&self, inboard: Frame<T>, position: &Rotation<T>, rate: &[T; 3], acceleration: &[T; 3]) -> JointMotion<T> {

@@ -4,15 +4,15 @@ use super::{
     Acceleration, Ball, Cylindrical, ElasticHinge, Floating, Frame, JointMotion, Linear, Prismatic, Revolute,
     RotaryLaw, Spatial, Turn,
 };
-use super::{Universal, Weld, release, spring::Law};
+use super::{Universal, Weld, release::Release, spring::Law};
 use crate::counts::Counted;
-use crate::element::{Coordinates, Element, Entry, Gather, Posture, Springs, Visit};
-use crate::error::{Error, Fault};
+use crate::element::{Element, Springs};
+use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::relation::space::algebra::Columns;
 use crate::scalar::Scalar;
-use crate::visit::take_first;
+use crate::shape::JointPosture;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use typenum::{U0, U1, U2, U3, U6};
@@ -61,7 +61,7 @@ pub type StoredIn<T, J> = (Axes<T, J>, Biases<T, J>);
 ///
 /// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
 /// macro `joint!` in this file, which is not exported, makes it an element.
-pub trait Joint<T: Scalar>: Copy + Debug {
+pub trait Joint<T: Scalar>: Copy + Debug + 'static {
     /// Its coordinates.
     type Position: Position<T, Rate = Self::Rate>;
     /// Their rates and accelerations.
@@ -110,6 +110,12 @@ pub trait Joint<T: Scalar>: Copy + Debug {
         acceleration: &Self::Rate,
     ) -> JointMotion<T>;
 
+    /// What it lets move, for transfer matrices; a joint that does not say so has none.
+    #[inline(always)]
+    fn release(&self, _motion: &JointMotion<T>, _position: &Self::Position, _rate: &Self::Rate) -> Option<Release<T>> {
+        None
+    }
+
     /// Rejects parameters that make no mechanics.
     ///
     /// # Errors
@@ -139,73 +145,94 @@ pub trait Joint<T: Scalar>: Copy + Debug {
     ) -> Acceleration<T>;
 }
 
-/// What a joint lets move, if it says so.
-macro_rules! release {
-    ($joint:expr, $motion:expr, $position:expr, $rate:expr) => {
-        None
-    };
-    ($joint:expr, $motion:expr, $position:expr, $rate:expr, $release:path) => {
-        Some($release($joint, $motion, $position, $rate))
-    };
+impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Spatial<T>> for J {
+    type Position = <J as Joint<T>>::Position;
+    type Rate = <J as Joint<T>>::Rate;
+    type Kept<C: Closures> = <J as Joint<T>>::Kept<C>;
+    type Per<X: Copy> = <J::Sets as Sets>::Per<X>;
+
+    const LINEAR: bool = <J as Joint<T>>::LINEAR;
+
+    fn position() -> <J as Joint<T>>::Position {
+        <J as Joint<T>>::position()
+    }
+    fn rate() -> <J as Joint<T>>::Rate {
+        <J as Joint<T>>::rate()
+    }
+    fn kept<C: Closures>() -> <J as Joint<T>>::Kept<C> {
+        <J as Joint<T>>::kept::<C>()
+    }
+    fn per<X: Copy>(fill: X) -> <J::Sets as Sets>::Per<X> {
+        J::Sets::per(fill)
+    }
+    fn is_finite<C: Closures>(kept: &<J as Joint<T>>::Kept<C>) -> bool {
+        <J as Joint<T>>::is_finite::<C>(kept)
+    }
+    fn aim(
+        &self,
+        position: &mut <J as Joint<T>>::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T> {
+        Joint::aim(self, position, inboard, next)
+    }
+    #[inline(always)]
+    fn recover<C: Closures, By: Springs<T>>(
+        &self,
+        inboard: Acceleration<T>,
+        posture: JointPosture<'_, Spatial<T>, J>,
+        kept: &mut <J as Joint<T>>::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut <J as Joint<T>>::Rate,
+    ) -> Acceleration<T> {
+        self.recovered::<C>(inboard, (posture.0, posture.1), kept, multipliers, rate)
+    }
+    #[inline(always)]
+    fn respond<C: Closures>(
+        &self,
+        inboard: Acceleration<T>,
+        posture: JointPosture<'_, Spatial<T>, J>,
+        kept: &<J as Joint<T>>::Kept<C>,
+        multipliers: &C::Each<T>,
+        rate: &mut <J as Joint<T>>::Rate,
+    ) -> Acceleration<T> {
+        self.responded::<C>(inboard, (posture.0, posture.1), kept, multipliers, rate)
+    }
+    #[inline(always)]
+    fn motion(
+        &self,
+        inboard: Frame<T>,
+        position: &<J as Joint<T>>::Position,
+        rate: &<J as Joint<T>>::Rate,
+        acceleration: &<J as Joint<T>>::Rate,
+    ) -> (JointMotion<T>, Frame<T>) {
+        let motion = self.moved(inboard, position, rate, acceleration);
+        (motion, motion.outboard)
+    }
+    #[inline(always)]
+    fn release(
+        &self,
+        motion: &JointMotion<T>,
+        position: &<J as Joint<T>>::Position,
+        rate: &<J as Joint<T>>::Rate,
+    ) -> Option<Release<T>> {
+        Joint::release(self, motion, position, rate)
+    }
+    fn check(&self) -> Result<(), Fault> {
+        Joint::<T>::check(self)
+    }
 }
 
-/// Makes spatial joints elements. What they let move serves transfer matrices, and may be left out.
+/// Makes spatial joints elements.
 macro_rules! joint {
-    ([$($generics:tt)*] $Joint:ty, $absolute:literal $(, $release:path)?) => {
+    ([$($generics:tt)*] $Joint:ty, $absolute:literal) => {
+        crate::shape::leaf!(joint [$($generics)*] $Joint: Spatial<T>);
+
         impl<$($generics)*> Element<Spatial<T>> for $Joint {
             type Position = <Self as Joint<T>>::Position;
             type Rate = <Self as Joint<T>>::Rate;
-            type Kept<C: Closures> = <Self as Joint<T>>::Kept<C>;
-            type PerBody<X: Copy> = ();
-            type PerJoint<X: Copy> = X;
-            type PerAxes<X: Copy> = <<Self as Joint<T>>::Sets as Sets>::Per<X>;
-
-            const BODIES: Option<usize> = Some(0);
-            const JOINTS: Option<usize> = Some(1);
             const ABSOLUTE: bool = $absolute;
-            const LINEAR: bool = <Self as Joint<T>>::LINEAR;
 
-            fn bodies(&self) -> usize {
-                0
-            }
-            fn joints(&self) -> usize {
-                1
-            }
-            fn check(&self, station: usize) -> Result<(), Error> {
-                Joint::<T>::check(self).map_err(|fault| Error::new(fault).at_station(station))
-            }
-            fn position(&self) -> Self::Position {
-                <Self as Joint<T>>::position()
-            }
-            fn rate(&self) -> Self::Rate {
-                <Self as Joint<T>>::rate()
-            }
-            fn kept<C: Closures>(&self) -> Self::Kept<C> {
-                <Self as Joint<T>>::kept::<C>()
-            }
-            fn per_body<X: Copy>(&self, _: X) {}
-            fn per_joint<X: Copy>(&self, fill: X) -> X {
-                fill
-            }
-            fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-                <Self as Joint<T>>::Sets::per(fill)
-            }
-            fn body_entry<'a, X: Copy>(&self, _: &'a (), _: usize) -> Option<&'a X> {
-                None
-            }
-            fn entry<'a, X: Copy>(&self, _: &'a (), joint: &'a X, k: usize) -> Option<&'a X> {
-                (k == 0).then_some(joint)
-            }
-            fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
-                _: &'a (),
-                joint: &'b Y,
-                note: &mut impl FnMut(Entry<&'a X, &'b Y>),
-            ) {
-                note(Entry::Joint(joint));
-            }
-            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-                Joint::aim(self, position, inboard, next)
-            }
             fn lump(&mut self, mass: T) -> T {
                 Joint::lump(self, mass)
             }
@@ -219,93 +246,36 @@ macro_rules! joint {
                 position: &Self::Position,
                 rate: &Self::Rate,
                 turn: Turn<T>,
-                x: &mut Self::PerAxes<Columns<T>>,
-                y: &mut Self::PerAxes<[Vector3<T>; 2]>,
-                _: &mut Self::PerAxes<Vector3<T>>,
-                _: &mut Self::PerAxes<Vector3<T>>,
+                x: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Columns<T>>,
+                y: &mut <<Self as Joint<T>>::Sets as Sets>::Per<[Vector3<T>; 2]>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Vector3<T>>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Vector3<T>>,
             ) -> Turn<T> {
                 let (outboard, stored) = self.oriented(position, rate, turn);
                 <Self as Joint<T>>::store(stored, x, y);
                 outboard
             }
-            fn size(&self, _: &mut Self::PerAxes<()>) {}
             #[inline(always)]
             fn resolve(
-                _: &Self::PerAxes<()>,
-                _: &mut Self::PerAxes<Columns<T>>,
-                _: &mut Self::PerAxes<[Vector3<T>; 2]>,
-                _: &mut Self::PerAxes<Vector3<T>>,
-                _: &mut Self::PerAxes<Vector3<T>>,
+                _: &<<Self as Joint<T>>::Sets as Sets>::Per<()>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Columns<T>>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<[Vector3<T>; 2]>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Vector3<T>>,
+                _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Vector3<T>>,
             ) {
-            }
-            #[inline(always)]
-            fn recover<C: Closures, By: Springs<T>>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Spatial<T>, Self>,
-                kept: &mut Self::Kept<C>,
-                multipliers: &C::Each<T>,
-                rate: &mut Self::Rate,
-            ) -> Acceleration<T> {
-                self.recovered::<C>(acceleration, (posture.x, posture.y), kept, multipliers, rate)
-            }
-            #[inline(always)]
-            fn respond<C: Closures>(
-                &self,
-                acceleration: Acceleration<T>,
-                posture: Posture<'_, Spatial<T>, Self>,
-                kept: &Self::Kept<C>,
-                multipliers: &C::Each<T>,
-                rate: &mut Self::Rate,
-            ) -> Acceleration<T> {
-                self.responded::<C>(acceleration, (posture.x, posture.y), kept, multipliers, rate)
-            }
-            #[inline(always)]
-            fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], _: &mut ()) -> &'v [X] {
-                values
-            }
-            #[inline(always)]
-            fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joint: &mut X) -> &'v [X] {
-                take_first(values, joint)
-            }
-            #[inline(always)]
-            fn travel<V: Visit<Spatial<T>>>(
-                &self,
-                frame: Frame<T>,
-                motion: Coordinates<'_, Spatial<T>, Self>,
-                visit: &mut V,
-                _: &mut (),
-                in_joint: &mut V::InJoint,
-            ) -> Frame<T> {
-                let Coordinates { position, rate, acceleration } = motion;
-                let motion = self.moved(frame, position, rate, acceleration);
-                *in_joint = visit.joint_with(&motion, || release!(self, &motion, position, rate $(, $release)?));
-                motion.outboard
-            }
-            fn inward<G: Gather>(
-                &self,
-                _: &mut (),
-                joint: &mut G::Entry,
-                outer: G::Carried,
-                gather: &mut G,
-            ) -> G::Carried {
-                gather.meet(joint, outer)
-            }
-            fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
-                (!<Self as Joint<T>>::is_finite::<C>(kept)).then_some(station)
             }
         }
     };
 }
-joint!([T: Scalar] Ball, true, release::ball);
-joint!([T: Scalar, R: RotaryLaw<T>] ElasticHinge<R>, false, release::rotary);
-joint!([T: Scalar, R: RotaryLaw<T>, L: Law<T>, M: Law<T>, N: Law<T>] ElasticHinge<R, Linear<T, L, M, N>>, false, release::elastic);
-joint!([T: Scalar] Floating<T>, true, release::floating);
-joint!([T: Scalar] Weld<T>, false, release::weld);
-joint!([T: Scalar, L: Law<T>] Revolute<T, L>, false, release::axial);
-joint!([T: Scalar, L: Law<T>] Prismatic<T, L>, false, release::axial);
-joint!([T: Scalar, L: Law<T>, M: Law<T>] Universal<T, L, M>, false, release::axial);
-joint!([T: Scalar, L: Law<T>, M: Law<T>] Cylindrical<T, L, M>, false, release::axial);
+joint!([T: Scalar] Ball, true);
+joint!([T: Scalar, R: RotaryLaw<T>] ElasticHinge<R>, false);
+joint!([T: Scalar, R: RotaryLaw<T>, L: Law<T>, M: Law<T>, N: Law<T>] ElasticHinge<R, Linear<T, L, M, N>>, false);
+joint!([T: Scalar] Floating<T>, true);
+joint!([T: Scalar] Weld<T>, false);
+joint!([T: Scalar, L: Law<T>] Revolute<T, L>, false);
+joint!([T: Scalar, L: Law<T>] Prismatic<T, L>, false);
+joint!([T: Scalar, L: Law<T>, M: Law<T>] Universal<T, L, M>, false);
+joint!([T: Scalar, L: Law<T>, M: Law<T>] Cylindrical<T, L, M>, false);
 
 /// Gives joints their counts.
 macro_rules! count {

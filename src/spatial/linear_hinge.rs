@@ -3,6 +3,7 @@
 use super::elastic_hinge::{BallRule, Place};
 use super::joint::{StoredIn, Two};
 use super::loads::Drive;
+use super::release::{self, Release};
 use super::rotary_spring::{RotaryDamper, RotaryLaw, RotarySpring};
 use super::{Acceleration, ElasticHinge, Frame, Joint, JointMotion, Law, Rotation, Spatial, Turn};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
@@ -223,6 +224,10 @@ where
         let linear = cross_onto(spin, sliding + sliding, centripetal(spin, arm));
         let biases = [[linear, cross(spin, relative)], [arm, sliding]];
         (Turn { attitude: outer, spin: spin + relative }, ([outer, inner], biases))
+    }
+    #[inline(always)]
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
+        Some(release::elastic(self, motion, position, rate))
     }
     #[inline(always)]
     fn moved(

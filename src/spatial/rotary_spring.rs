@@ -24,7 +24,7 @@ pub struct RotarySpring<T, D = Absent, P = Absent> {
 }
 
 /// What resists relative rotation in a joint: a [`RotarySpring`], nothing, or a law of the user's own.
-pub trait RotaryLaw<T: Scalar>: Copy + Debug {
+pub trait RotaryLaw<T: Scalar>: Copy + Debug + 'static {
     /// Whether reading it without the acceleration sought will do for rules of order two.
     const LINEAR: bool = false;
 
@@ -95,7 +95,7 @@ impl<T: Scalar, D: RotaryDamper<T>, P: Term<Vector3<T>>> RotaryLaw<T> for Rotary
 }
 
 /// A rotary damper: [`Absent`], one coefficient for all axes, or one for each axis of the inboard body (N·m·s/rad).
-pub trait RotaryDamper<T: Scalar>: Copy + Debug {
+pub trait RotaryDamper<T: Scalar>: Copy + Debug + 'static {
     /// −Rᵀ `couple` and the damper's torque, axes of the outboard body, whose relative attitude R and angular velocity (in its axes)
     /// are given.
     fn resist(&self, relative: &Columns<T>, rate: Vector3<T>, couple: Vector3<T>) -> Vector3<T>;

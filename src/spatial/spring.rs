@@ -92,7 +92,7 @@ impl<K, D> Spring<K, D> {
 /// let run = arm.simulate(arm.at_rest(&[0.3, -0.2])?, Sdirk4::new().step(0.01), 0.5, |_| ())?;
 /// # Ok::<(), catena::Error>(())
 /// ```
-pub trait Law<T: Scalar>: Copy + Debug {
+pub trait Law<T: Scalar>: Copy + Debug + 'static {
     /// Whether its force is affine in position and rate: then slopes are the same everywhere, and nothing has to be read twice.
     const LINEAR: bool = false;
 

@@ -1,5 +1,6 @@
 //! The rigid joint.
 
+use super::release::{self, Release};
 use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, joint::One, joint::Stored};
 use crate::element::{Condense, Given, Posture, Sweep};
 use crate::error::Fault;
@@ -54,6 +55,10 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     fn oriented(&self, (): &(), (): &(), inboard: Turn<T>) -> (Turn<T>, Stored<T>) {
         let attitude = inboard.attitude.times(&self.attitude);
         (Turn { attitude, ..inboard }, (attitude, [zero(); 2]))
+    }
+    #[inline(always)]
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
+        Some(release::weld(self, motion, position, rate))
     }
     #[inline(always)]
     fn moved(&self, inboard: Frame<T>, (): &(), (): &(), (): &()) -> JointMotion<T> {

@@ -104,9 +104,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P>,
     {
-        if !(self.chain.fits(&guess.position, &guess.rate) && self.chain.fits(&guess.position, &guess.acceleration)) {
-            return Err(Error::new(Fault::Shape));
-        }
+        self.fits(&guess)?;
         let freedoms = numbers(&guess.rate).len();
         let [positions, rates] = [Holding::of(holding.positions, freedoms)?, Holding::of(holding.rates, freedoms)?];
         let mut motion = guess.clone();

@@ -6,6 +6,7 @@ use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
 use crate::system::{MotionOf, System};
+use crate::walks::fits::fits;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Refuses a motion of another scene: one with vectors of another length. (Those of another type do not compile.)
@@ -29,7 +30,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     #[inline]
     pub fn fits(&self, motion: &MotionOf<S, R, C, P>) -> Result<(), Error> {
         let chain = self.elements();
-        let fits = chain.fits(&motion.position, &motion.rate) && chain.fits(&motion.position, &motion.acceleration);
+        let fits = fits(chain, &motion.position, &motion.rate) && fits(chain, &motion.position, &motion.acceleration);
         if fits { Ok(()) } else { Err(Error::new(Fault::Shape)) }
     }
 

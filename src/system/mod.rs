@@ -38,7 +38,11 @@ use crate::motion::Motion;
 use crate::observe::{PerBody, Stations, budget};
 use crate::relation::Closures;
 use crate::scalar::Scalar;
+use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
+use crate::walks::aim::aim;
+use crate::walks::check::check;
+use crate::walks::fits::fits;
 use num_traits::Zero;
 
 /// A mechanical scene. It holds parameters only; its motion is a value of its own ([`Motion`]).
@@ -89,7 +93,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<Unloaded, S, R, C, P>,
     {
         root.check()?;
-        chain.check(0)?;
+        check(&chain)?;
         tip.check()?;
         if chain.bodies() == 0 {
             return Err(Error::new(Fault::NoBodies));
@@ -146,7 +150,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 
     /// A motion at time zero with all coordinates, rates and accelerations zero.
     pub fn motion(&self) -> MotionOf<S, R, C, P> {
-        let (position, rate) = (self.chain.position(), self.chain.rate());
+        let (position, rate) = (self.chain.store::<Positions>(()), self.chain.store::<Rates>(()));
         let multipliers = P::Closures::each(|_| S::Scalar::zero());
         Motion { time: Zero::zero(), position, acceleration: rate.clone(), rate, multipliers }
     }
@@ -166,7 +170,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             expected += 1;
             orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         };
-        self.chain.aim(&mut motion.position, S::turn(&ground), &mut next);
+        aim(&self.chain, &mut motion.position, S::turn(&ground), &mut next);
         if expected != orientations.len() {
             return Err(Error::new(Fault::Count { expected, given: orientations.len() }));
         }
@@ -308,7 +312,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<L, S, R, C, P>,
     {
         let Motion { time, position, rate, acceleration, multipliers } = motion;
-        if !(self.chain.fits(position, rate) && self.chain.fits(position, acceleration)) {
+        if !(fits(&self.chain, position, rate) && fits(&self.chain, position, acceleration)) {
             return Err(Error::new(Fault::Shape));
         }
         self.admits(loads)?;

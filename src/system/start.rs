@@ -7,6 +7,7 @@ use crate::mirror::{Position, Rate};
 use crate::planar::{Planar, Turn};
 use crate::scalar::{Real, Scalar};
 use crate::system::{MotionOf, PositionOf, System};
+use crate::walks::aim::aim;
 use num_traits::One;
 
 /// A planar scene's motion.
@@ -63,7 +64,7 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
         let mark = T::constant(T::Real::INFINITY);
         motion.position.replace(&mut |_| mark);
         let (mut feed, mut largest) = (Feed::of(angles), T::Real::one());
-        chain.aim(&mut motion.position, ground.turn, &mut |inboard: Turn<T>| {
+        aim(chain, &mut motion.position, ground.turn, &mut |inboard: Turn<T>| {
             let absolute = inboard.angle + feed.next();
             largest = largest.max(absolute.real().abs());
             absolute
@@ -152,10 +153,10 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
         let mut feed = Feed::of(rates);
         // Rates follow from each other as angles do, except that welds do not add to them: their part is found by itself.
         let mut aimed = motion.rate.clone();
-        chain.aim(&mut aimed, turn(inboard), &mut |inboard: Turn<T>| absolute(feed.next(), inboard.angle));
+        aim(chain, &mut aimed, turn(inboard), &mut |inboard: Turn<T>| absolute(feed.next(), inboard.angle));
         feed.check("rate")?;
         let mut welds = self.motion().position;
-        chain.aim(&mut welds, turn(T::zero()), &mut |inboard: Turn<T>| absolute(T::zero(), inboard.angle));
+        aim(chain, &mut welds, turn(T::zero()), &mut |inboard: Turn<T>| absolute(T::zero(), inboard.angle));
         motion.rate.mix_1(&aimed, (-T::Real::one(), &welds));
         Ok(motion)
     }

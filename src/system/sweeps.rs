@@ -10,9 +10,13 @@ use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Solvable};
 use crate::scalar::{Real, Scalar};
+use crate::shape::{Kept, Shape};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
+use crate::walks::broken::broken;
+use crate::walks::independent::independent;
+use crate::walks::travel::show;
 
 impl<S, R, C, P, L> Dynamics<L> for System<S, R, C, P>
 where
@@ -84,9 +88,8 @@ where
         tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error> {
         let ground = self.root.ground(motion.time);
-        if const { <Elements<S, R, C> as Element<S>>::LOOPS > 0 } {
-            self.chain
-                .independent::<P::Closures>(ground, coordinates(motion), &workspace.kept, 0, tell)
+        if const { <Elements<S, R, C> as Shape<S>>::LOOPS > 0 } {
+            independent::<S, _, P::Closures>(&self.chain, ground, coordinates(motion), &workspace.kept, tell)
                 .map_err(|error| error.at_time(motion.time.as_f64()).beyond_root())?;
         }
         if P::Closures::COUNT == 0 {
@@ -158,13 +161,13 @@ where
         if let Err(redundant) = self.independent(motion, workspace, &mut |_, _| ()) {
             return redundant;
         }
-        if self.chain.broken::<P::Closures>(&workspace.kept, 0).is_none() {
+        if broken::<S, _, P::Closures>(&self.chain, &workspace.kept).is_none() {
             return error(Fault::NonFiniteMotion);
         }
         // A joint that nothing resists does not move at rest either; one at which the forces of velocities overflow does.
         rate.replace(&mut |_| S::Scalar::constant(RealOf::<S>::of(0.0)));
         self.accelerations(time, &motion.position, &rate, loads, workspace, &mut acceleration);
-        match self.chain.broken::<P::Closures>(&workspace.kept, 0) {
+        match broken::<S, _, P::Closures>(&self.chain, &workspace.kept) {
             Some(entry) => error(Fault::SingularJoint).at(place(entry)),
             None => error(Fault::NonFiniteMotion),
         }
@@ -182,11 +185,11 @@ where
     Elements<S, R, C>:
         Condense<S, P::Relation, Carrying<L, Implicit<RealOf<S>>, P::Closures>, Out: Close<S, P::Closures>>,
 {
-    const LINEAR: bool = <Elements<S, R, C> as Element<S>>::LINEAR;
+    const LINEAR: bool = <Elements<S, R, C> as Shape<S>>::LINEAR;
 
     type StiffWorkspace = Workspace<S, Elements<S, R, C>, Carrying<L, Implicit<RealOf<S>>, P::Closures>>;
 
-    type Gains = <Elements<S, R, C> as Element<S>>::Kept<P::Closures>;
+    type Gains = <Elements<S, R, C> as Shape<S>>::Store<Kept<P::Closures>>;
 
     fn gains<'w>(&self, workspace: &'w Self::StiffWorkspace) -> &'w Self::Gains {
         &workspace.kept
@@ -230,7 +233,7 @@ const ROUNDINGS: f64 = 4.0;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Whether there are loops.
-    pub(super) const LOOPED: bool = <Elements<S, R, C> as Element<S>>::LOOPS > 0;
+    pub(super) const LOOPED: bool = <Elements<S, R, C> as Shape<S>>::LOOPS > 0;
     /// How deep closures are nested: loops, and the ground to which a tip is held.
     pub(crate) const CLOSED: usize = C::LOOPS + (P::Closures::COUNT > 0) as usize;
 
@@ -304,8 +307,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// The angle of a body or joint that is too large for accurate sines, if there is one.
     fn angle_out_of_range(&self, motion: &MotionOf<S, R, C, P>) -> Option<f64> {
         let (mut look, ground) = (LookForAngles(None), self.root.ground(motion.time));
-        let (mut bodies, mut joints) = (self.chain.per_body(()), self.chain.per_joint(()));
-        self.chain.travel(ground, coordinates(motion), &mut look, &mut bodies, &mut joints);
+        show(&self.chain, ground, coordinates(motion), &mut look);
         look.0
     }
 

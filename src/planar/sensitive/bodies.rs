@@ -211,14 +211,14 @@ macro_rules! bodies {
     ($($Body:ident $aside:literal),*) => {$(
         impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for $Body<Jet<T, K>> {
             type Plain = $Body<T>;
-            type Store = BodyStore<T, K, $aside>;
+            type Room = BodyStore<T, K, $aside>;
 
-            fn store(&self) -> Self::Store {
+            fn room(&self) -> Self::Room {
                 BodyStore::new(self)
             }
             #[inline(always)]
             fn read((): &(), (): &(), (): &mut (), (): &mut ()) {}
-            fn load(&self, on_body: &Wrench<Jet<T, K>>, (): &(), store: &mut Self::Store) {
+            fn load(&self, on_body: &Wrench<Jet<T, K>>, (): &(), store: &mut Self::Room) {
                 store.load = *on_body;
             }
             #[inline(always)]
@@ -226,7 +226,7 @@ macro_rules! bodies {
                 &self,
                 at: At<'_, Planar<Jet<T, K>>, Self>,
                 outer: Full<T>,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
             ) -> Full<T> {
                 let relation = Body::condense(at.plain, outer, Pose::of(at.posture));
                 if !N::LOADS {
@@ -240,7 +240,7 @@ macro_rules! bodies {
                 &self,
                 at: At<'_, Planar<Jet<T, K>>, Self>,
                 carried: &mut Passing<T, K>,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
                 (): &mut (),
             ) {
                 vary_body::<N, T, K, $aside>(at.plain, self, Pose::of(at.posture), carried, store);
@@ -250,7 +250,7 @@ macro_rules! bodies {
                 &self,
                 at: At<'_, Planar<Jet<T, K>>, Self>,
                 carried: &mut Pulling<T, K>,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
                 (): &mut (),
             ) {
                 gather_body::<N, T, K, $aside>(at.plain, self, Pose::of(at.posture), carried, store);
@@ -260,7 +260,7 @@ macro_rules! bodies {
                 &self,
                 at: At<'_, Planar<Jet<T, K>>, Self>,
                 carried: &mut Answering<T, K>,
-                _: &Self::Store,
+                _: &Self::Room,
                 (): &mut (),
             ) {
                 let n = normal(at.plain.arm(Pose::of(at.posture))[0]);

@@ -62,20 +62,20 @@ impl<T: Scalar, const K: usize> TurnStore<T, K> {
 
 impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Pin {
     type Plain = Self;
-    type Store = TurnStore<T, K>;
+    type Room = TurnStore<T, K>;
 
-    fn store(&self) -> Self::Store {
+    fn room(&self) -> Self::Room {
         TurnStore::new()
     }
     #[inline(always)]
     fn read(position: &Jet<T, K>, rate: &Jet<T, K>, plain_position: &mut T, plain_rate: &mut T) {
         (*plain_position, *plain_rate) = (position.re, rate.re);
     }
-    fn load(&self, (): &(), in_joint: &Jet<T, K>, store: &mut Self::Store) {
+    fn load(&self, (): &(), in_joint: &Jet<T, K>, store: &mut Self::Room) {
         store.load = *in_joint;
     }
     #[inline(always)]
-    fn factor<N: Seeds>(&self, _: At<'_, Planar<Jet<T, K>>, Self>, outer: Full<T>, store: &mut Self::Store) -> Full<T> {
+    fn factor<N: Seeds>(&self, _: At<'_, Planar<Jet<T, K>>, Self>, outer: Full<T>, store: &mut Self::Room) -> Full<T> {
         match N::LOADS {
             true => store.factor(outer, store.load.re),
             false => store.factor(outer, Absent),
@@ -86,7 +86,7 @@ impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Pin {
         &self,
         at: At<'_, Planar<Jet<T, K>>, Self>,
         carried: &mut Passing<T, K>,
-        store: &mut Self::Store,
+        store: &mut Self::Room,
         acceleration: &mut Jet<T, K>,
     ) {
         acceleration.re = store.gain.angular(carried.acceleration.linear, &());
@@ -104,7 +104,7 @@ impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Pin {
         &self,
         _: At<'_, Planar<Jet<T, K>>, Self>,
         carried: &mut Pulling<T, K>,
-        store: &mut Self::Store,
+        store: &mut Self::Room,
         acceleration: &mut Jet<T, K>,
     ) {
         match N::LOADS {
@@ -117,7 +117,7 @@ impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Pin {
         &self,
         _: At<'_, Planar<Jet<T, K>>, Self>,
         carried: &mut Answering<T, K>,
-        store: &Self::Store,
+        store: &Self::Room,
         acceleration: &mut Jet<T, K>,
     ) {
         let w = store.gain.per_acceleration;
@@ -138,25 +138,20 @@ where
     Q: Term<T>,
 {
     type Plain = ElasticHinge<Spring<T, E, Q>>;
-    type Store = TurnStore<T, K>;
+    type Room = TurnStore<T, K>;
 
-    fn store(&self) -> Self::Store {
+    fn room(&self) -> Self::Room {
         TurnStore::new()
     }
     #[inline(always)]
     fn read(position: &Jet<T, K>, rate: &Jet<T, K>, plain_position: &mut T, plain_rate: &mut T) {
         (*plain_position, *plain_rate) = (position.re, rate.re);
     }
-    fn load(&self, (): &(), in_joint: &Jet<T, K>, store: &mut Self::Store) {
+    fn load(&self, (): &(), in_joint: &Jet<T, K>, store: &mut Self::Room) {
         store.load = *in_joint;
     }
     #[inline(always)]
-    fn factor<N: Seeds>(
-        &self,
-        at: At<'_, Planar<Jet<T, K>>, Self>,
-        outer: Full<T>,
-        store: &mut Self::Store,
-    ) -> Full<T> {
+    fn factor<N: Seeds>(&self, at: At<'_, Planar<Jet<T, K>>, Self>, outer: Full<T>, store: &mut Self::Room) -> Full<T> {
         let torque = at.plain.rotary.force(at.position.re, at.rate.re);
         let torque = if N::LOADS { torque + store.load.re } else { torque };
         store.factor(outer, Minus(-torque))
@@ -166,7 +161,7 @@ where
         &self,
         at: At<'_, Planar<Jet<T, K>>, Self>,
         carried: &mut Passing<T, K>,
-        store: &mut Self::Store,
+        store: &mut Self::Room,
         acceleration: &mut Jet<T, K>,
     ) {
         let angular = store.gain.angular(carried.acceleration.linear, &());
@@ -183,7 +178,7 @@ where
         &self,
         at: At<'_, Planar<Jet<T, K>>, Self>,
         carried: &mut Pulling<T, K>,
-        store: &mut Self::Store,
+        store: &mut Self::Room,
         acceleration: &mut Jet<T, K>,
     ) {
         let torque = self.rotary.force(*at.position, *at.rate);
@@ -195,7 +190,7 @@ where
         &self,
         _: At<'_, Planar<Jet<T, K>>, Self>,
         carried: &mut Answering<T, K>,
-        store: &Self::Store,
+        store: &Self::Room,
         acceleration: &mut Jet<T, K>,
     ) {
         let w = store.gain.per_acceleration;
@@ -209,9 +204,9 @@ where
 
 impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Weld<Jet<T, K>> {
     type Plain = Weld<T>;
-    type Store = ();
+    type Room = ();
 
-    fn store(&self) {}
+    fn room(&self) {}
     #[inline(always)]
     fn read((): &(), (): &(), (): &mut (), (): &mut ()) {}
     fn load(&self, (): &(), _: &Jet<T, K>, (): &mut ()) {}

@@ -6,6 +6,7 @@ use crate::relation::space::{Empty, Relation, Rigid};
 use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
 use crate::spatial::joint::{One, Stored};
+use crate::spatial::release::{self, Release};
 use crate::spatial::{Acceleration, Ball, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
 use nalgebra::Vector3;
 
@@ -52,6 +53,10 @@ impl<T: Scalar> Joint<T> for Floating<T> {
     #[inline(always)]
     fn oriented(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> (Turn<T>, Stored<T>) {
         Joint::oriented(&Ball, &position.1, &rate.1, inboard)
+    }
+    #[inline(always)]
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
+        Some(release::floating(self, motion, position, rate))
     }
     #[inline(always)]
     fn moved(

@@ -35,9 +35,9 @@ macro_rules! axial {
             $($Law: Law<Jet<T, K>> + Lift<Jet<T, K>, T, Over = $Over>, $Over: Law<T>,)*
         {
             type Plain = $Joint<T, $($Over),*>;
-            type Store = AxialStore<T, K, $D>;
+            type Room = AxialStore<T, K, $D>;
 
-            fn store(&self) -> Self::Store {
+            fn room(&self) -> Self::Room {
                 AxialStore {
                     pivots: [Pivot::blank(); $D],
                     minus_inverse: [T::zero(); $D],
@@ -58,7 +58,7 @@ macro_rules! axial {
                 };
                 (*plain_position, *plain_rate) = (of(position), of(rate));
             }
-            fn load(&self, (): &(), in_joint: &Effort<Jet<T, K>>, store: &mut Self::Store) {
+            fn load(&self, (): &(), in_joint: &Effort<Jet<T, K>>, store: &mut Self::Room) {
                 store.load = *in_joint;
             }
             #[inline(always)]
@@ -66,7 +66,7 @@ macro_rules! axial {
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
                 outer: Full<T>,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
             ) -> Full<T> {
                 let (position, rate) = (at.position.list(), at.rate.list());
                 let stored = at.posture.x;
@@ -87,7 +87,7 @@ macro_rules! axial {
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
                 carried: &mut Passing<T, K>,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
                 acceleration: &mut <Self as Axial<Jet<T, K>, $D>>::Coordinates,
             ) {
                 let (position, rate) = (at.position.list(), at.rate.list());
@@ -145,7 +145,7 @@ macro_rules! axial {
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
                 carried: &mut Pulling<T, K>,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
                 acceleration: &mut <Self as Axial<Jet<T, K>, $D>>::Coordinates,
             ) {
                 let (position, rate) = (at.position.list(), at.rate.list());
@@ -169,7 +169,7 @@ macro_rules! axial {
                 &self,
                 _: At<'_, Spatial<Jet<T, K>>, Self>,
                 carried: &mut Answering<T, K>,
-                store: &Self::Store,
+                store: &Self::Room,
                 acceleration: &mut <Self as Axial<Jet<T, K>, $D>>::Coordinates,
             ) {
                 let mut list = acceleration.list();

@@ -204,14 +204,14 @@ macro_rules! bodies {
     ($($Body:ident),*) => {$(
         impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for $Body<Jet<T, K>> {
             type Plain = $Body<T>;
-            type Store = BodyStore<T, K>;
+            type Room = BodyStore<T, K>;
 
-            fn store(&self) -> Self::Store {
+            fn room(&self) -> Self::Room {
                 BodyStore::new(self)
             }
             #[inline(always)]
             fn read((): &(), (): &(), (): &mut (), (): &mut ()) {}
-            fn load(&self, on_body: &Wrench<Jet<T, K>>, (): &(), store: &mut Self::Store) {
+            fn load(&self, on_body: &Wrench<Jet<T, K>>, (): &(), store: &mut Self::Room) {
                 store.load = *on_body;
             }
             #[inline(always)]
@@ -219,7 +219,7 @@ macro_rules! bodies {
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
                 outer: Full<T>,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
             ) -> Full<T> {
                 let posture = at.posture;
                 let pose = Pose { attitude: *posture.x, turning: posture.y[0], arm: *posture.p, centripetal: *posture.q };
@@ -235,7 +235,7 @@ macro_rules! bodies {
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
                 carried: &mut Passing<T, K>,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
                 (): &mut (),
             ) {
                 vary_body::<N, T, K>(at.plain, self, carried, store);
@@ -245,7 +245,7 @@ macro_rules! bodies {
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
                 carried: &mut Pulling<T, K>,
-                store: &mut Self::Store,
+                store: &mut Self::Room,
                 (): &mut (),
             ) {
                 gather_body::<N, T, K>(at.plain, self, carried, store);
@@ -255,7 +255,7 @@ macro_rules! bodies {
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
                 carried: &mut Answering<T, K>,
-                _: &Self::Store,
+                _: &Self::Room,
                 (): &mut (),
             ) {
                 apply(&mut carried.linear, &minus(crossed(*at.posture.p)), &carried.angular);

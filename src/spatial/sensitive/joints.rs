@@ -46,9 +46,9 @@ fn full<T: Scalar>(point: Point<T, impl Term<Vector3<T>>>) -> Full<T> {
 
 impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
     type Plain = Self;
-    type Store = BallStore<T, K>;
+    type Room = BallStore<T, K>;
 
-    fn store(&self) -> Self::Store {
+    fn room(&self) -> Self::Room {
         BallStore { gain: Gain::blank(), minus_inverse: Columns::zero(), angle: none(), load: Effort::default() }
     }
     #[inline(always)]
@@ -61,7 +61,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
         *plain_position = position.lift(&mut |x: Jet<T, K>| x.re);
         *plain_rate = rate.map(|x| x.re);
     }
-    fn load(&self, (): &(), in_joint: &Effort<Jet<T, K>>, store: &mut Self::Store) {
+    fn load(&self, (): &(), in_joint: &Effort<Jet<T, K>>, store: &mut Self::Room) {
         store.load = *in_joint;
     }
     #[inline(always)]
@@ -69,7 +69,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
         &self,
         at: At<'_, Spatial<Jet<T, K>>, Self>,
         outer: Full<T>,
-        store: &mut Self::Store,
+        store: &mut Self::Room,
     ) -> Full<T> {
         let factor = outer.angular.factor();
         let Columns { x, y, z } = Columns::identity();
@@ -90,7 +90,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
         &self,
         at: At<'_, Spatial<Jet<T, K>>, Self>,
         carried: &mut Passing<T, K>,
-        store: &mut Self::Store,
+        store: &mut Self::Room,
         acceleration: &mut [Jet<T, K>; 3],
     ) {
         let attitude = *at.posture.x;
@@ -117,7 +117,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
         &self,
         at: At<'_, Spatial<Jet<T, K>>, Self>,
         carried: &mut Pulling<T, K>,
-        store: &mut Self::Store,
+        store: &mut Self::Room,
         acceleration: &mut [Jet<T, K>; 3],
     ) {
         let mut applied = none();
@@ -146,7 +146,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
         &self,
         at: At<'_, Spatial<Jet<T, K>>, Self>,
         carried: &mut Answering<T, K>,
-        store: &Self::Store,
+        store: &Self::Room,
         acceleration: &mut [Jet<T, K>; 3],
     ) {
         carried.angular = acceleration.map(|x| x.eps);
@@ -161,9 +161,9 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
 
 impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Weld<Jet<T, K>> {
     type Plain = Weld<T>;
-    type Store = ();
+    type Room = ();
 
-    fn store(&self) {}
+    fn room(&self) {}
     #[inline(always)]
     fn read((): &(), (): &(), (): &mut (), (): &mut ()) {}
     fn load(&self, (): &(), _: &Effort<Jet<T, K>>, (): &mut ()) {}

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 const FLOORS: [&[&str]; 8] = [
     &["scalar", "error", "state", "tuples"],
     &["mirror", "relation", "time", "lift", "dense"],
-    &["space", "loading", "sweep", "visit", "element", "ends", "transfer", "motion", "sensitive"],
+    &["space", "loading", "sweep", "shape", "walks", "visit", "element", "ends", "transfer", "motion", "sensitive"],
     &["chain", "counts", "struts"],
     &["planar", "spatial"],
     &["solve", "observe"],

@@ -1,15 +1,13 @@
 //! Readings of all bodies and stations of a scene meet each element a bounded number of times, however many there are.
 
-use catena::element::{
-    Condense, Coordinates, Element, Entry, Gather, Given, Level, Posture, Space, Springs, Sweep, Unloaded, Visit,
-};
+use catena::element::{Condense, Element, Given, Posture, Space, Sweep, Unloaded};
 use catena::planar::*;
-use catena::relation::Closures;
+use catena::shape::{Field, Inward, Kept, Member, Of, Outward, PerAxes, Shape, Slot};
 use catena::{Error, mirror};
 use std::cell::Cell;
 
 thread_local! {
-    /// How often elements were asked what they hold.
+    /// How often walks came by.
     static VISITS: Cell<usize> = const { Cell::new(0) };
 }
 
@@ -19,19 +17,47 @@ fn visits(read: impl FnOnce()) -> usize {
     VISITS.get()
 }
 
-/// An element that counts how often it is asked for its numbers or its entries, and is that element otherwise.
+/// An element that counts how often a walk comes by, and is that element otherwise.
 #[derive(Clone)]
 struct Counting<E>(E);
+
+/// Where it is in itself.
+#[derive(Clone, Copy)]
+struct Counted;
+
+impl<S: Space, E: Shape<S>> Member<S, Counting<E>> for Counted {
+    type Item = E;
+    fn get<F: Field<S>>(store: &E::Store<F>) -> &E::Store<F> {
+        store
+    }
+    fn get_mut<F: Field<S>>(store: &mut E::Store<F>) -> &mut E::Store<F> {
+        store
+    }
+}
+
+impl<S: Space, E: Shape<S>> Shape<S> for Counting<E> {
+    type Store<F: Field<S>> = E::Store<F>;
+    const BODIES: Option<usize> = E::BODIES;
+    const JOINTS: Option<usize> = E::JOINTS;
+    const LOOPS: usize = E::LOOPS;
+    const LINEAR: bool = E::LINEAR;
+
+    fn store<F: Field<S>>(&self, fill: F::Fill) -> E::Store<F> {
+        self.0.store::<F>(fill)
+    }
+    fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, mut stores: Of<'_, S, W, Self>) -> W::Carried {
+        VISITS.set(VISITS.get() + 1);
+        self.0.outward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Counted))
+    }
+    fn inward<W: Inward<S>>(&self, walk: &mut W, carried: W::Carried, mut stores: Of<'_, S, W, Self>) -> W::Carried {
+        VISITS.set(VISITS.get() + 1);
+        self.0.inward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Counted))
+    }
+}
 
 impl<S: Space, E: Element<S>> Element<S> for Counting<E> {
     type Position = E::Position;
     type Rate = E::Rate;
-    type Kept<C: Closures> = E::Kept<C>;
-    type PerBody<X: Copy> = E::PerBody<X>;
-    type PerJoint<X: Copy> = E::PerJoint<X>;
-    type PerAxes<X: Copy> = E::PerAxes<X>;
-    const BODIES: Option<usize> = E::BODIES;
-    const JOINTS: Option<usize> = E::JOINTS;
     const ABSOLUTE: bool = E::ABSOLUTE;
 
     fn bodies(&self) -> usize {
@@ -41,63 +67,6 @@ impl<S: Space, E: Element<S>> Element<S> for Counting<E> {
     fn joints(&self) -> usize {
         VISITS.set(VISITS.get() + 1);
         self.0.joints()
-    }
-    fn body_entry<'a, X: Copy>(&self, bodies: &'a Self::PerBody<X>, k: usize) -> Option<&'a X> {
-        VISITS.set(VISITS.get() + 1);
-        self.0.body_entry(bodies, k)
-    }
-    fn entry<'a, X: Copy>(
-        &self,
-        bodies: &'a Self::PerBody<X>,
-        joints: &'a Self::PerJoint<X>,
-        k: usize,
-    ) -> Option<&'a X> {
-        VISITS.set(VISITS.get() + 1);
-        self.0.entry(bodies, joints, k)
-    }
-    fn each_entry<'a, 'b, X: Copy + 'a, Y: Copy + 'b>(
-        bodies: &'a Self::PerBody<X>,
-        joints: &'b Self::PerJoint<Y>,
-        note: &mut impl FnMut(Entry<&'a X, &'b Y>),
-    ) {
-        VISITS.set(VISITS.get() + 1);
-        E::each_entry(bodies, joints, note);
-    }
-
-    fn spread_bodies<'v, X: Copy>(&self, values: &'v [X], bodies: &mut Self::PerBody<X>) -> &'v [X] {
-        self.0.spread_bodies(values, bodies)
-    }
-    fn spread_joints<'v, X: Copy>(&self, values: &'v [X], joints: &mut Self::PerJoint<X>) -> &'v [X] {
-        self.0.spread_joints(values, joints)
-    }
-    fn check(&self, station: usize) -> Result<(), Error> {
-        self.0.check(station)
-    }
-    fn position(&self) -> Self::Position {
-        self.0.position()
-    }
-    fn rate(&self) -> Self::Rate {
-        self.0.rate()
-    }
-    fn kept<C: Closures>(&self) -> Self::Kept<C> {
-        self.0.kept()
-    }
-    fn per_body<X: Copy>(&self, fill: X) -> Self::PerBody<X> {
-        self.0.per_body(fill)
-    }
-    fn per_joint<X: Copy>(&self, fill: X) -> Self::PerJoint<X> {
-        self.0.per_joint(fill)
-    }
-    fn per_axes<X: Copy>(&self, fill: X) -> Self::PerAxes<X> {
-        self.0.per_axes(fill)
-    }
-    fn aim(
-        &self,
-        position: &mut Self::Position,
-        turn: S::Turn,
-        next: &mut impl FnMut(S::Turn) -> S::Scalar,
-    ) -> S::Turn {
-        self.0.aim(position, turn, next)
     }
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         self.0.lump(mass)
@@ -110,80 +79,21 @@ impl<S: Space, E: Element<S>> Element<S> for Counting<E> {
         position: &Self::Position,
         rate: &Self::Rate,
         turn: S::Turn,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        x: &mut E::Store<PerAxes<S::X>>,
+        y: &mut E::Store<PerAxes<S::Y>>,
+        p: &mut E::Store<PerAxes<S::P>>,
+        q: &mut E::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
         self.0.orient(position, rate, turn, x, y, p, q)
     }
-    fn size(&self, sizes: &mut Self::PerAxes<S::Size>) {
-        self.0.size(sizes);
-    }
     fn resolve(
-        sizes: &Self::PerAxes<S::Size>,
-        x: &mut Self::PerAxes<S::X>,
-        y: &mut Self::PerAxes<S::Y>,
-        p: &mut Self::PerAxes<S::P>,
-        q: &mut Self::PerAxes<S::Q>,
+        sizes: &E::Store<PerAxes<S::Size>>,
+        x: &mut E::Store<PerAxes<S::X>>,
+        y: &mut E::Store<PerAxes<S::Y>>,
+        p: &mut E::Store<PerAxes<S::P>>,
+        q: &mut E::Store<PerAxes<S::Q>>,
     ) {
         E::resolve(sizes, x, y, p, q);
-    }
-    fn recover<C: Closures, By: Springs<S::Scalar>>(
-        &self,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &mut Self::Kept<C>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration {
-        self.0.recover::<C, By>(acceleration, Posture { x, y, p, q }, kept, multipliers, rate)
-    }
-    fn respond<C: Closures>(
-        &self,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &Self::Kept<C>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> S::Acceleration {
-        self.0.respond::<C>(acceleration, Posture { x, y, p, q }, kept, multipliers, rate)
-    }
-    fn restore<C: Closures>(
-        &self,
-        frame: S::Frame,
-        Coordinates { position, rate: own, acceleration: at }: Coordinates<'_, S, Self>,
-        level: Level,
-        acceleration: S::Acceleration,
-        Posture { x, y, p, q }: Posture<'_, S, Self>,
-        kept: &Self::Kept<C>,
-        multipliers: &C::Each<S::Scalar>,
-        rate: &mut Self::Rate,
-    ) -> (S::Frame, S::Acceleration) {
-        let motion = Coordinates { position, rate: own, acceleration: at };
-        self.0.restore::<C>(frame, motion, level, acceleration, Posture { x, y, p, q }, kept, multipliers, rate)
-    }
-    fn travel<V: Visit<S>>(
-        &self,
-        frame: S::Frame,
-        Coordinates { position, rate, acceleration }: Coordinates<'_, S, Self>,
-        visit: &mut V,
-        on_bodies: &mut Self::PerBody<V::OnBody>,
-        in_joints: &mut Self::PerJoint<V::InJoint>,
-    ) -> S::Frame {
-        self.0.travel(frame, Coordinates { position, rate, acceleration }, visit, on_bodies, in_joints)
-    }
-    fn inward<G: Gather>(
-        &self,
-        bodies: &mut Self::PerBody<G::Entry>,
-        joints: &mut Self::PerJoint<G::Entry>,
-        outer: G::Carried,
-        gather: &mut G,
-    ) -> G::Carried {
-        self.0.inward(bodies, joints, outer, gather)
-    }
-    fn broken<C: Closures>(&self, kept: &Self::Kept<C>, station: usize) -> Option<usize> {
-        self.0.broken::<C>(kept, station)
     }
 }
 
@@ -194,7 +104,7 @@ impl<S: Space, R, W: Sweep<S>, E: Condense<S, R, W>> Condense<S, R, W> for Count
         outer: R,
         Posture { x, y, p, q }: Posture<'_, S, Self>,
         Given { on_bodies, in_joints, position, rate, reading, springs }: Given<'_, S, Self, W>,
-        kept: &mut Self::Kept<W::Closures>,
+        kept: &mut E::Store<Kept<W::Closures>>,
     ) -> Self::Out {
         let given = Given { on_bodies, in_joints, position, rate, reading, springs };
         self.0.condense(outer, Posture { x, y, p, q }, given, kept)

@@ -1,8 +1,8 @@
 //! Bodies whose moments of inertia no distribution of mass has, as robot description files do: taken, listed, and repaired on request.
 
 use crate::kit::{Noise, near};
-use catena::element::Element;
 use catena::spatial::*;
+use catena::walks::check::check;
 use catena::{Error, Fault, Place};
 use nalgebra::{Matrix3, Vector3};
 
@@ -153,6 +153,6 @@ fn what_is_repaired_can_be_built() -> Result<(), Error> {
     assert_eq!((error.fault, error.place), (Fault::SingularJoint, Some(Place::Root)));
     let on_hinge = System::new(Clamped::origin(), (Revolute::about([0.0, 0.0, 1.0]), thin), Free)?;
     assert!(on_hinge.with_accelerations(on_hinge.motion(), &Unloaded).is_ok());
-    assert_eq!(Element::<Spatial<f64>>::check(&thin, 0), Ok(()));
+    assert_eq!(check::<Spatial<f64>, _>(&thin), Ok(()));
     Ok(())
 }

@@ -1,0 +1,183 @@
+//! What stores and walks ask of bodies and joints, whatever their space.
+
+use super::Shape;
+use super::field::Field;
+use crate::error::Fault;
+use crate::mirror::{Position, Rate};
+use crate::relation::Closures;
+use crate::space::Space;
+use crate::sweep::Springs;
+
+/// A body, as it is the same in all spaces. Each space says so of its own bodies (`planar::Body`, `spatial::Body`).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a body of the chain's space `{S}`",
+    label = "not an element of `{S}`"
+)]
+pub trait Body<S: Space>: Copy + 'static {
+    /// What resolving its posture reads of its shape.
+    fn size(&self) -> S::Size;
+    /// The acceleration of its outboard end, from that of its inboard end.
+    fn shifted(&self, inboard: S::Acceleration, posture: PostureOf<'_, S>) -> S::Acceleration;
+    /// What [`shifted`](Self::shifted) gives without velocities.
+    fn swung(&self, inboard: S::Acceleration, posture: PostureOf<'_, S>) -> S::Acceleration;
+    /// Its motion, if its inboard end moves like this, and that of its outboard end.
+    fn motion(&self, inboard: S::Frame) -> (S::BodyMotion, S::Frame);
+    /// Rejects parameters that make no mechanics.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn check(&self) -> Result<(), Fault>;
+}
+
+/// The posture of a body.
+pub type PostureOf<'a, S> = (&'a <S as Space>::X, &'a <S as Space>::Y, &'a <S as Space>::P, &'a <S as Space>::Q);
+
+/// The posture of a joint.
+pub type JointPosture<'a, S, J> = (
+    &'a <J as Joint<S>>::Per<<S as Space>::X>,
+    &'a <J as Joint<S>>::Per<<S as Space>::Y>,
+    &'a <J as Joint<S>>::Per<<S as Space>::P>,
+    &'a <J as Joint<S>>::Per<<S as Space>::Q>,
+);
+
+/// A joint, as it is the same in all spaces. Each space says so of its own joints (`planar::Joint`, `spatial::Joint`).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a joint of the chain's space `{S}`",
+    label = "not an element of `{S}`"
+)]
+pub trait Joint<S: Space>: Copy + 'static {
+    /// Its coordinates.
+    type Position: Position<S::Scalar, Rate = Self::Rate>;
+    /// Their rates and accelerations.
+    type Rate: Rate<S::Scalar>;
+    /// What its elimination keeps for the outward walk.
+    type Kept<C: Closures>: Clone;
+    /// One `X` for each set of axes that it keeps.
+    type Per<X: Copy>: Clone;
+
+    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    const LINEAR: bool;
+
+    /// The position of an unturned joint.
+    fn position() -> Self::Position;
+    /// The rates of a joint at rest.
+    fn rate() -> Self::Rate;
+    /// Room for the gains.
+    fn kept<C: Closures>() -> Self::Kept<C>;
+    /// `fill` for each set of axes.
+    fn per<X: Copy>(fill: X) -> Self::Per<X>;
+
+    /// Whether its pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
+    fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
+    /// Coordinates that turn the outboard body to an absolute orientation, and that orientation: one number of `next`, which is told
+    /// the orientation of the inboard body, for each rotary coordinate.
+    fn aim(
+        &self,
+        position: &mut Self::Position,
+        inboard: S::Turn,
+        next: &mut impl FnMut(S::Turn) -> S::Scalar,
+    ) -> S::Turn;
+    /// The accelerations of its coordinates and of its outboard side from that of its inboard side, after a sweep in which springs
+    /// entered by `By`.
+    fn recover<C: Closures, By: Springs<S::Scalar>>(
+        &self,
+        inboard: S::Acceleration,
+        posture: JointPosture<'_, S, Self>,
+        kept: &mut Self::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
+        rate: &mut Self::Rate,
+    ) -> S::Acceleration;
+    /// What [`recover`](Self::recover) gives without velocities, loads and springs.
+    fn respond<C: Closures>(
+        &self,
+        inboard: S::Acceleration,
+        posture: JointPosture<'_, S, Self>,
+        kept: &Self::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
+        rate: &mut Self::Rate,
+    ) -> S::Acceleration;
+    /// Its motion, if its inboard side moves like this, and that of its outboard side.
+    fn motion(
+        &self,
+        inboard: S::Frame,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        acceleration: &Self::Rate,
+    ) -> (S::JointMotion, S::Frame);
+    /// What it lets move.
+    fn release(&self, motion: &S::JointMotion, position: &Self::Position, rate: &Self::Rate) -> S::Release;
+    /// Rejects parameters that make no mechanics.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn check(&self) -> Result<(), Fault>;
+}
+
+/// An element that is a body, with its entry of a store.
+pub trait AsBody<S: Space>: Shape<S> + Body<S> {
+    /// The entry.
+    fn entry<F: Field<S>>(store: &Self::Store<F>) -> &F::InBody<Self>;
+    /// The entry, to be written.
+    fn entry_mut<F: Field<S>>(store: &mut Self::Store<F>) -> &mut F::InBody<Self>;
+}
+
+/// An element that is a joint, with its entry of a store.
+pub trait AsJoint<S: Space>: Shape<S> + Joint<S> {
+    /// The entry.
+    fn entry<F: Field<S>>(store: &Self::Store<F>) -> &F::InJoint<Self>;
+    /// The entry, to be written.
+    fn entry_mut<F: Field<S>>(store: &mut Self::Store<F>) -> &mut F::InJoint<Self>;
+}
+
+/// Gives bodies or joints of a space their shape: `leaf!(body [T: Scalar] Rod<T>: Planar<T>)`. No walk is named here.
+macro_rules! leaf {
+    (body [$($generics:tt)*] $Leaf:ty: $S:ty) => {
+        $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, true, [$($generics)*] $Leaf, $S);
+    };
+    (joint [$($generics:tt)*] $Leaf:ty: $S:ty) => {
+        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, [$($generics)*] $Leaf, $S);
+    };
+    ($As:ident, $In:ident, $meet:ident, $in:ident, $bodies:literal, $joints:literal, $linear:expr, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
+        impl<$($generics)*> $crate::shape::Shape<$S> for $Leaf {
+            type Store<Stored: $crate::shape::Field<$S>> = Stored::$In<Self>;
+
+            const BODIES: Option<usize> = Some($bodies);
+            const JOINTS: Option<usize> = Some($joints);
+            const LINEAR: bool = $linear;
+
+            fn store<Stored: $crate::shape::Field<$S>>(&self, fill: Stored::Fill) -> Stored::$In<Self> {
+                Stored::$in(self, fill)
+            }
+            #[inline(always)]
+            fn outward<Walk: $crate::shape::Outward<$S>>(
+                &self,
+                walk: &mut Walk,
+                carried: Walk::Carried,
+                stores: $crate::shape::Of<'_, $S, Walk, Self>,
+            ) -> Walk::Carried {
+                walk.$meet(self, carried, <Walk::Stores as $crate::shape::Slot<$S>>::$meet::<Self>(stores))
+            }
+            #[inline(always)]
+            fn inward<Walk: $crate::shape::Inward<$S>>(
+                &self,
+                walk: &mut Walk,
+                carried: Walk::Carried,
+                stores: $crate::shape::Of<'_, $S, Walk, Self>,
+            ) -> Walk::Carried {
+                walk.$meet(self, carried, <Walk::Stores as $crate::shape::Slot<$S>>::$meet::<Self>(stores))
+            }
+        }
+
+        impl<$($generics)*> $crate::shape::$As<$S> for $Leaf {
+            #[inline(always)]
+            fn entry<Stored: $crate::shape::Field<$S>>(store: &Stored::$In<Self>) -> &Stored::$In<Self> {
+                store
+            }
+            #[inline(always)]
+            fn entry_mut<Stored: $crate::shape::Field<$S>>(store: &mut Stored::$In<Self>) -> &mut Stored::$In<Self> {
+                store
+            }
+        }
+    };
+}
+pub(crate) use leaf;

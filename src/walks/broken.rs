@@ -1,0 +1,63 @@
+//! The joint where a sweep failed.
+
+use crate::relation::Closures;
+use crate::shape::{
+    AtBody, AtClosing, AtJoint, Body, Closing, Joint, Kept, Of, Outward, Parallel, Ref, Shape, Walk, Way,
+    parallel_outward,
+};
+use crate::space::Space;
+use core::marker::PhantomData;
+
+/// The outermost joint whose pivot does not resist: the number of its station, where a sweep failed.
+pub fn broken<S: Space, E: Shape<S>, C: Closures>(chain: &E, kept: &E::Store<Kept<C>>) -> Option<usize> {
+    let mut broken = Broken::<C> { met: 0, outermost: None, closures: PhantomData };
+    chain.outward(&mut broken, (), (kept,));
+    broken.outermost
+}
+
+/// Stations met, and the outermost of them that is broken, where `C` act.
+struct Broken<C> {
+    met: usize,
+    outermost: Option<usize>,
+    closures: PhantomData<C>,
+}
+
+impl<C> Broken<C> {
+    fn note(&mut self, broken: bool) {
+        if broken {
+            self.outermost = Some(self.met);
+        }
+        self.met += 1;
+    }
+}
+
+impl<S: Space, C: Closures> Walk<S> for Broken<C> {
+    type Carried = ();
+    type Stores = (Ref<Kept<C>>,);
+}
+
+impl<S: Space, C: Closures> Outward<S> for Broken<C> {
+    type In<Y: Way> = Broken<Y::Forces<C>>;
+
+    fn enter<Y: Way, X>(&mut self, go: impl FnOnce(&mut Self::In<Y>) -> X) -> X {
+        let mut arm = Broken { met: self.met, outermost: self.outermost, closures: PhantomData };
+        let out = go(&mut arm);
+        (self.met, self.outermost) = (arm.met, arm.outermost);
+        out
+    }
+    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {
+        self.note(false);
+    }
+    fn joint<J: Joint<S>>(&mut self, _: &J, (): (), (kept,): AtJoint<'_, S, Self, J>) {
+        self.note(!J::is_finite::<C>(kept));
+    }
+    /// A loop is not closed where an arm of it fails.
+    fn closing<K: Closing<S>>(&mut self, _: &K, _: [(); 2], ((gain, _),): AtClosing<'_, S, Self, K>) {
+        self.note(self.outermost.is_none() && !gain.is_finite());
+    }
+    fn parallel<N: Parallel<S>>(&mut self, net: &N, (): (), stores: Of<'_, S, Self, N>) {
+        let before = self.outermost.take();
+        parallel_outward(self, net, (), stores);
+        self.outermost = self.outermost.or(before);
+    }
+}

@@ -1,0 +1,55 @@
+//! Bodies and joints, counted.
+
+use crate::shape::{AtBody, AtClosing, AtJoint, Body, Closing, Joint, Outward, Shape, Walk, alike, items_outward};
+use crate::space::Space;
+
+/// Number of bodies in a chain.
+pub fn bodies<S: Space, E: Shape<S>>(chain: &E) -> usize {
+    count(chain).bodies
+}
+
+/// Number of joints in a chain.
+pub fn joints<S: Space, E: Shape<S>>(chain: &E) -> usize {
+    count(chain).joints
+}
+
+fn count<S: Space, E: Shape<S>>(chain: &E) -> Count {
+    let mut count = Count { bodies: 0, joints: 0 };
+    chain.outward(&mut count, (), ());
+    count
+}
+
+/// Counts what it meets.
+struct Count {
+    bodies: usize,
+    joints: usize,
+}
+
+impl<S: Space> Walk<S> for Count {
+    type Carried = ();
+    type Stores = ();
+}
+
+impl<S: Space> Outward<S> for Count {
+    alike!();
+
+    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {
+        self.bodies += 1;
+    }
+    fn joint<J: Joint<S>>(&mut self, _: &J, (): (), _: AtJoint<'_, S, Self, J>) {
+        self.joints += 1;
+    }
+    fn closing<K: Closing<S>>(&mut self, _: &K, _: [(); 2], _: AtClosing<'_, S, Self, K>) {
+        self.joints += 1;
+    }
+    /// Where each item has as many, at once.
+    fn items<A: Shape<S>>(&mut self, items: &[A], (): (), (): ()) {
+        match (A::BODIES, A::JOINTS) {
+            (Some(bodies), Some(joints)) => {
+                self.bodies += items.len() * bodies;
+                self.joints += items.len() * joints;
+            }
+            _ => items_outward(self, items, (), ()),
+        }
+    }
+}

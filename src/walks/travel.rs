@@ -1,0 +1,116 @@
+//! Complete kinematics from the root to the tips, shown to a visitor.
+
+use crate::element::Coordinates;
+use crate::mirror::Rate;
+use crate::relation::Closures;
+use crate::shape::{
+    AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Of, Outward, Parallel, PerBody, PerJoint, Positions, Rates,
+    Ref, Shape, Slot, Walk, Way,
+};
+use crate::space::Space;
+use crate::visit::{Closed, Visit};
+
+/// Walks outward with complete kinematics and lets a visitor write an entry for each body and joint; gives the frame of the tip.
+#[inline(always)]
+pub fn travel<S: Space, E: Shape<S>, V: Visit<S>>(
+    chain: &E,
+    frame: S::Frame,
+    motion: Coordinates<'_, S, E>,
+    visit: &mut V,
+    on_bodies: &mut E::Store<PerBody<V::OnBody>>,
+    in_joints: &mut E::Store<PerJoint<V::InJoint>>,
+) -> S::Frame {
+    let Coordinates { position, rate, acceleration } = motion;
+    chain.outward(&mut Travel(visit), frame, (position, rate, acceleration, on_bodies, in_joints))
+}
+
+/// The same with a visitor that writes nothing.
+#[inline(always)]
+pub fn show<S: Space, E: Shape<S>, V: Visit<S, OnBody = (), InJoint = ()>>(
+    chain: &E,
+    frame: S::Frame,
+    motion: Coordinates<'_, S, E>,
+    visit: &mut V,
+) -> S::Frame {
+    travel(chain, frame, motion, visit, &mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()))
+}
+
+/// Shows bodies and joints to a visitor.
+struct Travel<'v, V>(&'v mut V);
+
+impl<S: Space, V: Visit<S>> Walk<S> for Travel<'_, V> {
+    type Carried = S::Frame;
+    type Stores = (Ref<Positions>, Ref<Rates>, Ref<Rates>, Mut<PerBody<V::OnBody>>, Mut<PerJoint<V::InJoint>>);
+}
+
+impl<S: Space, V: Visit<S>> Outward<S> for Travel<'_, V> {
+    type In<Y: Way> = Self;
+
+    #[inline(always)]
+    fn enter<Y: Way, X>(&mut self, go: impl FnOnce(&mut Self) -> X) -> X {
+        self.0.enter_arm();
+        let out = go(self);
+        self.0.leave_arm();
+        out
+    }
+    #[inline(always)]
+    fn body<B: Body<S>>(
+        &mut self,
+        body: &B,
+        frame: S::Frame,
+        (_, _, _, on_body, _): AtBody<'_, S, Self, B>,
+    ) -> S::Frame {
+        let (motion, outboard) = body.motion(frame);
+        *on_body = self.0.body(&motion);
+        outboard
+    }
+    #[inline(always)]
+    fn joint<J: Joint<S>>(
+        &mut self,
+        joint: &J,
+        frame: S::Frame,
+        (position, rate, acceleration, _, in_joint): AtJoint<'_, S, Self, J>,
+    ) -> S::Frame {
+        let (motion, outboard) = joint.motion(frame, position, rate, acceleration);
+        *in_joint = self.0.joint_with(&motion, || joint.release(&motion, position, rate));
+        outboard
+    }
+    fn closing<K: Closing<S>>(
+        &mut self,
+        closing: &K,
+        [side, main]: [S::Frame; 2],
+        (_, _, internal, _, in_joint): AtClosing<'_, S, Self, K>,
+    ) {
+        *in_joint = self.0.closing(&Closed {
+            joint: closing.joint(&side, &main),
+            internal: S::internal(*internal),
+            conditions: K::Closures::COUNT,
+            miss: closing.miss(&side, &main).map(|miss| padded::<S, K::Closures>(&miss)),
+        });
+    }
+    /// The side arm, with the joint that closes the loop, is an arm to the visitor; the main one is the chain.
+    #[inline(always)]
+    fn parallel<N: Parallel<S>>(&mut self, net: &N, frame: S::Frame, stores: Of<'_, S, Self, N>) -> S::Frame {
+        let (main, side, closing) = <Self as Walk<S>>::Stores::fork::<N>(stores);
+        let main = net.main_arm().outward(self, frame, main);
+        self.0.enter_arm();
+        let side = net.side_arm().outward(self, frame, side);
+        self.closing(net.closing_joint(), [side, main], closing);
+        self.0.leave_arm();
+        main
+    }
+}
+
+/// One number for each closure force, and zeros after them.
+fn padded<S: Space, C: Closures>(each: &C::Each<S::Scalar>) -> S::Numbers {
+    let (mut numbers, mut k) = (S::numbers(S::no_force()), 0);
+    C::map(each, |x| {
+        let mut at = 0;
+        numbers.replace(&mut |old| {
+            at += 1;
+            if at == k + 1 { x } else { old }
+        });
+        k += 1;
+    });
+    numbers
+}
