@@ -64,10 +64,12 @@ pub trait Parallel<S: Space>: Shape<S> {
     /// The closing joint.
     fn closing_joint(&self) -> &Self::Closing;
     /// The stores of both arms, and the entry of the closing joint.
+    #[allow(clippy::type_complexity)] // three of them
     fn fork<F: Field<S>>(
         store: &Self::Store<F>,
     ) -> (&MainStore<S, Self, F>, &SideStore<S, Self, F>, &ClosingEntry<S, Self, F>);
     /// The stores of both arms and the entry of the closing joint, to be written.
+    #[allow(clippy::type_complexity)] // three of them
     fn fork_mut<F: Field<S>>(
         store: &mut Self::Store<F>,
     ) -> (&mut MainStore<S, Self, F>, &mut SideStore<S, Self, F>, &mut ClosingEntry<S, Self, F>);
