@@ -38,6 +38,37 @@ pub trait Visit<S: Space> {
     fn leave_arm(&mut self) {}
 }
 
+/// A visitor that is wanted back.
+impl<S: Space, V: Visit<S>> Visit<S> for &mut V {
+    type OnBody = V::OnBody;
+    type InJoint = V::InJoint;
+
+    #[inline(always)]
+    fn body(&mut self, body: &S::BodyMotion) -> V::OnBody {
+        (**self).body(body)
+    }
+    #[inline(always)]
+    fn joint(&mut self, joint: &S::JointMotion) -> V::InJoint {
+        (**self).joint(joint)
+    }
+    #[inline(always)]
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> S::Release) -> V::InJoint {
+        (**self).joint_with(joint, release)
+    }
+    #[inline(always)]
+    fn closing(&mut self, closed: &Closed<S>) -> V::InJoint {
+        (**self).closing(closed)
+    }
+    #[inline(always)]
+    fn enter_arm(&mut self) {
+        (**self).enter_arm();
+    }
+    #[inline(always)]
+    fn leave_arm(&mut self) {
+        (**self).leave_arm();
+    }
+}
+
 /// A joint that closes a loop.
 pub struct Closed<S: Space> {
     /// The joint, from the side arm to the main one.

@@ -34,7 +34,7 @@ use typenum::{Sum, Unsigned};
 /// root `Clamped` to the ground, with massless bodies ([`RigidBody::massless`](crate::planar::RigidBody::massless)) that reach to where each arm is held.
 ///
 /// The forces that close a loop are eliminated where the loop begins: it costs nothing outside of it. They must be independent of each other
-/// *within the loop*; if not, [`Fault::RedundantClosures`] names one, unless the closing joint is a [`LeastNorm`](super::LeastNorm). Forces and station of the closing joint
+/// *within the loop*; if not, [`Fault::RedundantClosures`](crate::Fault::RedundantClosures) names one, unless the closing joint is a [`LeastNorm`](super::LeastNorm). Forces and station of the closing joint
 /// come after those of both arms: bodies, joints, stations and coordinates are numbered main arm, side arm, closing joint, what
 /// follows. The force at its station is that which the side arm passes on to the main arm, and positive as in any joint of the side arm.
 ///

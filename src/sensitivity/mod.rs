@@ -293,8 +293,8 @@ where
         if L::ON {
             let motion = Coordinates { position, rate, acceleration };
             let seen = survey(elements, ground, motion, loads);
-            let mut pass = Loads { loads, seen, time, body: 0, joint: 0 };
-            travel(elements, ground, motion, &mut pass, &mut workspace.on_bodies, &mut workspace.in_joints);
+            let pass = Loads { loads, seen, time, body: 0, joint: 0 };
+            travel(elements, ground, motion, pass, &mut workspace.on_bodies, &mut workspace.in_joints);
             elements.load(&workspace.on_bodies, &workspace.in_joints, &mut workspace.store);
         }
         {

@@ -9,11 +9,11 @@ use num_traits::Zero;
 
 /// What a store holds for each body and each joint.
 pub trait Field<S: Space>: 'static {
-    /// For a body.
+    /// What it holds for a body.
     type InBody<B: Body<S>>: Clone;
-    /// For a joint.
+    /// What it holds for a joint.
     type InJoint<J: Joint<S>>: Clone;
-    /// For a joint that closes a loop.
+    /// What it holds for a joint that closes a loop.
     type InClosing<K: Closing<S>>: Clone;
     /// The field in an arm.
     type In<Y: Way>: Field<S>;
@@ -32,10 +32,8 @@ pub trait Field<S: Space>: 'static {
 
 /// How an arm hangs in a composite: which closure forces act in it, where `C` act on the composite.
 pub trait Way: 'static {
-    /// These forces.
+    /// The closure forces that act in the arm.
     type Forces<C: Closures>: Closures;
-    /// Whether the chain does not go on from the end of the arm.
-    const LEAVES: bool;
 }
 
 /// An arm with a free tip: no closure forces reach into it.
@@ -46,23 +44,20 @@ pub struct Arm;
 #[derive(Clone, Copy, Debug)]
 pub struct Main<O>(PhantomData<O>);
 
-/// The side arm of such a loop.
+/// The side arm of a loop with the closure forces `O`.
 #[derive(Clone, Copy, Debug)]
 pub struct Side<O>(PhantomData<O>);
 
 impl Way for Arm {
     type Forces<C: Closures> = Open;
-    const LEAVES: bool = true;
 }
 
 impl<O: Own> Way for Main<O> {
     type Forces<C: Closures> = Looped<C, O>;
-    const LEAVES: bool = false;
 }
 
 impl<O: Own> Way for Side<O> {
     type Forces<C: Closures> = O;
-    const LEAVES: bool = true;
 }
 
 /// One field a paragraph: what it holds for a body `B`, a joint `J`, what closes a loop `K`; what it is filled with, and how;
@@ -107,7 +102,7 @@ fields! {
     /// Positions of joint coordinates.
     Positions = |B, J, K, _fill: ()|
         { () = () } { J::Position = J::position() } { PhantomData<S::Numbers> = PhantomData } in Y: Self;
-    /// Their rates and accelerations; with these the forces that close loops.
+    /// Rates and accelerations of joint coordinates; with accelerations the forces that close loops.
     Rates = |B, J, K, _fill: ()|
         { () = () } { J::Rate = J::rate() } { S::Numbers = S::numbers(S::no_force()) } in Y: Self;
     /// What the outward walk needs of each elimination where `C` act.

@@ -115,17 +115,17 @@ pub trait Joint<S: Space>: Copy + 'static {
 
 /// An element that is a body, with its entry of a store.
 pub trait AsBody<S: Space>: Shape<S> + Body<S> {
-    /// The entry.
+    /// The entry in a store.
     fn entry<F: Field<S>>(store: &Self::Store<F>) -> &F::InBody<Self>;
-    /// The entry, to be written.
+    /// The entry in a store, to be written.
     fn entry_mut<F: Field<S>>(store: &mut Self::Store<F>) -> &mut F::InBody<Self>;
 }
 
 /// An element that is a joint, with its entry of a store.
 pub trait AsJoint<S: Space>: Shape<S> + Joint<S> {
-    /// The entry.
+    /// The entry in a store.
     fn entry<F: Field<S>>(store: &Self::Store<F>) -> &F::InJoint<Self>;
-    /// The entry, to be written.
+    /// The entry in a store, to be written.
     fn entry_mut<F: Field<S>>(store: &mut Self::Store<F>) -> &mut F::InJoint<Self>;
 }
 

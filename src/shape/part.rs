@@ -9,9 +9,9 @@ use crate::space::Space;
 pub trait Member<S: Space, E: Shape<S>> {
     /// The member.
     type Item: Shape<S>;
-    /// Its store.
+    /// The store of the member.
     fn get<F: Field<S>>(store: &E::Store<F>) -> &<Self::Item as Shape<S>>::Store<F>;
-    /// Its store, to be written.
+    /// The store of the member, to be written.
     fn get_mut<F: Field<S>>(store: &mut E::Store<F>) -> &mut <Self::Item as Shape<S>>::Store<F>;
 }
 
@@ -33,26 +33,26 @@ pub trait Items<S: Space>: Shape<S> {
 pub trait Aside<S: Space>: Shape<S> {
     /// The arm.
     type Arm: Shape<S>;
-    /// Its store.
+    /// The store of the arm.
     fn arm<F: Field<S>>(store: &Self::Store<F>) -> &<Self::Arm as Shape<S>>::Store<F::In<Arm>>;
-    /// Its store, to be written.
+    /// The store of the arm, to be written.
     fn arm_mut<F: Field<S>>(store: &mut Self::Store<F>) -> &mut <Self::Arm as Shape<S>>::Store<F::In<Arm>>;
 }
 
-/// The closure forces of a loop.
+/// The closure forces of a loop `N`.
 pub type OwnOf<S, N> = <<N as Parallel<S>>::Closing as Closing<S>>::Closures;
-/// The store of its main arm.
+/// The store of the main arm of a loop `N`.
 pub type MainStore<S, N, F> = <<N as Parallel<S>>::Main as Shape<S>>::Store<<F as Field<S>>::In<Main<OwnOf<S, N>>>>;
-/// The store of its side arm.
+/// The store of the side arm of a loop `N`.
 pub type SideStore<S, N, F> = <<N as Parallel<S>>::Side as Shape<S>>::Store<<F as Field<S>>::In<Side<OwnOf<S, N>>>>;
-/// The entry of the joint that closes it.
+/// The entry of the joint that closes a loop `N`.
 pub type ClosingEntry<S, N, F> = <F as Field<S>>::InClosing<<N as Parallel<S>>::Closing>;
 
 /// Two arms in parallel, and the joint that closes their loop.
 pub trait Parallel<S: Space>: Shape<S> {
     /// The arm from whose end the chain goes on.
     type Main: Shape<S>;
-    /// The other one.
+    /// The other arm.
     type Side: Shape<S>;
     /// The joint that holds the end of the side arm to that of the main arm.
     type Closing: Closing<S>;
@@ -63,13 +63,13 @@ pub trait Parallel<S: Space>: Shape<S> {
     fn side_arm(&self) -> &Self::Side;
     /// The closing joint.
     fn closing_joint(&self) -> &Self::Closing;
-    /// Their stores.
+    /// The stores of both arms, and the entry of the closing joint.
     #[allow(clippy::type_complexity)] // three of them
     fn fork<F: Field<S>>(
         store: &Self::Store<F>,
     ) -> (&MainStore<S, Self, F>, &SideStore<S, Self, F>, &ClosingEntry<S, Self, F>);
-    /// Their stores, to be written.
-    #[allow(clippy::type_complexity)]
+    /// The stores of both arms and the entry of the closing joint, to be written.
+    #[allow(clippy::type_complexity)] // three of them
     fn fork_mut<F: Field<S>>(
         store: &mut Self::Store<F>,
     ) -> (&mut MainStore<S, Self, F>, &mut SideStore<S, Self, F>, &mut ClosingEntry<S, Self, F>);

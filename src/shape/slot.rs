@@ -22,46 +22,46 @@ pub struct Held<'s, F>(PhantomData<&'s F>);
 
 /// The closure forces of a loop.
 type Own<S, N> = <<N as Parallel<S>>::Closing as Closing<S>>::Closures;
-/// A slot, or slots, in the main arm of a loop.
+/// A slot in the main arm of a loop.
 type InMain<'a, S, X, N> = <<X as Slot<S>>::In<Main<Own<S, N>>> as Slot<S>>::Of<'a, <N as Parallel<S>>::Main>;
-/// In the side arm.
+/// A slot in the side arm.
 type InSide<'a, S, X, N> = <<X as Slot<S>>::In<Side<Own<S, N>>> as Slot<S>>::Of<'a, <N as Parallel<S>>::Side>;
-/// At the joint that closes the loop.
+/// The entry of the joint that closes the loop.
 type AtClosing<'a, S, X, N> = <X as Slot<S>>::InClosing<'a, <N as Parallel<S>>::Closing>;
 
 /// A store as a walk sees it, or a tuple of such stores.
 pub trait Slot<S: Space> {
-    /// At an element.
+    /// The store at an element.
     type Of<'a, E: Shape<S>>;
-    /// At the items of an array or vector.
+    /// The stores of the items of an array or vector.
     type Slices<'a, A: Shape<S>>;
-    /// At a body.
+    /// The entry of a body.
     type InBody<'a, B: Body<S>>;
-    /// At a joint.
+    /// The entry of a joint.
     type InJoint<'a, J: Joint<S>>;
-    /// At a joint that closes a loop.
+    /// The entry of a joint that closes a loop.
     type InClosing<'a, K: Closing<S>>;
     /// The slot in an arm.
     type In<Y: Way>: Slot<S>;
 
-    /// From an element that is a body.
+    /// The entry of an element that is a body.
     fn body<'a, B: AsBody<S>>(store: Self::Of<'a, B>) -> Self::InBody<'a, B>;
-    /// From an element that is a joint.
+    /// The entry of an element that is a joint.
     fn joint<'a, J: AsJoint<S>>(store: Self::Of<'a, J>) -> Self::InJoint<'a, J>;
-    /// From a composite to a member of it.
+    /// The store of a member of a composite.
     fn member<'a, E: Shape<S>, P: Member<S, E> + Copy>(
         store: &'a mut Self::Of<'_, E>,
         member: P,
     ) -> Self::Of<'a, P::Item>;
-    /// From an array or vector to its items.
+    /// The stores of the items of an array or vector.
     fn all<'a, E: Items<S>>(store: Self::Of<'a, E>) -> Self::Slices<'a, E::Item>;
-    /// Whether there are as many items as that.
+    /// Whether there are `n` stores of items.
     fn fit<A: Shape<S>>(slices: &Self::Slices<'_, A>, n: usize) -> bool;
-    /// From items to one of them.
+    /// The store of item `i`.
     fn at<'a, A: Shape<S>>(slices: &'a mut Self::Slices<'_, A>, i: usize) -> Self::Of<'a, A>;
-    /// From a branch to its arm.
+    /// The store of the arm of a branch.
     fn arm<'a, E: Aside<S>>(store: Self::Of<'a, E>) -> <Self::In<Arm> as Slot<S>>::Of<'a, E::Arm>;
-    /// From a loop to its main arm, its side arm and the joint that closes it.
+    /// The stores of the main arm and the side arm of a loop, and the entry of the joint that closes it.
     #[allow(clippy::type_complexity)] // three of them
     fn fork<'a, N: Parallel<S>>(
         store: Self::Of<'a, N>,
@@ -128,7 +128,7 @@ slot!(['s] Held, [], 's, entry get slice arm fork);
 /// Slots together.
 macro_rules! slots {
     ($($X:ident $i:tt),*) => {
-        #[allow(non_snake_case, clippy::unused_unit)] // a variable named as its type; no slot at all
+        #[allow(non_snake_case, clippy::unused_unit)] // a variable named as its type; the tuple of none
         impl<S: Space, $($X: Slot<S>),*> Slot<S> for ($($X,)*) {
             type Of<'a, E: Shape<S>> = ($($X::Of<'a, E>,)*);
             type Slices<'a, A: Shape<S>> = ($($X::Slices<'a, A>,)*);

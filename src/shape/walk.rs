@@ -88,7 +88,7 @@ pub fn items_outward<S: Space, W: Outward<S>, A: Shape<S>>(
     if !W::Stores::fit::<A>(&slices, n) {
         return carried;
     }
-    #[allow(clippy::needless_range_loop)] // stores are indexed too
+    #[allow(clippy::needless_range_loop)] // one counter for items and stores
     for i in 0..n {
         carried = items[i].outward(walk, carried, W::Stores::at::<A>(&mut slices, i));
     }

@@ -116,8 +116,8 @@ pub fn sweep<S: Space, E, W, P>(
     } else if W::Loads::ON {
         let motion = Coordinates { position, rate, acceleration };
         let seen = survey(chain, *ground, motion, *loads);
-        let mut pass = LoadPass { loads: *loads, seen, time: *time, body: 0, joint: 0 };
-        travel(chain, *ground, motion, &mut pass, on_bodies, in_joints);
+        let pass = LoadPass { loads: *loads, seen, time: *time, body: 0, joint: 0 };
+        travel(chain, *ground, motion, pass, on_bodies, in_joints);
     }
     let posture = Posture { x, y, p, q };
     let &Spring { position, rate, reading, springs } = spring;

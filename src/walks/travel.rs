@@ -10,13 +10,14 @@ use crate::shape::{
 use crate::space::Space;
 use crate::visit::{Closed, Visit};
 
-/// Walks outward with complete kinematics and lets a visitor write an entry for each body and joint; gives the frame of the tip.
+/// Walks outward with complete kinematics and lets a visitor (or a reference to one) write an entry for each body and joint; gives the
+/// frame of the tip.
 #[inline(always)]
 pub fn travel<S: Space, E: Shape<S>, V: Visit<S>>(
     chain: &E,
     frame: S::Frame,
     motion: Coordinates<'_, S, E>,
-    visit: &mut V,
+    visit: V,
     on_bodies: &mut E::Store<PerBody<V::OnBody>>,
     in_joints: &mut E::Store<PerJoint<V::InJoint>>,
 ) -> S::Frame {
@@ -36,14 +37,14 @@ pub fn show<S: Space, E: Shape<S>, V: Visit<S, OnBody = (), InJoint = ()>>(
 }
 
 /// Shows bodies and joints to a visitor.
-struct Travel<'v, V>(&'v mut V);
+struct Travel<V>(V);
 
-impl<S: Space, V: Visit<S>> Walk<S> for Travel<'_, V> {
+impl<S: Space, V: Visit<S>> Walk<S> for Travel<V> {
     type Carried = S::Frame;
     type Stores = (Ref<Positions>, Ref<Rates>, Ref<Rates>, Mut<PerBody<V::OnBody>>, Mut<PerJoint<V::InJoint>>);
 }
 
-impl<S: Space, V: Visit<S>> Outward<S> for Travel<'_, V> {
+impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
     type In<Y: Way> = Self;
 
     #[inline(always)]

@@ -74,7 +74,7 @@ fn stiff(record: &mut Record) -> Result<(), Error> {
     let slider = Slider::along(0.2).sprung(spring);
     let chain = (rod(), ElasticHinge::rotary(20.0).with_linear(spring, spring), rod(), slider, plate(), Pin, rod());
     let scene = System::new(Pinned::origin(), chain, Free)?.with_gravity(9.81);
-    let start = || Ok::<_, Error>(scene.at_rest(&[-1.0, -0.8, -1.2])?);
+    let start = || scene.at_rest(&[-1.0, -0.8, -1.2]);
     golden!(record, "linear springs and a slider, RK4", scene, start()?, Rk4::step(2e-3), 0.2);
     golden!(record, "linear springs and a slider, SDIRK4", scene, start()?, Sdirk4::new().step(1e-2), 0.2);
     let beam = Beam::new(1.0, 2.0, 0.5).segments::<8>();
