@@ -136,7 +136,9 @@ fn what_is_repaired_can_be_built() -> Result<(), Error> {
     // A negative moment is refused, with its value, and taken when it is repaired.
     let tensor = [[-0.001, 0.0, 0.0], [0.0, 0.02, 0.0], [0.0, 0.0, 0.03]];
     let body = RigidBody::new(1.0, tensor, [0.1, 0.0, 0.0], [0.2, 0.0, 0.0]);
-    let refused = System::new(Pinned::<[f64; 3]>::origin(), body, Free).err().expect("a negative moment");
+    let Err(refused) = System::new(Pinned::<[f64; 3]>::origin(), body, Free) else {
+        panic!("a negative moment is taken")
+    };
     assert_eq!(refused.place, Some(Place::Station(0)));
     let Fault::Negative { parameter: "principal moment of inertia", value } = refused.fault else {
         panic!("{refused}")
@@ -149,7 +151,7 @@ fn what_is_repaired_can_be_built() -> Result<(), Error> {
     // What does not resist a rotation is found where it matters: on a ball, not on a hinge across.
     let thin = RigidBody::new(1.0, [[0.0; 3], [0.0, 0.02, 0.0], [0.0, 0.0, 0.03]], [0.1, 0.0, 0.0], [0.2, 0.0, 0.0]);
     let on_ball = System::new(Pinned::<[f64; 3]>::origin(), thin, Free)?;
-    let error = on_ball.with_accelerations(on_ball.motion(), &Unloaded).err().expect("nothing resists the spin");
+    let error = on_ball.with_accelerations(on_ball.motion(), &Unloaded).expect_err("nothing resists the spin");
     assert_eq!((error.fault, error.place), (Fault::SingularJoint, Some(Place::Root)));
     let on_hinge = System::new(Clamped::origin(), (Revolute::about([0.0, 0.0, 1.0]), thin), Free)?;
     assert!(on_hinge.with_accelerations(on_hinge.motion(), &Unloaded).is_ok());

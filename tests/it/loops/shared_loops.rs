@@ -108,9 +108,11 @@ fn reactions(bodies: &[BodyMotion<f64>]) -> [[Vector3<f64>; 2]; 2] {
     let along = bodies[0].turned([1.0, 0.0, 0.0]);
     let across = normal.cross(&along);
     let unit = [Vector3::x(), Vector3::y(), Vector3::z()];
-    // Joints: part on either side, place, and the directions of torques. Closing joints come first.
+    // Closing joints come first.
     let (tilts, none) = ([along, across], []);
-    let joints: [(Option<usize>, usize, Vector3<f64>, &[Vector3<f64>]); 8] = [
+    /// Parts on either side, the place, and the directions of torques.
+    type Joint<'a> = (Option<usize>, usize, Vector3<f64>, &'a [Vector3<f64>]);
+    let joints: [Joint<'_>; 8] = [
         (Some(5), 2, bodies[5].outboard().place, &tilts),
         (Some(3), 2, bodies[2].outboard().place, &tilts),
         (None, 0, bodies[0].inboard.place, &none),

@@ -98,7 +98,9 @@ fn functions_have_the_slopes_of_closed_forms() {
         assert_eq!(other, 0.0);
         own
     };
-    let cases: [(fn(Jet<f64, 2>) -> Jet<f64, 2>, f64, f64); 13] = [
+    /// A function, where, and its slope there.
+    type Case = (fn(Jet<f64, 2>) -> Jet<f64, 2>, f64, f64);
+    let cases: [Case; 13] = [
         (Scalar::exp, 0.7, 0.7_f64.exp()),
         (Scalar::ln, 0.7, 1.0 / 0.7),
         (Scalar::tanh, 0.7, 0.7_f64.cosh().powi(-2)),
