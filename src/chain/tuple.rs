@@ -162,7 +162,9 @@ macro_rules! chain_of {
     };
 }
 
-/// The condensation of a tuple, item by item from last to first: `$met` is what the next one meets.
+/// The condensation of a tuple, item by item from last to first: `$met` is what the next one meets, spelt out by what comes before.
+/// (As type parameters of the impl these relations would be unknowns of whoever asks for it. Compilers remember no answers about unknowns, so
+/// each tuple would be asked twice by the one around it: a ladder of twelve loops would take minutes.)
 macro_rules! condense_tuple {
     ($inline:tt $all:tt $back:tt ($met:ty) [$($bounds:tt)*]; $B:ident $($rest:ident)*) => {
         condense_tuple!(

@@ -7,7 +7,7 @@ use crate::element::{
     Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, Reading, RealOf, Space,
     Sweep, Visit,
 };
-use crate::ends::Tip;
+use crate::ends::{Root, Tip};
 use crate::relation::{Closures, Part, Solvable};
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::visit::survey;
@@ -66,10 +66,12 @@ impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
     }
 }
 
-/// Where a sweep takes place: what does not depend on the chain.
-pub struct Site<'a, S: Space, P, L> {
-    /// Motion of the ground at the root.
-    pub ground: S::Frame,
+/// Where a sweep takes place: what does not depend on the chain. The root is here by its type, so that scenes which differ in nothing
+/// else do not share a sweep: it is inlined where it is the only one, and then knows how the ground moves. By way of a call a chain of
+/// rods costs five instructions a body more.
+pub struct Site<'a, S: Space, R, P, L> {
+    /// What holds the root.
+    pub root: &'a R,
     /// Gravity. It enters as an acceleration of the ground: the sweep takes place in a frame that falls freely.
     pub gravity: S::Vector,
     /// What the last element meets.
@@ -93,10 +95,10 @@ pub struct Spring<'a, P, V, K> {
 }
 
 /// One sweep: the accelerations of all joint coordinates, from their positions and rates.
-#[inline(always)] // into `accelerations`, also where two scenes that differ in their roots alone share it: a call costs 5 to 8 % more
-pub fn sweep<S: Space, E, W, P>(
+#[inline]
+pub fn sweep<S: Space, E, W, R, P>(
     chain: &E,
-    site: &Site<'_, S, P, W::Loads>,
+    site: &Site<'_, S, R, P, W::Loads>,
     position: &E::Position,
     rate: &E::Rate,
     spring: &Spring<'_, E::Position, E::Rate, W::Springs>,
@@ -104,10 +106,12 @@ pub fn sweep<S: Space, E, W, P>(
     acceleration: &mut E::Rate,
 ) where
     W: Sweep<S>,
+    R: Root<S>,
     P: Tip<S>,
     E: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
 {
-    let Site { ground, gravity, tip, loads, time } = site;
+    let Site { root, gravity, tip, loads, time } = site;
+    let ground = &root.ground(*time);
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
     let turn = chain.pose(position, rate, S::turn(ground), sizes, x, y, p, q);
     if const { W::Loads::ON && !W::Loads::READS } {
