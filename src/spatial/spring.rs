@@ -88,7 +88,7 @@ impl<K, D> Spring<K, D> {
 ///
 /// let rod = Rod::uniform(0.5, 0.05, 1.0);
 /// let hinge = Revolute::about([0.0, 0.0, 1.0]).with(Stiffening { stiffness: 200.0, damping: 0.5 });
-/// let arm = System::new(Clamped::origin(), (hinge, rod, hinge, rod), Free)?.with_gravity(9.81);
+/// let arm = System::new(Clamped::origin(), (hinge, rod, hinge, rod), Free)?.with_gravity([0.0, 0.0, -9.81]);
 /// let run = arm.simulate(arm.at_rest(&[0.3, -0.2])?, Sdirk4::new().step(0.01), 0.5, |_| ())?;
 /// # Ok::<(), catena::Error>(())
 /// ```
