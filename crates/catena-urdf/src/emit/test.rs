@@ -52,9 +52,10 @@ pub fn module(robot: &Robot) -> String {
                 "            // A force in axes of the ground, a torque in axes of the base.\n            \
                  let attitude = Rotation::from_quaternion([{w}, {x}, {y}, {z}])?;\n            \
                  let [fx, fy, fz, tx, ty, tz, torques @ ..] = forces;\n            \
-                 let base = Wrench {{ force: [fx, fy, fz].into(), torque: attitude.turned([tx, ty, tz]).into() }};\n"
+                 let mut wrenches = vec![Wrench {{ force: [0.0; 3].into(), torque: [0.0; 3].into() }}; scene.bodies()];\n            \
+                 wrenches[0] = Wrench {{ force: [fx, fy, fz].into(), torque: attitude.turned([tx, ty, tz]).into() }};\n"
             ),
-            "Loads::none().efforts(super::efforts(torques)).wrenches([base])",
+            "Loads::none().efforts(super::efforts(torques)).wrenches(wrenches)",
         )
     } else {
         (String::new(), "Loads::none().efforts(super::efforts(forces))")

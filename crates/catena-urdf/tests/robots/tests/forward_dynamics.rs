@@ -97,7 +97,9 @@ macro_rules! agrees {
                 Position::replace(motion.position_mut(), &mut |x: f64| *positions.next().unwrap_or(&x));
                 Rate::replace(motion.rate_mut(), &mut |x: f64| *rates.next().unwrap_or(&x));
                 let efforts = $name::efforts(std::array::from_fn(|k| torques[k]));
-                let moved = scene.with_accelerations(motion, &Loads::none().efforts(efforts).wrenches([wrench]))?;
+                let mut wrenches = vec![Wrench { force: [0.0; 3].into(), torque: [0.0; 3].into() }; scene.bodies()];
+                wrenches[0] = wrench;
+                let moved = scene.with_accelerations(motion, &Loads::none().efforts(efforts).wrenches(wrenches))?;
                 let mut found = vec![];
                 Rate::visit(moved.acceleration(), &mut |x: f64| found.push(x));
                 Ok(found)
