@@ -46,14 +46,16 @@
 //! What is easily done wrong:
 //!
 //! * What a walk outward carries does not come back from an arm: totals and numbers of stations belong into the walk.
-//! * A walk in which closure forces act is another one in each arm of a loop. It overrides [`Outward::parallel`](crate::shape::Outward::parallel), finds the forces there, and
-//!   sends walks of its own into both arms ([`respond`], [`restore`], [`recover`]).
+//! * A walk in which closure forces act is another one in each arm of a loop. It overrides
+//!   [`Outward::parallel`](crate::shape::Outward::parallel), finds the forces there, and sends walks of its own into both arms
+//!   ([`respond`], [`restore`], [`recover`]).
 //! * A walk sees the entry of one element at a time. One that is to keep a reference to an entry reads its store as
 //!   [`Held`](crate::shape::Held) ([`find`]).
 //! * Stores in a bundle are not known to be apart: where sines are to vectorise, a walk takes its bundle apart in
 //!   [`Outward::items`](crate::shape::Outward::items) and calls a function with one slice each, as poses of arrays do.
 //!
-//! Not yet walks: the condensation, whose arguments could be a bundle once it is known why chains in space would then cost more on targets without wide registers; poses; lumping of point masses, which changes elements; and the walks of derivatives
+//! Not yet walks: the condensation, whose arguments could be a bundle once it is known why chains in space would then cost more on
+//! targets without wide registers; poses; lumping of point masses, which changes elements; and the walks of derivatives
 //! ([`Sensitive`](crate::sensitive::Sensitive)), for which the plain element has to become a store.
 
 pub mod aim;
