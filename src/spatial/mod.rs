@@ -41,7 +41,6 @@ mod axial_walks;
 mod ball;
 mod beam;
 mod body;
-mod closing;
 mod cylindrical;
 mod elastic_hinge;
 mod ends;
@@ -73,6 +72,7 @@ mod weld;
 pub use crate::chain::{Branch, LeastNorm, Network};
 pub use crate::element::Unloaded;
 pub use crate::relation::Absent;
+pub use crate::relation::space::Spatial;
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
 pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
@@ -85,7 +85,7 @@ pub use elastic_hinge::{BallRule, ElasticBall, ElasticHinge, Place};
 pub use ends::{
     Attitude, AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning,
 };
-pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Spatial, Turn};
+pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Turn};
 pub use inertia::Inertia;
 pub use joint::{Joint, Sets, Stored};
 pub use linear_hinge::{Linear, RotaryElimination};

@@ -36,7 +36,7 @@ use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::Rate;
 use crate::motion::Motion;
-use crate::relation::Closures;
+use crate::relation::{Additive, Closures, Geometry};
 use crate::scalar::Scalar;
 use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
@@ -60,11 +60,11 @@ pub struct System<S: Space, R: Root<S>, C, P> {
 /// The elements of a scene.
 pub type Elements<S, R, C> = (<R as Root<S>>::Joint, C);
 /// The motion of a scene.
-pub type MotionOf<S, R, C, P> = Motion<<S as Space>::Scalar, PositionOf<S, R, C>, <P as Tip<S>>::Closures>;
+pub type MotionOf<S, R, C, P> = Motion<<S as Geometry>::Scalar, PositionOf<S, R, C>, <P as Tip<S>>::Closures>;
 /// The accelerations of a scene.
 pub type RateOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Rate;
 /// A part of a scene over another scalar.
-type Over<X, S, U> = <X as Lift<<S as Space>::Scalar, U>>::Over;
+type Over<X, S, U> = <X as Lift<<S as Geometry>::Scalar, U>>::Over;
 /// The positions of a scene.
 pub type PositionOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Position;
 
@@ -98,7 +98,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if chain.bodies() == 0 {
             return Err(Error::new(Fault::NoBodies));
         }
-        Ok(Self { chain: lumped(root.joint(), chain), root, tip, gravity: S::no_gravity() })
+        Ok(Self { chain: lumped(root.joint(), chain), root, tip, gravity: Additive::null() })
     }
 
     /// The same scene in a uniform field of gravity (m/s²).
