@@ -20,6 +20,7 @@ use crate::element::{Element, Load, Posture, Space, SpaceOver};
 use crate::relation::{Absent, Part};
 use crate::scalar::Scalar;
 use crate::shape::{PerBody, PerJoint};
+use crate::space::FrameOf;
 
 /// A space of jets.
 pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
@@ -48,7 +49,7 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     fn seeded(number: Self::Scalar, k: usize) -> Self::Scalar;
 
     /// Where the outward walk begins: the ground, in a frame that falls freely.
-    fn ground(frame: &Self::Frame, gravity: Self::Vector) -> Self::Outward;
+    fn ground(frame: &FrameOf<Self>, gravity: Self::Vector) -> Self::Outward;
     /// What lies beyond a free tip.
     fn nothing() -> Self::Relation;
     /// The force of it.
@@ -56,9 +57,9 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     /// A ground that does not answer.
     fn stillness() -> Self::Response;
     /// The orientation of a frame, in plain numbers.
-    fn plain_turn(frame: &Self::Frame) -> <Self::Plain as Space>::Turn;
+    fn plain_turn(frame: &FrameOf<Self>) -> <Self::Plain as Space>::Turn;
     /// Whether the angular acceleration of the ground has derivatives.
-    fn ground_turns(frame: &Self::Frame) -> bool;
+    fn ground_turns(frame: &FrameOf<Self>) -> bool;
     /// No load on a body, and none in a joint.
     fn no_load() -> (Self::BodyLoad, Self::JointLoad);
     /// A load on a body.

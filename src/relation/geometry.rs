@@ -79,6 +79,8 @@ pub trait Angular<V>: VectorSpace {
     fn moment_onto(d: V, f: V, sum: Self) -> Self;
     /// `sum` + α × d.
     fn swing_onto(self, d: V, sum: V) -> V;
+    /// ω × (ω × d).
+    fn centripetal(self, d: V) -> V;
     /// w · p.
     fn work(wrench: Wrench<V, Self>, acceleration: &Acceleration<V, Self>) -> Self::Scalar;
 }

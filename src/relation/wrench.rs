@@ -114,13 +114,15 @@ pub struct Acceleration<V, A> {
     pub angular: A,
 }
 
-impl<V: VectorSpace, A: Angular<V>> Acceleration<V, A> {
+impl<V: Additive, A: Additive> Acceleration<V, A> {
     /// No acceleration.
     #[inline(always)]
     pub fn zero() -> Self {
         Self { linear: V::null(), angular: A::null() }
     }
+}
 
+impl<V: VectorSpace, A: Angular<V>> Acceleration<V, A> {
     /// The acceleration of another point, at the vector `d` from this one, which has the acceleration `c` besides that of rigid
     /// rotation: a + α × d + c. For a point of the same body c = ω × (ω × d), which is −ω² d in the plane.
     #[inline(always)]

@@ -56,6 +56,7 @@ use crate::lift::Lift;
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::relation::Open;
+use crate::space::FrameOf;
 
 use crate::sensitive::{At, Columns, Effort, Seeds, Sensitive, Varied};
 use crate::shape::{PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
@@ -211,7 +212,7 @@ where
     #[inline(always)]
     fn walk<N: Seeds>(
         &self,
-        ground: &S::Frame,
+        ground: &FrameOf<S>,
         (position, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
         workspace: &mut SensitiveWorkspace<S, Elements<S, R, C>>,
         acceleration: &mut RateOf<S, R, C>,

@@ -3,7 +3,7 @@
 mod bodies;
 mod joints;
 
-use crate::element::{Load, Space};
+use crate::element::Load;
 use crate::planar::{Acceleration, Frame, Planar, Station, Turn, Wrench};
 use crate::relation::plane::Full;
 use crate::scalar::{Jet, Scalar, columns};
@@ -71,7 +71,7 @@ impl<T: Scalar, const K: usize> Varied for Planar<Jet<T, K>> {
     }
     #[inline(always)]
     fn ground(frame: &Frame<Jet<T, K>>, gravity: Vector2<Jet<T, K>>) -> Passing<T, K> {
-        let Acceleration { linear, angular } = Self::falling(frame, gravity);
+        let Acceleration { linear, angular } = frame.falling(gravity);
         Passing {
             acceleration: Acceleration { linear: linear.map(|x| x.re), angular: angular.re },
             rate: frame.turn.rate.re,

@@ -5,7 +5,7 @@ mod bodies;
 mod columns;
 mod joints;
 
-use crate::element::{Load, Space};
+use crate::element::Load;
 use crate::relation::space::Full;
 use crate::relation::space::algebra::{Columns, zero};
 use crate::scalar::{Jet, Scalar};
@@ -70,7 +70,7 @@ impl<T: Scalar, const K: usize> Varied for Spatial<Jet<T, K>> {
     }
     #[inline(always)]
     fn ground(frame: &Frame<Jet<T, K>>, gravity: Vector3<Jet<T, K>>) -> Passing<T, K> {
-        let Acceleration { linear, angular } = Self::falling(frame, gravity);
+        let Acceleration { linear, angular } = frame.falling(gravity);
         Passing {
             turn: Self::plain_turn(frame),
             acceleration: Acceleration { linear: value(&linear), angular: value(&angular) },
