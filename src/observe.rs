@@ -65,7 +65,7 @@ impl<'a, S: Space, E: Element<S>, X: Copy + 'static> PerBody<'a, S, E, X> {
     /// # let rod = Rod::uniform(1.0, 1.0);
     /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
     /// let start = pendulum.at_rest(&[0.0, 0.5])?;
-    /// assert_eq!(pendulum.angles(&start).body::<1>(), Some(&0.5));
+    /// assert_eq!(pendulum.angles(&start)?.body::<1>(), Some(&0.5));
     /// # Ok::<(), catena::Error>(())
     /// ```
     pub fn body<const K: usize>(&self) -> Option<&X>

@@ -27,7 +27,7 @@
 //! let scene = System::new(Clamped::from(wall), (flap, hinge, flap), Free)?.with_gravity([0.0, 0.0, -9.81]);
 //! let start = scene.motion();
 //!
-//! let bodies = scene.body_motions(&start);
+//! let bodies = scene.body_motions(&start)?;
 //! if let Some(outer) = bodies.get(1) {
 //!     let tip = Isometry3::from(*outer) * Point3::new(0.5, 0.0, 0.0); // from axes of the body to inertial ones
 //!     assert!((tip - Point3::new(0.75_f64.sqrt(), 0.5, 2.0)).norm() < 1e-15);

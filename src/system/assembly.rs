@@ -86,7 +86,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// // The crank stands at 60 degrees and turns at 5 rad/s; of the other two only the way they bend is known.
     /// let guess = four_bar.with_rates(four_bar.at_rest(&[60_f64.to_radians(), 0.3, -2.0])?, &[5.0, 0.0, 0.0])?;
     /// let start = four_bar.assembled_holding(guess, Holding::both(&[0]), &Unloaded)?;
-    /// assert_eq!(four_bar.angles(&start.motion).body::<0>(), Some(&60_f64.to_radians()));
+    /// assert_eq!(four_bar.angles(&start.motion)?.body::<0>(), Some(&60_f64.to_radians()));
     /// assert_eq!((start.displacements[0], start.rate_changes[0]), (0.0, 0.0));
     /// println!("coupler and rocker turned by {:?} rad", &start.displacements[1..]);
     /// # Ok::<(), catena::Error>(())

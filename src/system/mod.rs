@@ -14,6 +14,7 @@ mod inspect;
 mod least_change;
 #[cfg(feature = "alloc")]
 mod linear;
+mod readings;
 mod reference;
 mod start;
 #[cfg(feature = "alloc")]
@@ -29,13 +30,12 @@ pub(crate) use linear::numbers;
 #[cfg(feature = "alloc")]
 pub use linear::{Carried, Inertial};
 
-use crate::element::{Budget, Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
+use crate::element::{Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::Rate;
 use crate::motion::Motion;
-use crate::observe::{PerBody, Stations, budget};
 use crate::relation::{Additive, Closures, Geometry};
 use crate::scalar::Scalar;
 use crate::shape::{Positions, Rates, Shape};
@@ -205,43 +205,6 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             return Err(Error::new(Fault::NotFinite { parameter: "rate" }));
         }
         Ok(motion)
-    }
-
-    /// Motion of every body, in one walk outward; not a number for a motion of another scene (see [`fits`](Self::fits)).
-    pub fn body_motions(&self, motion: &MotionOf<S, R, C, P>) -> PerBody<'_, S, Elements<S, R, C>, S::BodyMotion> {
-        self.reading(motion, |motion| {
-            PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), |body| *body)
-        })
-    }
-
-    /// Orientation of every body: in the plane absolute angles (rad).
-    pub fn angles(&self, motion: &MotionOf<S, R, C, P>) -> PerBody<'_, S, Elements<S, R, C>, S::Angles> {
-        self.reading(motion, |motion| {
-            PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), S::angles)
-        })
-    }
-
-    /// Inverse dynamics: motion, internal force and torque at every station, from positions, rates and accelerations.
-    ///
-    /// With the accelerations of [`with_accelerations`](Self::with_accelerations) these are the forces of the motion. With
-    /// accelerations of the user's choice they are what it takes: the torque a joint must exert ON its outboard body is −m
-    /// at its station.
-    pub fn stations<L: Loading<S>>(
-        &self,
-        motion: &MotionOf<S, R, C, P>,
-        loads: &L,
-    ) -> Stations<'_, S, Elements<S, R, C>> {
-        self.reading(motion, |motion| {
-            let (ground, tip) = (self.root.ground(motion.time), self.tip.internal(motion.time, &motion.multipliers));
-            Stations::of(&self.chain, ground, self.gravity, coordinates(motion), motion.time, loads, tip)
-        })
-    }
-
-    /// Energy and momentum of all bodies and springs.
-    pub fn budget(&self, motion: &MotionOf<S, R, C, P>) -> Budget<S> {
-        self.reading(motion, |motion| {
-            budget(&self.chain, self.root.ground(motion.time), self.gravity, coordinates(motion))
-        })
     }
 }
 

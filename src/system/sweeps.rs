@@ -45,7 +45,7 @@ where
     }
 
     fn admits(&self, loads: &L) -> Result<(), Error> {
-        loads.check(self.bodies(), self.joints()).map_err(Error::new)
+        self.loadable(loads)
     }
 
     #[inline(never)] // one copy, however many stages and rules call it: a scene of sixty bodies is a large function
