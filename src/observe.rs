@@ -274,7 +274,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for Balance<'_, S, L> {
 
     fn body(&mut self, body: &S::BodyMotion) -> Option<S::Station> {
         let mut station = S::body_station(body, self.gravity);
-        self.loads.on_body(&self.seen, self.time, self.body, body).act(&mut station);
+        S::relieve(&mut station, self.loads.on_body(&self.seen, self.time, self.body, body).wrench());
         self.body += 1;
         Some(station)
     }

@@ -212,6 +212,10 @@ impl<T: Scalar> Space for Planar<T> {
     fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
         Station::at_end(*frame, internal)
     }
+    fn relieve(station: &mut Station<T>, load: Internal<T>) {
+        station.inertia_force -= load.force;
+        station.inertia_torque -= load.torque;
+    }
     fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
         station.close(outer)
     }

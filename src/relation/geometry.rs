@@ -3,7 +3,7 @@
 //! A product with a sum and one without are two kernels: no compiler folds `x + 0.0`, and each is fused where the target can, in an
 //! order of its own.
 
-use super::{Acceleration, Full, Wrench};
+use super::{Absent, Acceleration, Full, Wrench};
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 use core::ops::{Add, Neg, Sub};
@@ -95,6 +95,22 @@ pub trait Symmetric<V: VectorSpace>: Additive {
     fn plus_outer(self, u: V, w: V) -> Self;
     /// `sum` + S v.
     fn apply_onto(self, v: V, sum: V) -> V;
+}
+
+/// Nothing and nothing is nothing.
+impl Add for Absent {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, _: Self) -> Self {
+        self
+    }
+}
+
+impl Additive for Absent {
+    #[inline(always)]
+    fn null() -> Self {
+        Self
+    }
 }
 
 impl<T: Scalar> Additive for T {

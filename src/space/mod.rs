@@ -7,6 +7,7 @@ pub use budget::Budget;
 pub use frame::{Frame, Orientation};
 
 use crate::error::Fault;
+use crate::loading::Seen;
 use crate::mirror::Rate;
 use crate::relation::{Geometry, WrenchOf};
 use crate::scalar::Scalar;
@@ -31,9 +32,9 @@ pub trait Space: Geometry {
     /// Orientation of a body in angles (rad): one in the plane, three in space.
     type Angles: Copy + Debug;
     /// A body and its motion at an instant.
-    type BodyMotion: Copy + Debug;
+    type BodyMotion: Seen<Space = Self, Load = WrenchOf<Self>> + Debug;
     /// A joint and its motion at an instant.
-    type JointMotion: Copy + Debug;
+    type JointMotion: Seen<Space = Self> + Debug;
     /// Internal force and torque, as numbers that add up.
     type Numbers: Rate<Self::Scalar> + Copy;
     /// What a joint lets move, for its transfer matrix.
@@ -69,6 +70,8 @@ pub trait Space: Geometry {
     fn closing_station(joint: &Self::JointMotion, internal: WrenchOf<Self>) -> Self::Station;
     /// The station at the end of a chain.
     fn end_station(frame: &FrameOf<Self>, internal: WrenchOf<Self>) -> Self::Station;
+    /// Takes a load from the balance of forces at a body's inboard station.
+    fn relieve(station: &mut Self::Station, load: WrenchOf<Self>);
     /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.
     fn balance(station: &mut Self::Station, outer: WrenchOf<Self>) -> WrenchOf<Self>;
     /// Energy stored in a joint (J).
