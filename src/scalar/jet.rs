@@ -30,7 +30,7 @@ use num_traits::{One, Zero};
 /// The default target takes two numbers an instruction, x86-64-v3 (`-C target-cpu=x86-64-v3`) takes four and fuses products with sums:
 /// building for it halves the cost, and there multiples of 4 pay best. All registers together hold two jets of 16 on the former, four on
 /// the latter; what a joint computes at once beyond that goes through memory. So two runs over 8 derivatives are cheaper than one over 16
-/// where joints slide, on the default target in space, too; on v3 and pins they are dearer. Many derivatives of open chains and trees are cheapest
+/// where joints slide and, on the default target, in space; on pins they are dearer. Many derivatives of open chains and trees are cheapest
 /// [through kept gains](crate::time::Rule::through_gains).
 ///
 /// ```
