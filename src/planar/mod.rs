@@ -32,9 +32,10 @@ mod slider;
 mod spring;
 mod station;
 mod transfer;
+mod turning;
 mod weld;
 
-pub use crate::chain::{Branch, LeastNorm, Network};
+pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
 pub use crate::element::Unloaded;
 pub use crate::relation::Absent;
 pub use crate::stepper::Stepper;
