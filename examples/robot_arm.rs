@@ -137,7 +137,7 @@ impl Control {
         plan.set_accelerations(&accelerations)?;
 
         // Inverse dynamics: −m at a joint's station is what the joint must exert ON its outboard link.
-        let stations = model.stations(&plan, &Unloaded);
+        let stations = model.stations(&plan, &Unloaded)?;
         let mut torques = [0.0; 6];
         for (k, (torque, joint)) in torques.iter_mut().zip(joints).enumerate() {
             let station = stations.joint(*joint).ok_or("every joint has a station")?;
@@ -194,9 +194,9 @@ fn run(control: Control) -> Result<(Vec<Sample>, u128), Box<dyn Error>> {
         let [q, ..] = wanted(past.time());
         let [angles, _] = state(&past)?;
         let place = |motion: &ArmMotion| -> Option<Vector3<f64>> {
-            real.body_motions(motion).get(hand).map(|body| body.outboard().place)
+            real.body_motions(motion).ok()?.get(hand).map(|body| body.outboard().place)
         };
-        let ends = real.body_motions(&past);
+        let ends = real.body_motions(&past)?;
         let end = |k: usize| ends.get(k).map(|body| body.outboard().place);
         let places = [end(0), end(1), end(3), end(hand)].map(Option::unwrap_or_default);
         let off = |k: usize| (q[k] - angles[k]).abs();

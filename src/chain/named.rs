@@ -6,7 +6,7 @@ use crate::element::{Condense, Element, Given, Posture, RealOf, Space, Sweep};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::relation::Closures;
+use crate::relation::{Closures, WrenchOf};
 use crate::scalar::Scalar;
 use crate::sensitive::{At, Seeds, Sensitive, Varied};
 use crate::shape::{
@@ -201,7 +201,7 @@ impl<S: Space, K: Closing<S>> Closing<S> for Named<K> {
     fn joint(&self, side: &S::Frame, main: &S::Frame) -> S::JointMotion {
         self.item.joint(side, main)
     }
-    fn internal(&self, forces: &<K::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> S::Internal {
+    fn internal(&self, forces: &<K::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> WrenchOf<S> {
         self.item.internal(forces, ends(axes))
     }
     fn miss(&self, side: &S::Frame, main: &S::Frame) -> [<K::Closures as Closures>::Each<S::Scalar>; 2] {
@@ -227,7 +227,7 @@ impl<S: Space, R, Q, K: CloseOff<S, R, Q>> CloseOff<S, R, Q> for Named<K> {
     type Side = K::Side;
 
     #[inline(always)]
-    fn close_off(&self, outer: R, torque: Q, axes: Ends<'_, S, Self>) -> (K::Main, K::Side, S::Internal) {
+    fn close_off(&self, outer: R, torque: Q, axes: Ends<'_, S, Self>) -> (K::Main, K::Side, WrenchOf<S>) {
         self.item.close_off(outer, torque, ends(axes))
     }
 }

@@ -13,7 +13,7 @@ impl<S: Space, E: Element<S>> Stations<'_, S, E> {
     /// let rod = Rod::uniform(1.0_f64, 2.0);
     /// let pendulum = System::new(Pinned::origin(), (rod, Pin.named("elbow"), rod), Free)?.with_gravity(9.81);
     /// let hanging = pendulum.at_rest(&[-std::f64::consts::FRAC_PI_2; 2])?;
-    /// let stations = pendulum.stations(&hanging, &Unloaded);
+    /// let stations = pendulum.stations(&hanging, &Unloaded)?;
     /// let pull = stations.joint(pendulum.joint("elbow")?).map(|station| station.internal.force.y);
     /// assert!(pull.is_some_and(|pull| (pull - 2.0 * 9.81).abs() < 1e-14)); // the weight of one rod
     /// # Ok::<(), catena::Error>(())

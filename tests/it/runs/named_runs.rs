@@ -1,4 +1,4 @@
-//! Names change nothing: runs of scenes with and without them are the same, bit by bit.
+//! Names change nothing: runs, internal forces and derivatives of scenes with and without them are the same, bit by bit.
 
 use catena::element::Unloaded;
 use catena::{Error, planar, spatial};
@@ -34,6 +34,14 @@ fn in_the_plane() -> Result<(), Error> {
     let other = named.simulate(start, Rk4::step(1e-3), 0.05, |_| ())?.motion;
     assert_eq!(bits!(&end), bits!(&other));
     assert_ne!(bits!(&start), bits!(&other));
+    let (found, expected) = (named.stations(&other, &Unloaded)?, plain.stations(&end, &Unloaded)?);
+    let forces = |station: &Station<f64>| {
+        [station.internal.force.x, station.internal.force.y, station.internal.torque].map(f64::to_bits)
+    };
+    assert!(found.iter().map(forces).eq(expected.iter().map(forces)));
+    let (knee, by_number) = (found.joint(named.joint("knee")?), expected.joint(plain.joint(4)?));
+    assert_eq!(knee.map(forces), by_number.map(forces));
+    assert_eq!(found.joint(named.joint("root")?).map(forces), Some(forces(expected.root())));
     Ok(())
 }
 
@@ -52,5 +60,33 @@ fn in_space() -> Result<(), Error> {
     let end = plain.simulate(plain.at_rest(&angles)?, Rk4::step(1e-3), 0.05, |_| ())?.motion;
     let other = named.simulate(named.at_rest(&angles)?, Rk4::step(1e-3), 0.05, |_| ())?.motion;
     assert_eq!(bits!(&end), bits!(&other));
+    Ok(())
+}
+
+/// Lists of loads, an implicit rule, and derivatives through gains.
+#[test]
+fn by_other_walks() -> Result<(), Error> {
+    use catena::scalar::Jet;
+    use planar::*;
+    let (rod, hinge) = (Rod::uniform(0.5, 1.0), ElasticHinge::rotary(5.0));
+    let plain = System::new(Pinned::origin(), (rod, hinge, rod), Free)?.with_gravity(9.81);
+    let chain = (rod.named("a"), hinge.named("b"), rod).named("all");
+    let named = System::new(Pinned::origin().named("root"), chain, Free)?.with_gravity(9.81);
+    let loads = Loads::none().torques([0.3, -0.2]);
+    let (rule, start) = (GeneralizedAlpha::new(0.8).step(1e-3), plain.at_rest(&[-1.0, -0.5])?);
+    let one = plain.simulation(rule).loads(&loads).run(start, 0.02, |_| ())?.motion;
+    let rule = GeneralizedAlpha::new(0.8).step(1e-3);
+    let other = named.simulation(rule).loads(&loads).run(named.at_rest(&[-1.0, -0.5])?, 0.02, |_| ())?.motion;
+    assert_eq!(bits!(&one), bits!(&other));
+
+    let (plain, named) = (plain.lift(Jet::<f64, 2>::of), named.lift(Jet::<f64, 2>::of));
+    let angles = [Jet::seed(-1.0, 0), Jet::seed(-0.5, 1)];
+    let one = plain.simulate(plain.at_rest(&angles)?, Rk4::step(1e-3).through_gains(), 0.02, |_| ())?.motion;
+    let other = named.simulate(named.at_rest(&angles)?, Rk4::step(1e-3).through_gains(), 0.02, |_| ())?.motion;
+    let bits = |list: Vec<Jet<f64, 2>>| {
+        list.iter().flat_map(|x| [x.re, x.eps[0], x.eps[1]]).map(f64::to_bits).collect::<Vec<_>>()
+    };
+    assert_eq!(bits(one.coordinates()), bits(other.coordinates()));
+    assert_eq!(bits(one.rates()), bits(other.rates()));
     Ok(())
 }

@@ -52,7 +52,7 @@ fn bodies_turn_as_they_were_told() -> Result<(), Error> {
         for kind in [Inertial, Body, Relative] {
             let before = motion.rates();
             motion = scene.with_body_spin(motion, name, kind(spin))?;
-            let bodies = scene.body_motions(&motion);
+            let bodies = scene.body_motions(&motion)?;
             let turn = |name: &str| -> Result<_, Error> {
                 Ok(bodies.get(scene.body(name)?.body).map(|body| body.inboard.turn).ok_or(Error::new(Fault::Shape))?)
             };
@@ -76,7 +76,7 @@ fn bodies_turn_as_they_were_told() -> Result<(), Error> {
             let axis = Vector3::from(vector(&mut noise, 1.0)).normalize();
             let attitude = Rotation::exp((axis * size).into());
             motion = scene.with_body_orientation(motion, name, attitude)?;
-            let found = scene.body_motions(&motion).get(scene.body(name)?.body).map(|body| body.attitude());
+            let found = scene.body_motions(&motion)?.get(scene.body(name)?.body).map(|body| body.attitude());
             let off = found.map(|found| found.relative_to(&attitude).shortest().log());
             near(off.map_or(f64::NAN, |off| Vector3::from(off).norm()), 0.0, 3e-15);
         }
@@ -95,7 +95,7 @@ fn axes_let_bodies_turn_as_far_as_they_go() -> Result<(), Error> {
     motion = scene.with_body_orientation(motion, "plate", Rotation::exp([0.3, 0.1, -0.2]))?;
 
     // By a relative angle of 0.8 rad and a relative rate of 1.5 rad/s about the axis.
-    let plate = scene.body_motions(&motion).get(scene.body("plate")?.body).copied().ok_or(Error::new(Fault::Shape))?;
+    let plate = scene.body_motions(&motion)?.get(scene.body("plate")?.body).copied().ok_or(Error::new(Fault::Shape))?;
     let flap = plate.attitude().after(&Rotation::exp([0.0, 0.8, 0.0]));
     motion = scene.with_body_orientation(motion, "flap", flap)?;
     motion = scene.with_body_spin(motion, "flap", Relative([0.0, 1.5, 0.0]))?;
@@ -119,7 +119,7 @@ fn axes_let_bodies_turn_as_far_as_they_go() -> Result<(), Error> {
     // Two axes reach what they reach; what slides is carried along.
     let cross = scene.joint(scene.joints() - 2)?;
     motion.set_coordinates_of(cross, &[0.4, -0.9])?;
-    let bodies = scene.body_motions(&motion);
+    let bodies = scene.body_motions(&motion)?;
     let wanted = bodies.get(scene.body("slid")?.body).map(|body| body.attitude()).ok_or(Error::new(Fault::Shape))?;
     motion.set_coordinates_of(cross, &[-0.6, 0.7])?;
     motion = scene.with_body_orientation(motion, "slid", wanted)?;
@@ -144,7 +144,7 @@ fn all_bodies_at_once() -> Result<(), Error> {
     motion.set_rates(&rates)?;
 
     // What the bodies outboard of joints that turn do, read, gives the motion back, but for what slides.
-    let bodies = scene.body_motions(&motion);
+    let bodies = scene.body_motions(&motion)?;
     let outboard = [0, 1, 2, 3, 5, 6, 7];
     let read = |k: usize| bodies.get(k).copied().ok_or(Error::new(Fault::Shape));
     let attitudes = outboard.iter().map(|k| read(*k).map(|body| body.attitude())).collect::<Result<Vec<_>, _>>()?;
@@ -192,7 +192,7 @@ fn all_bodies_at_once() -> Result<(), Error> {
     // Relative rates: those of axes as they are, of balls against the body inboard.
     let own: Vec<f64> = (0..16).map(|_| noise.next()).collect();
     let turned = scene.with_joint_rates(motion.clone(), &own)?;
-    let bodies = scene.body_motions(&turned);
+    let bodies = scene.body_motions(&turned)?;
     let turn = |k: usize| bodies.get(k).map(|body| body.inboard.turn).ok_or(Error::new(Fault::Shape));
     for (k, against, own) in [(1, 0, &own[3..6]), (2, 1, &own[6..9]), (3, 0, &own[9..12])] {
         let relative = turn(k)?.attitude.transposed(turn(k)?.spin - turn(against)?.spin);
@@ -226,7 +226,7 @@ fn the_plane_has_loops_too() -> Result<(), Error> {
             false => scene.with_body_rates(start.clone(), &rates)?,
             true => scene.with_joint_rates(start.clone(), &rates)?,
         };
-        let bodies = scene.body_motions(&motion);
+        let bodies = scene.body_motions(&motion)?;
         let turn = |k: usize| bodies.get(k).map(|body| body.inboard.turn).ok_or(Error::new(Fault::Shape));
         for ((body, inboard), (angle, rate)) in turning.iter().zip(angles.iter().zip(&rates)) {
             let base = inboard.map_or(Ok((0.0, 0.0)), |k| turn(k).map(|turn| (turn.angle, turn.rate)))?;
@@ -237,7 +237,7 @@ fn the_plane_has_loops_too() -> Result<(), Error> {
     let motion = scene.with_body_orientation(start, "plate", 7.5)?;
     let motion = scene.with_body_spin(motion, "plate", Inertial(2.0))?;
     let motion = scene.with_body_spin(motion, "main", Relative(1.0))?;
-    let bodies = scene.body_motions(&motion);
+    let bodies = scene.body_motions(&motion)?;
     let turn = |k: usize| bodies.get(k).map(|body| body.inboard.turn).ok_or(Error::new(Fault::Shape));
     near(turn(4)?.angle, 7.5, 1e-15);
     near(turn(4)?.rate, 2.0, 0.0);
