@@ -65,6 +65,8 @@ mod dense;
 pub mod element;
 pub mod ends;
 mod error;
+pub mod extend;
+pub mod kinematics;
 pub mod lift;
 pub mod loading;
 pub mod mirror;

@@ -106,8 +106,8 @@ pub trait Space: Copy + Debug + 'static {
     fn no_budget() -> Budget<Self>;
     /// The sum of two budgets.
     fn sum(a: Budget<Self>, b: Budget<Self>) -> Budget<Self>;
-    /// Energy stored in a joint (J).
-    fn stored(joint: &Self::JointMotion) -> Self::Scalar;
+    /// Kinetic energy of reflected inertia in a joint, and energy stored there (J).
+    fn stored(joint: &Self::JointMotion) -> [Self::Scalar; 2];
     /// Mechanical energy, linear momentum and angular momentum about the origin of a body.
     fn budget(body: &Self::BodyMotion, gravity: Self::Vector) -> Budget<Self>;
 }

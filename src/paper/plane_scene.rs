@@ -157,7 +157,8 @@ where
         let spring = SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() };
         let arm = Vector2::new(T::zero(), T::zero());
         let none = [T::zero(); 2];
-        let motion = JointMotion { inboard, outboard, arm, spring, turns: true, slide: none, sliding: none };
+        let motion =
+            JointMotion { inboard, outboard, arm, spring, turns: true, slide: none, sliding: none, inertia: T::zero() };
         [loads.in_joint(time, number, &motion).add_to(T::zero())]
     }
 }

@@ -74,6 +74,23 @@ impl<R> ElasticHinge<R> {
     }
 }
 
+/// A pin whose coordinate is the angle of the outboard body relative to the inboard one: a hinge without springs, from which joints of
+/// a user's own are made ([`extend`](crate::extend)). Where nothing resists, [`Pin`](super::Pin) is cheaper.
+pub type Revolute = ElasticHinge<Absent>;
+
+impl Revolute {
+    /// A smooth pin.
+    pub fn smooth() -> Self {
+        Self { rotary: Absent, linear: Absent }
+    }
+}
+
+impl Default for Revolute {
+    fn default() -> Self {
+        Self::smooth()
+    }
+}
+
 /// How the rule of a sweep treats a rotary spring.
 pub trait HingeRule<T: Scalar>: Springs<T> {
     /// The relation handed on.

@@ -188,6 +188,8 @@ pub struct JointMotion<T> {
     pub slide: [T; 2],
     /// Rates of these (m/s).
     pub sliding: [T; 2],
+    /// Reflected inertia of the coordinate on which a drive acts (kg·m², kg), where there is any.
+    pub inertia: T,
 }
 
 /// What the spring and damper of a joint do at an instant.
@@ -341,8 +343,9 @@ impl<T: Scalar> Space for Planar<T> {
             angular_momentum: a.angular_momentum + b.angular_momentum,
         }
     }
-    fn stored(joint: &JointMotion<T>) -> T {
-        joint.spring.energy
+    fn stored(joint: &JointMotion<T>) -> [T; 2] {
+        let rate = joint.driven_rate();
+        [(joint.inertia * rate * rate).scale(T::Real::of(0.5)), joint.spring.energy]
     }
     fn budget(body: &BodyMotion<T>, gravity: Vector2<T>) -> Budget<Self> {
         let centre = body.centre();

@@ -135,6 +135,23 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
     }
 }
 
+impl<T: Scalar, S> Slider<T, S> {
+    /// Lets the outboard point slide along the line against a force, and what stiffness or inertia adds to the pivot.
+    #[inline(always)]
+    pub(super) fn loosen<R: Slides<T>>(
+        &self,
+        outer: R,
+        Offset { direction, arm, acceleration }: Offset<T>,
+        force: T,
+        pivot: T,
+        kept: &mut SlideGain<T, R::Closures>,
+    ) -> Full<T, R::Closures> {
+        let (relation, gain) = outer.with_mass(self.lumped).along(direction).slid(force, pivot);
+        *kept = gain;
+        relation.along(back(direction)).carried(arm, acceleration)
+    }
+}
+
 impl<T: Scalar, S: SpringLaw<T>, R: Slides<T>, W> Condense<Planar<T>, R, W> for Slider<T, S>
 where
     W: Sweep<Planar<T>, Closures = R::Closures>,
@@ -150,12 +167,10 @@ where
         given: Given<'_, Planar<T>, Self, W>,
         kept: &mut SlideGain<T, W::Closures>,
     ) -> Self::Out {
-        let Offset { direction, arm, acceleration } = super::joint::offset::<T, Self>(posture);
+        let offset = super::joint::offset::<T, Self>(posture);
         let Given { in_joints, position, rate, reading, springs, .. } = given;
         let [force, pivot] = read(&self.spring, (*position, *rate), reading, springs);
-        let (relation, gain) = outer.with_mass(self.lumped).along(direction).slid(in_joints.add_to(force), pivot);
-        *kept = gain;
-        relation.along(back(direction)).carried(arm, acceleration)
+        self.loosen(outer, offset, in_joints.add_to(force), pivot, kept)
     }
 }
 

@@ -113,6 +113,10 @@ pub trait Joint<S: Space>: Copy + 'static {
     fn check(&self) -> Result<(), Fault>;
 }
 
+/// A joint of this crate, which says of its space what all spaces ask of it. Types of other crates are none, and no crate can make them
+/// one: a trait without parameters is what tells the compiler so.
+pub trait Native {}
+
 /// An element that is a body, with its entry of a store.
 pub trait AsBody<S: Space>: Shape<S> + Body<S> {
     /// The entry in a store.

@@ -64,7 +64,15 @@ impl<T: Scalar> Joint<T> for Ball {
         let outboard = Frame { turn, acceleration: Acceleration { angular, ..inboard.acceleration }, ..inboard };
         let relative = attitude.transposed(turn.spin - inboard.turn.spin);
         let none = [T::zero(); 3];
-        JointMotion { inboard, outboard, position: none, rate: relative.into(), effort: none, energy: T::zero() }
+        JointMotion {
+            inboard,
+            outboard,
+            position: none,
+            rate: relative.into(),
+            effort: none,
+            energy: T::zero(),
+            inertia: none,
+        }
     }
     #[inline(always)]
     fn recovered<C: Closures>(

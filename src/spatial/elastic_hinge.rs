@@ -214,7 +214,15 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
         let angular = attitude.apply_onto(Vector3::from(*acceleration), inboard.acceleration.angular + bias);
         let outboard = Frame { turn, acceleration: Acceleration { angular, ..inboard.acceleration }, ..inboard };
         let (effort, energy) = (self.rotary.torque(position, rate).into(), self.rotary.energy(position));
-        JointMotion { inboard, outboard, position: position.log(), rate: *rate, effort, energy }
+        JointMotion {
+            inboard,
+            outboard,
+            position: position.log(),
+            rate: *rate,
+            effort,
+            energy,
+            inertia: [T::zero(); 3],
+        }
     }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()

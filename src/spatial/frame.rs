@@ -182,6 +182,8 @@ pub struct JointMotion<T> {
     pub effort: [T; 3],
     /// Energy stored in its springs (J).
     pub energy: T,
+    /// Reflected inertia of its coordinates (kg·m², kg), where there is any.
+    pub inertia: [T; 3],
 }
 
 impl<T: Scalar> JointMotion<T> {
@@ -316,8 +318,9 @@ impl<T: Scalar> Space for Spatial<T> {
             angular_momentum: a.angular_momentum + b.angular_momentum,
         }
     }
-    fn stored(joint: &JointMotion<T>) -> T {
-        joint.energy
+    fn stored(joint: &JointMotion<T>) -> [T; 2] {
+        let twice = joint.inertia.iter().zip(joint.rate).fold(T::zero(), |sum, (inertia, v)| sum + *inertia * v * v);
+        [twice.scale(T::Real::of(0.5)), joint.energy]
     }
     fn budget(body: &BodyMotion<T>, gravity: Vector3<T>) -> Budget<Self> {
         let centre = body.centre();

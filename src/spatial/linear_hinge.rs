@@ -248,7 +248,15 @@ where
         let energy = self.rotary.energy(&position.1) + self.linear.energy(position.0);
         let outboard = Frame { place, velocity, turn, acceleration };
         let effort = self.rotary.torque(&position.1, &rate.1).into();
-        JointMotion { inboard, outboard, position: position.1.log(), rate: rate.1, effort, energy }
+        JointMotion {
+            inboard,
+            outboard,
+            position: position.1.log(),
+            rate: rate.1,
+            effort,
+            energy,
+            inertia: [T::zero(); 3],
+        }
     }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()?;

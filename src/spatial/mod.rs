@@ -49,6 +49,7 @@ mod frame;
 mod inertia;
 mod isometry;
 mod joint;
+mod kinematics;
 mod linear_hinge;
 mod load_laws;
 mod loads;

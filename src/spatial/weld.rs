@@ -64,7 +64,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     fn moved(&self, inboard: Frame<T>, (): &(), (): &(), (): &()) -> JointMotion<T> {
         let outboard = Frame { turn: self.oriented(&(), &(), inboard.turn).0, ..inboard };
         let none = [T::zero(); 3];
-        JointMotion { inboard, outboard, position: none, rate: none, effort: none, energy: T::zero() }
+        JointMotion { inboard, outboard, position: none, rate: none, effort: none, energy: T::zero(), inertia: none }
     }
     fn check(&self) -> Result<(), Fault> {
         let Columns { x, y, z } = self.attitude;

@@ -166,7 +166,8 @@ where
             let spin = (outboard.turn.spin - inboard.turn.spin).into();
             rate = [dot(&apply(&own, axis), &spin), none[1], none[2]];
         }
-        let motion = JointMotion { inboard, outboard, position: none, rate, effort: none, energy: T::zero() };
+        let motion =
+            JointMotion { inboard, outboard, position: none, rate, effort: none, energy: T::zero(), inertia: none };
         let zero = Vector3::new(T::zero(), T::zero(), T::zero());
         let couple: [T; 3] = loads.in_joint(time, number, &motion).couple(&attitude).add_to(zero).into();
         if axis.is_some() { apply(&transposed(&rows(&attitude)), couple) } else { couple }
