@@ -7,6 +7,8 @@
 use crate::element::Reading;
 use crate::error::Fault;
 use crate::relation::{Closures, Part};
+pub use crate::release::Resistance;
+use crate::release::{Freedom, Release};
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Joint, JointPosture};
 use crate::space::{RealOf, Space};
@@ -74,34 +76,6 @@ pub trait Kinematics<S: Jointed>: Joint<S, Position = S::Scalar, Rate = S::Scala
     ) -> S::Full<C>;
     /// The motion of such a joint under a model.
     fn under(motion: S::JointMotion, model: Acting<S::Scalar>) -> S::JointMotion;
-}
-
-/// What acts along the coordinate of a joint at an instant, ON the outboard body, and how that changes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Resistance<T> {
-    /// Generalised force (N·m, N).
-    pub force: T,
-    /// −∂force/∂position.
-    pub stiffness: T,
-    /// −∂force/∂rate.
-    pub damping: T,
-}
-
-impl<T: Scalar> Resistance<T> {
-    /// Nothing acts.
-    pub fn none() -> Self {
-        Self { force: T::zero(), stiffness: T::zero(), damping: T::zero() }
-    }
-
-    /// A viscous damper (N·m·s/rad, N·s/m).
-    pub fn viscous(damping: T, rate: T) -> Self {
-        Self { force: -(damping * rate), stiffness: T::zero(), damping }
-    }
-
-    /// A linear spring (N·m/rad, N/m) at a distance from its rest.
-    pub fn elastic(stiffness: T, strain: T) -> Self {
-        Self { force: -(stiffness * strain), stiffness, damping: T::zero() }
-    }
 }
 
 /// What a model does in a joint at an instant.
@@ -219,8 +193,14 @@ pub fn release<S: Jointed, J: JointModel<S>>(
     motion: &S::JointMotion,
     position: &S::Scalar,
     rate: &S::Scalar,
-) -> S::Release {
-    model.kinematics().release(motion, position, rate)
+) -> Release<S> {
+    let mut release = model.kinematics().release(motion, position, rate);
+    if let Some(coordinate) = &mut release.coordinates[0] {
+        let preload = model.resistance(S::Scalar::zero(), S::Scalar::zero()).force;
+        let inertia = model.reflected_inertia();
+        *coordinate = Freedom { inertia, ..coordinate.against(model.resistance(*position, *rate), preload) };
+    }
+    release
 }
 
 /// Checks a joint with a model; what [`joint!`](crate::joint) calls.

@@ -78,6 +78,7 @@ pub mod observers;
 pub mod paper;
 pub mod planar;
 pub mod relation;
+pub mod release;
 pub mod scalar;
 pub mod sensitive;
 pub mod sensitivity;

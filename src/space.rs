@@ -2,6 +2,7 @@
 
 use crate::error::Fault;
 use crate::mirror::Rate;
+use crate::release::Release;
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 
@@ -43,8 +44,6 @@ pub trait Space: Copy + Debug + 'static {
     type Numbers: Rate<Self::Scalar> + Copy;
     /// A column of W: the force and torque on the outboard part for a unit closure force.
     type Column: Copy;
-    /// What a joint lets move, for its transfer matrix.
-    type Release: Copy + Debug;
     /// The relation of a free tip.
     type Nothing: Copy + Default;
 
@@ -67,7 +66,7 @@ pub trait Space: Copy + Debug + 'static {
     /// The angle (rad) of a body that is too large for accurate sines, if it is.
     fn angle_out_of_range(body: &Self::BodyMotion) -> Option<f64>;
     /// The same of an angle that a joint has turned by.
-    fn turn_out_of_range(joint: &Self::JointMotion, release: &Self::Release) -> Option<f64>;
+    fn turn_out_of_range(joint: &Self::JointMotion, release: &Release<Self>) -> Option<f64>;
     /// The acceleration of a frame as seen by one that falls freely: a − g.
     fn falling(frame: &Self::Frame, gravity: Self::Vector) -> Self::Acceleration;
     /// No acceleration.

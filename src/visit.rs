@@ -2,6 +2,7 @@
 
 use crate::element::Coordinates;
 use crate::loading::Loading;
+use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::shape::Shape;
 use crate::space::Space;
@@ -22,7 +23,7 @@ pub trait Visit<S: Space> {
     fn joint(&mut self, joint: &S::JointMotion) -> Self::InJoint;
     /// The same, for those who want to know what the joint lets move.
     #[inline(always)]
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> S::Release) -> Self::InJoint {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) -> Self::InJoint {
         let _ = release;
         self.joint(joint)
     }
@@ -52,7 +53,7 @@ impl<S: Space, V: Visit<S>> Visit<S> for &mut V {
         (**self).joint(joint)
     }
     #[inline(always)]
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> S::Release) -> V::InJoint {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) -> V::InJoint {
         (**self).joint_with(joint, release)
     }
     #[inline(always)]

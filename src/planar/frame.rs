@@ -5,6 +5,7 @@ use crate::element::{Budget, Space, SpaceOver};
 use crate::error::Fault;
 use crate::relation::plane::algebra::{add_scaled, cross, dot, normal};
 use crate::relation::plane::{Empty, FullColumn};
+use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use core::fmt;
 use core::marker::PhantomData;
@@ -241,8 +242,6 @@ impl<T: Scalar> Space for Planar<T> {
     type JointMotion = JointMotion<T>;
     type Numbers = [T; 3];
     type Column = FullColumn<T>;
-    /// Number of coordinates.
-    type Release = usize;
     type Nothing = Empty;
 
     fn blank() -> (T, T, T, T) {
@@ -271,7 +270,7 @@ impl<T: Scalar> Space for Planar<T> {
     fn angles(body: &BodyMotion<T>) -> T {
         body.angle()
     }
-    fn turn_out_of_range(_: &JointMotion<T>, _: &usize) -> Option<f64> {
+    fn turn_out_of_range(_: &JointMotion<T>, _: &Release<Self>) -> Option<f64> {
         None // sines are taken of the angles of bodies
     }
     fn angle_out_of_range(body: &BodyMotion<T>) -> Option<f64> {

@@ -9,11 +9,12 @@ use crate::element::{Element, Posture, Springs};
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
+use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::shape::{JointPosture, Native, PerAxes, Shape};
 use core::fmt::Debug;
 use nalgebra::Vector2;
-use typenum::{U0, U1, U3, Unsigned};
+use typenum::{U0, U1, U3};
 
 /// A massless joint in the plane.
 ///
@@ -99,6 +100,9 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     fn slid(&self, _position: &Self::Position, _rate: &Self::Rate) -> [[T; 2]; 2] {
         [[T::zero(); 2]; 2]
     }
+
+    /// What it lets move, and what resists it.
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<Planar<T>>;
 
     /// Whether its points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.
     const LEVER: bool = false;
@@ -228,10 +232,14 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
         let (spring, [slide, sliding]) = (self.spring(position, rate), self.slid(position, rate));
         (JointMotion { inboard, outboard, arm, spring, turns: J::TURNS, slide, sliding, inertia: T::zero() }, outboard)
     }
-    /// How many coordinates it has.
     #[inline(always)]
-    fn release(&self, _: &JointMotion<T>, _: &<J as Joint<T>>::Position, _: &<J as Joint<T>>::Rate) -> usize {
-        J::Freedoms::USIZE
+    fn release(
+        &self,
+        motion: &JointMotion<T>,
+        position: &<J as Joint<T>>::Position,
+        rate: &<J as Joint<T>>::Rate,
+    ) -> Release<Planar<T>> {
+        Joint::release(self, motion, position, rate)
     }
     fn check(&self) -> Result<(), Fault> {
         Joint::<T>::check(self)

@@ -26,6 +26,7 @@ mod loads;
 mod loops;
 mod pin;
 mod point_mass;
+mod release;
 mod rigid_body;
 mod rod;
 mod sensitive;

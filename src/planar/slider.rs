@@ -2,12 +2,13 @@
 
 use super::axes::{Inboard, Offset};
 use super::spring::{SpringLaw, read};
-use super::{Acceleration, Frame, Joint, Planar, Spring, SpringState, Turn};
+use super::{Acceleration, Frame, Joint, JointMotion, Planar, Spring, SpringState, Turn, release};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::plane::{Full, SlideGain, Slides, along, back};
 use crate::relation::{Absent, Closures, Term};
+use crate::release::Release;
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 
@@ -24,8 +25,8 @@ use nalgebra::Vector2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider<T, S = Absent> {
-    direction: T,
-    spring: S,
+    pub(super) direction: T,
+    pub(super) spring: S,
     /// Point mass that the outboard body lumps at its inboard end, in a scene.
     lumped: T,
 }
@@ -118,6 +119,9 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
             return Err(Fault::NotFinite { parameter: "direction" });
         }
         self.spring.check()
+    }
+    fn release(&self, motion: &JointMotion<T>, position: &T, rate: &T) -> Release<Planar<T>> {
+        release::slider(self, motion, [*position, *rate])
     }
     #[inline(always)]
     fn recovered<C: Closures>(

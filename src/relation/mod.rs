@@ -14,10 +14,12 @@ pub mod plane;
 mod redundancy;
 mod shared;
 pub mod space;
+mod way;
 
 pub use closure::{Closures, Cut, Cuts, Open, Solvable, largest};
 pub use looped::{Carry, LoopGain, Looped, Own, Settle, Twisted};
 pub use shared::Shared;
+pub use way::Way;
 
 use crate::scalar::Scalar;
 use core::fmt::Debug;

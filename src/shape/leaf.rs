@@ -5,6 +5,7 @@ use super::field::Field;
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
+use crate::release::Release;
 use crate::space::Space;
 use crate::sweep::Springs;
 
@@ -105,7 +106,7 @@ pub trait Joint<S: Space>: Copy + 'static {
         acceleration: &Self::Rate,
     ) -> (S::JointMotion, S::Frame);
     /// What it lets move.
-    fn release(&self, motion: &S::JointMotion, position: &Self::Position, rate: &Self::Rate) -> S::Release;
+    fn release(&self, motion: &S::JointMotion, position: &Self::Position, rate: &Self::Rate) -> Release<S>;
     /// Rejects parameters that make no mechanics.
     ///
     /// # Errors

@@ -274,8 +274,8 @@ macro_rules! axial {
                 }
             }
             #[inline(always)]
-            fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
-                Some(release::axial(self, motion, position, rate))
+            fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
+                release::axial(self, motion, position, rate)
             }
             #[inline(always)]
             fn moved(

@@ -205,8 +205,8 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
         (Turn { attitude, spin: inboard.spin + relative }, (attitude, [zero(), bias]))
     }
     #[inline(always)]
-    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
-        Some(release::rotary(self, motion, position, rate))
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
+        release::rotary(self, motion, position, rate)
     }
     #[inline(always)]
     fn moved(&self, inboard: Frame<T>, position: &Rotation<T>, rate: &[T; 3], acceleration: &[T; 3]) -> JointMotion<T> {

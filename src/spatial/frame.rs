@@ -1,10 +1,11 @@
 //! What the walks carry in space.
 
-use super::{Inertia, Release, Rotation, Station};
+use super::{Inertia, Rotation, Station};
 use crate::element::{Budget, Space, SpaceOver};
 use crate::error::Fault;
 use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot, is_finite, zero};
-use crate::relation::space::{Empty, FullColumn, Way};
+use crate::relation::space::{Empty, FullColumn};
+use crate::release::{Release, Way};
 use crate::scalar::{Real, Scalar};
 use core::fmt;
 use core::marker::PhantomData;
@@ -218,7 +219,6 @@ impl<T: Scalar> Space for Spatial<T> {
     type JointMotion = JointMotion<T>;
     type Numbers = [T; 6];
     type Column = FullColumn<T>;
-    type Release = Option<Release<T>>;
     type Nothing = Empty;
 
     fn blank() -> (Columns<T>, [Vector3<T>; 2], Vector3<T>, Vector3<T>) {
@@ -248,9 +248,9 @@ impl<T: Scalar> Space for Spatial<T> {
     fn angle_out_of_range(_: &BodyMotion<T>) -> Option<f64> {
         None // attitudes are quaternions
     }
-    fn turn_out_of_range(joint: &JointMotion<T>, release: &Option<Release<T>>) -> Option<f64> {
-        let coordinates = release.as_ref()?.coordinates.iter().flatten().zip(joint.position);
-        let mut turns = coordinates.filter(|((way, ..), _)| *way == Way::Turn).map(|(_, angle)| angle.real());
+    fn turn_out_of_range(joint: &JointMotion<T>, release: &Release<Self>) -> Option<f64> {
+        let coordinates = release.coordinates.iter().flatten().filter(|freedom| freedom.driven).zip(joint.position);
+        let mut turns = coordinates.filter(|(freedom, _)| freedom.way == Way::Turn).map(|(_, angle)| angle.real());
         turns.find(|angle| angle.abs() > T::ANGLE_RANGE).map(Real::as_f64)
     }
     fn no_acceleration() -> Acceleration<T> {

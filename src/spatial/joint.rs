@@ -110,11 +110,8 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
         acceleration: &Self::Rate,
     ) -> JointMotion<T>;
 
-    /// What it lets move, for transfer matrices; a joint that does not say so has none.
-    #[inline(always)]
-    fn release(&self, _motion: &JointMotion<T>, _position: &Self::Position, _rate: &Self::Rate) -> Option<Release<T>> {
-        None
-    }
+    /// What it lets move, and what resists it.
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T>;
 
     /// Rejects parameters that make no mechanics.
     ///
@@ -215,7 +212,7 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
         motion: &JointMotion<T>,
         position: &<J as Joint<T>>::Position,
         rate: &<J as Joint<T>>::Rate,
-    ) -> Option<Release<T>> {
+    ) -> Release<T> {
         Joint::release(self, motion, position, rate)
     }
     fn check(&self) -> Result<(), Fault> {

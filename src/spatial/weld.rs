@@ -57,8 +57,8 @@ impl<T: Scalar> Joint<T> for Weld<T> {
         (Turn { attitude, ..inboard }, (attitude, [zero(); 2]))
     }
     #[inline(always)]
-    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
-        Some(release::weld(self, motion, position, rate))
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
+        release::weld(self, motion, position, rate)
     }
     #[inline(always)]
     fn moved(&self, inboard: Frame<T>, (): &(), (): &(), (): &()) -> JointMotion<T> {

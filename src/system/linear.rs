@@ -22,6 +22,8 @@ pub trait Inertial: Space {
     fn weighted(body: &Self::BodyMotion, note: &mut impl FnMut(RealOf<Self>));
     /// The same of the coordinates of a joint that has reflected inertia.
     fn reflected(joint: &Self::JointMotion, note: &mut impl FnMut(RealOf<Self>));
+    /// The motion of the inboard end of a body.
+    fn inboard(body: &Self::BodyMotion) -> Self::Frame;
     /// Velocity and momentum of a body.
     fn carried(body: &Self::BodyMotion) -> Carried<RealOf<Self>>;
 }
@@ -67,6 +69,10 @@ impl<T: Scalar> Inertial for Planar<T> {
         }
     }
 
+    fn inboard(body: &planar::BodyMotion<T>) -> planar::Frame<T> {
+        body.inboard
+    }
+
     fn carried(body: &planar::BodyMotion<T>) -> Carried<T::Real> {
         let zero = T::Real::zero();
         let centre = body.centre().velocity;
@@ -104,6 +110,10 @@ impl<T: Scalar> Inertial for Spatial<T> {
                 note(inertia.sqrt() * rate);
             }
         }
+    }
+
+    fn inboard(body: &spatial::BodyMotion<T>) -> spatial::Frame<T> {
+        body.inboard
     }
 
     fn carried(body: &spatial::BodyMotion<T>) -> Carried<T::Real> {

@@ -24,10 +24,10 @@ mod sweeps;
 pub use assembly::{Assembled, AssembledOf, Holding};
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
-#[cfg(feature = "std")]
-pub(crate) use linear::numbers;
 #[cfg(feature = "alloc")]
 pub use linear::{Carried, Inertial};
+#[cfg(feature = "alloc")]
+pub(crate) use linear::{numbers, set, unit};
 
 use crate::element::{Budget, Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};

@@ -12,7 +12,8 @@ mod looped;
 mod pivots;
 mod slides;
 
+pub use crate::relation::Way;
 pub use full::{Full, FullColumn, Rigid};
 pub use kinds::{Couple, Empty, Lump, Point, Relation};
-pub use pivots::{BallGain, Gain, Pivot, Way};
+pub use pivots::{BallGain, Gain, Pivot};
 pub use slides::Slides;
