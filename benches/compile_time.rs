@@ -62,7 +62,7 @@ fn program(uses: &Use, round: usize) -> String {
     }
     text += "    );\n    let scene = System::new(Pinned::origin(), chain, Free)?.with_gravity(9.81);\n";
     _ = writeln!(text, "    let start = scene.at_rest(&[0.1; {BODIES}])?;\n    {}", uses.statement());
-    text += "    println!(\"{:?}\", scene.angles(&motion).get(59));\n    Ok(())\n}\n";
+    text += "    println!(\"{:?}\", scene.angles(&motion)?.get(59));\n    Ok(())\n}\n";
     text
 }
 

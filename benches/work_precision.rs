@@ -135,7 +135,7 @@ macro_rules! run_pins {
         let start = system.at_rest(&vec![0.0; $scene.bodies])?;
         let last = $scene.bodies - 1;
         run_rules!($scene, $T, $steps, $tolerances, (system, start), |system, motion| {
-            system.angles(motion).get(last).map(|angle| angle.as_f64())
+            system.angles(motion).unwrap().get(last).map(|angle| angle.as_f64())
         });
     }};
 }
@@ -155,7 +155,7 @@ macro_rules! run_balls {
         (rates[0], rates[1]) = (1.0, 2.0);
         let start = system.with_rates(start, &rates)?;
         run_rules!($scene, $T, $steps, $tolerances, (system, start), |system, motion| {
-            system.body_motions(motion).iter().last().map(|body| body.outboard().place.y.as_f64())
+            system.body_motions(motion).unwrap().iter().last().map(|body| body.outboard().place.y.as_f64())
         });
     }};
 }

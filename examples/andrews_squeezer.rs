@@ -9,6 +9,7 @@ mod common;
 #[path = "common/squeezer.rs"]
 mod squeezer;
 
+use catena::observe::PerBody;
 use catena::planar::*;
 use common::{BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use squeezer::{A, B, C, CLOSING, END, HOOK, REFERENCE, START, absolute, relative, squeezer, wrench};
@@ -34,10 +35,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mechanism = squeezer()?;
     let loads = Loads::none().on_bodies(|_, k, body: &BodyMotion<f64>| wrench(k, body));
     let start = mechanism.assembled(mechanism.at_rest(&absolute(START))?, &loads)?;
-    let angles = |motion: &_| {
-        let all = mechanism.angles(motion);
-        relative(squeezer::BODIES.map(|k| all.get(k).copied().unwrap_or(f64::NAN)))
-    };
+    let angles =
+        |all: PerBody<'_, _, _, f64>| relative(squeezer::BODIES.map(|k| all.get(k).copied().unwrap_or(f64::NAN)));
 
     let rule = Dop853::tolerance(1e-13);
     let mut readings = Vec::new();
@@ -53,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         readings.push(Reading {
             time: now.time(),
-            angles: angles(now.motion()),
+            angles: angles(now.angles()),
             ends: squeezer::BODIES.map(|k| (place(k).x, place(k).y)),
             hook: (hook.x, hook.y),
             forces: CLOSING.map(|k| at(k).0),
@@ -64,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("Andrews' squeezing mechanism at t = 0.03 s (rad)\n");
     println!("              found               reference    relative error");
     let names = ["beta", "Theta", "gamma", "Phi", "delta", "Omega", "epsilon"];
-    for ((name, found), expected) in names.iter().zip(angles(&run.motion)).zip(REFERENCE) {
+    for ((name, found), expected) in names.iter().zip(angles(mechanism.angles(&run.motion)?)).zip(REFERENCE) {
         println!("  {name:8}{found:20.14}{expected:20.14}  {:8.1e}", ((found - expected) / expected).abs());
     }
     let miss = readings.iter().fold(0.0_f64, |worst, reading| worst.max(reading.miss));
@@ -80,7 +79,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         let run = once()?;
         let of = |(found, expected): (f64, f64)| ((found - expected) / expected).abs();
-        let error = angles(&run.motion).into_iter().zip(REFERENCE).map(of).fold(0.0, f64::max);
+        let error = angles(mechanism.angles(&run.motion)?).into_iter().zip(REFERENCE).map(of).fold(0.0, f64::max);
         if error <= wanted && wanted > 0.9e-9 {
             let mut fastest = Duration::MAX;
             for _ in 0..20 {

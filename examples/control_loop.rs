@@ -112,7 +112,7 @@ fn control(model: &Arm, motion: &ArmMotion) -> Option<[f64; 2]> {
     *plan.acceleration_mut() = (follow(wanted[0], first, first_rate), ((), follow(wanted[1], second, second_rate), ()));
 
     // A torque in a joint acts on its outboard body, and is −m at the joint's station.
-    let stations = model.stations(&plan, &Unloaded);
+    let stations = model.stations(&plan, &Unloaded).ok()?;
     Some([-stations.root().internal.torque, -stations.get(1)?.internal.torque])
 }
 
@@ -128,7 +128,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         plant.cycle(torques)?;
 
         let Plant { now, torques: loads, .. } = &plant;
-        let stations = real.stations(now, loads);
+        let stations = real.stations(now, loads)?;
         let elbow = stations.get(1).ok_or("station 1 is the elbow")?.frame.place.into();
         let hand = stations.tip().frame.place.into();
         *sample = Sample { time: now.time(), torques, wanted: target(now.time()), elbow, hand };

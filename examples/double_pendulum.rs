@@ -51,11 +51,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         // by itself.
         let (first, ((), second, ())) = *motion.position();
         // The force and torque inside every joint come from the motion alone.
-        let stations = pendulum.stations(motion, &Unloaded);
+        let stations = pendulum.stations(motion, &Unloaded)?;
         let pivot = stations.root().internal.force;
         let elbow = stations.get(1).ok_or("station 1 is the inboard end of the pin")?.frame.place;
         let tip = stations.tip().frame.place;
-        let budget = pendulum.budget(motion);
+        let budget = pendulum.budget(motion)?;
         readings.push(Reading {
             time: motion.time(),
             angles: [first, second],
@@ -79,7 +79,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The reference is for t = 2 s, so this run ends there: the last step always lands on the end.
     let motion = pendulum.simulate(start, rule, 2.0, |_| ())?.motion;
     let (first, ((), second, ())) = *motion.position();
-    let force = pendulum.stations(&motion, &Unloaded).root().internal.force;
+    let force = pendulum.stations(&motion, &Unloaded)?.root().internal.force;
     println!("\nAt t = 2 s              found                reference     error");
     let names = ["θ₁ (rad)     ", "θ₂ (rad)     ", "force x (N)  ", "force y (N)  "];
     for ((name, found), reference) in names.iter().zip([first, second, force.x, force.y]).zip(REFERENCE) {

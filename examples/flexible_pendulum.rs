@@ -90,7 +90,7 @@ where
     M: for<'s> Method<&'s Pendulum, Unloaded>,
 {
     let start = pendulum.at_rest(&[-FRAC_PI_3; 20])?;
-    let initial = pendulum.budget(&start).energy();
+    let initial = pendulum.budget(&start)?.energy();
     let mut readings = vec![];
     let clock = Instant::now();
     let run = pendulum.simulate(start, rule, end, |now| {
@@ -99,7 +99,7 @@ where
         readings.push([now.time(), now.energy() - initial, bend]);
     })?;
     let wall = clock.elapsed();
-    let tip = pendulum.stations(&run.motion, &Unloaded).tip().frame.place;
+    let tip = pendulum.stations(&run.motion, &Unloaded)?.tip().frame.place;
     let miss = (tip.x - REFERENCE[0]).hypot(tip.y - REFERENCE[1]);
     Ok(Record { name, readings, miss, sweeps: run.sweeps, wall })
 }

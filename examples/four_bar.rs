@@ -7,6 +7,7 @@
 mod common;
 
 use catena::element::Unloaded;
+use catena::observe::PerBody;
 use catena::planar::*;
 use common::{BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use std::error::Error;
@@ -44,10 +45,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     // A crank at 60°, and rough guesses of the others: the loop is closed by the least correction that does it. Four digits more of the
     // same start, to compare with the reference.
     let rough = linkage.assembled(linkage.at_rest(&[std::f64::consts::FRAC_PI_3, 0.2, 1.3])?, &Unloaded)?;
-    let angles = |motion: &_| BODIES.map(|k| linkage.angles(motion).get(k).copied().unwrap_or(f64::NAN));
+    let angles = |all: PerBody<'_, _, _, f64>| BODIES.map(|k| all.get(k).copied().unwrap_or(f64::NAN));
     let start = linkage.at_rest(&[std::f64::consts::FRAC_PI_3, 0.321105014831, 1.124253820218])?;
     let start = linkage.assembled(start, &Unloaded)?;
-    let energy = linkage.budget(&start).energy();
+    let energy = linkage.budget(&start)?.energy();
 
     let rule = Dop853::tolerance(1e-13);
     let mut readings = Vec::new();
@@ -61,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let (crank, coupler) = (place(BODIES[0]), place(BODIES[1]));
         readings.push(Reading {
             time: now.time(),
-            angles: angles(now.motion()),
+            angles: angles(now.angles()),
             forces: [force(0), force(5), force(CLOSING)],
             places: [(crank.x, crank.y), (coupler.x, coupler.y)],
             miss: (coupler - rocker).norm(),
@@ -69,7 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
 
     println!("Four-bar linkage: crank 0.5 m, coupler 1.2 m, rocker 0.9 m, 1 kg/m, ground 1 m, g = 9.81 m/s²\n");
-    let [a, b, c] = angles(&rough);
+    let [a, b, c] = angles(linkage.angles(&rough)?);
     println!("The guess (π/3, 0.2, 1.3) closes as ({a:.6}, {b:.6}, {c:.6}) rad.\n");
     println!("  time (s)   angles of crank, coupler, rocker    forces at the ground, at the end (N)");
     for Reading { time, angles: [a, b, c], forces: [p, q, r], .. } in readings.iter().step_by(100) {
@@ -77,9 +78,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
 
     let run = linkage.simulate(start, rule, 2.0, |_| ())?;
-    let stations = linkage.stations(&run.motion, &Unloaded);
+    let stations = linkage.stations(&run.motion, &Unloaded)?;
     let force = stations.get(0).map_or_else(Default::default, |station| station.internal.force);
-    let [a, b, c] = angles(&run.motion);
+    let [a, b, c] = angles(linkage.angles(&run.motion)?);
     println!("\nAt t = 2 s              found                reference     error");
     let names = ["crank (rad)  ", "coupler      ", "rocker       ", "force x (N)  ", "force y (N)  "];
     for ((name, found), reference) in names.iter().zip([a, b, c, force.x, force.y]).zip(REFERENCE) {

@@ -49,7 +49,7 @@ macro_rules! scene {
 fn tip(parameters: [f64; 8]) -> Result<[f64; 2], Error> {
     let (system, start) = scene!(f64, parameters);
     let run = system.simulate(start, Rk4::step(1e-3), END, |_| ())?;
-    Ok(system.stations(&run.motion, &Unloaded).tip().frame.place.into())
+    Ok(system.stations(&run.motion, &Unloaded)?.tip().frame.place.into())
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -68,11 +68,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         path.push(now.stations().tip().frame.place);
     })?;
     let through = clock.elapsed();
-    let place = system.stations(&run.motion, &Unloaded).tip().frame.place;
+    let place = system.stations(&run.motion, &Unloaded)?.tip().frame.place;
     let clock = Instant::now();
     let by_rule = system.simulate(start, rule, END, |_| ())?;
     let itself = clock.elapsed();
-    let same = system.stations(&by_rule.motion, &Unloaded).tip().frame.place;
+    let same = system.stations(&by_rule.motion, &Unloaded)?.tip().frame.place;
     let clock = Instant::now();
     tip(values)?;
     let plain = clock.elapsed();

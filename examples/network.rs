@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Bodies are numbered stem, main arm, side arm. The loop is closed to the last digit.
     let start = net.at_rest(&[-FRAC_PI_3, -FRAC_PI_6, -2.094395102393, -1.977311259432, -0.620259990849])?;
     let start = net.assembled(start, &Unloaded)?;
-    let energy = net.budget(&start).energy();
+    let energy = net.budget(&start)?.energy();
 
     let rule = Dop853::tolerance(1e-13);
     let mut readings = Vec::new();
@@ -76,8 +76,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
 
     let run = net.simulate(start, rule, 2.0, |_| ())?;
-    let force = net.stations(&run.motion, &Unloaded).root().internal.force;
-    let angles = net.angles(&run.motion);
+    let force = net.stations(&run.motion, &Unloaded)?.root().internal.force;
+    let angles = net.angles(&run.motion)?;
     println!("\nAt t = 2 s              found                reference     error");
     let names = [
         "stem (rad)   ",

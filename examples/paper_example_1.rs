@@ -73,7 +73,7 @@ fn exact_force(pendulum: &Pendulum, time: f64) -> Result<[f64; 2], Error> {
     let start = pendulum.at_rest(&[-FRAC_PI_3; 2])?;
     let motion =
         pendulum.simulate(start, Dop853::tolerance(1e-12), time, |_| ()).map_err(|broken| broken.error)?.motion;
-    let force = pendulum.stations(&motion, &Unloaded).root().internal.force;
+    let force = pendulum.stations(&motion, &Unloaded)?.root().internal.force;
     Ok([force.x, force.y])
 }
 

@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // This crate's own rules for stiff scenes, and what it uses by default.
     for dt in [0.01, 0.002] {
         let run = pendulum.simulate(start, catena::planar::GeneralizedAlpha::new(0.8).step(dt), 1.0, |_| ())?;
-        let tip = pendulum.stations(&run.motion, &Unloaded).tip().frame.place;
+        let tip = pendulum.stations(&run.motion, &Unloaded)?.tip().frame.place;
         println!(
             "  {:44} {dt:8} {:13.1e} {:9}   yes",
             "this crate: generalised-α, acceleration level",
@@ -91,7 +91,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         shapes.push(stations.iter().map(|station| (station.frame.place.x, station.frame.place.y)).collect());
     })?;
     let run = pendulum.simulate(start, rule, 1.0, |_| ())?;
-    let tip = pendulum.stations(&run.motion, &Unloaded).tip().frame.place;
+    let tip = pendulum.stations(&run.motion, &Unloaded)?.tip().frame.place;
     println!(
         "  {:44} {:>8} {:13.1e} {:9}   yes",
         "this crate: DOP853 at 1e-10",

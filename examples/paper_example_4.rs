@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut exact: Record = vec![];
     let mut near = [0.3, 0.2, -0.4];
     let run = pendulum.simulation(Dop853::tolerance(1e-12)).every(every).run(start, end, |now| {
-        let bodies = pendulum.body_motions(now.motion());
+        let bodies = now.bodies();
         let attitude = bodies.iter().next().map(|body| body.attitude());
         near = attitude.map_or(near, |attitude| attitude.angles_near(near));
         exact.push((now.time(), near, now.stations().root().internal.force.into()));

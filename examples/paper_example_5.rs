@@ -112,7 +112,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut near = [[0.0; 3]; 3];
     let mut exact: Record = vec![];
     let run = scene.simulation(Dop853::tolerance(1e-12)).every(0.01).run(start, end, |now| {
-        for (angles, body) in near.iter_mut().zip(scene.body_motions(now.motion()).iter()) {
+        for (angles, body) in near.iter_mut().zip(now.bodies().iter()) {
             *angles = body.attitude().angles_near(*angles);
         }
         exact.push((now.time(), near.to_vec(), now.stations().root().internal.force.into()));

@@ -139,7 +139,7 @@ impl Control {
         plan.acceleration_mut().replace(&mut |_: f64| next.next().copied().unwrap_or_default());
 
         // Inverse dynamics: −m at a joint's station is what the joint must exert ON its outboard link.
-        let stations = model.stations(&plan, &Unloaded);
+        let stations = model.stations(&plan, &Unloaded).ok()?;
         let mut torques = [0.0; 6];
         for (k, torque) in torques.iter_mut().enumerate() {
             // Links and joints alternate; the root's joint has its station on the ground.
@@ -195,9 +195,9 @@ fn run(control: Control) -> Result<(Vec<Sample>, u128), Box<dyn Error>> {
         let [q, ..] = wanted(past.time());
         let [angles, _] = state(&past);
         let hand = |motion: &ArmMotion| -> Option<Vector3<f64>> {
-            real.body_motions(motion).get(5).map(|body| body.outboard().place)
+            real.body_motions(motion).ok()?.get(5).map(|body| body.outboard().place)
         };
-        let ends = real.body_motions(&past);
+        let ends = real.body_motions(&past)?;
         let end = |k: usize| ends.get(k).map(|body| body.outboard().place);
         let places = [end(0), end(1), end(3), end(5)].map(Option::unwrap_or_default);
         let off = |k: usize| (q[k] - angles[k]).abs();

@@ -64,7 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("  {time:8.2}  {a:10.6} {b:10.6} {c:10.6}   {x:10.6} {y:10.6} {z:10.6}   {error:14.1e}");
     }
 
-    let stations = pendulum.stations(&run.motion, &Unloaded);
+    let stations = pendulum.stations(&run.motion, &Unloaded)?;
     println!("\nForces in the balls at t = 2 s (N)            found            reference     error");
     for (k, reference) in REFERENCE.iter().enumerate() {
         let force = stations.get(2 * k).ok_or("every body has an inboard end")?.internal.force;

@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let linkage = System::new(Clamped::origin(), net, Free)?.with_gravity(GRAVITY);
     // Crank, coupler (angles 1-2-3) and rocker as a rough guess (rad), which is then closed by the least correction.
     let start = linkage.assembled(linkage.at_rest(&[0.4, 0.0, -0.5, 0.3, -1.1])?, &Unloaded)?;
-    let energy = linkage.budget(&start).energy();
+    let energy = linkage.budget(&start)?.energy();
 
     let rule = Dop853::tolerance(1e-12);
     let mut readings = Vec::new();
@@ -86,14 +86,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let begin = other.assembled(other.at_rest(&[crank, rocker, angles[0], angles[1], angles[2]])?, &Unloaded)?;
     let again = other.simulate(begin, rule, 10.0, |_| ())?.motion;
     let ends = |bodies: [Option<Vector3<f64>>; 2]| bodies.map(Option::unwrap_or_default);
+    let (bodies, twins) = (linkage.body_motions(&run.motion)?, other.body_motions(&again)?);
     let [found, reference] = [
-        ends([0, 3].map(|k| linkage.body_motions(&run.motion).get(k).map(|body| body.outboard().place))),
-        ends([0, 2].map(|k| other.body_motions(&again).get(k).map(|body| body.outboard().place))),
+        ends([0, 3].map(|k| bodies.get(k).map(|body| body.outboard().place))),
+        ends([0, 2].map(|k| twins.get(k).map(|body| body.outboard().place))),
     ];
     let apart = (found[0] - reference[0]).norm().max((found[1] - reference[1]).norm());
     println!("\nCut at its other ball, the linkage is found {apart:.1e} m from there after 10 s.");
     let miss = readings.iter().fold(0.0_f64, |worst, reading| worst.max(reading.miss));
-    let ends = ends([1, 3].map(|k| linkage.body_motions(&run.motion).get(k).map(|body| body.outboard().place)));
+    let ends = ends([1, 3].map(|k| bodies.get(k).map(|body| body.outboard().place)));
     println!(
         "The energy of {energy:.3} J is kept within {largest:.1e} J. The loop is closed within {miss:.1e} m between steps,"
     );

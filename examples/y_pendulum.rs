@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // Bodies, joints and stations are numbered in this order too: stem, long arm, short arm.
     let start = pendulum.at_rest(&[-FRAC_PI_3, -FRAC_PI_6, -3.0 * FRAC_PI_4])?;
-    let energy = pendulum.budget(&start).energy();
+    let energy = pendulum.budget(&start)?.energy();
 
     let rule = Dop853::tolerance(1e-13);
     let mut readings = Vec::new();
@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let motion = now.motion();
         // The root's pin, then the chain: nothing moves by itself in the rods, in the arm its pin does.
         let (first, ((), (second, ()), third, ())) = *motion.position();
-        let (bodies, stations) = (pendulum.body_motions(motion), now.stations());
+        let (bodies, stations) = (now.bodies(), now.stations());
         let end = |k| {
             let place = bodies.get(k).map(|body| body.outboard().place);
             place.map_or((0.0, 0.0), |place| (place.x, place.y))
@@ -69,8 +69,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
 
     let run = pendulum.simulate(start, rule, 2.0, |_| ())?;
-    let force = pendulum.stations(&run.motion, &Unloaded).root().internal.force;
-    let angles = pendulum.angles(&run.motion);
+    let force = pendulum.stations(&run.motion, &Unloaded)?.root().internal.force;
+    let angles = pendulum.angles(&run.motion)?;
     println!("\nAt t = 2 s              found                reference     error");
     let names = ["stem (rad)   ", "long arm     ", "short arm    ", "force x (N)  ", "force y (N)  "];
     for ((name, found), reference) in names.iter().zip(angles.iter().chain([&force.x, &force.y])).zip(REFERENCE) {

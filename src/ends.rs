@@ -6,7 +6,7 @@
 
 use crate::element::{Element, RealOf, Space};
 use crate::error::Error;
-use crate::relation::{Closures, Solvable};
+use crate::relation::{Closures, Solvable, WrenchOf};
 
 /// Which of a conjugate pair an end makes known.
 pub trait Choice {
@@ -80,7 +80,7 @@ pub trait Tip<S: Space> {
     /// The relation it hands on, with the motion it demands (in a frame that falls freely) of a tip that turns like this.
     fn relation(&self, time: RealOf<S>, gravity: S::Vector, turn: &S::Turn) -> Self::Relation;
     /// Internal force and torque at the tip where it is held by these forces.
-    fn internal(&self, time: RealOf<S>, multipliers: &<Self::Closures as Closures>::Each<S::Scalar>) -> S::Internal;
+    fn internal(&self, time: RealOf<S>, multipliers: &<Self::Closures as Closures>::Each<S::Scalar>) -> WrenchOf<S>;
     /// By how much a tip that moves with `frame` misses the place demanded at a time, and the velocity.
     fn miss(&self, time: RealOf<S>, frame: &S::Frame) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
     /// How much the last body would yield to each of the forces if it were free: the measure of Λ, which tells closures that

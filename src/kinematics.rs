@@ -6,7 +6,7 @@
 
 use crate::element::Reading;
 use crate::error::Fault;
-use crate::relation::{Closures, Part};
+use crate::relation::{AccelerationOf, Closures, Full, Part};
 pub use crate::release::Resistance;
 use crate::release::{Freedom, Release};
 use crate::scalar::{Real, Scalar};
@@ -16,23 +16,17 @@ use crate::sweep::{Implicit, Springs, Sweep};
 use core::fmt::Debug;
 use num_traits::Zero;
 
-/// A space in which joints may be kinematics and a model of what acts along them.
-pub trait Jointed: Space {
-    /// The full relation F = S p + e + W λ at a station.
-    type Full<C: Closures>: Copy;
-}
-
 /// A relation that resists a joint: that of a body, alone or with what lies outboard of it.
 #[diagnostic::on_unimplemented(
     message = "a joint needs a body on its outboard side, but meets `{Self}`",
     label = "no body outboard of a joint",
     note = "end a chain with a body, and put a body between two joints"
 )]
-pub trait Outboard<S: Jointed>: Copy {
+pub trait Outboard<S: Space>: Copy {
     /// Closure forces it carries.
     type Closures: Closures;
     /// The relation in full.
-    fn whole(self) -> S::Full<Self::Closures>;
+    fn whole(self) -> Full<S, Self::Closures>;
 }
 
 /// What acts in a joint with one coordinate: a generalised force (N·m, N), or nothing.
@@ -45,7 +39,7 @@ pub trait Driving<S: Space>: Part {
 ///
 /// The library's own are `planar::Revolute`, `planar::Slider`, `spatial::Revolute` and `spatial::Prismatic` without springs. One of a
 /// user's own says the same: its motion as any joint does ([`Joint`](crate::shape::Joint)), and the elimination of its coordinate.
-pub trait Kinematics<S: Jointed>: Joint<S, Position = S::Scalar, Rate = S::Scalar> + Debug {
+pub trait Kinematics<S: Space>: Joint<S, Position = S::Scalar, Rate = S::Scalar> + Debug {
     /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide it hands it on.
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar;
     /// The orientation of the outboard body.
@@ -68,12 +62,12 @@ pub trait Kinematics<S: Jointed>: Joint<S, Position = S::Scalar, Rate = S::Scala
     /// [`recover`](crate::shape::Joint::recover) finds q̈ after an implicit sweep.
     fn eliminate<C: Closures>(
         &self,
-        outer: S::Full<C>,
+        outer: Full<S, C>,
         posture: JointPosture<'_, S, Self>,
         force: S::Scalar,
         resistance: S::Scalar,
         kept: &mut Self::Kept<C>,
-    ) -> S::Full<C>;
+    ) -> Full<S, C>;
     /// The motion of such a joint under a model.
     fn under(motion: S::JointMotion, model: Acting<S::Scalar>) -> S::JointMotion;
 }
@@ -96,7 +90,7 @@ pub struct Acting<T> {
     label = "not a joint of the chain's space",
     note = "`catena::joint!` makes an element of a type that implements `JointModel` for the chain's space"
 )]
-pub trait JointModel<S: Jointed>: Copy + Debug + 'static {
+pub trait JointModel<S: Space>: Copy + Debug + 'static {
     /// How it moves.
     type Kinematics: Kinematics<S>;
 
@@ -137,15 +131,15 @@ pub type Sought<'a, T> = ((T, T), Reading<'a, T, T>);
 
 /// Condenses the relation outboard of a joint with a model; what [`joint!`](crate::joint) calls.
 #[inline(always)]
-pub fn condense<S: Jointed, J: JointModel<S>, W: Sweep<S>>(
+pub fn condense<S: Space, J: JointModel<S>, W: Sweep<S>>(
     model: &J,
-    outer: S::Full<W::Closures>,
+    outer: Full<S, W::Closures>,
     posture: JointPosture<'_, S, J::Kinematics>,
     load: impl Driving<S>,
     ((position, rate), led): Sought<'_, S::Scalar>,
     springs: W::Springs,
     kept: &mut <J::Kinematics as Joint<S>>::Kept<W::Closures>,
-) -> S::Full<W::Closures> {
+) -> Full<S, W::Closures> {
     // Laws that are not linear are read where the last sweep has led.
     let follows = const { !J::LINEAR && <W::Springs as Springs<S::Scalar>>::STIFF };
     let (position, rate) = if follows { (*led.position, *led.rate) } else { (position, rate) };
@@ -158,21 +152,21 @@ pub fn condense<S: Jointed, J: JointModel<S>, W: Sweep<S>>(
 
 /// Recovers the acceleration of a joint with a model; what [`joint!`](crate::joint) calls.
 #[inline(always)]
-pub fn recover<S: Jointed, J: JointModel<S>, C: Closures>(
+pub fn recover<S: Space, J: JointModel<S>, C: Closures>(
     model: &J,
-    inboard: S::Acceleration,
+    inboard: AccelerationOf<S>,
     posture: JointPosture<'_, S, J::Kinematics>,
     kept: &mut <J::Kinematics as Joint<S>>::Kept<C>,
     multipliers: &C::Each<S::Scalar>,
     rate: &mut S::Scalar,
-) -> S::Acceleration {
+) -> AccelerationOf<S> {
     // Reflected inertia makes the gains of all sweeps those of relative coordinates, as springs make those of implicit ones.
     model.kinematics().recover::<C, Implicit<RealOf<S>>>(inboard, posture, kept, multipliers, rate)
 }
 
 /// The motion of a joint with a model; what [`joint!`](crate::joint) calls.
 #[inline(always)]
-pub fn motion<S: Jointed, J: JointModel<S>>(
+pub fn motion<S: Space, J: JointModel<S>>(
     model: &J,
     inboard: S::Frame,
     [position, rate, acceleration]: [&S::Scalar; 3],
@@ -188,7 +182,7 @@ pub fn motion<S: Jointed, J: JointModel<S>>(
 
 /// What a joint with a model lets move; what [`joint!`](crate::joint) calls.
 #[inline(always)]
-pub fn release<S: Jointed, J: JointModel<S>>(
+pub fn release<S: Space, J: JointModel<S>>(
     model: &J,
     motion: &S::JointMotion,
     position: &S::Scalar,
@@ -207,7 +201,7 @@ pub fn release<S: Jointed, J: JointModel<S>>(
 ///
 /// # Errors
 /// What is wrong with its parameters.
-pub fn check<S: Jointed, J: JointModel<S>>(model: &J) -> Result<(), Fault> {
+pub fn check<S: Space, J: JointModel<S>>(model: &J) -> Result<(), Fault> {
     model.kinematics().check()?;
     let inertia = model.reflected_inertia();
     if !Scalar::is_finite(inertia) {

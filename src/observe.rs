@@ -11,6 +11,7 @@ pub(crate) use misses::loops_miss;
 
 use crate::counts::HasBody;
 use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::relation::{Wrench, WrenchOf};
 use crate::shape::{self, PerJoint};
 use crate::visit::survey;
 use crate::walks::entries::{Entry, entries};
@@ -63,7 +64,7 @@ impl<'a, S: Space, E: Element<S>, X: Copy + 'static> PerBody<'a, S, E, X> {
     /// # let rod = Rod::uniform(1.0, 1.0);
     /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
     /// let start = pendulum.at_rest(&[0.0, 0.5])?;
-    /// assert_eq!(pendulum.angles(&start).body::<1>(), Some(&0.5));
+    /// assert_eq!(pendulum.angles(&start)?.body::<1>(), Some(&0.5));
     /// # Ok::<(), catena::Error>(())
     /// ```
     pub fn body<const K: usize>(&self) -> Option<&X>
@@ -117,7 +118,7 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
         motion: Coordinates<'_, S, E>,
         time: RealOf<S>,
         loads: &L,
-        tip: S::Internal,
+        tip: WrenchOf<S>,
     ) -> Self {
         let (mut bodies, mut joints) = (chain.store::<shape::PerBody<_>>(None), chain.store::<PerJoint<_>>(None));
         let seen = survey(chain, ground, motion, loads);
@@ -171,19 +172,19 @@ struct Internals<S>(PhantomData<S>);
 
 impl<S: Space> Gather for Internals<S> {
     type Entry = Option<S::Station>;
-    type Carried = S::Internal;
+    type Carried = WrenchOf<S>;
 
-    fn meet(&mut self, station: &mut Option<S::Station>, outer: S::Internal) -> S::Internal {
+    fn meet(&mut self, station: &mut Option<S::Station>, outer: WrenchOf<S>) -> WrenchOf<S> {
         station.as_mut().map_or(outer, |station| S::balance(station, outer))
     }
-    fn beyond_arm(&mut self) -> S::Internal {
-        S::no_force()
+    fn beyond_arm(&mut self) -> WrenchOf<S> {
+        Wrench::none()
     }
-    fn opposite(&mut self, closing: S::Internal) -> S::Internal {
-        S::opposite(closing)
+    fn opposite(&mut self, closing: WrenchOf<S>) -> WrenchOf<S> {
+        -closing
     }
-    fn join(&mut self, chain: S::Internal, arm: S::Internal) -> S::Internal {
-        S::together(chain, arm)
+    fn join(&mut self, chain: WrenchOf<S>, arm: WrenchOf<S>) -> WrenchOf<S> {
+        chain + arm
     }
 }
 

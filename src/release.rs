@@ -1,8 +1,9 @@
 //! What a joint says of itself at an instant: what it lets move, and what resists it there.
 
+use crate::relation::Additive;
 pub use crate::relation::Way;
 use crate::scalar::Scalar;
-use crate::space::{Budget, Space};
+use crate::space::Space;
 
 /// What acts along the coordinate of a joint at an instant, ON the outboard body, and how that changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,7 +53,7 @@ pub struct Freedom<S: Space> {
 impl<S: Space> Freedom<S> {
     /// One that nothing resists.
     pub fn smooth(way: Way, axis: S::Vector) -> Self {
-        let zero = num_traits::Zero::zero();
+        let zero = Additive::null();
         Self { way, axis, resistance: Resistance::none(), preload: zero, inertia: zero, driven: true }
     }
 
@@ -83,13 +84,13 @@ pub struct Release<S: Space> {
     /// c: what the outboard point accelerates by besides the inboard body (m/s²).
     pub linear: S::Vector,
     /// And by what its body does (rad/s²).
-    pub angular: S::Moment,
+    pub angular: S::Angular,
 }
 
 impl<S: Space> Release<S> {
     /// A joint that lets nothing move.
     pub fn nothing() -> Self {
-        let Budget { momentum: linear, angular_momentum: angular, .. } = S::no_budget();
+        let (linear, angular) = (Additive::null(), Additive::null());
         Self { coordinates: [None; 6], carries: true, swings: true, balanced: true, linear, angular }
     }
 
@@ -107,7 +108,7 @@ impl<S: Space> Release<S> {
         let mut efforts = efforts.into_iter();
         self.coordinates.into_iter().flatten().map(move |freedom| {
             let effort = if freedom.driven { efforts.next() } else { None };
-            (freedom, effort.unwrap_or(num_traits::Zero::zero()))
+            (freedom, effort.unwrap_or(Additive::null()))
         })
     }
 

@@ -2,14 +2,13 @@
 
 use crate::error::Fault;
 use crate::mirror::Rate;
+use crate::relation::{AccelerationOf, Geometry, WrenchOf};
 use crate::release::Release;
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 
 /// What elements of one space have in common. Implemented by `planar::Planar<T>` and `spatial::Spatial<T>`.
-pub trait Space: Copy + Debug + 'static {
-    /// The numbers of the scene.
-    type Scalar: Scalar;
+pub trait Space: Geometry {
     /// What a body's posture needs to know of its shape.
     type Size: Copy + Debug;
     /// First part of a posture; see [`Posture`](crate::element::Posture).
@@ -24,26 +23,16 @@ pub trait Space: Copy + Debug + 'static {
     type Turn: Copy + Debug;
     /// Place, orientation, velocity and acceleration of a station.
     type Frame: Copy + Debug;
-    /// Acceleration p of a station.
-    type Acceleration: Copy + Debug;
-    /// Internal force q and torque m at a station.
-    type Internal: Copy + Debug;
     /// A station: its motion, and its force and torque.
     type Station: Copy + Debug;
-    /// A vector: gravity, momentum.
-    type Vector: Copy + Debug + PartialEq;
     /// Orientation of a body in angles (rad): one in the plane, three in space.
     type Angles: Copy + Debug;
-    /// Angular momentum.
-    type Moment: Copy + Debug;
     /// A body and its motion at an instant.
     type BodyMotion: Copy + Debug;
     /// A joint and its motion at an instant.
     type JointMotion: Copy + Debug;
     /// Internal force and torque, as numbers that add up.
     type Numbers: Rate<Self::Scalar> + Copy;
-    /// A column of W: the force and torque on the outboard part for a unit closure force.
-    type Column: Copy;
     /// The relation of a free tip.
     type Nothing: Copy + Default;
 
@@ -68,27 +57,11 @@ pub trait Space: Copy + Debug + 'static {
     /// The same of an angle that a joint has turned by.
     fn turn_out_of_range(joint: &Self::JointMotion, release: &Release<Self>) -> Option<f64>;
     /// The acceleration of a frame as seen by one that falls freely: a − g.
-    fn falling(frame: &Self::Frame, gravity: Self::Vector) -> Self::Acceleration;
-    /// No acceleration.
-    fn no_acceleration() -> Self::Acceleration;
-    /// No force, no torque.
-    fn no_force() -> Self::Internal;
-    /// The sum of forces and torques at a station.
-    fn together(a: Self::Internal, b: Self::Internal) -> Self::Internal;
-    /// The force and torque on the other side.
-    fn opposite(internal: Self::Internal) -> Self::Internal;
+    fn falling(frame: &Self::Frame, gravity: Self::Vector) -> AccelerationOf<Self>;
     /// Internal force and torque as numbers.
-    fn numbers(internal: Self::Internal) -> Self::Numbers;
+    fn numbers(internal: WrenchOf<Self>) -> Self::Numbers;
     /// Internal force and torque from their numbers.
-    fn internal(numbers: Self::Numbers) -> Self::Internal;
-    /// A column of nothing.
-    fn no_column() -> Self::Column;
-    /// w · p, a column's work on an acceleration.
-    fn work(column: Self::Column, acceleration: &Self::Acceleration) -> Self::Scalar;
-    /// No gravity.
-    fn no_gravity() -> Self::Vector;
-    /// Whether a vector is finite.
-    fn is_finite(vector: Self::Vector) -> bool;
+    fn internal(numbers: Self::Numbers) -> WrenchOf<Self>;
     /// Whether a frame is finite.
     fn frame_is_finite(frame: &Self::Frame) -> bool;
     /// The inboard station of a body, with the body's inertia force in its balance.
@@ -96,11 +69,11 @@ pub trait Space: Copy + Debug + 'static {
     /// The inboard station of a joint.
     fn joint_station(joint: &Self::JointMotion) -> Self::Station;
     /// The inboard station of what closes a loop, which passes this force and torque on.
-    fn closing_station(joint: &Self::JointMotion, internal: Self::Internal) -> Self::Station;
+    fn closing_station(joint: &Self::JointMotion, internal: WrenchOf<Self>) -> Self::Station;
     /// The station at the end of a chain.
-    fn end_station(frame: &Self::Frame, internal: Self::Internal) -> Self::Station;
+    fn end_station(frame: &Self::Frame, internal: WrenchOf<Self>) -> Self::Station;
     /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.
-    fn balance(station: &mut Self::Station, outer: Self::Internal) -> Self::Internal;
+    fn balance(station: &mut Self::Station, outer: WrenchOf<Self>) -> WrenchOf<Self>;
     /// A budget of nothing.
     fn no_budget() -> Budget<Self>;
     /// The sum of two budgets.
@@ -116,7 +89,10 @@ pub trait SpaceOver<U: Scalar>: Space {
     /// The same space over `U`.
     type Over: Space<Scalar = U>;
     /// Replaces the numbers of a vector.
-    fn lift_vector(vector: Self::Vector, number: &mut impl FnMut(Self::Scalar) -> U) -> <Self::Over as Space>::Vector;
+    fn lift_vector(
+        vector: Self::Vector,
+        number: &mut impl FnMut(Self::Scalar) -> U,
+    ) -> <Self::Over as Geometry>::Vector;
 }
 
 /// Energy and momentum of bodies.
@@ -129,7 +105,7 @@ pub struct Budget<S: Space> {
     /// Linear momentum (kg·m/s).
     pub momentum: S::Vector,
     /// Angular momentum about the origin (kg·m²/s).
-    pub angular_momentum: S::Moment,
+    pub angular_momentum: S::Angular,
 }
 
 impl<S: Space> Budget<S> {
@@ -140,4 +116,4 @@ impl<S: Space> Budget<S> {
 }
 
 /// Names the time, step and tolerance of a space's scalar.
-pub type RealOf<S> = <<S as Space>::Scalar as Scalar>::Real;
+pub type RealOf<S> = <<S as Geometry>::Scalar as Scalar>::Real;

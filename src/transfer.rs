@@ -1,7 +1,7 @@
 //! What a space must say for its elements to have exact transfer matrices: the inspection view of a sweep.
 
 use crate::element::{Load, Space};
-use crate::relation::Absent;
+use crate::relation::{Absent, Geometry};
 use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::state::{StateVector, TransferMatrix};
@@ -40,7 +40,7 @@ impl<S: Space> Efforts<S> for Absent {
 }
 
 /// The overall matrix of a chain, and what the joint at its root does.
-pub type Whole<S, const N: usize> = (TransferMatrix<<S as Space>::Scalar, N>, Passage<<S as Space>::Scalar, N>);
+pub type Whole<S, const N: usize> = (TransferMatrix<<S as Geometry>::Scalar, N>, Passage<<S as Geometry>::Scalar, N>);
 
 /// Most coordinates that a joint can have.
 const MOST: usize = 6;

@@ -2,6 +2,7 @@
 
 use crate::element::Coordinates;
 use crate::loading::Loading;
+use crate::relation::WrenchOf;
 use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::shape::Shape;
@@ -75,7 +76,7 @@ pub struct Closed<S: Space> {
     /// The joint, from the side arm to the main one.
     pub joint: S::JointMotion,
     /// The force and torque that it passes on.
-    pub internal: S::Internal,
+    pub internal: WrenchOf<S>,
     /// How many conditions it imposes.
     pub conditions: usize,
     /// By how much these are missed, in place and in velocity; the numbers after them are zero.

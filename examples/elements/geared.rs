@@ -1,7 +1,8 @@
 //! A motor in a joint: its rotor turns `ratio` times as fast as the joint, and its bearings rub.
 
 use catena::Scalar;
-use catena::extend::{JointModel, Jointed, Kinematics, Resistance};
+use catena::element::Space;
+use catena::extend::{JointModel, Kinematics, Resistance};
 use std::fmt::Debug;
 
 /// A geared motor on any kinematics with one coordinate: a hinge or a slide, in the plane or in space.
@@ -19,7 +20,7 @@ pub struct Geared<T, K> {
 catena::joint!([T: Scalar, K: Copy + Debug + 'static] Geared<T, K>);
 catena::lift!(Geared<T, K> { kinematics, rotor, ratio, friction });
 
-impl<S: Jointed, K: Kinematics<S>> JointModel<S> for Geared<S::Scalar, K> {
+impl<S: Space, K: Kinematics<S>> JointModel<S> for Geared<S::Scalar, K> {
     type Kinematics = K;
     fn kinematics(&self) -> &K {
         &self.kinematics

@@ -17,7 +17,7 @@ use num_traits::Zero;
 /// // Two rods hang by pins of their own from the end of a third.
 /// let y = System::new(Pinned::origin(), (rod, Branch((Pin, rod)), Pin, rod), Free)?.with_gravity(9.81);
 /// let start = y.at_rest(&[-1.0, -0.5, -2.0])?; // absolute angles (rad): of the third, of the arm, of the one that goes on
-/// assert_eq!(y.angles(&start).body::<1>(), Some(&-0.5));
+/// assert_eq!(y.angles(&start)?.body::<1>(), Some(&-0.5));
 /// # Ok::<(), catena::Error>(())
 /// ```
 ///

@@ -3,7 +3,7 @@
 use crate::element::Space;
 use crate::error::Fault;
 use crate::lift::Lift;
-use crate::relation::{Cut, Shared};
+use crate::relation::{Cut, Shared, WrenchOf};
 use crate::scalar::Scalar;
 use crate::shape::{Closing, Ends};
 
@@ -51,7 +51,7 @@ impl<S: Space, K: Closing<S, Closures = Cut<L>>, const L: usize> Closing<S> for 
     fn joint(&self, side: &S::Frame, main: &S::Frame) -> S::JointMotion {
         self.0.joint(side, main)
     }
-    fn internal(&self, forces: &[S::Scalar; L], axes: Ends<'_, S, Self>) -> S::Internal {
+    fn internal(&self, forces: &[S::Scalar; L], axes: Ends<'_, S, Self>) -> WrenchOf<S> {
         self.0.internal(forces, axes.of())
     }
     fn miss(&self, side: &S::Frame, main: &S::Frame) -> [[S::Scalar; L]; 2] {

@@ -5,6 +5,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Position, Rate};
+use crate::relation::WrenchOf;
 use crate::release::Release;
 use crate::scalar::Jet;
 use crate::system::{Inertial, MotionOf, Runs, StiffDynamics, System, coordinates, numbers, set, unit};
@@ -254,7 +255,7 @@ where
     fn energy(&self) -> Result<(), Doubt> {
         let (rate, acceleration) = (numbers(&self.motion.rate), numbers(&self.motion.acceleration));
         let moving = self.seeded(&rate, &acceleration);
-        let budget = self.varied.budget(&moving);
+        let budget = self.varied.budget(&moving)?;
         let found = budget.energy().eps[0];
         let mut still = self.motion.clone();
         still.rate.replace(&mut |_| 0.0);
@@ -411,7 +412,7 @@ impl<S: Inertial + Exact<N> + Space<Scalar = f64>, const N: usize> Visit<S> for 
     type InJoint = ();
 
     fn body(&mut self, body: &S::BodyMotion) {
-        let internal = S::balance(&mut S::body_station(body, self.gravity), S::no_force());
+        let internal = S::balance(&mut S::body_station(body, self.gravity), WrenchOf::<S>::none());
         let mut force = [0.0; N];
         let mut entries = force.iter_mut();
         S::numbers(internal).visit(&mut |x| {

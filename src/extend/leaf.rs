@@ -8,7 +8,7 @@ macro_rules! joint {
         const _: () = {
             type CatenaKinematics<Spaced, Model> = <Model as $crate::extend::JointModel<Spaced>>::Kinematics;
 
-            impl<Spaced: $crate::extend::Jointed, $($generics)*> $crate::shape::Joint<Spaced> for $Joint
+            impl<Spaced: $crate::element::Space, $($generics)*> $crate::shape::Joint<Spaced> for $Joint
             where
                 Self: $crate::extend::JointModel<Spaced>,
             {
@@ -45,23 +45,23 @@ macro_rules! joint {
                 #[inline(always)]
                 fn recover<Closing: $crate::relation::Closures, By: $crate::element::Springs<Spaced::Scalar>>(
                     &self,
-                    inboard: Spaced::Acceleration,
+                    inboard: $crate::relation::AccelerationOf<Spaced>,
                     posture: $crate::shape::JointPosture<'_, Spaced, Self>,
                     kept: &mut Self::Kept<Closing>,
                     multipliers: &Closing::Each<Spaced::Scalar>,
                     rate: &mut Spaced::Scalar,
-                ) -> Spaced::Acceleration {
+                ) -> $crate::relation::AccelerationOf<Spaced> {
                     $crate::extend::model::recover::<Spaced, Self, Closing>(self, inboard, posture, kept, multipliers, rate)
                 }
                 #[inline(always)]
                 fn respond<Closing: $crate::relation::Closures>(
                     &self,
-                    inboard: Spaced::Acceleration,
+                    inboard: $crate::relation::AccelerationOf<Spaced>,
                     posture: $crate::shape::JointPosture<'_, Spaced, Self>,
                     kept: &Self::Kept<Closing>,
                     multipliers: &Closing::Each<Spaced::Scalar>,
                     rate: &mut Spaced::Scalar,
-                ) -> Spaced::Acceleration {
+                ) -> $crate::relation::AccelerationOf<Spaced> {
                     let kinematics = $crate::extend::JointModel::<Spaced>::kinematics(self);
                     $crate::shape::Joint::respond::<Closing>(kinematics, inboard, posture, kept, multipliers, rate)
                 }
@@ -89,7 +89,7 @@ macro_rules! joint {
                 }
             }
 
-            impl<Spaced: $crate::extend::Jointed, $($generics)*> $crate::shape::Shape<Spaced> for $Joint
+            impl<Spaced: $crate::element::Space, $($generics)*> $crate::shape::Shape<Spaced> for $Joint
             where
                 Self: $crate::extend::JointModel<Spaced>,
             {
@@ -122,7 +122,7 @@ macro_rules! joint {
                 }
             }
 
-            impl<Spaced: $crate::extend::Jointed, $($generics)*> $crate::shape::AsJoint<Spaced> for $Joint
+            impl<Spaced: $crate::element::Space, $($generics)*> $crate::shape::AsJoint<Spaced> for $Joint
             where
                 Self: $crate::extend::JointModel<Spaced>,
             {
@@ -136,7 +136,7 @@ macro_rules! joint {
                 }
             }
 
-            impl<Spaced: $crate::extend::Jointed, $($generics)*> $crate::element::Element<Spaced> for $Joint
+            impl<Spaced: $crate::element::Space, $($generics)*> $crate::element::Element<Spaced> for $Joint
             where
                 Self: $crate::extend::JointModel<Spaced>,
             {
@@ -184,12 +184,12 @@ macro_rules! joint {
             impl<Spaced, Outer, Sweeping, $($generics)*> $crate::element::Condense<Spaced, Outer, Sweeping> for $Joint
             where
                 Self: $crate::extend::JointModel<Spaced>,
-                Spaced: $crate::extend::Jointed,
+                Spaced: $crate::element::Space,
                 Outer: $crate::extend::Outboard<Spaced>,
                 Sweeping: $crate::element::Sweep<Spaced, Closures = Outer::Closures>,
                 $crate::element::InJoint<Spaced, Sweeping>: $crate::extend::Driving<Spaced>,
             {
-                type Out = Spaced::Full<Outer::Closures>;
+                type Out = $crate::relation::Full<Spaced, Outer::Closures>;
 
                 #[inline(always)]
                 fn condense(

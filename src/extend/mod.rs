@@ -9,6 +9,6 @@ mod leaf;
 pub use check::{Disagreement, Doubt, check_element};
 
 pub use crate::kinematics as model;
-pub use crate::kinematics::{Acting, Driving, JointModel, Jointed, Kinematics, Outboard, Resistance};
+pub use crate::kinematics::{Acting, Driving, JointModel, Kinematics, Outboard, Resistance};
 pub use crate::release::{Freedom, Release, Way};
 pub use typenum::{U0 as None, U1 as One};

@@ -9,7 +9,7 @@ use super::scene::{Chain, Met, Scene, Slots, refuse_inertia, trace};
 use crate::element::{Element, Load, Loading, Space};
 use crate::ends::{Pairs, Root, Tip};
 use crate::error::{Error, Fault, Place};
-use crate::planar::{BodyMotion, Frame, JointMotion, Planar, SpringState, Turn};
+use crate::planar::{BodyMotion, Frame, Internal, JointMotion, Planar, SpringState, Turn};
 use crate::relation::{Closures, Term};
 use crate::release::{Freedom, Release, Resistance, Way};
 use crate::scalar::Scalar;
@@ -113,7 +113,7 @@ where
     }
 
     fn external(&self, loads: &L, time: T::Real, number: usize, body: &BodyMotion<T>) -> External<T> {
-        let nothing = Planar::<T>::no_force();
+        let nothing = Internal::none();
         let mut station = Planar::end_station(&body.inboard, nothing);
         loads.on_body(&L::unseen(), time, number, body).act(&mut station);
         // The balance of a station without mass shows what acts there: −f, and the torque about the inboard end.

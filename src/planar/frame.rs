@@ -1,25 +1,14 @@
 //! What the walks carry in the plane.
 
-use super::{Inertia, Station};
+use super::{Inertia, Planar, Station};
 use crate::element::{Budget, Space, SpaceOver};
 use crate::error::Fault;
+use crate::relation::plane::Empty;
 use crate::relation::plane::algebra::{add_scaled, cross, dot, normal};
-use crate::relation::plane::{Empty, FullColumn};
+use crate::relation::{self, VectorSpace};
 use crate::release::Release;
 use crate::scalar::{Real, Scalar};
-use core::fmt;
-use core::marker::PhantomData;
 use nalgebra::Vector2;
-
-/// The plane, with numbers of type `T`.
-#[derive(Clone, Copy)]
-pub struct Planar<T>(PhantomData<T>);
-
-impl<T> fmt::Debug for Planar<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Planar")
-    }
-}
 
 /// Orientation of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,13 +20,7 @@ pub struct Turn<T> {
 }
 
 /// Acceleration of a station.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Acceleration<T> {
-    /// Of its point (m/s²).
-    pub linear: Vector2<T>,
-    /// Of the body on its inboard side (rad/s²).
-    pub angular: T,
-}
+pub type Acceleration<T> = relation::Acceleration<Vector2<T>, T>;
 
 /// Motion of a station: a point of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,14 +42,14 @@ impl<T: Scalar> Frame<T> {
             place,
             velocity: zero(),
             turn: Turn { angle: T::zero(), rate: T::zero() },
-            acceleration: Acceleration { linear: zero(), angular: T::zero() },
+            acceleration: Acceleration::zero(),
         }
     }
 
     /// The same motion with the accelerations left out.
     #[inline(always)]
     pub(super) fn without_acceleration(&self) -> Self {
-        Self { acceleration: Acceleration { linear: zero(), angular: T::zero() }, ..*self }
+        Self { acceleration: Acceleration::zero(), ..*self }
     }
 
     /// The frame of a point that moves relative to the body: its displacement from here, the rate and the acceleration of that
@@ -93,29 +76,8 @@ impl<T: Scalar> Frame<T> {
     }
 }
 
-impl<T: Scalar> Acceleration<T> {
-    /// The acceleration of another point of the same body, at the vector `d` from this one: a + α n + p with the centripetal
-    /// p = −ω² d.
-    #[inline(always)]
-    pub fn shifted(&self, d: Vector2<T>, centripetal: Vector2<T>) -> Self {
-        Self { linear: add_scaled(self.linear + centripetal, self.angular, normal(d)), angular: self.angular }
-    }
-
-    /// The same with a body at rest: a + α n.
-    #[inline(always)]
-    pub fn swung(&self, d: Vector2<T>) -> Self {
-        Self { linear: add_scaled(self.linear, self.angular, normal(d)), angular: self.angular }
-    }
-}
-
-/// Internal force and torque at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Internal<T> {
-    /// Force q (N).
-    pub force: Vector2<T>,
-    /// Torque m (N·m).
-    pub torque: T,
-}
+/// Internal force q (N) and torque m (N·m) at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
+pub type Internal<T> = relation::Wrench<Vector2<T>, T>;
 
 /// A body and its motion at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -224,7 +186,6 @@ impl<T: Scalar> JointMotion<T> {
 }
 
 impl<T: Scalar> Space for Planar<T> {
-    type Scalar = T;
     type Size = T;
     type X = T;
     type Y = T;
@@ -232,16 +193,11 @@ impl<T: Scalar> Space for Planar<T> {
     type Q = T;
     type Turn = Turn<T>;
     type Frame = Frame<T>;
-    type Acceleration = Acceleration<T>;
-    type Internal = Internal<T>;
     type Station = Station<T>;
-    type Vector = Vector2<T>;
     type Angles = T;
-    type Moment = T;
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
     type Numbers = [T; 3];
-    type Column = FullColumn<T>;
     type Nothing = Empty;
 
     fn blank() -> (T, T, T, T) {
@@ -277,18 +233,6 @@ impl<T: Scalar> Space for Planar<T> {
         let angle = body.angle().real();
         (angle.abs() > T::ANGLE_RANGE).then(|| angle.as_f64())
     }
-    fn no_acceleration() -> Acceleration<T> {
-        Acceleration { linear: zero(), angular: T::zero() }
-    }
-    fn no_force() -> Internal<T> {
-        Internal { force: zero(), torque: T::zero() }
-    }
-    fn together(a: Internal<T>, b: Internal<T>) -> Internal<T> {
-        Internal { force: a.force + b.force, torque: a.torque + b.torque }
-    }
-    fn opposite(internal: Internal<T>) -> Internal<T> {
-        Internal { force: -internal.force, torque: -internal.torque }
-    }
     #[inline(always)]
     fn numbers(internal: Internal<T>) -> [T; 3] {
         [internal.force.x, internal.force.y, internal.torque]
@@ -297,24 +241,11 @@ impl<T: Scalar> Space for Planar<T> {
     fn internal([x, y, torque]: [T; 3]) -> Internal<T> {
         Internal { force: Vector2::new(x, y), torque }
     }
-    fn no_column() -> FullColumn<T> {
-        FullColumn { force: zero(), torque: T::zero() }
-    }
-    #[inline(always)]
-    fn work(column: FullColumn<T>, acceleration: &Acceleration<T>) -> T {
-        column.torque.mul_add(acceleration.angular, dot(column.force, acceleration.linear))
-    }
-    fn no_gravity() -> Vector2<T> {
-        zero()
-    }
-    fn is_finite(vector: Vector2<T>) -> bool {
-        vector.x.is_finite() && vector.y.is_finite()
-    }
     fn frame_is_finite(frame: &Frame<T>) -> bool {
         let Frame { place, velocity, turn, acceleration } = frame;
         let vectors = [place, velocity, &acceleration.linear];
         let angles = [turn.angle, turn.rate, acceleration.angular];
-        vectors.iter().all(|vector| Self::is_finite(**vector)) && angles.iter().all(|x| x.is_finite())
+        vectors.iter().all(|vector| vector.all_finite()) && angles.iter().all(|x| x.is_finite())
     }
     fn body_station(body: &BodyMotion<T>, gravity: Vector2<T>) -> Station<T> {
         Station::of_body(body, gravity)

@@ -2,16 +2,12 @@
 
 use super::axes::Axes;
 use super::{JointMotion, Planar, Revolute, Slider, SpringState, Turn};
-use crate::kinematics::{Acting, Driving, Jointed, Kinematics, Outboard};
+use crate::kinematics::{Acting, Driving, Kinematics, Outboard};
 use crate::planar::Joint;
 use crate::relation::plane::{Full, HingeGain, Rigid};
 use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
 use crate::shape::JointPosture;
-
-impl<T: Scalar> Jointed for Planar<T> {
-    type Full<C: Closures> = Full<T, C>;
-}
 
 impl<T: Scalar, R: Rigid<T>> Outboard<Planar<T>> for R {
     type Closures = R::Closures;

@@ -4,40 +4,19 @@ use super::load_laws::{BodyLaw, InJoints, JointLaw, OnBodies, Values};
 use super::{BodyMotion, Frame, JointMotion, Planar, Station};
 use crate::element::{Load, Loading};
 use crate::error::Fault;
-use crate::relation::plane::Full;
 use crate::relation::plane::algebra::cross;
-use crate::relation::{Absent, Closures, Part, Term};
+use crate::relation::{self, Absent, Term};
 use crate::scalar::Scalar;
 use crate::struts::Points;
-use core::ops::Add;
 use nalgebra::Vector2;
 
 /// A force and a torque on a body, about its inboard end, in inertial axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wrench<T> {
-    /// Force (N).
-    pub force: Vector2<T>,
-    /// Torque about the body's inboard end (N·m).
-    pub torque: T,
-}
-
-impl<T: Scalar> Default for Wrench<T> {
-    fn default() -> Self {
-        Self { force: Vector2::new(T::zero(), T::zero()), torque: T::zero() }
-    }
-}
+pub type Wrench<T> = relation::Wrench<Vector2<T>, T>;
 
 impl<T: Scalar> Wrench<T> {
     /// A pure torque (N·m).
     pub fn torque(torque: T) -> Self {
         Self { torque, ..Self::default() }
-    }
-}
-
-impl<T: Scalar> Add for Wrench<T> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self { force: self.force + other.force, torque: self.torque + other.torque }
     }
 }
 
@@ -56,12 +35,6 @@ impl<T: Scalar> Load<Planar<T>> for Wrench<T> {
     }
 }
 
-impl<T: Scalar> Part for Wrench<T> {
-    fn is_finite(self) -> bool {
-        self.force.x.is_finite() && self.force.y.is_finite() && self.torque.is_finite()
-    }
-}
-
 impl<T: Scalar> Points<2> for Planar<T> {
     type Wrench = Wrench<T>;
 
@@ -71,32 +44,6 @@ impl<T: Scalar> Points<2> for Planar<T> {
     }
     fn pull(body: &BodyMotion<T>, at: [T; 2], force: Vector2<T>) -> Wrench<T> {
         body.force_at(at, force.into())
-    }
-}
-
-impl<T: Scalar> Term<Self> for Wrench<T> {
-    fn none() -> Self {
-        Self::default()
-    }
-    fn add_to(self, sum: Self) -> Self {
-        sum + self
-    }
-    fn take_from(self, sum: Self) -> Self {
-        Self { force: sum.force - self.force, torque: sum.torque - self.torque }
-    }
-}
-
-impl<T: Scalar, C: Closures> Term<Full<T, C>> for Wrench<T> {
-    fn none() -> Self {
-        Self::default()
-    }
-    #[inline(always)]
-    fn add_to(self, sum: Full<T, C>) -> Full<T, C> {
-        Full { force: sum.force + self.force, torque: sum.torque + self.torque, ..sum }
-    }
-    #[inline(always)]
-    fn take_from(self, sum: Full<T, C>) -> Full<T, C> {
-        Full { force: sum.force - self.force, torque: sum.torque - self.torque, ..sum }
     }
 }
 

@@ -15,7 +15,7 @@ use crate::scalar::Scalar;
 /// use catena::planar::*;
 /// let rod = Rod::uniform(1.0, 1.0);
 /// let bracket = System::new(Pinned::origin(), (rod, Weld::at(0.5), rod), Free)?;
-/// assert_eq!(bracket.angles(&bracket.at_rest(&[0.2])?).body::<1>(), Some(&0.7));
+/// assert_eq!(bracket.angles(&bracket.at_rest(&[0.2])?)?.body::<1>(), Some(&0.7));
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

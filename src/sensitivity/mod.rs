@@ -13,7 +13,7 @@
 //! let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(Number::seed(9.81, 1));
 //! let start = pendulum.at_rest(&[Number::of(-1.0), Number::of(-0.5)])?;
 //! let run = pendulum.simulate(start, Rk4::step(1e-3).through_gains(), 1.0, |_| ())?;
-//! let tip = pendulum.stations(&run.motion, &Unloaded).tip().frame.place;
+//! let tip = pendulum.stations(&run.motion, &Unloaded)?.tip().frame.place;
 //! println!("tip at x = {} m, which moves by {} m for each metre of length", tip.x.re, tip.x.eps[0]);
 //! # Ok::<(), catena::Error>(())
 //! ```

@@ -1,7 +1,7 @@
 //! Joints that close loops.
 
 use crate::error::Fault;
-use crate::relation::{Closures, Own};
+use crate::relation::{Closures, Own, WrenchOf};
 use crate::space::Space;
 
 /// A joint that can close a loop: it holds the ends of two arms together.
@@ -33,7 +33,7 @@ pub trait Closing<S: Space>: Clone + 'static {
     /// The joint and its motion: from the side arm to the main one.
     fn joint(&self, side: &S::Frame, main: &S::Frame) -> S::JointMotion;
     /// The force and torque that closure forces are.
-    fn internal(&self, forces: &<Self::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> S::Internal;
+    fn internal(&self, forces: &<Self::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> WrenchOf<S>;
     /// By how much the end of the side arm misses that of the main one, in place and in velocity.
     fn miss(&self, side: &S::Frame, main: &S::Frame) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
     /// How much the outboard end of a free body would yield to each of the forces.

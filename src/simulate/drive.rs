@@ -52,9 +52,8 @@ where
     /// Refuses what makes no run, and motions of another scene.
     fn check(&mut self) -> Result<(), Error> {
         let system = self.plan.system;
-        if !self.past.fits(&system.motion()) {
-            return Err(Error::new(Fault::Shape));
-        }
+        system.fits(&self.past)?;
+        system.loadable(self.plan.loads)?;
         system.accept(&self.past)?;
         if System::<S, R, C, P>::CLOSED > 0 {
             // Whether they are independent, once.

@@ -76,19 +76,19 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, 
     }
     /// Orientation of every body, root to tip: in the plane absolute angles (rad).
     pub fn angles(&self) -> PerBody<'a, S, Elements<S, R, C>, S::Angles> {
-        self.system.angles(self.stepped)
+        self.system.angles_of(self.stepped)
     }
     /// Motion of every body.
     pub fn bodies(&self) -> PerBody<'a, S, Elements<S, R, C>, S::BodyMotion> {
-        self.system.body_motions(self.motion())
+        self.system.body_motions_of(self.motion())
     }
     /// Motion, internal force and torque at every station.
     pub fn stations(&self) -> Stations<'a, S, Elements<S, R, C>> {
-        self.system.stations(self.motion(), self.loads)
+        self.system.stations_of(self.motion(), self.loads)
     }
     /// Energy and momentum.
     pub fn budget(&self) -> Budget<S> {
-        self.system.budget(self.stepped)
+        self.system.budget_of(self.stepped)
     }
     /// Mechanical energy (J).
     pub fn energy(&self) -> S::Scalar {

@@ -8,7 +8,7 @@ use crate::element::{
     Sweep, Visit,
 };
 use crate::ends::{Root, Tip};
-use crate::relation::{Closures, Part, Solvable};
+use crate::relation::{Acceleration, Closures, Part, Solvable};
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::visit::survey;
 use crate::walks::measure::gains;
@@ -147,7 +147,7 @@ pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S, Closures: Solvable>>(
     let Workspace { x, y, p, q, kept, compliance, correction, .. } = workspace;
     let correction = correction.as_mut()?;
     let force = W::Closures::solve(compliance, &W::Closures::map(miss, |miss| -miss));
-    let (still, posture) = (S::no_acceleration(), Posture { x, y, p, q });
+    let (still, posture) = (Acceleration::zero(), Posture { x, y, p, q });
     if const { E::LOOPS == 0 } {
         respond::<S, E, W::Closures>(chain, still, posture, kept, force, correction);
     } else {

@@ -1,25 +1,14 @@
 //! What the walks carry in space.
 
-use super::{Inertia, Rotation, Station};
+use super::{Inertia, Rotation, Spatial, Station};
 use crate::element::{Budget, Space, SpaceOver};
 use crate::error::Fault;
+use crate::relation;
+use crate::relation::space::Empty;
 use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot, is_finite, zero};
-use crate::relation::space::{Empty, FullColumn};
 use crate::release::{Release, Way};
 use crate::scalar::{Real, Scalar};
-use core::fmt;
-use core::marker::PhantomData;
 use nalgebra::Vector3;
-
-/// Space, with numbers of type `T`.
-#[derive(Clone, Copy)]
-pub struct Spatial<T>(PhantomData<T>);
-
-impl<T> fmt::Debug for Spatial<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Spatial")
-    }
-}
 
 /// Orientation of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,13 +20,7 @@ pub struct Turn<T> {
 }
 
 /// Acceleration of a station.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Acceleration<T> {
-    /// Of its point (m/s²).
-    pub linear: Vector3<T>,
-    /// Of the body on its inboard side (rad/s²), inertial axes.
-    pub angular: Vector3<T>,
-}
+pub type Acceleration<T> = relation::Acceleration<Vector3<T>, Vector3<T>>;
 
 /// Motion of a station: a point of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,35 +65,8 @@ impl<T: Scalar> Frame<T> {
     }
 }
 
-impl<T: Scalar> Acceleration<T> {
-    /// No acceleration.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        Self { linear: zero(), angular: zero() }
-    }
-
-    /// The acceleration of another point, at the vector `d` from this one, which has the acceleration `c` besides that of rigid
-    /// rotation: a + α × d + c. For a point of the same body c = ω × (ω × d).
-    #[inline(always)]
-    pub fn shifted(&self, d: Vector3<T>, c: Vector3<T>) -> Self {
-        Self { linear: cross_onto(self.angular, d, self.linear + c), angular: self.angular }
-    }
-
-    /// The same with a body at rest: a + α × d.
-    #[inline(always)]
-    pub fn swung(&self, d: Vector3<T>) -> Self {
-        Self { linear: cross_onto(self.angular, d, self.linear), angular: self.angular }
-    }
-}
-
-/// Internal force and torque at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Internal<T> {
-    /// Force q (N).
-    pub force: Vector3<T>,
-    /// Torque m (N·m).
-    pub torque: Vector3<T>,
-}
+/// Internal force q (N) and torque m (N·m) at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
+pub type Internal<T> = relation::Wrench<Vector3<T>, Vector3<T>>;
 
 /// A body and its motion at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -196,7 +152,6 @@ impl<T: Scalar> JointMotion<T> {
 }
 
 impl<T: Scalar> Space for Spatial<T> {
-    type Scalar = T;
     /// Nothing: bodies form their postures while they are oriented.
     type Size = ();
     /// Axes of a body that needs them; for a joint its axes and its arm.
@@ -209,16 +164,11 @@ impl<T: Scalar> Space for Spatial<T> {
     type Q = Vector3<T>;
     type Turn = Turn<T>;
     type Frame = Frame<T>;
-    type Acceleration = Acceleration<T>;
-    type Internal = Internal<T>;
     type Station = Station<T>;
-    type Vector = Vector3<T>;
     type Angles = [T; 3];
-    type Moment = Vector3<T>;
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
     type Numbers = [T; 6];
-    type Column = FullColumn<T>;
     type Nothing = Empty;
 
     fn blank() -> (Columns<T>, [Vector3<T>; 2], Vector3<T>, Vector3<T>) {
@@ -253,18 +203,6 @@ impl<T: Scalar> Space for Spatial<T> {
         let mut turns = coordinates.filter(|(freedom, _)| freedom.way == Way::Turn).map(|(_, angle)| angle.real());
         turns.find(|angle| angle.abs() > T::ANGLE_RANGE).map(Real::as_f64)
     }
-    fn no_acceleration() -> Acceleration<T> {
-        Acceleration::zero()
-    }
-    fn no_force() -> Internal<T> {
-        Internal { force: zero(), torque: zero() }
-    }
-    fn together(a: Internal<T>, b: Internal<T>) -> Internal<T> {
-        Internal { force: a.force + b.force, torque: a.torque + b.torque }
-    }
-    fn opposite(internal: Internal<T>) -> Internal<T> {
-        Internal { force: -internal.force, torque: -internal.torque }
-    }
     #[inline(always)]
     fn numbers(Internal { force: q, torque: m }: Internal<T>) -> [T; 6] {
         [q.x, q.y, q.z, m.x, m.y, m.z]
@@ -272,19 +210,6 @@ impl<T: Scalar> Space for Spatial<T> {
     #[inline(always)]
     fn internal([a, b, c, d, e, f]: [T; 6]) -> Internal<T> {
         Internal { force: Vector3::new(a, b, c), torque: Vector3::new(d, e, f) }
-    }
-    fn no_column() -> FullColumn<T> {
-        FullColumn { force: zero(), torque: zero() }
-    }
-    #[inline(always)]
-    fn work(column: FullColumn<T>, acceleration: &Acceleration<T>) -> T {
-        dot(column.force, acceleration.linear) + dot(column.torque, acceleration.angular)
-    }
-    fn no_gravity() -> Vector3<T> {
-        zero()
-    }
-    fn is_finite(vector: Vector3<T>) -> bool {
-        is_finite(vector)
     }
     fn frame_is_finite(frame: &Frame<T>) -> bool {
         let Frame { place, velocity, turn, acceleration } = frame;

@@ -3,17 +3,13 @@
 use super::axial::Axial;
 use super::axial_walks::loosened;
 use super::{Drive, Joint, JointMotion, Prismatic, Revolute, Spatial, Turn};
-use crate::kinematics::{Acting, Driving, Jointed, Kinematics, Outboard};
+use crate::kinematics::{Acting, Driving, Kinematics, Outboard};
 use crate::relation::Closures;
 use crate::relation::space::algebra::Columns;
 use crate::relation::space::{Full, Pivot, Rigid};
 use crate::scalar::Scalar;
 use crate::shape::JointPosture;
 use nalgebra::Vector3;
-
-impl<T: Scalar> Jointed for Spatial<T> {
-    type Full<C: Closures> = Full<T, C>;
-}
 
 impl<T: Scalar, R: Rigid<T>> Outboard<Spatial<T>> for R {
     type Closures = R::Closures;

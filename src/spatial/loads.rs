@@ -4,40 +4,20 @@ use super::load_laws::{BodyLaw, InJoints, JointLaw, OnBodies, Values};
 use super::{BodyMotion, Frame, JointMotion, Spatial, Station};
 use crate::element::{Load, Loading};
 use crate::error::Fault;
-use crate::relation::space::algebra::{Columns, cross, is_finite, zero};
-use crate::relation::space::{Couple, Full};
-use crate::relation::{Absent, Closures, Part, Term};
+use crate::relation::space::Couple;
+use crate::relation::space::algebra::{Columns, cross};
+use crate::relation::{self, Absent, Part, Term};
 use crate::scalar::Scalar;
 use crate::struts::Points;
-use core::ops::Add;
 use nalgebra::Vector3;
 
 /// A force and a torque on a body, about its inboard end, in inertial axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wrench<T> {
-    /// Force (N).
-    pub force: Vector3<T>,
-    /// Torque about the body's inboard end (N·m).
-    pub torque: Vector3<T>,
-}
-
-impl<T: Scalar> Default for Wrench<T> {
-    fn default() -> Self {
-        Self { force: zero(), torque: zero() }
-    }
-}
+pub type Wrench<T> = relation::Wrench<Vector3<T>, Vector3<T>>;
 
 impl<T: Scalar> Wrench<T> {
     /// A pure torque (N·m), inertial axes.
     pub fn torque(torque: [T; 3]) -> Self {
         Self { torque: Vector3::from(torque), ..Self::default() }
-    }
-}
-
-impl<T: Scalar> Add for Wrench<T> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self { force: self.force + other.force, torque: self.torque + other.torque }
     }
 }
 
@@ -56,12 +36,6 @@ impl<T: Scalar> Load<Spatial<T>> for Wrench<T> {
     }
 }
 
-impl<T: Scalar> Part for Wrench<T> {
-    fn is_finite(self) -> bool {
-        is_finite(self.force) && is_finite(self.torque)
-    }
-}
-
 impl<T: Scalar> Points<3> for Spatial<T> {
     type Wrench = Wrench<T>;
 
@@ -71,32 +45,6 @@ impl<T: Scalar> Points<3> for Spatial<T> {
     }
     fn pull(body: &BodyMotion<T>, at: [T; 3], force: Vector3<T>) -> Wrench<T> {
         body.force_at(at, force.into())
-    }
-}
-
-impl<T: Scalar> Term<Self> for Wrench<T> {
-    fn none() -> Self {
-        Self::default()
-    }
-    fn add_to(self, sum: Self) -> Self {
-        sum + self
-    }
-    fn take_from(self, sum: Self) -> Self {
-        Self { force: sum.force - self.force, torque: sum.torque - self.torque }
-    }
-}
-
-impl<T: Scalar, C: Closures> Term<Full<T, C>> for Wrench<T> {
-    fn none() -> Self {
-        Self::default()
-    }
-    #[inline(always)]
-    fn add_to(self, sum: Full<T, C>) -> Full<T, C> {
-        Full { force: sum.force + self.force, torque: sum.torque + self.torque, ..sum }
-    }
-    #[inline(always)]
-    fn take_from(self, sum: Full<T, C>) -> Full<T, C> {
-        Full { force: sum.force - self.force, torque: sum.torque - self.torque, ..sum }
     }
 }
 

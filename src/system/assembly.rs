@@ -9,7 +9,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::observe::each_miss;
-use crate::relation::Closures;
+use crate::relation::{Closures, Geometry};
 use crate::scalar::{Real, Scalar};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -61,7 +61,7 @@ pub struct Assembled<M, T> {
 }
 
 /// A motion of a scene that has been assembled.
-pub type AssembledOf<S, R, C, P> = Assembled<MotionOf<S, R, C, P>, <S as Space>::Scalar>;
+pub type AssembledOf<S, R, C, P> = Assembled<MotionOf<S, R, C, P>, <S as Geometry>::Scalar>;
 
 /// Conditions of a motion, and how they change with its coordinates.
 struct Conditions<T> {
@@ -86,7 +86,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// // The crank stands at 60 degrees and turns at 5 rad/s; of the other two only the way they bend is known.
     /// let guess = four_bar.with_rates(four_bar.at_rest(&[60_f64.to_radians(), 0.3, -2.0])?, &[5.0, 0.0, 0.0])?;
     /// let start = four_bar.assembled_holding(guess, Holding::both(&[0]), &Unloaded)?;
-    /// assert_eq!(four_bar.angles(&start.motion).body::<0>(), Some(&60_f64.to_radians()));
+    /// assert_eq!(four_bar.angles(&start.motion)?.body::<0>(), Some(&60_f64.to_radians()));
     /// assert_eq!((start.displacements[0], start.rate_changes[0]), (0.0, 0.0));
     /// println!("coupler and rocker turned by {:?} rad", &start.displacements[1..]);
     /// # Ok::<(), catena::Error>(())

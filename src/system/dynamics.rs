@@ -160,7 +160,7 @@ pub trait StiffDynamics<L>: Dynamics<L> {
 /// {
 ///     let system = System::new(Pinned::origin(), chain, Free)?.with_gravity(T::literal(9.81));
 ///     let run = system.simulate(system.at_rest(angles)?, Rk4::step(0.01), 1.0, |_| ())?;
-///     Ok(system.angles(&run.motion).iter().last().copied().unwrap_or(T::zero()))
+///     Ok(system.angles(&run.motion)?.iter().last().copied().unwrap_or(T::zero()))
 /// }
 /// let rod = Rod::uniform(1.0, 1.0);
 /// assert!(last_angle((rod, Pin, rod), &[0.0, 0.0])? < 0.0);

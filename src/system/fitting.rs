@@ -1,17 +1,14 @@
-//! Motions of other scenes of the same type, told apart.
+//! Motions and loads of other scenes of the same type, told apart.
 
-use crate::element::{Element, RealOf, Space};
+use crate::element::{Element, Loading, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::{Position, Rate};
-use crate::scalar::{Real, Scalar};
 use crate::system::{MotionOf, System};
 use crate::walks::fits::fits;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Refuses a motion of another scene: one with vectors of another length. (Those of another type do not compile.)
-    ///
-    /// Readings do not fail: what they read of such a motion is not a number, anywhere.
+    /// Refuses a motion of another scene: one with vectors of another length. (Those of another type do not compile.) Whatever reads
+    /// a motion asks this first, which costs nothing where no vector is.
     ///
     /// ```
     /// use catena::planar::*;
@@ -21,7 +18,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// let motion = long.motion();
     /// assert!(long.fits(&motion).is_ok());
     /// assert_eq!(short.fits(&motion), Err(catena::Error::new(catena::Fault::Shape)));
-    /// assert!(short.budget(&motion).energy().is_nan());
+    /// assert!(short.budget(&motion).is_err());
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
@@ -34,18 +31,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if fits { Ok(()) } else { Err(Error::new(Fault::Shape)) }
     }
 
-    /// Reads a motion of this scene; instead of another one's, a motion of which no number is one.
+    /// Refuses loads that do not fit the scene's bodies and joints.
     #[inline]
-    pub(super) fn reading<X>(&self, motion: &MotionOf<S, R, C, P>, read: impl FnOnce(&MotionOf<S, R, C, P>) -> X) -> X {
-        if self.fits(motion).is_ok() { read(motion) } else { read(&self.nowhere().at_time(motion.time)) }
-    }
-
-    #[cold]
-    fn nowhere(&self) -> MotionOf<S, R, C, P> {
-        let (mut motion, nothing) = (self.motion(), S::Scalar::constant(RealOf::<S>::of(f64::NAN)));
-        motion.position.replace(&mut |_| nothing);
-        motion.rate.replace(&mut |_| nothing);
-        motion.acceleration.replace(&mut |_| nothing);
-        motion
+    pub(crate) fn loadable<L: Loading<S>>(&self, loads: &L) -> Result<(), Error> {
+        loads.check(self.bodies(), self.joints()).map_err(Error::new)
     }
 }

@@ -30,7 +30,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// let rod = |length| Rod::uniform(length, 1.0);
     /// let four_bar = System::new(Pinned::origin(), (rod(0.5), Pin, rod(1.2), Pin, rod(0.9)), Pinned::at(1.0, 0.0))?;
     /// let start = four_bar.assembled(four_bar.at_rest(&[1.0, 0.3, -2.0])?, &Unloaded)?;
-    /// let tip = four_bar.stations(&start, &Unloaded).tip().frame.place;
+    /// let tip = four_bar.stations(&start, &Unloaded)?.tip().frame.place;
     /// assert!((tip.x - 1.0_f64).abs() < 1e-15 && tip.y.abs() < 1e-15);
     /// # Ok::<(), catena::Error>(())
     /// ```

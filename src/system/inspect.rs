@@ -28,7 +28,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::SingularTransfer`] where a joint is a centre of percussion of what lies outboard;
-    /// [`Fault::Unsupported`] for arms; [`Fault::Shape`] for a motion of another scene.
+    /// [`Fault::Unsupported`] for arms; [`Fault::Shape`] for a motion of another scene; [`Fault::Count`] for a list of loads of another
+    /// length.
     pub fn transfer_matrix<L: Loading<S>, const N: usize>(
         &self,
         motion: &MotionOf<S, R, C, P>,
@@ -53,6 +54,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         L::InJoint: Efforts<S>,
     {
         self.fits(motion)?;
+        self.loadable(loads)?;
         let (position, rate, acceleration) = (motion.position(), motion.rate(), motion.acceleration());
         let coordinates = Coordinates { position, rate, acceleration };
         let ground = self.ground(motion.time());
@@ -63,7 +65,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// sweep finds by other means.
     ///
     /// # Errors
-    /// [`Fault::SingularTransfer`] at a centre of percussion.
+    /// Those of [`transfer_matrix`](Self::transfer_matrix).
     pub fn root_state<L: Loading<S>, const N: usize>(
         &self,
         motion: &MotionOf<S, R, C, P>,

@@ -14,6 +14,7 @@ mod inspect;
 mod least_change;
 #[cfg(feature = "alloc")]
 mod linear;
+mod readings;
 mod reference;
 mod start;
 #[cfg(feature = "alloc")]
@@ -29,14 +30,13 @@ pub use linear::{Carried, Inertial};
 #[cfg(feature = "alloc")]
 pub(crate) use linear::{numbers, set, unit};
 
-use crate::element::{Budget, Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
+use crate::element::{Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::Rate;
 use crate::motion::Motion;
-use crate::observe::{PerBody, Stations, budget};
-use crate::relation::Closures;
+use crate::relation::{Additive, Closures, Geometry};
 use crate::scalar::Scalar;
 use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
@@ -60,11 +60,11 @@ pub struct System<S: Space, R: Root<S>, C, P> {
 /// The elements of a scene.
 pub type Elements<S, R, C> = (<R as Root<S>>::Joint, C);
 /// The motion of a scene.
-pub type MotionOf<S, R, C, P> = Motion<<S as Space>::Scalar, PositionOf<S, R, C>, <P as Tip<S>>::Closures>;
+pub type MotionOf<S, R, C, P> = Motion<<S as Geometry>::Scalar, PositionOf<S, R, C>, <P as Tip<S>>::Closures>;
 /// The accelerations of a scene.
 pub type RateOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Rate;
 /// A part of a scene over another scalar.
-type Over<X, S, U> = <X as Lift<<S as Space>::Scalar, U>>::Over;
+type Over<X, S, U> = <X as Lift<<S as Geometry>::Scalar, U>>::Over;
 /// The positions of a scene.
 pub type PositionOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Position;
 
@@ -98,7 +98,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if chain.bodies() == 0 {
             return Err(Error::new(Fault::NoBodies));
         }
-        Ok(Self { chain: lumped(root.joint(), chain), root, tip, gravity: S::no_gravity() })
+        Ok(Self { chain: lumped(root.joint(), chain), root, tip, gravity: Additive::null() })
     }
 
     /// The same scene in a uniform field of gravity (m/s²).
@@ -204,43 +204,6 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             return Err(Error::new(Fault::NotFinite { parameter: "rate" }));
         }
         Ok(motion)
-    }
-
-    /// Motion of every body, in one walk outward; not a number for a motion of another scene (see [`fits`](Self::fits)).
-    pub fn body_motions(&self, motion: &MotionOf<S, R, C, P>) -> PerBody<'_, S, Elements<S, R, C>, S::BodyMotion> {
-        self.reading(motion, |motion| {
-            PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), |body| *body)
-        })
-    }
-
-    /// Orientation of every body: in the plane absolute angles (rad).
-    pub fn angles(&self, motion: &MotionOf<S, R, C, P>) -> PerBody<'_, S, Elements<S, R, C>, S::Angles> {
-        self.reading(motion, |motion| {
-            PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), S::angles)
-        })
-    }
-
-    /// Inverse dynamics: motion, internal force and torque at every station, from positions, rates and accelerations.
-    ///
-    /// With the accelerations of [`with_accelerations`](Self::with_accelerations) these are the forces of the motion. With
-    /// accelerations of the user's choice they are what it takes: the torque a joint must exert ON its outboard body is −m
-    /// at its station.
-    pub fn stations<L: Loading<S>>(
-        &self,
-        motion: &MotionOf<S, R, C, P>,
-        loads: &L,
-    ) -> Stations<'_, S, Elements<S, R, C>> {
-        self.reading(motion, |motion| {
-            let (ground, tip) = (self.root.ground(motion.time), self.tip.internal(motion.time, &motion.multipliers));
-            Stations::of(&self.chain, ground, self.gravity, coordinates(motion), motion.time, loads, tip)
-        })
-    }
-
-    /// Energy and momentum of all bodies and springs.
-    pub fn budget(&self, motion: &MotionOf<S, R, C, P>) -> Budget<S> {
-        self.reading(motion, |motion| {
-            budget(&self.chain, self.root.ground(motion.time), self.gravity, coordinates(motion))
-        })
     }
 }
 

@@ -8,7 +8,7 @@ use crate::element::{
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
-use crate::relation::{Closures, Solvable};
+use crate::relation::{Closures, Solvable, VectorSpace};
 use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Kept, Shape};
@@ -46,7 +46,7 @@ where
     }
 
     fn admits(&self, loads: &L) -> Result<(), Error> {
-        loads.check(self.bodies(), self.joints()).map_err(Error::new)
+        self.loadable(loads)
     }
 
     #[inline(never)] // one copy, however many stages and rules call it: a scene of sixty bodies is a large function
@@ -142,7 +142,7 @@ where
         if !finite {
             return error(Fault::NonFiniteMotion);
         }
-        if !S::is_finite(self.gravity) {
+        if !self.gravity.all_finite() {
             return error(Fault::NotFinite { parameter: "gravity" });
         }
         let ground = self.root.ground(time);

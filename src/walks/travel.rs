@@ -2,7 +2,7 @@
 
 use crate::element::Coordinates;
 use crate::mirror::Rate;
-use crate::relation::Closures;
+use crate::relation::{Closures, Wrench};
 use crate::shape::{
     AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Of, Outward, Parallel, PerBody, PerJoint, Positions, Rates,
     Ref, Shape, Slot, Walk, Way,
@@ -104,7 +104,7 @@ impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
 
 /// One number for each closure force, and zeros after them.
 fn padded<S: Space, C: Closures>(each: &C::Each<S::Scalar>) -> S::Numbers {
-    let (mut numbers, mut k) = (S::numbers(S::no_force()), 0);
+    let (mut numbers, mut k) = (S::numbers(Wrench::none()), 0);
     C::map(each, |x| {
         let mut at = 0;
         numbers.replace(&mut |old| {

@@ -13,7 +13,7 @@ macro_rules! golden {
     ($record:ident, $name:literal, $scene:expr, $start:expr, $rule:expr, $end:expr, $loads:expr) => {{
         let (scene, loads) = (&$scene, $loads);
         let motion = scene.simulation($rule).loads(loads).run($start, $end, |_| ())?.motion;
-        let stations = scene.stations(&motion, loads);
+        let stations = scene.stations(&motion, loads).unwrap();
         let numbers = |s: &Station<_>| [s.internal.force.x, s.internal.force.y, s.internal.torque];
         $record.add($name, &motion, stations.iter().flat_map(numbers).collect());
     }};

@@ -11,7 +11,7 @@ macro_rules! golden {
     ($record:ident, $name:literal, $scene:expr, $start:expr, $rule:expr, $end:expr) => {{
         let scene = &$scene;
         let motion = scene.simulation($rule).run($start, $end, |_| ())?.motion;
-        let stations = scene.stations(&motion, &Unloaded);
+        let stations = scene.stations(&motion, &Unloaded).unwrap();
         let numbers = |s: &Station<_>| [s.internal.force, s.internal.torque].map(|v| [v.x, v.y, v.z]).concat();
         $record.add($name, &motion, stations.iter().flat_map(numbers).collect());
     }};

@@ -20,7 +20,7 @@ fn pendulum() -> Result<Pendulum, Error> {
 fn reference(scene: &Pendulum, time: f64) -> Result<([f64; 2], [f64; 2]), Error> {
     let motion = scene.simulate(scene.at_rest(&[-FRAC_PI_3; 2])?, Dop853::tolerance(1e-12), time, |_| ())?.motion;
     let (first, ((), second, ())) = *motion.position();
-    let force = scene.stations(&motion, &Unloaded).root().internal.force;
+    let force = scene.stations(&motion, &Unloaded)?.root().internal.force;
     Ok(([first, second], [force.x, force.y]))
 }
 

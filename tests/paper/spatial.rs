@@ -383,7 +383,7 @@ fn block_42_of_the_global_equations_as_printed_fails() -> Result<(), catena::Err
     let spins: Vec<f64> = omega.iter().flat_map(|w| w.iter().copied()).collect();
     let start = scene.with_rates(scene.at_rest(angles.as_flattened())?, &spins)?;
     let start = scene.with_accelerations(start, &Unloaded)?;
-    let exact: Vec<f64> = scene.body_motions(&start).iter().flat_map(|body| body.angular_acceleration()).collect();
+    let exact: Vec<f64> = scene.body_motions(&start)?.iter().flat_map(|body| body.angular_acceleration()).collect();
 
     let j = about_centre + mass * (Matrix3::identity() * centre.norm_squared() - centre * centre.transpose());
     let a = angles.map(cosines);

@@ -108,9 +108,9 @@ fn branched_equation_meets_the_sweep_of_a_tree() -> Result<(), Error> {
     let angles = [-1.0, -2.3, -0.5, 0.2];
     let rates = [0.7, -0.9, 1.3, 0.4];
     let motion = scene.with_accelerations(scene.with_rates(scene.at_rest(&angles)?, &rates)?, &Unloaded)?;
-    let stations = scene.stations(&motion, &Unloaded);
+    let stations = scene.stations(&motion, &Unloaded)?;
     let sizes = [(1.0, 1.0), (0.5, 0.6), (0.7, 0.8), (0.4, 0.3)];
-    let rods: Vec<Link> = (scene.body_motions(&motion).iter().zip(sizes))
+    let rods: Vec<Link> = (scene.body_motions(&motion)?.iter().zip(sizes))
         .map(|(body, (length, mass))| {
             let frame = body.inboard;
             let turn = [body.angle(), frame.turn.rate, frame.acceleration.angular];

@@ -8,6 +8,6 @@ use catena::planar::*;
 fn main() -> Result<(), catena::Error> {
     let rod = Rod::uniform(1.0, 1.0);
     let rope = System::new(Pinned::origin(), (rod, vec![(Pin, rod); 9]), Free)?;
-    rope.angles(&rope.motion()).body::<5>();
+    rope.angles(&rope.motion())?.body::<5>();
     Ok(())
 }

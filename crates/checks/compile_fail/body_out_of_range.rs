@@ -7,6 +7,6 @@ fn main() -> Result<(), catena::Error> {
     let rod = Rod::uniform(1.0, 1.0);
     let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
     let start = pendulum.at_rest(&[0.0, 0.0])?;
-    pendulum.angles(&start).body::<5>();
+    pendulum.angles(&start)?.body::<5>();
     Ok(())
 }

@@ -16,7 +16,7 @@ use crate::paper::scene::{Chain, Met, Scene, Slots, refuse_inertia, trace};
 use crate::relation::{Closures, Term};
 use crate::release::Way;
 use crate::scalar::{Real, Scalar};
-use crate::spatial::{BodyMotion, Drive, Frame, JointMotion, Spatial, Turn};
+use crate::spatial::{BodyMotion, Drive, Frame, Internal, JointMotion, Spatial, Turn};
 use crate::system::{MotionOf, Runs, System};
 use alloc::vec::Vec;
 use nalgebra::Vector3;
@@ -131,7 +131,7 @@ where
     }
 
     fn external(&self, loads: &L, time: T::Real, number: usize, body: &BodyMotion<T>) -> External<T> {
-        let nothing = Spatial::<T>::no_force();
+        let nothing = Internal::none();
         let mut station = Spatial::end_station(&body.inboard, nothing);
         loads.on_body(&L::unseen(), time, number, body).act(&mut station);
         // The balance of a station without mass shows what acts there: −f, and the torque about the inboard end.

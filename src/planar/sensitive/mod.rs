@@ -100,7 +100,7 @@ impl<T: Scalar, const K: usize> Varied for Planar<Jet<T, K>> {
     #[inline(always)]
     fn join(a: Full<T>, b: Full<T>) -> Full<T> {
         Full {
-            linear: a.linear.plus(b.linear),
+            linear: a.linear + b.linear,
             coupling: a.coupling + b.coupling,
             angular: a.angular + b.angular,
             force: a.force + b.force,

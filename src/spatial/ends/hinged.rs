@@ -30,7 +30,7 @@ use nalgebra::Vector3;
 /// let linkage = System::new(crank, chain, rocker)?;
 /// let guess = linkage.at_rest(&[1.2, 0.0, -0.64, -0.22, 2.2, 0.1])?;
 /// let start = linkage.assembled(guess, &Unloaded)?;
-/// let tip = linkage.stations(&start, &Unloaded).tip().frame;
+/// let tip = linkage.stations(&start, &Unloaded)?.tip().frame;
 /// assert!((tip.place.x - 0.9_f64).abs() < 1e-14 && (tip.turn.attitude.y.y - 1.0).abs() < 1e-14);
 /// # Ok::<(), catena::Error>(())
 /// ```

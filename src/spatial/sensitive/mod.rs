@@ -111,9 +111,9 @@ impl<T: Scalar, const K: usize> Varied for Spatial<Jet<T, K>> {
     #[inline(always)]
     fn join(a: Full<T>, b: Full<T>) -> Full<T> {
         Full {
-            linear: a.linear.plus(b.linear),
-            coupling: a.coupling.plus(b.coupling),
-            angular: a.angular.plus(b.angular),
+            linear: a.linear + b.linear,
+            coupling: a.coupling + b.coupling,
+            angular: a.angular + b.angular,
             force: a.force + b.force,
             torque: a.torque + b.torque,
             cuts: a.cuts,

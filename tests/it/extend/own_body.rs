@@ -78,13 +78,13 @@ fn it_moves_as_what_it_is_composed_of() -> Result<(), Error> {
     for (found, expected) in found.iter().zip(&expected) {
         near(*found, *expected, 1e-12 * (1.0 + expected.abs()));
     }
-    let (budget, other) = (own.budget(&one), composed.budget(&two));
+    let (budget, other) = (own.budget(&one)?, composed.budget(&two)?);
     near(budget.kinetic, other.kinetic, 1e-12);
     near(budget.potential, other.potential, 1e-12);
     near(budget.angular_momentum, other.angular_momentum, 1e-12);
     let root = |force: Internal<f64>| [force.force.x, force.force.y, force.torque];
-    let found = root(own.stations(&one, &Unloaded).root().internal);
-    let expected = root(composed.stations(&two, &Unloaded).root().internal);
+    let found = root(own.stations(&one, &Unloaded)?.root().internal);
+    let expected = root(composed.stations(&two, &Unloaded)?.root().internal);
     found.into_iter().zip(expected).for_each(|(found, expected)| near(found, expected, 1e-11));
     Ok(())
 }
@@ -93,7 +93,7 @@ fn it_moves_as_what_it_is_composed_of() -> Result<(), Error> {
 fn its_energy_stays() -> Result<(), Error> {
     let own = own!(f64, 1.7, 0.0)?;
     let start = moving!(own, f64);
-    let (energy, mut drift) = (own.budget(&start).energy(), 0.0_f64);
+    let (energy, mut drift) = (own.budget(&start)?.energy(), 0.0_f64);
     own.simulate(start, Dop853::tolerance(1e-13), 10.0, |now| {
         drift = drift.max((now.budget().energy() - energy).abs());
     })?;
@@ -110,7 +110,7 @@ fn its_rest_and_modes_are_those_of_what_it_is_composed_of() -> Result<(), Error>
     let place =
         |motion: &[f64; 2], other: &[f64; 2]| near((motion[0] - other[0]).hypot(motion[1] - other[1]), 0.0, 1e-12);
     let end = |frame: Frame<f64>| [frame.place.x, frame.place.y];
-    place(&end(own.stations(&one, &Unloaded).tip().frame), &end(composed.stations(&two, &Unloaded).tip().frame));
+    place(&end(own.stations(&one, &Unloaded)?.tip().frame), &end(composed.stations(&two, &Unloaded)?.tip().frame));
     let (modes, expected) = (own.modes(&one, &Unloaded)?, composed.modes(&two, &Unloaded)?);
     assert_eq!(modes.len(), 3);
     for (found, expected) in modes.frequencies().zip(expected.frequencies()) {

@@ -58,8 +58,8 @@ fn springs_dampers_and_welds_agree_with_the_dense_system() -> Result<(), Error> 
     let state = dense.place(&coordinates);
     let answer = dense.solve(&state, &[], &[]);
 
-    let stations = scene.stations(&motion, &Unloaded);
-    let bodies = scene.body_motions(&motion);
+    let stations = scene.stations(&motion, &Unloaded)?;
+    let bodies = scene.body_motions(&motion)?;
     // Rounding, times the condition of a chain of five bodies, relative to accelerations of 1e2 and forces of 1e2.
     let rounding = 1e-11;
     for (k, element) in [0, 2, 4, 6, 8].into_iter().enumerate() {
@@ -70,7 +70,7 @@ fn springs_dampers_and_welds_agree_with_the_dense_system() -> Result<(), Error> 
         near(station.force.y, answer.q_inboard[k][1], rounding);
         near(station.torque, answer.m_inboard[k], rounding);
     }
-    near(scene.budget(&motion).potential, dense.potential_energy(&state), 1e-12);
+    near(scene.budget(&motion)?.potential, dense.potential_energy(&state), 1e-12);
     Ok(())
 }
 
@@ -79,8 +79,8 @@ fn errors(rule: GeneralizedAlpha, steps: &[f64]) -> Result<[Vec<(f64, f64)>; 2],
     let scene = scene!()?;
     let start = || scene.with_rates(scene.at_rest(&[-0.4, -0.2, -0.2, -0.5])?, &[1.0, 0.3, -0.2, 1.0]);
     let read = |motion: &_| {
-        let force: [f64; 2] = scene.stations(motion, &Unloaded).root().internal.force.into();
-        (*scene.angles(motion).get(0).unwrap_or(&f64::NAN), force)
+        let force: [f64; 2] = scene.stations(motion, &Unloaded).unwrap().root().internal.force.into();
+        (*scene.angles(motion).unwrap().get(0).unwrap_or(&f64::NAN), force)
     };
     let (angle, force) = read(&scene.simulate(start()?, Dop853::tolerance(1e-13), 0.5, |_| ())?.motion);
     let [mut angles, mut forces] = [vec![], vec![]];
@@ -114,13 +114,13 @@ fn any_finite_stiffness_works_and_approaches_a_weld() -> Result<(), Error> {
     let welded = System::new(Pinned::origin(), (rod, Weld::at(0.3), rod), Free)?.with_gravity(9.81);
     let rule = GeneralizedAlpha::new(0.8).step(0.005);
     let limit = welded.simulate(welded.at_rest(&[-0.5])?, rule, 0.5, |_| ())?.motion;
-    let limit = *welded.angles(&limit).get(0).unwrap();
+    let limit = *welded.angles(&limit)?.get(0).unwrap();
     let mut before = f64::INFINITY;
     for stiffness in [1e3, 1e5, 1e7, 1e9, 1e11] {
         let hinge = ElasticHinge::rotary(stiffness).damped(stiffness * 1e-3).resting_at(0.3);
         let stiff = System::new(Pinned::origin(), (rod, hinge, rod), Free)?.with_gravity(9.81);
         let motion = stiff.simulate(stiff.at_rest(&[-0.5, -0.2])?, rule, 0.5, |_| ())?.motion;
-        let distance = (stiff.angles(&motion).get(0).unwrap() - limit).abs();
+        let distance = (stiff.angles(&motion)?.get(0).unwrap() - limit).abs();
         println!("stiffness {stiffness:e}: {distance:.1e} from the weld");
         // The compliance falls by 100 each time, until what is left is rounding: an angle off by 1e-16 strains the spring.
         assert!(distance < (before / 10.0).max(1e-9));

@@ -240,7 +240,7 @@ where
     System<f64, R, C, Free>: Runs<L, Plane, R, C, Free>,
 {
     let motion = system.with_accelerations(motion, loads)?;
-    let stations = system.stations(&motion, loads);
+    let stations = system.stations(&motion, loads).unwrap();
     let expected = expected(scene, state, answer);
     assert_eq!(stations.iter().count(), expected.len());
     assert_eq!(stations.elements(), expected.len() - 1);
@@ -282,7 +282,8 @@ where
         note("root force", 0, root.internal.force[i], answer.q_ground[i], force);
     }
     note("root torque", 0, root.internal.torque, answer.m_ground, torque);
-    let rates: Vec<f64> = system.body_motions(&motion).iter().map(|body| body.inboard.acceleration.angular).collect();
+    let rates: Vec<f64> =
+        system.body_motions(&motion).unwrap().iter().map(|body| body.inboard.acceleration.angular).collect();
     for (k, (found, expected)) in rates.iter().zip(&answer.angular_acceleration).enumerate() {
         note("angular acceleration of body", k, *found, *expected, angular);
     }
@@ -446,7 +447,7 @@ fn torques_found_by_inverse_dynamics_cause_the_accelerations_that_were_asked_for
         let push = |_: f64, body: usize, motion: &BodyMotion<f64>| {
             motion.force_at(pushes[body].point, pushes[body].force) + Wrench::torque(pushes[body].torque)
         };
-        let stations = system.stations(&motion, &Loads::none().on_bodies(push));
+        let stations = system.stations(&motion, &Loads::none().on_bodies(push))?;
         // Pins are the elements of odd number; the root's is the ground's side of the chain.
         let pins = core::iter::once(Some(stations.root())).chain((0..n - 1).map(|k| stations.get(2 * k + 1)));
         let torques: Vec<f64> = pins.map(|pin| -pin.unwrap().internal.torque).collect();
@@ -479,7 +480,7 @@ fn a_force_at_a_point_has_its_moment_about_the_inboard_end() -> Result<(), Error
     let (angle, at, force) = (0.7, [0.4, -0.3], [2.0, -5.0]);
     let system = System::new(Pinned::at(1.0, 2.0), RigidBody::new(2.0, 0.3, [0.4, 0.1], [0.8, -0.2]), Free)?;
     let motion = system.at_rest(&[angle])?;
-    let bodies = system.body_motions(&motion);
+    let bodies = system.body_motions(&motion)?;
     let wrench = bodies.get(0).unwrap().force_at(at, force) + Wrench::torque(0.25);
     // Exact but for the rounding of a sine and three products.
     near(wrench.torque, cross(rotate(angle, at), force) + 0.25, 1e-15 * 10.0);

@@ -24,7 +24,7 @@ fn product_and_sweep_agree() -> Result<(), Error> {
         .in_joints(|_, joint, _: &JointMotion<f64>| [0.3, -0.8, 0.5][joint])
         .on_bodies(|_, body, motion: &BodyMotion<f64>| motion.force_at([0.1, 0.2], [1.0 + body as f64, -0.5]));
     let motion = scene.with_accelerations(motion, &loads)?;
-    let swept = scene.stations(&motion, &loads).get(0).unwrap().acceleration_state();
+    let swept = scene.stations(&motion, &loads)?.get(0).unwrap().acceleration_state();
     let multiplied = scene.root_state(&motion, &loads)?;
     for index in [X, Y, THETA, M, QX, QY] {
         // Entries of the product of six matrices reach 1e2, so some digits go.
@@ -50,7 +50,7 @@ fn matrices_transfer_the_states_of_a_sweep() -> Result<(), Error> {
     let scene = scene!()?.with_gravity(9.81);
     let motion = scene.with_rates(scene.at_rest(&[-0.3, 0.9, 0.2])?, &[1.0, -2.0, 0.7])?;
     let motion = scene.with_accelerations(motion, &Unloaded)?;
-    let stations = scene.stations(&motion, &Unloaded);
+    let stations = scene.stations(&motion, &Unloaded)?;
     scene.transfer_matrix(&motion, &Unloaded, |element, u| {
         let state = |k: usize| stations.get(k).unwrap().acceleration_state();
         let (inboard, outboard) = (state(element), state(element + 1));
@@ -91,7 +91,7 @@ fn joints_that_slide_have_matrices_too() -> Result<(), Error> {
             catena::mirror::Position::replace(motion.position_mut(), &mut next);
             catena::mirror::Rate::replace(motion.rate_mut(), &mut next);
             let motion = scene.with_accelerations(motion, &Unloaded)?;
-            let stations = scene.stations(&motion, &Unloaded);
+            let stations = scene.stations(&motion, &Unloaded)?;
             let swept = stations.get(0).unwrap().acceleration_state();
             let multiplied = scene.root_state(&motion, &Unloaded)?;
             for index in [X, Y, THETA, M, QX, QY] {

@@ -55,11 +55,11 @@ where
     let size = size.fold(1.0_f64, |size, v| size.max(v.amax()));
     let mut worst = 0.0_f64;
     let mut note = |found: Vector, expected: Vector| worst = worst.max((found - expected).amax() / size);
-    for (k, body) in system.body_motions(motion).iter().enumerate() {
+    for (k, body) in system.body_motions(motion).unwrap().iter().enumerate() {
         note(body.centre().acceleration.linear, answer.linear[k]);
         note(body.inboard.acceleration.angular, answer.angular[k]);
     }
-    let stations = system.stations(motion, loads);
+    let stations = system.stations(motion, loads).unwrap();
     for k in 0..system.bodies() {
         // Bodies and joints alternate: station 2 k is the inboard end of body k.
         if let Some(station) = stations.get(2 * k) {

@@ -42,8 +42,8 @@ fn found<T: Scalar>(zigzag: bool) -> Result<Found, Error> {
     let motion = scene.with_rates(scene.at_rest(&angles)?, &rates)?;
     let motion = scene.with_accelerations(motion, &Unloaded)?;
     let read = |v: Vector3<T>| v.map(|x| catena::Real::as_f64(x.real()));
-    let bodies = scene.body_motions(&motion);
-    let stations = scene.stations(&motion, &Unloaded);
+    let bodies = scene.body_motions(&motion)?;
+    let stations = scene.stations(&motion, &Unloaded)?;
     Ok(Found {
         linear: bodies.iter().map(|body| read(body.centre().acceleration.linear)).collect(),
         angular: bodies.iter().map(|body| read(Vector3::from(body.angular_acceleration()))).collect(),

@@ -83,7 +83,7 @@ where
     L: Loading<Spatial<f64>, InJoint: Efforts<Spatial<f64>>>,
     System<f64, G, C, Free>: Runs<L, Spatial<f64>, G, C, Free>,
 {
-    let stations = scene.stations(motion, loads);
+    let stations = scene.stations(motion, loads).unwrap();
     let state = |k: usize| stations.get(k).expect("a station").acceleration_state();
     let (mut worst, mut largest) = ([0.0_f64; 2], 0.0_f64);
     scene.transfer_matrix(motion, loads, |element, u: &TransferMatrix<f64, 13>| {
@@ -137,7 +137,7 @@ fn states_of_the_product_obey_newton_and_euler() -> Result<(), Error> {
     // Bodies are elements 0, 2, 4, 6, 8, 10, 11, 13, 15, 17, 18 and 20 of the chain: after a weld there are two in a row.
     let bodies = [0, 2, 4, 6, 8, 10, 11, 13, 15, 17, 18, 20];
     let mut worst = 0.0_f64;
-    for (k, (body, element)) in scene.body_motions(&motion).iter().zip(bodies).enumerate() {
+    for (k, (body, element)) in scene.body_motions(&motion)?.iter().zip(bodies).enumerate() {
         let (inner, outer) = (&states[element], &states[element + 1]);
         let (spin, alpha) = (body.inboard.turn.spin, part(inner, THETA));
         let (c, o) = (body.to_centre, body.arm);
@@ -182,8 +182,8 @@ fn digits_go_with_every_body() -> Result<(), Error> {
         let two = hinges.with_rates(hinges.at_rest(&angles[..n])?, &rates[..n])?;
         let two = hinges.with_accelerations(two, &Unloaded)?;
         let first = |station: Option<&Station<f64>>| station.expect("a station").acceleration_state();
-        let balls = apart(&balls.root_state(&one, &Unloaded)?, &first(balls.stations(&one, &Unloaded).get(0)));
-        let hinges = apart(&hinges.root_state(&two, &Unloaded)?, &first(hinges.stations(&two, &Unloaded).get(0)));
+        let balls = apart(&balls.root_state(&one, &Unloaded)?, &first(balls.stations(&one, &Unloaded)?.get(0)));
+        let hinges = apart(&hinges.root_state(&two, &Unloaded)?, &first(hinges.stations(&two, &Unloaded)?.get(0)));
         println!("  {n:6}   {balls:.1e}   {hinges:.1e}");
         assert!(balls < bound && hinges < bound, "{n} bodies: {balls:e}, {hinges:e}");
         assert!(n < 64 || (balls > 1e-9 && hinges > 1e-9), "a long product keeps its digits: {balls:e}, {hinges:e}");

@@ -72,10 +72,10 @@ fn arms_of_such_bodies_move_as_newton_and_euler_say() -> Result<(), Error> {
     let start = scene.at_rest(&[0.4, -0.8, 1.1, 0.3])?;
     let start = scene.with_rates(start, &[1.0, -2.0, 0.5, 3.0])?;
     let start = scene.with_accelerations(start, &Unloaded)?;
-    let energy = scene.budget(&start).energy();
+    let energy = scene.budget(&start)?.energy();
     let motion = scene.simulate(start, Dop853::tolerance(1e-12), 1.0, |_| ())?.motion;
-    near(scene.budget(&motion).energy(), energy, 1e-9);
-    let bodies: Vec<_> = scene.body_motions(&motion).iter().copied().collect();
+    near(scene.budget(&motion)?.energy(), energy, 1e-9);
+    let bodies: Vec<_> = scene.body_motions(&motion)?.iter().copied().collect();
     for (k, axis) in axes.into_iter().enumerate() {
         let (mut torque, mut size) = (0.0, 0.0_f64);
         let (about, place) = (Vector3::from(axis).normalize(), bodies[k].inboard.place);

@@ -42,6 +42,7 @@ where
     let (arm, start) = arm()?;
     refused(arm.with_accelerations(start, loads), 3, given);
     refused(arm.assembled(start, loads), 3, given);
+    refused(arm.stations(&start, loads).map(|_| ()), 3, given);
     macro_rules! steps {
         ($($method:expr),*) => {$(
             let (mut stepper, mut next) = (arm.stepper($method), start);
@@ -72,6 +73,8 @@ fn lists_of_another_length_are_refused() -> Result<(), Error> {
         refused_everywhere(&damped.wrenches(&wrenches), given)?;
     }
     let (arm, start) = arm()?;
+    refused(arm.root_state(&start, &Loads::none().torques([0.5; 2])), 3, 2);
+    refused(arm.transfer_matrix(&start, &Loads::none().wrenches([Wrench::torque(0.5); 4]), |_, _| ()), 3, 4);
     assert!(arm.with_accelerations(start, &Loads::none().torques([0.5; 3])).is_ok());
     assert!(arm.with_accelerations(start, &Loads::none().wrenches([Wrench::torque(0.5); 3])).is_ok());
     Ok(())

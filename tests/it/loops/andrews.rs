@@ -10,7 +10,7 @@ use squeezer::{CLOSING, END, FIRST, REFERENCE, START, absolute, relative, squeez
 type Motion = catena::system::MotionOf<Planar<f64>, Clamped<[f64; 2], f64>, squeezer::Arms, Free>;
 
 fn angles(scene: &squeezer::Squeezer, motion: &Motion) -> [f64; 7] {
-    let all = scene.angles(motion);
+    let all = scene.angles(motion).unwrap();
     relative(squeezer::BODIES.map(|k| all.get(k).copied().unwrap_or(f64::NAN)))
 }
 
@@ -22,7 +22,7 @@ fn error(scene: &squeezer::Squeezer, motion: &Motion) -> f64 {
 
 /// By how much the arms miss the point where they meet (m).
 fn miss(scene: &squeezer::Squeezer, motion: &Motion) -> f64 {
-    let stations = scene.stations(motion, &catena::element::Unloaded);
+    let stations = scene.stations(motion, &catena::element::Unloaded).unwrap();
     let end = stations.tip().frame.place;
     CLOSING.iter().filter_map(|k| stations.get(*k)).fold(0.0, |worst, side| (side.frame.place - end).norm().max(worst))
 }
@@ -33,7 +33,7 @@ fn starts_as_the_test_set_says() -> Result<(), Error> {
     let loads = Loads::none().on_bodies(|_, k, body: &BodyMotion<f64>| wrench(k, body));
     let start = scene.assembled(scene.at_rest(&absolute(START))?, &loads)?;
     assert!(miss(&scene, &start) < 1e-16);
-    let bodies = scene.body_motions(&start);
+    let bodies = scene.body_motions(&start)?;
     let turn = |k| bodies.get(k).map_or(f64::NAN, |body| body.inboard.acceleration.angular);
     let found = [turn(0), turn(1) - turn(0)];
     println!("{found:?}");
@@ -86,10 +86,10 @@ fn balances_its_energy() -> Result<(), Error> {
     let loads = Loads::none().on_bodies(|_, k, body: &BodyMotion<f64>| wrench(k, body));
     let start = scene.assembled(scene.at_rest(&absolute(START))?, &loads)?;
     let budget = |motion: &Motion| {
-        let bodies = scene.body_motions(motion);
+        let bodies = scene.body_motions(motion).unwrap();
         let hook = bodies.get(3).map(|body| body.point(squeezer::HOOK).place - nalgebra::Vector2::from(squeezer::C));
         let stretch = hook.map_or(f64::NAN, |reach| reach.norm() - 0.07785);
-        scene.budget(motion).kinetic + 0.5 * 4530.0 * stretch * stretch - 0.033 * angles(&scene, motion)[0]
+        scene.budget(motion).unwrap().kinetic + 0.5 * 4530.0 * stretch * stretch - 0.033 * angles(&scene, motion)[0]
     };
     let first = budget(&start);
     let (mut worst, mut most) = (0.0_f64, 0.0_f64);

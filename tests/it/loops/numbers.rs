@@ -47,7 +47,7 @@ fn outcome<T: Scalar>(
         Rules::Sdirk => scene.simulate(start, Sdirk4::new().step(step), end, |_| ()),
     };
     let motion = run.map_err(|stop| stop.error)?.motion;
-    let (angles, stations) = (scene.angles(&motion), scene.stations(&motion, &Unloaded));
+    let (angles, stations) = (scene.angles(&motion)?, scene.stations(&motion, &Unloaded)?);
     let none = T::literal(f64::NAN);
     let (force, weld) = (stations.root().internal.force, stations.get(16).map(|station| station.internal));
     let [first, last] = [0, 3].map(|k| angles.get(k).copied().unwrap_or(none));
@@ -121,7 +121,7 @@ fn networks_are_lifted() -> Result<(), Error> {
     let exact = scene.assembled(scene.at_rest(&guess)?, &Unloaded)?;
     let single = scene.lift(|x| x as f32);
     let motion = single.assembled(single.at_rest(&guess.map(|x| x as f32))?, &Unloaded)?;
-    let (found, expected) = (single.angles(&motion), scene.angles(&exact));
+    let (found, expected) = (single.angles(&motion)?, scene.angles(&exact)?);
     for (found, expected) in found.iter().zip(expected.iter()) {
         near(f64::from(*found), *expected, 1e-5);
     }

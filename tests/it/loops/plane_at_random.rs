@@ -125,8 +125,8 @@ impl Case {
         let all = answer.linear.iter().chain(&answer.angular).chain(&answer.forces).chain(&answer.torques);
         let size = all.fold(1.0_f64, |size, v| size.max(v.amax()));
 
-        let bodies = system.body_motions(motion);
-        let stations = system.stations(motion, &self.loads());
+        let bodies = system.body_motions(motion).unwrap();
+        let stations = system.stations(motion, &self.loads()).unwrap();
         let parts = |station: &Station<f64>| {
             let place = flat(station.frame.place.into());
             (flat(station.internal.force.into()), axial(station.torque_outboard()), place)
@@ -240,7 +240,7 @@ where
     let mut coordinates = [vec![], vec![]];
     closed.position().visit(&mut |x| coordinates[0].push(x));
     closed.rate().visit(&mut |x| coordinates[1].push(x));
-    Ok((coordinates, system.stations(&closed, &Unloaded).tip().frame))
+    Ok((coordinates, system.stations(&closed, &Unloaded).unwrap().tip().frame))
 }
 
 /// Scenes of a shape with a free tip, on a pin.

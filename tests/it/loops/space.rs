@@ -29,10 +29,10 @@ fn between(from: Vector3<f64>, to: Vector3<f64>) -> ([f64; 3], f64) {
 fn ends(crank: f64, rocker: f64) -> Result<[Vector3<f64>; 2], Error> {
     let chain = System::new(Clamped::origin(), (Revolute::about([0.0, 0.0, 1.0]), rod(CRANK)), Free)?;
     let motion = chain.at_rest(&[crank])?;
-    let first = chain.stations(&motion, &Unloaded).tip().frame.place;
+    let first = chain.stations(&motion, &Unloaded)?.tip().frame.place;
     let chain = System::new(Clamped::at(FAR, Rotation::identity()), (Revolute::about(AXIS), rod(ROCKER)), Free)?;
     let motion = chain.at_rest(&[rocker])?;
-    Ok([first, chain.stations(&motion, &Unloaded).tip().frame.place])
+    Ok([first, chain.stations(&motion, &Unloaded)?.tip().frame.place])
 }
 
 /// What the linkage does: attitudes of the crank and of the rocker as directions of their x axes, forces at their hinges.
@@ -54,12 +54,12 @@ where
     let scene = scene.with_gravity_vector(Vector3::new(0.5, -2.0, -9.0));
     let start = scene.at_rest(start)?;
     let start = scene.assembled(start, &Unloaded)?;
-    let energy = scene.budget(&start).energy();
+    let energy = scene.budget(&start).unwrap().energy();
     let motion = scene.simulate(start, Dop853::tolerance(1e-12), 1.0, |_| ())?.motion;
-    near(scene.budget(&motion).energy(), energy, 1e-10);
-    let bodies = scene.body_motions(&motion);
+    near(scene.budget(&motion).unwrap().energy(), energy, 1e-10);
+    let bodies = scene.body_motions(&motion).unwrap();
     let axis = |k: usize| bodies.get(k).map_or(Vector3::zeros(), |body| body.turned([1.0, 0.0, 0.0]));
-    let stations = scene.stations(&motion, &Unloaded);
+    let stations = scene.stations(&motion, &Unloaded).unwrap();
     let force = |k: usize| stations.get(k).map_or(Vector3::zeros(), |station| station.internal.force);
     Ok([axis(0), axis(body), force(0), force(station)])
 }
@@ -130,19 +130,20 @@ fn a_linkage_that_is_held_too_often_moves_as_in_the_plane() -> Result<(), Error>
         let scene = System::new(Clamped::at(0.0, 0.0, 0.0), net, catena::planar::Free)?.with_gravity(9.81);
         let start = scene.assembled(scene.at_rest(&[a, b, c + core::f64::consts::PI])?, &Unloaded)?;
         let motion = scene.simulate(start, Dop853::tolerance(1e-12), 0.5, |_| ())?.motion;
-        let angles = scene.angles(&motion);
-        let force = scene.stations(&motion, &Unloaded).get(7).map(|station| station.internal.force).unwrap_or_default();
+        let angles = scene.angles(&motion)?;
+        let force =
+            scene.stations(&motion, &Unloaded)?.get(7).map(|station| station.internal.force).unwrap_or_default();
         ([0, 1, 3].map(|k| angles.get(k).copied().unwrap_or_default()), force)
     };
     let motion = scene.simulate(start, Dop853::tolerance(1e-12), 0.5, |_| ())?.motion;
-    let bodies = scene.body_motions(&motion);
+    let bodies = scene.body_motions(&motion)?;
     for (k, angle) in [0, 1, 3].into_iter().zip(plane.0) {
         let axis = bodies.get(k).map(|body| body.turned([1.0, 0.0, 0.0])).unwrap_or_default();
         near(axis.x, angle.cos(), 1e-9);
         near(axis.y, angle.sin(), 1e-9);
         near(axis.z, 0.0, 1e-12);
     }
-    let closing = scene.stations(&motion, &Unloaded).get(7).map(|station| station.internal);
+    let closing = scene.stations(&motion, &Unloaded)?.get(7).map(|station| station.internal);
     let closing = closing.expect("the joint that closes the loop");
     near(closing.force.x, plane.1.x, 1e-8);
     near(closing.force.y, plane.1.y, 1e-8);

@@ -87,7 +87,7 @@ where
         outcome => system.with_accelerations(outcome?, &loads)?,
     };
 
-    let bodies: Vec<_> = system.body_motions(&motion).iter().copied().collect();
+    let bodies: Vec<_> = system.body_motions(&motion).unwrap().iter().copied().collect();
     let mut turning = angles(&motion).into_iter();
     let joints: Vec<_> = plan
         .hinges
@@ -131,7 +131,7 @@ where
 
     let size = [&answer.linear, &answer.angular, &answer.forces, &answer.torques];
     let size = size.into_iter().flatten().fold(1.0_f64, |size, v| size.max(v.amax()));
-    let stations = system.stations(&motion, &loads);
+    let stations = system.stations(&motion, &loads).unwrap();
     // The root's joint is number 0 and stands before all stations.
     let at = |number: usize| stations.iter().nth(number).copied().expect("a station");
     let mut worst = 0.0_f64;

@@ -68,9 +68,9 @@ fn run<T: Scalar>(parameters: Parameters<T>) -> Result<[T; 5], Error> {
     let loads = Loads::none().in_joints(|_, joint, _: &JointMotion<T>| torques[joint]);
     let of = <T::Real as Real>::of;
     let run = system.simulation(Rk4::step(of(0.01))).loads(&loads).run(start, of(0.5), |_| ())?;
-    let stations = system.stations(&run.motion, &loads);
+    let stations = system.stations(&run.motion, &loads)?;
     let (tip, force) = (stations.tip().frame.place, stations.root().internal.force);
-    let budget = system.budget(&run.motion);
+    let budget = system.budget(&run.motion)?;
     Ok([tip.x, tip.y, force.x, force.y, budget.kinetic + budget.potential])
 }
 
@@ -211,7 +211,7 @@ fn acceleration_and_force_of_a_pendulum_have_their_exact_derivatives() -> Result
         let loads = Loads::none().in_joints(|_, _, _: &JointMotion<Dual64>| x[10]);
         let motion = system.with_rates(system.at_rest(&[x[8]])?, &[x[9]])?;
         let motion = system.with_accelerations(motion, &loads)?;
-        let stations = system.stations(&motion, &loads);
+        let stations = system.stations(&motion, &loads)?;
         let root = stations.root();
         let found = [motion.acceleration().0, root.internal.force.x, root.internal.force.y].map(|x| [x.re, x.eps]);
         let [qx, qy] = [0, 1].map(|k| m * (alpha * [-d[1], d[0]][k] - w * w * d[k] - [gx, gy][k]));
@@ -295,7 +295,7 @@ fn inverse_dynamics_has_derivatives() -> Result<(), Error> {
     let system = System::new(Pinned::origin(), body, Free)?.with_gravity(dual(9.81));
     let mut motion = system.at_rest(&[dual(0.4)])?;
     motion.acceleration_mut().0 = Dual64::new(2.0, 1.0);
-    let stations = system.stations(&motion, &Unloaded);
+    let stations = system.stations(&motion, &Unloaded)?;
     let torque = stations.root().state()[index::M];
     near(-torque.eps, j + m * (cx * cx + cy * cy), 1e-15); // two roundings
     Ok(())

@@ -26,9 +26,9 @@ fn outcome<T: Scalar<Real: Real>>([mass, length, angle, rate]: [T; 4], end: f64)
     let step = T::Real::of(0.01);
     let motion =
         system.simulate(start, Dopri5::step(step), T::Real::of(end), |_| ()).map_err(|stop| stop.error)?.motion;
-    let stations = system.stations(&motion, &Unloaded);
+    let stations = system.stations(&motion, &Unloaded)?;
     let (tip, force) = (stations.tip().frame.place, stations.root().internal.force);
-    let angles = system.angles(&motion).iter().last().copied().unwrap_or([T::zero(); 3]);
+    let angles = system.angles(&motion)?.iter().last().copied().unwrap_or([T::zero(); 3]);
     Ok([tip.x, tip.y, tip.z, angles[0], angles[1], angles[2], force.x, force.y, force.z])
 }
 

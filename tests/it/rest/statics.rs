@@ -88,7 +88,7 @@ fn hanging_chains_with_springs_agree_with_a_dense_solution() -> Result<(), Error
         let scene = System::new(Clamped::at(0.0, 0.0, 0.0), chain, Free)?.with_gravity(G);
         let guess = scene.at_rest(&vec![-FRAC_PI_2; n])?;
         let rest = scene.equilibrium(guess, &Unloaded)?;
-        let found: Vec<f64> = scene.angles(&rest).iter().copied().collect();
+        let found: Vec<f64> = scene.angles(&rest)?.iter().copied().collect();
         let (expected, _) = Energy { links, tip: None, force: [0.0; 2] }.solve(&found);
         let error = distance(found, &expected);
         println!("{n} links: {error:.1e} rad off the dense solution");
@@ -107,7 +107,7 @@ fn chains_of_pins_fall_to_where_they_hang() -> Result<(), Error> {
         let mut noise = Noise::new(7);
         for guess in [vec![0.0; n], (0..n).map(|_| noise.next() - 0.5).collect(), vec![1.0; n]] {
             let rest = chain.equilibrium(chain.at_rest(&guess)?, &Unloaded)?;
-            let down = distance(chain.angles(&rest).iter().copied(), &vec![-FRAC_PI_2; n]);
+            let down = distance(chain.angles(&rest).unwrap().iter().copied(), &vec![-FRAC_PI_2; n]);
             assert!(down < 1e-14, "{n} links: {down:e} from the vertical");
         }
     }
@@ -129,8 +129,8 @@ fn rest_is_reached_from_afar() -> Result<(), Error> {
         let blade = System::new(Clamped::at(0.0, 0.0, 0.0), (hinge, rod, [(hinge, rod); 49]), Free)?.with_gravity(G);
         let rest = blade.equilibrium(blade.at_rest(&guess(50, 2.0))?, &Unloaded)?;
         let other = blade.equilibrium(blade.at_rest(&[0.0; 50])?, &Unloaded)?;
-        let others: Vec<f64> = blade.angles(&other).iter().copied().collect();
-        assert!(distance(blade.angles(&rest).iter().copied(), &others) < 1e-13);
+        let others: Vec<f64> = blade.angles(&other)?.iter().copied().collect();
+        assert!(distance(blade.angles(&rest)?.iter().copied(), &others) < 1e-13);
     }
     Ok(())
 }
@@ -140,11 +140,13 @@ fn an_unstable_equilibrium_is_found_from_nearby() -> Result<(), Error> {
     let rod = Rod::uniform(0.5, 1.0);
     let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(G);
     let rest = pendulum.equilibrium(pendulum.at_rest(&[FRAC_PI_2 + 0.003, -FRAC_PI_2 - 0.002])?, &Unloaded)?;
-    let off = distance(pendulum.angles(&rest).iter().copied(), &[FRAC_PI_2, -FRAC_PI_2]);
+    let off = distance(pendulum.angles(&rest)?.iter().copied(), &[FRAC_PI_2, -FRAC_PI_2]);
     assert!(off < 1e-15, "{off:e}");
     // Exactly there nothing moves at all.
     let top = pendulum.at_rest(&[FRAC_PI_2, FRAC_PI_2])?;
-    assert!(distance(pendulum.angles(&pendulum.equilibrium(top, &Unloaded)?).iter().copied(), &[FRAC_PI_2; 2]) < 1e-15);
+    assert!(
+        distance(pendulum.angles(&pendulum.equilibrium(top, &Unloaded)?)?.iter().copied(), &[FRAC_PI_2; 2]) < 1e-15
+    );
     Ok(())
 }
 
@@ -186,7 +188,7 @@ fn cantilever(n: usize, p: f64) -> Result<[f64; 3], Error> {
         if body + 1 == n { motion.force_at([length, 0.0], [0.0, -p]) } else { Wrench::default() }
     });
     let rest = beam.equilibrium(beam.at_rest(&vec![0.0; n])?, &pull)?;
-    let tip = beam.stations(&rest, &pull).tip().frame;
+    let tip = beam.stations(&rest, &pull)?.tip().frame;
     Ok([tip.place.x, -tip.place.y, -tip.turn.angle])
 }
 
@@ -240,13 +242,13 @@ fn catenaries_agree_with_a_dense_solution() -> Result<(), Error> {
         let chain = System::new(Pinned::origin(), (rod, vec![(Pin, rod); n - 1]), Pinned::at(1.0, 0.2))?;
         let chain = chain.with_gravity(G);
         let rest = chain.equilibrium(chain.at_rest(&guess)?, &Unloaded)?;
-        let found: Vec<f64> = chain.angles(&rest).iter().copied().collect();
+        let found: Vec<f64> = chain.angles(&rest)?.iter().copied().collect();
         let (expected, force) = energy.solve(&found);
         let error = distance(found, &expected);
         let pull = distance(*rest.multipliers(), &force);
         println!("{n} links: {error:.1e} rad, {pull:.1e} N off the dense solution");
         assert!(error < 2e-14 * n as f64 && pull < 1e-12 * n as f64);
-        let tip = chain.stations(&rest, &Unloaded).tip().frame.place;
+        let tip = chain.stations(&rest, &Unloaded)?.tip().frame.place;
         assert!((tip.x - 1.0).abs() < 1e-15 * n as f64 && (tip.y - 0.2).abs() < 1e-15 * n as f64);
     }
     Ok(())
@@ -281,7 +283,7 @@ fn a_beam_clamped_at_both_ends_obeys_its_closure() -> Result<(), Error> {
     let bow = bow.with_gravity(G);
     let guess = bow.at_rest(&[0.6, 0.5, 0.4, 0.2, 0.0, -0.2, -0.4, -0.5, -0.4])?;
     let rest = bow.equilibrium(guess, &Unloaded)?;
-    let stations = bow.stations(&rest, &Unloaded);
+    let stations = bow.stations(&rest, &Unloaded)?;
     let tip = stations.tip().frame;
     near(tip.place.x, 0.9, 1e-15);
     near(tip.place.y, 0.0, 1e-15);
@@ -290,7 +292,7 @@ fn a_beam_clamped_at_both_ends_obeys_its_closure() -> Result<(), Error> {
     let (root, [x, y, torque]) = (stations.root().internal, *rest.multipliers());
     near(root.force.x + x, 0.0, 1e-12);
     near(root.force.y + y, G, 1e-12);
-    let weight: f64 = bow.body_motions(&rest).iter().map(|body| 0.1 * G * body.centre().place.x).sum();
+    let weight: f64 = bow.body_motions(&rest)?.iter().map(|body| 0.1 * G * body.centre().place.x).sum();
     near(-root.torque - weight + 0.9 * y + torque, 0.0, 1e-12);
     for (k, angle) in rest.position().1.1.iter().map(|link| link.0).enumerate() {
         near(stations.get(2 * k + 1).unwrap().torque_outboard(), -0.5 * angle, 1e-12);
@@ -306,13 +308,13 @@ fn loads_without_a_potential_have_an_equilibrium_too() -> Result<(), Error> {
     let follow = Loads::none()
         .on_bodies(|_: f64, _, motion: &BodyMotion<f64>| motion.force_at([1.0, 0.0], motion.turned([0.0, p]).into()));
     let rest = scene.equilibrium(scene.at_rest(&[0.0])?, &follow)?;
-    near(*scene.angles(&rest).get(0).unwrap(), p / k, 1e-15);
+    near(*scene.angles(&rest)?.get(0).unwrap(), p / k, 1e-15);
 
     let place = Loads::none().on_bodies(|_: f64, _, motion: &BodyMotion<f64>| {
         motion.force_at([1.0, 0.0], [0.0, 4.0 * motion.outboard().place.x])
     });
     let rest = scene.equilibrium(scene.at_rest(&[0.0])?, &place)?;
-    let angle = *scene.angles(&rest).get(0).unwrap();
+    let angle = *scene.angles(&rest)?.get(0).unwrap();
     near(4.0 * angle.cos() * angle.cos() - k * angle, 0.0, 1e-14);
     Ok(())
 }
@@ -328,14 +330,14 @@ fn newton_doubles_digits_near_the_solution() -> Result<(), Error> {
         Wrench::default()
     });
     let rest = scene.equilibrium(scene.at_rest(&[0.0; 20])?, &Unloaded)?;
-    let nearby: Vec<f64> = scene.angles(&rest).iter().map(|angle| angle + 0.02).collect();
+    let nearby: Vec<f64> = scene.angles(&rest)?.iter().map(|angle| angle + 0.02).collect();
     let tilted = [FRAC_PI_3; 20];
     // Digits double: 1e-2, 1e-4, 1e-8, 1e-16, and one step to see that it is so.
     for (guess, most) in [(&nearby[..], 5), (&tilted, 40)] {
         sweeps.set(0);
         let found = scene.equilibrium(scene.at_rest(guess)?, &count)?;
         assert!(
-            distance(scene.angles(&found).iter().copied(), &scene.angles(&rest).iter().copied().collect::<Vec<_>>())
+            distance(scene.angles(&found)?.iter().copied(), &scene.angles(&rest)?.iter().copied().collect::<Vec<_>>())
                 < 1e-14
         );
         // Sixteen sweeps for each of 20 coordinates, and one or two more for each step.
@@ -357,7 +359,7 @@ fn equilibria_have_derivatives() -> Result<(), Error> {
     let scene = scene.with_gravity(Dual64::new(G, 1.0));
     for guess in [0.0, -0.9] {
         let rest = scene.equilibrium(scene.at_rest(&[constant(guess), constant(-1.0)])?, &Unloaded)?;
-        let angles: Vec<Dual64> = scene.angles(&rest).iter().copied().collect();
+        let angles: Vec<Dual64> = scene.angles(&rest)?.iter().copied().collect();
         let (angle, moment) = (angles[0].re, (0.5 + 1.0) * 0.7 * 1.2);
         near(3.0 * angle + moment * G * angle.cos(), 0.0, 1e-14);
         let slope = -moment * angle.cos() / (3.0 - moment * G * angle.sin());
@@ -373,7 +375,7 @@ fn single_precision_comes_to_rest_too() -> Result<(), Error> {
     let rod = Rod::uniform(0.3_f32, 0.2);
     let chain = System::new(Pinned::origin(), (rod, [(Pin, rod); 5]), Free)?.with_gravity(9.81);
     let rest = chain.equilibrium(chain.at_rest(&[-0.8; 6])?, &Unloaded)?;
-    for angle in chain.angles(&rest).iter() {
+    for angle in chain.angles(&rest)?.iter() {
         assert!((angle + core::f32::consts::FRAC_PI_2).abs() < 1e-6, "{angle}");
     }
     Ok(())
@@ -392,7 +394,7 @@ fn neutral_scenes_come_to_rest_somewhere() -> Result<(), Error> {
     // A pendulum without weight is at rest wherever it is.
     let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
     let rest = pendulum.equilibrium(pendulum.at_rest(&[0.7, -0.1])?, &Unloaded)?;
-    assert_eq!(pendulum.angles(&rest).get(0), Some(&0.7));
+    assert_eq!(pendulum.angles(&rest)?.get(0), Some(&0.7));
     Ok(())
 }
 

@@ -24,8 +24,8 @@ fn rods() -> Result<Rods<f64>, Error> {
 
 /// Errors of angles and of the force at the root.
 fn errors(scene: &Rods<f64>, motion: &State, [angles, force]: [[f64; 2]; 2]) -> [f64; 2] {
-    let found = scene.angles(motion);
-    let internal = scene.stations(motion, &Unloaded).root().internal.force;
+    let found = scene.angles(motion).unwrap();
+    let internal = scene.stations(motion, &Unloaded).unwrap().root().internal.force;
     let largest = |of: &dyn Fn(usize) -> f64| of(0).abs().max(of(1).abs());
     [largest(&|k| found.get(k).unwrap_or(&f64::NAN) - angles[k]), largest(&|k| internal[k] - force[k])]
 }
@@ -85,8 +85,8 @@ fn very_short_steps_between_others_do_no_harm() -> Result<(), Error> {
             core::mem::swap(&mut past, &mut next);
         }
         let exact = scene.simulate(start, Dop853::tolerance(1e-13), past.time(), |_| ())?.motion;
-        let pairs = scene.angles(&past);
-        Ok(pairs.iter().zip(scene.angles(&exact).iter()).fold(0.0, |worst, (a, b)| worst.max((a - b).abs())))
+        let pairs = scene.angles(&past).unwrap();
+        Ok(pairs.iter().zip(scene.angles(&exact).unwrap().iter()).fold(0.0, |worst, (a, b)| worst.max((a - b).abs())))
     };
     let plain = error(&[0.01; 100])?;
     for exponent in 3..14 {
@@ -118,8 +118,8 @@ fn steps_may_turn_round() -> Result<(), Error> {
         stepper.step(&past, &Unloaded, -0.01, &mut next)?;
         core::mem::swap(&mut past, &mut next);
     }
-    let pairs = scene.angles(&past);
-    let off = pairs.iter().zip(scene.angles(&start).iter()).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
+    let pairs = scene.angles(&past)?;
+    let off = pairs.iter().zip(scene.angles(&start)?.iter()).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
     println!("there and back: {off:.1e} rad");
     assert!(off < 2.6e-8); // what a hundred such steps leave
     Ok(())
@@ -200,8 +200,8 @@ fn torques_may_jump_between_steps() -> Result<(), Error> {
             .map_err(Error::from)
     };
     let exact = half(half(scene.at_rest(&[-FRAC_PI_3; 2])?, 3.0, 0.5)?, -5.0, 1.0)?;
-    let angles = [0, 1].map(|k| *scene.angles(&exact).get(k).unwrap_or(&f64::NAN));
-    let force = scene.stations(&exact, &loads(-5.0)).root().internal.force;
+    let angles = [0, 1].map(|k| *scene.angles(&exact).unwrap().get(k).unwrap_or(&f64::NAN));
+    let force = scene.stations(&exact, &loads(-5.0))?.root().internal.force;
     has_order_five("torques that jump", &[400, 800, 1600], |n| {
         let mut stepper = scene.stepper(Adams);
         let mut past = scene.at_rest(&[-FRAC_PI_3; 2])?;
@@ -210,8 +210,8 @@ fn torques_may_jump_between_steps() -> Result<(), Error> {
             stepper.step(&past, &loads(torque(past.time())), f64::from(n).recip(), &mut next)?;
             core::mem::swap(&mut past, &mut next);
         }
-        let found = scene.angles(&past);
-        let internal = scene.stations(&past, &loads(-5.0)).root().internal.force;
+        let found = scene.angles(&past).unwrap();
+        let internal = scene.stations(&past, &loads(-5.0)).unwrap().root().internal.force;
         let largest = |of: &dyn Fn(usize) -> f64| of(0).abs().max(of(1).abs());
         Ok([largest(&|k| found.get(k).unwrap_or(&f64::NAN) - angles[k]), largest(&|k| internal[k] - force[k])])
     })
@@ -295,11 +295,11 @@ fn held_tips_stay_closed_and_keep_the_order() -> Result<(), Error> {
     let (mut angles, mut forces) = (vec![], vec![]);
     for n in [800, 1600, 3200] {
         let run = scene.simulate(start, Adams::step(f64::from(n).recip()), 1.0, |_| ())?;
-        let tip = scene.body_motions(&run.motion).iter().last().map(|body| body.outboard().place);
+        let tip = scene.body_motions(&run.motion)?.iter().last().map(|body| body.outboard().place);
         assert!(tip.is_some_and(|tip| (tip.x - 1.0).abs() < 1e-14 && tip.y.abs() < 1e-14));
-        let pairs = scene.angles(&run.motion);
+        let pairs = scene.angles(&run.motion)?;
         let angle =
-            pairs.iter().zip(scene.angles(&exact).iter()).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
+            pairs.iter().zip(scene.angles(&exact)?.iter()).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
         let pull = run.motion.multipliers().iter().zip(exact.multipliers());
         forces.push((f64::from(n).recip(), pull.fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()))));
         angles.push((f64::from(n).recip(), angle));
@@ -318,7 +318,7 @@ fn vibration_dies_away_up_to_a_half_and_grows_beyond() -> Result<(), Error> {
     let left = |share: f64| {
         let start = scene.at_rest(&[0.01])?;
         let run = scene.simulate(start, Adams::step(share / 10.0), 1000.0 * share / 10.0, |_| ())?;
-        let energy: f64 = scene.budget(&run.motion).energy();
+        let energy: f64 = scene.budget(&run.motion).unwrap().energy();
         Ok::<_, Error>((2.0 * energy / 50.0).sqrt() / 0.01)
     };
     let (small, large) = (left(0.5)?, left(0.8)?);

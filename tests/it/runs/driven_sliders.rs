@@ -44,7 +44,7 @@ fn a_force_in_a_slider_accelerates_its_cart() -> Result<(), Error> {
             let loads = Loads::none().torques([0.0, push, 0.0]);
             let moving = scene.with_accelerations(start, &loads)?;
             // What the slider passes on along its line is what drives it.
-            let force = scene.stations(&moving, &loads).get(0).unwrap().internal.force;
+            let force = scene.stations(&moving, &loads)?.get(0).unwrap().internal.force;
             near(force.x * line.cos() + force.y * line.sin(), push, 1e-12 * 50.0);
             let (_, (along, (), turning, ())) = moving.acceleration();
             Ok([*along, *turning])
@@ -91,7 +91,7 @@ fn a_force_between_two_bodies_acts_on_both() -> Result<(), Error> {
     let moving = scene.with_accelerations(scene.at_rest(&[0.7])?, &loads)?;
     let (_, ((), apart, ())) = *moving.acceleration();
     near(apart, 6.0 / 2.0 + 6.0 / 3.0, ROUNDING * 5.0);
-    let bodies = scene.body_motions(&moving);
+    let bodies = scene.body_motions(&moving)?;
     let push = |k: usize, mass: f64| bodies.get(k).unwrap().centre().acceleration.linear * mass;
     near((push(0, 2.0) + push(1, 3.0)).norm(), 0.0, ROUNDING * 6.0);
     Ok(())

@@ -10,7 +10,7 @@ fn fault<R, M>(run: Result<R, Interrupted<M>>) -> Option<Fault> {
 }
 
 #[test]
-fn motions_of_another_length_are_refused_or_not_a_number() -> Result<(), Error> {
+fn motions_of_another_length_are_refused() -> Result<(), Error> {
     use planar::*;
     let rod = Rod::uniform(1.0_f64, 1.0);
     let chain = |links: usize| System::new(Pinned::origin(), (rod, vec![(Pin, rod); links]), Free);
@@ -26,16 +26,13 @@ fn motions_of_another_length_are_refused_or_not_a_number() -> Result<(), Error> 
         assert_eq!(here.transfer_matrix(&motion, &Unloaded, |_, _| ()).err(), Some(shape));
         assert_eq!(here.root_state(&motion, &Unloaded).err(), Some(shape));
 
-        assert!(here.angles(&motion).iter().all(|angle| angle.is_nan()));
-        assert!(here.body_motions(&motion).iter().all(|body| body.inboard.turn.rate.is_nan()));
-        let stations = here.stations(&motion, &Unloaded);
-        // The root's place is known, and that nothing pulls at a free tip.
-        assert!(stations.iter().all(|station| station.internal.force.x.is_nan() || station.frame.place.x.is_nan()));
-        assert!(stations.root().internal.force.y.is_nan() && stations.tip().frame.place.x.is_nan());
-        assert!(here.budget(&motion).energy().is_nan());
+        assert_eq!(here.angles(&motion).err(), Some(shape));
+        assert_eq!(here.body_motions(&motion).err(), Some(shape));
+        assert_eq!(here.stations(&motion, &Unloaded).err(), Some(shape));
+        assert_eq!(here.budget(&motion).err(), Some(shape));
         // And its own motion reads as before.
         assert!(
-            there.angles(&motion).iter().all(|angle| angle.is_finite()) && there.budget(&motion).energy().is_finite()
+            there.angles(&motion)?.iter().all(|angle| angle.is_finite()) && there.budget(&motion)?.energy().is_finite()
         );
     }
     Ok(())

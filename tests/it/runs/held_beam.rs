@@ -31,10 +31,10 @@ where
     for (time, read) in TIMES.into_iter().zip(&mut read) {
         motion = beam.simulation(rule).loads(blow).run(motion, time, |_| ())?.motion;
         let [x, y, torque] = *motion.multipliers();
-        let bodies = beam.body_motions(&motion);
+        let bodies = beam.body_motions(&motion).unwrap();
         *read = [bodies.get(K / 2).unwrap().centre().place.y, x, y, torque];
         // The tip stays where it is held.
-        let tip = beam.stations(&motion, blow).tip().frame;
+        let tip = beam.stations(&motion, blow).unwrap().tip().frame;
         near(tip.place.x, L, 1e-13);
         near(tip.place.y, 0.0, 1e-13);
         near(tip.turn.angle, 0.0, 1e-13);

@@ -52,12 +52,13 @@ fn a_smooth_pin_bears_no_torque() -> Result<(), Error> {
             1.0,
             |now| {
                 worst[0] = worst[0].max(torque_in_pins!(now.stations()));
-                worst[1] = worst[1].max(torque_in_pins!(scene.stations(now.motion(), &Unloaded)));
-                worst[2] = worst[2].max(torque_in_pins!(scene.stations(now.stepped(), &Unloaded)));
+                worst[1] = worst[1].max(torque_in_pins!(scene.stations(now.motion(), &Unloaded).unwrap()));
+                worst[2] = worst[2].max(torque_in_pins!(scene.stations(now.stepped(), &Unloaded).unwrap()));
                 assert!(!now.is_event());
             },
         )?;
-        worst[3] = torque_in_pins!(scene.stations(&scene.with_accelerations(run.motion, &Unloaded)?, &Unloaded));
+        worst[3] =
+            torque_in_pins!(scene.stations(&scene.with_accelerations(run.motion, &Unloaded)?, &Unloaded).unwrap());
         println!("order {order}: torques {worst:?} N·m");
         // Rounding of moments of 20 N·m; and the rule's own accelerations do bear one, or this would show nothing.
         assert!(worst[0] < 1e-13 && worst[1] < 1e-13 && worst[3] < 1e-13 && worst[2] > 1e-8);
@@ -70,7 +71,7 @@ fn a_smooth_pin_bears_no_torque() -> Result<(), Error> {
 fn forces_found_anew_keep_their_order() -> Result<(), Error> {
     let scene = pendulum()?;
     let exact = scene.simulate(scene.at_rest(&START)?, Dop853::tolerance(1e-13), 1.0, |_| ())?.motion;
-    let force = |motion: &_| scene.stations(motion, &Unloaded).root().internal.force;
+    let force = |motion: &_| scene.stations(motion, &Unloaded).unwrap().root().internal.force;
     with_every_rule!(|rule, order| {
         let mut errors = vec![];
         for step in [0.005, 0.0025, 0.00125] {
@@ -89,7 +90,7 @@ fn stiff_hinges_bear_the_same_forces() -> Result<(), Error> {
     let (rod, whole) = (Rod::uniform(0.3, 0.3), Rod::uniform(1.2, 1.2));
     let pendulum = System::new(Pinned::origin(), whole, Free)?.with_gravity(G);
     let exact = pendulum.simulate(pendulum.at_rest(&[-0.5])?, Dop853::tolerance(1e-13), 1.0, |_| ())?.motion;
-    let expected = pendulum.stations(&exact, &Unloaded).root().internal.force;
+    let expected = pendulum.stations(&exact, &Unloaded)?.root().internal.force;
     for stiffness in [1e8_f64, 1e10] {
         let hinge = ElasticHinge::rotary(stiffness).damped(0.02 * stiffness.sqrt());
         let scene = System::new(Pinned::origin(), (rod, [(hinge, rod); 3]), Free)?.with_gravity(G);
@@ -97,7 +98,7 @@ fn stiff_hinges_bear_the_same_forces() -> Result<(), Error> {
         for step in [0.01, 0.005, 0.0025] {
             let run = scene.simulate(scene.at_rest(&[-0.5; 4])?, GeneralizedAlpha::new(0.8).step(step), 1.0, |_| ())?;
             let settled = scene.with_accelerations(run.motion, &Unloaded)?;
-            let found = scene.stations(&settled, &Unloaded).root().internal.force;
+            let found = scene.stations(&settled, &Unloaded)?.root().internal.force;
             errors.push((step, (found - expected).norm()));
         }
         has_order("force at the pivot of stiff rods", 2.0, 1e-8, &errors);
@@ -137,7 +138,7 @@ fn a_ball_bears_no_torque_either() -> Result<(), Error> {
             worst = worst.max(now.stations().get(1).map_or(f64::NAN, |station| station.internal.torque.norm()));
         })?;
         let settled = scene.with_accelerations(run.motion, &Unloaded)?;
-        let left = scene.stations(&settled, &Unloaded).root().internal.torque.norm();
+        let left = scene.stations(&settled, &Unloaded).unwrap().root().internal.torque.norm();
         println!("torque in a ball {worst:.1e}, at the root {left:.1e} N·m");
         assert!(worst < 1e-12 && left < 1e-12);
     });

@@ -12,7 +12,7 @@ fn hanging(n: usize, rod: Rod<f64>, time: f64) -> Result<(f64, [f64; 2]), Error>
     let chain = System::new(Pinned::origin(), (rod, vec![(Pin, rod); n - 1]), Free)?.with_gravity(G);
     let start = chain.at_rest(&vec![0.0; n])?;
     let run = chain.simulate(start, Dop853::tolerance(1e-14), time, |_| ())?;
-    let bodies = chain.body_motions(&run.motion);
+    let bodies = chain.body_motions(&run.motion)?;
     let last = bodies.get(n - 1).unwrap();
     Ok((last.angle(), last.outboard().place.into()))
 }

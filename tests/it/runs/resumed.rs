@@ -80,7 +80,7 @@ where
     const END: f64 = 0.5;
     type See<'a, S, R, C, P> = &'a mut dyn FnMut(&Now<'_, S, R, C, P, Unloaded>);
     let simulation = || {
-        let half = scene.budget(start).energy() - 0.1;
+        let half = scene.budget(start).unwrap().energy() - 0.1;
         let bound = move |now: &Now<'_, S, R, C, P, Unloaded>| now.budget().potential - half;
         scene.simulation(rule).every(0.03).event(bound)
     };

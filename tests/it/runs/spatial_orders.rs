@@ -22,7 +22,7 @@ fn scene() -> Result<(Scene, State), Error> {
 
 /// Angle between attitudes (worst body), difference of rates, and of the force at the root.
 fn errors(system: &Scene, found: &State, exact: &State) -> [f64; 3] {
-    let forces = [found, exact].map(|motion| system.stations(motion, &Unloaded).root().internal.force);
+    let forces = [found, exact].map(|motion| system.stations(motion, &Unloaded).unwrap().root().internal.force);
     let pairs = [
         (found.position().0, exact.position().0, found.rate().0, exact.rate().0),
         (found.position().1.1, exact.position().1.1, found.rate().1.1, exact.rate().1.1),

@@ -29,7 +29,7 @@ fn scene(stiffness: f64) -> Result<(Scene, State), Error> {
 
 /// Largest difference of attitudes and joint coordinates, and of the force at the root.
 fn errors(system: &Scene, found: &State, exact: &State) -> [f64; 2] {
-    let forces = [found, exact].map(|motion| system.stations(motion, &Unloaded).root().internal.force);
+    let forces = [found, exact].map(|motion| system.stations(motion, &Unloaded).unwrap().root().internal.force);
     let (a, b) = (found.position(), exact.position());
     let angle = |a: Rotation<f64>, b: Rotation<f64>| Vector3::from(a.relative_to(&b).shortest().log()).norm();
     let all = [
@@ -87,7 +87,7 @@ fn stiff_joints_are_welds() -> Result<(), Error> {
         System::new(Pinned::origin(), (body, Ball, body, weld, body, weld, body), Free)?.with_gravity([0.0, -3.0, 0.0]);
     let angles = [0.3, 0.2, -0.4, 1.0, -0.6, 0.5];
     let exact = welded.simulate(welded.at_rest(&angles)?, Dop853::tolerance(1e-13), END, |_| ())?.motion;
-    let force = welded.stations(&exact, &Unloaded).root().internal.force;
+    let force = welded.stations(&exact, &Unloaded)?.root().internal.force;
     for stiffness in [1e6, 1e8, 1e10] {
         let (system, _) = scene(stiffness)?;
         let start = system.at_rest(&[0.3, 0.2, -0.4, 1.0, -0.6, 0.5, 0.0, 0.0])?;
@@ -95,7 +95,7 @@ fn stiff_joints_are_welds() -> Result<(), Error> {
             system.simulate(start, GeneralizedAlpha::new(0.8).step(0.0025), END, |_| ())?.motion,
             system.simulate(start, Sdirk4::new().step(0.005), END, |_| ())?.motion,
         ]
-        .map(|motion| (system.stations(&motion, &Unloaded).root().internal.force - force).norm());
+        .map(|motion| (system.stations(&motion, &Unloaded).unwrap().root().internal.force - force).norm());
         println!("k = {stiffness:.0e}: generalised-α {:.1e}, SDIRK4 {:.1e}", found[0], found[1]);
         // Of second order, and of fourth order or 1/k.
         assert!(found[0] < 5e-4 && found[1] < 2e-5 + 100.0 / stiffness);
@@ -112,9 +112,9 @@ fn a_floating_chain_with_springs_keeps_its_momentum() -> Result<(), Error> {
     let system = System::new(Free, (rod, hinge, rod, slider, rod), Free)?;
     let start = system.at_rest(&[0.3, 0.2, -0.4, 0.1])?;
     let start = system.with_rates(start, &[0.0, 0.1, 0.0, 1.0, -0.6, 0.5, 0.3, 0.1])?;
-    let first = system.budget(&start);
+    let first = system.budget(&start)?;
     let run = system.simulate(start, Sdirk4::new().step(0.002), 2.0, |_| ())?;
-    let last = system.budget(&run.motion);
+    let last = system.budget(&run.motion)?;
     let lost = [
         (last.momentum - first.momentum).norm(),
         (last.angular_momentum - first.angular_momentum).norm(),
@@ -134,7 +134,7 @@ fn held_chains_stay_closed_under_implicit_rules() -> Result<(), Error> {
     let chain = (rod, hinge, rod, hinge, rod, Ball, rod);
     let free = System::new(Pinned::origin(), chain, Free)?;
     let angles = [0.0, 0.3, 0.8, -0.2, -0.4, 0.3, -0.6, 0.2, -0.1, -0.9];
-    let place = free.stations(&free.at_rest(&angles)?, &Unloaded).tip().frame.place;
+    let place = free.stations(&free.at_rest(&angles)?, &Unloaded)?.tip().frame.place;
     let system =
         System::new(Pinned::origin(), chain, Pinned::at(place.x, place.y, place.z))?.with_gravity([0.0, -9.81, 0.0]);
     let start = system.at_rest(&angles)?;
@@ -186,12 +186,13 @@ fn elastic_balls_have_the_order_of_their_rule_and_become_welds() -> Result<(), E
     let exact = soft.simulate(start, Dop853::tolerance(1e-13), END, |_| ())?.motion;
     macro_rules! force {
         ($system:expr, $motion:expr) => {
-            $system.stations(&$motion, &Unloaded).root().internal.force
+            $system.stations(&$motion, &Unloaded).unwrap().root().internal.force
         };
     }
     // Of the last body's attitude (rad), and of the force at the root (N).
     let errors = |motion: &_| {
-        let attitude = |motion| Rotation::from_matrix(&soft.stations(motion, &Unloaded).tip().frame.turn.attitude);
+        let attitude =
+            |motion| Rotation::from_matrix(&soft.stations(motion, &Unloaded).unwrap().tip().frame.turn.attitude);
         let turned = attitude(motion).relative_to(&attitude(&exact)).shortest().log();
         [Vector3::from(turned).norm(), (force!(soft, *motion) - force!(soft, exact)).norm()]
     };

@@ -41,7 +41,7 @@ where
             return true;
         }
         core::mem::swap(&mut past, &mut next);
-        if scene.angles(&past).iter().any(|angle| (angle + FRAC_PI_2).abs() > 1e-3) {
+        if scene.angles(&past).unwrap().iter().any(|angle| (angle + FRAC_PI_2).abs() > 1e-3) {
             return true;
         }
     }

@@ -40,7 +40,7 @@ fn differences(n: usize, ends: [End; 2]) -> Result<[f64; 2], Error> {
     let answer = dense.solve(&state, &[], &[]);
     let mut pairs = [vec![], vec![]];
     between!(ends, links, |scene, motion| {
-        let (stations, bodies) = (scene.stations(&motion, &Unloaded), scene.body_motions(&motion));
+        let (stations, bodies) = (scene.stations(&motion, &Unloaded).unwrap(), scene.body_motions(&motion).unwrap());
         for (k, body) in bodies.iter().enumerate() {
             let acceleration = body.inboard.acceleration;
             pairs[0].push((acceleration.linear.x, answer.acceleration[k][0]));

@@ -32,7 +32,7 @@ fn defects(links: &[Link], ends: [End; 2]) -> Result<Defects, Error> {
     let mut found = Defects { condition: banded.condition(), ..Defects::default() };
     let (mut force, mut size) = (1.0_f64, 1.0_f64);
     between!(ends, links, |scene, motion| {
-        let (stations, bodies) = (scene.stations(&motion, &Unloaded), scene.body_motions(&motion));
+        let (stations, bodies) = (scene.stations(&motion, &Unloaded).unwrap(), scene.body_motions(&motion).unwrap());
         let internal = |k: usize| stations.get(k).map_or(stations.tip().internal, |station| station.internal);
         for (k, body) in bodies.iter().enumerate() {
             let (inner, outer) = (internal(2 * k), internal(2 * k + 1));

@@ -56,7 +56,7 @@ fn chain<T: Scalar>(p: [T; 9]) -> Chain<T> {
 /// The line of the tip goes through where the chain ends at first.
 fn guide() -> Result<[f64; 3], Error> {
     let free = System::new(Pinned::origin(), chain(AT), Free)?;
-    let frame = free.stations(&free.at_rest(&ANGLES)?, &Unloaded).tip().frame;
+    let frame = free.stations(&free.at_rest(&ANGLES)?, &Unloaded)?.tip().frame;
     Ok([frame.place.x, frame.place.y, frame.turn.angle])
 }
 
@@ -72,7 +72,7 @@ where
     let of = <T::Real as Real>::of;
     let rule = Rule { method, control: Control::Fixed(of(0.005)) };
     let motion = scene.simulate(scene.at_rest(&ANGLES.map(number))?, rule, of(0.005 * steps), |_| ())?.motion;
-    let stations = scene.stations(&motion, &Unloaded);
+    let stations = scene.stations(&motion, &Unloaded).unwrap();
     let force = stations.root().internal.force;
     Ok([stations.tip().frame.place.x, force.x, force.y, motion.multipliers()[0]])
 }

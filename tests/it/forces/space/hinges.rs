@@ -121,9 +121,9 @@ fn every_part_of_a_hinge_alone_and_together() -> Result<(), Error> {
                         let answer = oracle::solve(ground, gravity, &twins, &joints, $twin);
                         worst[$case] = worst[$case].max(difference(&system, &motion, &loads, &answer));
                         // What the springs store.
-                        let stored: f64 = system.budget(&motion).potential + {
+                        let stored: f64 = system.budget(&motion).unwrap().potential + {
                             let mut weight = 0.0;
-                            for (body, twin) in system.body_motions(&motion).iter().zip(&twins) {
+                            for (body, twin) in system.body_motions(&motion).unwrap().iter().zip(&twins) {
                                 weight += twin.mass * gravity.dot(&body.centre().place);
                             }
                             weight

@@ -29,7 +29,7 @@ macro_rules! outcome {
             start.rate_mut().1.1 = ([0.1, -0.2, 0.3].map(n), [1.0, -1.0, 0.5].map(n));
             let of = <T::Real as Real>::of;
             let motion = system.simulate(start, $rule(of(0.02)), of(0.3), |_| ()).map_err(|stop| stop.error)?.motion;
-            let stations = system.stations(&motion, &Unloaded);
+            let stations = system.stations(&motion, &Unloaded)?;
             let (tip, root) = (stations.tip().frame.place, stations.root().internal);
             let (force, torque) = (root.force, root.torque);
             Ok([tip.x, tip.y, tip.z, force.x, force.y, force.z, torque.x, torque.y, torque.z])

@@ -41,8 +41,8 @@ where
     P: Tip<Planar<f64>>,
     L: Loading<Planar<f64>>,
 {
-    let bodies = system.body_motions(motion);
-    let stations = system.stations(motion, loads);
+    let bodies = system.body_motions(motion).unwrap();
+    let stations = system.stations(motion, loads).unwrap();
     let of = |station: &Station<f64>| {
         let force = flat(station.internal.force.into());
         [force, axial(station.torque_outboard()), flat(station.frame.place.into())]

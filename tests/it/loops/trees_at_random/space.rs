@@ -34,8 +34,8 @@ where
     P: Tip<Spatial<f64>>,
     L: Loading<Spatial<f64>>,
 {
-    let bodies = system.body_motions(motion);
-    let stations = system.stations(motion, loads);
+    let bodies = system.body_motions(motion).unwrap();
+    let stations = system.stations(motion, loads).unwrap();
     let of = |station: &Station<f64>| [station.internal.force, station.torque_outboard(), station.frame.place];
     let ([force, torque, _], tip) = (of(stations.root()), of(stations.tip()));
     Found {

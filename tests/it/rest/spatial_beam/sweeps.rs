@@ -93,7 +93,7 @@ where
             k += 1;
             rates.iter().filter(|(i, _)| *i == k - 1).map(|(_, x)| x).sum::<f64>()
         });
-        scene.budget(&moving).kinetic
+        scene.budget(&moving).unwrap().kinetic
     };
     let own: Vec<f64> = (0..n).map(|i| kinetic(&[(i, 1.0)])).collect();
     let inertia =

@@ -34,8 +34,8 @@ where
     let of = <T::Real as Real>::of;
     let rule = catena::time::Rule { method, control: catena::time::Control::Fixed(of(0.01)) };
     let motion = system.simulate(start, rule, of(0.01 * steps), |_| ())?.motion;
-    let force = system.stations(&motion, &Unloaded).root().internal.force;
-    let angles = system.angles(&motion);
+    let force = system.stations(&motion, &Unloaded).unwrap().root().internal.force;
+    let angles = system.angles(&motion).unwrap();
     let angle = |k| angles.get(k).copied().unwrap_or(T::zero());
     Ok([angle(0), angle(2), force.x, force.y])
 }

@@ -66,7 +66,7 @@ macro_rules! stand {
                 count += 1;
                 if count > $skip { angle(count - $skip - 1) } else { x }
             });
-            let bodies = scene.body_motions(&motion);
+            let bodies = scene.body_motions(&motion)?;
             for frame in [$($name::frame::$frame),*] {
                 let (place, turn) = expected(&robot, frame.name).ok_or("no such link")?;
                 let body = bodies.get(frame.body.ok_or("on the ground")?).ok_or("no such body")?;
