@@ -39,12 +39,12 @@
 //! |---|---|
 //! | 0 | [`scalar`], errors, [`StateVector`] and [`TransferMatrix`] |
 //! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
-//! | 2 | [`space`], [`loading`], [`sweep`], [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions, [`sensitive`] |
+//! | 2 | [`space`], [`loading`], [`sweep`], [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions, [`sensitive`], [`release`] and [`kinematics`] (what a joint says of itself, and how it moves) |
 //! | 3 | [`chain`] (composition: tuples, arrays, vectors, branches, networks), [`counts`], [`struts`] |
 //! | 4 | [`planar`], [`spatial`] |
 //! | 5 | [`solve`], [`observe`] |
 //! | 6 | [`system`] |
-//! | 7 | [`stepper`], [`simulate`], [`observers`], [`modes`], [`sensitivity`]; [`paper`] (the formulation of 2005, apart from all others) |
+//! | 7 | [`stepper`], [`simulate`], [`observers`], [`modes`], [`sensitivity`]; [`paper`] (the formulation of 2005, apart from all others), [`extend`] (the builder's door) |
 //!
 //! # Features
 //!

@@ -27,7 +27,7 @@ pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
 pub use linear::{Carried, Inertial};
-#[cfg(feature = "alloc")]
+#[cfg(feature = "std")]
 pub(crate) use linear::{numbers, set, unit};
 
 use crate::element::{Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};

@@ -9,12 +9,26 @@ use std::path::{Path, PathBuf};
 const FLOORS: [&[&str]; 8] = [
     &["scalar", "error", "state", "tuples"],
     &["mirror", "relation", "time", "lift", "dense"],
-    &["space", "loading", "sweep", "shape", "walks", "visit", "element", "ends", "transfer", "motion", "sensitive"],
+    &[
+        "space",
+        "loading",
+        "sweep",
+        "shape",
+        "walks",
+        "visit",
+        "element",
+        "ends",
+        "transfer",
+        "motion",
+        "sensitive",
+        "release",
+        "kinematics",
+    ],
     &["chain", "counts", "struts"],
     &["planar", "spatial"],
     &["solve", "observe"],
     &["system"],
-    &["stepper", "simulate", "observers", "modes", "sensitivity", "paper"],
+    &["stepper", "simulate", "observers", "modes", "sensitivity", "paper", "extend"],
 ];
 
 fn floor(module: &str) -> Option<usize> {
