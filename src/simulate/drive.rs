@@ -1,6 +1,6 @@
 //! A run under way: step control, samples by dense output, location of events.
 
-use super::trials::{Trials, factor};
+use super::trials::{SHORTER, Trials, factor};
 use super::{EventFunction, Find, Now, Progress, Simulation, limits, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
@@ -148,10 +148,12 @@ where
             };
             let error = self.judge(outcome, size, tolerance, &mut trials)?;
             let factor = factor(error, self.stepper.error_order());
-            if !trials.accepts(error) {
+            let accurate = trials.accepts(error);
+            if !accurate || (error <= one && !last && self.wavers(&mut trials)) {
                 self.progress.rejected += 1;
                 self.progress.careful = true;
-                self.progress.size = trials.after(size, error, factor);
+                self.progress.size =
+                    if accurate { size * RealOf::<S>::of(SHORTER) } else { trials.after(size, error, factor) };
                 continue;
             }
             trials.taken(size);
@@ -216,6 +218,15 @@ where
             return if leap > RealOf::<S>::one() { Ok(leap) } else { Err(refused) };
         }
         Ok(RealOf::<S>::INFINITY)
+    }
+
+    /// Whether an accurate step ends where closures are all but dependent, and a shorter one is to be tried.
+    fn wavers(&self, trials: &mut Trials<RealOf<S>>) -> bool {
+        // A constant, so that a compiler does not even look at what follows where nothing is closed.
+        if const { System::<S, R, C, P>::CLOSED == 0 } {
+            return false;
+        }
+        trials.least_share().is_some_and(|least| trials.wavers(self.stepper.firm(&self.next, least)))
     }
 
     /// Whether closures are independent at the end of a step: where they are not, a motion could go on in more than one way.
