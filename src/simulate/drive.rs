@@ -1,6 +1,6 @@
 //! A run under way: step control, samples by dense output, location of events.
 
-use super::trials::{SHORTER, Trials, factor};
+use super::trials::{Trials, factor};
 use super::{EventFunction, Find, Now, Progress, Simulation, limits, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
@@ -148,12 +148,17 @@ where
             };
             let error = self.judge(outcome, size, tolerance, &mut trials)?;
             let factor = factor(error, self.stepper.error_order());
-            let accurate = trials.accepts(error);
-            if !accurate || (error <= one && !last && self.wavers(&mut trials)) {
+            let other = if !trials.accepts(error) {
+                Some(trials.after(size, error, factor))
+            } else if error <= one && !last {
+                self.dodge(size, &mut trials)
+            } else {
+                None
+            };
+            if let Some(other) = other {
                 self.progress.rejected += 1;
                 self.progress.careful = true;
-                self.progress.size =
-                    if accurate { size * RealOf::<S>::of(SHORTER) } else { trials.after(size, error, factor) };
+                self.progress.size = other;
                 continue;
             }
             trials.taken(size);
@@ -220,13 +225,14 @@ where
         Ok(RealOf::<S>::INFINITY)
     }
 
-    /// Whether an accurate step ends where closures are all but dependent, and a shorter one is to be tried.
-    fn wavers(&self, trials: &mut Trials<RealOf<S>>) -> bool {
+    /// The size of another step, to be tried instead of an accurate one that ends where closures are all but dependent.
+    fn dodge(&self, size: RealOf<S>, trials: &mut Trials<RealOf<S>>) -> Option<RealOf<S>> {
         // A constant, so that a compiler does not even look at what follows where nothing is closed.
         if const { System::<S, R, C, P>::CLOSED == 0 } {
-            return false;
+            return None;
         }
-        trials.least_share().is_some_and(|least| trials.wavers(self.stepper.firm(&self.next, least)))
+        let firm = self.stepper.firm(&self.next, trials.least_share()?);
+        trials.dodge(size, firm)
     }
 
     /// Whether closures are independent at the end of a step: where they are not, a motion could go on in more than one way.

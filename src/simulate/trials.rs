@@ -12,7 +12,7 @@ const ADVANCE: f64 = 1e-6;
 const STARTLING: f64 = 100.0;
 /// Steps somewhat shorter that are tried first where closures may have become dependent within such a step, and by how much.
 const EVASIONS: usize = 5;
-pub(super) const SHORTER: f64 = 0.8;
+const SHORTER: f64 = 0.8;
 /// By how many times the error of such a step falls where it was a matter of where stages fell: by more than any order explains.
 const FALL: f64 = 10.0;
 /// So many times a step that ends where closures are all but dependent is tried shorter.
@@ -108,16 +108,26 @@ impl<R: Real> Trials<R> {
         self.allowed.map(|_| self.least.as_f64())
     }
 
-    /// Whether an accurate step is to be tried shorter: where closures do not hold its end firmly, unless the motion comes from such a
-    /// place or stays there.
-    pub(super) fn wavers(&mut self, firm: bool) -> bool {
-        let wavers = !firm && self.firm && self.dodges < DODGES;
-        if wavers {
-            self.dodges += 1;
-        } else {
+    /// The size to try instead of an accurate one where closures do not hold its end firmly, unless the motion comes from such a place
+    /// or stays there: that of a longer step which leads over it, if there was one that errs by what such a step may, or a shorter one.
+    pub(super) fn dodge(&mut self, size: R, firm: bool) -> Option<R> {
+        if firm || !self.firm || self.dodges > DODGES {
             self.firm = firm;
+            return None;
         }
-        wavers
+        let tired = self.dodges == DODGES;
+        self.dodges += 1;
+        match self.best {
+            Some((over, error)) if over > size && (error <= R::of(STARTLING) || (tired && self.allows(error))) => {
+                self.settled = true;
+                Some(over)
+            }
+            _ if tired => {
+                self.firm = false;
+                None
+            }
+            _ => Some(size * R::of(SHORTER)),
+        }
     }
 
     /// A step failed: by what no shorter step would mend, or it counts as one that is not accurate at all.
