@@ -44,7 +44,7 @@
 //!   plane, a rotation and a vector in space), and a ball hands on a 3 × 3 point relation as a pin hands on a 2 × 2 one. What
 //!   a posture is, each space says: an arm and its centripetal acceleration in the plane, vectors and inertias in space.
 //! * **A held tip with λ columns.** W, Λ and y₀ ride inside the relation as fields that a free tip's type does not have
-//!   ([`Closures`]); kernels treat e and W as right-hand sides of one elimination, and a joint keeps one more number for each of its
+//!   ([`Closures`](crate::relation::Closures)); kernels treat e and W as right-hand sides of one elimination, and a joint keeps one more number for each of its
 //!   coordinates and each closure force. The ground's condition at the root turns Λ into λ, and the outward walk uses it.
 //! * **An implicit rule.** Only a joint's pivot gains K̂ and its torque an affine term. A stiff joint is the same element
 //!   condensed for another type of springs, [`Implicit`], after which the relation is full; rods and pins neither know nor pay.
@@ -63,12 +63,13 @@
 //! digits when bodies are short.
 
 pub use crate::loading::{Load, Loading, Unloaded};
+pub use crate::relation::Close;
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
 pub use crate::sweep::{Carrying, Explicit, Implicit, Reading, Springs, Sweep};
+pub use crate::turning::Turning;
 pub use crate::visit::{Closed, Gather, Level, Visit, look};
 
 use crate::mirror::{Position, Rate};
-use crate::relation::Closures;
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
 use crate::walks::count;
 
@@ -180,14 +181,6 @@ pub trait Condense<S: Space, R, W: Sweep<S>>: Element<S> {
         given: Given<'_, S, Self, W>,
         kept: &mut Self::Store<Kept<W::Closures>>,
     ) -> Self::Out;
-}
-
-/// The relation at the root of a chain, from which the closure forces follow.
-pub trait Close<S: Space, C: Closures> {
-    /// λ, for the acceleration of the root.
-    fn multipliers(&self, root: &S::Acceleration) -> C::Each<S::Scalar>;
-    /// Λ.
-    fn compliance(&self) -> C::Pairs<S::Scalar>;
 }
 
 /// What the walks read of the orientations and angular velocities inside an element: four values for each set of axes, whose

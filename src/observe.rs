@@ -1,5 +1,6 @@
 //! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
 
+mod by_joint;
 mod doubts;
 mod in_turn;
 mod misses;
@@ -11,7 +12,9 @@ pub(crate) use misses::loops_miss;
 
 use crate::counts::HasBody;
 use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::relation::{Wrench, WrenchOf};
 use crate::shape::{self, PerJoint};
+use crate::space::FrameOf;
 use crate::visit::survey;
 use crate::walks::entries::{Entry, entries};
 use crate::walks::find;
@@ -32,7 +35,7 @@ impl<'a, S: Space, E: Element<S>, X: Copy + 'static> PerBody<'a, S, E, X> {
     /// Walks a motion outward and keeps what `read` says of each body.
     pub(crate) fn of(
         chain: &'a E,
-        ground: S::Frame,
+        ground: FrameOf<S>,
         motion: Coordinates<'_, S, E>,
         read: impl FnMut(&S::BodyMotion) -> X,
     ) -> Self {
@@ -112,12 +115,12 @@ pub struct Stations<'a, S: Space, E: Element<S>> {
 impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
     pub(crate) fn of<L: Loading<S>>(
         chain: &'a E,
-        ground: S::Frame,
+        ground: FrameOf<S>,
         gravity: S::Vector,
         motion: Coordinates<'_, S, E>,
         time: RealOf<S>,
         loads: &L,
-        tip: S::Internal,
+        tip: WrenchOf<S>,
     ) -> Self {
         let (mut bodies, mut joints) = (chain.store::<shape::PerBody<_>>(None), chain.store::<PerJoint<_>>(None));
         let seen = survey(chain, ground, motion, loads);
@@ -171,19 +174,19 @@ struct Internals<S>(PhantomData<S>);
 
 impl<S: Space> Gather for Internals<S> {
     type Entry = Option<S::Station>;
-    type Carried = S::Internal;
+    type Carried = WrenchOf<S>;
 
-    fn meet(&mut self, station: &mut Option<S::Station>, outer: S::Internal) -> S::Internal {
+    fn meet(&mut self, station: &mut Option<S::Station>, outer: WrenchOf<S>) -> WrenchOf<S> {
         station.as_mut().map_or(outer, |station| S::balance(station, outer))
     }
-    fn beyond_arm(&mut self) -> S::Internal {
-        S::no_force()
+    fn beyond_arm(&mut self) -> WrenchOf<S> {
+        Wrench::none()
     }
-    fn opposite(&mut self, closing: S::Internal) -> S::Internal {
-        S::opposite(closing)
+    fn opposite(&mut self, closing: WrenchOf<S>) -> WrenchOf<S> {
+        -closing
     }
-    fn join(&mut self, chain: S::Internal, arm: S::Internal) -> S::Internal {
-        S::together(chain, arm)
+    fn join(&mut self, chain: WrenchOf<S>, arm: WrenchOf<S>) -> WrenchOf<S> {
+        chain + arm
     }
 }
 
@@ -204,7 +207,7 @@ impl<S: Space, X: Copy + 'static, F: FnMut(&S::BodyMotion) -> X> Visit<S> for Co
 #[cfg(feature = "alloc")]
 pub(crate) fn each_body<S: Space, E: Element<S>>(
     chain: &E,
-    ground: S::Frame,
+    ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     read: impl FnMut(&S::BodyMotion),
 ) {
@@ -229,11 +232,11 @@ impl<S: Space, F: FnMut(&S::BodyMotion)> Visit<S> for Show<F> {
 /// Energy and momentum of a motion.
 pub(crate) fn budget<S: Space, E: Element<S>>(
     chain: &E,
-    ground: S::Frame,
+    ground: FrameOf<S>,
     gravity: S::Vector,
     motion: Coordinates<'_, S, E>,
 ) -> Budget<S> {
-    let mut audit = Audit { gravity, sum: S::no_budget() };
+    let mut audit = Audit { gravity, sum: Budget::none() };
     show(chain, ground, motion, &mut audit);
     audit.sum
 }
@@ -249,7 +252,7 @@ impl<S: Space> Visit<S> for Audit<S> {
     type InJoint = ();
 
     fn body(&mut self, body: &S::BodyMotion) {
-        self.sum = S::sum(self.sum, S::budget(body, self.gravity));
+        self.sum = self.sum + S::budget(body, self.gravity);
     }
     fn joint(&mut self, joint: &S::JointMotion) {
         let potential = self.sum.potential + S::stored(joint);
@@ -272,7 +275,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for Balance<'_, S, L> {
 
     fn body(&mut self, body: &S::BodyMotion) -> Option<S::Station> {
         let mut station = S::body_station(body, self.gravity);
-        self.loads.on_body(&self.seen, self.time, self.body, body).act(&mut station);
+        S::relieve(&mut station, self.loads.on_body(&self.seen, self.time, self.body, body).wrench());
         self.body += 1;
         Some(station)
     }

@@ -1,8 +1,9 @@
 //! What a space must say for its elements to have exact transfer matrices: the inspection view of a sweep.
 
 use crate::element::{Load, Space};
-use crate::relation::Absent;
+use crate::relation::{Absent, Geometry};
 use crate::scalar::{Real, Scalar};
+use crate::space::FrameOf;
 use crate::state::{StateVector, TransferMatrix};
 use num_traits::Zero;
 
@@ -31,7 +32,7 @@ pub trait Exact<const N: usize>: Space {
     ) -> Option<Passage<Self::Scalar, N>>;
 
     /// The acceleration state of a station without force and torque.
-    fn acceleration_state(frame: &Self::Frame) -> StateVector<Self::Scalar, N>;
+    fn acceleration_state(frame: &FrameOf<Self>) -> StateVector<Self::Scalar, N>;
 }
 
 /// What acts in a joint, as numbers.
@@ -47,7 +48,7 @@ impl<S: Space> Efforts<S> for Absent {
 }
 
 /// The overall matrix of a chain, and what the joint at its root does.
-pub type Whole<S, const N: usize> = (TransferMatrix<<S as Space>::Scalar, N>, Passage<<S as Space>::Scalar, N>);
+pub type Whole<S, const N: usize> = (TransferMatrix<<S as Geometry>::Scalar, N>, Passage<<S as Geometry>::Scalar, N>);
 
 /// Most coordinates that a joint can have.
 const MOST: usize = 6;

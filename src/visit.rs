@@ -2,9 +2,10 @@
 
 use crate::element::Coordinates;
 use crate::loading::Loading;
+use crate::relation::WrenchOf;
 use crate::scalar::Scalar;
 use crate::shape::Shape;
-use crate::space::Space;
+use crate::space::{FrameOf, Space};
 pub use crate::walks::look::look;
 use crate::walks::travel::show;
 use num_traits::Zero;
@@ -74,7 +75,7 @@ pub struct Closed<S: Space> {
     /// The joint, from the side arm to the main one.
     pub joint: S::JointMotion,
     /// The force and torque that it passes on.
-    pub internal: S::Internal,
+    pub internal: WrenchOf<S>,
     /// How many conditions it imposes.
     pub conditions: usize,
     /// By how much these are missed, in place and in velocity; the numbers after them are zero.
@@ -110,7 +111,7 @@ pub enum Level {
 /// The last body of a chain that has mass: what lies beyond it is part of it.
 pub(crate) fn last_body<S: Space, E: Shape<S>>(
     chain: &E,
-    ground: S::Frame,
+    ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
 ) -> Option<S::BodyMotion> {
     let mut last = Last::<S> { arms: 0, body: None };
@@ -146,7 +147,7 @@ impl<S: Space> Visit<S> for Last<S> {
 /// What loads have to see of a whole scene first.
 pub(crate) fn survey<S: Space, E: Shape<S>, L: Loading<S>>(
     chain: &E,
-    ground: S::Frame,
+    ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     loads: &L,
 ) -> L::Seen {

@@ -1,5 +1,6 @@
 //! The condensation of joints that close loops.
 
+use crate::relation::WrenchOf;
 use crate::shape::{Closing, Ends};
 use crate::space::Space;
 
@@ -15,5 +16,5 @@ pub trait CloseOff<S: Space, R, Q>: Closing<S> {
     /// What the side arm meets.
     type Side: Copy;
     /// Cuts the loop; the torque too is passed on.
-    fn close_off(&self, outer: R, torque: Q, axes: Ends<'_, S, Self>) -> (Self::Main, Self::Side, S::Internal);
+    fn close_off(&self, outer: R, torque: Q, axes: Ends<'_, S, Self>) -> (Self::Main, Self::Side, WrenchOf<S>);
 }

@@ -3,7 +3,7 @@
 use super::closing::CloseOff;
 use super::network::{Inside, Network, OwnOf};
 use crate::element::{Carrying, Condense, Given, InJoint, Posture, Reading, Space, Sweep};
-use crate::relation::Settle;
+use crate::relation::{Settle, WrenchOf};
 use crate::shape::{Ends, Kept};
 
 /// What a sweep carries into the main arm.
@@ -19,9 +19,9 @@ where
     K: CloseOff<S, R, InJoint<S, W>>,
     M: Condense<S, K::Main, InMain<S, W, K>>,
     A: Condense<S, K::Side, InSide<S, W, K>>,
-    M::Out: Settle<S::Column, S::Scalar, A::Out, W::Closures, OwnOf<S, K>>,
+    M::Out: Settle<WrenchOf<S>, S::Scalar, A::Out, W::Closures, OwnOf<S, K>>,
 {
-    type Out = <M::Out as Settle<S::Column, S::Scalar, A::Out, W::Closures, OwnOf<S, K>>>::Out;
+    type Out = <M::Out as Settle<WrenchOf<S>, S::Scalar, A::Out, W::Closures, OwnOf<S, K>>>::Out;
 
     #[inline(always)]
     fn condense(

@@ -99,7 +99,7 @@ pub trait Body<T: Scalar>: Copy + Debug + 'static {
     const MOMENT: bool = false;
 
     /// Condenses the relation at O to one at I, without the point mass at I, with that at O.
-    fn condense<R: Relation<T>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures>;
+    fn condense<R: Relation<Planar<T>>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures>;
 
     /// Rejects parameters that make no mechanics.
     fn check(&self) -> Result<(), Fault>;
@@ -229,7 +229,7 @@ macro_rules! body {
             type Freedoms = U0;
         }
 
-        impl<T: Scalar, R: Relation<T>, W: Sweep<Planar<T>>> Condense<Planar<T>, R, W> for super::$Body<T>
+        impl<T: Scalar, R: Relation<Planar<T>>, W: Sweep<Planar<T>>> Condense<Planar<T>, R, W> for super::$Body<T>
         where
             OnBody<Planar<T>, W>: Term<Full<T, R::Closures>>,
         {

@@ -1,24 +1,14 @@
 //! What the walks carry in the plane.
 
-use super::{Inertia, Station};
+use super::{Inertia, Planar, Station};
 use crate::element::{Budget, Space, SpaceOver};
 use crate::error::Fault;
+use crate::relation;
+use crate::relation::plane::Empty;
 use crate::relation::plane::algebra::{add_scaled, cross, dot, normal};
-use crate::relation::plane::{Empty, FullColumn};
 use crate::scalar::{Real, Scalar};
-use core::fmt;
-use core::marker::PhantomData;
+use crate::space::{self, Orientation};
 use nalgebra::Vector2;
-
-/// The plane, with numbers of type `T`.
-#[derive(Clone, Copy)]
-pub struct Planar<T>(PhantomData<T>);
-
-impl<T> fmt::Debug for Planar<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Planar")
-    }
-}
 
 /// Orientation of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,45 +19,27 @@ pub struct Turn<T> {
     pub rate: T,
 }
 
-/// Acceleration of a station.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Acceleration<T> {
-    /// Of its point (m/s²).
-    pub linear: Vector2<T>,
-    /// Of the body on its inboard side (rad/s²).
-    pub angular: T,
+impl<T: Scalar> Orientation<T> for Turn<T> {
+    #[inline(always)]
+    fn unturned() -> Self {
+        Self { angle: T::zero(), rate: T::zero() }
+    }
+    #[inline(always)]
+    fn spin(&self) -> T {
+        self.rate
+    }
+    fn all_finite(&self) -> bool {
+        self.angle.is_finite() && self.rate.is_finite()
+    }
 }
+
+/// Acceleration of a station.
+pub type Acceleration<T> = relation::Acceleration<Vector2<T>, T>;
 
 /// Motion of a station: a point of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame<T> {
-    /// Place of the point (m).
-    pub place: Vector2<T>,
-    /// Its velocity (m/s).
-    pub velocity: Vector2<T>,
-    /// Orientation of the body.
-    pub turn: Turn<T>,
-    /// Its acceleration.
-    pub acceleration: Acceleration<T>,
-}
+pub type Frame<T> = space::Frame<Vector2<T>, T, Turn<T>>;
 
 impl<T: Scalar> Frame<T> {
-    /// A frame at rest at a place, unturned.
-    pub fn resting(place: Vector2<T>) -> Self {
-        Self {
-            place,
-            velocity: zero(),
-            turn: Turn { angle: T::zero(), rate: T::zero() },
-            acceleration: Acceleration { linear: zero(), angular: T::zero() },
-        }
-    }
-
-    /// The same motion with the accelerations left out.
-    #[inline(always)]
-    pub(super) fn without_acceleration(&self) -> Self {
-        Self { acceleration: Acceleration { linear: zero(), angular: T::zero() }, ..*self }
-    }
-
     /// The frame of a point that moves relative to the body: its displacement from here, the rate and the acceleration of that
     /// as seen from the body (m, m/s, m/s²; inertial axes).
     #[inline(always)]
@@ -77,44 +49,10 @@ impl<T: Scalar> Frame<T> {
         let linear = add_scaled(frame.acceleration.linear + acceleration, spin + spin, normal(rate));
         Self { velocity: frame.velocity + rate, acceleration: Acceleration { linear, ..frame.acceleration }, ..frame }
     }
-
-    /// The frame at another point of the same body, at the vector `d` (inertial axes) from this one.
-    #[inline(always)]
-    pub fn shifted(&self, d: Vector2<T>) -> Self {
-        let n = normal(d);
-        let rate = self.turn.rate;
-        Self {
-            place: self.place + d,
-            velocity: add_scaled(self.velocity, rate, n),
-            turn: self.turn,
-            acceleration: self.acceleration.shifted(d, d * -(rate * rate)),
-        }
-    }
 }
 
-impl<T: Scalar> Acceleration<T> {
-    /// The acceleration of another point of the same body, at the vector `d` from this one: a + α n + p with the centripetal
-    /// p = −ω² d.
-    #[inline(always)]
-    pub fn shifted(&self, d: Vector2<T>, centripetal: Vector2<T>) -> Self {
-        Self { linear: add_scaled(self.linear + centripetal, self.angular, normal(d)), angular: self.angular }
-    }
-
-    /// The same with a body at rest: a + α n.
-    #[inline(always)]
-    pub fn swung(&self, d: Vector2<T>) -> Self {
-        Self { linear: add_scaled(self.linear, self.angular, normal(d)), angular: self.angular }
-    }
-}
-
-/// Internal force and torque at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Internal<T> {
-    /// Force q (N).
-    pub force: Vector2<T>,
-    /// Torque m (N·m).
-    pub torque: T,
-}
+/// Internal force q (N) and torque m (N·m) at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
+pub type Internal<T> = relation::Wrench<Vector2<T>, T>;
 
 /// A body and its motion at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,10 +101,6 @@ impl<T: Scalar> BodyMotion<T> {
         let rate = self.rate();
         (self.inertia.mass * dot(velocity, velocity) + self.inertia.about_centre * rate * rate).scale(T::Real::of(0.5))
     }
-}
-
-fn zero<T: Scalar>() -> Vector2<T> {
-    Vector2::new(T::zero(), T::zero())
 }
 
 /// A joint and its motion at an instant.
@@ -221,24 +155,17 @@ impl<T: Scalar> JointMotion<T> {
 }
 
 impl<T: Scalar> Space for Planar<T> {
-    type Scalar = T;
     type Size = T;
     type X = T;
     type Y = T;
     type P = T;
     type Q = T;
     type Turn = Turn<T>;
-    type Frame = Frame<T>;
-    type Acceleration = Acceleration<T>;
-    type Internal = Internal<T>;
     type Station = Station<T>;
-    type Vector = Vector2<T>;
     type Angles = T;
-    type Moment = T;
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
     type Numbers = [T; 3];
-    type Column = FullColumn<T>;
     /// Number of coordinates.
     type Release = usize;
     type Nothing = Empty;
@@ -249,22 +176,11 @@ impl<T: Scalar> Space for Planar<T> {
     fn no_size() -> T {
         T::zero()
     }
-    #[inline(always)]
-    fn resting() -> Frame<T> {
-        Frame::resting(zero())
-    }
     fn mass(body: &BodyMotion<T>) -> T {
         body.inertia.mass
     }
     fn doubt(body: &BodyMotion<T>) -> Option<Fault> {
         body.inertia.doubt()
-    }
-    fn turn(frame: &Frame<T>) -> Turn<T> {
-        frame.turn
-    }
-    #[inline(always)]
-    fn falling(frame: &Frame<T>, gravity: Vector2<T>) -> Acceleration<T> {
-        Acceleration { linear: frame.acceleration.linear - gravity, ..frame.acceleration }
     }
     fn angles(body: &BodyMotion<T>) -> T {
         body.angle()
@@ -276,18 +192,6 @@ impl<T: Scalar> Space for Planar<T> {
         let angle = body.angle().real();
         (angle.abs() > T::ANGLE_RANGE).then(|| angle.as_f64())
     }
-    fn no_acceleration() -> Acceleration<T> {
-        Acceleration { linear: zero(), angular: T::zero() }
-    }
-    fn no_force() -> Internal<T> {
-        Internal { force: zero(), torque: T::zero() }
-    }
-    fn together(a: Internal<T>, b: Internal<T>) -> Internal<T> {
-        Internal { force: a.force + b.force, torque: a.torque + b.torque }
-    }
-    fn opposite(internal: Internal<T>) -> Internal<T> {
-        Internal { force: -internal.force, torque: -internal.torque }
-    }
     #[inline(always)]
     fn numbers(internal: Internal<T>) -> [T; 3] {
         [internal.force.x, internal.force.y, internal.torque]
@@ -295,25 +199,6 @@ impl<T: Scalar> Space for Planar<T> {
     #[inline(always)]
     fn internal([x, y, torque]: [T; 3]) -> Internal<T> {
         Internal { force: Vector2::new(x, y), torque }
-    }
-    fn no_column() -> FullColumn<T> {
-        FullColumn { force: zero(), torque: T::zero() }
-    }
-    #[inline(always)]
-    fn work(column: FullColumn<T>, acceleration: &Acceleration<T>) -> T {
-        column.torque.mul_add(acceleration.angular, dot(column.force, acceleration.linear))
-    }
-    fn no_gravity() -> Vector2<T> {
-        zero()
-    }
-    fn is_finite(vector: Vector2<T>) -> bool {
-        vector.x.is_finite() && vector.y.is_finite()
-    }
-    fn frame_is_finite(frame: &Frame<T>) -> bool {
-        let Frame { place, velocity, turn, acceleration } = frame;
-        let vectors = [place, velocity, &acceleration.linear];
-        let angles = [turn.angle, turn.rate, acceleration.angular];
-        vectors.iter().all(|vector| Self::is_finite(**vector)) && angles.iter().all(|x| x.is_finite())
     }
     fn body_station(body: &BodyMotion<T>, gravity: Vector2<T>) -> Station<T> {
         Station::of_body(body, gravity)
@@ -327,19 +212,12 @@ impl<T: Scalar> Space for Planar<T> {
     fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
         Station::at_end(*frame, internal)
     }
+    fn relieve(station: &mut Station<T>, load: Internal<T>) {
+        station.inertia_force -= load.force;
+        station.inertia_torque -= load.torque;
+    }
     fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
         station.close(outer)
-    }
-    fn no_budget() -> Budget<Self> {
-        Budget { kinetic: T::zero(), potential: T::zero(), momentum: zero(), angular_momentum: T::zero() }
-    }
-    fn sum(a: Budget<Self>, b: Budget<Self>) -> Budget<Self> {
-        Budget {
-            kinetic: a.kinetic + b.kinetic,
-            potential: a.potential + b.potential,
-            momentum: a.momentum + b.momentum,
-            angular_momentum: a.angular_momentum + b.angular_momentum,
-        }
     }
     fn stored(joint: &JointMotion<T>) -> T {
         joint.spring.energy

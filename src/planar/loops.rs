@@ -6,9 +6,8 @@ use crate::chain::{Branch, CloseOff, Closing, Ends, LeastNorm, Network};
 use crate::error::Fault;
 use crate::relation::plane::algebra::Symmetric2;
 use crate::relation::plane::{Full, FullColumn, Point};
-use crate::relation::{Carry, Cut, Cuts, Own, Reacting, Shared, Term, Twisted};
+use crate::relation::{Carry, Cut, Cuts, Forces, Own, Reacting, Shared, Symmetric, Term, Twisted, Wrenches};
 use crate::scalar::Scalar;
-use crate::space::Space;
 use nalgebra::Vector2;
 
 /// An arm that comes back to the body from which it leaves: a branch which is a loop. The chain goes on from the station where it stands.
@@ -89,7 +88,7 @@ fn close_pin<T, O, R, Q>(outer: R, torque: Q) -> (<R::Out as Twisted<Q::Reaction
 where
     T: Scalar,
     O: Own,
-    R: Carry<T, O, Vector2<T>, Out: Twisted<Q::Reaction>>,
+    R: Carry<Planar<T>, O, Forces, Out: Twisted<Q::Reaction>>,
     Q: Reacting + Term<T>,
 {
     // λ acts ON the side arm, so F on what lies outboard of it is −λ, and the opposite on what the main arm meets.
@@ -104,10 +103,10 @@ where
 
 /// A weld that does, three of them.
 #[inline(always)]
-fn close_weld<T: Scalar, O: Own, R: Carry<T, O, FullColumn<T>>>(outer: R) -> (R::Out, Full<T, O>, Internal<T>) {
+fn close_weld<T: Scalar, O: Own, R: Carry<Planar<T>, O, Wrenches>>(outer: R) -> (R::Out, Full<T, O>, Internal<T>) {
     let (pull, push) = (holds(-T::one()), holds(T::one()));
     let side = Full::massless().cut(Cuts::at_tip(O::each(|k| pull[k]), O::each(|_| T::zero())));
-    (outer.carry(O::each(|k| push[k])), side, Planar::no_force())
+    (outer.carry(O::each(|k| push[k])), side, Internal::none())
 }
 
 macro_rules! close_off {
@@ -116,7 +115,7 @@ macro_rules! close_off {
         where
             T: Scalar,
             Q: Reacting + Term<T>,
-            R: Carry<T, $Own<2>, Vector2<T>, Out: Twisted<Q::Reaction>>,
+            R: Carry<Planar<T>, $Own<2>, Forces, Out: Twisted<Q::Reaction>>,
         {
             type Main = <R::Out as Twisted<Q::Reaction>>::Out;
             type Side = Point<T, Q, $Own<2>>;
@@ -133,7 +132,7 @@ macro_rules! close_off {
         }
 
         /// A torque in a weld does nothing.
-        impl<T: Scalar, R: Carry<T, $Own<3>, FullColumn<T>>, Q> CloseOff<Planar<T>, R, Q> for $Weld {
+        impl<T: Scalar, R: Carry<Planar<T>, $Own<3>, Wrenches>, Q> CloseOff<Planar<T>, R, Q> for $Weld {
             type Main = R::Out;
             type Side = Full<T, $Own<3>>;
 

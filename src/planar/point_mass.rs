@@ -1,7 +1,7 @@
 //! A point mass on a massless link.
 
 use super::body::{Base, not_negative, positive};
-use super::{Body, Inertia, Pose};
+use super::{Body, Inertia, Planar, Pose};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
@@ -73,7 +73,7 @@ impl<T: Scalar> Body<T> for PointMass<T> {
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures> {
+    fn condense<R: Relation<Planar<T>>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures> {
         let [arm, centripetal] = pose.link();
         outer.with_mass(self.lumped).carried(arm, centripetal)
     }

@@ -1,7 +1,7 @@
 //! A rigid body with its mass centre and its outboard end anywhere.
 
 use super::body::Base;
-use super::{Body, Inertia, Pose};
+use super::{Body, Inertia, Planar, Pose};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
@@ -98,7 +98,7 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures> {
+    fn condense<R: Relation<Planar<T>>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures> {
         let [arm, centripetal] = self.arm(pose);
         outer
             .with_mass(self.lumped)

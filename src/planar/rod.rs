@@ -1,7 +1,7 @@
 //! A body whose mass centre lies on the line between its ends.
 
 use super::body::{Base, positive};
-use super::{Body, Inertia, Pose};
+use super::{Body, Inertia, Planar, Pose};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::plane::{Full, Relation};
@@ -95,7 +95,7 @@ impl<T: Scalar> Body<T> for Rod<T> {
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures> {
+    fn condense<R: Relation<Planar<T>>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures> {
         let [arm, centripetal] = pose.link();
         outer.with_mass(self.lumped).carried_by(self.rest, arm, centripetal)
     }

@@ -8,16 +8,28 @@
 //! S is symmetric positive semidefinite and only one triangle is stored. Stored full and merely assumed symmetric, its
 //! antisymmetric rounding doubles with every body (a chain of 60 is lost); stored as a triangle it holds at 100 000.
 
+mod arms;
+mod closing;
 mod closure;
+mod full;
+pub mod geometry;
+mod join;
+mod kinds;
 mod looped;
 pub mod plane;
 mod redundancy;
 mod shared;
 pub mod space;
+mod wrench;
 
+pub use closing::Close;
 pub use closure::{Closures, Cut, Cuts, Open, Solvable, largest};
-pub use looped::{Carry, LoopGain, Looped, Own, Settle, Twisted};
+pub use full::Full;
+pub use geometry::{AccelerationOf, Additive, Angular, Geometry, Symmetric, VectorSpace, WrenchOf};
+pub use kinds::{Empty, Lump, Point, Relation};
+pub use looped::{Carry, Forces, Kind, LoopGain, Looped, Own, Settle, Twisted, Wrenches};
 pub use shared::Shared;
+pub use wrench::{Acceleration, Wrench};
 
 use crate::scalar::Scalar;
 use core::fmt::Debug;

@@ -2,7 +2,7 @@
 
 use super::closing::Closing;
 use super::leaf::{Body, Joint};
-use crate::relation::{Closures, LoopGain, Looped, Open, Own};
+use crate::relation::{Closures, LoopGain, Looped, Open, Own, Wrench, WrenchOf};
 use crate::space::Space;
 use core::marker::PhantomData;
 use num_traits::Zero;
@@ -104,11 +104,11 @@ fields! {
         { () = () } { J::Position = J::position() } { PhantomData<S::Numbers> = PhantomData } in Y: Self;
     /// Rates and accelerations of joint coordinates; with accelerations the forces that close loops.
     Rates = |B, J, K, _fill: ()|
-        { () = () } { J::Rate = J::rate() } { S::Numbers = S::numbers(S::no_force()) } in Y: Self;
+        { () = () } { J::Rate = J::rate() } { S::Numbers = S::numbers(Wrench::none()) } in Y: Self;
     /// What the outward walk needs of each elimination where `C` act.
     Kept<C: Closures> = |B, J, K, _fill: ()|
         { () = () } { J::Kept<C> = J::kept::<C>() }
-        { (LoopGain<S::Column, S::Scalar, C, K::Closures>, S::Internal) = (LoopGain::blank(S::no_column(), K::Closures::measure(|| K::Closures::each(|_| S::Scalar::zero()))), S::no_force()) }
+        { (LoopGain<WrenchOf<S>, S::Scalar, C, K::Closures>, WrenchOf<S>) = (LoopGain::blank(Wrench::none(), K::Closures::measure(|| K::Closures::each(|_| S::Scalar::zero()))), Wrench::none()) }
         in Y: Kept<Y::Forces<C>>;
     /// One `X` for each body.
     PerBody<X: Copy> = |B, J, K, fill: X| { X = fill } { () = _ = fill } { () = _ = fill } in Y: Self;

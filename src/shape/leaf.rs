@@ -4,8 +4,8 @@ use super::Shape;
 use super::field::Field;
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
-use crate::relation::Closures;
-use crate::space::Space;
+use crate::relation::{AccelerationOf, Closures};
+use crate::space::{FrameOf, Space};
 use crate::sweep::Springs;
 
 /// A body, as it is the same in all spaces. Each space says so of its own bodies (`planar::Body`, `spatial::Body`).
@@ -17,11 +17,11 @@ pub trait Body<S: Space>: Copy + 'static {
     /// What resolving its posture reads of its shape.
     fn size(&self) -> S::Size;
     /// The acceleration of its outboard end, from that of its inboard end.
-    fn shifted(&self, inboard: S::Acceleration, posture: PostureOf<'_, S>) -> S::Acceleration;
+    fn shifted(&self, inboard: AccelerationOf<S>, posture: PostureOf<'_, S>) -> AccelerationOf<S>;
     /// What [`shifted`](Self::shifted) gives without velocities.
-    fn swung(&self, inboard: S::Acceleration, posture: PostureOf<'_, S>) -> S::Acceleration;
+    fn swung(&self, inboard: AccelerationOf<S>, posture: PostureOf<'_, S>) -> AccelerationOf<S>;
     /// Its motion, if its inboard end moves like this, and that of its outboard end.
-    fn motion(&self, inboard: S::Frame) -> (S::BodyMotion, S::Frame);
+    fn motion(&self, inboard: FrameOf<S>) -> (S::BodyMotion, FrameOf<S>);
     /// Rejects parameters that make no mechanics.
     ///
     /// # Errors
@@ -81,29 +81,29 @@ pub trait Joint<S: Space>: Copy + 'static {
     /// entered by `By`.
     fn recover<C: Closures, By: Springs<S::Scalar>>(
         &self,
-        inboard: S::Acceleration,
+        inboard: AccelerationOf<S>,
         posture: JointPosture<'_, S, Self>,
         kept: &mut Self::Kept<C>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
-    ) -> S::Acceleration;
+    ) -> AccelerationOf<S>;
     /// What [`recover`](Self::recover) gives without velocities, loads and springs.
     fn respond<C: Closures>(
         &self,
-        inboard: S::Acceleration,
+        inboard: AccelerationOf<S>,
         posture: JointPosture<'_, S, Self>,
         kept: &Self::Kept<C>,
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
-    ) -> S::Acceleration;
+    ) -> AccelerationOf<S>;
     /// Its motion, if its inboard side moves like this, and that of its outboard side.
     fn motion(
         &self,
-        inboard: S::Frame,
+        inboard: FrameOf<S>,
         position: &Self::Position,
         rate: &Self::Rate,
         acceleration: &Self::Rate,
-    ) -> (S::JointMotion, S::Frame);
+    ) -> (S::JointMotion, FrameOf<S>);
     /// What it lets move.
     fn release(&self, motion: &S::JointMotion, position: &Self::Position, rate: &Self::Rate) -> S::Release;
     /// Rejects parameters that make no mechanics.

@@ -103,7 +103,7 @@ pub(super) fn unit<T: Scalar>(axis: [T; 3]) -> Vector3<T> {
 /// Rejects directions that are none.
 pub(super) fn check_axis<T: Scalar>(axis: Vector3<T>) -> Result<(), Fault> {
     super::inertia::finite("axis", &[axis.x, axis.y, axis.z])?;
-    if axis == zero() {
+    if axis == zero::<Vector3<T>>() {
         return Err(Fault::NotPositive { parameter: "length of the axis", value: 0.0 });
     }
     Ok(())

@@ -33,7 +33,7 @@ pub trait Body<T: Scalar>: Copy + Debug + 'static {
     fn pose(&self, turn: &Turn<T>) -> Pose<T>;
 
     /// The relation at I from that at O.
-    fn condense<R: Relation<T>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures>;
+    fn condense<R: Relation<Spatial<T>>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures>;
 
     /// Rejects parameters that make no mechanics.
     ///
@@ -139,7 +139,7 @@ macro_rules! body {
             type Freedoms = U0;
         }
 
-        impl<T: Scalar, R: Relation<T>, W: Sweep<Spatial<T>>> Condense<Spatial<T>, R, W> for super::$Body<T>
+        impl<T: Scalar, R: Relation<Spatial<T>>, W: Sweep<Spatial<T>>> Condense<Spatial<T>, R, W> for super::$Body<T>
         where
             OnBody<Spatial<T>, W>: Term<Full<T, R::Closures>>,
         {

@@ -10,7 +10,7 @@ use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::space::algebra::{Columns, cross, zero};
 use crate::relation::space::{BallGain, Couple, Full, Point, Rigid, Slides};
-use crate::relation::{Absent, Closures, Term};
+use crate::relation::{Absent, Closures, Symmetric, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 

@@ -1,24 +1,14 @@
 //! What the walks carry in space.
 
-use super::{Inertia, Release, Rotation, Station};
+use super::{Inertia, Release, Rotation, Spatial, Station};
 use crate::element::{Budget, Space, SpaceOver};
 use crate::error::Fault;
-use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot, is_finite, zero};
-use crate::relation::space::{Empty, FullColumn, Way};
+use crate::relation;
+use crate::relation::space::algebra::{Columns, cross, dot, is_finite, zero};
+use crate::relation::space::{Empty, Way};
 use crate::scalar::{Real, Scalar};
-use core::fmt;
-use core::marker::PhantomData;
+use crate::space::{self, Orientation};
 use nalgebra::Vector3;
-
-/// Space, with numbers of type `T`.
-#[derive(Clone, Copy)]
-pub struct Spatial<T>(PhantomData<T>);
-
-impl<T> fmt::Debug for Spatial<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Spatial")
-    }
-}
 
 /// Orientation of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,87 +19,29 @@ pub struct Turn<T> {
     pub spin: Vector3<T>,
 }
 
-/// Acceleration of a station.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Acceleration<T> {
-    /// Of its point (m/s²).
-    pub linear: Vector3<T>,
-    /// Of the body on its inboard side (rad/s²), inertial axes.
-    pub angular: Vector3<T>,
+impl<T: Scalar> Orientation<Vector3<T>> for Turn<T> {
+    #[inline(always)]
+    fn unturned() -> Self {
+        Self { attitude: Columns::identity(), spin: zero() }
+    }
+    #[inline(always)]
+    fn spin(&self) -> Vector3<T> {
+        self.spin
+    }
+    fn all_finite(&self) -> bool {
+        let Columns { x, y, z } = self.attitude;
+        [x, y, z, self.spin].into_iter().all(is_finite)
+    }
 }
+
+/// Acceleration of a station.
+pub type Acceleration<T> = relation::Acceleration<Vector3<T>, Vector3<T>>;
 
 /// Motion of a station: a point of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame<T> {
-    /// Place of the point (m).
-    pub place: Vector3<T>,
-    /// Its velocity (m/s).
-    pub velocity: Vector3<T>,
-    /// Orientation of the body.
-    pub turn: Turn<T>,
-    /// Its acceleration.
-    pub acceleration: Acceleration<T>,
-}
+pub type Frame<T> = space::Frame<Vector3<T>, Vector3<T>, Turn<T>>;
 
-impl<T: Scalar> Frame<T> {
-    /// A frame at rest at a place, unturned.
-    pub fn resting(place: Vector3<T>) -> Self {
-        Self {
-            place,
-            velocity: zero(),
-            turn: Turn { attitude: Columns::identity(), spin: zero() },
-            acceleration: Acceleration::zero(),
-        }
-    }
-
-    /// The same motion with the accelerations left out.
-    #[inline(always)]
-    pub(super) fn without_acceleration(&self) -> Self {
-        Self { acceleration: Acceleration::zero(), ..*self }
-    }
-
-    /// The frame at another point of the same body, at the vector `d` (inertial axes) from this one.
-    #[inline(always)]
-    pub fn shifted(&self, d: Vector3<T>) -> Self {
-        let spin = self.turn.spin;
-        Self {
-            place: self.place + d,
-            velocity: cross_onto(spin, d, self.velocity),
-            turn: self.turn,
-            acceleration: self.acceleration.shifted(d, centripetal(spin, d)),
-        }
-    }
-}
-
-impl<T: Scalar> Acceleration<T> {
-    /// No acceleration.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        Self { linear: zero(), angular: zero() }
-    }
-
-    /// The acceleration of another point, at the vector `d` from this one, which has the acceleration `c` besides that of rigid
-    /// rotation: a + α × d + c. For a point of the same body c = ω × (ω × d).
-    #[inline(always)]
-    pub fn shifted(&self, d: Vector3<T>, c: Vector3<T>) -> Self {
-        Self { linear: cross_onto(self.angular, d, self.linear + c), angular: self.angular }
-    }
-
-    /// The same with a body at rest: a + α × d.
-    #[inline(always)]
-    pub fn swung(&self, d: Vector3<T>) -> Self {
-        Self { linear: cross_onto(self.angular, d, self.linear), angular: self.angular }
-    }
-}
-
-/// Internal force and torque at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Internal<T> {
-    /// Force q (N).
-    pub force: Vector3<T>,
-    /// Torque m (N·m).
-    pub torque: Vector3<T>,
-}
+/// Internal force q (N) and torque m (N·m) at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
+pub type Internal<T> = relation::Wrench<Vector3<T>, Vector3<T>>;
 
 /// A body and its motion at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -193,7 +125,6 @@ impl<T: Scalar> JointMotion<T> {
 }
 
 impl<T: Scalar> Space for Spatial<T> {
-    type Scalar = T;
     /// Nothing: bodies form their postures while they are oriented.
     type Size = ();
     /// Axes of a body that needs them; for a joint its axes and its arm.
@@ -205,17 +136,11 @@ impl<T: Scalar> Space for Spatial<T> {
     /// Centripetal acceleration of its outboard end.
     type Q = Vector3<T>;
     type Turn = Turn<T>;
-    type Frame = Frame<T>;
-    type Acceleration = Acceleration<T>;
-    type Internal = Internal<T>;
     type Station = Station<T>;
-    type Vector = Vector3<T>;
     type Angles = [T; 3];
-    type Moment = Vector3<T>;
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
     type Numbers = [T; 6];
-    type Column = FullColumn<T>;
     type Release = Option<Release<T>>;
     type Nothing = Empty;
 
@@ -223,22 +148,11 @@ impl<T: Scalar> Space for Spatial<T> {
         (Columns::identity(), [zero(); 2], zero(), zero())
     }
     fn no_size() {}
-    #[inline(always)]
-    fn resting() -> Frame<T> {
-        Frame::resting(zero())
-    }
     fn mass(body: &BodyMotion<T>) -> T {
         body.inertia.mass
     }
     fn doubt(body: &BodyMotion<T>) -> Option<Fault> {
         body.inertia.doubt()
-    }
-    fn turn(frame: &Frame<T>) -> Turn<T> {
-        frame.turn
-    }
-    #[inline(always)]
-    fn falling(frame: &Frame<T>, gravity: Vector3<T>) -> Acceleration<T> {
-        Acceleration { linear: frame.acceleration.linear - gravity, ..frame.acceleration }
     }
     fn angles(body: &BodyMotion<T>) -> [T; 3] {
         super::angles::angles(&body.inboard.turn.attitude)
@@ -251,18 +165,6 @@ impl<T: Scalar> Space for Spatial<T> {
         let mut turns = coordinates.filter(|((way, ..), _)| *way == Way::Turn).map(|(_, angle)| angle.real());
         turns.find(|angle| angle.abs() > T::ANGLE_RANGE).map(Real::as_f64)
     }
-    fn no_acceleration() -> Acceleration<T> {
-        Acceleration::zero()
-    }
-    fn no_force() -> Internal<T> {
-        Internal { force: zero(), torque: zero() }
-    }
-    fn together(a: Internal<T>, b: Internal<T>) -> Internal<T> {
-        Internal { force: a.force + b.force, torque: a.torque + b.torque }
-    }
-    fn opposite(internal: Internal<T>) -> Internal<T> {
-        Internal { force: -internal.force, torque: -internal.torque }
-    }
     #[inline(always)]
     fn numbers(Internal { force: q, torque: m }: Internal<T>) -> [T; 6] {
         [q.x, q.y, q.z, m.x, m.y, m.z]
@@ -270,25 +172,6 @@ impl<T: Scalar> Space for Spatial<T> {
     #[inline(always)]
     fn internal([a, b, c, d, e, f]: [T; 6]) -> Internal<T> {
         Internal { force: Vector3::new(a, b, c), torque: Vector3::new(d, e, f) }
-    }
-    fn no_column() -> FullColumn<T> {
-        FullColumn { force: zero(), torque: zero() }
-    }
-    #[inline(always)]
-    fn work(column: FullColumn<T>, acceleration: &Acceleration<T>) -> T {
-        dot(column.force, acceleration.linear) + dot(column.torque, acceleration.angular)
-    }
-    fn no_gravity() -> Vector3<T> {
-        zero()
-    }
-    fn is_finite(vector: Vector3<T>) -> bool {
-        is_finite(vector)
-    }
-    fn frame_is_finite(frame: &Frame<T>) -> bool {
-        let Frame { place, velocity, turn, acceleration } = frame;
-        let Turn { attitude, spin } = turn;
-        let Acceleration { linear, angular } = acceleration;
-        [place, velocity, &attitude.x, &attitude.y, &attitude.z, spin, linear, angular].iter().all(|v| is_finite(**v))
     }
     fn body_station(body: &BodyMotion<T>, gravity: Vector3<T>) -> Station<T> {
         Station::of_body(body, gravity)
@@ -302,19 +185,12 @@ impl<T: Scalar> Space for Spatial<T> {
     fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
         Station::at_end(*frame, internal)
     }
+    fn relieve(station: &mut Station<T>, load: Internal<T>) {
+        station.inertia_force -= load.force;
+        station.inertia_torque -= load.torque;
+    }
     fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
         station.close(outer)
-    }
-    fn no_budget() -> Budget<Self> {
-        Budget { kinetic: T::zero(), potential: T::zero(), momentum: zero(), angular_momentum: zero() }
-    }
-    fn sum(a: Budget<Self>, b: Budget<Self>) -> Budget<Self> {
-        Budget {
-            kinetic: a.kinetic + b.kinetic,
-            potential: a.potential + b.potential,
-            momentum: a.momentum + b.momentum,
-            angular_momentum: a.angular_momentum + b.angular_momentum,
-        }
     }
     fn stored(joint: &JointMotion<T>) -> T {
         joint.energy

@@ -6,9 +6,8 @@ use crate::chain::{Branch, CloseOff, Closing, Ends, LeastNorm, Network};
 use crate::error::Fault;
 use crate::relation::space::algebra::{Columns, Symmetric3, cross, dot, zero};
 use crate::relation::space::{Couple, Full, FullColumn, Point};
-use crate::relation::{Carry, Cut, Cuts, Reacting, Shared, Term, Twisted};
+use crate::relation::{Carry, Cut, Cuts, Forces, Reacting, Shared, Symmetric, Term, Twisted, Wrenches};
 use crate::scalar::{Real, Scalar};
-use crate::space::Space;
 use nalgebra::Vector3;
 
 /// An arm that comes back to the body from which it leaves: a branch which is a loop. The chain goes on from the station where it stands.
@@ -228,7 +227,7 @@ macro_rules! close_off {
         where
             T: Scalar,
             Q: Drive<T, Couple: Reacting>,
-            R: Carry<T, $Own<3>, Vector3<T>, Out: Twisted<<Q::Couple as Reacting>::Reaction>>,
+            R: Carry<Spatial<T>, $Own<3>, Forces, Out: Twisted<<Q::Couple as Reacting>::Reaction>>,
         {
             type Main = <R::Out as Twisted<<Q::Couple as Reacting>::Reaction>>::Out;
             type Side = Point<T, Q::Couple, $Own<3>>;
@@ -251,7 +250,7 @@ macro_rules! close_off {
         }
 
         /// Efforts in a weld do nothing.
-        impl<T: Scalar, R: Carry<T, $Own<6>, FullColumn<T>>, Q> CloseOff<Spatial<T>, R, Q> for $Weld {
+        impl<T: Scalar, R: Carry<Spatial<T>, $Own<6>, Wrenches>, Q> CloseOff<Spatial<T>, R, Q> for $Weld {
             type Main = R::Out;
             type Side = Full<T, $Own<6>>;
 
@@ -264,7 +263,7 @@ macro_rules! close_off {
             ) -> (Self::Main, Self::Side, Internal<T>) {
                 let axes = pulls(T::one());
                 let cuts = Cuts::at_tip(holds(-T::one(), |k| axes[k]), [T::zero(); 6]);
-                (outer.carry(holds(T::one(), |k| axes[k])), Full::massless().cut(cuts), Spatial::no_force())
+                (outer.carry(holds(T::one(), |k| axes[k])), Full::massless().cut(cuts), Internal::none())
             }
         }
 
@@ -272,7 +271,7 @@ macro_rules! close_off {
         where
             T: Scalar,
             Q: Drive<T>,
-            R: Carry<T, $Own<5>, FullColumn<T>, Out: Twisted<Couple<T>>>,
+            R: Carry<Spatial<T>, $Own<5>, Wrenches, Out: Twisted<Couple<T>>>,
         {
             type Main = <R::Out as Twisted<Couple<T>>>::Out;
             type Side = Full<T, $Own<5>>;

@@ -1,7 +1,7 @@
 //! A point mass on a massless link.
 
 use super::inertia::{not_negative, positive};
-use super::{Body, Inertia, Pose, Turn};
+use super::{Body, Inertia, Pose, Spatial, Turn};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::space::{Full, Relation};
@@ -55,7 +55,7 @@ impl<T: Scalar> Body<T> for PointMass<T> {
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures> {
+    fn condense<R: Relation<Spatial<T>>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures> {
         outer.with_mass(self.lumped).carried(pose.arm, pose.centripetal)
     }
 

@@ -1,7 +1,7 @@
 //! A rigid body with its mass centre and its outboard end anywhere.
 
 use super::inertia::finite;
-use super::{Body, Inertia, Pose, Turn};
+use super::{Body, Inertia, Pose, Spatial, Turn};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::space::algebra::Symmetric3;
@@ -86,7 +86,7 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures> {
+    fn condense<R: Relation<Spatial<T>>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures> {
         outer
             .with_mass(self.lumped)
             .carried(pose.arm, pose.centripetal)

@@ -1,9 +1,10 @@
 //! A body that is alike around the line between its ends.
 
 use super::inertia::{not_negative, positive};
-use super::{Body, Inertia, Pose, Turn};
+use super::{Body, Inertia, Pose, Spatial, Turn};
 use crate::error::Fault;
 use crate::lift::lift;
+use crate::relation::Symmetric;
 use crate::relation::space::algebra::{cross, dot};
 use crate::relation::space::{Full, Relation};
 use crate::scalar::{Real, Scalar};
@@ -87,7 +88,7 @@ impl<T: Scalar> Body<T> for Rod<T> {
     }
 
     #[inline(always)]
-    fn condense<R: Relation<T>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures> {
+    fn condense<R: Relation<Spatial<T>>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures> {
         let d = pose.arm;
         let full = outer.with_mass(self.lumped).carried(d, pose.centripetal);
         Full {

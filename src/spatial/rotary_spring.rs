@@ -7,7 +7,7 @@ use crate::element::Implicit;
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::space::algebra::{Columns, Symmetric3, dot, zero};
-use crate::relation::{Absent, Part, Term};
+use crate::relation::{Absent, Part, Symmetric, Term};
 use crate::scalar::{Real, Scalar};
 use core::fmt::Debug;
 use nalgebra::Vector3;
@@ -146,7 +146,7 @@ impl<T: Scalar> RotaryDamper<T> for [T; 3] {
     }
     #[inline(always)]
     fn pivot_onto(&self, rate: T::Real, sum: Symmetric3<T>) -> Symmetric3<T> {
-        sum.plus(Symmetric3::of_diagonal(Vector3::from(*self)).scaled(rate))
+        sum + Symmetric3::of_diagonal(Vector3::from(*self)).scaled(rate)
     }
     fn check(&self) -> Result<(), Fault> {
         self.iter().try_for_each(|c| not_negative("damping", *c))

@@ -6,6 +6,7 @@
 use super::index::{M, ONE, Q, R, THETA};
 use super::{BodyMotion, Effort, Frame, JointMotion, Release, Spatial, Station};
 use crate::element::Load;
+use crate::relation::Additive;
 use crate::relation::space::Way;
 use crate::relation::space::algebra::{Columns, centripetal, cross};
 use crate::scalar::Scalar;
@@ -51,11 +52,10 @@ impl<T: Scalar> Exact<13> for Spatial<T> {
         let (o, c, turn) = (body.arm, body.to_centre, body.inboard.turn);
         let about_inboard = body.inertia.about_inboard().turned(&turn.attitude);
         // f_C, and the external torque about I: m_C + r_C × f_C.
-        let mut external = Station::massless(body.inboard);
-        load.act(&mut external);
+        let external = load.wrench();
         let weight = gravity * mass;
-        let force = weight - external.inertia_force;
-        let torque = cross(c, weight) - external.inertia_torque;
+        let force = weight + external.force;
+        let torque = cross(c, weight) + external.torque;
 
         let mut u = TransferMatrix::identity();
         set(&mut u, (R, THETA), tilde(-o)); // U12
@@ -66,7 +66,7 @@ impl<T: Scalar> Exact<13> for Spatial<T> {
         set_column(&mut u, (Q, ONE), u45);
         set(&mut u, (M, R), tilde((c - o) * mass)); // U31
         let levered = scaled(tilde(o).times(&tilde(c)), mass);
-        set(&mut u, (M, THETA), about_inboard.columns().plus(levered)); // U32
+        set(&mut u, (M, THETA), about_inboard.columns() + levered); // U32
         set(&mut u, (M, Q), tilde(o)); // U34
         let gyroscopic = cross(turn.spin, about_inboard.apply(turn.spin));
         set_column(&mut u, (M, ONE), gyroscopic - torque + cross(o, u45)); // U35
@@ -80,7 +80,7 @@ impl<T: Scalar> Exact<13> for Spatial<T> {
         set(&mut fixed, (R, THETA), tilde(-d));
         set_column(&mut fixed, (R, ONE), linear);
         if !carries {
-            set(&mut fixed, (THETA, THETA), Columns::zero());
+            set(&mut fixed, (THETA, THETA), Columns::null());
         }
         set_column(&mut fixed, (THETA, ONE), angular);
         set(&mut fixed, (M, Q), tilde(d)); // m_O = m_I + d × q

@@ -9,7 +9,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::observe::each_miss;
-use crate::relation::Closures;
+use crate::relation::{Closures, Geometry};
 use crate::scalar::{Real, Scalar};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -61,7 +61,7 @@ pub struct Assembled<M, T> {
 }
 
 /// A motion of a scene that has been assembled.
-pub type AssembledOf<S, R, C, P> = Assembled<MotionOf<S, R, C, P>, <S as Space>::Scalar>;
+pub type AssembledOf<S, R, C, P> = Assembled<MotionOf<S, R, C, P>, <S as Geometry>::Scalar>;
 
 /// Conditions of a motion, and how they change with its coordinates.
 struct Conditions<T> {

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "alloc")]
 mod assembly;
+mod describe;
 mod doubts;
 mod dynamics;
 mod fitting;
@@ -20,15 +21,18 @@ mod start;
 #[cfg(feature = "alloc")]
 mod statics;
 mod sweeps;
+mod turning;
 
 #[cfg(feature = "alloc")]
 pub use assembly::{Assembled, AssembledOf, Holding};
+pub use describe::Description;
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
 #[cfg(feature = "std")]
 pub(crate) use linear::numbers;
 #[cfg(feature = "alloc")]
 pub use linear::{Carried, Inertial};
+pub use turning::AngularVelocity;
 
 use crate::element::{Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
@@ -36,10 +40,11 @@ use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::Rate;
 use crate::motion::Motion;
-use crate::relation::Closures;
+use crate::relation::{Additive, Closures, Geometry};
 use crate::scalar::Scalar;
 use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
+use crate::space::FrameOf;
 use crate::walks::aim::aim;
 use crate::walks::check::check;
 use crate::walks::fits::fits;
@@ -60,11 +65,11 @@ pub struct System<S: Space, R: Root<S>, C, P> {
 /// The elements of a scene.
 pub type Elements<S, R, C> = (<R as Root<S>>::Joint, C);
 /// The motion of a scene.
-pub type MotionOf<S, R, C, P> = Motion<<S as Space>::Scalar, PositionOf<S, R, C>, <P as Tip<S>>::Closures>;
+pub type MotionOf<S, R, C, P> = Motion<<S as Geometry>::Scalar, PositionOf<S, R, C>, <P as Tip<S>>::Closures>;
 /// The accelerations of a scene.
 pub type RateOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Rate;
 /// A part of a scene over another scalar.
-type Over<X, S, U> = <X as Lift<<S as Space>::Scalar, U>>::Over;
+type Over<X, S, U> = <X as Lift<<S as Geometry>::Scalar, U>>::Over;
 /// The positions of a scene.
 pub type PositionOf<S, R, C> = <Elements<S, R, C> as Element<S>>::Position;
 
@@ -98,7 +103,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if chain.bodies() == 0 {
             return Err(Error::new(Fault::NoBodies));
         }
-        Ok(Self { chain: lumped(root.joint(), chain), root, tip, gravity: S::no_gravity() })
+        Ok(Self { chain: lumped(root.joint(), chain), root, tip, gravity: Additive::null() })
     }
 
     /// The same scene in a uniform field of gravity (m/s²).
@@ -123,7 +128,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// The motion of the ground at the root.
-    pub(crate) fn ground(&self, time: RealOf<S>) -> S::Frame {
+    pub(crate) fn ground(&self, time: RealOf<S>) -> FrameOf<S> {
         self.root.ground(time)
     }
 
@@ -170,7 +175,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             expected += 1;
             orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         };
-        aim(&self.chain, &mut motion.position, S::turn(&ground), &mut next);
+        aim(&self.chain, &mut motion.position, ground.turn, &mut next);
         if expected != orientations.len() {
             return Err(Error::new(Fault::Count { expected, given: orientations.len() }));
         }

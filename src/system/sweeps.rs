@@ -8,7 +8,7 @@ use crate::element::{
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
-use crate::relation::{Closures, Solvable};
+use crate::relation::{Closures, Solvable, VectorSpace};
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Kept, Shape};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
@@ -142,11 +142,11 @@ where
         if !finite {
             return error(Fault::NonFiniteMotion);
         }
-        if !S::is_finite(self.gravity) {
+        if !self.gravity.all_finite() {
             return error(Fault::NotFinite { parameter: "gravity" });
         }
         let ground = self.root.ground(time);
-        if !S::frame_is_finite(&ground) {
+        if !ground.is_finite() {
             return error(Fault::NotFinite { parameter: "motion of the ground" }).at(Place::Root);
         }
         let coordinates =

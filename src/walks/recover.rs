@@ -1,7 +1,7 @@
 //! Accelerations of joint coordinates from that of the root: the last walk of a sweep.
 
 use crate::element::Posture;
-use crate::relation::{Closures, Looped, Own};
+use crate::relation::{AccelerationOf, Closures, Looped, Own};
 use crate::shape::{
     AtBody, AtJoint, Body, Closing, Ends, Joint, Kept, Mut, Of, Outward, OwnOf, Parallel, PerAxes, Rates, Ref, Shape,
     Slot, Walk, Way,
@@ -15,12 +15,12 @@ use num_traits::Zero;
 #[inline(always)]
 pub fn recover<S: Space, E: Shape<S>, C: Closures, By: Springs<S::Scalar>>(
     chain: &E,
-    acceleration: S::Acceleration,
+    acceleration: AccelerationOf<S>,
     posture: Posture<'_, S, E>,
     kept: &mut E::Store<Kept<C>>,
     multipliers: C::Each<S::Scalar>,
     rate: &mut E::Store<Rates>,
-) -> S::Acceleration {
+) -> AccelerationOf<S> {
     let Posture { x, y, p, q } = posture;
     chain.outward(&mut Recover::<S, C, By>::by(multipliers), acceleration, (x, y, p, q, kept, rate))
 }
@@ -39,7 +39,7 @@ impl<S: Space, C: Closures, By> Recover<S, C, By> {
 }
 
 impl<S: Space, C: Closures, By: Springs<S::Scalar>> Walk<S> for Recover<S, C, By> {
-    type Carried = S::Acceleration;
+    type Carried = AccelerationOf<S>;
     type Stores =
         (Ref<PerAxes<S::X>>, Ref<PerAxes<S::Y>>, Ref<PerAxes<S::P>>, Ref<PerAxes<S::Q>>, Mut<Kept<C>>, Mut<Rates>);
 }
@@ -56,31 +56,31 @@ impl<S: Space, C: Closures, By: Springs<S::Scalar>> Outward<S> for Recover<S, C,
     fn body<B: Body<S>>(
         &mut self,
         body: &B,
-        acceleration: S::Acceleration,
+        acceleration: AccelerationOf<S>,
         (x, y, p, q, _, _): AtBody<'_, S, Self, B>,
-    ) -> S::Acceleration {
+    ) -> AccelerationOf<S> {
         body.shifted(acceleration, (x, y, p, q))
     }
     #[inline(always)]
     fn joint<J: Joint<S>>(
         &mut self,
         joint: &J,
-        acceleration: S::Acceleration,
+        acceleration: AccelerationOf<S>,
         (x, y, p, q, kept, rate): AtJoint<'_, S, Self, J>,
-    ) -> S::Acceleration {
+    ) -> AccelerationOf<S> {
         joint.recover::<C, By>(acceleration, (x, y, p, q), kept, &self.multipliers, rate)
     }
     #[inline(always)]
     fn parallel<N: Parallel<S>>(
         &mut self,
         net: &N,
-        acceleration: S::Acceleration,
+        acceleration: AccelerationOf<S>,
         stores: Of<'_, S, Self, N>,
-    ) -> S::Acceleration {
+    ) -> AccelerationOf<S> {
         let (main, side, (x, y, p, q, (gain, driven), internal)) = <Self as Walk<S>>::Stores::fork::<N>(stores);
-        let forces = OwnOf::<S, N>::forces(gain, |w| S::work(w, &acceleration), &self.multipliers, gain.gap());
+        let forces = OwnOf::<S, N>::forces(gain, |w| w.work(&acceleration), &self.multipliers, gain.gap());
         let passed = net.closing_joint().internal(&forces, Ends { x, y, p, q });
-        *internal = S::numbers(S::together(*driven, passed));
+        *internal = S::numbers(*driven + passed);
         net.side_arm().outward(&mut Recover::<S, OwnOf<S, N>, By>::by(forces), acceleration, side);
         let mut in_main = Recover::<S, Looped<C, OwnOf<S, N>>, By>::by((self.multipliers, forces));
         net.main_arm().outward(&mut in_main, acceleration, main)

@@ -1,7 +1,7 @@
 //! What joint coordinates do where only closure forces act.
 
 use crate::element::Posture;
-use crate::relation::{Closures, Looped, Own};
+use crate::relation::{AccelerationOf, Closures, Looped, Own};
 use crate::shape::{
     AtBody, AtJoint, Body, Joint, Kept, Mut, Of, Outward, OwnOf, Parallel, PerAxes, Rates, Ref, Shape, Slot, Walk, Way,
 };
@@ -13,12 +13,12 @@ use num_traits::Zero;
 #[inline(always)]
 pub fn respond<S: Space, E: Shape<S>, C: Closures>(
     chain: &E,
-    acceleration: S::Acceleration,
+    acceleration: AccelerationOf<S>,
     posture: Posture<'_, S, E>,
     kept: &E::Store<Kept<C>>,
     multipliers: C::Each<S::Scalar>,
     rate: &mut E::Store<Rates>,
-) -> S::Acceleration {
+) -> AccelerationOf<S> {
     let Posture { x, y, p, q } = posture;
     chain.outward(&mut Respond::<S, C> { multipliers }, acceleration, (x, y, p, q, kept, rate))
 }
@@ -29,7 +29,7 @@ struct Respond<S: Space, C: Closures> {
 }
 
 impl<S: Space, C: Closures> Walk<S> for Respond<S, C> {
-    type Carried = S::Acceleration;
+    type Carried = AccelerationOf<S>;
     type Stores =
         (Ref<PerAxes<S::X>>, Ref<PerAxes<S::Y>>, Ref<PerAxes<S::P>>, Ref<PerAxes<S::Q>>, Ref<Kept<C>>, Mut<Rates>);
 }
@@ -46,30 +46,30 @@ impl<S: Space, C: Closures> Outward<S> for Respond<S, C> {
     fn body<B: Body<S>>(
         &mut self,
         body: &B,
-        acceleration: S::Acceleration,
+        acceleration: AccelerationOf<S>,
         (x, y, p, q, _, _): AtBody<'_, S, Self, B>,
-    ) -> S::Acceleration {
+    ) -> AccelerationOf<S> {
         body.swung(acceleration, (x, y, p, q))
     }
     #[inline(always)]
     fn joint<J: Joint<S>>(
         &mut self,
         joint: &J,
-        acceleration: S::Acceleration,
+        acceleration: AccelerationOf<S>,
         (x, y, p, q, kept, rate): AtJoint<'_, S, Self, J>,
-    ) -> S::Acceleration {
+    ) -> AccelerationOf<S> {
         joint.respond::<C>(acceleration, (x, y, p, q), kept, &self.multipliers, rate)
     }
     #[inline(always)]
     fn parallel<N: Parallel<S>>(
         &mut self,
         net: &N,
-        acceleration: S::Acceleration,
+        acceleration: AccelerationOf<S>,
         stores: Of<'_, S, Self, N>,
-    ) -> S::Acceleration {
+    ) -> AccelerationOf<S> {
         let (main, side, (_, _, _, _, (gain, _), _)) = <Self as Walk<S>>::Stores::fork::<N>(stores);
         let still = OwnOf::<S, N>::each(|_| S::Scalar::zero());
-        let forces = OwnOf::<S, N>::forces(gain, |w| S::work(w, &acceleration), &self.multipliers, &still);
+        let forces = OwnOf::<S, N>::forces(gain, |w| w.work(&acceleration), &self.multipliers, &still);
         net.side_arm().outward(&mut Respond::<S, OwnOf<S, N>> { multipliers: forces }, acceleration, side);
         let mut in_main = Respond::<S, Looped<C, OwnOf<S, N>>> { multipliers: (self.multipliers, forces) };
         net.main_arm().outward(&mut in_main, acceleration, main)

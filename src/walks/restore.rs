@@ -1,12 +1,12 @@
 //! Corrections of joint coordinates that close loops.
 
 use crate::element::{Coordinates, Posture};
-use crate::relation::{Closures, Looped, Own};
+use crate::relation::{AccelerationOf, Closures, Looped, Own};
 use crate::shape::{
     AtBody, AtJoint, Body, Closing, Joint, Kept, Mut, Of, Outward, OwnOf, Parallel, PerAxes, Positions, Rates, Ref,
     Shape, Slot, Walk, Way,
 };
-use crate::space::Space;
+use crate::space::{FrameOf, Space};
 use crate::visit::{Level, look};
 use num_traits::Zero;
 
@@ -15,10 +15,10 @@ use num_traits::Zero;
 #[allow(clippy::too_many_arguments)] // two walks at once
 pub fn restore<S: Space, E: Shape<S>, C: Closures>(
     chain: &E,
-    frame: S::Frame,
+    frame: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     level: Level,
-    acceleration: S::Acceleration,
+    acceleration: AccelerationOf<S>,
     posture: Posture<'_, S, E>,
     kept: &E::Store<Kept<C>>,
     multipliers: C::Each<S::Scalar>,
@@ -37,7 +37,7 @@ struct Restore<S: Space, C: Closures> {
 }
 
 impl<S: Space, C: Closures> Walk<S> for Restore<S, C> {
-    type Carried = (S::Frame, S::Acceleration);
+    type Carried = (FrameOf<S>, AccelerationOf<S>);
     type Stores = (
         Ref<Positions>,
         Ref<Rates>,
@@ -61,26 +61,26 @@ impl<S: Space, C: Closures> Outward<S> for Restore<S, C> {
     fn body<B: Body<S>>(
         &mut self,
         body: &B,
-        (frame, acceleration): (S::Frame, S::Acceleration),
+        (frame, acceleration): (FrameOf<S>, AccelerationOf<S>),
         (_, _, _, x, y, p, q, _, _): AtBody<'_, S, Self, B>,
-    ) -> (S::Frame, S::Acceleration) {
+    ) -> (FrameOf<S>, AccelerationOf<S>) {
         (body.motion(frame).1, body.swung(acceleration, (x, y, p, q)))
     }
     fn joint<J: Joint<S>>(
         &mut self,
         joint: &J,
-        (frame, acceleration): (S::Frame, S::Acceleration),
+        (frame, acceleration): (FrameOf<S>, AccelerationOf<S>),
         (position, rate, second, x, y, p, q, kept, correction): AtJoint<'_, S, Self, J>,
-    ) -> (S::Frame, S::Acceleration) {
+    ) -> (FrameOf<S>, AccelerationOf<S>) {
         let frame = joint.motion(frame, position, rate, second).1;
         (frame, joint.respond::<C>(acceleration, (x, y, p, q), kept, &self.multipliers, correction))
     }
     fn parallel<N: Parallel<S>>(
         &mut self,
         net: &N,
-        (frame, acceleration): (S::Frame, S::Acceleration),
+        (frame, acceleration): (FrameOf<S>, AccelerationOf<S>),
         stores: Of<'_, S, Self, N>,
-    ) -> (S::Frame, S::Acceleration) {
+    ) -> (FrameOf<S>, AccelerationOf<S>) {
         let (main, side, (_, _, _, _, _, _, _, (gain, _), _)) = <Self as Walk<S>>::Stores::fork::<N>(stores);
         let in_main = Coordinates::<S, N::Main> { position: main.0, rate: main.1, acceleration: main.2 };
         let in_side = Coordinates::<S, N::Side> { position: side.0, rate: side.1, acceleration: side.2 };
@@ -91,7 +91,7 @@ impl<S: Space, C: Closures> Outward<S> for Restore<S, C> {
             Level::Velocity => velocity,
         };
         let gap = OwnOf::<S, N>::reduced(gain, &miss);
-        let forces = OwnOf::<S, N>::forces(gain, |w| S::work(w, &acceleration), &self.multipliers, &gap);
+        let forces = OwnOf::<S, N>::forces(gain, |w| w.work(&acceleration), &self.multipliers, &gap);
         let mut walk = Restore::<S, OwnOf<S, N>> { level: self.level, multipliers: forces };
         net.side_arm().outward(&mut walk, (frame, acceleration), side);
         let multipliers = (self.multipliers, forces);

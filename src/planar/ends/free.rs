@@ -7,7 +7,6 @@ use crate::planar::{BodyMotion, ElasticHinge, Frame, Internal, Linear, Planar, T
 use crate::relation::plane::Empty;
 use crate::relation::{Absent, Open};
 use crate::scalar::Scalar;
-use crate::space::Space;
 use nalgebra::Vector2;
 
 /// An end on which nothing acts.
@@ -43,7 +42,7 @@ impl<T: Scalar> Tip<Planar<T>> for Free {
         Empty
     }
     fn internal(&self, _: T::Real, (): &()) -> Internal<T> {
-        Planar::no_force()
+        Internal::none()
     }
     fn miss(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
         [(), ()]

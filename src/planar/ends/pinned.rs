@@ -7,7 +7,7 @@ use crate::lift::Lift;
 use crate::planar::{BodyMotion, Frame, Internal, Pin, Planar, Turn};
 use crate::relation::plane::Point;
 use crate::relation::plane::algebra::Symmetric2;
-use crate::relation::{Absent, Cut, Cuts};
+use crate::relation::{Absent, Cut, Cuts, Symmetric};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 use num_traits::Zero;

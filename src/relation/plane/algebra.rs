@@ -1,24 +1,15 @@
 //! Vectors and symmetric matrices of the plane, with products fused where the target can.
 
+pub use crate::relation::geometry::{add_scaled, dot, zero};
+use crate::relation::{Acceleration, Additive, Angular, Symmetric, VectorSpace, Wrench};
 use crate::scalar::Scalar;
+use core::ops::Add;
 use nalgebra::Vector2;
-
-/// a · b.
-#[inline(always)]
-pub fn dot<T: Scalar>(a: Vector2<T>, b: Vector2<T>) -> T {
-    a.x.mul_add(b.x, a.y * b.y)
-}
 
 /// `sum` + a · b, fused where the target can.
 #[inline(always)]
 pub fn plus_dot<T: Scalar>(sum: T, a: Vector2<T>, b: Vector2<T>) -> T {
     a.x.mul_add(b.x, a.y.mul_add(b.y, sum))
-}
-
-/// `sum` − a · b, fused where the target can.
-#[inline(always)]
-pub fn minus_dot<T: Scalar>(sum: T, a: Vector2<T>, b: Vector2<T>) -> T {
-    (-a.x).mul_add(b.x, (-a.y).mul_add(b.y, sum))
 }
 
 /// a × b, the component along ẑ.
@@ -33,10 +24,58 @@ pub fn normal<T: Scalar>(d: Vector2<T>) -> Vector2<T> {
     Vector2::new(-d.y, d.x)
 }
 
-/// `sum + factor · v`, fused where the target can.
-#[inline(always)]
-pub fn add_scaled<T: Scalar>(sum: Vector2<T>, factor: T, v: Vector2<T>) -> Vector2<T> {
-    Vector2::new(v.x.mul_add(factor, sum.x), v.y.mul_add(factor, sum.y))
+impl<T: Scalar> Additive for Vector2<T> {
+    #[inline(always)]
+    fn null() -> Self {
+        Self::new(T::zero(), T::zero())
+    }
+}
+
+impl<T: Scalar> VectorSpace for Vector2<T> {
+    type Scalar = T;
+    #[inline(always)]
+    fn dot(a: Self, b: Self) -> T {
+        a.x.mul_add(b.x, a.y * b.y)
+    }
+    #[inline(always)]
+    fn minus_dot(sum: T, a: Self, b: Self) -> T {
+        (-a.x).mul_add(b.x, (-a.y).mul_add(b.y, sum))
+    }
+    #[inline(always)]
+    fn times(self, factor: T) -> Self {
+        self * factor
+    }
+    #[inline(always)]
+    fn plus_scaled(self, factor: T, v: Self) -> Self {
+        Self::new(v.x.mul_add(factor, self.x), v.y.mul_add(factor, self.y))
+    }
+    fn all_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite()
+    }
+}
+
+/// Moments of the plane are numbers.
+impl<T: Scalar> Angular<Vector2<T>> for T {
+    #[inline(always)]
+    fn moment(d: Vector2<T>, f: Vector2<T>) -> T {
+        dot(normal(d), f)
+    }
+    #[inline(always)]
+    fn moment_onto(d: Vector2<T>, f: Vector2<T>, sum: T) -> T {
+        plus_dot(sum, normal(d), f)
+    }
+    #[inline(always)]
+    fn swing_onto(self, d: Vector2<T>, sum: Vector2<T>) -> Vector2<T> {
+        add_scaled(sum, self, normal(d))
+    }
+    #[inline(always)]
+    fn centripetal(self, d: Vector2<T>) -> Vector2<T> {
+        d * -(self * self)
+    }
+    #[inline(always)]
+    fn work(w: Wrench<Vector2<T>, T>, p: &Acceleration<Vector2<T>, T>) -> T {
+        w.torque.mul_add(p.angular, dot(w.force, p.linear))
+    }
 }
 
 /// A symmetric 2 × 2 matrix, one triangle stored.
@@ -50,29 +89,51 @@ pub struct Symmetric2<T> {
     pub yy: T,
 }
 
-impl<T: Scalar> Symmetric2<T> {
-    /// `value` on the diagonal.
+impl<T: Scalar> Add for Symmetric2<T> {
+    type Output = Self;
     #[inline(always)]
-    pub fn diagonal(value: T) -> Self {
+    fn add(self, other: Self) -> Self {
+        Self { xx: self.xx + other.xx, xy: self.xy + other.xy, yy: self.yy + other.yy }
+    }
+}
+
+impl<T: Scalar> Additive for Symmetric2<T> {
+    #[inline(always)]
+    fn null() -> Self {
+        Self::diagonal(T::zero())
+    }
+}
+
+impl<T: Scalar> Symmetric<Vector2<T>> for Symmetric2<T> {
+    #[inline(always)]
+    fn diagonal(value: T) -> Self {
         Self { xx: value, xy: T::zero(), yy: value }
     }
+    #[inline(always)]
+    fn plus_diagonal(self, value: T) -> Self {
+        Self { xx: self.xx + value, xy: self.xy, yy: self.yy + value }
+    }
+    #[inline(always)]
+    fn plus_outer(self, u: Vector2<T>, w: Vector2<T>) -> Self {
+        Self { xx: u.x.mul_add(w.x, self.xx), xy: u.x.mul_add(w.y, self.xy), yy: u.y.mul_add(w.y, self.yy) }
+    }
+    #[inline(always)]
+    fn apply_onto(self, v: Vector2<T>, sum: Vector2<T>) -> Vector2<T> {
+        Vector2::new(
+            self.xx.mul_add(v.x, self.xy.mul_add(v.y, sum.x)),
+            self.xy.mul_add(v.x, self.yy.mul_add(v.y, sum.y)),
+        )
+    }
+}
 
+impl<T: Scalar> Symmetric2<T> {
     /// S v.
     #[inline(always)]
     pub fn apply(self, v: Vector2<T>) -> Vector2<T> {
         Vector2::new(self.xx.mul_add(v.x, self.xy * v.y), self.xy.mul_add(v.x, self.yy * v.y))
     }
 
-    /// `sum` + S v.
-    #[inline(always)]
-    pub fn apply_onto(self, v: Vector2<T>, sum: Vector2<T>) -> Vector2<T> {
-        Vector2::new(
-            self.xx.mul_add(v.x, self.xy.mul_add(v.y, sum.x)),
-            self.xy.mul_add(v.x, self.yy.mul_add(v.y, sum.y)),
-        )
-    }
-
-    /// The same matrix along axes in the direction `d` and its normal.
+    /// S along axes in the direction `d` and its normal.
     #[inline(always)]
     pub fn along(self, d: Vector2<T>) -> Self {
         // Rows of S in the new axes, then their components.
@@ -80,27 +141,9 @@ impl<T: Scalar> Symmetric2<T> {
         Self { xx: dot(x, d), xy: dot(y, d), yy: dot(y, normal(d)) }
     }
 
-    /// The same matrix with x and y exchanged.
+    /// S with x and y exchanged.
     #[inline(always)]
     pub fn swapped(self) -> Self {
         Self { xx: self.yy, xy: self.xy, yy: self.xx }
-    }
-
-    /// S + `other`.
-    #[inline(always)]
-    pub fn plus(self, other: Self) -> Self {
-        Self { xx: self.xx + other.xx, xy: self.xy + other.xy, yy: self.yy + other.yy }
-    }
-
-    /// S + value·1.
-    #[inline(always)]
-    pub fn plus_diagonal(self, value: T) -> Self {
-        Self { xx: self.xx + value, xy: self.xy, yy: self.yy + value }
-    }
-
-    /// S + u wᵀ for parallel u and w, so that the result is symmetric.
-    #[inline(always)]
-    pub fn plus_outer(self, u: Vector2<T>, w: Vector2<T>) -> Self {
-        Self { xx: u.x.mul_add(w.x, self.xx), xy: u.x.mul_add(w.y, self.xy), yy: u.y.mul_add(w.y, self.yy) }
     }
 }

@@ -11,12 +11,21 @@
 //! Moments are taken about the station; d is the vector to the next station outboard, n = ẑ × d its normal.
 
 pub mod algebra;
-mod full;
-mod join;
-mod kinds;
-mod looped;
+mod geometry;
+mod pivots;
+mod promote;
 mod slide;
 
-pub use full::{Full, FullColumn, Gain, HingeGain, Rigid};
-pub use kinds::{Empty, Lump, Point, Relation};
+pub use super::{Empty, Lump, Relation};
+pub use geometry::Planar;
+pub use pivots::{Gain, HingeGain, Rigid};
 pub use slide::{SlideGain, Slides, along, back};
+
+use super::{Absent, Open};
+
+/// A full relation in the plane.
+pub type Full<T, C = Open> = super::Full<Planar<T>, C>;
+/// A pin outboard.
+pub type Point<T, M = Absent, C = Open> = super::Point<Planar<T>, M, C>;
+/// A column of W: the force q and the torque −m on the outboard part for a unit closure force.
+pub type FullColumn<T> = super::WrenchOf<Planar<T>>;

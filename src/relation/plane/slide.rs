@@ -1,7 +1,7 @@
 //! The elimination of a displacement: what joints with linear coordinates do.
 
 use super::algebra::Symmetric2;
-use super::{Full, FullColumn, Point, Relation};
+use super::{Full, FullColumn, Planar, Point, Relation};
 use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -12,7 +12,7 @@ use nalgebra::Vector2;
     label = "no body outboard of a joint that slides",
     note = "end a chain with a body, not with a joint"
 )]
-pub trait Slides<T: Scalar>: Relation<T, WithMass = Self> {
+pub trait Slides<T: Scalar>: Relation<Planar<T>, WithMass = Self> {
     /// The same relation in full.
     fn full(self) -> Full<T, Self::Closures>;
 
@@ -164,15 +164,7 @@ impl<T: Scalar, C: Closures> Slides<T> for Full<T, C> {
 impl<T: Scalar, M: Term<T>, C: Closures> Slides<T> for Point<T, M, C> {
     #[inline(always)]
     fn full(self) -> Full<T, C> {
-        let zero = T::zero();
-        Full {
-            linear: self.stiffness,
-            coupling: Vector2::new(zero, zero),
-            angular: zero,
-            force: self.offset,
-            torque: self.torque.add_to(zero),
-            cuts: self.cuts.mapped(|w| FullColumn { force: w, torque: zero }),
-        }
+        self.whole()
     }
     #[inline(always)]
     fn along(self, direction: Vector2<T>) -> Self {

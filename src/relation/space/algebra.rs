@@ -1,20 +1,11 @@
 //! Vectors and 3 × 3 matrices, with products fused where the target can.
 
 use crate::lift::Lift;
+pub use crate::relation::geometry::{add_scaled, dot, zero};
+use crate::relation::{Acceleration, Additive, Angular, Symmetric, VectorSpace, Wrench};
 use crate::scalar::Scalar;
+use core::ops::Add;
 use nalgebra::Vector3;
-
-/// No vector.
-#[inline(always)]
-pub fn zero<T: Scalar>() -> Vector3<T> {
-    Vector3::new(T::zero(), T::zero(), T::zero())
-}
-
-/// a · b.
-#[inline(always)]
-pub fn dot<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> T {
-    a.x.mul_add(b.x, a.y.mul_add(b.y, a.z * b.z))
-}
 
 /// `sum` + a · b.
 #[inline(always)]
@@ -38,12 +29,6 @@ pub fn cross_onto<T: Scalar>(a: Vector3<T>, b: Vector3<T>, sum: Vector3<T>) -> V
     )
 }
 
-/// `sum + factor · v`.
-#[inline(always)]
-pub fn add_scaled<T: Scalar>(sum: Vector3<T>, factor: T, v: Vector3<T>) -> Vector3<T> {
-    Vector3::new(v.x.mul_add(factor, sum.x), v.y.mul_add(factor, sum.y), v.z.mul_add(factor, sum.z))
-}
-
 /// The centripetal acceleration ω × (ω × d).
 #[inline(always)]
 pub fn centripetal<T: Scalar>(spin: Vector3<T>, d: Vector3<T>) -> Vector3<T> {
@@ -58,7 +43,60 @@ pub fn vector<T: Scalar>([x, y, z]: [T; 3]) -> Vector3<T> {
 
 /// Whether every entry is finite.
 pub fn is_finite<T: Scalar>(v: Vector3<T>) -> bool {
-    v.x.is_finite() && v.y.is_finite() && v.z.is_finite()
+    v.all_finite()
+}
+
+impl<T: Scalar> Additive for Vector3<T> {
+    #[inline(always)]
+    fn null() -> Self {
+        Self::new(T::zero(), T::zero(), T::zero())
+    }
+}
+
+impl<T: Scalar> VectorSpace for Vector3<T> {
+    type Scalar = T;
+    #[inline(always)]
+    fn dot(a: Self, b: Self) -> T {
+        a.x.mul_add(b.x, a.y.mul_add(b.y, a.z * b.z))
+    }
+    #[inline(always)]
+    fn minus_dot(sum: T, a: Self, b: Self) -> T {
+        sum - dot(a, b)
+    }
+    #[inline(always)]
+    fn times(self, factor: T) -> Self {
+        self * factor
+    }
+    #[inline(always)]
+    fn plus_scaled(self, factor: T, v: Self) -> Self {
+        Self::new(v.x.mul_add(factor, self.x), v.y.mul_add(factor, self.y), v.z.mul_add(factor, self.z))
+    }
+    fn all_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+    }
+}
+
+impl<T: Scalar> Angular<Self> for Vector3<T> {
+    #[inline(always)]
+    fn moment(d: Self, f: Self) -> Self {
+        cross(d, f)
+    }
+    #[inline(always)]
+    fn moment_onto(d: Self, f: Self, sum: Self) -> Self {
+        cross_onto(d, f, sum)
+    }
+    #[inline(always)]
+    fn swing_onto(self, d: Self, sum: Self) -> Self {
+        cross_onto(self, d, sum)
+    }
+    #[inline(always)]
+    fn centripetal(self, d: Self) -> Self {
+        centripetal(self, d)
+    }
+    #[inline(always)]
+    fn work(w: Wrench<Self, Self>, p: &Acceleration<Self, Self>) -> T {
+        dot(w.force, p.linear) + dot(w.torque, p.angular)
+    }
 }
 
 /// A 3 × 3 matrix as three columns. That of an attitude holds the body's axes in inertial axes.
@@ -72,13 +110,22 @@ pub struct Columns<T> {
     pub z: Vector3<T>,
 }
 
-impl<T: Scalar> Columns<T> {
-    /// All entries zero.
+impl<T: Scalar> Add for Columns<T> {
+    type Output = Self;
     #[inline(always)]
-    pub fn zero() -> Self {
+    fn add(self, other: Self) -> Self {
+        Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
+    }
+}
+
+impl<T: Scalar> Additive for Columns<T> {
+    #[inline(always)]
+    fn null() -> Self {
         Self { x: zero(), y: zero(), z: zero() }
     }
+}
 
+impl<T: Scalar> Columns<T> {
     /// The identity.
     #[inline(always)]
     pub fn identity() -> Self {
@@ -102,12 +149,6 @@ impl<T: Scalar> Columns<T> {
     #[inline(always)]
     pub fn transposed(&self, v: Vector3<T>) -> Vector3<T> {
         Vector3::new(dot(self.x, v), dot(self.y, v), dot(self.z, v))
-    }
-
-    /// M + N.
-    #[inline(always)]
-    pub fn plus(&self, other: Self) -> Self {
-        Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
     }
 
     /// `sum` + Mᵀ v.
@@ -148,30 +189,10 @@ pub struct Symmetric3<T> {
     pub zz: T,
 }
 
-impl<T: Scalar> Symmetric3<T> {
-    /// `value` on the diagonal.
+impl<T: Scalar> Add for Symmetric3<T> {
+    type Output = Self;
     #[inline(always)]
-    pub fn diagonal(value: T) -> Self {
-        let o = T::zero();
-        Self { xx: value, xy: o, xz: o, yy: value, yz: o, zz: value }
-    }
-
-    /// These values on the diagonal.
-    #[inline(always)]
-    pub fn of_diagonal(values: Vector3<T>) -> Self {
-        let o = T::zero();
-        Self { xx: values.x, xy: o, xz: o, yy: values.y, yz: o, zz: values.z }
-    }
-
-    /// S + value·1.
-    #[inline(always)]
-    pub fn plus_diagonal(self, value: T) -> Self {
-        Self { xx: self.xx + value, yy: self.yy + value, zz: self.zz + value, ..self }
-    }
-
-    /// S + `other`.
-    #[inline(always)]
-    pub fn plus(self, other: Self) -> Self {
+    fn add(self, other: Self) -> Self {
         Self {
             xx: self.xx + other.xx,
             xy: self.xy + other.xy,
@@ -180,6 +201,49 @@ impl<T: Scalar> Symmetric3<T> {
             yz: self.yz + other.yz,
             zz: self.zz + other.zz,
         }
+    }
+}
+
+impl<T: Scalar> Additive for Symmetric3<T> {
+    #[inline(always)]
+    fn null() -> Self {
+        Self::diagonal(T::zero())
+    }
+}
+
+impl<T: Scalar> Symmetric<Vector3<T>> for Symmetric3<T> {
+    #[inline(always)]
+    fn diagonal(value: T) -> Self {
+        let o = T::zero();
+        Self { xx: value, xy: o, xz: o, yy: value, yz: o, zz: value }
+    }
+    #[inline(always)]
+    fn plus_diagonal(self, value: T) -> Self {
+        Self { xx: self.xx + value, yy: self.yy + value, zz: self.zz + value, ..self }
+    }
+    #[inline(always)]
+    fn plus_outer(self, u: Vector3<T>, w: Vector3<T>) -> Self {
+        Self {
+            xx: u.x.mul_add(w.x, self.xx),
+            xy: u.y.mul_add(w.x, self.xy),
+            xz: u.z.mul_add(w.x, self.xz),
+            yy: u.y.mul_add(w.y, self.yy),
+            yz: u.z.mul_add(w.y, self.yz),
+            zz: u.z.mul_add(w.z, self.zz),
+        }
+    }
+    #[inline(always)]
+    fn apply_onto(self, v: Vector3<T>, sum: Vector3<T>) -> Vector3<T> {
+        self.columns().apply_onto(v, sum)
+    }
+}
+
+impl<T: Scalar> Symmetric3<T> {
+    /// These values on the diagonal.
+    #[inline(always)]
+    pub fn of_diagonal(values: Vector3<T>) -> Self {
+        let o = T::zero();
+        Self { xx: values.x, xy: o, xz: o, yy: values.y, yz: o, zz: values.z }
     }
 
     /// S · factor.
@@ -206,25 +270,6 @@ impl<T: Scalar> Symmetric3<T> {
         self.columns().apply(v)
     }
 
-    /// `sum` + S v.
-    #[inline(always)]
-    pub fn apply_onto(self, v: Vector3<T>, sum: Vector3<T>) -> Vector3<T> {
-        self.columns().apply_onto(v, sum)
-    }
-
-    /// S + u wᵀ for parallel u and w, so that the result is symmetric.
-    #[inline(always)]
-    pub fn plus_outer(self, u: Vector3<T>, w: Vector3<T>) -> Self {
-        Self {
-            xx: u.x.mul_add(w.x, self.xx),
-            xy: u.y.mul_add(w.x, self.xy),
-            xz: u.z.mul_add(w.x, self.xz),
-            yy: u.y.mul_add(w.y, self.yy),
-            yz: u.z.mul_add(w.y, self.yz),
-            zz: u.z.mul_add(w.z, self.zz),
-        }
-    }
-
     /// S + K G, of which the sum is known to be symmetric: the rows of G are given as columns of Gᵀ.
     #[inline(always)]
     pub fn plus_product(self, k: &Columns<T>, rows: &Columns<T>) -> Self {
@@ -236,7 +281,7 @@ impl<T: Scalar> Symmetric3<T> {
     pub fn turned(self, attitude: &Columns<T>) -> Self {
         // A S, column by column; its product with Aᵀ is symmetric.
         let half = attitude.times(&self.columns());
-        Self::diagonal(T::zero()).plus_product(&half, attitude)
+        Self::null().plus_product(&half, attitude)
     }
 
     /// L D Lᵀ, for right-hand sides.

@@ -5,14 +5,24 @@
 //! there is.
 
 pub mod algebra;
+mod couple;
 mod full;
-mod join;
-mod kinds;
-mod looped;
+mod geometry;
 mod pivots;
 mod slides;
 
-pub use full::{Full, FullColumn, Rigid};
-pub use kinds::{Couple, Empty, Lump, Point, Relation};
+pub use super::{Empty, Lump, Relation};
+pub use couple::Couple;
+pub use full::Rigid;
+pub use geometry::Spatial;
 pub use pivots::{BallGain, Gain, Pivot, Way};
 pub use slides::Slides;
+
+use super::{Absent, Open};
+
+/// A full relation in space.
+pub type Full<T, C = Open> = super::Full<Spatial<T>, C>;
+/// A ball outboard.
+pub type Point<T, M = Absent, C = Open> = super::Point<Spatial<T>, M, C>;
+/// A column of W: the force q and the torque −m on the outboard part for a unit closure force.
+pub type FullColumn<T> = super::WrenchOf<Spatial<T>>;

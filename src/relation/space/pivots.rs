@@ -6,7 +6,7 @@
 
 use super::algebra::{Columns, Symmetric3, add_scaled, dot, dot_onto, is_finite, zero};
 use super::{Full, FullColumn, Point};
-use crate::relation::{Closures, Cuts, Open, Term};
+use crate::relation::{Additive, Closures, Cuts, Open, Symmetric, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -92,7 +92,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
     #[inline(always)]
     pub fn sprung(self, torque: Vector3<T>, stiffness: Symmetric3<T>) -> (Self, BallGain<T, C>) {
         let (k, h) = (self.coupling, self.angular);
-        let factor = h.plus(stiffness).factor();
+        let factor = (h + stiffness).factor();
         let row = |x: T, y: T, z: T| -factor.solve(Vector3::new(x, y, z));
         let g = Columns { x: row(k.x.x, k.y.x, k.z.x), y: row(k.x.y, k.y.y, k.z.y), z: row(k.x.z, k.y.z, k.z.z) };
         let rows = Columns {
@@ -172,7 +172,7 @@ pub struct Gain<T: Copy, C: Closures = Open> {
 impl<T: Scalar, C: Closures> Gain<T, C> {
     /// No gain yet.
     pub fn blank() -> Self {
-        Self { per_acceleration: Columns::zero(), free: zero(), per_closure: C::each(|_| zero()) }
+        Self { per_acceleration: Columns::null(), free: zero(), per_closure: C::each(|_| zero()) }
     }
 
     /// Whether its pivots resist: what velocities, loads and springs contribute may overflow where they do.

@@ -2,8 +2,8 @@
 
 use super::algebra::{Columns, Symmetric3, zero};
 use super::pivots::turned_out;
-use super::{BallGain, Full, FullColumn, Gain, Point, Relation};
-use crate::relation::{Closures, Term};
+use super::{BallGain, Full, FullColumn, Gain, Point, Relation, Spatial};
+use crate::relation::{Additive, Closures, Symmetric, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -13,7 +13,7 @@ use nalgebra::Vector3;
     label = "no body outboard of a joint",
     note = "end a chain with a body; a ball may lie between the two"
 )]
-pub trait Slides<T: Scalar>: Relation<T> {
+pub trait Slides<T: Scalar>: Relation<Spatial<T>> {
     /// The relation in full.
     fn whole(self) -> Full<T, Self::Closures>;
     /// Lets the station move under a force (N): none but that passes.
@@ -46,14 +46,7 @@ fn each_column<T: Scalar>(m: &Columns<T>, map: impl Fn(Vector3<T>) -> Vector3<T>
 impl<T: Scalar, M: Term<Vector3<T>>, C: Closures> Slides<T> for Point<T, M, C> {
     #[inline(always)]
     fn whole(self) -> Full<T, C> {
-        Full {
-            linear: self.stiffness,
-            coupling: Columns::zero(),
-            angular: Symmetric3::diagonal(T::zero()),
-            force: self.offset,
-            torque: self.torque.add_to(zero()),
-            cuts: self.cuts.mapped(|w| FullColumn { force: w, torque: zero() }),
-        }
+        self.whole()
     }
 
     #[inline(always)]
@@ -62,14 +55,14 @@ impl<T: Scalar, M: Term<Vector3<T>>, C: Closures> Slides<T> for Point<T, M, C> {
         let free = factor.solve(force - self.offset);
         let (cuts, per_closure) = turned_out(&self.cuts, |w| w, free, |w| -factor.solve(w), |_, _| zero());
         let per_acceleration = each_column(&Columns::identity(), |e| -e);
-        let gain = BallGain { absolute: Gain { per_acceleration, free, per_closure }, per_angular: Columns::zero() };
+        let gain = BallGain { absolute: Gain { per_acceleration, free, per_closure }, per_angular: Columns::null() };
         (Self { stiffness: Symmetric3::diagonal(T::zero()), offset: force, cuts, ..self }, gain)
     }
 
     #[inline(always)]
     fn slid(self, force: Vector3<T>, stiffness: Symmetric3<T>) -> (Self, BallGain<T, C>) {
         let own = self.stiffness;
-        let factor = own.plus(stiffness).factor();
+        let factor = (own + stiffness).factor();
         let free = factor.solve(force - self.offset);
         // S' = S Δ⁻¹ K̂: no difference of large numbers.
         let left = each_column(&stiffness.columns(), |k| factor.solve(k));
@@ -82,7 +75,7 @@ impl<T: Scalar, M: Term<Vector3<T>>, C: Closures> Slides<T> for Point<T, M, C> {
             torque: self.torque,
             cuts,
         };
-        let gain = BallGain { absolute: Gain { per_acceleration, free, per_closure }, per_angular: Columns::zero() };
+        let gain = BallGain { absolute: Gain { per_acceleration, free, per_closure }, per_angular: Columns::null() };
         (relation, gain)
     }
 }
@@ -101,7 +94,7 @@ impl<T: Scalar, C: Closures> Slides<T> for Full<T, C> {
     #[inline(always)]
     fn slid(self, force: Vector3<T>, stiffness: Symmetric3<T>) -> (Self, BallGain<T, C>) {
         let (own, k) = (self.linear, self.coupling);
-        let factor = own.plus(stiffness).factor();
+        let factor = (own + stiffness).factor();
         let free = factor.solve(force - self.force);
         let left = each_column(&stiffness.columns(), |k| factor.solve(k)); // Δ⁻¹ K̂
         let per_acceleration = each_column(&own.columns(), |k| -factor.solve(k));

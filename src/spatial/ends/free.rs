@@ -8,7 +8,6 @@ use crate::relation::Open;
 use crate::relation::space::Empty;
 use crate::relation::space::algebra::zero;
 use crate::scalar::Scalar;
-use crate::space::Space;
 use crate::spatial::{BodyMotion, Frame, Internal, Spatial, Turn};
 use nalgebra::Vector3;
 
@@ -41,7 +40,7 @@ impl<T: Scalar> Tip<Spatial<T>> for Free {
         Empty
     }
     fn internal(&self, _: T::Real, (): &()) -> Internal<T> {
-        Spatial::no_force()
+        Internal::none()
     }
     fn miss(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
         [(), ()]

@@ -6,7 +6,7 @@ use crate::error::{Error, Place};
 use crate::lift::Lift;
 use crate::relation::space::Point;
 use crate::relation::space::algebra::{Symmetric3, zero};
-use crate::relation::{Absent, Cut, Cuts};
+use crate::relation::{Absent, Cut, Cuts, Symmetric};
 use crate::scalar::Scalar;
 use crate::spatial::{Ball, BodyMotion, Frame, Internal, Spatial, Turn};
 use nalgebra::Vector3;

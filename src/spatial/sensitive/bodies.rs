@@ -62,12 +62,12 @@ impl<T: Scalar> Carried<T> {
     #[inline(always)]
     fn of(d: Vector3<T>, spin: Vector3<T>, angular: Vector3<T>) -> Self {
         let (swept, along) = (cross(spin, d), dot(spin, d));
-        let across = crossed(angular).plus(twice_crossed(spin, spin));
-        let turned = twice_crossed(angular, d).plus(outer(swept, spin)).plus(times(crossed(spin), -along));
+        let across = crossed(angular) + twice_crossed(spin, spin);
+        let turned = twice_crossed(angular, d) + outer(swept, spin) + times(crossed(spin), -along);
         Self {
             per_place: across,
             per_angle: minus(turned),
-            per_spin: minus(crossed(swept).plus(twice_crossed(spin, d))),
+            per_spin: minus(crossed(swept) + twice_crossed(spin, d)),
             per_angular: minus(crossed(d)),
         }
     }
@@ -151,14 +151,14 @@ fn gather_body<N: Seeds, T: Scalar, const K: usize>(
     let j = attitude.times(&transpose(&half));
     let momentum = j.apply(w);
     let change = j.apply(acceleration.angular);
-    let of_momentum = times_crossed(&j, w).plus(crossed(-momentum));
+    let of_momentum = times_crossed(&j, w) + crossed(-momentum);
     let (c_across, d_across) = (crossed(c), crossed(d));
     let torque_per_angle = times_crossed(&j, acceleration.angular)
-        .plus(crossed(-change))
-        .plus(crossed_times(w, &of_momentum))
-        .plus(twice_crossed(beyond, d))
-        .plus(twice_crossed(f, c));
-    let torque_per_spin = crossed_times(w, &j).plus(crossed(-momentum));
+        + crossed(-change)
+        + crossed_times(w, &of_momentum)
+        + twice_crossed(beyond, d)
+        + twice_crossed(f, c);
+    let torque_per_spin = crossed_times(w, &j) + crossed(-momentum);
 
     apply(&mut carried.torques, &d_across, &{ carried.forces });
     let mut own = none();
@@ -180,7 +180,7 @@ fn gather_body<N: Seeds, T: Scalar, const K: usize>(
         let turning = crossed_times(w, &attitude);
         for (i, [a, b]) in [[u.x, v.x], [u.y, v.y], [u.z, v.z]].into_iter().enumerate() {
             let column = Vector3::from(of.about_centre[i]);
-            apply(&mut carried.torques, &times(attitude, a).plus(times(turning, b)), &parts(&column));
+            apply(&mut carried.torques, &(times(attitude, a) + times(turning, b)), &parts(&column));
         }
     }
     add(&mut carried.forces, &own);

@@ -5,7 +5,7 @@ use super::{Answering, Passing, Pulling, turned};
 use crate::lift::Lift;
 use crate::relation::space::algebra::{Columns, zero};
 use crate::relation::space::{Couple, Full, Gain, Point};
-use crate::relation::{Absent, Term};
+use crate::relation::{Absent, Additive, Term};
 use crate::scalar::{Jet, Scalar, columns};
 use crate::sensitive::{At, Seeds, Sensitive};
 use crate::spatial::loads::Effort;
@@ -49,7 +49,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
     type Room = BallStore<T, K>;
 
     fn room(&self) -> Self::Room {
-        BallStore { gain: Gain::blank(), minus_inverse: Columns::zero(), angle: none(), load: Effort::default() }
+        BallStore { gain: Gain::blank(), minus_inverse: Columns::null(), angle: none(), load: Effort::default() }
     }
     #[inline(always)]
     fn read(

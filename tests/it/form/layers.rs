@@ -7,9 +7,22 @@ use std::path::{Path, PathBuf};
 
 /// Modules from the ground up. What they are is said in the crate's own page.
 const FLOORS: [&[&str]; 8] = [
-    &["scalar", "error", "state", "tuples"],
+    &["scalar", "error", "names", "state", "tuples"],
     &["mirror", "relation", "time", "lift", "dense"],
-    &["space", "loading", "sweep", "shape", "walks", "visit", "element", "ends", "transfer", "motion", "sensitive"],
+    &[
+        "space",
+        "loading",
+        "sweep",
+        "shape",
+        "walks",
+        "visit",
+        "element",
+        "ends",
+        "transfer",
+        "turning",
+        "motion",
+        "sensitive",
+    ],
     &["chain", "counts", "struts"],
     &["planar", "spatial"],
     &["solve", "observe"],
@@ -26,6 +39,7 @@ fn home(name: &str) -> &str {
     match name {
         "Cause" | "Error" | "Fault" | "Place" => "error",
         "Motion" => "motion",
+        "BodyNumbers" | "JointNumbers" | "Label" | "Which" => "names",
         "Real" | "Scalar" => "scalar",
         "StateVector" | "TransferMatrix" => "state",
         module => module,

@@ -1,89 +1,10 @@
-//! The full relation, and the eliminations that joints make in it.
+//! The eliminations of rotations that joints make in a full relation.
 
-use super::Point;
-use super::algebra::{Symmetric2, add_scaled, minus_dot, normal, plus_dot};
-use super::kinds::Relation;
-use crate::relation::{Closures, Cuts, Open, Term};
+use super::algebra::{add_scaled, normal};
+use super::{Full, FullColumn, Point};
+use crate::relation::{Closures, Open, Symmetric, Term};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
-
-/// A full relation: q = S_qq a + s α + e_q, −m = s·a + S_mm α + e_m, and columns for closure forces.
-#[derive(Clone, Copy)]
-pub struct Full<T: Copy, C: Closures = Open> {
-    /// S_qq (kg).
-    pub linear: Symmetric2<T>,
-    /// s, the coupling of force and angular acceleration (kg·m).
-    pub coupling: Vector2<T>,
-    /// S_mm (kg·m²).
-    pub angular: T,
-    /// e_q (N).
-    pub force: Vector2<T>,
-    /// e_m (N·m), of the torque on the outboard part.
-    pub torque: T,
-    /// Columns of closure forces.
-    pub cuts: Cuts<FullColumn<T>, T, C>,
-}
-
-/// A column of W: the force and torque on the outboard part for a unit closure force.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FullColumn<T> {
-    /// Of q.
-    pub force: Vector2<T>,
-    /// Of −m.
-    pub torque: T,
-}
-
-impl<T: Scalar> Full<T> {
-    /// Nothing that has mass.
-    #[inline(always)]
-    pub fn massless() -> Self {
-        let zero = Vector2::new(T::zero(), T::zero());
-        Self {
-            linear: Symmetric2::diagonal(T::zero()),
-            coupling: zero,
-            angular: T::zero(),
-            force: zero,
-            torque: T::zero(),
-            cuts: Cuts::none(),
-        }
-    }
-}
-
-impl<T: Scalar> Full<T> {
-    /// The same relation with closure forces.
-    #[inline(always)]
-    pub fn cut<C: Closures>(self, cuts: Cuts<FullColumn<T>, T, C>) -> Full<T, C> {
-        let Self { linear, coupling, angular, force, torque, .. } = self;
-        Full { linear, coupling, angular, force, torque, cuts }
-    }
-}
-
-impl<T: Scalar, C: Closures> Relation<T> for Full<T, C> {
-    type Closures = C;
-    type WithMass = Self;
-
-    #[inline(always)]
-    fn with_mass(self, mass: T) -> Self {
-        Self { linear: self.linear.plus_diagonal(mass), ..self }
-    }
-    #[inline(always)]
-    fn carried(self, d: Vector2<T>, centripetal: Vector2<T>) -> Self {
-        let n = normal(d);
-        let coupling = self.linear.apply_onto(n, self.coupling);
-        let force = self.linear.apply_onto(centripetal, self.force);
-        Self {
-            linear: self.linear,
-            coupling,
-            angular: plus_dot(self.angular, n, self.coupling + coupling),
-            force,
-            torque: plus_dot(plus_dot(self.torque, self.coupling, centripetal), n, force),
-            cuts: self.cuts.turned(
-                |w| FullColumn { force: w.force, torque: plus_dot(w.torque, n, w.force) },
-                |sum, w| minus_dot(sum, w.force, centripetal),
-            ),
-        }
-    }
-}
 
 impl<T: Scalar, C: Closures> Full<T, C> {
     /// Adds a rotary inertia (kg·m²).

@@ -1,8 +1,6 @@
 //! Sums of relations at one station: where an arm leaves a chain, their forces add up.
 
-use super::{Empty, Full, Point, Slides};
-use crate::relation::{Closures, Join, Term};
-use crate::scalar::Scalar;
+use super::{Closures, Empty, Full, Geometry, Join, Point, Term};
 
 impl<A: Copy> Join<A> for Empty {
     type Out = A;
@@ -12,12 +10,12 @@ impl<A: Copy> Join<A> for Empty {
     }
 }
 
-impl<T: Scalar, C: Closures> Join<Full<T>> for Full<T, C> {
+impl<G: Geometry, C: Closures> Join<Full<G>> for Full<G, C> {
     type Out = Self;
     #[inline(always)]
-    fn join(self, arm: Full<T>) -> Self {
+    fn join(self, arm: Full<G>) -> Self {
         Self {
-            linear: self.linear.plus(arm.linear),
+            linear: self.linear + arm.linear,
             coupling: self.coupling + arm.coupling,
             angular: self.angular + arm.angular,
             force: self.force + arm.force,
@@ -27,12 +25,12 @@ impl<T: Scalar, C: Closures> Join<Full<T>> for Full<T, C> {
     }
 }
 
-impl<T: Scalar, M: Term<T>, C: Closures> Join<Point<T, M>> for Full<T, C> {
+impl<G: Geometry, M: Term<G::Angular>, C: Closures> Join<Point<G, M>> for Full<G, C> {
     type Out = Self;
     #[inline(always)]
-    fn join(self, arm: Point<T, M>) -> Self {
+    fn join(self, arm: Point<G, M>) -> Self {
         Self {
-            linear: self.linear.plus(arm.stiffness),
+            linear: self.linear + arm.stiffness,
             force: self.force + arm.offset,
             torque: arm.torque.add_to(self.torque),
             ..self
@@ -40,20 +38,20 @@ impl<T: Scalar, M: Term<T>, C: Closures> Join<Point<T, M>> for Full<T, C> {
     }
 }
 
-impl<T: Scalar, M: Term<T>, C: Closures> Join<Full<T>> for Point<T, M, C> {
-    type Out = Full<T, C>;
+impl<G: Geometry, M: Term<G::Angular>, C: Closures> Join<Full<G>> for Point<G, M, C> {
+    type Out = Full<G, C>;
     #[inline(always)]
-    fn join(self, arm: Full<T>) -> Full<T, C> {
-        self.full().join(arm)
+    fn join(self, arm: Full<G>) -> Full<G, C> {
+        self.whole().join(arm)
     }
 }
 
-impl<T: Scalar, M: Join<N>, N: Copy, C: Closures> Join<Point<T, N>> for Point<T, M, C> {
-    type Out = Point<T, M::Out, C>;
+impl<G: Geometry, M: Join<N>, N: Copy, C: Closures> Join<Point<G, N>> for Point<G, M, C> {
+    type Out = Point<G, M::Out, C>;
     #[inline(always)]
-    fn join(self, arm: Point<T, N>) -> Self::Out {
+    fn join(self, arm: Point<G, N>) -> Self::Out {
         Point {
-            stiffness: self.stiffness.plus(arm.stiffness),
+            stiffness: self.stiffness + arm.stiffness,
             offset: self.offset + arm.offset,
             torque: self.torque.join(arm.torque),
             cuts: self.cuts,

@@ -1,0 +1,167 @@
+//! The lesser relations, and what a body does with any of them.
+
+use super::{
+    Absent, Additive, Angular, Closures, Cuts, Full, Geometry, Open, Promote, Symmetric, Term, VectorSpace, Wrench,
+};
+use crate::scalar::Scalar;
+
+/// Nothing outboard: F = 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Empty;
+
+/// A point mass outboard: q = m a.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lump<T> {
+    /// Mass (kg).
+    pub mass: T,
+}
+
+/// A pin or ball outboard: q = S a + e + W λ, and the moment is the torque M that acts in it, if there is one.
+#[derive(Clone, Copy)]
+pub struct Point<G: Geometry, M = Absent, C: Closures = Open> {
+    /// S (kg).
+    pub stiffness: G::Mass,
+    /// e (N).
+    pub offset: G::Vector,
+    /// Torque on the outboard part (N·m).
+    pub torque: M,
+    /// Columns of closure forces.
+    pub cuts: Cuts<G::Vector, G::Scalar, C>,
+}
+
+/// What a body can do with the relation it meets, whatever that is.
+pub trait Relation<G: Geometry>: Copy {
+    /// Closure forces it carries.
+    type Closures: Closures;
+    /// The relation with a point mass added at its station.
+    type WithMass: Relation<G, Closures = Self::Closures>;
+
+    /// Adds a point mass (kg) at the station.
+    fn with_mass(self, mass: G::Scalar) -> Self::WithMass;
+
+    /// Moves the station inboard by −d on a rigid body, whose outboard end has the centripetal acceleration c = ω × (ω × d); where it
+    /// slides on the body, that of Coriolis is added, and what lies outboard is more than a lump:
+    /// p_O = (a + α × d + c, α), hence F_I = Xᵀ F_O with X = [[1, −d~], [0, 1]].
+    fn carried(self, d: G::Vector, centripetal: G::Vector) -> Full<G, Self::Closures>;
+
+    /// The relation carried along a body with moments of inertia (kg·m²); they may be negative when they only complete those of point masses.
+    #[inline(always)]
+    fn carried_by(self, inertia: G::Inertia, d: G::Vector, centripetal: G::Vector) -> Full<G, Self::Closures> {
+        let full = self.carried(d, centripetal);
+        Full { angular: full.angular + inertia, ..full }
+    }
+}
+
+impl<G: Geometry> Relation<G> for Empty {
+    type Closures = Open;
+    type WithMass = Lump<G::Scalar>;
+
+    #[inline(always)]
+    fn with_mass(self, mass: G::Scalar) -> Lump<G::Scalar> {
+        Lump { mass }
+    }
+    #[inline(always)]
+    fn carried(self, _: G::Vector, _: G::Vector) -> Full<G> {
+        Full::massless()
+    }
+}
+
+impl<T: Scalar, G: Geometry<Scalar = T>> Relation<G> for Lump<T> {
+    type Closures = Open;
+    type WithMass = Self;
+
+    #[inline(always)]
+    fn with_mass(self, mass: T) -> Self {
+        Self { mass: self.mass + mass }
+    }
+    #[inline(always)]
+    fn carried(self, d: G::Vector, centripetal: G::Vector) -> Full<G> {
+        G::of_lump(self.mass, d, centripetal)
+    }
+    #[inline(always)]
+    fn carried_by(self, inertia: G::Inertia, d: G::Vector, centripetal: G::Vector) -> Full<G> {
+        let full: Full<G> = G::of_lump(self.mass, d, centripetal);
+        Full { angular: G::swung_onto(d, &full.coupling, inertia), ..full }
+    }
+}
+
+impl<G: Geometry, M: Term<G::Angular>, C: Closures> Relation<G> for Point<G, M, C> {
+    type Closures = C;
+    type WithMass = Self;
+
+    #[inline(always)]
+    fn with_mass(self, mass: G::Scalar) -> Self {
+        Self { stiffness: self.stiffness.plus_diagonal(mass), ..self }
+    }
+    #[inline(always)]
+    fn carried(self, d: G::Vector, centripetal: G::Vector) -> Full<G, C> {
+        let coupling = G::levered(self.stiffness, d);
+        let angular = G::swung(d, &coupling);
+        let force = self.stiffness.apply_onto(centripetal, self.offset);
+        Full {
+            linear: self.stiffness,
+            coupling,
+            angular,
+            force,
+            torque: self.torque.add_to(G::Angular::moment(d, force)),
+            cuts: self.cuts.turned(
+                |w| Wrench { force: w, torque: G::Angular::moment(d, w) },
+                |gap, w| VectorSpace::minus_dot(gap, w, centripetal),
+            ),
+        }
+    }
+    #[inline(always)]
+    fn carried_by(self, inertia: G::Inertia, d: G::Vector, centripetal: G::Vector) -> Full<G, C> {
+        let full = self.carried(d, centripetal);
+        Full { angular: G::swung_onto(d, &full.coupling, inertia), ..full }
+    }
+}
+
+impl<G: Geometry, M: Term<G::Angular>, C: Closures> Point<G, M, C> {
+    /// This relation in full.
+    #[inline(always)]
+    pub fn whole(self) -> Full<G, C> {
+        Full {
+            linear: self.stiffness,
+            coupling: G::Coupling::null(),
+            angular: G::Inertia::null(),
+            force: self.offset,
+            torque: self.torque.add_to(G::Angular::null()),
+            cuts: self.cuts.mapped(Wrench::of_force),
+        }
+    }
+
+    /// One that says nothing but `value`: zero, or that it is not known.
+    fn blank(value: G::Scalar) -> Self {
+        let vector = G::Vector::null().times(value);
+        let cuts = Cuts::at_tip(C::each(|_| vector), C::each(|_| value));
+        Self { stiffness: G::Mass::diagonal(value), offset: vector, torque: M::none(), cuts }
+    }
+}
+
+impl<G: Geometry, M: Term<G::Angular>> Promote<Empty> for Point<G, M> {
+    fn promote(_: Empty) -> Self {
+        Self::blank(G::Scalar::null())
+    }
+}
+
+impl<G: Geometry, M: Term<G::Angular>, C: Closures> Promote<Full<G, C>> for Point<G, M, C> {
+    /// A point relation cannot stand for a full one: links that end with a pin or ball are missing between a clamp and what needs
+    /// it. The sweep reports that nothing came of it.
+    fn promote(_: Full<G, C>) -> Self {
+        Self::blank(G::Scalar::literal(f64::NAN))
+    }
+}
+
+impl<G: Geometry> Promote<Empty> for Full<G> {
+    fn promote(_: Empty) -> Self {
+        Self::massless()
+    }
+}
+
+/// What a pinned tip demands, where a chain hands on more: links with springs, or with sliders.
+impl<G: Geometry, M: Term<G::Angular>, C: Closures> Promote<Point<G, M, C>> for Full<G, C> {
+    fn promote(lesser: Point<G, M, C>) -> Self {
+        lesser.whole()
+    }
+}

@@ -1,0 +1,92 @@
+//! The numbers of space in relations, and their products.
+
+use super::Full;
+use super::algebra::{Columns, Symmetric3, add_scaled, cross, dot};
+use crate::relation::{Additive, Cuts, Geometry, Symmetric};
+use crate::scalar::Scalar;
+use core::fmt;
+use core::marker::PhantomData;
+use nalgebra::Vector3;
+
+/// Space, with numbers of type `T`.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Spatial<T>(PhantomData<T>);
+
+impl<T> fmt::Debug for Spatial<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Spatial")
+    }
+}
+
+impl<T: Scalar> Geometry for Spatial<T> {
+    type Scalar = T;
+    type Vector = Vector3<T>;
+    type Angular = Vector3<T>;
+    type Mass = Symmetric3<T>;
+    type Inertia = Symmetric3<T>;
+    type Coupling = Columns<T>;
+
+    #[inline(always)]
+    fn plus_outer(k: Columns<T>, f: Vector3<T>, torque: Vector3<T>) -> Columns<T> {
+        k + Columns { x: f * torque.x, y: f * torque.y, z: f * torque.z }
+    }
+    #[inline(always)]
+    fn transposed_onto(k: &Columns<T>, a: Vector3<T>, sum: Vector3<T>) -> Vector3<T> {
+        k.transposed_onto(a, sum)
+    }
+    #[inline(always)]
+    fn levered(l: Symmetric3<T>, d: Vector3<T>) -> Columns<T> {
+        Self::levered_onto(l, d, Columns::null())
+    }
+    #[inline(always)]
+    fn levered_onto(l: Symmetric3<T>, d: Vector3<T>, k: Columns<T>) -> Columns<T> {
+        let l = l.columns();
+        Columns {
+            x: add_scaled(add_scaled(k.x, -d.z, l.y), d.y, l.z),
+            y: add_scaled(add_scaled(k.y, -d.x, l.z), d.z, l.x),
+            z: add_scaled(add_scaled(k.z, -d.y, l.x), d.x, l.y),
+        }
+    }
+    #[inline(always)]
+    fn swung(d: Vector3<T>, moved: &Columns<T>) -> Symmetric3<T> {
+        let (nx, ny, nz) = (cross(d, moved.x), cross(d, moved.y), cross(d, moved.z));
+        Symmetric3 { xx: nx.x, xy: nx.y, xz: nx.z, yy: ny.y, yz: ny.z, zz: nz.z }
+    }
+    #[inline(always)]
+    fn swung_onto(d: Vector3<T>, moved: &Columns<T>, h: Symmetric3<T>) -> Symmetric3<T> {
+        Self::swung(d, moved) + h
+    }
+    #[inline(always)]
+    fn steiner(d: Vector3<T>, k: &Columns<T>, n: &Columns<T>, h: Symmetric3<T>) -> Symmetric3<T> {
+        let crossed_x = |v: Vector3<T>, sum: T| d.y.mul_add(v.z, (-d.z).mul_add(v.y, sum));
+        let crossed_y = |v: Vector3<T>, sum: T| d.z.mul_add(v.x, (-d.x).mul_add(v.z, sum));
+        let crossed_z = |v: Vector3<T>, sum: T| d.x.mul_add(v.y, (-d.y).mul_add(v.x, sum));
+        Symmetric3 {
+            xx: crossed_x(k.x, crossed_x(n.x, h.xx)),
+            xy: crossed_x(k.y, crossed_y(n.x, h.xy)),
+            xz: crossed_x(k.z, crossed_z(n.x, h.xz)),
+            yy: crossed_y(k.y, crossed_y(n.y, h.yy)),
+            yz: crossed_y(k.z, crossed_z(n.y, h.yz)),
+            zz: crossed_z(k.z, crossed_z(n.z, h.zz)),
+        }
+    }
+    #[inline(always)]
+    fn of_lump(mass: T, d: Vector3<T>, c: Vector3<T>) -> Full<T> {
+        let (o, moment) = (T::zero(), d * mass);
+        let force = c * mass;
+        let square = dot(d, moment);
+        Full {
+            linear: Symmetric3::diagonal(mass),
+            coupling: Columns {
+                x: Vector3::new(o, -moment.z, moment.y),
+                y: Vector3::new(moment.z, o, -moment.x),
+                z: Vector3::new(-moment.y, moment.x, o),
+            },
+            // m (d² 1 − d dᵀ)
+            angular: Symmetric3::diagonal(square).plus_outer(-d, moment),
+            force,
+            torque: cross(d, force),
+            cuts: Cuts::none(),
+        }
+    }
+}
