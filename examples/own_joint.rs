@@ -7,7 +7,6 @@
 #[path = "elements/geared.rs"]
 mod geared;
 
-use catena::element::Unloaded;
 use catena::extend::check_element;
 use catena::{planar, spatial};
 use geared::Geared;
