@@ -11,7 +11,7 @@ pub use crate::release::Resistance;
 use crate::release::{Freedom, Release};
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Joint, JointPosture};
-use crate::space::{RealOf, Space};
+use crate::space::{FrameOf, RealOf, Space};
 use crate::sweep::{Implicit, Springs, Sweep};
 use core::fmt::Debug;
 use num_traits::Zero;
@@ -168,9 +168,9 @@ pub fn recover<S: Space, J: JointModel<S>, C: Closures>(
 #[inline(always)]
 pub fn motion<S: Space, J: JointModel<S>>(
     model: &J,
-    inboard: S::Frame,
+    inboard: FrameOf<S>,
     [position, rate, acceleration]: [&S::Scalar; 3],
-) -> (S::JointMotion, S::Frame) {
+) -> (S::JointMotion, FrameOf<S>) {
     let (motion, outboard) = model.kinematics().motion(inboard, position, rate, acceleration);
     let acting = Acting {
         resistance: model.resistance(*position, *rate),

@@ -4,6 +4,7 @@ use crate::element::{Load, Space};
 use crate::relation::{Absent, Geometry};
 use crate::release::Release;
 use crate::scalar::{Real, Scalar};
+use crate::space::FrameOf;
 use crate::state::{StateVector, TransferMatrix};
 use num_traits::Zero;
 
@@ -24,7 +25,7 @@ pub trait Exact<const N: usize>: Space {
     ) -> Passage<Self::Scalar, N>;
 
     /// The acceleration state of a station without force and torque.
-    fn acceleration_state(frame: &Self::Frame) -> StateVector<Self::Scalar, N>;
+    fn acceleration_state(frame: &FrameOf<Self>) -> StateVector<Self::Scalar, N>;
 }
 
 /// What acts in a joint, as numbers.

@@ -68,11 +68,11 @@ macro_rules! joint {
                 #[inline(always)]
                 fn motion(
                     &self,
-                    inboard: Spaced::Frame,
+                    inboard: $crate::space::FrameOf<Spaced>,
                     position: &Spaced::Scalar,
                     rate: &Spaced::Scalar,
                     acceleration: &Spaced::Scalar,
-                ) -> (Spaced::JointMotion, Spaced::Frame) {
+                ) -> (Spaced::JointMotion, $crate::space::FrameOf<Spaced>) {
                     $crate::extend::model::motion::<Spaced, Self>(self, inboard, [position, rate, acceleration])
                 }
                 #[inline(always)]

@@ -8,6 +8,7 @@ use crate::error::{Error, Fault};
 use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::shape::{PerBody, PerJoint};
+use crate::space::FrameOf;
 use crate::state::TransferMatrix;
 use crate::transfer::{Efforts, Exact, Passage, Whole};
 use crate::visit::survey;
@@ -63,7 +64,7 @@ where
 #[allow(clippy::too_many_arguments)] // the data flow of the method, one value each
 pub fn product<S: Exact<N>, E: Element<S>, L: Loading<S>, const N: usize>(
     chain: &E,
-    ground: &S::Frame,
+    ground: &FrameOf<S>,
     gravity: S::Vector,
     loads: &L,
     time: RealOf<S>,

@@ -9,6 +9,7 @@ use crate::observe::{each_body, each_joint, each_miss};
 use crate::planar::{self, Planar};
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
+use crate::space::FrameOf;
 use crate::spatial::{self, Spatial};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -23,7 +24,7 @@ pub trait Inertial: Space {
     /// The same of the coordinates of a joint that has reflected inertia.
     fn reflected(joint: &Self::JointMotion, note: &mut impl FnMut(RealOf<Self>));
     /// The motion of the inboard end of a body.
-    fn inboard(body: &Self::BodyMotion) -> Self::Frame;
+    fn inboard(body: &Self::BodyMotion) -> FrameOf<Self>;
     /// Velocity and momentum of a body.
     fn carried(body: &Self::BodyMotion) -> Carried<RealOf<Self>>;
 }

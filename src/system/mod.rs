@@ -2,6 +2,7 @@
 
 #[cfg(feature = "alloc")]
 mod assembly;
+mod describe;
 mod doubts;
 mod dynamics;
 mod fitting;
@@ -20,15 +21,18 @@ mod start;
 #[cfg(feature = "alloc")]
 mod statics;
 mod sweeps;
+mod turning;
 
 #[cfg(feature = "alloc")]
 pub use assembly::{Assembled, AssembledOf, Holding};
+pub use describe::Description;
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
 pub use linear::{Carried, Inertial};
 #[cfg(feature = "std")]
 pub(crate) use linear::{numbers, set, unit};
+pub use turning::AngularVelocity;
 
 use crate::element::{Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
@@ -40,6 +44,7 @@ use crate::relation::{Additive, Closures, Geometry};
 use crate::scalar::Scalar;
 use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
+use crate::space::FrameOf;
 use crate::walks::aim::aim;
 use crate::walks::check::check;
 use crate::walks::fits::fits;
@@ -123,7 +128,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// The motion of the ground at the root.
-    pub(crate) fn ground(&self, time: RealOf<S>) -> S::Frame {
+    pub(crate) fn ground(&self, time: RealOf<S>) -> FrameOf<S> {
         self.root.ground(time)
     }
 
@@ -170,7 +175,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             expected += 1;
             orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         };
-        aim(&self.chain, &mut motion.position, S::turn(&ground), &mut next);
+        aim(&self.chain, &mut motion.position, ground.turn, &mut next);
         if expected != orientations.len() {
             return Err(Error::new(Fault::Count { expected, given: orientations.len() }));
         }
