@@ -3,9 +3,10 @@
 use super::geared::Geared;
 use crate::kit::near;
 use catena::element::Unloaded;
+use catena::paper::{GeneralizedAlpha, Scheme};
 use catena::planar::{self, Clamped, Dop853, Free, Pin, Rod, System};
 use catena::scalar::Jet;
-use catena::{Error, Scalar, spatial};
+use catena::{Error, Fault, Scalar, spatial};
 use core::f64::consts::FRAC_PI_2;
 
 const GRAVITY: f64 = 9.81;
@@ -98,6 +99,60 @@ fn forces_are_those_of_the_equations() -> Result<(), Error> {
             near(torque, -FRICTION * rates[k] - ROTOR * RATIOS[k] * RATIOS[k] * a, 1e-12);
         }
     }
+    Ok(())
+}
+
+/// Torques of drives act on the coordinates; transfer matrices know them and the rotors.
+#[test]
+fn drives_and_matrices_know_of_the_rotors() -> Result<(), Error> {
+    let arm = arm!(f64, ROTOR, FRICTION)?;
+    let drives = [0.0, 3.0, -1.5]; // the root's joint is a weld
+    let loads = planar::Loads::none().in_joints(|_, joint, _: &planar::JointMotion<f64>| drives[joint]);
+    for (angles, rates) in STATES {
+        let (mass, [f, g]) = by_hand(angles, rates, ROTOR, FRICTION);
+        let expected = solve(mass, [f + drives[1], g + drives[2]]);
+        let mut start = arm.motion();
+        (start.position_mut().1.0, start.position_mut().1.2) = (angles[0], angles[1]);
+        let motion = arm.with_accelerations(arm.with_rates(start, &rates)?, &loads)?;
+        let a = motion.acceleration().1;
+        near(a.0, expected[0], 1e-13 * (1.0 + expected[0].abs()));
+        near(a.2, expected[1], 1e-13 * (1.0 + expected[1].abs()));
+        let (found, stations) = (arm.root_state(&motion, &loads)?, arm.stations(&motion, &loads)?);
+        let expected = stations.get(0).map(|station| station.acceleration_state());
+        for index in 0..6 {
+            near(found[index], expected.map_or(f64::NAN, |state| state[index]), 1e-11);
+        }
+    }
+    Ok(())
+}
+
+/// With the tip of its arm on a pin, closure forces pass through the motor, too.
+#[test]
+fn a_motor_in_a_loop_is_a_flywheel_there() -> Result<(), Error> {
+    let (rod, hinge, tip) = (Rod::uniform(1.0, 1.0), planar::Revolute::smooth(), planar::Pinned::at(1.2, 0.3));
+    let flywheel = planar::RigidBody::new(0.0, ROTOR * RATIOS[0] * RATIOS[0], [0.0; 2], [0.0; 2]);
+    let clamp = Clamped::at(0.0, 0.0, 0.0);
+    let own = System::new(clamp, (motor(hinge, ROTOR, RATIOS[0], 0.0), rod, Pin, rod), tip)?.with_gravity(GRAVITY);
+    let composed = System::new(clamp, (hinge, flywheel, rod, Pin, rod), tip)?.with_gravity(GRAVITY);
+    let one = own.with_accelerations(own.assembled(own.at_rest(&[-0.6, 1.2])?, &Unloaded)?, &Unloaded)?;
+    let two =
+        composed.with_accelerations(composed.assembled(composed.at_rest(&[-0.6, 1.2])?, &Unloaded)?, &Unloaded)?;
+    assert!(one.acceleration().1.0.abs() > 0.1);
+    near(one.position().1.0, two.position().1.0, 1e-12);
+    near(one.acceleration().1.0, two.acceleration().1.0, 1e-11);
+    for (found, expected) in one.multipliers().iter().zip(two.multipliers()) {
+        near(*found, *expected, 1e-11);
+    }
+    Ok(())
+}
+
+/// The formulation of 2005 has no matrix for reflected inertia, and says so.
+#[test]
+fn the_paper_refuses_rotors() -> Result<(), Error> {
+    let arm = arm!(f64, ROTOR, FRICTION)?;
+    let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).start(&arm, &arm.motion(), &Unloaded, 0.01);
+    let error = scheme.map(|_| ()).unwrap_err();
+    assert_eq!(error.fault, Fault::Unsupported { what: "reflected inertia in a joint" });
     Ok(())
 }
 
