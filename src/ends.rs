@@ -7,6 +7,7 @@
 use crate::element::{Element, RealOf, Space};
 use crate::error::Error;
 use crate::relation::{Closures, Solvable, WrenchOf};
+use crate::space::FrameOf;
 
 /// Which of a conjugate pair an end makes known.
 pub trait Choice {
@@ -58,7 +59,7 @@ pub trait Root<S: Space> {
     /// The joint between the ground and the chain.
     fn joint(&self) -> Self::Joint;
     /// The motion of the ground where the joint sits.
-    fn ground(&self, time: RealOf<S>) -> S::Frame;
+    fn ground(&self, time: RealOf<S>) -> FrameOf<S>;
     /// Rejects parameters that make no mechanics.
     fn check(&self) -> Result<(), Error>;
 }
@@ -82,7 +83,7 @@ pub trait Tip<S: Space> {
     /// Internal force and torque at the tip where it is held by these forces.
     fn internal(&self, time: RealOf<S>, multipliers: &<Self::Closures as Closures>::Each<S::Scalar>) -> WrenchOf<S>;
     /// By how much a tip that moves with `frame` misses the place demanded at a time, and the velocity.
-    fn miss(&self, time: RealOf<S>, frame: &S::Frame) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
+    fn miss(&self, time: RealOf<S>, frame: &FrameOf<S>) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
     /// How much the last body would yield to each of the forces if it were free: the measure of Λ, which tells closures that
     /// say the same twice.
     fn free_compliance(&self, time: RealOf<S>, body: &S::BodyMotion) -> <Self::Closures as Closures>::Each<S::Scalar>;

@@ -14,6 +14,7 @@ use crate::counts::HasBody;
 use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
 use crate::relation::{Wrench, WrenchOf};
 use crate::shape::{self, PerJoint};
+use crate::space::FrameOf;
 use crate::visit::survey;
 use crate::walks::entries::{Entry, entries};
 use crate::walks::find;
@@ -34,7 +35,7 @@ impl<'a, S: Space, E: Element<S>, X: Copy + 'static> PerBody<'a, S, E, X> {
     /// Walks a motion outward and keeps what `read` says of each body.
     pub(crate) fn of(
         chain: &'a E,
-        ground: S::Frame,
+        ground: FrameOf<S>,
         motion: Coordinates<'_, S, E>,
         read: impl FnMut(&S::BodyMotion) -> X,
     ) -> Self {
@@ -114,7 +115,7 @@ pub struct Stations<'a, S: Space, E: Element<S>> {
 impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
     pub(crate) fn of<L: Loading<S>>(
         chain: &'a E,
-        ground: S::Frame,
+        ground: FrameOf<S>,
         gravity: S::Vector,
         motion: Coordinates<'_, S, E>,
         time: RealOf<S>,
@@ -206,7 +207,7 @@ impl<S: Space, X: Copy + 'static, F: FnMut(&S::BodyMotion) -> X> Visit<S> for Co
 #[cfg(feature = "alloc")]
 pub(crate) fn each_body<S: Space, E: Element<S>>(
     chain: &E,
-    ground: S::Frame,
+    ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     read: impl FnMut(&S::BodyMotion),
 ) {
@@ -231,11 +232,11 @@ impl<S: Space, F: FnMut(&S::BodyMotion)> Visit<S> for Show<F> {
 /// Energy and momentum of a motion.
 pub(crate) fn budget<S: Space, E: Element<S>>(
     chain: &E,
-    ground: S::Frame,
+    ground: FrameOf<S>,
     gravity: S::Vector,
     motion: Coordinates<'_, S, E>,
 ) -> Budget<S> {
-    let mut audit = Audit { gravity, sum: S::no_budget() };
+    let mut audit = Audit { gravity, sum: Budget::none() };
     show(chain, ground, motion, &mut audit);
     audit.sum
 }
@@ -251,7 +252,7 @@ impl<S: Space> Visit<S> for Audit<S> {
     type InJoint = ();
 
     fn body(&mut self, body: &S::BodyMotion) {
-        self.sum = S::sum(self.sum, S::budget(body, self.gravity));
+        self.sum = self.sum + S::budget(body, self.gravity);
     }
     fn joint(&mut self, joint: &S::JointMotion) {
         let potential = self.sum.potential + S::stored(joint);
@@ -274,7 +275,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for Balance<'_, S, L> {
 
     fn body(&mut self, body: &S::BodyMotion) -> Option<S::Station> {
         let mut station = S::body_station(body, self.gravity);
-        self.loads.on_body(&self.seen, self.time, self.body, body).act(&mut station);
+        S::relieve(&mut station, self.loads.on_body(&self.seen, self.time, self.body, body).wrench());
         self.body += 1;
         Some(station)
     }

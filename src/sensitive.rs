@@ -16,10 +16,12 @@
 //!
 //! All columns of an element are treated in one loop, so that it vectorises; only values are carried in registers.
 
-use crate::element::{Element, Load, Posture, Space, SpaceOver};
-use crate::relation::{Absent, Part};
+use crate::element::{Element, Posture, Space, SpaceOver};
+use crate::loading::EffortOf;
+use crate::relation::{Absent, Additive, Part, WrenchOf};
 use crate::scalar::Scalar;
 use crate::shape::{PerBody, PerJoint};
+use crate::space::FrameOf;
 
 /// A space of jets.
 pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
@@ -35,10 +37,6 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     type Inward: Copy;
     /// What [`Sensitive::answer`] carries: columns of an acceleration.
     type Response: Copy;
-    /// The load on a body.
-    type BodyLoad: Copy + 'static;
-    /// The efforts in a joint.
-    type JointLoad: Copy + 'static;
 
     /// The plain number behind a jet.
     fn plain(number: Self::Scalar) -> Self::Number;
@@ -48,7 +46,7 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     fn seeded(number: Self::Scalar, k: usize) -> Self::Scalar;
 
     /// Where the outward walk begins: the ground, in a frame that falls freely.
-    fn ground(frame: &Self::Frame, gravity: Self::Vector) -> Self::Outward;
+    fn ground(frame: &FrameOf<Self>, gravity: Self::Vector) -> Self::Outward;
     /// What lies beyond a free tip.
     fn nothing() -> Self::Relation;
     /// The force of it.
@@ -56,13 +54,9 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     /// A ground that does not answer.
     fn stillness() -> Self::Response;
     /// The orientation of a frame, in plain numbers.
-    fn plain_turn(frame: &Self::Frame) -> <Self::Plain as Space>::Turn;
+    fn plain_turn(frame: &FrameOf<Self>) -> <Self::Plain as Space>::Turn;
     /// Whether the angular acceleration of the ground has derivatives.
-    fn ground_turns(frame: &Self::Frame) -> bool;
-    /// No load on a body, and none in a joint.
-    fn no_load() -> (Self::BodyLoad, Self::JointLoad);
-    /// A load on a body.
-    fn body_load(load: impl Load<Self>) -> Self::BodyLoad;
+    fn ground_turns(frame: &FrameOf<Self>) -> bool;
     /// Adds the relation of an arm.
     fn join(chain: Self::Relation, arm: Self::Relation) -> Self::Relation;
     /// Adds the force of an arm.
@@ -72,12 +66,12 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
 /// What acts in a joint, or [`Absent`].
 pub trait Effort<S: Varied>: Part {
     /// As a walk reads it.
-    fn effort(self) -> S::JointLoad;
+    fn effort(self) -> EffortOf<S>;
 }
 
 impl<S: Varied> Effort<S> for Absent {
-    fn effort(self) -> S::JointLoad {
-        S::no_load().1
+    fn effort(self) -> EffortOf<S> {
+        Additive::null()
     }
 }
 
@@ -124,8 +118,8 @@ pub trait Sensitive<S: Varied>: Element<S> {
     /// Keeps loads.
     fn load(
         &self,
-        on_bodies: &Self::Store<PerBody<S::BodyLoad>>,
-        in_joints: &Self::Store<PerJoint<S::JointLoad>>,
+        on_bodies: &Self::Store<PerBody<WrenchOf<S>>>,
+        in_joints: &Self::Store<PerJoint<EffortOf<S>>>,
         store: &mut Self::Room,
     );
 

@@ -3,20 +3,17 @@
 use crate::element::{Load, Loading, RealOf, Space};
 use crate::error::Fault;
 use crate::lift::Lift;
-use crate::relation::Term;
+use crate::relation::{Wrench, WrenchOf};
 use crate::scalar::Scalar;
 use nalgebra::SVector;
 use num_traits::Zero;
 
 /// A space of `D` dimensions, in which points of bodies can be pulled at.
 pub trait Points<const D: usize>: Space {
-    /// A force and torque on a body.
-    type Wrench: Load<Self> + Term<Self::Wrench>;
-
     /// Place (m) and velocity (m/s) of a point given in body axes from the inboard end (m).
     fn point(body: &Self::BodyMotion, at: [Self::Scalar; D]) -> [SVector<Self::Scalar, D>; 2];
     /// A force (N, inertial axes) at such a point.
-    fn pull(body: &Self::BodyMotion, at: [Self::Scalar; D], force: SVector<Self::Scalar, D>) -> Self::Wrench;
+    fn pull(body: &Self::BodyMotion, at: [Self::Scalar; D], force: SVector<Self::Scalar, D>) -> WrenchOf<Self>;
 }
 
 /// An end of a strut: a point of a body (its number, and the point in its axes from its inboard end), or of the ground (m).
@@ -147,16 +144,16 @@ type Seen<T, const D: usize, const N: usize> = [[[SVector<T, D>; 2]; 2]; N];
 impl<S, L, const D: usize, const N: usize> Loading<S> for Struts<S::Scalar, D, N, L>
 where
     S: Points<D>,
-    L: Loading<S, OnBody: Term<S::Wrench>>,
+    L: Loading<S>,
 {
-    type OnBody = S::Wrench;
+    type OnBody = WrenchOf<S>;
     type InJoint = L::InJoint;
     type Seen = (Seen<S::Scalar, D, N>, L::Seen);
     const ON: bool = true;
     const SURVEYS: bool = true;
 
-    fn nothing() -> (S::Wrench, L::InJoint) {
-        (S::Wrench::none(), L::nothing().1)
+    fn nothing() -> (WrenchOf<S>, L::InJoint) {
+        (Wrench::none(), L::nothing().1)
     }
     fn unseen() -> Self::Seen {
         // Until a body has been seen it is nowhere.
@@ -177,19 +174,25 @@ where
             self.others.survey(others, body, motion);
         }
     }
-    fn on_body(&self, (ends, others): &Self::Seen, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> S::Wrench {
-        let mut sum = S::Wrench::none();
+    fn on_body(
+        &self,
+        (ends, others): &Self::Seen,
+        time: RealOf<S>,
+        body: usize,
+        motion: &S::BodyMotion,
+    ) -> WrenchOf<S> {
+        let mut sum = Wrench::none();
         for (strut, seen) in self.struts.iter().zip(ends) {
             for (end, sign) in strut.ends.iter().zip([1.0, -1.0]) {
                 if let End::Body(k, at) = end
                     && *k == body
                 {
                     let force = strut.force(*seen) * S::Scalar::literal(sign);
-                    sum = S::pull(motion, *at, force).add_to(sum);
+                    sum = sum + S::pull(motion, *at, force);
                 }
             }
         }
-        if L::ON { self.others.on_body(others, time, body, motion).add_to(sum) } else { sum }
+        if L::ON { sum + self.others.on_body(others, time, body, motion).wrench() } else { sum }
     }
     fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> L::InJoint {
         self.others.in_joint(time, joint, motion)

@@ -3,6 +3,7 @@
 use crate::element::{Load, Space};
 use crate::relation::{Absent, Geometry};
 use crate::scalar::{Real, Scalar};
+use crate::space::FrameOf;
 use crate::state::{StateVector, TransferMatrix};
 use num_traits::Zero;
 
@@ -31,7 +32,7 @@ pub trait Exact<const N: usize>: Space {
     ) -> Option<Passage<Self::Scalar, N>>;
 
     /// The acceleration state of a station without force and torque.
-    fn acceleration_state(frame: &Self::Frame) -> StateVector<Self::Scalar, N>;
+    fn acceleration_state(frame: &FrameOf<Self>) -> StateVector<Self::Scalar, N>;
 }
 
 /// What acts in a joint, as numbers.

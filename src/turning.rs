@@ -3,7 +3,7 @@
 use crate::mirror::Rate;
 use crate::scalar::Scalar;
 use crate::shape::Joint;
-use crate::space::{RealOf, Space};
+use crate::space::{FrameOf, RealOf, Space};
 use num_traits::{One, Zero};
 
 /// A space whose orientations can be compared. Turns and angular velocities are vectors in inertial axes; in the plane they point along z.
@@ -14,7 +14,7 @@ pub trait Turning: Space {
     type Spin: Copy;
 
     /// A frame at rest that is turned so, but for its angular velocity.
-    fn facing(turn: Self::Turn) -> Self::Frame;
+    fn facing(turn: Self::Turn) -> FrameOf<Self>;
     /// The same orientation at rest.
     fn still(turn: Self::Turn) -> Self::Turn;
     /// Angular velocity.
@@ -48,7 +48,7 @@ pub fn outboard<S: Turning, J: Joint<S>>(
     position: &J::Position,
     rate: &J::Rate,
 ) -> S::Turn {
-    S::turn(&joint.motion(S::facing(inboard), position, rate, &J::rate()).1)
+    joint.motion(S::facing(inboard), position, rate, &J::rate()).1.turn
 }
 
 fn dot<T: Scalar>(a: &[T; 3], b: &[T; 3]) -> T {

@@ -6,6 +6,7 @@ use crate::lift::Lift;
 use crate::relation::{Cut, Shared, WrenchOf};
 use crate::scalar::Scalar;
 use crate::shape::{Closing, Ends};
+use crate::space::FrameOf;
 
 /// A joint that closes a loop where some of its closures follow from others, as in a planar linkage of revolutes in space. It moves as
 /// with the joint itself; of all forces that cause this motion those of least norm are taken (the sum of squares in N² and (N·m)²).
@@ -48,13 +49,13 @@ impl<S: Space, K: Closing<S, Closures = Cut<L>>, const L: usize> Closing<S> for 
     ) {
         self.0.orient(side, main, x, y, p, q);
     }
-    fn joint(&self, side: &S::Frame, main: &S::Frame) -> S::JointMotion {
+    fn joint(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> S::JointMotion {
         self.0.joint(side, main)
     }
     fn internal(&self, forces: &[S::Scalar; L], axes: Ends<'_, S, Self>) -> WrenchOf<S> {
         self.0.internal(forces, axes.of())
     }
-    fn miss(&self, side: &S::Frame, main: &S::Frame) -> [[S::Scalar; L]; 2] {
+    fn miss(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [[S::Scalar; L]; 2] {
         self.0.miss(side, main)
     }
     fn free_compliance(&self, body: &S::BodyMotion) -> [S::Scalar; L] {

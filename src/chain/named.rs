@@ -6,12 +6,14 @@ use crate::element::{Condense, Element, Given, Posture, RealOf, Space, Sweep};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
+use crate::loading::EffortOf;
 use crate::relation::{Closures, WrenchOf};
 use crate::scalar::Scalar;
 use crate::sensitive::{At, Seeds, Sensitive, Varied};
 use crate::shape::{
     Closing, Ends, Field, Inward, Kept, Member, Nth, Of, Outward, PerAxes, PerBody, PerJoint, Shape, Slot,
 };
+use crate::space::FrameOf;
 
 /// An element, a joint that closes a loop, or the root of a scene, with a name. Sweeps, motions and numbers are those of what is named:
 /// a name costs nothing.
@@ -171,7 +173,7 @@ impl<S: Space, R: Root<S>> Root<S> for Named<R> {
     fn joint(&self) -> Named<R::Joint> {
         self.item.joint().named(self.name)
     }
-    fn ground(&self, time: RealOf<S>) -> S::Frame {
+    fn ground(&self, time: RealOf<S>) -> FrameOf<S> {
         self.item.ground(time)
     }
     fn check(&self) -> Result<(), Error> {
@@ -198,13 +200,13 @@ impl<S: Space, K: Closing<S>> Closing<S> for Named<K> {
     ) {
         self.item.orient(side, main, x, y, p, q);
     }
-    fn joint(&self, side: &S::Frame, main: &S::Frame) -> S::JointMotion {
+    fn joint(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> S::JointMotion {
         self.item.joint(side, main)
     }
     fn internal(&self, forces: &<K::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> WrenchOf<S> {
         self.item.internal(forces, ends(axes))
     }
-    fn miss(&self, side: &S::Frame, main: &S::Frame) -> [<K::Closures as Closures>::Each<S::Scalar>; 2] {
+    fn miss(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [<K::Closures as Closures>::Each<S::Scalar>; 2] {
         self.item.miss(side, main)
     }
     fn free_compliance(&self, body: &S::BodyMotion) -> <K::Closures as Closures>::Each<S::Scalar> {
@@ -256,8 +258,8 @@ impl<S: Varied, E: Sensitive<S>> Sensitive<S> for Named<E> {
     }
     fn load(
         &self,
-        on_bodies: &E::Store<PerBody<S::BodyLoad>>,
-        in_joints: &E::Store<PerJoint<S::JointLoad>>,
+        on_bodies: &E::Store<PerBody<WrenchOf<S>>>,
+        in_joints: &E::Store<PerJoint<EffortOf<S>>>,
         store: &mut E::Room,
     ) {
         self.item.load(on_bodies, in_joints, store);

@@ -2,6 +2,8 @@
 
 use super::Branch;
 use crate::element::{Element, Posture};
+use crate::loading::EffortOf;
+use crate::relation::WrenchOf;
 use crate::sensitive::{At, Seeds, Sensitive, Varied};
 use crate::shape::{PerBody, PerJoint};
 use crate::tuples::for_each_tuple;
@@ -55,8 +57,8 @@ macro_rules! sensitive_of {
             }
             fn load(
                 &self,
-                on_bodies: &Self::Store<PerBody<S::BodyLoad>>,
-                in_joints: &Self::Store<PerJoint<S::JointLoad>>,
+                on_bodies: &Self::Store<PerBody<WrenchOf<S>>>,
+                in_joints: &Self::Store<PerJoint<EffortOf<S>>>,
                 store: &mut Self::Room,
             ) {
                 $(self.$i.load(&on_bodies.$i, &in_joints.$i, &mut store.$i);)*
@@ -123,8 +125,8 @@ macro_rules! sensitive_items {
             }
             fn load(
                 &self,
-                on_bodies: &Self::Store<PerBody<S::BodyLoad>>,
-                in_joints: &Self::Store<PerJoint<S::JointLoad>>,
+                on_bodies: &Self::Store<PerBody<WrenchOf<S>>>,
+                in_joints: &Self::Store<PerJoint<EffortOf<S>>>,
                 store: &mut Self::Room,
             ) {
                 let loads = on_bodies.iter().zip(in_joints);
@@ -199,8 +201,8 @@ impl<S: Varied, A: Sensitive<S>> Sensitive<S> for Branch<A> {
     }
     fn load(
         &self,
-        on_bodies: &Self::Store<PerBody<S::BodyLoad>>,
-        in_joints: &Self::Store<PerJoint<S::JointLoad>>,
+        on_bodies: &Self::Store<PerBody<WrenchOf<S>>>,
+        in_joints: &Self::Store<PerJoint<EffortOf<S>>>,
         store: &mut Self::Room,
     ) {
         self.0.load(on_bodies, in_joints, store);

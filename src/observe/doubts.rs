@@ -2,12 +2,13 @@
 
 use crate::element::{Coordinates, Element, Space, Visit};
 use crate::error::Error;
+use crate::space::FrameOf;
 use crate::walks::travel::show;
 
 /// Calls `tell` with what may be wrong with the inertia of a body, and at which station.
 pub(crate) fn doubts<S: Space, E: Element<S>>(
     chain: &E,
-    ground: S::Frame,
+    ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     tell: impl FnMut(Error),
 ) {

@@ -3,6 +3,7 @@
 use crate::element::{Closed, Coordinates, Element, Level, RealOf, Space, Visit};
 use crate::mirror::Rate;
 use crate::scalar::Scalar;
+use crate::space::FrameOf;
 use crate::walks::travel::show;
 use num_traits::Zero;
 
@@ -10,7 +11,7 @@ use num_traits::Zero;
 /// close it.
 pub(crate) fn loops_miss<S: Space, E: Element<S>>(
     chain: &E,
-    ground: S::Frame,
+    ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     level: Level,
 ) -> (RealOf<S>, usize) {
@@ -23,7 +24,7 @@ pub(crate) fn loops_miss<S: Space, E: Element<S>>(
 #[cfg(feature = "alloc")] // for statics and assembly
 pub(crate) fn each_miss<S: Space, E: Element<S>>(
     chain: &E,
-    ground: S::Frame,
+    ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     note: impl FnMut([S::Scalar; 2]),
 ) {

@@ -6,11 +6,11 @@ use super::link::End;
 use super::orient::{Axes, Spring};
 use super::parts::{Item, Start};
 use super::scene::{Chain, Met, Scene, Slots, trace};
-use crate::element::{Element, Load, Loading, Space};
+use crate::element::{Element, Load, Loading};
 use crate::ends::{Pairs, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
-use crate::planar::{BodyMotion, Frame, Internal, JointMotion, Planar, SpringState, Turn};
+use crate::planar::{BodyMotion, Frame, JointMotion, Planar, SpringState, Turn};
 use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
 use crate::system::{MotionOf, Runs, System};
@@ -129,13 +129,9 @@ where
     }
 
     fn external(&self, loads: &L, time: T::Real, number: usize, body: &BodyMotion<T>) -> External<T> {
-        let nothing = Internal::none();
-        let mut station = Planar::end_station(&body.inboard, nothing);
-        loads.on_body(&L::unseen(), time, number, body).act(&mut station);
-        // The balance of a station without mass shows what acts there: −f, and the torque about the inboard end.
-        let shown = Planar::balance(&mut station, nothing);
-        let force = -shown.force;
-        let torque = shown.torque - (body.to_centre.x * force.y - body.to_centre.y * force.x);
+        let load = loads.on_body(&L::unseen(), time, number, body).wrench();
+        let force = load.force;
+        let torque = load.torque - (body.to_centre.x * force.y - body.to_centre.y * force.x);
         let total = force + System::gravity(self) * body.inertia.mass;
         External { force: [total.x, total.y], torque }
     }

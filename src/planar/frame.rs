@@ -3,10 +3,11 @@
 use super::{Inertia, Planar, Station};
 use crate::element::{Budget, Space, SpaceOver};
 use crate::error::Fault;
+use crate::relation;
 use crate::relation::plane::Empty;
 use crate::relation::plane::algebra::{add_scaled, cross, dot, normal};
-use crate::relation::{self, VectorSpace};
 use crate::scalar::{Real, Scalar};
+use crate::space::{self, Orientation};
 use nalgebra::Vector2;
 
 /// Orientation of a body.
@@ -18,39 +19,27 @@ pub struct Turn<T> {
     pub rate: T,
 }
 
+impl<T: Scalar> Orientation<T> for Turn<T> {
+    #[inline(always)]
+    fn unturned() -> Self {
+        Self { angle: T::zero(), rate: T::zero() }
+    }
+    #[inline(always)]
+    fn spin(&self) -> T {
+        self.rate
+    }
+    fn all_finite(&self) -> bool {
+        self.angle.is_finite() && self.rate.is_finite()
+    }
+}
+
 /// Acceleration of a station.
 pub type Acceleration<T> = relation::Acceleration<Vector2<T>, T>;
 
 /// Motion of a station: a point of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame<T> {
-    /// Place of the point (m).
-    pub place: Vector2<T>,
-    /// Its velocity (m/s).
-    pub velocity: Vector2<T>,
-    /// Orientation of the body.
-    pub turn: Turn<T>,
-    /// Its acceleration.
-    pub acceleration: Acceleration<T>,
-}
+pub type Frame<T> = space::Frame<Vector2<T>, T, Turn<T>>;
 
 impl<T: Scalar> Frame<T> {
-    /// A frame at rest at a place, unturned.
-    pub fn resting(place: Vector2<T>) -> Self {
-        Self {
-            place,
-            velocity: zero(),
-            turn: Turn { angle: T::zero(), rate: T::zero() },
-            acceleration: Acceleration::zero(),
-        }
-    }
-
-    /// The same motion with the accelerations left out.
-    #[inline(always)]
-    pub(super) fn without_acceleration(&self) -> Self {
-        Self { acceleration: Acceleration::zero(), ..*self }
-    }
-
     /// The frame of a point that moves relative to the body: its displacement from here, the rate and the acceleration of that
     /// as seen from the body (m, m/s, m/s²; inertial axes).
     #[inline(always)]
@@ -59,19 +48,6 @@ impl<T: Scalar> Frame<T> {
         let spin = self.turn.rate;
         let linear = add_scaled(frame.acceleration.linear + acceleration, spin + spin, normal(rate));
         Self { velocity: frame.velocity + rate, acceleration: Acceleration { linear, ..frame.acceleration }, ..frame }
-    }
-
-    /// The frame at another point of the same body, at the vector `d` (inertial axes) from this one.
-    #[inline(always)]
-    pub fn shifted(&self, d: Vector2<T>) -> Self {
-        let n = normal(d);
-        let rate = self.turn.rate;
-        Self {
-            place: self.place + d,
-            velocity: add_scaled(self.velocity, rate, n),
-            turn: self.turn,
-            acceleration: self.acceleration.shifted(d, d * -(rate * rate)),
-        }
     }
 }
 
@@ -125,10 +101,6 @@ impl<T: Scalar> BodyMotion<T> {
         let rate = self.rate();
         (self.inertia.mass * dot(velocity, velocity) + self.inertia.about_centre * rate * rate).scale(T::Real::of(0.5))
     }
-}
-
-fn zero<T: Scalar>() -> Vector2<T> {
-    Vector2::new(T::zero(), T::zero())
 }
 
 /// A joint and its motion at an instant.
@@ -189,7 +161,6 @@ impl<T: Scalar> Space for Planar<T> {
     type P = T;
     type Q = T;
     type Turn = Turn<T>;
-    type Frame = Frame<T>;
     type Station = Station<T>;
     type Angles = T;
     type BodyMotion = BodyMotion<T>;
@@ -205,22 +176,11 @@ impl<T: Scalar> Space for Planar<T> {
     fn no_size() -> T {
         T::zero()
     }
-    #[inline(always)]
-    fn resting() -> Frame<T> {
-        Frame::resting(zero())
-    }
     fn mass(body: &BodyMotion<T>) -> T {
         body.inertia.mass
     }
     fn doubt(body: &BodyMotion<T>) -> Option<Fault> {
         body.inertia.doubt()
-    }
-    fn turn(frame: &Frame<T>) -> Turn<T> {
-        frame.turn
-    }
-    #[inline(always)]
-    fn falling(frame: &Frame<T>, gravity: Vector2<T>) -> Acceleration<T> {
-        Acceleration { linear: frame.acceleration.linear - gravity, ..frame.acceleration }
     }
     fn angles(body: &BodyMotion<T>) -> T {
         body.angle()
@@ -240,12 +200,6 @@ impl<T: Scalar> Space for Planar<T> {
     fn internal([x, y, torque]: [T; 3]) -> Internal<T> {
         Internal { force: Vector2::new(x, y), torque }
     }
-    fn frame_is_finite(frame: &Frame<T>) -> bool {
-        let Frame { place, velocity, turn, acceleration } = frame;
-        let vectors = [place, velocity, &acceleration.linear];
-        let angles = [turn.angle, turn.rate, acceleration.angular];
-        vectors.iter().all(|vector| vector.all_finite()) && angles.iter().all(|x| x.is_finite())
-    }
     fn body_station(body: &BodyMotion<T>, gravity: Vector2<T>) -> Station<T> {
         Station::of_body(body, gravity)
     }
@@ -258,19 +212,12 @@ impl<T: Scalar> Space for Planar<T> {
     fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
         Station::at_end(*frame, internal)
     }
+    fn relieve(station: &mut Station<T>, load: Internal<T>) {
+        station.inertia_force -= load.force;
+        station.inertia_torque -= load.torque;
+    }
     fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
         station.close(outer)
-    }
-    fn no_budget() -> Budget<Self> {
-        Budget { kinetic: T::zero(), potential: T::zero(), momentum: zero(), angular_momentum: T::zero() }
-    }
-    fn sum(a: Budget<Self>, b: Budget<Self>) -> Budget<Self> {
-        Budget {
-            kinetic: a.kinetic + b.kinetic,
-            potential: a.potential + b.potential,
-            momentum: a.momentum + b.momentum,
-            angular_momentum: a.angular_momentum + b.angular_momentum,
-        }
     }
     fn stored(joint: &JointMotion<T>) -> T {
         joint.spring.energy

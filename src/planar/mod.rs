@@ -19,7 +19,6 @@ mod frame;
 mod joint;
 mod linear;
 mod linear_hinge;
-mod load_laws;
 mod loads;
 mod loops;
 mod pin;
@@ -35,7 +34,7 @@ mod turning;
 mod weld;
 
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
-pub use crate::element::Unloaded;
+pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
 pub use crate::relation::Absent;
 pub use crate::relation::plane::Planar;
 pub use crate::stepper::Stepper;
@@ -49,8 +48,7 @@ pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, SpringSt
 pub use joint::Joint;
 pub use linear::{HingeAxes, Linear, Unbalanced};
 pub use linear_hinge::{LinearGains, Rotation};
-pub use load_laws::{BodyLaw, InJoints, JointLaw, OnBodies, Values};
-pub use loads::{Loads, Wrench};
+pub use loads::Wrench;
 pub use loops::ClosedLoop;
 pub use pin::Pin;
 pub use point_mass::PointMass;

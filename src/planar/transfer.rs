@@ -30,11 +30,10 @@ impl<T: Scalar> Exact<7> for Planar<T> {
         let spin2 = body.rate() * body.rate();
         let about_inboard = body.inertia.about_centre + mass * (c.x * c.x + c.y * c.y);
         // f and the external torque about I, which is m_C + d_C × f.
-        let mut external = Station::massless(body.inboard);
-        load.act(&mut external);
+        let external = load.wrench();
         let weight = gravity * mass;
-        let force = weight - external.inertia_force;
-        let torque = cross(c, weight) - external.inertia_torque;
+        let force = weight + external.force;
+        let torque = cross(c, weight) + external.torque;
 
         let mut u = TransferMatrix::identity();
         u[(X, THETA)] = -o.y; // u13

@@ -3,7 +3,7 @@
 //! A product with a sum and one without are two kernels: no compiler folds `x + 0.0`, and each is fused where the target can, in an
 //! order of its own.
 
-use super::{Acceleration, Full, Wrench};
+use super::{Absent, Acceleration, Full, Wrench};
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 use core::ops::{Add, Neg, Sub};
@@ -79,6 +79,8 @@ pub trait Angular<V>: VectorSpace {
     fn moment_onto(d: V, f: V, sum: Self) -> Self;
     /// `sum` + α × d.
     fn swing_onto(self, d: V, sum: V) -> V;
+    /// ω × (ω × d).
+    fn centripetal(self, d: V) -> V;
     /// w · p.
     fn work(wrench: Wrench<V, Self>, acceleration: &Acceleration<V, Self>) -> Self::Scalar;
 }
@@ -93,6 +95,22 @@ pub trait Symmetric<V: VectorSpace>: Additive {
     fn plus_outer(self, u: V, w: V) -> Self;
     /// `sum` + S v.
     fn apply_onto(self, v: V, sum: V) -> V;
+}
+
+/// Nothing and nothing is nothing.
+impl Add for Absent {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, _: Self) -> Self {
+        self
+    }
+}
+
+impl Additive for Absent {
+    #[inline(always)]
+    fn null() -> Self {
+        Self
+    }
 }
 
 impl<T: Scalar> Additive for T {

@@ -67,6 +67,13 @@ impl<V: Neg<Output = V>, A: Neg<Output = A>> Neg for Wrench<V, A> {
     }
 }
 
+impl<V: Additive, A: Additive> Additive for Wrench<V, A> {
+    #[inline(always)]
+    fn null() -> Self {
+        Self::none()
+    }
+}
+
 impl<V: Additive, A: Additive> Default for Wrench<V, A> {
     fn default() -> Self {
         Self::none()
@@ -76,18 +83,6 @@ impl<V: Additive, A: Additive> Default for Wrench<V, A> {
 impl<V: VectorSpace, A: VectorSpace> Part for Wrench<V, A> {
     fn is_finite(self) -> bool {
         self.force.all_finite() && self.torque.all_finite()
-    }
-}
-
-impl<V: VectorSpace, A: VectorSpace> Term<Self> for Wrench<V, A> {
-    fn none() -> Self {
-        Self::none()
-    }
-    fn add_to(self, sum: Self) -> Self {
-        sum + self
-    }
-    fn take_from(self, sum: Self) -> Self {
-        sum - self
     }
 }
 
@@ -114,13 +109,15 @@ pub struct Acceleration<V, A> {
     pub angular: A,
 }
 
-impl<V: VectorSpace, A: Angular<V>> Acceleration<V, A> {
+impl<V: Additive, A: Additive> Acceleration<V, A> {
     /// No acceleration.
     #[inline(always)]
     pub fn zero() -> Self {
         Self { linear: V::null(), angular: A::null() }
     }
+}
 
+impl<V: VectorSpace, A: Angular<V>> Acceleration<V, A> {
     /// The acceleration of another point, at the vector `d` from this one, which has the acceleration `c` besides that of rigid
     /// rotation: a + α × d + c. For a point of the same body c = ω × (ω × d), which is −ω² d in the plane.
     #[inline(always)]

@@ -49,13 +49,15 @@ mod stepper;
 
 pub use stepper::SensitiveStepper;
 
-use crate::element::{Coordinates, Element, Loading, Posture, RealOf, Space, Visit};
+use crate::element::{Coordinates, Element, Load, Loading, Posture, RealOf, Space, Visit};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
+use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
-use crate::relation::Open;
+use crate::relation::{Additive, Open, Wrench, WrenchOf};
+use crate::space::FrameOf;
 
 use crate::sensitive::{At, Columns, Effort, Seeds, Sensitive, Varied};
 use crate::shape::{PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
@@ -104,14 +106,14 @@ pub struct SensitiveWorkspace<S: Varied, E: Sensitive<S>> {
     p: Axes<S, E, <S::Plain as Space>::P>,
     q: Axes<S, E, <S::Plain as Space>::Q>,
     store: E::Room,
-    on_bodies: E::Store<PerBody<S::BodyLoad>>,
-    in_joints: E::Store<PerJoint<S::JointLoad>>,
+    on_bodies: E::Store<PerBody<WrenchOf<S>>>,
+    in_joints: E::Store<PerJoint<EffortOf<S>>>,
 }
 
 impl<S: Varied, E: Sensitive<S>> SensitiveWorkspace<S, E> {
     fn new(elements: &E, plain: &E::Plain) -> Self {
         let (x, y, p, q) = S::Plain::blank();
-        let (on_body, in_joint) = S::no_load();
+        let (on_body, in_joint) = (Wrench::none(), Additive::null());
         Self {
             position: plain.store::<Positions>(()),
             rate: plain.store::<Rates>(()),
@@ -211,7 +213,7 @@ where
     #[inline(always)]
     fn walk<N: Seeds>(
         &self,
-        ground: &S::Frame,
+        ground: &FrameOf<S>,
         (position, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
         workspace: &mut SensitiveWorkspace<S, Elements<S, R, C>>,
         acceleration: &mut RateOf<S, R, C>,
@@ -236,14 +238,14 @@ struct Loads<'a, S: Varied, L: Loading<S>> {
 }
 
 impl<S: Varied, L: Loading<S, InJoint: Effort<S>>> Visit<S> for Loads<'_, S, L> {
-    type OnBody = S::BodyLoad;
-    type InJoint = S::JointLoad;
+    type OnBody = WrenchOf<S>;
+    type InJoint = EffortOf<S>;
 
-    fn body(&mut self, motion: &S::BodyMotion) -> S::BodyLoad {
+    fn body(&mut self, motion: &S::BodyMotion) -> WrenchOf<S> {
         self.body += 1;
-        S::body_load(self.loads.on_body(&self.seen, self.time, self.body - 1, motion))
+        self.loads.on_body(&self.seen, self.time, self.body - 1, motion).wrench()
     }
-    fn joint(&mut self, motion: &S::JointMotion) -> S::JointLoad {
+    fn joint(&mut self, motion: &S::JointMotion) -> EffortOf<S> {
         self.joint += 1;
         self.loads.in_joint(self.time, self.joint - 1, motion).effort()
     }

@@ -2,7 +2,7 @@
 
 use crate::error::Fault;
 use crate::relation::{Closures, Own, WrenchOf};
-use crate::space::Space;
+use crate::space::{FrameOf, Space};
 
 /// A joint that can close a loop: it holds the ends of two arms together.
 #[diagnostic::on_unimplemented(
@@ -31,11 +31,11 @@ pub trait Closing<S: Space>: Clone + 'static {
     );
 
     /// The joint and its motion: from the side arm to the main one.
-    fn joint(&self, side: &S::Frame, main: &S::Frame) -> S::JointMotion;
+    fn joint(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> S::JointMotion;
     /// The force and torque that closure forces are.
     fn internal(&self, forces: &<Self::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> WrenchOf<S>;
     /// By how much the end of the side arm misses that of the main one, in place and in velocity.
-    fn miss(&self, side: &S::Frame, main: &S::Frame) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
+    fn miss(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
     /// How much the outboard end of a free body would yield to each of the forces.
     fn free_compliance(&self, body: &S::BodyMotion) -> <Self::Closures as Closures>::Each<S::Scalar>;
     /// What each of the forces holds, for messages.

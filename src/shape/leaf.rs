@@ -5,7 +5,7 @@ use super::field::Field;
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::{AccelerationOf, Closures};
-use crate::space::Space;
+use crate::space::{FrameOf, Space};
 use crate::sweep::Springs;
 
 /// A body, as it is the same in all spaces. Each space says so of its own bodies (`planar::Body`, `spatial::Body`).
@@ -21,7 +21,7 @@ pub trait Body<S: Space>: Copy + 'static {
     /// What [`shifted`](Self::shifted) gives without velocities.
     fn swung(&self, inboard: AccelerationOf<S>, posture: PostureOf<'_, S>) -> AccelerationOf<S>;
     /// Its motion, if its inboard end moves like this, and that of its outboard end.
-    fn motion(&self, inboard: S::Frame) -> (S::BodyMotion, S::Frame);
+    fn motion(&self, inboard: FrameOf<S>) -> (S::BodyMotion, FrameOf<S>);
     /// Rejects parameters that make no mechanics.
     ///
     /// # Errors
@@ -99,11 +99,11 @@ pub trait Joint<S: Space>: Copy + 'static {
     /// Its motion, if its inboard side moves like this, and that of its outboard side.
     fn motion(
         &self,
-        inboard: S::Frame,
+        inboard: FrameOf<S>,
         position: &Self::Position,
         rate: &Self::Rate,
         acceleration: &Self::Rate,
-    ) -> (S::JointMotion, S::Frame);
+    ) -> (S::JointMotion, FrameOf<S>);
     /// What it lets move.
     fn release(&self, motion: &S::JointMotion, position: &Self::Position, rate: &Self::Rate) -> S::Release;
     /// Rejects parameters that make no mechanics.

@@ -7,6 +7,7 @@ use crate::element::{Coordinates, Element, Gather, Loading, RealOf, Space, Visit
 use crate::error::{Error, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::shape::{PerBody, PerJoint};
+use crate::space::FrameOf;
 use crate::state::TransferMatrix;
 use crate::transfer::{Efforts, Exact, Passage, Whole};
 use crate::visit::survey;
@@ -68,7 +69,7 @@ where
 #[allow(clippy::too_many_arguments)] // the data flow of the method, one value each
 pub fn product<S: Exact<N>, E: Element<S>, L: Loading<S>, const N: usize>(
     chain: &E,
-    ground: &S::Frame,
+    ground: &FrameOf<S>,
     held: &[bool],
     gravity: S::Vector,
     loads: &L,

@@ -10,6 +10,7 @@ use crate::element::{
 use crate::ends::{Root, Tip};
 use crate::relation::{Acceleration, Closures, Part, Solvable};
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
+use crate::space::FrameOf;
 use crate::visit::survey;
 use crate::walks::measure::gains;
 use crate::walks::recover::recover;
@@ -113,7 +114,7 @@ pub fn sweep<S: Space, E, W, R, P>(
     let Site { root, gravity, tip, loads, time } = site;
     let ground = &root.ground(*time);
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
-    let turn = chain.pose(position, rate, S::turn(ground), sizes, x, y, p, q);
+    let turn = chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
     if const { W::Loads::ON && !W::Loads::READS } {
         spread::to_bodies(chain, loads.on_bodies_listed(), on_bodies);
         spread::to_joints(chain, loads.in_joints_listed(), in_joints);
@@ -126,7 +127,7 @@ pub fn sweep<S: Space, E, W, R, P>(
     let posture = Posture { x, y, p, q };
     let &Spring { position, rate, reading, springs } = spring;
     let given = Given { on_bodies, in_joints, position, rate, reading, springs };
-    let root = S::falling(ground, *gravity);
+    let root = ground.falling(*gravity);
     let relation = chain.condense(tip.relation(*time, *gravity, &turn), posture, given, kept);
     *multipliers = relation.multipliers(&root);
     *compliance = relation.compliance();
@@ -138,7 +139,7 @@ pub fn sweep<S: Space, E, W, R, P>(
 /// the station where it begins.
 pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S, Closures: Solvable>>(
     chain: &E,
-    ground: S::Frame,
+    ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     level: Level,
     miss: &<W::Closures as Closures>::Each<S::Scalar>,
@@ -186,7 +187,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for LoadPass<'_, S, L> {
 /// The outermost body or joint (counted together from the root) with a load that is not finite.
 pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
     chain: &E,
-    ground: &S::Frame,
+    ground: &FrameOf<S>,
     loads: &L,
     time: RealOf<S>,
     motion: Coordinates<'_, S, E>,

@@ -4,9 +4,10 @@ use super::{Inertia, Release, Rotation, Spatial, Station};
 use crate::element::{Budget, Space, SpaceOver};
 use crate::error::Fault;
 use crate::relation;
-use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot, is_finite, zero};
+use crate::relation::space::algebra::{Columns, cross, dot, is_finite, zero};
 use crate::relation::space::{Empty, Way};
 use crate::scalar::{Real, Scalar};
+use crate::space::{self, Orientation};
 use nalgebra::Vector3;
 
 /// Orientation of a body.
@@ -18,51 +19,26 @@ pub struct Turn<T> {
     pub spin: Vector3<T>,
 }
 
+impl<T: Scalar> Orientation<Vector3<T>> for Turn<T> {
+    #[inline(always)]
+    fn unturned() -> Self {
+        Self { attitude: Columns::identity(), spin: zero() }
+    }
+    #[inline(always)]
+    fn spin(&self) -> Vector3<T> {
+        self.spin
+    }
+    fn all_finite(&self) -> bool {
+        let Columns { x, y, z } = self.attitude;
+        [x, y, z, self.spin].into_iter().all(is_finite)
+    }
+}
+
 /// Acceleration of a station.
 pub type Acceleration<T> = relation::Acceleration<Vector3<T>, Vector3<T>>;
 
 /// Motion of a station: a point of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame<T> {
-    /// Place of the point (m).
-    pub place: Vector3<T>,
-    /// Its velocity (m/s).
-    pub velocity: Vector3<T>,
-    /// Orientation of the body.
-    pub turn: Turn<T>,
-    /// Its acceleration.
-    pub acceleration: Acceleration<T>,
-}
-
-impl<T: Scalar> Frame<T> {
-    /// A frame at rest at a place, unturned.
-    pub fn resting(place: Vector3<T>) -> Self {
-        Self {
-            place,
-            velocity: zero(),
-            turn: Turn { attitude: Columns::identity(), spin: zero() },
-            acceleration: Acceleration::zero(),
-        }
-    }
-
-    /// The same motion with the accelerations left out.
-    #[inline(always)]
-    pub(super) fn without_acceleration(&self) -> Self {
-        Self { acceleration: Acceleration::zero(), ..*self }
-    }
-
-    /// The frame at another point of the same body, at the vector `d` (inertial axes) from this one.
-    #[inline(always)]
-    pub fn shifted(&self, d: Vector3<T>) -> Self {
-        let spin = self.turn.spin;
-        Self {
-            place: self.place + d,
-            velocity: cross_onto(spin, d, self.velocity),
-            turn: self.turn,
-            acceleration: self.acceleration.shifted(d, centripetal(spin, d)),
-        }
-    }
-}
+pub type Frame<T> = space::Frame<Vector3<T>, Vector3<T>, Turn<T>>;
 
 /// Internal force q (N) and torque m (N·m) at a station: ON a body they act as +q, −m at its inboard and −q, +m at its outboard end.
 pub type Internal<T> = relation::Wrench<Vector3<T>, Vector3<T>>;
@@ -160,7 +136,6 @@ impl<T: Scalar> Space for Spatial<T> {
     /// Centripetal acceleration of its outboard end.
     type Q = Vector3<T>;
     type Turn = Turn<T>;
-    type Frame = Frame<T>;
     type Station = Station<T>;
     type Angles = [T; 3];
     type BodyMotion = BodyMotion<T>;
@@ -173,22 +148,11 @@ impl<T: Scalar> Space for Spatial<T> {
         (Columns::identity(), [zero(); 2], zero(), zero())
     }
     fn no_size() {}
-    #[inline(always)]
-    fn resting() -> Frame<T> {
-        Frame::resting(zero())
-    }
     fn mass(body: &BodyMotion<T>) -> T {
         body.inertia.mass
     }
     fn doubt(body: &BodyMotion<T>) -> Option<Fault> {
         body.inertia.doubt()
-    }
-    fn turn(frame: &Frame<T>) -> Turn<T> {
-        frame.turn
-    }
-    #[inline(always)]
-    fn falling(frame: &Frame<T>, gravity: Vector3<T>) -> Acceleration<T> {
-        Acceleration { linear: frame.acceleration.linear - gravity, ..frame.acceleration }
     }
     fn angles(body: &BodyMotion<T>) -> [T; 3] {
         super::angles::angles(&body.inboard.turn.attitude)
@@ -209,12 +173,6 @@ impl<T: Scalar> Space for Spatial<T> {
     fn internal([a, b, c, d, e, f]: [T; 6]) -> Internal<T> {
         Internal { force: Vector3::new(a, b, c), torque: Vector3::new(d, e, f) }
     }
-    fn frame_is_finite(frame: &Frame<T>) -> bool {
-        let Frame { place, velocity, turn, acceleration } = frame;
-        let Turn { attitude, spin } = turn;
-        let Acceleration { linear, angular } = acceleration;
-        [place, velocity, &attitude.x, &attitude.y, &attitude.z, spin, linear, angular].iter().all(|v| is_finite(**v))
-    }
     fn body_station(body: &BodyMotion<T>, gravity: Vector3<T>) -> Station<T> {
         Station::of_body(body, gravity)
     }
@@ -227,19 +185,12 @@ impl<T: Scalar> Space for Spatial<T> {
     fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
         Station::at_end(*frame, internal)
     }
+    fn relieve(station: &mut Station<T>, load: Internal<T>) {
+        station.inertia_force -= load.force;
+        station.inertia_torque -= load.torque;
+    }
     fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
         station.close(outer)
-    }
-    fn no_budget() -> Budget<Self> {
-        Budget { kinetic: T::zero(), potential: T::zero(), momentum: zero(), angular_momentum: zero() }
-    }
-    fn sum(a: Budget<Self>, b: Budget<Self>) -> Budget<Self> {
-        Budget {
-            kinetic: a.kinetic + b.kinetic,
-            potential: a.potential + b.potential,
-            momentum: a.momentum + b.momentum,
-            angular_momentum: a.angular_momentum + b.angular_momentum,
-        }
     }
     fn stored(joint: &JointMotion<T>) -> T {
         joint.energy

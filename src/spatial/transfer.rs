@@ -52,11 +52,10 @@ impl<T: Scalar> Exact<13> for Spatial<T> {
         let (o, c, turn) = (body.arm, body.to_centre, body.inboard.turn);
         let about_inboard = body.inertia.about_inboard().turned(&turn.attitude);
         // f_C, and the external torque about I: m_C + r_C × f_C.
-        let mut external = Station::massless(body.inboard);
-        load.act(&mut external);
+        let external = load.wrench();
         let weight = gravity * mass;
-        let force = weight - external.inertia_force;
-        let torque = cross(c, weight) - external.inertia_torque;
+        let force = weight + external.force;
+        let torque = cross(c, weight) + external.torque;
 
         let mut u = TransferMatrix::identity();
         set(&mut u, (R, THETA), tilde(-o)); // U12

@@ -44,6 +44,7 @@ use crate::relation::{Additive, Closures, Geometry};
 use crate::scalar::Scalar;
 use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
+use crate::space::FrameOf;
 use crate::walks::aim::aim;
 use crate::walks::check::check;
 use crate::walks::fits::fits;
@@ -127,7 +128,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// The motion of the ground at the root.
-    pub(crate) fn ground(&self, time: RealOf<S>) -> S::Frame {
+    pub(crate) fn ground(&self, time: RealOf<S>) -> FrameOf<S> {
         self.root.ground(time)
     }
 
@@ -174,7 +175,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             expected += 1;
             orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         };
-        aim(&self.chain, &mut motion.position, S::turn(&ground), &mut next);
+        aim(&self.chain, &mut motion.position, ground.turn, &mut next);
         if expected != orientations.len() {
             return Err(Error::new(Fault::Count { expected, given: orientations.len() }));
         }

@@ -145,7 +145,7 @@ where
             return error(Fault::NotFinite { parameter: "gravity" });
         }
         let ground = self.root.ground(time);
-        if !S::frame_is_finite(&ground) {
+        if !ground.is_finite() {
             return error(Fault::NotFinite { parameter: "motion of the ground" }).at(Place::Root);
         }
         let coordinates =

@@ -141,14 +141,14 @@ impl<S: Turning, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         mut wanted: impl FnMut(&Swivel<S>) -> Wanted<S>,
     ) -> Result<(), Error> {
         self.fits(motion)?;
-        let ground = S::turn(&self.ground(motion.time));
+        let ground = self.ground(motion.time).turn;
         steer(self.elements(), ground, &mut motion.position, &mut motion.rate, &mut wanted).map_err(Error::beyond_root)
     }
 
     /// What turns a body.
     fn carrier(&self, motion: &MotionOf<S, R, C, P>, body: Which<'_>) -> Result<Carrier<S>, Error> {
         self.fits(motion)?;
-        let (numbers, ground) = (self.body(body)?, S::turn(&self.ground(motion.time)));
+        let (numbers, ground) = (self.body(body)?, self.ground(motion.time).turn);
         let nothing = Error::new(Fault::Unsupported { what: "a turn of a body that no joint turns" });
         carrier(self.elements(), ground, &motion.position, &motion.rate, numbers.body)
             .ok_or(nothing.at_station(numbers.station))

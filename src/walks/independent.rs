@@ -8,7 +8,7 @@ use crate::shape::{
     AtBody, AtJoint, Body, Closing, Joint, Kept, Main, Of, Outward, OwnOf, Parallel, Positions, Rates, Ref, Shape,
     Side, Slot, Walk, Way,
 };
-use crate::space::Space;
+use crate::space::{FrameOf, Space};
 use core::marker::PhantomData;
 
 /// Walks outward with complete kinematics; where closures of a loop need not hold independently of each other, tells stations and names
@@ -18,7 +18,7 @@ use core::marker::PhantomData;
 /// [`Fault::RedundantClosures`] where they have to and do not, as the last sweep saw it.
 pub fn independent<S: Space, E: Shape<S>, C: Closures>(
     chain: &E,
-    frame: S::Frame,
+    frame: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     kept: &E::Store<Kept<C>>,
     tell: &mut impl FnMut(usize, &'static str),
@@ -46,7 +46,7 @@ struct Independent<'t, F, C> {
 }
 
 impl<S: Space, F: FnMut(usize, &'static str), C: Closures> Walk<S> for Independent<'_, F, C> {
-    type Carried = S::Frame;
+    type Carried = FrameOf<S>;
     type Stores = (Ref<Positions>, Ref<Rates>, Ref<Rates>, Ref<Kept<C>>);
 }
 
@@ -59,20 +59,20 @@ impl<'t, S: Space, F: FnMut(usize, &'static str), C: Closures> Outward<S> for In
         (self.said, self.tell) = (arm.said, arm.tell);
         out
     }
-    fn body<B: Body<S>>(&mut self, body: &B, frame: S::Frame, _: AtBody<'_, S, Self, B>) -> S::Frame {
+    fn body<B: Body<S>>(&mut self, body: &B, frame: FrameOf<S>, _: AtBody<'_, S, Self, B>) -> FrameOf<S> {
         self.said.met += 1;
         body.motion(frame).1
     }
     fn joint<J: Joint<S>>(
         &mut self,
         joint: &J,
-        frame: S::Frame,
+        frame: FrameOf<S>,
         (position, rate, acceleration, _): AtJoint<'_, S, Self, J>,
-    ) -> S::Frame {
+    ) -> FrameOf<S> {
         self.said.met += 1;
         joint.motion(frame, position, rate, acceleration).1
     }
-    fn parallel<N: Parallel<S>>(&mut self, net: &N, frame: S::Frame, stores: Of<'_, S, Self, N>) -> S::Frame {
+    fn parallel<N: Parallel<S>>(&mut self, net: &N, frame: FrameOf<S>, stores: Of<'_, S, Self, N>) -> FrameOf<S> {
         let (main, side, (_, _, _, (gain, _))) = <Self as Walk<S>>::Stores::fork::<N>(stores);
         let in_main = Coordinates::<S, N::Main> { position: main.0, rate: main.1, acceleration: main.2 };
         let in_side = Coordinates::<S, N::Side> { position: side.0, rate: side.1, acceleration: side.2 };

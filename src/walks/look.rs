@@ -4,11 +4,11 @@ use crate::element::Coordinates;
 use crate::shape::{
     AtBody, AtJoint, Body, Joint, Of, Outward, Parallel, Positions, Rates, Ref, Shape, Slot, Walk, alike,
 };
-use crate::space::Space;
+use crate::space::{FrameOf, Space};
 
 /// The frame at the end of a walk outward with complete kinematics: place, orientation, velocity and acceleration of the tip.
 #[inline]
-pub fn look<S: Space, E: Shape<S>>(chain: &E, frame: S::Frame, motion: Coordinates<'_, S, E>) -> S::Frame {
+pub fn look<S: Space, E: Shape<S>>(chain: &E, frame: FrameOf<S>, motion: Coordinates<'_, S, E>) -> FrameOf<S> {
     let Coordinates { position, rate, acceleration } = motion;
     chain.outward(&mut Look, frame, (position, rate, acceleration))
 }
@@ -17,7 +17,7 @@ pub fn look<S: Space, E: Shape<S>>(chain: &E, frame: S::Frame, motion: Coordinat
 struct Look;
 
 impl<S: Space> Walk<S> for Look {
-    type Carried = S::Frame;
+    type Carried = FrameOf<S>;
     type Stores = (Ref<Positions>, Ref<Rates>, Ref<Rates>);
 }
 
@@ -25,20 +25,20 @@ impl<S: Space> Outward<S> for Look {
     alike!();
 
     #[inline(always)]
-    fn body<B: Body<S>>(&mut self, body: &B, frame: S::Frame, _: AtBody<'_, S, Self, B>) -> S::Frame {
+    fn body<B: Body<S>>(&mut self, body: &B, frame: FrameOf<S>, _: AtBody<'_, S, Self, B>) -> FrameOf<S> {
         body.motion(frame).1
     }
     #[inline(always)]
     fn joint<J: Joint<S>>(
         &mut self,
         joint: &J,
-        frame: S::Frame,
+        frame: FrameOf<S>,
         (position, rate, acceleration): AtJoint<'_, S, Self, J>,
-    ) -> S::Frame {
+    ) -> FrameOf<S> {
         joint.motion(frame, position, rate, acceleration).1
     }
     /// The tip is that of the main arm.
-    fn parallel<N: Parallel<S>>(&mut self, net: &N, frame: S::Frame, stores: Of<'_, S, Self, N>) -> S::Frame {
+    fn parallel<N: Parallel<S>>(&mut self, net: &N, frame: FrameOf<S>, stores: Of<'_, S, Self, N>) -> FrameOf<S> {
         let (main, ..) = <Self as Walk<S>>::Stores::fork::<N>(stores);
         net.main_arm().outward(self, frame, main)
     }

@@ -1,13 +1,13 @@
 //! By what closures of a loop are measured, to tell those that follow from others.
 
 use crate::element::Coordinates;
-use crate::relation::{Closures, Own};
+use crate::relation::{Additive, Closures, Own};
 use crate::scalar::Scalar;
 use crate::shape::{
     AtBody, AtJoint, Body, Closing, Joint, Kept, Main, Mut, Of, Outward, OwnOf, Parallel, Positions, Rates, Ref, Shape,
     Side, Slot, Walk, Way,
 };
-use crate::space::Space;
+use crate::space::{Frame, FrameOf, Space};
 use crate::visit::last_body;
 use core::marker::PhantomData;
 use num_traits::Zero;
@@ -25,7 +25,7 @@ pub fn gains<S: Space, E: Shape<S>, C: Closures>(chain: &E) -> E::Store<Kept<C>>
 /// What the last bodies of both arms of a loop would yield to the forces that close it if they were free.
 pub(super) fn yields<S: Space, N: Parallel<S>>(
     net: &N,
-    frame: S::Frame,
+    frame: FrameOf<S>,
     main: Coordinates<'_, S, N::Main>,
     side: Coordinates<'_, S, N::Side>,
 ) -> <OwnOf<S, N> as Closures>::Each<S::Scalar> {
@@ -60,7 +60,8 @@ impl<S: Space, C: Closures> Outward<S> for Measure<C> {
         let (main, side, (_, _, (gain, _))) = <Self as Walk<S>>::Stores::fork::<N>(stores);
         let in_main = Coordinates::<S, N::Main> { position: main.0, rate: main.1, acceleration: main.1 };
         let in_side = Coordinates::<S, N::Side> { position: side.0, rate: side.1, acceleration: side.1 };
-        *gain = gain.measured(OwnOf::<S, N>::measure(|| yields(net, S::resting(), in_main, in_side)));
+        *gain =
+            gain.measured(OwnOf::<S, N>::measure(|| yields(net, Frame::resting(Additive::null()), in_main, in_side)));
         Outward::<S>::enter::<Main<OwnOf<S, N>>, _>(self, |walk| net.main_arm().outward(walk, (), main));
         Outward::<S>::enter::<Side<OwnOf<S, N>>, _>(self, |walk| net.side_arm().outward(walk, (), side));
     }

@@ -6,7 +6,7 @@ use crate::shape::{
     AtBody, AtJoint, Body, Closing, Joint, Kept, Mut, Of, Outward, OwnOf, Parallel, PerAxes, Positions, Rates, Ref,
     Shape, Slot, Walk, Way,
 };
-use crate::space::Space;
+use crate::space::{FrameOf, Space};
 use crate::visit::{Level, look};
 use num_traits::Zero;
 
@@ -15,7 +15,7 @@ use num_traits::Zero;
 #[allow(clippy::too_many_arguments)] // two walks at once
 pub fn restore<S: Space, E: Shape<S>, C: Closures>(
     chain: &E,
-    frame: S::Frame,
+    frame: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     level: Level,
     acceleration: AccelerationOf<S>,
@@ -37,7 +37,7 @@ struct Restore<S: Space, C: Closures> {
 }
 
 impl<S: Space, C: Closures> Walk<S> for Restore<S, C> {
-    type Carried = (S::Frame, AccelerationOf<S>);
+    type Carried = (FrameOf<S>, AccelerationOf<S>);
     type Stores = (
         Ref<Positions>,
         Ref<Rates>,
@@ -61,26 +61,26 @@ impl<S: Space, C: Closures> Outward<S> for Restore<S, C> {
     fn body<B: Body<S>>(
         &mut self,
         body: &B,
-        (frame, acceleration): (S::Frame, AccelerationOf<S>),
+        (frame, acceleration): (FrameOf<S>, AccelerationOf<S>),
         (_, _, _, x, y, p, q, _, _): AtBody<'_, S, Self, B>,
-    ) -> (S::Frame, AccelerationOf<S>) {
+    ) -> (FrameOf<S>, AccelerationOf<S>) {
         (body.motion(frame).1, body.swung(acceleration, (x, y, p, q)))
     }
     fn joint<J: Joint<S>>(
         &mut self,
         joint: &J,
-        (frame, acceleration): (S::Frame, AccelerationOf<S>),
+        (frame, acceleration): (FrameOf<S>, AccelerationOf<S>),
         (position, rate, second, x, y, p, q, kept, correction): AtJoint<'_, S, Self, J>,
-    ) -> (S::Frame, AccelerationOf<S>) {
+    ) -> (FrameOf<S>, AccelerationOf<S>) {
         let frame = joint.motion(frame, position, rate, second).1;
         (frame, joint.respond::<C>(acceleration, (x, y, p, q), kept, &self.multipliers, correction))
     }
     fn parallel<N: Parallel<S>>(
         &mut self,
         net: &N,
-        (frame, acceleration): (S::Frame, AccelerationOf<S>),
+        (frame, acceleration): (FrameOf<S>, AccelerationOf<S>),
         stores: Of<'_, S, Self, N>,
-    ) -> (S::Frame, AccelerationOf<S>) {
+    ) -> (FrameOf<S>, AccelerationOf<S>) {
         let (main, side, (_, _, _, _, _, _, _, (gain, _), _)) = <Self as Walk<S>>::Stores::fork::<N>(stores);
         let in_main = Coordinates::<S, N::Main> { position: main.0, rate: main.1, acceleration: main.2 };
         let in_side = Coordinates::<S, N::Side> { position: side.0, rate: side.1, acceleration: side.2 };

@@ -7,7 +7,7 @@ use crate::shape::{
     AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Of, Outward, Parallel, PerBody, PerJoint, Positions, Rates,
     Ref, Shape, Slot, Walk, Way,
 };
-use crate::space::Space;
+use crate::space::{FrameOf, Space};
 use crate::visit::{Closed, Visit};
 
 /// Walks outward with complete kinematics and lets a visitor (or a reference to one) write an entry for each body and joint; gives the
@@ -15,12 +15,12 @@ use crate::visit::{Closed, Visit};
 #[inline(always)]
 pub fn travel<S: Space, E: Shape<S>, V: Visit<S>>(
     chain: &E,
-    frame: S::Frame,
+    frame: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     visit: V,
     on_bodies: &mut E::Store<PerBody<V::OnBody>>,
     in_joints: &mut E::Store<PerJoint<V::InJoint>>,
-) -> S::Frame {
+) -> FrameOf<S> {
     let Coordinates { position, rate, acceleration } = motion;
     chain.outward(&mut Travel(visit), frame, (position, rate, acceleration, on_bodies, in_joints))
 }
@@ -29,10 +29,10 @@ pub fn travel<S: Space, E: Shape<S>, V: Visit<S>>(
 #[inline(always)]
 pub fn show<S: Space, E: Shape<S>, V: Visit<S, OnBody = (), InJoint = ()>>(
     chain: &E,
-    frame: S::Frame,
+    frame: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     visit: &mut V,
-) -> S::Frame {
+) -> FrameOf<S> {
     travel(chain, frame, motion, visit, &mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()))
 }
 
@@ -40,7 +40,7 @@ pub fn show<S: Space, E: Shape<S>, V: Visit<S, OnBody = (), InJoint = ()>>(
 struct Travel<V>(V);
 
 impl<S: Space, V: Visit<S>> Walk<S> for Travel<V> {
-    type Carried = S::Frame;
+    type Carried = FrameOf<S>;
     type Stores = (Ref<Positions>, Ref<Rates>, Ref<Rates>, Mut<PerBody<V::OnBody>>, Mut<PerJoint<V::InJoint>>);
 }
 
@@ -58,9 +58,9 @@ impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
     fn body<B: Body<S>>(
         &mut self,
         body: &B,
-        frame: S::Frame,
+        frame: FrameOf<S>,
         (_, _, _, on_body, _): AtBody<'_, S, Self, B>,
-    ) -> S::Frame {
+    ) -> FrameOf<S> {
         let (motion, outboard) = body.motion(frame);
         *on_body = self.0.body(&motion);
         outboard
@@ -69,9 +69,9 @@ impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
     fn joint<J: Joint<S>>(
         &mut self,
         joint: &J,
-        frame: S::Frame,
+        frame: FrameOf<S>,
         (position, rate, acceleration, _, in_joint): AtJoint<'_, S, Self, J>,
-    ) -> S::Frame {
+    ) -> FrameOf<S> {
         let (motion, outboard) = joint.motion(frame, position, rate, acceleration);
         *in_joint = self.0.joint_with(&motion, || joint.release(&motion, position, rate));
         outboard
@@ -79,7 +79,7 @@ impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
     fn closing<K: Closing<S>>(
         &mut self,
         closing: &K,
-        [side, main]: [S::Frame; 2],
+        [side, main]: [FrameOf<S>; 2],
         (_, _, internal, _, in_joint): AtClosing<'_, S, Self, K>,
     ) {
         *in_joint = self.0.closing(&Closed {
@@ -91,7 +91,7 @@ impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
     }
     /// The side arm, with the joint that closes the loop, is an arm to the visitor; the main one is the chain.
     #[inline(always)]
-    fn parallel<N: Parallel<S>>(&mut self, net: &N, frame: S::Frame, stores: Of<'_, S, Self, N>) -> S::Frame {
+    fn parallel<N: Parallel<S>>(&mut self, net: &N, frame: FrameOf<S>, stores: Of<'_, S, Self, N>) -> FrameOf<S> {
         let (main, side, closing) = <Self as Walk<S>>::Stores::fork::<N>(stores);
         let main = net.main_arm().outward(self, frame, main);
         self.0.enter_arm();

@@ -5,7 +5,7 @@ use super::attitude::Attitude;
 use super::body::{External, Rigid};
 use super::ends;
 use super::orient::{Base, Slot, Solid, angle_accelerations};
-use crate::element::{Element, Load, Loading, Space};
+use crate::element::{Element, Load, Loading};
 use crate::ends::{Pairs, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
@@ -16,7 +16,7 @@ use crate::paper::plane_scene::list;
 use crate::paper::scene::{Chain, Met, Scene, Slots, trace};
 use crate::relation::{Closures, Term};
 use crate::scalar::{Real, Scalar};
-use crate::spatial::{BodyMotion, Drive, Frame, Internal, JointMotion, Spatial, Turn};
+use crate::spatial::{BodyMotion, Drive, Frame, JointMotion, Spatial, Turn};
 use crate::system::{MotionOf, Runs, System};
 use alloc::vec::Vec;
 use nalgebra::Vector3;
@@ -131,15 +131,11 @@ where
     }
 
     fn external(&self, loads: &L, time: T::Real, number: usize, body: &BodyMotion<T>) -> External<T> {
-        let nothing = Internal::none();
-        let mut station = Spatial::end_station(&body.inboard, nothing);
-        loads.on_body(&L::unseen(), time, number, body).act(&mut station);
-        // The balance of a station without mass shows what acts there: −f, and the torque about the inboard end.
-        let shown = Spatial::balance(&mut station, nothing);
-        let force: [T; 3] = (-shown.force).into();
+        let load = loads.on_body(&L::unseen(), time, number, body).wrench();
+        let force: [T; 3] = load.force.into();
         let moved = cross(body.to_centre.into(), force);
         let total = Vector3::from(force) + System::gravity(self) * body.inertia.mass;
-        External { force: total.into(), torque: core::array::from_fn(|i| shown.torque[i] - moved[i]) }
+        External { force: total.into(), torque: core::array::from_fn(|i| load.torque[i] - moved[i]) }
     }
 
     fn effort(

@@ -3,8 +3,7 @@
 mod bodies;
 mod joints;
 
-use crate::element::{Load, Space};
-use crate::planar::{Acceleration, Frame, Planar, Station, Turn, Wrench};
+use crate::planar::{Acceleration, Frame, Planar, Turn};
 use crate::relation::plane::Full;
 use crate::scalar::{Jet, Scalar, columns};
 use crate::sensitive::{Effort, Varied};
@@ -57,8 +56,6 @@ impl<T: Scalar, const K: usize> Varied for Planar<Jet<T, K>> {
     type Outward = Passing<T, K>;
     type Inward = Pulling<T, K>;
     type Response = Answering<T, K>;
-    type BodyLoad = Wrench<Jet<T, K>>;
-    type JointLoad = Jet<T, K>;
 
     fn plain(number: Jet<T, K>) -> T {
         number.re
@@ -71,7 +68,7 @@ impl<T: Scalar, const K: usize> Varied for Planar<Jet<T, K>> {
     }
     #[inline(always)]
     fn ground(frame: &Frame<Jet<T, K>>, gravity: Vector2<Jet<T, K>>) -> Passing<T, K> {
-        let Acceleration { linear, angular } = Self::falling(frame, gravity);
+        let Acceleration { linear, angular } = frame.falling(gravity);
         Passing {
             acceleration: Acceleration { linear: linear.map(|x| x.re), angular: angular.re },
             rate: frame.turn.rate.re,
@@ -114,16 +111,6 @@ impl<T: Scalar, const K: usize> Varied for Planar<Jet<T, K>> {
     }
     fn ground_turns(frame: &Frame<Jet<T, K>>) -> bool {
         !Self::is_constant(frame.acceleration.angular)
-    }
-    fn no_load() -> (Wrench<Jet<T, K>>, Jet<T, K>) {
-        (Wrench::default(), Jet::of(T::zero()))
-    }
-    #[inline(always)]
-    fn body_load(load: impl Load<Self>) -> Wrench<Jet<T, K>> {
-        let zero = Jet::of(T::zero());
-        let mut station = Station::massless(Frame::resting(Vector2::new(zero, zero)));
-        load.act(&mut station);
-        Wrench { force: -station.inertia_force, torque: -station.inertia_torque }
     }
     #[inline(always)]
     fn pull(chain: &mut Pulling<T, K>, arm: &Pulling<T, K>) {

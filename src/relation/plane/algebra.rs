@@ -69,6 +69,10 @@ impl<T: Scalar> Angular<Vector2<T>> for T {
         add_scaled(sum, self, normal(d))
     }
     #[inline(always)]
+    fn centripetal(self, d: Vector2<T>) -> Vector2<T> {
+        d * -(self * self)
+    }
+    #[inline(always)]
     fn work(w: Wrench<Vector2<T>, T>, p: &Acceleration<Vector2<T>, T>) -> T {
         w.torque.mul_add(p.angular, dot(w.force, p.linear))
     }

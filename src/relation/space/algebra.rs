@@ -90,6 +90,10 @@ impl<T: Scalar> Angular<Self> for Vector3<T> {
         cross_onto(self, d, sum)
     }
     #[inline(always)]
+    fn centripetal(self, d: Self) -> Self {
+        centripetal(self, d)
+    }
+    #[inline(always)]
     fn work(w: Wrench<Self, Self>, p: &Acceleration<Self, Self>) -> T {
         dot(w.force, p.linear) + dot(w.torque, p.angular)
     }

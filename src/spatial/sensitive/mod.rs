@@ -5,13 +5,12 @@ mod bodies;
 mod columns;
 mod joints;
 
-use crate::element::{Load, Space};
 use crate::relation::space::Full;
 use crate::relation::space::algebra::{Columns, zero};
 use crate::scalar::{Jet, Scalar};
 use crate::sensitive::Varied;
 use crate::spatial::loads::Effort;
-use crate::spatial::{Acceleration, Frame, Spatial, Station, Turn, Wrench};
+use crate::spatial::{Acceleration, Frame, Spatial, Turn};
 use columns::*;
 use nalgebra::Vector3;
 
@@ -56,8 +55,6 @@ impl<T: Scalar, const K: usize> Varied for Spatial<Jet<T, K>> {
     type Outward = Passing<T, K>;
     type Inward = Pulling<T, K>;
     type Response = Answering<T, K>;
-    type BodyLoad = Wrench<Jet<T, K>>;
-    type JointLoad = Effort<Jet<T, K>>;
 
     fn plain(number: Jet<T, K>) -> T {
         number.re
@@ -70,7 +67,7 @@ impl<T: Scalar, const K: usize> Varied for Spatial<Jet<T, K>> {
     }
     #[inline(always)]
     fn ground(frame: &Frame<Jet<T, K>>, gravity: Vector3<Jet<T, K>>) -> Passing<T, K> {
-        let Acceleration { linear, angular } = Self::falling(frame, gravity);
+        let Acceleration { linear, angular } = frame.falling(gravity);
         Passing {
             turn: Self::plain_turn(frame),
             acceleration: Acceleration { linear: value(&linear), angular: value(&angular) },
@@ -98,15 +95,6 @@ impl<T: Scalar, const K: usize> Varied for Spatial<Jet<T, K>> {
     #[inline(always)]
     fn stillness() -> Answering<T, K> {
         Answering { linear: none(), angular: none() }
-    }
-    fn no_load() -> (Wrench<Jet<T, K>>, Effort<Jet<T, K>>) {
-        (Wrench::default(), Effort::default())
-    }
-    #[inline(always)]
-    fn body_load(load: impl Load<Self>) -> Wrench<Jet<T, K>> {
-        let mut station = Station::massless(Frame::resting(zero()));
-        load.act(&mut station);
-        Wrench { force: -station.inertia_force, torque: -station.inertia_torque }
     }
     #[inline(always)]
     fn join(a: Full<T>, b: Full<T>) -> Full<T> {

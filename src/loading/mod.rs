@@ -1,7 +1,16 @@
 //! What acts on a scene besides uniform gravity.
 
+mod laws;
+mod loads;
+
+pub use laws::{Function, InJoints, LoadLaw, OnBodies, Seen, Values};
+pub use loads::Loads;
+
+/// What acts in a joint of a space.
+pub type EffortOf<S> = <<S as Space>::JointMotion as Seen>::Load;
+
 use crate::error::Fault;
-use crate::relation::{Absent, Part};
+use crate::relation::{Absent, Part, Wrench, WrenchOf};
 use crate::space::{RealOf, Space};
 
 /// What acts on a scene besides uniform gravity. Its types say what a sweep has to carry: [`Absent`] parts cost nothing.
@@ -55,18 +64,28 @@ pub trait Loading<S: Space> {
 }
 
 /// Refuses a list that is not as long as it must be.
-pub(crate) fn count(expected: usize, given: usize) -> Result<(), Fault> {
+fn count(expected: usize, given: usize) -> Result<(), Fault> {
     if given == expected { Ok(()) } else { Err(Fault::Count { expected, given }) }
 }
 
 /// A load on a body, or [`Absent`].
 pub trait Load<S: Space>: Part {
-    /// Adds it to the balance of forces at the body's inboard station.
-    fn act(self, station: &mut S::Station);
+    /// As a force and a torque about the body's inboard end.
+    fn wrench(self) -> WrenchOf<S>;
 }
 
 impl<S: Space> Load<S> for Absent {
-    fn act(self, _: &mut S::Station) {}
+    #[inline(always)]
+    fn wrench(self) -> WrenchOf<S> {
+        Wrench::none()
+    }
+}
+
+impl<S: Space> Load<S> for WrenchOf<S> {
+    #[inline(always)]
+    fn wrench(self) -> Self {
+        self
+    }
 }
 
 /// No loads but gravity.

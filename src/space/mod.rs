@@ -1,8 +1,15 @@
 //! What elements of one space have in common.
 
+mod budget;
+mod frame;
+
+pub use budget::Budget;
+pub use frame::{Frame, Orientation};
+
 use crate::error::Fault;
+use crate::loading::Seen;
 use crate::mirror::Rate;
-use crate::relation::{AccelerationOf, Geometry, WrenchOf};
+use crate::relation::{Geometry, WrenchOf};
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 
@@ -19,17 +26,15 @@ pub trait Space: Geometry {
     /// Fourth part of a posture.
     type Q: Copy + Debug;
     /// Orientation and angular velocity, as they are carried outward.
-    type Turn: Copy + Debug;
-    /// Place, orientation, velocity and acceleration of a station.
-    type Frame: Copy + Debug;
+    type Turn: Orientation<Self::Angular>;
     /// A station: its motion, and its force and torque.
     type Station: Copy + Debug;
     /// Orientation of a body in angles (rad): one in the plane, three in space.
     type Angles: Copy + Debug;
     /// A body and its motion at an instant.
-    type BodyMotion: Copy + Debug;
+    type BodyMotion: Seen<Space = Self, Load = WrenchOf<Self>> + Debug;
     /// A joint and its motion at an instant.
-    type JointMotion: Copy + Debug;
+    type JointMotion: Seen<Space = Self> + Debug;
     /// Internal force and torque, as numbers that add up.
     type Numbers: Rate<Self::Scalar> + Copy;
     /// What a joint lets move, for its transfer matrix.
@@ -42,29 +47,21 @@ pub trait Space: Geometry {
     /// The size of what has none.
     fn no_size() -> Self::Size;
 
-    /// What rests at the origin, unturned.
-    fn resting() -> Self::Frame;
     /// The mass of a body (kg).
     fn mass(body: &Self::BodyMotion) -> Self::Scalar;
     /// What may be wrong with the inertia of a body.
     fn doubt(body: &Self::BodyMotion) -> Option<Fault>;
 
-    /// The orientation part of a frame.
-    fn turn(frame: &Self::Frame) -> Self::Turn;
     /// The orientation of a body in angles.
     fn angles(body: &Self::BodyMotion) -> Self::Angles;
     /// The angle (rad) of a body that is too large for accurate sines, if it is.
     fn angle_out_of_range(body: &Self::BodyMotion) -> Option<f64>;
     /// The same of an angle that a joint has turned by.
     fn turn_out_of_range(joint: &Self::JointMotion, release: &Self::Release) -> Option<f64>;
-    /// The acceleration of a frame as seen by one that falls freely: a − g.
-    fn falling(frame: &Self::Frame, gravity: Self::Vector) -> AccelerationOf<Self>;
     /// Internal force and torque as numbers.
     fn numbers(internal: WrenchOf<Self>) -> Self::Numbers;
     /// Internal force and torque from their numbers.
     fn internal(numbers: Self::Numbers) -> WrenchOf<Self>;
-    /// Whether a frame is finite.
-    fn frame_is_finite(frame: &Self::Frame) -> bool;
     /// The inboard station of a body, with the body's inertia force in its balance.
     fn body_station(body: &Self::BodyMotion, gravity: Self::Vector) -> Self::Station;
     /// The inboard station of a joint.
@@ -72,13 +69,11 @@ pub trait Space: Geometry {
     /// The inboard station of what closes a loop, which passes this force and torque on.
     fn closing_station(joint: &Self::JointMotion, internal: WrenchOf<Self>) -> Self::Station;
     /// The station at the end of a chain.
-    fn end_station(frame: &Self::Frame, internal: WrenchOf<Self>) -> Self::Station;
+    fn end_station(frame: &FrameOf<Self>, internal: WrenchOf<Self>) -> Self::Station;
+    /// Takes a load from the balance of forces at a body's inboard station.
+    fn relieve(station: &mut Self::Station, load: WrenchOf<Self>);
     /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.
     fn balance(station: &mut Self::Station, outer: WrenchOf<Self>) -> WrenchOf<Self>;
-    /// A budget of nothing.
-    fn no_budget() -> Budget<Self>;
-    /// The sum of two budgets.
-    fn sum(a: Budget<Self>, b: Budget<Self>) -> Budget<Self>;
     /// Energy stored in a joint (J).
     fn stored(joint: &Self::JointMotion) -> Self::Scalar;
     /// Mechanical energy, linear momentum and angular momentum about the origin of a body.
@@ -96,25 +91,8 @@ pub trait SpaceOver<U: Scalar>: Space {
     ) -> <Self::Over as Geometry>::Vector;
 }
 
-/// Energy and momentum of bodies.
-#[derive(Clone, Copy, Debug)]
-pub struct Budget<S: Space> {
-    /// Kinetic energy (J).
-    pub kinetic: S::Scalar,
-    /// Potential energy of springs and in uniform gravity, zero at the origin (J).
-    pub potential: S::Scalar,
-    /// Linear momentum (kg·m/s).
-    pub momentum: S::Vector,
-    /// Angular momentum about the origin (kg·m²/s).
-    pub angular_momentum: S::Angular,
-}
-
-impl<S: Space> Budget<S> {
-    /// Mechanical energy (J).
-    pub fn energy(&self) -> S::Scalar {
-        self.kinetic + self.potential
-    }
-}
-
 /// Names the time, step and tolerance of a space's scalar.
 pub type RealOf<S> = <<S as Geometry>::Scalar as Scalar>::Real;
+
+/// Motion of a station of a space.
+pub type FrameOf<S> = Frame<<S as Geometry>::Vector, <S as Geometry>::Angular, <S as Space>::Turn>;

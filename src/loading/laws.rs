@@ -1,0 +1,120 @@
+//! What loads are made of: values, functions, and laws of the user's own.
+
+use super::count;
+use crate::error::Fault;
+use crate::relation::{Absent, Additive, Part};
+use crate::space::{RealOf, Space};
+
+/// The motion of a body or joint at an instant, which tells the space that it belongs to and what can act there.
+pub trait Seen: Copy {
+    /// The space.
+    type Space: Space;
+    /// What acts: on a body a wrench, in a joint an effort.
+    type Load: Part + Additive;
+    /// This motion with the accelerations left out.
+    fn unaccelerated(&self) -> Self;
+}
+
+/// The law of a load that acts where motions `M` are seen: on bodies, whose motion is `BodyMotion<T>`, or in joints, whose motion is
+/// `JointMotion<T>`. Implement it for a type that has a name: see [`Loads`](super::Loads).
+pub trait LoadLaw<M: Seen> {
+    /// What acts: [`Seen::Load`] or [`Absent`].
+    type Value: Part + Additive;
+    /// Whether there is a load.
+    const ON: bool = true;
+    /// Whether it depends on time or motion, or is a [`list`](Self::list).
+    const READS: bool = true;
+    /// The load on the body or in the joint of a number.
+    fn at(&self, time: RealOf<M::Space>, number: usize, motion: &M) -> Self::Value;
+    /// Loads where they are a list.
+    fn list(&self) -> &[Self::Value] {
+        &[]
+    }
+    /// Refuses a list that is not as long as the scene has bodies or joints.
+    ///
+    /// # Errors
+    /// [`Fault::Count`].
+    fn check(&self, count: usize) -> Result<(), Fault> {
+        let _ = count;
+        Ok(())
+    }
+}
+
+/// Loads given as values: an array, a slice, a vector.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Values<V>(pub V);
+
+/// A function of time, number and motion as the law of what acts on bodies or in joints.
+///
+/// ```
+/// use catena::planar::*;
+/// type Torque = fn(f64, usize, &JointMotion<f64>) -> f64;
+/// fn brake(_: f64, _: usize, motion: &JointMotion<f64>) -> f64 {
+///     -3.0 * motion.rate()
+/// }
+/// fn push(_: f64, joint: usize, _: &JointMotion<f64>) -> f64 {
+///     if joint == 0 { 2.0 } else { 0.0 }
+/// }
+/// /// What may be chosen while a program runs: two laws, one type, one stepper.
+/// fn loads(moving: bool) -> Loads<Absent, InJoints<Torque>> {
+///     let law: Torque = if moving { brake } else { push };
+///     Loads::none().in_joints(law)
+/// }
+///
+/// let rod = Rod::uniform(0.5, 1.0);
+/// let arm = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
+/// let mut stepper = arm.stepper(Rk4);
+/// let (mut now, mut next) = (arm.at_rest(&[0.0, 0.0])?, arm.motion());
+/// for cycle in 0..100 {
+///     stepper.step(&now, &loads(cycle % 2 == 1), 1e-3, &mut next)?;
+///     core::mem::swap(&mut now, &mut next);
+/// }
+/// # Ok::<(), catena::Error>(())
+/// ```
+///
+/// Named by a function pointer or a boxed function, it is one type for many laws, which one stepper can take in turn.
+#[derive(Clone, Copy, Debug)]
+pub struct Function<F>(F);
+
+/// A function as the law of what acts on bodies.
+pub type OnBodies<F> = Function<F>;
+/// A function as the law of what acts in joints.
+pub type InJoints<F> = Function<F>;
+
+impl<F> Function<F> {
+    pub(super) const fn new(law: F) -> Self {
+        Self(law)
+    }
+}
+
+impl<M: Seen> LoadLaw<M> for Absent {
+    type Value = Absent;
+    const ON: bool = false;
+    const READS: bool = false;
+    fn at(&self, _: RealOf<M::Space>, _: usize, _: &M) -> Absent {
+        Absent
+    }
+}
+
+impl<M: Seen, F: Fn(RealOf<M::Space>, usize, &M) -> M::Load> LoadLaw<M> for Function<F> {
+    type Value = M::Load;
+    fn at(&self, time: RealOf<M::Space>, number: usize, motion: &M) -> M::Load {
+        (self.0)(time, number, motion)
+    }
+}
+
+impl<M: Seen, V: AsRef<[M::Load]>> LoadLaw<M> for Values<V> {
+    type Value = M::Load;
+    const READS: bool = false;
+    #[inline(always)]
+    fn at(&self, _: RealOf<M::Space>, number: usize, _: &M) -> M::Load {
+        self.0.as_ref().get(number).copied().unwrap_or_else(M::Load::null)
+    }
+    #[inline(always)]
+    fn list(&self) -> &[M::Load] {
+        self.0.as_ref()
+    }
+    fn check(&self, expected: usize) -> Result<(), Fault> {
+        count(expected, self.0.as_ref().len())
+    }
+}
