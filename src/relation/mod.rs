@@ -20,6 +20,7 @@ pub mod plane;
 mod redundancy;
 mod shared;
 pub mod space;
+mod way;
 mod wrench;
 
 pub use closing::Close;
@@ -29,6 +30,7 @@ pub use geometry::{AccelerationOf, Additive, Angular, Geometry, Symmetric, Vecto
 pub use kinds::{Empty, Lump, Point, Relation};
 pub use looped::{Carry, Forces, Kind, LoopGain, Looped, Own, Settle, Twisted, Wrenches};
 pub use shared::Shared;
+pub use way::Way;
 pub use wrench::{Acceleration, Wrench};
 
 use crate::scalar::Scalar;

@@ -28,10 +28,10 @@ pub use assembly::{Assembled, AssembledOf, Holding};
 pub use describe::Description;
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
-#[cfg(feature = "std")]
-pub(crate) use linear::numbers;
 #[cfg(feature = "alloc")]
 pub use linear::{Carried, Inertial};
+#[cfg(feature = "std")]
+pub(crate) use linear::{numbers, set, unit};
 pub use turning::AngularVelocity;
 
 use crate::element::{Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};

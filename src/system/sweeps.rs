@@ -9,6 +9,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Solvable, VectorSpace};
+use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Kept, Shape};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
@@ -328,7 +329,7 @@ impl<S: Space> Visit<S> for LookForAngles {
         self.0 = self.0.or_else(|| S::angle_out_of_range(body));
     }
     fn joint(&mut self, _: &S::JointMotion) {}
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> S::Release) {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) {
         self.0 = self.0.or_else(|| S::turn_out_of_range(joint, &release()));
     }
 }
