@@ -127,7 +127,7 @@ pub enum Fault {
         /// By how much it misses at least (rad, or rad/s).
         miss: f64,
     },
-    /// A list of coordinates, rates or loads has the wrong length.
+    /// A list of coordinates, rates, loads or states has the wrong length.
     Count {
         /// Values needed.
         expected: usize,

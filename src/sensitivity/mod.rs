@@ -45,8 +45,12 @@
 //! # Ok::<(), catena::Error>(())
 //! ```
 
+mod backward;
+mod gradient;
 mod stepper;
 
+pub use backward::Backward;
+pub use gradient::{Costate, Gradient};
 pub use stepper::SensitiveStepper;
 
 use crate::element::{Coordinates, Element, Load, Loading, Posture, RealOf, Space, Visit};

@@ -54,6 +54,9 @@
 //! * Stores in a bundle are not known to be apart: where sines are to vectorise, a walk takes its bundle apart in
 //!   [`Outward::items`](crate::shape::Outward::items) and calls a function with one slice each, as poses of arrays do.
 //!
+//! Walks that ask of bodies and joints more than all of them have to say are [selective](crate::shape::Selective): [`factor`], [`meet`],
+//! [`stir`] and [`pull_back`], the [costate sweep](crate::adjoint). A chain with an element that does not know them does not compile.
+//!
 //! Not yet walks: the condensation, whose arguments could be a bundle once it is known why chains in space would then cost more on
 //! targets without wide registers; poses; lumping of point masses, which changes elements; and the walks of derivatives
 //! ([`Sensitive`](crate::sensitive::Sensitive)), for which the plain element has to become a store.
@@ -62,19 +65,25 @@ pub mod aim;
 pub mod broken;
 pub mod carrier;
 pub mod check;
+pub mod complete;
 pub mod count;
 pub mod entries;
+pub mod factor;
 pub mod find;
 pub mod fits;
 pub mod gather;
 pub mod independent;
 pub mod look;
 pub mod measure;
+pub mod meet;
 pub mod parts;
+pub mod pull_back;
 pub mod recover;
 pub mod respond;
 pub mod restore;
 pub mod size;
 pub mod spread;
 pub mod steer;
+pub mod stir;
 pub mod travel;
+pub mod unspread;

@@ -1,0 +1,329 @@
+//! Gradients of runs: one number, computed from a whole run, by everything at once.
+//!
+//! ```
+//! use catena::planar::*;
+//! use catena::scalar::{Jet, Scalar};
+//!
+//! let (lengths, steps) = ([1.0_f64, 0.8], 200);
+//! let rods = lengths.map(|l| Rod::uniform(l, 1.0));
+//! let pendulum = System::new(Pinned::origin(), (rods[0], Pin, rods[1]), Free)?.with_gravity(9.81);
+//! let start = pendulum.at_rest(&[-1.0, -0.5])?;
+//! let mut states = [start; 201]; // the caller's: a state for each step, and the last
+//! let torques = [0.1; 400]; // (N·m), in both pins, held over each step
+//! let mut by_torques = [0.0; 400];
+//!
+//! let mut backward = pendulum.backward(Rk4);
+//! backward.run(&start, 0.01, steps, &torques, &mut states)?;
+//! // The cost: the second angle at the end.
+//! let gradient = backward.gradient(0.01, &torques, &states, &mut by_torques, |step, _, by| match step {
+//!     200 => by.add(&[0.0, 1.0], &[0.0, 0.0]),
+//!     _ => Ok(()),
+//! })?;
+//! println!("by the initial angles {:?}, by gravity {}", gradient.by_position(), gradient.by_gravity().y);
+//!
+//! // By whatever its elements are made of, here both lengths: the scene's own constructor, once, over jets.
+//! let one = Jet::of(1.0);
+//! let rods = [0, 1].map(|k| Rod::uniform(Jet::<f64, 2>::seed(lengths[k], k), one));
+//! let scene = System::new(Pinned::origin(), (rods[0], Pin, rods[1]), Free)?.with_gravity(Jet::of(9.81));
+//! let [by_first, by_second] = gradient.along(&scene)?;
+//! # let cost = |l: [f64; 2]| -> Result<f64, catena::Error> {
+//! #     let rods = l.map(|l| Rod::uniform(l, 1.0));
+//! #     let p = System::new(Pinned::origin(), (rods[0], Pin, rods[1]), Free)?.with_gravity(9.81);
+//! #     let held = Loads::none().torques([0.1, 0.1]);
+//! #     Ok(p.simulation(Rk4::step(0.01)).loads(&held).run(p.at_rest(&[-1.0, -0.5])?, 2.0, |_| ())?.motion.position().1.2)
+//! # };
+//! # assert!((by_first - (cost([1.0 + 1e-5, 0.8])? - cost([1.0 - 1e-5, 0.8])?) / 2e-5).abs() < 1e-7);
+//! # assert!((by_second - (cost([1.0, 0.8 + 1e-5])? - cost([1.0, 0.8 - 1e-5])?) / 2e-5).abs() < 1e-7);
+//! # Ok::<(), catena::Error>(())
+//! ```
+
+use super::gradient::{Costate, Gradient};
+use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip, Takes};
+use crate::element::{Element, Explicit as Springs, Posture, RealOf, Unloaded};
+use crate::ends::Root;
+use crate::error::{Error, Fault};
+use crate::loading::EffortOf;
+use crate::mirror::{Position, Rate};
+use crate::relation::{Additive, Full, Open, Wrench};
+use crate::scalar::Real;
+use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
+use crate::stepper::displace::{displace, gather};
+use crate::system::{Dynamics, Elements, MotionOf, PositionOf, RateOf, Runs, System};
+use crate::time::Explicit;
+use crate::walks::complete::complete;
+use crate::walks::factor::Factor;
+use crate::walks::measure::gains;
+use crate::walks::meet::Meet;
+use crate::walks::pull_back::PullBack;
+use crate::walks::recover::recover;
+use crate::walks::size::sizes;
+use crate::walks::stir::Stir;
+use crate::walks::{spread, unspread};
+use num_traits::{One, Zero};
+
+/// Most rows that an explicit method has.
+const ROWS: usize = 16;
+
+/// What a stage of a step keeps for its costates.
+#[derive(Clone)]
+struct Stage<S: Reversed, E: Element<S>> {
+    x: E::Store<PerAxes<S::X>>,
+    y: E::Store<PerAxes<S::Y>>,
+    p: E::Store<PerAxes<S::P>>,
+    q: E::Store<PerAxes<S::Q>>,
+    kept: E::Store<Kept<Open>>,
+    pivots: E::Store<PerJoint<S::Pivot>>,
+    rate: E::Rate,
+}
+
+/// Runs of a scene by fixed steps of an explicit method, and their gradients.
+///
+/// The steps are those of the rule itself, and the gradient is theirs, exact but for rounding at any size of step. A run goes forward once
+/// and keeps its states; the gradient makes each step once more, from the last to the first, and pulls costates back through the gains of
+/// its stages. Room for one step is all that is needed besides the states.
+pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P, M: Explicit> {
+    scene: &'s System<S, R, C, P>,
+    sizes: <Elements<S, R, C> as Shape<S>>::Store<PerAxes<S::Size>>,
+    stages: M::Rows<Stage<S, Elements<S, R, C>>>,
+    position: PositionOf<S, R, C>,
+    accelerations: M::Rows<RateOf<S, R, C>>,
+    /// Costates of the positions and rates of each row.
+    of_position: M::Rows<RateOf<S, R, C>>,
+    of_rate: M::Rows<RateOf<S, R, C>>,
+    /// Costates of accelerations, and room for sums.
+    of_acceleration: RateOf<S, R, C>,
+    sum: RateOf<S, R, C>,
+    zero: RateOf<S, R, C>,
+    met: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::Met>>,
+    torques: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>,
+    of_torques: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>,
+    /// Weights of each row's acceleration in the positions and rates of all rows: columns of the tableau.
+    weights: M::Rows<[[f64; ROWS]; 2]>,
+}
+
+impl<S: Reversed, R: ReversibleRoot<S>, C: Element<S>, P: ReversibleTip<S>> System<S, R, C, P> {
+    /// Runs by fixed steps of an explicit method, whose gradients go backward.
+    ///
+    /// See [`sensitivity::Backward`](crate::sensitivity::Backward).
+    pub fn backward<M: Explicit>(&self, method: M) -> Backward<'_, S, R, C, P, M>
+    where
+        Elements<S, R, C>: Reversible<S>,
+        Self: Runs<Unloaded, S, R, C, P>,
+        EffortOf<S>: Additive,
+    {
+        Backward::new(self, method)
+    }
+}
+
+impl<'s, S, R, C, P, M> Backward<'s, S, R, C, P, M>
+where
+    S: Reversed,
+    R: ReversibleRoot<S>,
+    C: Element<S>,
+    P: ReversibleTip<S>,
+    M: Explicit,
+    Elements<S, R, C>: Reversible<S>,
+    System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
+    EffortOf<S>: Additive,
+{
+    fn new(scene: &'s System<S, R, C, P>, _: M) -> Self {
+        let elements = scene.elements();
+        let ((x, y, p, q), zero) = (S::blank(), elements.store::<Rates>(()));
+        let stage = Stage {
+            x: elements.store::<PerAxes<_>>(x),
+            y: elements.store::<PerAxes<_>>(y),
+            p: elements.store::<PerAxes<_>>(p),
+            q: elements.store::<PerAxes<_>>(q),
+            kept: gains(elements),
+            pivots: elements.store::<PerJoint<_>>(S::no_pivot()),
+            rate: zero.clone(),
+        };
+        let mut weights = M::rows(&[[0.0; ROWS]; 2]);
+        for (column, [position, rate]) in weights.as_mut().iter_mut().enumerate() {
+            for row in column + 1..=M::STAGES {
+                (position[row], rate[row]) = (M::position(row)[column], M::rate(row)[column]);
+            }
+        }
+        let no_torque = EffortOf::<S>::null();
+        Self {
+            scene,
+            sizes: sizes(elements),
+            stages: M::rows(&stage),
+            position: elements.store::<Positions>(()),
+            accelerations: M::rows(&zero),
+            of_position: M::rows(&zero),
+            of_rate: M::rows(&zero),
+            of_acceleration: zero.clone(),
+            sum: zero.clone(),
+            met: elements.store::<PerBody<_>>(S::unmet()),
+            torques: elements.store::<PerJoint<_>>(no_torque),
+            of_torques: elements.store::<PerJoint<_>>(no_torque),
+            zero,
+            weights,
+        }
+    }
+
+    /// Runs `steps` steps of a size (s), and keeps the state before each of them and after the last, with the accelerations in which a
+    /// step begins. `torques` are those in all joints (the root's first), held over the first step, then those over the second, and so on;
+    /// or none.
+    ///
+    /// # Errors
+    /// [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of another scene;
+    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time.
+    pub fn run(
+        &mut self,
+        start: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        steps: usize,
+        torques: &[EffortOf<S>],
+        states: &mut [MotionOf<S, R, C, P>],
+    ) -> Result<(), Error> {
+        self.admits(steps, torques.len())?;
+        let given = states.len();
+        let Some(states) = states.get_mut(..=steps) else {
+            return Err(Error::new(Fault::Count { expected: steps + 1, given }));
+        };
+        if !(start.fits(&self.scene.motion()) && states.iter().all(|state| state.fits(start))) {
+            return Err(Error::new(Fault::Shape));
+        }
+        // Copies that allocate nothing.
+        states[0].position.drift_0(&start.position, (RealOf::<S>::zero(), &self.zero));
+        states[0].rate.set(&start.rate);
+        states[0].time = start.time;
+        for k in 0..steps {
+            let [past, next, ..] = &mut states[k..] else { break };
+            self.take_torques(torques, k);
+            self.evaluate(past, step);
+            past.acceleration.set(&self.accelerations.as_ref()[0]);
+            let weights = (&M::position(M::STAGES)[..M::STAGES], &M::rate(M::STAGES)[..M::STAGES]);
+            let room = (&self.zero, &mut self.sum);
+            let into = (&mut next.position, &mut next.rate);
+            displace(past, self.accelerations.as_ref(), M::node(M::STAGES), weights, step, room, into);
+            next.time = past.time + step;
+            next.acceleration.set(&self.zero);
+            Dynamics::<Unloaded>::accept(self.scene, next)?;
+        }
+        Ok(())
+    }
+
+    /// The gradient of a cost by everything, for a run whose states are `states`, from the last to the first: `cost` is told the number of
+    /// each of them, and adds the derivatives of the cost by its position and rate. `by_torques`, as long as `torques`, becomes the gradient
+    /// by these; it may be empty.
+    ///
+    /// What a cost reads besides positions and rates, a length for the place of the tip, is not in this gradient.
+    ///
+    /// # Errors
+    /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; those of the cost.
+    pub fn gradient(
+        &mut self,
+        step: RealOf<S>,
+        torques: &[EffortOf<S>],
+        states: &[MotionOf<S, R, C, P>],
+        by_torques: &mut [EffortOf<S>],
+        mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut Costate<RateOf<S, R, C>>) -> Result<(), Error>,
+    ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
+        let (elements, still) = (self.scene.elements(), self.scene.motion());
+        let steps = states.len().saturating_sub(1);
+        let Some(last) = states.last() else {
+            return Err(Error::new(Fault::Count { expected: 1, given: 0 }));
+        };
+        self.admits(steps, torques.len())?;
+        if !by_torques.is_empty() {
+            self.admits(steps, by_torques.len())?;
+        }
+        if !states.iter().all(|state| state.fits(&still)) {
+            return Err(Error::new(Fault::Shape));
+        }
+        let mut gradient = Gradient::none(elements, &self.zero);
+        cost(steps, last, &mut gradient.start)?;
+        for (k, state) in states.iter().enumerate().take(steps).rev() {
+            self.take_torques(torques, k);
+            self.evaluate(state, step);
+            self.pull_back_step(state.time, step, &mut gradient);
+            if !by_torques.is_empty() {
+                let joints = self.scene.joints();
+                let list = &mut by_torques[k * joints..][..joints];
+                unspread::from_joints(elements, &mut self.of_torques, EffortOf::<S>::null(), list);
+            }
+            cost(k, state, &mut gradient.start)?;
+        }
+        complete::<S, _>(elements, &mut gradient.bodies);
+        Ok(gradient)
+    }
+
+    /// Refuses lists of torques of another length.
+    fn admits(&self, steps: usize, given: usize) -> Result<(), Error> {
+        let expected = steps * self.scene.joints();
+        if given == 0 || given == expected { Ok(()) } else { Err(Error::new(Fault::Count { expected, given })) }
+    }
+
+    /// Takes the torques of a step, if there are any.
+    fn take_torques(&mut self, torques: &[EffortOf<S>], step: usize) {
+        let joints = self.scene.joints();
+        if let Some(torques) = torques.get(step * joints..(step + 1) * joints) {
+            spread::to_joints(self.scene.elements(), torques, &mut self.torques);
+        }
+    }
+
+    /// The stages of a step.
+    fn evaluate(&mut self, past: &MotionOf<S, R, C, P>, step: RealOf<S>) {
+        for row in 0..M::STAGES {
+            let (weights, room) = ((&M::position(row)[..row], &M::rate(row)[..row]), (&self.zero, &mut self.sum));
+            let into = (&mut self.position, &mut self.stages.as_mut()[row].rate);
+            displace(past, self.accelerations.as_ref(), M::node(row), weights, step, room, into);
+            self.sweep(row, past.time + RealOf::<S>::of(M::node(row)) * step);
+        }
+    }
+
+    /// The sweep of a stage.
+    #[inline(never)] // one copy for forward and backward
+    fn sweep(&mut self, row: usize, time: RealOf<S>) {
+        let elements = self.scene.elements();
+        let Stage { x, y, p, q, kept, pivots, rate } = &mut self.stages.as_mut()[row];
+        let ground = self.scene.ground(time);
+        elements.pose(&self.position, rate, ground.turn, &self.sizes, x, y, p, q);
+        elements.take(&mut Factor, Full::massless(), (x, y, p, q, &self.torques, kept, pivots));
+        let (posture, acceleration) = (Posture { x, y, p, q }, &mut self.accelerations.as_mut()[row]);
+        recover::<S, _, Open, Springs>(elements, ground.falling(self.scene.gravity()), posture, kept, (), acceleration);
+    }
+
+    /// From the costates after a step to those before it: the columns of the tableau, from the last to the first.
+    fn pull_back_step(&mut self, time: RealOf<S>, step: RealOf<S>, gradient: &mut Gradient<S, Elements<S, R, C>>) {
+        let (last, one) = (M::STAGES, RealOf::<S>::one());
+        self.of_position.as_mut()[last].set(&gradient.start.position);
+        self.of_rate.as_mut()[last].set(&gradient.start.rate);
+        for row in (0..last).rev() {
+            let [position, rate] = &self.weights.as_ref()[row];
+            let later = row + 1..last + 1;
+            let of_position = &self.of_position.as_ref()[later.clone()];
+            gather(&mut self.sum, &self.zero, step * step, &position[later.clone()], of_position);
+            let of_rate = &self.of_rate.as_ref()[later.clone()];
+            gather(&mut self.of_acceleration, &self.sum, step, &rate[later], of_rate);
+            self.pull_back_stage(row, time + RealOf::<S>::of(M::node(row)) * step, gradient);
+        }
+        let (of_position, of_rate) = (&self.of_position.as_ref()[..=last], &self.of_rate.as_ref()[..=last]);
+        let mut nodes = [0.0; ROWS];
+        nodes.iter_mut().enumerate().take(last + 1).for_each(|(row, node)| *node = M::node(row));
+        gather(&mut gradient.start.position, &self.zero, one, &[1.0; ROWS], of_position);
+        gather(&mut self.sum, &self.zero, one, &[1.0; ROWS], of_rate);
+        gather(&mut gradient.start.rate, &self.sum, step, &nodes, of_position);
+    }
+
+    /// From the costates of the accelerations of a stage to those of its positions and rates.
+    #[inline(never)]
+    fn pull_back_stage(&mut self, row: usize, time: RealOf<S>, gradient: &mut Gradient<S, Elements<S, R, C>>) {
+        let elements = self.scene.elements();
+        let Stage { x, y, p, q, kept, pivots, rate } = &self.stages.as_ref()[row];
+        let (acceleration, free) = (&self.accelerations.as_ref()[row], &mut self.of_acceleration);
+        elements.take(&mut Meet, Wrench::none(), (x, y, p, q, kept, pivots, free));
+        let ground = S::at_ground(&self.scene.ground(time), self.scene.gravity());
+        let stores = (x, y, p, q, kept, rate, acceleration, &*free, &mut self.met, &mut self.of_torques);
+        elements.take(&mut Stir, ground, stores);
+        let Gradient { bodies, joints, .. } = gradient;
+        let (of_position, of_rate) = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
+        let stores = (x, y, p, q, &self.met, bodies, joints, of_position, of_rate);
+        let left = elements.take(&mut PullBack, S::Pulled::null(), stores);
+        gradient.gravity = gradient.gravity + S::of_gravity(&left);
+        gradient.ground = gradient.ground + S::of_ground(&left);
+    }
+}
