@@ -14,8 +14,9 @@
 //!
 //! ```text
 //! factor       tip → root   S and e, gains and inverse pivots                       walks::factor
+//! reach        root → tip   accelerations                                           walks::reach
 //! meet         tip → root   λ through the gains                                     walks::meet
-//! stir         root → tip   W beside A; w of each joint; costates of torques        walks::stir
+//! stir         root → tip   W; w of each joint; costates of torques                 walks::stir
 //! pull back    tip → root   G and F; costates of positions, rates, parameters       walks::pull_back
 //! ```
 //!
@@ -28,48 +29,56 @@ use crate::ends::{Root, Tip};
 use crate::relation::{Additive, Open};
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
+use crate::space::FrameOf;
 use crate::walks::pull_back::PullBack;
+use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 
 /// A space whose elements know the costate sweep.
 pub trait Reversed: Space {
+    /// What lies outboard, S and e.
+    type Outboard: Copy;
     /// The inverse of the pivot of a joint.
     type Pivot: Copy + 'static;
-    /// What is carried outward: acceleration, virtual velocity and angular velocity of a station.
+    /// What is carried outward: virtual velocity, and what turns the body on the inboard side.
     type Stirred: Copy;
-    /// What the outward walk keeps of a body.
-    type Met: Copy + 'static;
-    /// What is carried inward: G, F, and costates of the coordinates that turn what has been met.
+    /// What that walk keeps of a body.
+    type OnBody: Copy + 'static;
+    /// What it keeps of a joint without coordinates.
+    type InJoint: Copy + 'static;
+    /// What is carried inward: G and F, and what turning all that has been met does to P.
     type Pulled: Additive;
     /// Costates of the base parameters of a body.
     type OfBody: Copy + 'static;
     /// Costates of the parameters of a joint.
     type OfJoint: Additive;
 
+    /// Nothing, beyond a free tip.
+    fn nothing() -> Self::Outboard;
+    /// What lies beyond a station of which an arm leaves.
+    fn join(chain: Self::Outboard, arm: Self::Outboard) -> Self::Outboard;
     /// No pivot yet.
     fn no_pivot() -> Self::Pivot;
     /// Where the outward walk begins: a ground that does not move virtually.
-    fn at_ground(frame: &crate::space::FrameOf<Self>, gravity: Self::Vector) -> Self::Stirred;
-    /// Nothing has been met.
-    fn unmet() -> Self::Met;
+    fn at_ground(frame: &FrameOf<Self>) -> Self::Stirred;
+    /// Nothing has been kept.
+    fn untouched() -> (Self::OnBody, Self::InJoint);
     /// No derivatives yet.
     fn of_no_body() -> Self::OfBody;
     /// The costate of gravity, after what is left at the ground.
     fn of_gravity(pulled: &Self::Pulled) -> Self::Vector;
-    /// The costate of the angle of the ground.
-    fn of_ground(pulled: &Self::Pulled) -> Self::OfJoint;
     /// Costates of the base parameters as they are, from sums that left out what depends on the size of the body alone.
     fn complete(size: &Self::Size, sums: &mut Self::OfBody);
 }
 
 /// Elements that take all walks of the costate sweep.
 pub trait Reversible<S: Reversed>:
-    Element<S> + Takes<S, Factor> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
+    Element<S> + Takes<S, Factor> + Takes<S, Reach> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
 {
 }
 
 impl<S: Reversed, E> Reversible<S> for E where
-    E: Element<S> + Takes<S, Factor> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
+    E: Element<S> + Takes<S, Factor> + Takes<S, Reach> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
 {
 }
 

@@ -43,7 +43,7 @@ pub use crate::relation::plane::Planar;
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
 pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
-pub use adjoint::{Pulled, Stirred};
+pub use adjoint::{OnBody, Outboard, Pulled, Stirred, Turning as Turns};
 pub use beam::{Beam, Segments, Stretch};
 pub use body::{Base, Body, Inertia, Pose};
 pub use elastic_hinge::{ElasticHinge, HingeRule, Revolute};

@@ -39,12 +39,12 @@
 
 use super::gradient::{Costate, Gradient};
 use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip, Takes};
-use crate::element::{Element, Explicit as Springs, Posture, RealOf, Unloaded};
+use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::{Additive, Full, Open, Wrench};
+use crate::relation::{Additive, Open, Wrench};
 use crate::scalar::Real;
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
 use crate::stepper::displace::{displace, gather};
@@ -55,7 +55,7 @@ use crate::walks::factor::Factor;
 use crate::walks::measure::gains;
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
-use crate::walks::recover::recover;
+use crate::walks::reach::Reach;
 use crate::walks::size::sizes;
 use crate::walks::stir::Stir;
 use crate::walks::{spread, unspread};
@@ -73,6 +73,8 @@ struct Stage<S: Reversed, E: Element<S>> {
     q: E::Store<PerAxes<S::Q>>,
     kept: E::Store<Kept<Open>>,
     pivots: E::Store<PerJoint<S::Pivot>>,
+    /// Accelerations of the outboard ends of bodies.
+    reached: E::Store<PerBody<S::Vector>>,
     rate: E::Rate,
 }
 
@@ -94,7 +96,8 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P, M: Explicit> 
     of_acceleration: RateOf<S, R, C>,
     sum: RateOf<S, R, C>,
     zero: RateOf<S, R, C>,
-    met: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::Met>>,
+    on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
+    in_joints: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<S::InJoint>>,
     torques: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>,
     of_torques: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>,
     /// Weights of each row's acceleration in the positions and rates of all rows: columns of the tableau.
@@ -136,6 +139,7 @@ where
             q: elements.store::<PerAxes<_>>(q),
             kept: gains(elements),
             pivots: elements.store::<PerJoint<_>>(S::no_pivot()),
+            reached: elements.store::<PerBody<_>>(S::Vector::null()),
             rate: zero.clone(),
         };
         let mut weights = M::rows(&[[0.0; ROWS]; 2]);
@@ -144,6 +148,7 @@ where
                 (position[row], rate[row]) = (M::position(row)[column], M::rate(row)[column]);
             }
         }
+        let (on_body, in_joint) = S::untouched();
         let no_torque = EffortOf::<S>::null();
         Self {
             scene,
@@ -155,7 +160,8 @@ where
             of_rate: M::rows(&zero),
             of_acceleration: zero.clone(),
             sum: zero.clone(),
-            met: elements.store::<PerBody<_>>(S::unmet()),
+            on_bodies: elements.store::<PerBody<_>>(on_body),
+            in_joints: elements.store::<PerJoint<_>>(in_joint),
             torques: elements.store::<PerJoint<_>>(no_torque),
             of_torques: elements.store::<PerJoint<_>>(no_torque),
             zero,
@@ -279,12 +285,12 @@ where
     #[inline(never)] // one copy for forward and backward
     fn sweep(&mut self, row: usize, time: RealOf<S>) {
         let elements = self.scene.elements();
-        let Stage { x, y, p, q, kept, pivots, rate } = &mut self.stages.as_mut()[row];
+        let Stage { x, y, p, q, kept, pivots, reached, rate } = &mut self.stages.as_mut()[row];
         let ground = self.scene.ground(time);
         elements.pose(&self.position, rate, ground.turn, &self.sizes, x, y, p, q);
-        elements.take(&mut Factor, Full::massless(), (x, y, p, q, &self.torques, kept, pivots));
-        let (posture, acceleration) = (Posture { x, y, p, q }, &mut self.accelerations.as_mut()[row]);
-        recover::<S, _, Open, Springs>(elements, ground.falling(self.scene.gravity()), posture, kept, (), acceleration);
+        elements.take(&mut Factor, S::nothing(), (x, y, p, q, &self.torques, kept, pivots));
+        let acceleration = &mut self.accelerations.as_mut()[row];
+        elements.take(&mut Reach, ground.falling(self.scene.gravity()), (x, y, p, q, kept, acceleration, reached));
     }
 
     /// From the costates after a step to those before it: the columns of the tableau, from the last to the first.
@@ -313,17 +319,18 @@ where
     #[inline(never)]
     fn pull_back_stage(&mut self, row: usize, time: RealOf<S>, gradient: &mut Gradient<S, Elements<S, R, C>>) {
         let elements = self.scene.elements();
-        let Stage { x, y, p, q, kept, pivots, rate } = &self.stages.as_ref()[row];
+        let Stage { x, y, p, q, kept, pivots, reached, rate } = &self.stages.as_ref()[row];
         let (acceleration, free) = (&self.accelerations.as_ref()[row], &mut self.of_acceleration);
         elements.take(&mut Meet, Wrench::none(), (x, y, p, q, kept, pivots, free));
-        let ground = S::at_ground(&self.scene.ground(time), self.scene.gravity());
-        let stores = (x, y, p, q, kept, rate, acceleration, &*free, &mut self.met, &mut self.of_torques);
+        let ground = S::at_ground(&self.scene.ground(time));
+        let kept_of_them = (&mut self.on_bodies, &mut self.in_joints);
+        let stores = (x, y, p, q, kept, (rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
         elements.take(&mut Stir, ground, stores);
         let Gradient { bodies, joints, .. } = gradient;
-        let (of_position, of_rate) = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-        let stores = (x, y, p, q, &self.met, bodies, joints, of_position, of_rate);
+        let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
+        let kept_of_them = (reached, &self.on_bodies, &self.in_joints);
+        let stores = (x, y, p, q, (rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
         let left = elements.take(&mut PullBack, S::Pulled::null(), stores);
         gradient.gravity = gradient.gravity + S::of_gravity(&left);
-        gradient.ground = gradient.ground + S::of_ground(&left);
-    }
+            }
 }

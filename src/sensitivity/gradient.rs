@@ -46,8 +46,6 @@ pub struct Gradient<S: Reversed, E: Element<S>> {
     /// By initial positions and rates.
     pub start: Costate<E::Rate>,
     pub(crate) gravity: S::Vector,
-    /// By the angle of the ground.
-    pub(crate) ground: S::OfJoint,
     /// By base parameters of bodies.
     pub(crate) bodies: E::Store<PerBody<S::OfBody>>,
     /// By parameters of joints.
@@ -62,7 +60,6 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
         Self {
             start: Costate { position: zero.clone(), rate: zero.clone() },
             gravity: S::Vector::null(),
-            ground: S::OfJoint::null(),
             bodies: elements.store::<PerBody<_>>(S::of_no_body()),
             joints: elements.store::<PerJoint<_>>(S::OfJoint::null()),
             entries: elements.bodies() + elements.joints(),

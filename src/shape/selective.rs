@@ -50,9 +50,16 @@ where
     if !W::Stores::fit::<E::Item>(&slices, n) {
         return carried;
     }
-    for k in 0..n {
-        let i = if W::OUTWARD { k } else { n - 1 - k };
-        carried = items[i].take(walk, carried, W::Stores::at::<E::Item>(&mut slices, i));
+    // Two loops, for a compiler knows of both that they stay within.
+    if W::OUTWARD {
+        #[allow(clippy::needless_range_loop)] // one counter for items and stores
+        for i in 0..n {
+            carried = items[i].take(walk, carried, W::Stores::at::<E::Item>(&mut slices, i));
+        }
+    } else {
+        for i in (0..n).rev() {
+            carried = items[i].take(walk, carried, W::Stores::at::<E::Item>(&mut slices, i));
+        }
     }
     carried
 }

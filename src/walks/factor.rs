@@ -2,14 +2,14 @@
 
 use crate::adjoint::Reversed;
 use crate::loading::EffortOf;
-use crate::relation::{Full, Join, Open};
+use crate::relation::Open;
 use crate::shape::{Kept, Mut, PerAxes, PerJoint, Ref, Selective, Walk};
 
 /// Condenses what lies outboard, under torques in joints, and keeps gains and inverse pivots.
 pub struct Factor;
 
 impl<S: Reversed> Walk<S> for Factor {
-    type Carried = Full<S>;
+    type Carried = S::Outboard;
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
@@ -25,7 +25,7 @@ impl<S: Reversed> Selective<S> for Factor {
     const OUTWARD: bool = false;
 
     #[inline(always)]
-    fn branch(&mut self, chain: Full<S>, go: impl FnOnce(&mut Self, Full<S>) -> Full<S>) -> Full<S> {
-        chain.join(go(self, Full::massless()))
+    fn branch(&mut self, chain: S::Outboard, go: impl FnOnce(&mut Self, S::Outboard) -> S::Outboard) -> S::Outboard {
+        S::join(chain, go(self, S::nothing()))
     }
 }

@@ -54,8 +54,8 @@
 //! * Stores in a bundle are not known to be apart: where sines are to vectorise, a walk takes its bundle apart in
 //!   [`Outward::items`](crate::shape::Outward::items) and calls a function with one slice each, as poses of arrays do.
 //!
-//! Walks that ask of bodies and joints more than all of them have to say are [selective](crate::shape::Selective): [`factor`], [`meet`],
-//! [`stir`] and [`pull_back`], the [costate sweep](crate::adjoint). A chain with an element that does not know them does not compile.
+//! Walks that ask of bodies and joints more than all of them have to say are [selective](crate::shape::Selective): [`factor`], [`reach`],
+//! [`meet`], [`stir`] and [`pull_back`], the [costate sweep](crate::adjoint). A chain with an element that does not know them does not compile.
 //!
 //! Not yet walks: the condensation, whose arguments could be a bundle once it is known why chains in space would then cost more on
 //! targets without wide registers; poses; lumping of point masses, which changes elements; and the walks of derivatives
@@ -78,6 +78,7 @@ pub mod measure;
 pub mod meet;
 pub mod parts;
 pub mod pull_back;
+pub mod reach;
 pub mod recover;
 pub mod respond;
 pub mod restore;

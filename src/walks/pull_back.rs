@@ -9,17 +9,17 @@ pub struct PullBack;
 
 impl<S: Reversed> Walk<S> for PullBack {
     type Carried = S::Pulled;
-    /// Posture; what [`Stir`](super::stir::Stir) has kept; costates of parameters, positions and rates.
+    /// Posture; rates, accelerations and w; accelerations of bodies, and what [`Stir`](super::stir::Stir) has kept; costates of parameters,
+    /// positions and rates.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
         Ref<PerAxes<S::P>>,
         Ref<PerAxes<S::Q>>,
-        Ref<PerBody<S::Met>>,
-        Mut<PerBody<S::OfBody>>,
-        Mut<PerJoint<S::OfJoint>>,
-        Mut<Rates>,
-        Mut<Rates>,
+        (Ref<Rates>, Ref<Rates>, Ref<Rates>),
+        (Ref<PerBody<S::Vector>>, Ref<PerBody<S::OnBody>>, Ref<PerJoint<S::InJoint>>),
+        (Mut<PerBody<S::OfBody>>, Mut<PerJoint<S::OfJoint>>),
+        (Mut<Rates>, Mut<Rates>),
     );
 }
 

@@ -102,7 +102,6 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
         }
         walk.add(self.gravity.x, scene.gravity().x);
         walk.add(self.gravity.y, scene.gravity().y);
-        walk.add(self.ground, scene.ground(num_traits::Zero::zero()).turn.angle);
         Ok(walk.sum)
     }
 }

@@ -14,78 +14,79 @@
 //! d̄ = −[α ẑ×ᵀG − ω² G + w ẑ×ᵀF]        σ̄ = −[α ẑ×ᵀW_I − ω² W_I + w ẑ×ᵀA_I]        μ̄ = −A_O·W_O        J̄ = −α w
 //! ```
 //!
-//! and at I G has w ẑ×σ more, F α ẑ×σ − ω² σ.
+//! and at I G has w ẑ×σ more, F α ẑ×σ − ω² σ. What α, ω² and w multiply in θ̄ is summed up for all bodies that a pin turns.
 
-use super::{Pulled, Stirred};
+use super::{Kind, OnBody, Outboard, Pulled, Stirred};
 use crate::adjoint::Takes;
 use crate::planar::body::{Base, Pose};
 use crate::planar::{Acceleration, Body, Planar, PointMass, RigidBody, Rod, Wrench};
-use crate::relation::plane::Full;
+use crate::relation::Empty;
 use crate::relation::plane::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::scalar::Scalar;
 use crate::shape::Of;
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
+use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 use nalgebra::Vector2;
 
-/// Carries both motions over a body.
+/// Condenses what lies outboard of a body.
 #[inline(always)]
-fn stir<T: Scalar>(body: &impl Body<T>, pose: Pose<T>, carried: Stirred<T>) -> Stirred<T> {
-    let [d, centripetal] = body.arm(pose);
-    let Stirred { acceleration, stirring, rate } = carried;
-    Stirred { acceleration: acceleration.shifted(d, centripetal), stirring: stirring.swung(d), rate }
+fn factor<T: Scalar>(body: &impl Body<T>, pose: Pose<T>, outer: Outboard<T>) -> Outboard<T> {
+    let relation = match outer.kind {
+        Kind::Nothing => body.condense(Empty, pose),
+        Kind::Pin => body.condense(outer.pin(), pose),
+        Kind::Rigid => body.condense(outer.relation, pose),
+    };
+    Outboard { kind: Kind::Rigid, relation }
 }
 
-/// Carries G and F over a body.
+/// Carries G and F over a body whose outboard end accelerates by `a`.
 #[inline(always)]
 fn pull_back<T: Scalar, B: Body<T>>(
     body: &B,
     pose: Pose<T>,
-    met: &Stirred<T>,
+    (a, met): (Vector2<T>, OnBody<T>),
     carried: Pulled<T>,
     sums: &mut Base<T>,
 ) -> Pulled<T> {
-    let [d, _] = body.arm(pose);
+    let [d, centripetal] = body.arm(pose);
     let Base { moment, lumped, .. } = body.base();
-    let Stirred { acceleration: Acceleration { linear: a, angular }, stirring, rate } = *met;
-    let (v, w, minus_spin2, twice) = (stirring.linear, stirring.angular, -(rate * rate), rate + rate);
+    let OnBody { velocity: v, acceleration: angular, stirring: w } = met;
     let mut momentum = add_scaled(carried.momentum, lumped, v);
     let mut force = add_scaled(carried.force, lumped, a);
-    sums.lumped = sums.lumped - dot(a, v);
+    sums.lumped = (-a.x).mul_add(v.x, (-a.y).mul_add(v.y, sums.lumped));
     sums.inertia = (-angular).mul_add(w, sums.inertia);
     let n = normal(d);
-    let (along, across) = (dot(d, momentum), dot(n, momentum));
-    let mut angle = w.mul_add(dot(d, force), carried.angle);
-    angle = angular.mul_add(along, (-minus_spin2).mul_add(across, angle));
-    let mut rate = twice.mul_add(along, carried.rate);
+    let turned_across = dot(n, momentum);
+    let mut along = plus_dot(carried.along, d, momentum);
+    let mut across = carried.across + turned_across;
+    let mut lever = plus_dot(carried.lever, d, force);
     if B::MOMENT {
-        let direction = body.direction(pose);
+        let (direction, minus_spin2) = (body.direction(pose), pose.p);
         let turned = |[x, y]: [T; 2]| add_scaled(direction * x, y, normal(direction));
         let back = |v: Vector2<T>, sum: &mut [T; 2]| {
             *sum = [plus_dot(sum[0], direction, v), plus_dot(sum[1], normal(direction), v)];
         };
-        // What multiplies d̂ in P, and what multiplies ẑ×d̂.
+        // The costate of a vector whose own acceleration meets p in P, and whose virtual velocity meets q.
         let per =
             |p: Vector2<T>, q: Vector2<T>| add_scaled(add_scaled(normal(p) * angular, -minus_spin2, p), w, normal(q));
         back(per(momentum, force), &mut sums.outboard);
-        let (v, a) = (add_scaled(v, -w, n), add_scaled(add_scaled(a, -angular, n), -minus_spin2, d));
+        let (v, a) = (add_scaled(v, -w, n), add_scaled(a, -angular, n) - centripetal);
         back(per(v, a), &mut sums.moment);
         let moment = turned(moment);
         let beside = normal(moment);
-        let (along, across) = (dot(moment, v), dot(beside, v));
-        angle = w.mul_add(dot(moment, a), angle);
-        angle = angular.mul_add(along, (-minus_spin2).mul_add(across, angle));
-        rate = twice.mul_add(along, rate);
+        (along, across, lever) =
+            (plus_dot(along, moment, v), plus_dot(across, beside, v), plus_dot(lever, moment, a));
         momentum = add_scaled(momentum, w, beside);
         force = add_scaled(add_scaled(force, angular, beside), minus_spin2, moment);
     } else {
         // d · d̄: see `Reversed::complete`.
-        let length = angular.mul_add(across, minus_spin2.mul_add(along, w * dot(n, force)));
+        let length = plus_dot(angular.mul_add(turned_across, w * dot(n, force)), centripetal, momentum);
         sums.outboard[0] = sums.outboard[0] - length;
     }
-    Pulled { momentum, force, angle, rate }
+    Pulled { momentum, force, along, across, lever }
 }
 
 macro_rules! bodies {
@@ -95,10 +96,25 @@ macro_rules! bodies {
             fn take(
                 &self,
                 _: &mut Factor,
-                outer: Full<T>,
+                outer: Outboard<T>,
                 (&x, &y, &p, &q, ..): Of<'_, Planar<T>, Factor, Self>,
-            ) -> Full<T> {
-                Body::condense(self, outer, Pose { x, y, p, q })
+            ) -> Outboard<T> {
+                factor(self, Pose { x, y, p, q }, outer)
+            }
+        }
+
+        impl<T: Scalar> Takes<Planar<T>, Reach> for $Body<T> {
+            #[inline(always)]
+            fn take(
+                &self,
+                _: &mut Reach,
+                inner: Acceleration<T>,
+                (&x, &y, &p, &q, .., reached): Of<'_, Planar<T>, Reach, Self>,
+            ) -> Acceleration<T> {
+                let [d, centripetal] = self.arm(Pose { x, y, p, q });
+                let outer = inner.shifted(d, centripetal);
+                *reached = outer.linear;
+                outer
             }
         }
 
@@ -121,10 +137,16 @@ macro_rules! bodies {
                 &self,
                 _: &mut Stir,
                 inner: Stirred<T>,
-                (&x, &y, &p, &q, .., met, _): Of<'_, Planar<T>, Stir, Self>,
+                (&x, &y, &p, &q, .., (met, ()), _): Of<'_, Planar<T>, Stir, Self>,
             ) -> Stirred<T> {
-                *met = stir(self, Pose { x, y, p, q }, inner);
-                *met
+                let [d, _] = self.arm(Pose { x, y, p, q });
+                let (velocity, turning) = (inner.velocity.swung(d), inner.turning);
+                *met = OnBody {
+                    velocity: velocity.linear,
+                    acceleration: turning.acceleration,
+                    stirring: turning.stirring,
+                };
+                Stirred { velocity, turning }
             }
         }
 
@@ -134,9 +156,9 @@ macro_rules! bodies {
                 &self,
                 _: &mut PullBack,
                 outer: Pulled<T>,
-                (&x, &y, &p, &q, met, sums, ..): Of<'_, Planar<T>, PullBack, Self>,
+                (&x, &y, &p, &q, _, (a, met, ()), (sums, ()), _): Of<'_, Planar<T>, PullBack, Self>,
             ) -> Pulled<T> {
-                pull_back(self, Pose { x, y, p, q }, met, outer, sums)
+                pull_back(self, Pose { x, y, p, q }, (*a, *met), outer, sums)
             }
         }
     )*};

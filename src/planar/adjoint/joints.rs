@@ -1,15 +1,15 @@
 //! The costate sweep in the plane: what joints do.
 
-use super::{Pulled, Stirred};
+use super::{Outboard, Pulled, Stirred, Turning};
 use crate::adjoint::Takes;
-use crate::planar::{Pin, Planar, Weld, Wrench};
-use crate::relation::plane::Full;
+use crate::planar::{Acceleration, Pin, Planar, Weld, Wrench};
 use crate::relation::plane::algebra::{add_scaled, plus_dot};
 use crate::scalar::Scalar;
 use crate::shape::Of;
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
+use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 
 impl<T: Scalar> Takes<Planar<T>, Factor> for Pin {
@@ -17,15 +17,27 @@ impl<T: Scalar> Takes<Planar<T>, Factor> for Pin {
     fn take(
         &self,
         _: &mut Factor,
-        outer: Full<T>,
+        outer: Outboard<T>,
         (.., torque, gain, pivot): Of<'_, Planar<T>, Factor, Self>,
-    ) -> Full<T> {
+    ) -> Outboard<T> {
         // The same quotient as in the elimination: it is formed once.
-        *pivot = outer.angular.recip();
-        let (relation, found) = outer.pinned(*torque);
+        *pivot = outer.relation.angular.recip();
+        let (relation, found) = outer.relation.pinned(*torque);
         *gain = found;
-        // Its torque on the outboard part acts on the inboard one as well.
-        relation.whole()
+        Outboard::of_pin(relation)
+    }
+}
+
+impl<T: Scalar> Takes<Planar<T>, Reach> for Pin {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Reach,
+        inner: Acceleration<T>,
+        (.., gain, acceleration, ()): Of<'_, Planar<T>, Reach, Self>,
+    ) -> Acceleration<T> {
+        *acceleration = gain.angular(inner.linear, &());
+        Acceleration { angular: *acceleration, ..inner }
     }
 }
 
@@ -50,15 +62,15 @@ impl<T: Scalar> Takes<Planar<T>, Stir> for Pin {
         &self,
         _: &mut Stir,
         inner: Stirred<T>,
-        (.., gain, rate, acceleration, free, (), torque): Of<'_, Planar<T>, Stir, Self>,
+        (.., gain, (rate, acceleration, free), _, torque): Of<'_, Planar<T>, Stir, Self>,
     ) -> Stirred<T> {
-        let Stirred { acceleration: mut at, mut stirring, .. } = inner;
-        let w = plus_dot(*free, gain.per_acceleration, stirring.linear);
+        let linear = inner.velocity.linear;
+        let w = plus_dot(*free, gain.per_acceleration, linear);
         // A torque acts on the outboard body and against the inboard one.
-        *torque += w - stirring.angular;
-        stirring.angular = w;
-        at.angular = *acceleration;
-        Stirred { acceleration: at, stirring, rate: *rate }
+        *torque += w - inner.velocity.angular;
+        *free = w;
+        let turning = Turning { rate: *rate, acceleration: *acceleration, stirring: w };
+        Stirred { velocity: Acceleration { linear, angular: w }, turning }
     }
 }
 
@@ -69,17 +81,24 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Pin {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (.., position, rate): Of<'_, Planar<T>, PullBack, Self>,
+        (.., (&rate, &acceleration, &stirring), _, _, (of_position, of_rate)): Of<'_, Planar<T>, PullBack, Self>,
     ) -> Pulled<T> {
-        (*position, *rate) = (outer.angle, outer.rate);
-        Pulled { angle: T::zero(), rate: T::zero(), ..outer }
+        [*of_position, *of_rate] = outer.turned(Turning { rate, acceleration, stirring });
+        Pulled { along: T::zero(), across: T::zero(), lever: T::zero(), ..outer }
     }
 }
 
 impl<T: Scalar> Takes<Planar<T>, Factor> for Weld<T> {
     #[inline(always)]
-    fn take(&self, _: &mut Factor, outer: Full<T>, _: Of<'_, Planar<T>, Factor, Self>) -> Full<T> {
+    fn take(&self, _: &mut Factor, outer: Outboard<T>, _: Of<'_, Planar<T>, Factor, Self>) -> Outboard<T> {
         outer
+    }
+}
+
+impl<T: Scalar> Takes<Planar<T>, Reach> for Weld<T> {
+    #[inline(always)]
+    fn take(&self, _: &mut Reach, inner: Acceleration<T>, _: Of<'_, Planar<T>, Reach, Self>) -> Acceleration<T> {
+        inner
     }
 }
 
@@ -92,7 +111,13 @@ impl<T: Scalar> Takes<Planar<T>, Meet> for Weld<T> {
 
 impl<T: Scalar> Takes<Planar<T>, Stir> for Weld<T> {
     #[inline(always)]
-    fn take(&self, _: &mut Stir, inner: Stirred<T>, _: Of<'_, Planar<T>, Stir, Self>) -> Stirred<T> {
+    fn take(
+        &self,
+        _: &mut Stir,
+        inner: Stirred<T>,
+        (.., ((), turning), _): Of<'_, Planar<T>, Stir, Self>,
+    ) -> Stirred<T> {
+        *turning = inner.turning;
         inner
     }
 }
@@ -104,9 +129,9 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Weld<T> {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (.., sum, (), ()): Of<'_, Planar<T>, PullBack, Self>,
+        (.., (_, _, turning), (_, sum), _): Of<'_, Planar<T>, PullBack, Self>,
     ) -> Pulled<T> {
-        *sum += outer.angle;
+        *sum += outer.turned(*turning)[0];
         outer
     }
 }

@@ -9,31 +9,93 @@ use super::body::Base;
 use crate::adjoint::Reversed;
 use crate::planar::{Acceleration, Frame, Planar};
 use crate::relation::Additive;
+use crate::relation::plane::{Full, Point};
 use crate::scalar::Scalar;
 use core::ops::Add;
 use nalgebra::Vector2;
 
-/// A station and the body on its inboard side, on the way outward.
+/// What lies outboard of a station, with a kind: bodies save what a pin or a free tip leaves out.
+#[derive(Clone, Copy)]
+pub struct Outboard<T: Scalar> {
+    kind: Kind,
+    relation: Full<T>,
+}
+
+/// What there is of a relation.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    /// A free tip: nothing.
+    Nothing,
+    /// A pin: the moment does not depend on the motion.
+    Pin,
+    /// All of it.
+    Rigid,
+}
+
+impl<T: Scalar> Outboard<T> {
+    /// Of a pin with a torque in it.
+    #[inline(always)]
+    fn of_pin(Point { stiffness, offset, torque, .. }: Point<T, T>) -> Self {
+        let relation = Full { linear: stiffness, force: offset, torque, ..Full::massless() };
+        Self { kind: Kind::Pin, relation }
+    }
+    /// The relation of a pin.
+    #[inline(always)]
+    fn pin(&self) -> Point<T, T> {
+        let Full { linear, force, torque, cuts, .. } = self.relation;
+        Point { stiffness: linear, offset: force, torque, cuts: cuts.mapped(|w| w.force) }
+    }
+}
+
+/// A virtual velocity on the way outward, and what turns the body on the inboard side.
 #[derive(Clone, Copy, Debug)]
 pub struct Stirred<T> {
-    /// Acceleration, in a frame that falls freely.
-    pub(super) acceleration: Acceleration<T>,
-    /// Virtual velocity.
-    pub(super) stirring: Acceleration<T>,
-    /// Angular velocity (rad/s).
-    pub(super) rate: T,
+    /// W and w.
+    velocity: Acceleration<T>,
+    turning: Turning<T>,
+}
+
+/// How a body turns.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning<T> {
+    /// ω (rad/s).
+    rate: T,
+    /// α (rad/s²).
+    acceleration: T,
+    /// w.
+    stirring: T,
+}
+
+/// What the outward walk keeps of a body.
+#[derive(Clone, Copy, Debug)]
+pub struct OnBody<T> {
+    /// Virtual velocity of its outboard end.
+    velocity: Vector2<T>,
+    /// α and w.
+    acceleration: T,
+    stirring: T,
 }
 
 /// What is carried inward.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pulled<T> {
     /// G, the momentum of the virtual motion.
-    pub(super) momentum: Vector2<T>,
+    momentum: Vector2<T>,
     /// F, the force of inverse dynamics.
-    pub(super) force: Vector2<T>,
-    /// Costates of the angle and the angular velocity that turn what has been met since the last pin.
-    pub(super) angle: T,
-    pub(super) rate: T,
+    force: Vector2<T>,
+    /// What α, ω² and w multiply in the costate of the angle of all that has been met since the last pin.
+    along: T,
+    across: T,
+    lever: T,
+}
+
+impl<T: Scalar> Pulled<T> {
+    /// The costates of the angle and the angular velocity that turn what has been met.
+    #[inline(always)]
+    fn turned(&self, Turning { rate, acceleration, stirring }: Turning<T>) -> [T; 2] {
+        let angle = acceleration.mul_add(self.along, (rate * rate).mul_add(self.across, stirring * self.lever));
+        [angle, (rate + rate) * self.along]
+    }
 }
 
 impl<T: Scalar> Add for Pulled<T> {
@@ -43,8 +105,9 @@ impl<T: Scalar> Add for Pulled<T> {
         Self {
             momentum: self.momentum + other.momentum,
             force: self.force + other.force,
-            angle: self.angle + other.angle,
-            rate: self.rate + other.rate,
+            along: self.along + other.along,
+            across: self.across + other.across,
+            lever: self.lever + other.lever,
         }
     }
 }
@@ -53,31 +116,48 @@ impl<T: Scalar> Additive for Pulled<T> {
     #[inline(always)]
     fn null() -> Self {
         let (zero, none) = (T::zero(), Vector2::null());
-        Self { momentum: none, force: none, angle: zero, rate: zero }
+        Self { momentum: none, force: none, along: zero, across: zero, lever: zero }
     }
 }
 
 impl<T: Scalar> Reversed for Planar<T> {
+    type Outboard = Outboard<T>;
     type Pivot = T;
     type Stirred = Stirred<T>;
-    /// Of its outboard end.
-    type Met = Stirred<T>;
+    type OnBody = OnBody<T>;
+    type InJoint = Turning<T>;
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
     /// By the angle of a weld.
     type OfJoint = T;
 
+    #[inline(always)]
+    fn nothing() -> Outboard<T> {
+        Outboard { kind: Kind::Nothing, relation: Full::massless() }
+    }
+    #[inline(always)]
+    fn join(chain: Outboard<T>, arm: Outboard<T>) -> Outboard<T> {
+        use crate::relation::Join;
+        let kind = match (chain.kind, arm.kind) {
+            (Kind::Nothing, kind) | (kind, Kind::Nothing) => kind,
+            (Kind::Pin, Kind::Pin) => Kind::Pin,
+            _ => Kind::Rigid,
+        };
+        Outboard { kind, relation: chain.relation.join(arm.relation) }
+    }
     fn no_pivot() -> T {
         T::zero()
     }
     #[inline(always)]
-    fn at_ground(frame: &Frame<T>, gravity: Vector2<T>) -> Stirred<T> {
-        let still = Acceleration { linear: Vector2::null(), angular: T::zero() };
-        Stirred { acceleration: frame.falling(gravity), stirring: still, rate: frame.turn.rate }
+    fn at_ground(frame: &Frame<T>) -> Stirred<T> {
+        let zero = T::zero();
+        let turning = Turning { rate: frame.turn.rate, acceleration: frame.acceleration.angular, stirring: zero };
+        Stirred { velocity: Acceleration { linear: Vector2::null(), angular: zero }, turning }
     }
-    fn unmet() -> Stirred<T> {
-        let still = Acceleration { linear: Vector2::null(), angular: T::zero() };
-        Stirred { acceleration: still, stirring: still, rate: T::zero() }
+    fn untouched() -> (OnBody<T>, Turning<T>) {
+        let zero = T::zero();
+        let turning = Turning { rate: zero, acceleration: zero, stirring: zero };
+        (OnBody { velocity: Vector2::null(), acceleration: zero, stirring: zero }, turning)
     }
     fn of_no_body() -> Base<T> {
         let zero = T::zero();
@@ -86,10 +166,6 @@ impl<T: Scalar> Reversed for Planar<T> {
     #[inline(always)]
     fn of_gravity(pulled: &Pulled<T>) -> Vector2<T> {
         pulled.momentum
-    }
-    #[inline(always)]
-    fn of_ground(pulled: &Pulled<T>) -> T {
-        pulled.angle
     }
     /// Links in the direction of their axes sum up d · d̄: their length l is constant, and d̄ along d is that over l.
     fn complete(size: &T, sums: &mut Base<T>) {
