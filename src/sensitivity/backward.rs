@@ -30,7 +30,7 @@
 //! #     let rods = l.map(|l| Rod::uniform(l, 1.0));
 //! #     let p = System::new(Pinned::origin(), (rods[0], Pin, rods[1]), Free)?.with_gravity(9.81);
 //! #     let held = Loads::none().torques([0.1, 0.1]);
-//! #     Ok(p.simulation(Rk4::step(0.01)).loads(&held).run(p.at_rest(&[-1.0, -0.5])?, 2.0, |_| ())?.motion.position().1.2)
+//! #     Ok(p.simulation(Rk4::step(0.01)).loads(&held).run(p.at_rest(&[-1.0, -0.5])?, 2.0, |_| ())?.motion.position().1.1)
 //! # };
 //! # assert!((by_first - (cost([1.0 + 1e-5, 0.8])? - cost([1.0 - 1e-5, 0.8])?) / 2e-5).abs() < 1e-7);
 //! # assert!((by_second - (cost([1.0, 0.8 + 1e-5])? - cost([1.0, 0.8 - 1e-5])?) / 2e-5).abs() < 1e-7);
@@ -40,7 +40,7 @@
 use super::gradient::{Costate, Gradient};
 use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip, Takes};
 use crate::element::{Element, RealOf, Unloaded};
-use crate::ends::Root;
+use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
@@ -52,6 +52,7 @@ use crate::system::{Dynamics, Elements, MotionOf, PositionOf, RateOf, Runs, Syst
 use crate::time::Explicit;
 use crate::walks::complete::complete;
 use crate::walks::factor::Factor;
+use crate::walks::fits::fits;
 use crate::walks::measure::gains;
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
@@ -104,12 +105,14 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P, M: Explicit> 
     weights: M::Rows<[[f64; ROWS]; 2]>,
 }
 
-impl<S: Reversed, R: ReversibleRoot<S>, C: Element<S>, P: ReversibleTip<S>> System<S, R, C, P> {
+impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Runs by fixed steps of an explicit method, whose gradients go backward.
     ///
     /// See [`sensitivity::Backward`](crate::sensitivity::Backward).
     pub fn backward<M: Explicit>(&self, method: M) -> Backward<'_, S, R, C, P, M>
     where
+        R: ReversibleRoot<S>,
+        P: ReversibleTip<S>,
         Elements<S, R, C>: Reversible<S>,
         Self: Runs<Unloaded, S, R, C, P>,
         EffortOf<S>: Additive,
@@ -189,7 +192,7 @@ where
         let Some(states) = states.get_mut(..=steps) else {
             return Err(Error::new(Fault::Count { expected: steps + 1, given }));
         };
-        if !(start.fits(&self.scene.motion()) && states.iter().all(|state| state.fits(start))) {
+        if !(self.fits(start) && states.iter().all(|state| state.fits(start))) {
             return Err(Error::new(Fault::Shape));
         }
         // Copies that allocate nothing.
@@ -228,7 +231,7 @@ where
         by_torques: &mut [EffortOf<S>],
         mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut Costate<RateOf<S, R, C>>) -> Result<(), Error>,
     ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
-        let (elements, still) = (self.scene.elements(), self.scene.motion());
+        let elements = self.scene.elements();
         let steps = states.len().saturating_sub(1);
         let Some(last) = states.last() else {
             return Err(Error::new(Fault::Count { expected: 1, given: 0 }));
@@ -237,7 +240,7 @@ where
         if !by_torques.is_empty() {
             self.admits(steps, by_torques.len())?;
         }
-        if !states.iter().all(|state| state.fits(&still)) {
+        if !(self.fits(last) && states.iter().all(|state| state.fits(last))) {
             return Err(Error::new(Fault::Shape));
         }
         let mut gradient = Gradient::none(elements, &self.zero);
@@ -245,7 +248,7 @@ where
         for (k, state) in states.iter().enumerate().take(steps).rev() {
             self.take_torques(torques, k);
             self.evaluate(state, step);
-            self.pull_back_step(state.time, step, &mut gradient);
+            self.pull_back_step(state, step, &mut gradient);
             if !by_torques.is_empty() {
                 let joints = self.scene.joints();
                 let list = &mut by_torques[k * joints..][..joints];
@@ -255,6 +258,11 @@ where
         }
         complete::<S, _>(elements, &mut gradient.bodies);
         Ok(gradient)
+    }
+
+    /// Whether a motion is one of this scene.
+    fn fits(&self, motion: &MotionOf<S, R, C, P>) -> bool {
+        fits(self.scene.elements(), &motion.position, &motion.rate)
     }
 
     /// Refuses lists of torques of another length.
@@ -271,30 +279,37 @@ where
         }
     }
 
-    /// The stages of a step.
+    /// The stages of a step, of which the first is the motion before it.
     fn evaluate(&mut self, past: &MotionOf<S, R, C, P>, step: RealOf<S>) {
         for row in 0..M::STAGES {
-            let (weights, room) = ((&M::position(row)[..row], &M::rate(row)[..row]), (&self.zero, &mut self.sum));
-            let into = (&mut self.position, &mut self.stages.as_mut()[row].rate);
-            displace(past, self.accelerations.as_ref(), M::node(row), weights, step, room, into);
-            self.sweep(row, past.time + RealOf::<S>::of(M::node(row)) * step);
+            if row > 0 {
+                let (weights, room) = ((&M::position(row)[..row], &M::rate(row)[..row]), (&self.zero, &mut self.sum));
+                let into = (&mut self.position, &mut self.stages.as_mut()[row].rate);
+                displace(past, self.accelerations.as_ref(), M::node(row), weights, step, room, into);
+            }
+            self.sweep(row, past, past.time + RealOf::<S>::of(M::node(row)) * step);
         }
     }
 
     /// The sweep of a stage.
     #[inline(never)] // one copy for forward and backward
-    fn sweep(&mut self, row: usize, time: RealOf<S>) {
-        let elements = self.scene.elements();
+    fn sweep(&mut self, row: usize, past: &MotionOf<S, R, C, P>, time: RealOf<S>) {
+        let (elements, ground) = (self.scene.elements(), self.scene.ground(time));
         let Stage { x, y, p, q, kept, pivots, reached, rate } = &mut self.stages.as_mut()[row];
-        let ground = self.scene.ground(time);
-        elements.pose(&self.position, rate, ground.turn, &self.sizes, x, y, p, q);
+        let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (&self.position, &*rate) };
+        elements.pose(position, rate, ground.turn, &self.sizes, x, y, p, q);
         elements.take(&mut Factor, S::nothing(), (x, y, p, q, &self.torques, kept, pivots));
         let acceleration = &mut self.accelerations.as_mut()[row];
         elements.take(&mut Reach, ground.falling(self.scene.gravity()), (x, y, p, q, kept, acceleration, reached));
     }
 
     /// From the costates after a step to those before it: the columns of the tableau, from the last to the first.
-    fn pull_back_step(&mut self, time: RealOf<S>, step: RealOf<S>, gradient: &mut Gradient<S, Elements<S, R, C>>) {
+    fn pull_back_step(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        gradient: &mut Gradient<S, Elements<S, R, C>>,
+    ) {
         let (last, one) = (M::STAGES, RealOf::<S>::one());
         self.of_position.as_mut()[last].set(&gradient.start.position);
         self.of_rate.as_mut()[last].set(&gradient.start.rate);
@@ -305,7 +320,7 @@ where
             gather(&mut self.sum, &self.zero, step * step, &position[later.clone()], of_position);
             let of_rate = &self.of_rate.as_ref()[later.clone()];
             gather(&mut self.of_acceleration, &self.sum, step, &rate[later], of_rate);
-            self.pull_back_stage(row, time + RealOf::<S>::of(M::node(row)) * step, gradient);
+            self.pull_back_stage(row, past, past.time + RealOf::<S>::of(M::node(row)) * step, gradient);
         }
         let (of_position, of_rate) = (&self.of_position.as_ref()[..=last], &self.of_rate.as_ref()[..=last]);
         let mut nodes = [0.0; ROWS];
@@ -317,9 +332,16 @@ where
 
     /// From the costates of the accelerations of a stage to those of its positions and rates.
     #[inline(never)]
-    fn pull_back_stage(&mut self, row: usize, time: RealOf<S>, gradient: &mut Gradient<S, Elements<S, R, C>>) {
+    fn pull_back_stage(
+        &mut self,
+        row: usize,
+        past: &MotionOf<S, R, C, P>,
+        time: RealOf<S>,
+        gradient: &mut Gradient<S, Elements<S, R, C>>,
+    ) {
         let elements = self.scene.elements();
         let Stage { x, y, p, q, kept, pivots, reached, rate } = &self.stages.as_ref()[row];
+        let rate = if row == 0 { &past.rate } else { rate };
         let (acceleration, free) = (&self.accelerations.as_ref()[row], &mut self.of_acceleration);
         elements.take(&mut Meet, Wrench::none(), (x, y, p, q, kept, pivots, free));
         let ground = S::at_ground(&self.scene.ground(time));
@@ -332,5 +354,5 @@ where
         let stores = (x, y, p, q, (rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
         let left = elements.take(&mut PullBack, S::Pulled::null(), stores);
         gradient.gravity = gradient.gravity + S::of_gravity(&left);
-            }
+    }
 }

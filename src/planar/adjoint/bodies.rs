@@ -77,8 +77,7 @@ fn pull_back<T: Scalar, B: Body<T>>(
         back(per(v, a), &mut sums.moment);
         let moment = turned(moment);
         let beside = normal(moment);
-        (along, across, lever) =
-            (plus_dot(along, moment, v), plus_dot(across, beside, v), plus_dot(lever, moment, a));
+        (along, across, lever) = (plus_dot(along, moment, v), plus_dot(across, beside, v), plus_dot(lever, moment, a));
         momentum = add_scaled(momentum, w, beside);
         force = add_scaled(add_scaled(force, angular, beside), minus_spin2, moment);
     } else {
