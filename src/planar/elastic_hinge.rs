@@ -1,7 +1,7 @@
 //! The elastic hinge: a joint with springs and dampers.
 
 use super::axes::Coincident;
-use super::spring::{Custom, SpringLaw, read};
+use super::spring::Custom;
 use super::{Acceleration, Frame, Joint, Linear, Planar, Spring, SpringState, Turn};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
 use crate::error::Fault;
@@ -9,6 +9,7 @@ use crate::lift::{Lift, lift};
 use crate::relation::plane::{Full, HingeGain, Point, Rigid, Slides};
 use crate::relation::{Absent, Closures, Minus, Term};
 use crate::scalar::Scalar;
+use crate::spring::{SpringLaw, read};
 
 /// A joint with springs and dampers: rotary ones, and linear ones where there are any (see [`Linear`]). Without linear springs
 /// its points coincide.

@@ -2,7 +2,6 @@
 
 use super::axes::Axes;
 use super::linear::{HingeAxes, Linear};
-use super::spring::SpringLaw;
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
 use crate::element::{Element, Posture, Springs};
@@ -11,6 +10,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::shape::{JointPosture, PerAxes, Shape};
+use crate::spring::SpringLaw;
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use typenum::{U0, U1, U3, Unsigned};

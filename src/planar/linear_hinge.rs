@@ -1,13 +1,14 @@
 //! The elastic hinge with linear springs.
 
 use super::linear::{HingeAxes, Linear};
-use super::spring::{Custom, SpringLaw, read};
+use super::spring::Custom;
 use super::{Acceleration, ElasticHinge, Frame, HingeRule, Joint, Planar, Spring, SpringState, Turn};
 use crate::element::{Condense, Given, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::relation::plane::{Full, HingeGain, Point, Relation, Rigid, SlideGain, Slides};
 use crate::relation::{Absent, Closures, Coefficient, Term};
 use crate::scalar::Scalar;
+use crate::spring::{SpringLaw, read};
 use nalgebra::Vector2;
 
 /// The rotation of a hinge in a sweep whose springs enter by `K`: against a spring, or free.

@@ -145,20 +145,32 @@ impl<T: Scalar> Term<T> for Minus<T> {
 }
 
 /// A coefficient that a scene may or may not have: of damping, for example.
-pub trait Coefficient<T>: Part {
+pub trait Coefficient<T: Scalar>: Part {
     /// `self · factor + sum`.
     fn times_onto(self, factor: T, sum: T) -> T;
     /// `self · factor`, or nothing.
     fn times(self, factor: T) -> Self;
+    /// −self · factor, or zero.
+    fn against(self, factor: T) -> T;
+    /// `self · factor`, or zero.
+    fn scaled(self, factor: T::Real) -> T;
 }
 
-impl<T> Coefficient<T> for Absent {
+impl<T: Scalar> Coefficient<T> for Absent {
     #[inline(always)]
     fn times_onto(self, _: T, sum: T) -> T {
         sum
     }
     fn times(self, _: T) -> Self {
         self
+    }
+    #[inline(always)]
+    fn against(self, _: T) -> T {
+        T::zero()
+    }
+    #[inline(always)]
+    fn scaled(self, _: T::Real) -> T {
+        T::zero()
     }
 }
 
@@ -169,6 +181,14 @@ impl<T: Scalar> Coefficient<T> for T {
     }
     fn times(self, factor: T) -> Self {
         self * factor
+    }
+    #[inline(always)]
+    fn against(self, factor: T) -> T {
+        -(self * factor)
+    }
+    #[inline(always)]
+    fn scaled(self, factor: T::Real) -> T {
+        self.scale(factor)
     }
 }
 

@@ -3,11 +3,11 @@
 use super::axial::{Axial, Listed};
 use super::axial_walks::{angular_bias, linear_bias};
 use super::rotary_spring::RotaryLaw;
-use super::spring::Law;
 use super::{Ball, ElasticHinge, Floating, JointMotion, Linear, Rotation, Weld};
 use crate::relation::space::Way;
 use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, zero};
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use nalgebra::Vector3;
 
 /// What a joint lets move at an instant, in inertial axes: p_O = X p_I + c + Φ q̈, Φᵀ F = τ.
@@ -62,7 +62,7 @@ pub(super) fn rotary<T: Scalar, R: RotaryLaw<T>>(
     Release { angular, ..Release::nothing() }.turning(&outer.attitude, springs.into())
 }
 
-pub(super) fn elastic<T: Scalar, R: RotaryLaw<T>, X: Law<T>, Y: Law<T>, Z: Law<T>>(
+pub(super) fn elastic<T: Scalar, R: RotaryLaw<T>, X: SpringLaw<T>, Y: SpringLaw<T>, Z: SpringLaw<T>>(
     joint: &ElasticHinge<R, Linear<T, X, Y, Z>>,
     motion: &JointMotion<T>,
     (place, turn): &([T; 3], Rotation<T>),
@@ -114,7 +114,7 @@ pub(super) fn axial<T: Scalar, J: Axial<T, K>, const K: usize>(
         ..Release::nothing()
     };
     for k in 0..K {
-        let spring = joint.force_onto(k, position[k], rate[k], T::zero());
+        let spring = joint.force(k, position[k], rate[k]);
         release.coordinates[k] = Some((J::WAYS[k], relative.axes[k], spring));
     }
     release
