@@ -22,12 +22,13 @@ mod shared;
 pub mod space;
 mod wrench;
 
+pub use arms::{Carry, Forces, Kind, Wrenches};
 pub use closing::Close;
 pub use closure::{Closures, Cut, Cuts, Open, Solvable, largest};
 pub use full::Full;
 pub use geometry::{AccelerationOf, Additive, Angular, Geometry, Symmetric, VectorSpace, WrenchOf};
 pub use kinds::{Empty, Lump, Point, Relation};
-pub use looped::{Carry, Forces, Kind, LoopGain, Looped, Own, Settle, Twisted, Wrenches};
+pub use looped::{LoopGain, Looped, Own, Settle, Twisted};
 pub use shared::Shared;
 pub use wrench::{Acceleration, Wrench};
 
