@@ -1,7 +1,8 @@
 //! What derivatives of a run cost: a step with derivatives beside a plain one.
 //!
 //! `cargo bench --bench sensitivity` measures instructions and time of steps of RK4 (yardstick A, 1 ms) for all initial values and for
-//! parameters: through kept gains, by the rule itself over the same numbers, and over those of `num-dual`. Rods on balls in space besides.
+//! parameters: through kept gains, by the rule itself over the same numbers, and over those of `num-dual`. Rods on balls in space besides, and
+//! a crane whose cart slides: arrays of many derivatives are what compilers like to copy.
 
 #[path = "parts/clock.rs"]
 mod clock;
@@ -138,6 +139,21 @@ macro_rules! in_space {
     };
 }
 
+/// A cart on a track and two rods below it.
+macro_rules! on_a_track {
+    ($T:ty) => {
+        || {
+            let [cart, upper, lower] = core::array::from_fn(|i| rod::<$T>(i, 3, true));
+            let [zero, slope] = [0.0, 0.1].map(|x| <$T>::literal(black_box(x)));
+            let chain = (Slider::along(slope), cart, Pin, upper, Pin, lower);
+            let system = System::new(Clamped::at(zero, zero, zero), chain, Free)?.with_gravity(<$T>::literal(9.81));
+            let start = system.at_rest(&[zero; 2])?;
+            let past = system.with_accelerations(start, &Unloaded)?;
+            case!(steps system past)
+        }
+    };
+}
+
 fn rows() -> Vec<Row> {
     let mut rows = vec![];
     macro_rules! row {
@@ -171,11 +187,21 @@ fn rows() -> Vec<Row> {
     space!("4 parameters, in space", 1, "gains", Jet<f64, 4>, true, through);
     space!("4 parameters, in space", 1, "jets", Jet<f64, 4>, true);
     space!("4 parameters, in space", 1, "num-dual", DualSVec64<4>, true);
+    macro_rules! track {
+        ($seeds:literal, $way:literal, $T:ty) => {
+            rows.push(Row { bodies: 3, seeds: $seeds, way: $way, runs: 1, make: on_a_track!($T) });
+        };
+    }
+    track!("none, on a track", "plain", f64);
+    track!("5 parameters, on a track", "jets", Jet<f64, 5>);
+    track!("8 parameters, on a track", "jets", Jet<f64, 8>);
+    track!("16 parameters, on a track", "jets", Jet<f64, 16>);
     row!(20, "none", 1, "plain", f64, false);
     row!(20, "state", 1, "gains, 40", Jet<f64, 40>, false, through);
     row!(20, "state", 2, "gains, 20", Jet<f64, 20>, false, through);
     row!(20, "state", 5, "gains, 8", Jet<f64, 8>, false, through);
     row!(20, "state", 5, "jets, 8", Jet<f64, 8>, false);
+    row!(20, "state", 3, "jets, 16", Jet<f64, 16>, false);
     row!(20, "state", 10, "num-dual, 4", DualSVec64<4>, false);
     row!(20, "state", 5, "num-dual, 8", DualSVec64<8>, false);
     row!(20, "1 parameter", 1, "gains", Jet<f64, 1>, true, through);
@@ -240,7 +266,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("| n | derivatives by | way | runs | instructions a step | : plain | µs a step | : plain |");
     println!("|---:|---|---|---:|---:|---:|---:|---:|");
     for (i, row) in rows.iter().enumerate() {
-        let plain = rows.iter().position(|other| other.bodies == row.bodies).unwrap_or(i);
+        let plain = rows[..=i].iter().rposition(|other| other.way == "plain").unwrap_or(i);
         let runs = row.runs as f64;
         let (count, time) = (runs * counts[i], runs * times[i]);
         println!(

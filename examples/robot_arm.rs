@@ -10,7 +10,7 @@
 
 mod common;
 
-use catena::mirror::Rate;
+use catena::JointNumbers;
 use catena::spatial::*;
 use catena::system::MotionOf;
 use common::{BLUE, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
@@ -19,23 +19,25 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
 
+type Hinge = Named<Revolute<f64>>;
 /// Shoulder, upper arm, forearm, two links of the wrist and the hand, with what it holds.
 type Chain = (
     RigidBody<f64>,
-    Revolute<f64>,
+    Hinge,
     RigidBody<f64>,
-    Revolute<f64>,
+    Hinge,
     RigidBody<f64>,
-    Revolute<f64>,
+    Hinge,
     RigidBody<f64>,
-    Revolute<f64>,
+    Hinge,
     RigidBody<f64>,
-    Revolute<f64>,
-    (RigidBody<f64>, PointMass<f64>),
+    Hinge,
+    (Named<RigidBody<f64>>, PointMass<f64>),
 );
 /// The arm stands on a turntable.
-type Arm = System<f64, Hinged<[f64; 3], Rotation<f64>, f64>, Chain, Free>;
-type ArmMotion = MotionOf<Spatial<f64>, Hinged<[f64; 3], Rotation<f64>, f64>, Chain, Free>;
+type Turntable = Named<Hinged<[f64; 3], Rotation<f64>, f64>>;
+type Arm = System<f64, Turntable, Chain, Free>;
+type ArmMotion = MotionOf<Spatial<f64>, Turntable, Chain, Free>;
 type Joints = [f64; 6];
 
 const CYCLE: f64 = 1e-3; // (s)
@@ -44,6 +46,7 @@ const LOAD: f64 = 0.5; // (kg)
 /// Axes of the joints, each in axes of the link before it, which all coincide where all angles are zero.
 const AXES: [[f64; 3]; 6] =
     [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
+const NAMES: [&str; 6] = ["turntable", "shoulder", "elbow", "forearm", "wrist", "hand"];
 /// Angles of the joints (rad): ready, above, at the load, across, and down.
 const POSES: [Joints; 5] = [
     [0.0, -1.2, 1.6, 0.0, 0.4, 0.0],
@@ -72,8 +75,8 @@ fn link(way: [f64; 3], radius: f64, mass: f64) -> RigidBody<f64> {
 }
 
 fn arm(load: f64) -> Result<Arm, catena::Error> {
-    let joint = |k: usize| Revolute::about(AXES[k]);
-    let hand = (link([0.12, 0.0, 0.0], 0.04, 0.8), PointMass::new(0.05, load));
+    let joint = |k: usize| Revolute::about(AXES[k]).named(NAMES[k]);
+    let hand = (link([0.12, 0.0, 0.0], 0.04, 0.8).named("hand"), PointMass::new(0.05, load));
     let chain = (
         link([0.0, 0.0, 0.45], 0.12, 15.0),
         joint(1),
@@ -87,7 +90,7 @@ fn arm(load: f64) -> Result<Arm, catena::Error> {
         joint(5),
         hand,
     );
-    Ok(System::new(Hinged::at([0.0; 3], AXES[0]), chain, Free)?.with_gravity([0.0, 0.0, -9.81]))
+    Ok(System::new(Hinged::at([0.0; 3], AXES[0]).named(NAMES[0]), chain, Free)?.with_gravity([0.0, 0.0, -9.81]))
 }
 
 /// Angles, rates and accelerations wanted at a time: from pose to pose by polynomials of fifth degree, at rest in each.
@@ -103,15 +106,11 @@ fn wanted(time: f64) -> [Joints; 3] {
 }
 
 /// Positions and rates of the joints.
-fn state(motion: &ArmMotion) -> [Joints; 2] {
-    let (mut lists, mut count) = ([[0.0; 6]; 2], [0; 2]);
-    let mut note = |which: usize, x: f64| {
-        lists[which][count[which]] = x;
-        count[which] += 1;
-    };
-    motion.position().visit(&mut |x: f64| note(0, x));
-    motion.rate().visit(&mut |x: f64| note(1, x));
-    lists
+fn state(motion: &ArmMotion) -> Result<[Joints; 2], catena::Error> {
+    let (mut angles, mut rates) = ([0.0; 6], [0.0; 6]);
+    motion.coordinates_into(&mut angles)?;
+    motion.rates_into(&mut rates)?;
+    Ok([angles, rates])
 }
 
 /// How torques come about.
@@ -123,8 +122,8 @@ enum Control {
 
 impl Control {
     /// Torques of the joints, from the motion of the arm as its sensors see it.
-    fn torques(self, model: &Arm, motion: &ArmMotion) -> Option<Joints> {
-        let [angles, rates] = state(motion);
+    fn torques(self, model: &Arm, joints: &[JointNumbers], motion: &ArmMotion) -> Result<Joints, Box<dyn Error>> {
+        let [angles, rates] = state(motion)?;
         let [q, v, a] = wanted(motion.time());
         let mut plan = *motion;
         let mut accelerations = [0.0; 6];
@@ -133,24 +132,22 @@ impl Control {
             accelerations =
                 core::array::from_fn(|k| a[k] + stiffness * (q[k] - angles[k]) + damping * (v[k] - rates[k]));
         } else {
-            plan.rate_mut().replace(&mut |_: f64| 0.0);
+            plan.set_rates(&[0.0; 6])?;
         }
-        let mut next = accelerations.iter();
-        plan.acceleration_mut().replace(&mut |_: f64| next.next().copied().unwrap_or_default());
+        plan.set_accelerations(&accelerations)?;
 
         // Inverse dynamics: −m at a joint's station is what the joint must exert ON its outboard link.
-        let stations = model.stations(&plan, &Unloaded).ok()?;
+        let stations = model.stations(&plan, &Unloaded)?;
         let mut torques = [0.0; 6];
-        for (k, torque) in torques.iter_mut().enumerate() {
-            // Links and joints alternate; the root's joint has its station on the ground.
-            let station = if k == 0 { stations.root() } else { stations.get(2 * k - 1)? };
+        for (k, (torque, joint)) in torques.iter_mut().zip(joints).enumerate() {
+            let station = stations.joint(*joint).ok_or("every joint has a station")?;
             let axis = station.frame.turn.attitude.apply(Vector3::from(AXES[k]));
             *torque = station.torque_outboard().dot(&axis);
             if self == Self::GravityCompensation {
                 *torque += SPRINGS[k] * (q[k] - angles[k]) + DAMPERS[k] * (v[k] - rates[k]);
             }
         }
-        Some(torques)
+        Ok(torques)
     }
 }
 
@@ -179,6 +176,8 @@ fn run(control: Control) -> Result<(Vec<Sample>, u128), Box<dyn Error>> {
     let (real, model) = (arm(LOAD)?, arm(0.0)?);
     let cycles = (LEG * (POSES.len() - 1) as f64 / CYCLE).round() as usize;
     // Two motions to alternate between, a stepper with its workspace, and the log: cycles allocate nothing.
+    let joints = NAMES.iter().map(|name| model.joint(*name)).collect::<Result<Vec<_>, _>>()?;
+    let hand = real.body("hand")?.body;
     let mut past = real.at_rest(&POSES[0])?;
     let mut next = past;
     let mut stepper = real.stepper(Rk4);
@@ -186,25 +185,25 @@ fn run(control: Control) -> Result<(Vec<Sample>, u128), Box<dyn Error>> {
     let mut busy = 0;
     for _ in 0..cycles {
         let clock = Instant::now();
-        let torques = control.torques(&model, &past).ok_or("every joint has a station")?;
+        let torques = control.torques(&model, &joints, &past)?;
         let loads = Loads::none().efforts(torques.map(|torque| Effort([torque, 0.0, 0.0])));
         stepper.step(&past, &loads, CYCLE, &mut next)?;
         std::mem::swap(&mut past, &mut next);
         busy += clock.elapsed().as_nanos();
 
         let [q, ..] = wanted(past.time());
-        let [angles, _] = state(&past);
-        let hand = |motion: &ArmMotion| -> Option<Vector3<f64>> {
-            real.body_motions(motion).ok()?.get(5).map(|body| body.outboard().place)
+        let [angles, _] = state(&past)?;
+        let place = |motion: &ArmMotion| -> Option<Vector3<f64>> {
+            real.body_motions(motion).ok()?.get(hand).map(|body| body.outboard().place)
         };
         let ends = real.body_motions(&past)?;
         let end = |k: usize| ends.get(k).map(|body| body.outboard().place);
-        let places = [end(0), end(1), end(3), end(5)].map(Option::unwrap_or_default);
+        let places = [end(0), end(1), end(3), end(hand)].map(Option::unwrap_or_default);
         let off = |k: usize| (q[k] - angles[k]).abs();
         log.push(Sample {
             time: past.time(),
             places,
-            target: hand(&real.at_rest(&q)?).ok_or("body 5 is the hand")?,
+            target: place(&real.at_rest(&q)?).ok_or("the hand is a body")?,
             angle: 1e3 * (0..6).fold(0.0_f64, |most, k| most.max(off(k))),
             torques,
         });
@@ -213,6 +212,7 @@ fn run(control: Control) -> Result<(Vec<Sample>, u128), Box<dyn Error>> {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}\n", arm(LOAD)?.describe());
     let (computed, nanoseconds) = run(Control::ComputedTorque)?;
     let (compensated, other) = run(Control::GravityCompensation)?;
     println!(

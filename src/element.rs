@@ -66,6 +66,7 @@ pub use crate::loading::{Load, Loading, Unloaded};
 pub use crate::relation::Close;
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
 pub use crate::sweep::{Carrying, Explicit, Implicit, Reading, Springs, Sweep};
+pub use crate::turning::Turning;
 pub use crate::visit::{Closed, Gather, Level, Visit, look};
 
 use crate::mirror::{Position, Rate};

@@ -1,5 +1,6 @@
 //! What can go wrong, as values that say when, where and what.
 
+use crate::names::Label;
 use core::fmt;
 
 /// Why a scene, a sweep or a step was refused.
@@ -97,6 +98,34 @@ pub enum Fault {
         body: usize,
         /// Number of bodies.
         bodies: usize,
+    },
+    /// The scene does not have such a joint.
+    NoSuchJoint {
+        /// Its number, counted from 0 at the root.
+        joint: usize,
+        /// Number of joints.
+        joints: usize,
+    },
+    /// Nothing has this name.
+    NoSuchName {
+        /// What was sought: a joint or a body.
+        what: &'static str,
+        /// The name.
+        name: Label,
+    },
+    /// Several have this name: they are reached by number.
+    AmbiguousName {
+        /// What was sought: a joint or a body.
+        what: &'static str,
+        /// The name.
+        name: Label,
+        /// How many have it.
+        count: usize,
+    },
+    /// A joint cannot turn its body so.
+    ImpossibleTurn {
+        /// By how much it misses at least (rad, or rad/s).
+        miss: f64,
     },
     /// A list of coordinates, rates or loads has the wrong length.
     Count {
@@ -300,6 +329,16 @@ impl fmt::Display for Fault {
             Fault::StepTooSmall { step, cause } => write!(f, "a step of {step} s no longer advances time: {cause}"),
             Fault::NoSuchBody { body, bodies } => {
                 write!(f, "there is no body {body}: the scene has {bodies}, from 0 on")
+            }
+            Fault::NoSuchJoint { joint, joints } => {
+                write!(f, "there is no joint {joint}: the scene has {joints}, from 0 on")
+            }
+            Fault::NoSuchName { what, name } => write!(f, "there is no {what} named {name}"),
+            Fault::AmbiguousName { what, name, count } => {
+                write!(f, "{name} names {count} of kind {what}: reach them by number")
+            }
+            Fault::ImpossibleTurn { miss } => {
+                write!(f, "this joint cannot turn its body so: it misses by {miss} (rad, or rad/s)")
             }
             Fault::Count { expected, given } => write!(f, "{expected} values needed, {given} given"),
             Fault::NoBodies => write!(f, "the chain has no body"),

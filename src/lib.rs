@@ -37,9 +37,9 @@
 //!
 //! | floor | modules |
 //! |---|---|
-//! | 0 | [`scalar`], errors, [`StateVector`] and [`TransferMatrix`] |
+//! | 0 | [`scalar`], errors, names and numbers, [`StateVector`] and [`TransferMatrix`] |
 //! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
-//! | 2 | [`space`], [`loading`], [`sweep`], [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], motions, [`sensitive`] |
+//! | 2 | [`space`], [`loading`], [`sweep`], [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], turning, motions, [`sensitive`] |
 //! | 3 | [`chain`] (composition: tuples, arrays, vectors, branches, networks), [`counts`], [`struts`] |
 //! | 4 | [`planar`], [`spatial`] |
 //! | 5 | [`solve`], [`observe`] |
@@ -57,6 +57,7 @@ extern crate alloc;
 extern crate std;
 
 mod tuples;
+mod turning;
 
 pub mod chain;
 pub mod counts;
@@ -71,6 +72,7 @@ pub mod mirror;
 #[cfg(feature = "std")]
 pub mod modes;
 mod motion;
+mod names;
 pub mod observe;
 pub mod observers;
 pub mod paper;
@@ -102,6 +104,7 @@ pub use num_dual;
 
 pub use error::{Cause, Error, Fault, Place};
 pub use motion::Motion;
+pub use names::{BodyNumbers, JointNumbers, Label, Which};
 pub use scalar::{Real, Scalar};
 pub use state::{StateVector, TransferMatrix};
 

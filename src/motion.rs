@@ -1,5 +1,7 @@
 //! The motion of a scene at an instant: the user's value.
 
+mod flat;
+
 use crate::lift::Lift;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Open};
@@ -10,6 +12,29 @@ use core::fmt::{self, DebugList};
 ///
 /// It holds no parameters and no workspace: clone it, store it, compare it, differentiate it, hand it back. A step reads one
 /// motion and writes another, so a failed step loses nothing.
+///
+/// # What rates are
+///
+/// Rates are those of the coordinates that a joint stores. A joint that knows nothing of the body inboard of it stores what its outboard
+/// body does, absolutely; one with springs or axes on the inboard body stores what the outboard body does against that. An angular
+/// velocity in space is in axes of the outboard body, a velocity in the axes in which its place is measured.
+///
+/// | joint | coordinates | rates |
+/// |---|---|---|
+/// | planar `Pin` | angle of the outboard body, absolute | its angular velocity, absolute |
+/// | planar `ElasticHinge` | displacement if it has linear springs, relative angle | rates of these |
+/// | planar `Slider` | displacement | its rate |
+/// | planar root `Free` | place and angle of the first body, absolute | velocity and angular velocity, absolute |
+/// | `Ball` | attitude of the outboard body, absolute | angular velocity, absolute |
+/// | spatial `ElasticHinge` | displacement if it has linear springs, relative attitude | rate of that, relative angular velocity |
+/// | `Revolute`, `Universal`, `Prismatic`, `Cylindrical` | relative angles (rad) and displacements (m) | rates of these |
+/// | spatial root `Free` | place and attitude of the first body, absolute | velocity, inertial axes; angular velocity, body axes |
+/// | `Weld`, what closes a loop | none | none |
+///
+/// Set by what bodies do, whatever their joints store, motions are by [`with_body_orientation`](crate::system::System::with_body_orientation)
+/// and [`with_body_spin`](crate::system::System::with_body_spin) (one body, by number or name), by
+/// [`at_rest`](crate::system::System::at_rest) or, in space, `at_attitudes`, and `with_body_rates` (all of them); by what joints do
+/// against their inboard bodies, by [`with_joint_rates`](crate::system::System::with_joint_rates).
 #[derive(Clone)]
 pub struct Motion<T: Scalar, P: Position<T>, C: Closures = Open> {
     pub(crate) time: T::Real,

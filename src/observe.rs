@@ -1,5 +1,6 @@
 //! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
 
+mod by_joint;
 mod doubts;
 mod in_turn;
 mod misses;

@@ -12,8 +12,8 @@ use crate::shape::{Field, Inward, Items, Kept, Of, Outward, PerAxes, Shape, Slot
 type Array<X, const K: usize> = [X; K];
 
 /// The items of an array, mapped.
-fn map_array<A, B, const K: usize>(items: &[A; K], make: impl FnMut(&A) -> B) -> [B; K] {
-    items.each_ref().map(make)
+fn map_array<A, B, const K: usize>(items: &[A; K], mut make: impl FnMut(&A) -> B) -> [B; K] {
+    core::array::from_fn(|k| make(&items[k]))
 }
 
 #[cfg(feature = "alloc")]

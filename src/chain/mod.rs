@@ -11,6 +11,7 @@ mod branch;
 mod closing;
 mod items;
 mod least_norm;
+mod named;
 mod network;
 mod parallel;
 mod poses;
@@ -21,6 +22,7 @@ pub use crate::shape::{Closing, Ends};
 pub use branch::Branch;
 pub use closing::CloseOff;
 pub use least_norm::LeastNorm;
+pub use named::{Name, Named};
 pub use network::Network;
 
 /// `a + b` of counts that types may or may not decide.

@@ -129,6 +129,10 @@ macro_rules! mirror_items {
             fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
                 self.len() == other.len() && self.iter().zip(other).all(|(item, other)| item.all(other, test))
             }
+            #[inline]
+            fn normalise(&mut self) -> bool {
+                self.iter_mut().fold(true, |good, item| item.normalise() && good)
+            }
         }
     };
 }

@@ -91,6 +91,11 @@ pub trait Position<T: Scalar>: Clone {
     /// Whether `test` holds for each pair of numbers at the same place, and there are as many (only a `Vec` can differ).
     fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool;
 
+    /// Brings numbers that were replaced to what they must be, a quaternion to length one; whether that can be done.
+    fn normalise(&mut self) -> bool {
+        true
+    }
+
     /// Whether ⊕ is more than a sum: then the numbers displaced by are coordinates of the step, whose time derivatives a rule sums
     /// up and these two methods translate. Positions that are numbers need neither.
     const CURVED: bool = false;

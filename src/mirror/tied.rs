@@ -126,6 +126,10 @@ impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
         self.arms.all(&other.arms, test)
     }
     #[inline(always)]
+    fn normalise(&mut self) -> bool {
+        self.arms.normalise()
+    }
+    #[inline(always)]
     fn land(&self, from: &Self, rate: &mut Self::Rate) {
         self.arms.land(&from.arms, &mut rate.arms);
     }

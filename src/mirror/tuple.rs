@@ -117,6 +117,10 @@ macro_rules! mirror_tuple {
             fn all(&self, _other: &Self, _test: &mut impl FnMut(T, T) -> bool) -> bool {
                 true $(&& self.$i.all(&_other.$i, _test))*
             }
+            #[inline(always)]
+            fn normalise(&mut self) -> bool {
+                true $(& self.$i.normalise())*
+            }
         }
     };
 }

@@ -30,9 +30,10 @@ mod slider;
 mod spring;
 mod station;
 mod transfer;
+mod turning;
 mod weld;
 
-pub use crate::chain::{Branch, LeastNorm, Network};
+pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
 pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
 pub use crate::relation::Absent;
 pub use crate::relation::plane::Planar;

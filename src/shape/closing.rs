@@ -45,6 +45,10 @@ pub trait Closing<S: Space>: Clone + 'static {
     /// # Errors
     /// What is wrong with them.
     fn check(&self) -> Result<(), Fault>;
+    /// The name of its type, and its own if it has one.
+    fn label(&self) -> (&'static str, Option<&'static str>) {
+        (core::any::type_name::<Self>(), None)
+    }
 }
 
 /// What a closing joint has kept of the orientations of both ends.

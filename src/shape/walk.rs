@@ -53,6 +53,13 @@ pub trait Outward<S: Space>: Walk<S> {
         let _ = (closing, ends, at);
     }
 
+    /// Meets what has a name, and comes back; by default names do not matter.
+    #[inline(always)]
+    fn named<X>(&mut self, name: &'static str, go: impl FnOnce(&mut Self) -> X) -> X {
+        let _ = name;
+        go(self)
+    }
+
     /// Meets the items of an array or vector.
     #[inline(always)]
     fn items<A: Shape<S>>(

@@ -65,10 +65,11 @@ mod sensitive;
 mod spring;
 mod station;
 mod transfer;
+mod turning;
 mod universal;
 mod weld;
 
-pub use crate::chain::{Branch, LeastNorm, Network};
+pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
 pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
 pub use crate::relation::Absent;
 pub use crate::relation::space::Spatial;

@@ -19,7 +19,7 @@ use crate::mirror::{Position, Term};
 use crate::relation::space::algebra::{Columns, add_scaled, cross, cross_onto, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// An attitude: a unit quaternion that turns body axes into inertial (or inboard) axes.
 ///
@@ -181,6 +181,17 @@ impl<T: Scalar> Position<T> for Rotation<T> {
     #[inline(always)]
     fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
         self.quaternion().iter().zip(other.quaternion()).all(|(a, b)| test(*a, b))
+    }
+    /// A quaternion whose length is one but for rounding stays as it is, to the last bit.
+    fn normalise(&mut self) -> bool {
+        let square = self.w.mul_add(self.w, dot(self.v, self.v)).real();
+        if (square - T::Real::one()).abs() <= T::Real::EPSILON * T::Real::of(64.0) {
+            return true;
+        }
+        Self::from_quaternion(self.quaternion()).is_ok_and(|unit| {
+            *self = unit;
+            true
+        })
     }
 
     const CURVED: bool = true;

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "alloc")]
 mod assembly;
+mod describe;
 mod doubts;
 mod dynamics;
 mod fitting;
@@ -20,15 +21,18 @@ mod start;
 #[cfg(feature = "alloc")]
 mod statics;
 mod sweeps;
+mod turning;
 
 #[cfg(feature = "alloc")]
 pub use assembly::{Assembled, AssembledOf, Holding};
+pub use describe::Description;
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
 #[cfg(feature = "std")]
 pub(crate) use linear::numbers;
 #[cfg(feature = "alloc")]
 pub use linear::{Carried, Inertial};
+pub use turning::AngularVelocity;
 
 use crate::element::{Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};

@@ -1,12 +1,12 @@
-//! Initial motions from angles and rates of joints or of bodies.
+//! Initial motions from angles of joints in the plane.
 
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::{Position, Rate};
+use crate::mirror::Position;
 use crate::planar::{Planar, Turn};
 use crate::scalar::{Real, Scalar};
-use crate::system::{MotionOf, PositionOf, System};
+use crate::system::{MotionOf, System};
 use crate::walks::aim::aim;
 use num_traits::One;
 
@@ -14,22 +14,22 @@ use num_traits::One;
 type PlaneMotion<T, R, C, P> = MotionOf<Planar<T>, R, C, P>;
 
 /// Hands out numbers in turn, and counts how many were asked for.
-struct Feed<'a, T> {
+pub(super) struct Feed<'a, T> {
     numbers: &'a [T],
     asked: usize,
 }
 
 impl<'a, T: Scalar> Feed<'a, T> {
-    fn of(numbers: &'a [T]) -> Self {
+    pub(super) fn of(numbers: &'a [T]) -> Self {
         Self { numbers, asked: 0 }
     }
 
-    fn next(&mut self) -> T {
+    pub(super) fn next(&mut self) -> T {
         self.asked += 1;
         self.numbers.get(self.asked - 1).copied().unwrap_or(T::zero())
     }
 
-    fn check(&self, parameter: &'static str) -> Result<(), Error> {
+    pub(super) fn check(&self, parameter: &'static str) -> Result<(), Error> {
         let given = self.numbers.len();
         if self.asked != given {
             return Err(Error::new(Fault::Count { expected: self.asked, given }));
@@ -80,84 +80,6 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
             let angle = feed.next();
             if (x - angle).real().abs() <= lost { angle } else { x }
         });
-        Ok(motion)
-    }
-
-    /// The same motion with these absolute angular velocities (rad/s), one for each rotary coordinate, root to tip: that of the
-    /// body outboard of the joint. Rates of other coordinates are left as they are.
-    ///
-    /// ```
-    /// use catena::planar::*;
-    /// let rod = Rod::uniform(1.0_f64, 1.0);
-    /// let blade = System::new(Pinned::origin(), (rod, ElasticHinge::rotary(5.0), rod), Free)?;
-    /// let start = blade.with_body_rates(blade.at_rest(&[0.0, 0.0])?, &[1.0, 3.0])?;
-    /// assert_eq!(start, blade.with_rates(blade.at_rest(&[0.0, 0.0])?, &[1.0, 2.0])?); // a hinge's rate is relative
-    /// # Ok::<(), catena::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`]; [`Fault::Shape`] for a
-    /// motion of another scene.
-    pub fn with_body_rates(
-        &self,
-        motion: PlaneMotion<T, R, C, P>,
-        rates: &[T],
-    ) -> Result<PlaneMotion<T, R, C, P>, Error>
-    where
-        PositionOf<Planar<T>, R, C>: Position<T, Rate = PositionOf<Planar<T>, R, C>> + Rate<T>,
-    {
-        self.spin(motion, rates, |rate, _| rate)
-    }
-
-    /// The same motion with these joint rates (rad/s), one for each rotary coordinate, root to tip: the angular velocity of the
-    /// body outboard of the joint relative to the one inboard of it (for the root's joint, relative to the ground). Rates of
-    /// other coordinates are left as they are.
-    ///
-    /// ```
-    /// use catena::planar::*;
-    /// let rod = Rod::uniform(1.0_f64, 1.0);
-    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
-    /// let start = pendulum.with_joint_rates(pendulum.at_rest(&[0.0, 0.0])?, &[1.0, 2.0])?;
-    /// assert_eq!(start, pendulum.with_rates(pendulum.at_rest(&[0.0, 0.0])?, &[1.0, 3.0])?); // a pin's rate is absolute
-    /// # Ok::<(), catena::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`]; [`Fault::Shape`] for a
-    /// motion of another scene.
-    pub fn with_joint_rates(
-        &self,
-        motion: PlaneMotion<T, R, C, P>,
-        rates: &[T],
-    ) -> Result<PlaneMotion<T, R, C, P>, Error>
-    where
-        PositionOf<Planar<T>, R, C>: Position<T, Rate = PositionOf<Planar<T>, R, C>> + Rate<T>,
-    {
-        self.spin(motion, rates, |rate, inboard| inboard + rate)
-    }
-
-    /// Rates from numbers that, with the rate of the body inboard, give those of the bodies outboard of the joints.
-    fn spin(
-        &self,
-        mut motion: PlaneMotion<T, R, C, P>,
-        rates: &[T],
-        absolute: impl Fn(T, T) -> T,
-    ) -> Result<PlaneMotion<T, R, C, P>, Error>
-    where
-        PositionOf<Planar<T>, R, C>: Position<T, Rate = PositionOf<Planar<T>, R, C>> + Rate<T>,
-    {
-        self.fits(&motion)?;
-        let turn = |angle| Turn { angle, rate: T::zero() };
-        let chain = self.elements();
-        let inboard = self.ground(motion.time).turn.rate;
-        let mut feed = Feed::of(rates);
-        // Rates follow from each other as angles do, except that welds do not add to them: their part is found by itself.
-        let mut aimed = motion.rate.clone();
-        aim(chain, &mut aimed, turn(inboard), &mut |inboard: Turn<T>| absolute(feed.next(), inboard.angle));
-        feed.check("rate")?;
-        let mut welds = self.motion().position;
-        aim(chain, &mut welds, turn(T::zero()), &mut |inboard: Turn<T>| absolute(T::zero(), inboard.angle));
-        motion.rate.mix_1(&aimed, (-T::Real::one(), &welds));
         Ok(motion)
     }
 }

@@ -60,6 +60,7 @@
 
 pub mod aim;
 pub mod broken;
+pub mod carrier;
 pub mod check;
 pub mod count;
 pub mod entries;
@@ -69,9 +70,11 @@ pub mod gather;
 pub mod independent;
 pub mod look;
 pub mod measure;
+pub mod parts;
 pub mod recover;
 pub mod respond;
 pub mod restore;
 pub mod size;
 pub mod spread;
+pub mod steer;
 pub mod travel;

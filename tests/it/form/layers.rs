@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// Modules from the ground up. What they are is said in the crate's own page.
 const FLOORS: [&[&str]; 8] = [
-    &["scalar", "error", "state", "tuples"],
+    &["scalar", "error", "names", "state", "tuples"],
     &["mirror", "relation", "time", "lift", "dense"],
     &[
         "space",
@@ -20,6 +20,7 @@ const FLOORS: [&[&str]; 8] = [
         "element",
         "ends",
         "transfer",
+        "turning",
         "motion",
         "sensitive",
     ],
@@ -39,6 +40,7 @@ fn home(name: &str) -> &str {
     match name {
         "Cause" | "Error" | "Fault" | "Place" => "error",
         "Motion" => "motion",
+        "BodyNumbers" | "JointNumbers" | "Label" | "Which" => "names",
         "Real" | "Scalar" => "scalar",
         "StateVector" | "TransferMatrix" => "state",
         module => module,
