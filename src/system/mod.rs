@@ -285,7 +285,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         }
         self.admits(loads)?;
         *multipliers = self.accelerations(*time, position, rate, loads, workspace, acceleration);
-        self.independent(motion, workspace, &mut |_, _| ())?;
+        self.independent(motion, workspace, 0.0, &mut |_, _| ())?;
         let mut finite = true;
         motion.acceleration.visit(&mut |x| finite &= x.is_finite());
         if finite { Ok(()) } else { Err(self.diagnose(motion, loads, workspace)) }
