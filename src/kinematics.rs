@@ -38,7 +38,7 @@ pub trait Driving<S: Space>: Part {
 /// How one coordinate moves the outboard side of a joint against the inboard one.
 ///
 /// The library's own are `planar::Revolute`, `planar::Slider`, `spatial::Revolute` and `spatial::Prismatic` without springs. One of a
-/// user's own says the same: its motion as any joint does ([`Joint`](crate::shape::Joint)), and the elimination of its coordinate.
+/// user's own says the same: its motion as any joint does ([`Joint`]), and the elimination of its coordinate.
 pub trait Kinematics<S: Space>: Joint<S, Position = S::Scalar, Rate = S::Scalar> + Debug {
     /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide it hands it on.
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar;

@@ -10,7 +10,7 @@
 //! | a joint that moves in a way of its own | [`Kinematics`]: its motion, and the elimination of its coordinate | |
 //! | a body | a struct of bodies, joints and arms; [`compound!`](crate::compound) | `examples/own_body.rs`: a tank in which liquid sloshes, 36 lines |
 //! | an end | [`planar::Ground`](crate::planar::Ground), [`spatial::Ground`](crate::spatial::Ground): how its ground moves | below |
-//! | a load | [`planar::BodyLaw`](crate::planar::BodyLaw), [`planar::JointLaw`](crate::planar::JointLaw), and in space likewise | there |
+//! | a load | [`LoadLaw`](crate::loading::LoadLaw) | there |
 //!
 //! [`lift!`](crate::lift!) makes a struct one over dual numbers, jets and lanes as well. [`check_element`] is a test for all of them: it
 //! compares what an element says in one way with what it says in another, and names what does not match.
