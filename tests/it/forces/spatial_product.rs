@@ -1,6 +1,5 @@
 //! The plain product of transfer matrices in space against the Riccati sweep, and against the equations of Newton and Euler.
 
-use crate::kit::Noise;
 use catena::element::{Element, Loading, Unloaded};
 use catena::ends::Root;
 use catena::spatial::index::{M, ONE, Q, R, THETA};
@@ -8,6 +7,7 @@ use catena::spatial::*;
 use catena::system::{MotionOf, Runs};
 use catena::transfer::Efforts;
 use catena::{Error, Fault, Place, StateVector, TransferMatrix};
+use catena_oracle::Noise;
 use nalgebra::Vector3;
 
 type State = StateVector<f64, 13>;

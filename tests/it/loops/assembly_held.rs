@@ -1,10 +1,10 @@
 //! Motions assembled with some coordinates and rates held: against the closed forms of linkages.
 
-use crate::kit::near;
 use catena::element::Unloaded;
 use catena::planar::*;
 use catena::system::Holding;
 use catena::{Error, Fault, Place, Scalar};
+use catena_oracle::near;
 use core::f64::consts::PI;
 
 /// Crank, coupler, rocker, and the distance of their ground pins (m).

@@ -1,13 +1,13 @@
 //! Accelerations, reactions and closure forces of loops in space, of random parameters, against a dense system of Newton-Euler
 //! equations with multipliers in which loops are nothing special.
 
-use crate::kit::Noise;
-use crate::oracle::space as oracle;
-use crate::oracle::space::{Closing, Matrix, Vector};
 use catena::element::{Element, Unloaded};
 use catena::mirror::Rate;
 use catena::spatial::*;
 use catena::{Error, Fault};
+use catena_oracle::Noise;
+use catena_oracle::space as oracle;
+use catena_oracle::space::{Closing, Matrix, Vector};
 
 /// Relative to the largest acceleration or reaction: a hundred times what rounding leaves in the dense system.
 const TOLERANCE: f64 = 1e-12;

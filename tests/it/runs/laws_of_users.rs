@@ -4,7 +4,6 @@
 mod by_lagrange;
 mod laws;
 
-use crate::kit::{has_order, near};
 use by_lagrange::{GRAVITY, LENGTH, MASS, cart_and_rod, integrate, integrate_to_stops, two_rods};
 use catena::element::{Element, Unloaded};
 use catena::ends::{Root, Tip};
@@ -12,6 +11,7 @@ use catena::mirror::{Position, Rate};
 use catena::system::{Dynamics, MotionOf, Runs, StiffDynamics, System};
 use catena::time::{GeneralizedAlpha, Sdirk4};
 use catena::{Error, planar, spatial};
+use catena_oracle::{has_order, near};
 use laws::{Cubic, Stop};
 
 const RK4: f64 = 2e-5; // (s): the truth, to 1e-12

@@ -1,9 +1,9 @@
 //! Initial motions from angles and rates of joints or of bodies.
 
-use crate::kit::{Noise, near};
 use catena::element::Unloaded;
 use catena::planar::*;
 use catena::{Error, Fault};
+use catena_oracle::{Noise, near};
 
 const WELD: f64 = -0.7;
 

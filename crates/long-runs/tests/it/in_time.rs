@@ -1,6 +1,5 @@
 //! Closed loops and networks in time: what is conserved, what stays closed, and orders of rules with projection.
 
-use crate::kit::slope;
 use catena::Error;
 use catena::element::{Element, Unloaded};
 use catena::ends::{Root, Tip};
@@ -8,6 +7,7 @@ use catena::planar::*;
 use catena::stepper::Method;
 use catena::system::{MotionOf, Runs};
 use catena::time::Rule;
+use catena_oracle::slope;
 
 type Scene<R, C> = System<f64, R, C, Free>;
 type Motion<R, C> = MotionOf<Planar<f64>, R, C, Free>;
