@@ -36,7 +36,8 @@ struct Reading {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let rod = |k: usize| Rod::uniform(LENGTHS[k], 0.02, LENGTHS[k]); // length, radius (m), 1 kg/m
-    let (crank_hinge, rocker_hinge) = (Revolute::about([0.0, 0.0, 1.0]), Revolute::about(AXIS));
+    let crank_hinge = Revolute::about([0.0, 0.0, 1.0]).named("crank");
+    let rocker_hinge = Revolute::about(AXIS).named("rocker");
     let reach = RigidBody::massless(FAR);
 
     // Two arms from the origin: crank and coupler, and a rocker whose hinge stands elsewhere. They end in one ball.
@@ -81,8 +82,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [p, q] = readings.first().map_or_else(Default::default, |reading| reading.places);
     let back = (p - q).normalize();
     let angles = [0.0, -back.z.asin(), back.y.atan2(back.x)];
-    let position = start.position().1.arms;
-    let (crank, rocker) = (position.0.0, position.1.1);
+    let [crank] = start.coordinates_of(linkage.joint("crank")?)?;
+    let [rocker] = start.coordinates_of(linkage.joint("rocker")?)?;
     let begin = other.assembled(other.at_rest(&[crank, rocker, angles[0], angles[1], angles[2]])?, &Unloaded)?;
     let again = other.simulate(begin, rule, 10.0, |_| ())?.motion;
     let ends = |bodies: [Option<Vector3<f64>>; 2]| bodies.map(Option::unwrap_or_default);

@@ -38,13 +38,13 @@
 //! | floor | modules |
 //! |---|---|
 //! | 0 | [`scalar`], errors, names and numbers, [`StateVector`] and [`TransferMatrix`] |
-//! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
-//! | 2 | [`space`], [`loading`], [`sweep`], laws of springs, [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], turning, motions, [`sensitive`] |
+//! | 1 | [`mod@lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
+//! | 2 | [`space`], [`loading`], [`sweep`], laws of springs, [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], turning, motions, [`sensitive`], [`release`] and [`kinematics`] (what a joint says of itself, and how it moves) |
 //! | 3 | [`chain`] (composition: tuples, arrays, vectors, branches, networks), [`counts`], [`struts`] |
 //! | 4 | [`planar`], [`spatial`] |
 //! | 5 | [`solve`], [`observe`] |
 //! | 6 | [`system`] |
-//! | 7 | [`stepper`], [`simulate`], [`observers`], [`modes`], [`sensitivity`]; [`paper`] (the formulation of 2005, apart from all others) |
+//! | 7 | [`stepper`], [`simulate`], [`observers`], [`modes`], [`sensitivity`]; [`paper`] (the formulation of 2005, apart from all others), [`extend`] (the builder's door) |
 //!
 //! # Features
 //!
@@ -66,6 +66,8 @@ mod dense;
 pub mod element;
 pub mod ends;
 mod error;
+pub mod extend;
+pub mod kinematics;
 pub mod lift;
 pub mod loading;
 pub mod mirror;
@@ -78,6 +80,7 @@ pub mod observers;
 pub mod paper;
 pub mod planar;
 pub mod relation;
+pub mod release;
 pub mod scalar;
 pub mod sensitive;
 pub mod sensitivity;

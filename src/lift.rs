@@ -49,17 +49,38 @@ lift_tuple!(; ;);
 for_each_tuple!(lift_tuple);
 
 /// Lifts structs field by field, or as they are where they hold no number.
+///
+/// Fields are numbers `T`, or of types that can be lifted themselves; further parameters of the struct are types of fields.
+///
+/// ```
+/// /// A wheel on an axle of a kind to be chosen.
+/// #[derive(Clone, Copy)]
+/// struct Wheel<T, A> {
+///     radius: T,
+///     axle: A,
+/// }
+/// catena::lift!(Wheel<T, A> { radius, axle });
+/// ```
+#[macro_export]
 macro_rules! lift {
-    ($($Name:ident { $($field:ident),* }),*) => {$(
-        impl<T: crate::scalar::Scalar, U: crate::scalar::Scalar> crate::lift::Lift<T, U> for $Name<T> {
-            type Over = $Name<U>;
-            fn lift(&self, number: &mut impl FnMut(T) -> U) -> $Name<U> {
-                $Name { $($field: self.$field.lift(number)),* }
+    ($($Name:ident<T $(, $Part:ident)*> { $($field:ident),* $(,)? }),*) => {$(
+        impl<T, U, $($Part),*> $crate::lift::Lift<T, U> for $Name<T, $($Part),*>
+        where
+            T: $crate::Scalar,
+            U: $crate::Scalar,
+            $($Part: $crate::lift::Lift<T, U>),*
+        {
+            type Over = $Name<U, $($Part::Over),*>;
+            fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+                $Name { $($field: $crate::lift::Lift::lift(&self.$field, number)),* }
             }
         }
     )*};
+    ($($Name:ident { $($field:ident),* }),*) => {
+        $($crate::lift!($Name<T> { $($field),* });)*
+    };
     ($($Name:ident),*) => {$(
-        impl<T: crate::scalar::Scalar, U: crate::scalar::Scalar> crate::lift::Lift<T, U> for $Name {
+        impl<T: $crate::Scalar, U: $crate::Scalar> $crate::lift::Lift<T, U> for $Name {
             type Over = Self;
             fn lift(&self, _: &mut impl FnMut(T) -> U) -> Self {
                 *self

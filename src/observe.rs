@@ -214,6 +214,32 @@ pub(crate) fn each_body<S: Space, E: Element<S>>(
     show(chain, ground, motion, &mut Show(read));
 }
 
+/// Walks outward and shows each joint; keeps nothing.
+#[cfg(feature = "alloc")]
+pub(crate) fn each_joint<S: Space, E: Element<S>>(
+    chain: &E,
+    ground: FrameOf<S>,
+    motion: Coordinates<'_, S, E>,
+    read: impl FnMut(&S::JointMotion),
+) {
+    show(chain, ground, motion, &mut ShowJoints(read));
+}
+
+/// Shows each joint.
+#[cfg(feature = "alloc")]
+struct ShowJoints<F>(F);
+
+#[cfg(feature = "alloc")]
+impl<S: Space, F: FnMut(&S::JointMotion)> Visit<S> for ShowJoints<F> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, _: &S::BodyMotion) {}
+    fn joint(&mut self, joint: &S::JointMotion) {
+        (self.0)(joint);
+    }
+}
+
 /// Shows each body.
 #[cfg(feature = "alloc")]
 struct Show<F>(F);
@@ -255,8 +281,9 @@ impl<S: Space> Visit<S> for Audit<S> {
         self.sum = self.sum + S::budget(body, self.gravity);
     }
     fn joint(&mut self, joint: &S::JointMotion) {
-        let potential = self.sum.potential + S::stored(joint);
-        self.sum = Budget { potential, ..self.sum };
+        let [kinetic, potential] = S::stored(joint);
+        self.sum =
+            Budget { kinetic: self.sum.kinetic + kinetic, potential: self.sum.potential + potential, ..self.sum };
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::element::{Load, Space};
 use crate::relation::{Absent, Geometry};
+use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::space::FrameOf;
 use crate::state::{StateVector, TransferMatrix};
@@ -16,20 +17,12 @@ pub trait Exact<const N: usize>: Space {
         load: impl Load<Self>,
     ) -> TransferMatrix<Self::Scalar, N>;
 
-    /// What a joint under efforts (on its coordinates, in their order) does to a state; none for a joint that this view does not know.
+    /// What a joint under efforts (on its coordinates, in their order) does to a state.
     fn passage(
         joint: &Self::JointMotion,
-        release: &Self::Release,
+        release: &Release<Self>,
         efforts: [Self::Scalar; 3],
-    ) -> Option<Passage<Self::Scalar, N>>;
-
-    /// The same for the root's joint, of an end that holds these of the conjugate pairs.
-    fn root_passage(
-        joint: &Self::JointMotion,
-        release: &Self::Release,
-        efforts: [Self::Scalar; 3],
-        held: &[bool],
-    ) -> Option<Passage<Self::Scalar, N>>;
+    ) -> Passage<Self::Scalar, N>;
 
     /// The acceleration state of a station without force and torque.
     fn acceleration_state(frame: &FrameOf<Self>) -> StateVector<Self::Scalar, N>;
@@ -69,8 +62,10 @@ struct Freedom<T, const N: usize> {
     push: [T; N],
     /// The row that reads the generalised force on it in the state outboard,
     row: [T; N],
-    /// and what that force is.
+    /// what that force is where the coordinate does not accelerate,
     effort: T,
+    /// and what a unit of its acceleration takes away from it: reflected inertia.
+    inertia: T,
 }
 
 impl<T: Scalar, const N: usize> Passage<T, N> {
@@ -80,11 +75,11 @@ impl<T: Scalar, const N: usize> Passage<T, N> {
     }
 
     /// The same with another coordinate: what a unit of its acceleration adds to the state outboard, the row that reads the
-    /// generalised force on it there, and that force.
+    /// generalised force on it there, that force, and what a unit of the acceleration takes away from it.
     #[must_use]
-    pub fn with(mut self, push: [T; N], row: [T; N], effort: T) -> Self {
+    pub fn with(mut self, push: [T; N], row: [T; N], [effort, inertia]: [T; 2]) -> Self {
         if let Some(free) = self.freedoms.iter_mut().find(|freedom| freedom.is_none()) {
-            *free = Some(Freedom { push, row, effort });
+            *free = Some(Freedom { push, row, effort, inertia });
         }
         self
     }
@@ -116,6 +111,8 @@ impl<T: Scalar, const N: usize> Passage<T, N> {
             let moved = through(&at_tip, &self.fixed);
             demands[k] = core::array::from_fn(|j| own[j] - moved[j]);
             pivots[k] = core::array::from_fn(|j| match &self.freedoms[j] {
+                // What is off by reflected inertia is so at the tip, too.
+                Some(other) if j == k => product(&at_tip, &other.push) - other.inertia,
                 Some(other) => product(&at_tip, &other.push),
                 None => T::zero(),
             });
@@ -165,6 +162,9 @@ pub(crate) fn close<T: Scalar, const N: usize>(
     for k in 0..unknowns {
         b[k] -= product(&rows[k], &known);
         a[k] = core::array::from_fn(|j| if j < unknowns { product(&rows[k], &columns[j]) } else { T::zero() });
+    }
+    for (k, freedom) in root.freedoms.iter().flatten().enumerate() {
+        a[half + k][half + k] += freedom.inertia;
     }
     let found = solve_dense(a, b)?;
     let mut state = known;

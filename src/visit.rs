@@ -3,6 +3,7 @@
 use crate::element::Coordinates;
 use crate::loading::Loading;
 use crate::relation::WrenchOf;
+use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::shape::Shape;
 use crate::space::{FrameOf, Space};
@@ -23,7 +24,7 @@ pub trait Visit<S: Space> {
     fn joint(&mut self, joint: &S::JointMotion) -> Self::InJoint;
     /// The same, for those who want to know what the joint lets move.
     #[inline(always)]
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> S::Release) -> Self::InJoint {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) -> Self::InJoint {
         let _ = release;
         self.joint(joint)
     }
@@ -53,7 +54,7 @@ impl<S: Space, V: Visit<S>> Visit<S> for &mut V {
         (**self).joint(joint)
     }
     #[inline(always)]
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> S::Release) -> V::InJoint {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) -> V::InJoint {
         (**self).joint_with(joint, release)
     }
     #[inline(always)]

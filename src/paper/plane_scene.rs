@@ -5,18 +5,17 @@ use super::expansion::Expansion;
 use super::link::End;
 use super::orient::{Axes, Spring};
 use super::parts::{Item, Start};
-use super::scene::{Chain, Met, Scene, Slots, trace};
+use super::scene::{Chain, Met, Scene, Slots, refuse_inertia, trace};
 use crate::element::{Element, Load, Loading};
 use crate::ends::{Pairs, Root, Tip};
 use crate::error::{Error, Fault, Place};
-use crate::mirror::{Position, Rate};
 use crate::planar::{BodyMotion, Frame, JointMotion, Planar, SpringState, Turn};
 use crate::relation::{Closures, Term};
+use crate::release::{Freedom, Release, Resistance, Way};
 use crate::scalar::Scalar;
 use crate::system::{MotionOf, Runs, System};
 use alloc::vec::Vec;
 use nalgebra::Vector2;
-use num_traits::Zero;
 
 impl<T, R, C, P, L> Scene<T, L, 7, 3, 2, 1> for System<Planar<T>, R, C, P>
 where
@@ -69,60 +68,45 @@ where
             return Err(Error::new(Fault::Unsupported { what: "loads between bodies" }));
         }
         let motion = self.with_accelerations(motion.clone(), loads)?;
-        // A spring is linear, so three looks tell its law.
-        let look = |angle: T, rate: T| {
-            let mut probe = motion.clone();
-            probe.position_mut().replace(&mut |_| angle);
-            probe.rate_mut().replace(&mut |_| rate);
-            trace(self, &probe)
-        };
-        let (zero, one) = (T::zero(), T::one());
-        let (rest, turned, turning) = (look(zero, zero)?, look(one, zero)?, look(zero, one)?);
-        let mut items = Vec::with_capacity(rest.len());
+        let mut items = Vec::new();
         let mut guide = None;
         let met = trace(self, &motion)?;
-        if P::Pairs::MOTION[2] && matches!(met.last(), Some(Met::Joint(_))) {
+        if P::Pairs::MOTION[2] && matches!(met.last(), Some(Met::Joint(..))) {
             let what = "a joint next to a tip whose attitude is held";
             return Err(Error::new(Fault::Unsupported { what }).at(Place::Tip));
         }
         for (k, element) in met.iter().enumerate() {
-            items.push(match (element, &rest[k], &turned[k], &turning[k]) {
-                (Met::Joint(joint), Met::Joint(rest), Met::Joint(turned), Met::Joint(turning)) => {
-                    let apart = turned.outboard.place - turned.inboard.place;
+            items.push(match element {
+                Met::Joint(joint, release) => {
+                    let refused = |fault| Error::new(fault).at_station(k.saturating_sub(1));
+                    refuse_inertia(release).map_err(refused)?;
                     let mut linear = None;
-                    // Not finite where a long chain was turned beyond the range of sines, which says nothing.
-                    if apart.x.real().abs() > T::Real::zero() || apart.y.real().abs() > T::Real::zero() {
+                    if let Some(slide) = release.of(Way::Slide).next() {
                         if k > 0 {
                             // In the chain's own joints: between two bodies, or on ground that holds the root fast.
                             let fast = R::Pairs::MOTION.iter().all(|held| *held);
                             let body = |at: usize| matches!(met.get(at), Some(Met::Body(_)));
                             let between = body(k + 1) && (body(k - 1) || k == 1 && fast);
-                            refuse_sliding(turned, between).map_err(|fault| Error::new(fault).at_station(k - 1))?;
-                            linear = Some(sprung(joint, [rest, turned, turning]));
+                            refuse_sliding(release, between).map_err(refused)?;
+                            linear = Some(sprung(joint, release));
                         }
-                        let (s, c) = turned.inboard.turn.angle.sin_cos();
-                        let along = [c * apart.x + s * apart.y, c * apart.y - s * apart.x];
+                        let (s, c) = joint.inboard.turn.angle.sin_cos();
+                        let [x, y] = slide.axis.into();
                         if k == 0 {
-                            guide = <Self as Scene<T, L, 7, 3, 2, 1>>::GUIDED.then_some(along);
+                            guide = <Self as Scene<T, L, 7, 3, 2, 1>>::GUIDED.then_some([c * x + s * y, c * y - s * x]);
                         }
                     }
-                    let preload = rest.spring.torque;
-                    let damping = preload - turning.spring.torque;
+                    let spring = release.of(Way::Turn).next().map_or(Spring::none(), law);
                     Item::Joint {
                         turns: joint.turns,
                         ahead: joint.angle(),
-                        spring: Spring {
-                            stiffness: [preload - turned.spring.torque],
-                            damping: [damping],
-                            preload: [preload],
-                        },
+                        spring,
                         // The torque of the spring alone, on the outboard body the other way round.
-                        elastic: [-(joint.spring.torque + damping * joint.rate())],
+                        elastic: [-(joint.spring.torque + spring.damping[0] * joint.rate())],
                         linear,
                     }
                 }
-                (Met::Body(body), ..) => Item::Body(start(body)),
-                _ => return Err(Error::new(Fault::Shape)),
+                Met::Body(body) => Item::Body(start(body)),
             });
         }
         Ok(Chain { time: motion.time(), items, guide })
@@ -153,7 +137,8 @@ where
         let spring = SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() };
         let arm = Vector2::new(T::zero(), T::zero());
         let none = [T::zero(); 2];
-        let motion = JointMotion { inboard, outboard, arm, spring, turns: true, slide: none, sliding: none };
+        let motion =
+            JointMotion { inboard, outboard, arm, spring, turns: true, slide: none, sliding: none, inertia: T::zero() };
         [loads.in_joint(time, number, &motion).add_to(T::zero())]
     }
 }
@@ -171,10 +156,10 @@ pub(super) fn list<T: Scalar, C: Closures, const K: usize>(each: &C::Each<T>) ->
 }
 
 /// Refuses joints whose points part, but for linear springs as (33) to (35) have them.
-fn refuse_sliding<T: Scalar>(turned: &JointMotion<T>, between: bool) -> Result<(), Fault> {
-    let what = if !turned.turns {
+fn refuse_sliding<T: Scalar>(release: &Release<Planar<T>>, between: bool) -> Result<(), Fault> {
+    let what = if release.of(Way::Turn).next().is_none() {
         "a joint that slides"
-    } else if turned.arm.iter().any(|x| x.real().abs() > T::Real::zero()) {
+    } else if release.balanced {
         "linear springs whose force has a moment: let them push `in_unbalanced_axes`, as (33) to (35) have it"
     } else if !between {
         "linear springs next to another joint or to the tip: put a body between"
@@ -184,15 +169,20 @@ fn refuse_sliding<T: Scalar>(turned: &JointMotion<T>, between: bool) -> Result<(
     Err(Fault::Unsupported { what })
 }
 
-/// The linear springs of a joint, from looks at it unmoved, displaced and moving by one, and its displacement now.
+/// The law of one coordinate.
+fn law<T: Scalar>(coordinate: &Freedom<Planar<T>>) -> Spring<T, 1> {
+    let Resistance { stiffness, damping, .. } = coordinate.resistance;
+    Spring { stiffness: [stiffness], damping: [damping], preload: [coordinate.preload] }
+}
+
+/// The linear springs of a joint, and its displacement.
 #[allow(clippy::type_complexity)] // a pair
-fn sprung<T: Scalar>(
-    joint: &JointMotion<T>,
-    [rest, displaced, moving]: [&JointMotion<T>; 3],
-) -> (Spring<T, 2>, [[T; 3]; 2]) {
-    let preload = rest.spring.force;
-    let less = |look: &JointMotion<T>| core::array::from_fn(|i| preload[i] - look.spring.force[i]);
-    let spring = Spring { stiffness: less(displaced), damping: less(moving), preload };
+fn sprung<T: Scalar>(joint: &JointMotion<T>, release: &Release<Planar<T>>) -> (Spring<T, 2>, [[T; 3]; 2]) {
+    let mut spring = Spring::none();
+    for (k, slide) in release.of(Way::Slide).take(2).enumerate() {
+        let Resistance { stiffness, damping, .. } = slide.resistance;
+        (spring.stiffness[k], spring.damping[k], spring.preload[k]) = (stiffness, damping, slide.preload);
+    }
     let (inner, outer) = (&joint.inboard, &joint.outboard);
     let place = outer.place - inner.place;
     let velocity = outer.velocity - inner.velocity;

@@ -6,10 +6,12 @@ use super::parts::Item;
 use crate::element::{Coordinates, Element, Space, Visit};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::system::{MotionOf, System};
 use crate::walks::travel::show;
 use alloc::vec::Vec;
+use num_traits::Zero;
 
 /// What a scene is read as.
 #[derive(Clone, Debug)]
@@ -88,11 +90,17 @@ pub enum Slots {
     RotationVectors,
 }
 
-/// A body or a joint that a walk met.
+/// A body, or a joint and what it lets move, that a walk met.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Met<S: Space> {
     Body(S::BodyMotion),
-    Joint(S::JointMotion),
+    Joint(S::JointMotion, Release<S>),
+}
+
+/// Refuses what stands in no matrix of the paper: reflected inertia.
+pub(super) fn refuse_inertia<S: Space>(release: &Release<S>) -> Result<(), Fault> {
+    let reflects = release.coordinates.iter().flatten().any(|coordinate| coordinate.inertia.real() > Zero::zero());
+    if reflects { Err(Fault::Unsupported { what: "reflected inertia in a joint" }) } else { Ok(()) }
 }
 
 /// The elements of a motion, the root's joint first.
@@ -135,8 +143,9 @@ impl<S: Space> Visit<S> for List<S> {
     fn body(&mut self, body: &S::BodyMotion) {
         self.met.push(Met::Body(*body));
     }
-    fn joint(&mut self, joint: &S::JointMotion) {
-        self.met.push(Met::Joint(*joint));
+    fn joint(&mut self, _: &S::JointMotion) {} // of a loop, which is an arm
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) {
+        self.met.push(Met::Joint(*joint, release()));
     }
     fn enter_arm(&mut self) {
         // Stations are counted from the first element outboard of the root's joint.

@@ -2,12 +2,13 @@
 
 use super::axes::Coincident;
 use super::spring::Custom;
-use super::{Acceleration, Frame, Joint, Linear, Planar, Spring, SpringState, Turn};
+use super::{Acceleration, Frame, Joint, JointMotion, Linear, Planar, Spring, SpringState, Turn, release};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::{Lift, lift};
 use crate::relation::plane::{Full, HingeGain, Point, Rigid, Slides};
 use crate::relation::{Absent, Closures, Minus, Term};
+use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::spring::{SpringLaw, read};
 
@@ -72,6 +73,23 @@ impl<R> ElasticHinge<R> {
         y: Y,
     ) -> ElasticHinge<R, Linear<T, X, Y>> {
         ElasticHinge { rotary: self.rotary, linear: Linear::new(x, y) }
+    }
+}
+
+/// A pin whose coordinate is the angle of the outboard body relative to the inboard one: a hinge without springs, from which joints of
+/// a user's own are made ([`extend`](crate::extend)). Where nothing resists, [`Pin`](super::Pin) is cheaper.
+pub type Revolute = ElasticHinge<Absent>;
+
+impl Revolute {
+    /// A smooth pin.
+    pub fn smooth() -> Self {
+        Self { rotary: Absent, linear: Absent }
+    }
+}
+
+impl Default for Revolute {
+    fn default() -> Self {
+        Self::smooth()
     }
 }
 
@@ -154,6 +172,9 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
     }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()
+    }
+    fn release(&self, _: &JointMotion<T>, position: &T, rate: &T) -> Release<Planar<T>> {
+        release::rotary(self, [*position, *rate])
     }
     #[inline(always)]
     fn recovered<C: Closures>(

@@ -6,6 +6,7 @@ use crate::error::Fault;
 use crate::relation;
 use crate::relation::plane::Empty;
 use crate::relation::plane::algebra::{add_scaled, cross, dot, normal};
+use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::space::{self, Orientation};
 use nalgebra::Vector2;
@@ -122,6 +123,8 @@ pub struct JointMotion<T> {
     pub slide: [T; 2],
     /// Rates of these (m/s).
     pub sliding: [T; 2],
+    /// Reflected inertia of the coordinate on which a drive acts (kg·m², kg), where there is any.
+    pub inertia: T,
 }
 
 /// What the spring and damper of a joint do at an instant.
@@ -166,8 +169,6 @@ impl<T: Scalar> Space for Planar<T> {
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
     type Numbers = [T; 3];
-    /// Number of coordinates.
-    type Release = usize;
     type Nothing = Empty;
 
     fn blank() -> (T, T, T, T) {
@@ -185,7 +186,7 @@ impl<T: Scalar> Space for Planar<T> {
     fn angles(body: &BodyMotion<T>) -> T {
         body.angle()
     }
-    fn turn_out_of_range(_: &JointMotion<T>, _: &usize) -> Option<f64> {
+    fn turn_out_of_range(_: &JointMotion<T>, _: &Release<Self>) -> Option<f64> {
         None // sines are taken of the angles of bodies
     }
     fn angle_out_of_range(body: &BodyMotion<T>) -> Option<f64> {
@@ -219,8 +220,9 @@ impl<T: Scalar> Space for Planar<T> {
     fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
         station.close(outer)
     }
-    fn stored(joint: &JointMotion<T>) -> T {
-        joint.spring.energy
+    fn stored(joint: &JointMotion<T>) -> [T; 2] {
+        let rate = joint.driven_rate();
+        [(joint.inertia * rate * rate).scale(T::Real::of(0.5)), joint.spring.energy]
     }
     fn budget(body: &BodyMotion<T>, gravity: Vector2<T>) -> Budget<Self> {
         let centre = body.centre();

@@ -8,12 +8,13 @@ use crate::element::{Element, Posture, Springs};
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
+use crate::release::Release;
 use crate::scalar::Scalar;
-use crate::shape::{JointPosture, PerAxes, Shape};
+use crate::shape::{JointPosture, Native, PerAxes, Shape};
 use crate::spring::SpringLaw;
 use core::fmt::Debug;
 use nalgebra::Vector2;
-use typenum::{U0, U1, U3, Unsigned};
+use typenum::{U0, U1, U3};
 
 /// A massless joint in the plane.
 ///
@@ -100,6 +101,9 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
         [[T::zero(); 2]; 2]
     }
 
+    /// What it lets move, and what resists it.
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<Planar<T>>;
+
     /// Whether its points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.
     const LEVER: bool = false;
 
@@ -154,7 +158,7 @@ where
     <J as Joint<T>>::Axes::offset(posture.x, posture.y, posture.p, posture.q)
 }
 
-impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Planar<T>> for J {
+impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
     type Position = <J as Joint<T>>::Position;
     type Rate = <J as Joint<T>>::Rate;
     type Kept<C: Closures> = <J as Joint<T>>::Kept<C>;
@@ -226,12 +230,16 @@ impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Planar<T>> for J {
             false => Vector2::new(T::zero(), T::zero()),
         };
         let (spring, [slide, sliding]) = (self.spring(position, rate), self.slid(position, rate));
-        (JointMotion { inboard, outboard, arm, spring, turns: J::TURNS, slide, sliding }, outboard)
+        (JointMotion { inboard, outboard, arm, spring, turns: J::TURNS, slide, sliding, inertia: T::zero() }, outboard)
     }
-    /// How many coordinates it has.
     #[inline(always)]
-    fn release(&self, _: &JointMotion<T>, _: &<J as Joint<T>>::Position, _: &<J as Joint<T>>::Rate) -> usize {
-        J::Freedoms::USIZE
+    fn release(
+        &self,
+        motion: &JointMotion<T>,
+        position: &<J as Joint<T>>::Position,
+        rate: &<J as Joint<T>>::Rate,
+    ) -> Release<Planar<T>> {
+        Joint::release(self, motion, position, rate)
     }
     fn check(&self) -> Result<(), Fault> {
         Joint::<T>::check(self)
@@ -288,13 +296,15 @@ joint!([T: Scalar, L: SpringLaw<T>] ElasticHinge<L>);
 joint!([T: Scalar, R: SpringLaw<T>, F: SpringLaw<T>, G: SpringLaw<T>, A: HingeAxes]
     ElasticHinge<R, Linear<T, F, G, A>>);
 
-/// Gives joints their counts.
+/// Gives joints their counts, and says that they are of this crate.
 macro_rules! count {
     ([$($generics:tt)*] $Joint:ty: $Freedoms:ident) => {
         impl<$($generics)*> Counted for $Joint {
             type Bodies = U0;
             type Freedoms = $Freedoms;
         }
+
+        impl<$($generics)*> Native for $Joint {}
     };
 }
 count!([] Pin: U1);

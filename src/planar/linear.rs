@@ -72,6 +72,8 @@ impl<T: Scalar, X, Y, A> Linear<T, X, Y, A> {
 pub trait HingeAxes: Axes + Copy + Debug + 'static {
     /// Whether the force has a moment about the inboard point.
     const LEVER: bool;
+    /// Whether they turn with the inboard body, and the outboard point with them.
+    const SWINGS: bool = false;
 
     /// Stores displacement and rate.
     #[allow(clippy::too_many_arguments)] // one store each
@@ -104,6 +106,7 @@ pub trait HingeAxes: Axes + Copy + Debug + 'static {
 
 impl HingeAxes for Inboard {
     const LEVER: bool = true;
+    const SWINGS: bool = true;
 
     #[inline(always)]
     fn store<T: Scalar>(

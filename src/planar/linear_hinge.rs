@@ -2,11 +2,14 @@
 
 use super::linear::{HingeAxes, Linear};
 use super::spring::Custom;
-use super::{Acceleration, ElasticHinge, Frame, HingeRule, Joint, Planar, Spring, SpringState, Turn};
+use super::{
+    Acceleration, ElasticHinge, Frame, HingeRule, Joint, JointMotion, Planar, Spring, SpringState, Turn, release,
+};
 use crate::element::{Condense, Given, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::relation::plane::{Full, HingeGain, Point, Relation, Rigid, SlideGain, Slides};
 use crate::relation::{Absent, Closures, Coefficient, Term};
+use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::spring::{SpringLaw, read};
 use nalgebra::Vector2;
@@ -169,6 +172,9 @@ where
     #[inline(always)]
     fn note<C: Closures>(&self, inboard: Acceleration<T>, offset: A::Offset<T>, kept: &mut LinearGains<T, C>) {
         kept.swing = A::swing(inboard, offset);
+    }
+    fn release(&self, motion: &JointMotion<T>, position: &(T, T, T), rate: &(T, T, T)) -> Release<Planar<T>> {
+        release::elastic(self, motion, position, rate)
     }
     #[inline(always)]
     fn recovered<C: Closures>(

@@ -41,6 +41,7 @@ fn joint<T: Scalar>(side: &Frame<T>, main: &Frame<T>, turns: bool) -> JointMotio
         turns,
         slide: [none; 2],
         sliding: [none; 2],
+        inertia: none,
     }
 }
 

@@ -1,11 +1,12 @@
 //! The smooth pin.
 
 use super::axes::Coincident;
-use super::{Acceleration, Frame, Joint, Planar, Turn};
+use super::{Acceleration, Frame, Joint, JointMotion, Planar, Turn, release};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::lift::lift;
 use crate::relation::plane::{Gain, Point, Rigid};
 use crate::relation::{Closures, Term};
+use crate::release::Release;
 use crate::scalar::Scalar;
 
 /// A smooth pin: two bodies share a point, and turn freely but for the torque that is applied in the joint.
@@ -58,6 +59,9 @@ impl<T: Scalar> Joint<T> for Pin {
             acceleration: Acceleration { angular: *acceleration, ..inboard.acceleration },
             ..inboard
         }
+    }
+    fn release(&self, _: &JointMotion<T>, _: &T, _: &T) -> Release<Planar<T>> {
+        release::pin()
     }
     #[inline(always)]
     fn recovered<C: Closures>(

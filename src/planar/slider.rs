@@ -1,12 +1,13 @@
 //! The joint that slides.
 
 use super::axes::{Inboard, Offset};
-use super::{Acceleration, Frame, Joint, Planar, Spring, SpringState, Turn};
+use super::{Acceleration, Frame, Joint, JointMotion, Planar, Spring, SpringState, Turn, release};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::plane::{Full, SlideGain, Slides, along, back};
 use crate::relation::{Absent, Closures, Term};
+use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::spring::{SpringLaw, read};
 use nalgebra::Vector2;
@@ -24,8 +25,8 @@ use nalgebra::Vector2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider<T, S = Absent> {
-    direction: T,
-    spring: S,
+    pub(super) direction: T,
+    pub(super) spring: S,
     /// Point mass that the outboard body lumps at its inboard end, in a scene.
     lumped: T,
 }
@@ -119,6 +120,9 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
         }
         self.spring.check()
     }
+    fn release(&self, motion: &JointMotion<T>, position: &T, rate: &T) -> Release<Planar<T>> {
+        release::slider(self, motion, [*position, *rate])
+    }
     #[inline(always)]
     fn recovered<C: Closures>(
         &self,
@@ -132,6 +136,23 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
         let carried = inboard.shifted(arm, acceleration);
         *rate = kept.relative(along(carried.linear, direction), carried.angular, multipliers);
         Acceleration { linear: carried.linear + direction * *rate, ..carried }
+    }
+}
+
+impl<T: Scalar, S> Slider<T, S> {
+    /// Lets the outboard point slide along the line against a force, and what stiffness or inertia adds to the pivot.
+    #[inline(always)]
+    pub(super) fn loosen<R: Slides<T>>(
+        &self,
+        outer: R,
+        Offset { direction, arm, acceleration }: Offset<T>,
+        force: T,
+        pivot: T,
+        kept: &mut SlideGain<T, R::Closures>,
+    ) -> Full<T, R::Closures> {
+        let (relation, gain) = outer.with_mass(self.lumped).along(direction).slid(force, pivot);
+        *kept = gain;
+        relation.along(back(direction)).carried(arm, acceleration)
     }
 }
 
@@ -150,12 +171,10 @@ where
         given: Given<'_, Planar<T>, Self, W>,
         kept: &mut SlideGain<T, W::Closures>,
     ) -> Self::Out {
-        let Offset { direction, arm, acceleration } = super::joint::offset::<T, Self>(posture);
+        let offset = super::joint::offset::<T, Self>(posture);
         let Given { in_joints, position, rate, reading, springs, .. } = given;
         let [force, pivot] = read(&self.spring, (*position, *rate), reading, springs);
-        let (relation, gain) = outer.with_mass(self.lumped).along(direction).slid(in_joints.add_to(force), pivot);
-        *kept = gain;
-        relation.along(back(direction)).carried(arm, acceleration)
+        self.loosen(outer, offset, in_joints.add_to(force), pivot, kept)
     }
 }
 

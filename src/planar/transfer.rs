@@ -7,6 +7,7 @@ use super::index::{M, ONE, QX, QY, THETA, X, Y};
 use super::{BodyMotion, Frame, JointMotion, Planar, Station};
 use crate::element::Load;
 use crate::relation::plane::algebra::cross;
+use crate::release::{Freedom, Release, Way};
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};
 use crate::transfer::{Efforts, Exact, Passage};
@@ -55,33 +56,43 @@ impl<T: Scalar> Exact<7> for Planar<T> {
         u
     }
 
-    fn passage(joint: &JointMotion<T>, coordinates: &usize, efforts: [T; 3]) -> Option<Passage<T, 7>> {
+    fn passage(joint: &JointMotion<T>, release: &Release<Self>, efforts: [T; 3]) -> Passage<T, 7> {
+        let d = joint.outboard.place - joint.inboard.place;
         let mut fixed = TransferMatrix::identity();
-        match (*coordinates, joint.turns) {
-            (0, _) => Some(Passage::of(fixed)),
-            (1, true) => {
-                // The coordinate is the angle itself; m = −τ.
-                fixed[(THETA, THETA)] = T::zero();
-                Some(Passage::of(fixed).with(unit(THETA), unit(M), -(joint.spring.torque + efforts[0])))
-            }
-            _ => None,
+        if release.swings {
+            fixed[(X, THETA)] = -d.y;
+            fixed[(Y, THETA)] = d.x;
         }
-    }
-
-    fn root_passage(joint: &JointMotion<T>, _: &usize, efforts: [T; 3], held: &[bool]) -> Option<Passage<T, 7>> {
-        let mut passage = Passage::of(TransferMatrix::identity());
-        for ((position, force), held) in [(X, QX), (Y, QY), (THETA, M)].into_iter().zip(held) {
-            if !held {
-                passage.fixed[(position, position)] = T::zero();
-                let effort = match (force, joint.turns) {
-                    (M, _) => -(joint.spring.torque + efforts[0]),
-                    (QX, false) => joint.spring.force[0] + efforts[0],
-                    _ => T::zero(),
-                };
-                passage = passage.with(unit(position), unit(force), effort);
-            }
+        (fixed[(X, ONE)], fixed[(Y, ONE)], fixed[(THETA, ONE)]) = (release.linear.x, release.linear.y, release.angular);
+        if !release.carries {
+            fixed[(THETA, THETA)] = T::zero();
         }
-        Some(passage)
+        if release.balanced {
+            fixed[(M, QX)] = -d.y; // m_O = m_I + d × q
+            fixed[(M, QY)] = d.x;
+        }
+        let mut passage = Passage::of(fixed);
+        for (Freedom { way, axis, resistance, inertia, .. }, applied) in release.under(efforts) {
+            // A torque on the outboard body is −m, a force on it q.
+            passage = match way {
+                Way::Turn => passage.with(unit(THETA), unit(M), [-(resistance.force + applied), -inertia]),
+                Way::Slide => {
+                    let along = |x: usize, y: usize| {
+                        core::array::from_fn(|i| {
+                            if i == x {
+                                axis.x
+                            } else if i == y {
+                                axis.y
+                            } else {
+                                T::zero()
+                            }
+                        })
+                    };
+                    passage.with(along(X, Y), along(QX, QY), [resistance.force + applied, inertia])
+                }
+            };
+        }
+        passage
     }
 
     fn acceleration_state(frame: &Frame<T>) -> StateVector<T, 7> {

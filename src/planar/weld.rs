@@ -1,11 +1,12 @@
 //! The rigid joint.
 
 use super::axes::Coincident;
-use super::{Acceleration, Frame, Joint, Planar, Turn};
+use super::{Acceleration, Frame, Joint, JointMotion, Planar, Turn};
 use crate::element::{Condense, Given, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::Closures;
+use crate::release::Release;
 use crate::scalar::Scalar;
 
 /// Two bodies joined rigidly at an angle: what a hinge of infinite stiffness is.
@@ -63,6 +64,9 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     }
     fn check(&self) -> Result<(), Fault> {
         if self.angle.is_finite() { Ok(()) } else { Err(Fault::NotFinite { parameter: "angle" }) }
+    }
+    fn release(&self, _: &JointMotion<T>, _: &(), _: &()) -> Release<Planar<T>> {
+        Release::nothing()
     }
     #[inline(always)]
     fn recovered<C: Closures>(

@@ -39,8 +39,9 @@ pub trait Closures: Copy + 'static {
 /// Closure forces that can be found from their own equations.
 pub trait Solvable: Closures {
     /// A closure that depends on others, if there is one, and how many are independent: where pivots of Λ vanish, measured by what
-    /// the last bodies would yield to each force if they were free.
-    fn dependent<T: Scalar>(compliance: &Self::Pairs<T>, measure: &Self::Each<T>) -> Option<(usize, usize)>;
+    /// the last bodies would yield to each force if they were free, or are at most the `least` share of that.
+    fn dependent<T: Scalar>(compliance: &Self::Pairs<T>, measure: &Self::Each<T>, least: f64)
+    -> Option<(usize, usize)>;
     /// The solution of Λ x = b, of Λ its lower triangle is read. Where a pivot of Λ vanishes it is not finite, unless forces are shared
     /// out: then it is the one of least norm.
     fn solve<T: Scalar>(compliance: &Self::Pairs<T>, b: &Self::Each<T>) -> Self::Each<T>;
@@ -79,7 +80,7 @@ impl Closures for Open {
 }
 
 impl Solvable for Open {
-    fn dependent<T: Scalar>((): &(), (): &()) -> Option<(usize, usize)> {
+    fn dependent<T: Scalar>((): &(), (): &(), _: f64) -> Option<(usize, usize)> {
         None
     }
     #[inline(always)]
@@ -124,9 +125,9 @@ impl<const L: usize> Closures for Cut<L> {
 }
 
 impl<const L: usize> Solvable for Cut<L> {
-    fn dependent<T: Scalar>(compliance: &[[T; L]; L], measure: &[T; L]) -> Option<(usize, usize)> {
+    fn dependent<T: Scalar>(compliance: &[[T; L]; L], measure: &[T; L], least: f64) -> Option<(usize, usize)> {
         let real = |x: T| x.real().as_f64();
-        dependent_row(compliance.map(|row| row.map(real)), measure.map(real), T::Real::EPSILON.as_f64())
+        dependent_row(compliance.map(|row| row.map(real)), measure.map(real), least, T::Real::EPSILON.as_f64())
     }
     #[inline(always)]
     fn solve<T: Scalar>(compliance: &[[T; L]; L], b: &[T; L]) -> [T; L] {

@@ -20,6 +20,7 @@ pub mod plane;
 mod redundancy;
 mod shared;
 pub mod space;
+mod way;
 mod wrench;
 
 pub use arms::{Carry, Forces, Kind, Wrenches};
@@ -30,6 +31,7 @@ pub use geometry::{AccelerationOf, Additive, Angular, Geometry, Symmetric, Vecto
 pub use kinds::{Empty, Lump, Point, Relation};
 pub use looped::{LoopGain, Looped, Own, Settle, Twisted};
 pub use shared::Shared;
+pub use way::Way;
 pub use wrench::{Acceleration, Wrench};
 
 use crate::scalar::Scalar;

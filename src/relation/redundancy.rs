@@ -18,17 +18,18 @@ fn has_measure(measure: f64) -> bool {
 }
 
 /// A row of a positive semidefinite matrix that depends on others, and the rank: by elimination with diagonal pivots, the largest
-/// share of its measure first. Of the matrix the lower triangle is read; `rounding` is that of its numbers. What has no measure is
-/// measured by its own diagonal.
+/// share of its measure first, down to the `least` share or that which `rounding`, of its numbers, leaves. Of the matrix the lower
+/// triangle is read. What has no measure is measured by its own diagonal.
 pub(super) fn dependent_row<const L: usize>(
     matrix: [[f64; L]; L],
     measure: [f64; L],
+    least: f64,
     rounding: f64,
 ) -> Option<(usize, usize)> {
     if !matrix.iter().flatten().all(|entry| entry.is_finite()) {
         return None; // something else is wrong
     }
-    let smallest = smallest_share(rounding);
+    let smallest = smallest_share(rounding).max(least);
     let mut rest: [[f64; L]; L] =
         core::array::from_fn(|i| core::array::from_fn(|j| if j <= i { matrix[i][j] } else { matrix[j][i] }));
     let measure: [f64; L] = core::array::from_fn(|i| if has_measure(measure[i]) { measure[i] } else { rest[i][i] });

@@ -47,7 +47,7 @@ impl<const L: usize> Closures for Shared<L> {
 
 impl<const L: usize> Solvable for Shared<L> {
     /// None is in the way.
-    fn dependent<T: Scalar>(_: &[[T; L]; L], _: &[T; L]) -> Option<(usize, usize)> {
+    fn dependent<T: Scalar>(_: &[[T; L]; L], _: &[T; L], _: f64) -> Option<(usize, usize)> {
         None
     }
     /// Of forces that hold a tip, which are never of this type: each pivot is measured by its own diagonal.

@@ -24,7 +24,7 @@
 //! let start = wheel.with_rates(wheel.motion(), &[Dual64::from(2.0)])?;
 //! let brake = Loads::none().in_joints(|_, _, joint: &JointMotion<Dual64>| friction(torque, joint.rate()));
 //! let end = wheel.simulation(Rk4::step(0.01)).loads(&brake).run(start, 1.0, |_| ())?.motion;
-//! let rate = end.rate().0;
+//! let [rate] = end.rates_of(wheel.joint(0)?)?;
 //! assert!((rate.re - (2.0 - 0.3 * 3.0)).abs() < 1e-12); // J = m l² / 3
 //! assert!((rate.eps - -3.0).abs() < 1e-12);
 //! # Ok(())

@@ -321,6 +321,7 @@ where
         &self,
         _: &MotionOf<S, R, C, P>,
         _: &Self::Workspace,
+        _: f64,
         _: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error> {
         Ok(())

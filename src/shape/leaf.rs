@@ -5,6 +5,7 @@ use super::field::Field;
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::{AccelerationOf, Closures};
+use crate::release::Release;
 use crate::space::{FrameOf, Space};
 use crate::sweep::Springs;
 
@@ -105,13 +106,17 @@ pub trait Joint<S: Space>: Copy + 'static {
         acceleration: &Self::Rate,
     ) -> (S::JointMotion, FrameOf<S>);
     /// What it lets move.
-    fn release(&self, motion: &S::JointMotion, position: &Self::Position, rate: &Self::Rate) -> S::Release;
+    fn release(&self, motion: &S::JointMotion, position: &Self::Position, rate: &Self::Rate) -> Release<S>;
     /// Rejects parameters that make no mechanics.
     ///
     /// # Errors
     /// What is wrong with them.
     fn check(&self) -> Result<(), Fault>;
 }
+
+/// A joint of this crate, which says of its space what all spaces ask of it. Types of other crates are none, and no crate can make them
+/// one: a trait without parameters is what tells the compiler so.
+pub trait Native {}
 
 /// An element that is a body, with its entry of a store.
 pub trait AsBody<S: Space>: Shape<S> + Body<S> {

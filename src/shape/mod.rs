@@ -17,7 +17,7 @@ mod walk;
 pub use closing::{Closing, Ends};
 pub use field::{Arm, Field, Kept, Main, PerAxes, PerBody, PerJoint, Positions, Rates, Side, Way};
 pub(crate) use leaf::leaf;
-pub use leaf::{AsBody, AsJoint, Body, Joint, JointPosture, PostureOf};
+pub use leaf::{AsBody, AsJoint, Body, Joint, JointPosture, Native, PostureOf};
 pub use part::{Aside, ClosingEntry, Items, MainStore, Member, Nth, OwnOf, Parallel, SideStore};
 pub use slot::{Held, Mut, Ref, Slot};
 pub(crate) use walk::alike;

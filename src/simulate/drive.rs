@@ -148,10 +148,17 @@ where
             };
             let error = self.judge(outcome, size, tolerance, &mut trials)?;
             let factor = factor(error, self.stepper.error_order());
-            if !trials.accepts(error) {
+            let other = if !trials.accepts(error) {
+                Some(trials.after(size, error, factor))
+            } else if error <= one && !last {
+                self.dodge(size, &mut trials)
+            } else {
+                None
+            };
+            if let Some(other) = other {
                 self.progress.rejected += 1;
                 self.progress.careful = true;
-                self.progress.size = trials.after(size, error, factor);
+                self.progress.size = other;
                 continue;
             }
             trials.taken(size);
@@ -216,6 +223,16 @@ where
             return if leap > RealOf::<S>::one() { Ok(leap) } else { Err(refused) };
         }
         Ok(RealOf::<S>::INFINITY)
+    }
+
+    /// The size of another step, to be tried instead of an accurate one that ends where closures are all but dependent.
+    fn dodge(&self, size: RealOf<S>, trials: &mut Trials<RealOf<S>>) -> Option<RealOf<S>> {
+        // A constant, so that a compiler does not even look at what follows where nothing is closed.
+        if const { System::<S, R, C, P>::CLOSED == 0 } {
+            return None;
+        }
+        let firm = self.stepper.firm(&self.next, trials.least_share()?);
+        trials.dodge(size, firm)
     }
 
     /// Whether closures are independent at the end of a step: where they are not, a motion could go on in more than one way.

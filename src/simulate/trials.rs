@@ -15,6 +15,8 @@ const EVASIONS: usize = 5;
 const SHORTER: f64 = 0.8;
 /// By how many times the error of such a step falls where it was a matter of where stages fell: by more than any order explains.
 const FALL: f64 = 10.0;
+/// So many times a step that ends where closures are all but dependent is tried shorter.
+const DODGES: usize = 3;
 /// Trial steps that are shorter than the best one and no better, before that is taken.
 const WORSE: usize = 2;
 
@@ -24,6 +26,8 @@ pub(super) struct Trials<R> {
     /// The error (as a multiple of the tolerance) that a step may have where shorter ones are no better, in a scene that closures hold
     /// together: near a place where they become dependent, errors rise as steps shrink.
     allowed: Option<R>,
+    /// How small a pivot of a closure may be at the end of a step there, as a share of its measure.
+    least: R,
     /// What was wrong with the last one that was rejected, and where.
     cause: (Cause, Option<Place>),
     /// The longest one accepted (s).
@@ -37,6 +41,9 @@ pub(super) struct Trials<R> {
     worse: usize,
     last: R,
     evasions: usize,
+    /// Whether closures hold the present motion firmly, and how many steps from it would have ended where they do not.
+    firm: bool,
+    dodges: usize,
     /// Whether the next one is the best one again, to be taken.
     settled: bool,
 }
@@ -47,6 +54,8 @@ impl<R: Real> Trials<R> {
         let (root, coarse) = (R::EPSILON.sqrt(), R::EPSILON.sqrt().sqrt());
         let allowed = (R::of(STARTLING) * tolerance).min(coarse).max(root) / tolerance;
         Self {
+            // A share δ² leaves roundings / δ³ of accelerations: that is to be no startling error.
+            least: (R::EPSILON / (R::of(STARTLING) * tolerance)).powf(R::of(2.0 / 3.0)),
             allowed: (closed && tolerance < coarse).then_some(allowed),
             cause: (Cause::Inaccurate, None),
             longest: R::zero(),
@@ -56,6 +65,8 @@ impl<R: Real> Trials<R> {
             worse: 0,
             last: R::zero(),
             evasions: 0,
+            firm: true,
+            dodges: 0,
             settled: false,
         }
     }
@@ -89,7 +100,34 @@ impl<R: Real> Trials<R> {
     /// A step was taken.
     pub(super) fn taken(&mut self, size: R) {
         self.longest = self.longest.max(size);
-        (self.best, self.worse, self.evasions, self.settled) = (None, 0, 0, false);
+        (self.best, self.worse, self.evasions, self.dodges, self.settled) = (None, 0, 0, 0, false);
+    }
+
+    /// How small a pivot of a closure may be at the end of a step, as a share of its measure, in a scene that closures hold together.
+    pub(super) fn least_share(&self) -> Option<f64> {
+        self.allowed.map(|_| self.least.as_f64())
+    }
+
+    /// The size to try instead of an accurate one where closures do not hold its end firmly, unless the motion comes from such a place
+    /// or stays there: that of a longer step which leads over it, if there was one that errs by what such a step may, or a shorter one.
+    pub(super) fn dodge(&mut self, size: R, firm: bool) -> Option<R> {
+        if firm || !self.firm || self.dodges > DODGES {
+            self.firm = firm;
+            return None;
+        }
+        let tired = self.dodges == DODGES;
+        self.dodges += 1;
+        match self.best {
+            Some((over, error)) if over > size && (error <= R::of(STARTLING) || (tired && self.allows(error))) => {
+                self.settled = true;
+                Some(over)
+            }
+            _ if tired => {
+                self.firm = false;
+                None
+            }
+            _ => Some(size * R::of(SHORTER)),
+        }
     }
 
     /// A step failed: by what no shorter step would mend, or it counts as one that is not accurate at all.

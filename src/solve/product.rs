@@ -5,6 +5,7 @@
 
 use crate::element::{Coordinates, Element, Gather, Loading, RealOf, Space, Visit};
 use crate::error::{Error, Fault};
+use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::shape::{PerBody, PerJoint};
 use crate::space::FrameOf;
@@ -31,8 +32,6 @@ struct Form<'a, S: Space, L: Loading<S>, const N: usize> {
     seen: L::Seen,
     time: RealOf<S>,
     gravity: S::Vector,
-    /// Which conjugate pairs the root holds.
-    held: &'a [bool],
     body: usize,
     joint: usize,
     space: PhantomData<S>,
@@ -53,14 +52,10 @@ where
     fn joint(&mut self, _: &S::JointMotion) -> Entry<S, N> {
         Entry::Blank
     }
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> S::Release) -> Entry<S, N> {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) -> Entry<S, N> {
         let efforts = self.loads.in_joint(self.time, self.joint, joint).efforts();
-        let passage = match self.joint {
-            0 => S::root_passage(joint, &release(), efforts, self.held),
-            _ => S::passage(joint, &release(), efforts),
-        };
         self.joint += 1;
-        passage.map_or(Entry::Blank, Entry::Joint)
+        Entry::Joint(S::passage(joint, &release(), efforts))
     }
 }
 
@@ -70,7 +65,6 @@ where
 pub fn product<S: Exact<N>, E: Element<S>, L: Loading<S>, const N: usize>(
     chain: &E,
     ground: &FrameOf<S>,
-    held: &[bool],
     gravity: S::Vector,
     loads: &L,
     time: RealOf<S>,
@@ -82,7 +76,7 @@ where
 {
     let (mut bodies, mut joints) = (chain.store::<PerBody<_>>(Entry::Blank), chain.store::<PerJoint<_>>(Entry::Blank));
     let seen = survey(chain, *ground, motion, loads);
-    let mut form = Form { loads, seen, time, gravity, held, body: 0, joint: 0, space: PhantomData };
+    let mut form = Form { loads, seen, time, gravity, body: 0, joint: 0, space: PhantomData };
     travel(chain, *ground, motion, &mut form, &mut bodies, &mut joints);
 
     let identity = TransferMatrix::identity();

@@ -10,6 +10,7 @@ use crate::error::Fault;
 use crate::loading::Seen;
 use crate::mirror::Rate;
 use crate::relation::{Geometry, WrenchOf};
+use crate::release::Release;
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 
@@ -37,8 +38,6 @@ pub trait Space: Geometry {
     type JointMotion: Seen<Space = Self> + Debug;
     /// Internal force and torque, as numbers that add up.
     type Numbers: Rate<Self::Scalar> + Copy;
-    /// What a joint lets move, for its transfer matrix.
-    type Release: Copy + Debug;
     /// The relation of a free tip.
     type Nothing: Copy + Default;
 
@@ -57,7 +56,7 @@ pub trait Space: Geometry {
     /// The angle (rad) of a body that is too large for accurate sines, if it is.
     fn angle_out_of_range(body: &Self::BodyMotion) -> Option<f64>;
     /// The same of an angle that a joint has turned by.
-    fn turn_out_of_range(joint: &Self::JointMotion, release: &Self::Release) -> Option<f64>;
+    fn turn_out_of_range(joint: &Self::JointMotion, release: &Release<Self>) -> Option<f64>;
     /// Internal force and torque as numbers.
     fn numbers(internal: WrenchOf<Self>) -> Self::Numbers;
     /// Internal force and torque from their numbers.
@@ -74,8 +73,8 @@ pub trait Space: Geometry {
     fn relieve(station: &mut Self::Station, load: WrenchOf<Self>);
     /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.
     fn balance(station: &mut Self::Station, outer: WrenchOf<Self>) -> WrenchOf<Self>;
-    /// Energy stored in a joint (J).
-    fn stored(joint: &Self::JointMotion) -> Self::Scalar;
+    /// Kinetic energy of reflected inertia in a joint, and energy stored there (J).
+    fn stored(joint: &Self::JointMotion) -> [Self::Scalar; 2];
     /// Mechanical energy, linear momentum and angular momentum about the origin of a body.
     fn budget(body: &Self::BodyMotion, gravity: Self::Vector) -> Budget<Self>;
 }

@@ -13,7 +13,7 @@ use crate::element::{Condense, Given, InJoint, Posture, Reading, Springs, Sweep}
 use crate::error::Fault;
 use crate::relation::space::algebra::{Columns, add_scaled, centripetal, cross, cross_onto, zero};
 use crate::relation::space::{Full, Pivot, Relation, Rigid, Slides, Way};
-use crate::relation::{Closures, Coefficient};
+use crate::relation::{Closures, Coefficient, Term};
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;
 use nalgebra::Vector3;
@@ -91,7 +91,15 @@ fn moved<T: Scalar, J: Axial<T, K>, const K: usize>(
     let energy = joint.energy(position.list());
     let (position, rate) = (position.list(), rate.list());
     let effort = padded(core::array::from_fn(|k| joint.force(k, position[k], rate[k])));
-    JointMotion { inboard, outboard, position: padded(position), rate: padded(rate), effort, energy }
+    JointMotion {
+        inboard,
+        outboard,
+        position: padded(position),
+        rate: padded(rate),
+        effort,
+        energy,
+        inertia: [T::zero(); 3],
+    }
 }
 
 /// An acceleration with a coordinate's added.
@@ -126,21 +134,36 @@ where
     W: Sweep<Spatial<T>, Springs: PivotRule<T>>,
     InJoint<Spatial<T>, W>: Drive<T>,
 {
-    let (stored, bias) = posture;
     // Laws that are not linear are read where the last sweep has led.
     let follows = const { !J::LINEAR && <W::Springs as Springs<T>>::STIFF };
     let (position, rate) = if follows { (led.position, led.rate) } else { (position, rate) };
     let (position, rate) = (position.list(), rate.list());
-    let mut relation = outer.full();
-    if J::SLIDES {
-        relation = relation.with_mass(joint.lumped());
-    }
-    for k in (0..K).rev() {
+    let acts = |k: usize| {
         let mut force = drive.onto(k, joint.force(k, position[k], rate[k]));
         let stiffness = springs.stiffness(|springs| joint.pivot(k, position[k], rate[k], springs));
         if follows {
             force = stiffness.times_onto(led.acceleration.list()[k], force);
         }
+        (force, stiffness)
+    };
+    loosened(joint, outer.full(), posture, acts, kept)
+}
+
+/// Lets all coordinates go, each against a force and what stiffness or inertia adds to its pivot.
+#[inline(always)]
+pub(super) fn loosened<T: Scalar, J: Axial<T, K>, C: Closures, M: Term<T>, const K: usize>(
+    joint: &J,
+    outer: Full<T, C>,
+    (stored, bias): (&Columns<T>, &[Vector3<T>; 2]),
+    acts: impl Fn(usize) -> (T, M),
+    kept: &mut [Pivot<T, C>; K],
+) -> Full<T, C> {
+    let mut relation = outer;
+    if J::SLIDES {
+        relation = relation.with_mass(joint.lumped());
+    }
+    for k in (0..K).rev() {
+        let (force, stiffness) = acts(k);
         (relation, kept[k]) = relation.released(J::WAYS[k], axis(stored, k), force, stiffness);
     }
     if J::TURNS {
@@ -252,8 +275,8 @@ macro_rules! axial {
                 }
             }
             #[inline(always)]
-            fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
-                Some(release::axial(self, motion, position, rate))
+            fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
+                release::axial(self, motion, position, rate)
             }
             #[inline(always)]
             fn moved(

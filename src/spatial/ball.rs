@@ -54,8 +54,8 @@ impl<T: Scalar> Joint<T> for Ball {
         *x = attitude;
     }
     #[inline(always)]
-    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
-        Some(release::ball(self, motion, position, rate))
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
+        release::ball(self, motion, position, rate)
     }
     #[inline(always)]
     fn moved(&self, inboard: Frame<T>, position: &Rotation<T>, rate: &[T; 3], acceleration: &[T; 3]) -> JointMotion<T> {
@@ -64,7 +64,15 @@ impl<T: Scalar> Joint<T> for Ball {
         let outboard = Frame { turn, acceleration: Acceleration { angular, ..inboard.acceleration }, ..inboard };
         let relative = attitude.transposed(turn.spin - inboard.turn.spin);
         let none = [T::zero(); 3];
-        JointMotion { inboard, outboard, position: none, rate: relative.into(), effort: none, energy: T::zero() }
+        JointMotion {
+            inboard,
+            outboard,
+            position: none,
+            rate: relative.into(),
+            effort: none,
+            energy: T::zero(),
+            inertia: none,
+        }
     }
     #[inline(always)]
     fn recovered<C: Closures>(

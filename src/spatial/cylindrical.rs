@@ -15,7 +15,8 @@ use nalgebra::Vector3;
 /// Two bodies slide along an axis and turn about it.
 ///
 /// Its coordinates are how far (m) the outboard point has moved along the axis, and the angle (rad) of the outboard body.
-/// [`System::at_rest`](crate::system::System::at_rest) takes the angle; set the slide in the motion.
+/// [`System::at_rest`](crate::system::System::at_rest) takes the angle; [`Motion::set_coordinates_of`](crate::Motion::set_coordinates_of)
+/// sets both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylindrical<T, L = Spring, M = Spring> {
     axis: Vector3<T>,

@@ -206,8 +206,8 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
         (Turn { attitude, spin: inboard.spin + relative }, (attitude, [zero(), bias]))
     }
     #[inline(always)]
-    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
-        Some(release::rotary(self, motion, position, rate))
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
+        release::rotary(self, motion, position, rate)
     }
     #[inline(always)]
     fn moved(&self, inboard: Frame<T>, position: &Rotation<T>, rate: &[T; 3], acceleration: &[T; 3]) -> JointMotion<T> {
@@ -215,7 +215,15 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
         let angular = attitude.apply_onto(Vector3::from(*acceleration), inboard.acceleration.angular + bias);
         let outboard = Frame { turn, acceleration: Acceleration { angular, ..inboard.acceleration }, ..inboard };
         let (effort, energy) = (self.rotary.torque(position, rate).into(), self.rotary.energy(position));
-        JointMotion { inboard, outboard, position: position.log(), rate: *rate, effort, energy }
+        JointMotion {
+            inboard,
+            outboard,
+            position: position.log(),
+            rate: *rate,
+            effort,
+            energy,
+            inertia: [T::zero(); 3],
+        }
     }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()

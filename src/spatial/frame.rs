@@ -1,11 +1,12 @@
 //! What the walks carry in space.
 
-use super::{Inertia, Release, Rotation, Spatial, Station};
+use super::{Inertia, Rotation, Spatial, Station};
 use crate::element::{Budget, Space, SpaceOver};
 use crate::error::Fault;
 use crate::relation;
+use crate::relation::space::Empty;
 use crate::relation::space::algebra::{Columns, cross, dot, is_finite, zero};
-use crate::relation::space::{Empty, Way};
+use crate::release::{Release, Way};
 use crate::scalar::{Real, Scalar};
 use crate::space::{self, Orientation};
 use nalgebra::Vector3;
@@ -114,6 +115,8 @@ pub struct JointMotion<T> {
     pub effort: [T; 3],
     /// Energy stored in its springs (J).
     pub energy: T,
+    /// Reflected inertia of its coordinates (kg·m², kg), where there is any.
+    pub inertia: [T; 3],
 }
 
 impl<T: Scalar> JointMotion<T> {
@@ -141,7 +144,6 @@ impl<T: Scalar> Space for Spatial<T> {
     type BodyMotion = BodyMotion<T>;
     type JointMotion = JointMotion<T>;
     type Numbers = [T; 6];
-    type Release = Option<Release<T>>;
     type Nothing = Empty;
 
     fn blank() -> (Columns<T>, [Vector3<T>; 2], Vector3<T>, Vector3<T>) {
@@ -160,9 +162,9 @@ impl<T: Scalar> Space for Spatial<T> {
     fn angle_out_of_range(_: &BodyMotion<T>) -> Option<f64> {
         None // attitudes are quaternions
     }
-    fn turn_out_of_range(joint: &JointMotion<T>, release: &Option<Release<T>>) -> Option<f64> {
-        let coordinates = release.as_ref()?.coordinates.iter().flatten().zip(joint.position);
-        let mut turns = coordinates.filter(|((way, ..), _)| *way == Way::Turn).map(|(_, angle)| angle.real());
+    fn turn_out_of_range(joint: &JointMotion<T>, release: &Release<Self>) -> Option<f64> {
+        let coordinates = release.coordinates.iter().flatten().filter(|freedom| freedom.driven).zip(joint.position);
+        let mut turns = coordinates.filter(|(freedom, _)| freedom.way == Way::Turn).map(|(_, angle)| angle.real());
         turns.find(|angle| angle.abs() > T::ANGLE_RANGE).map(Real::as_f64)
     }
     #[inline(always)]
@@ -192,8 +194,9 @@ impl<T: Scalar> Space for Spatial<T> {
     fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
         station.close(outer)
     }
-    fn stored(joint: &JointMotion<T>) -> T {
-        joint.energy
+    fn stored(joint: &JointMotion<T>) -> [T; 2] {
+        let twice = joint.inertia.iter().zip(joint.rate).fold(T::zero(), |sum, (inertia, v)| sum + *inertia * v * v);
+        [twice.scale(T::Real::of(0.5)), joint.energy]
     }
     fn budget(body: &BodyMotion<T>, gravity: Vector3<T>) -> Budget<Self> {
         let centre = body.centre();

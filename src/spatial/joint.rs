@@ -12,7 +12,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::relation::space::algebra::Columns;
 use crate::scalar::Scalar;
-use crate::shape::JointPosture;
+use crate::shape::{JointPosture, Native};
 use crate::spring::SpringLaw;
 use core::fmt::Debug;
 use nalgebra::Vector3;
@@ -111,11 +111,8 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
         acceleration: &Self::Rate,
     ) -> JointMotion<T>;
 
-    /// What it lets move, for transfer matrices; a joint that does not say so has none.
-    #[inline(always)]
-    fn release(&self, _motion: &JointMotion<T>, _position: &Self::Position, _rate: &Self::Rate) -> Option<Release<T>> {
-        None
-    }
+    /// What it lets move, and what resists it.
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T>;
 
     /// Rejects parameters that make no mechanics.
     ///
@@ -146,7 +143,7 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
     ) -> Acceleration<T>;
 }
 
-impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Spatial<T>> for J {
+impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
     type Position = <J as Joint<T>>::Position;
     type Rate = <J as Joint<T>>::Rate;
     type Kept<C: Closures> = <J as Joint<T>>::Kept<C>;
@@ -216,7 +213,7 @@ impl<T: Scalar, J: Joint<T>> crate::shape::Joint<Spatial<T>> for J {
         motion: &JointMotion<T>,
         position: &<J as Joint<T>>::Position,
         rate: &<J as Joint<T>>::Rate,
-    ) -> Option<Release<T>> {
+    ) -> Release<T> {
         Joint::release(self, motion, position, rate)
     }
     fn check(&self) -> Result<(), Fault> {
@@ -278,13 +275,15 @@ joint!([T: Scalar, L: SpringLaw<T>] Prismatic<T, L>, false);
 joint!([T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>] Universal<T, L, M>, false);
 joint!([T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>] Cylindrical<T, L, M>, false);
 
-/// Gives joints their counts.
+/// Gives joints their counts, and says that they are of this crate.
 macro_rules! count {
     ($([$($generics:tt)*] $Joint:ty: $Freedoms:ident;)*) => {$(
         impl<$($generics)*> Counted for $Joint {
             type Bodies = U0;
             type Freedoms = $Freedoms;
         }
+
+        impl<$($generics)*> Native for $Joint {}
     )*};
 }
 count! {

@@ -24,9 +24,9 @@ use nalgebra::Vector3;
 /// conserved, and nothing depends on where the scene is turned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Linear<T, X, Y, Z> {
-    x: X,
-    y: Y,
-    z: Z,
+    pub(super) x: X,
+    pub(super) y: Y,
+    pub(super) z: Z,
     /// Point mass (kg) that the outboard body lumps at its inboard end, in a scene.
     lumped: T,
 }
@@ -226,8 +226,8 @@ where
         (Turn { attitude: outer, spin: spin + relative }, ([outer, inner], biases))
     }
     #[inline(always)]
-    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
-        Some(release::elastic(self, motion, position, rate))
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
+        release::elastic(self, motion, position, rate)
     }
     #[inline(always)]
     fn moved(
@@ -248,7 +248,15 @@ where
         let energy = self.rotary.energy(&position.1) + self.linear.energy(position.0);
         let outboard = Frame { place, velocity, turn, acceleration };
         let effort = self.rotary.torque(&position.1, &rate.1).into();
-        JointMotion { inboard, outboard, position: position.1.log(), rate: rate.1, effort, energy }
+        JointMotion {
+            inboard,
+            outboard,
+            position: position.1.log(),
+            rate: rate.1,
+            effort,
+            energy,
+            inertia: [T::zero(); 3],
+        }
     }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()?;

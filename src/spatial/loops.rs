@@ -39,6 +39,7 @@ fn joint<T: Scalar>(side: &Frame<T>, main: &Frame<T>) -> JointMotion<T> {
         rate: relative.into(),
         effort: none,
         energy: T::zero(),
+        inertia: none,
     }
 }
 

@@ -48,6 +48,7 @@ mod frame;
 mod inertia;
 mod isometry;
 mod joint;
+mod kinematics;
 mod linear_hinge;
 mod loads;
 mod loops;

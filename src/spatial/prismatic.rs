@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 /// Two bodies slide along an axis without turning.
 ///
 /// Its coordinate is how far (m) the outboard point has moved along the axis, which is fixed to the inboard body. [`System::at_rest`]
-/// leaves it zero; set it in the motion.
+/// leaves it zero; [`Motion::set_coordinates_of`](crate::Motion::set_coordinates_of) sets it.
 ///
 /// [`System::at_rest`]: crate::system::System::at_rest
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,42 +3,63 @@
 use super::axial::{Axial, Listed};
 use super::axial_walks::{angular_bias, linear_bias};
 use super::rotary_spring::RotaryLaw;
-use super::{Ball, ElasticHinge, Floating, JointMotion, Linear, Rotation, Weld};
-use crate::relation::space::Way;
-use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, zero};
+use super::{Ball, ElasticHinge, Floating, JointMotion, Linear, Rotation, Spatial, Weld};
+use crate::element::Implicit;
+use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot};
+use crate::release::{Freedom, Resistance, Way};
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;
 use nalgebra::Vector3;
+use num_traits::{One, Zero};
 
-/// What a joint lets move at an instant, in inertial axes: p_O = X p_I + c + Φ q̈, Φᵀ F = τ.
-#[derive(Clone, Copy, Debug)]
-pub struct Release<T> {
-    /// Its coordinates: how each moves, its axis, and the generalised force of its springs and dampers ON the outboard body.
-    pub coordinates: [Option<(Way, Vector3<T>, T)>; 6],
-    /// Whether its outboard body turns with the inboard one. Coordinates of a ball are absolute.
-    pub carries: bool,
-    /// Whether efforts act on its coordinates.
-    pub driven: bool,
-    /// c: what the outboard point accelerates by besides the inboard body (m/s²).
-    pub linear: Vector3<T>,
-    /// And by what its body does (rad/s²).
-    pub angular: Vector3<T>,
+/// What a joint in space lets move.
+pub type Release<T> = crate::release::Release<Spatial<T>>;
+
+/// The slopes of a law, by what it adds to pivots.
+fn slopes<T: Scalar, X>(pivot: impl Fn(Implicit<T::Real>) -> X) -> [X; 2] {
+    let (zero, one) = (T::Real::zero(), T::Real::one());
+    [(one, zero), (zero, one)].map(|(position, rate)| pivot(Implicit { position, rate }))
 }
 
-impl<T: Scalar> Release<T> {
-    /// A joint that lets nothing move.
-    pub fn nothing() -> Self {
-        Self { coordinates: [None; 6], carries: true, driven: true, linear: zero(), angular: zero() }
-    }
+/// With turns about the axes of a body, against a law.
+fn turning<T: Scalar>(release: Release<T>, axes: &Columns<T>, turns: [Turning<T>; 3]) -> Release<T> {
+    let axes = [axes.x, axes.y, axes.z].into_iter().zip(turns);
+    axes.fold(release, |release, (axis, (resistance, preload))| {
+        release.with(Freedom::smooth(Way::Turn, axis).against(resistance, preload))
+    })
+}
 
-    /// With turns about the axes of a body.
-    fn turning(self, axes: &Columns<T>, [x, y, z]: [T; 3]) -> Self {
-        let turn = |axis, spring| Some((Way::Turn, axis, spring));
-        let turns = [turn(axes.x, x), turn(axes.y, y), turn(axes.z, z)];
-        let mut coordinates = self.coordinates;
-        coordinates.iter_mut().filter(|c| c.is_none()).zip(turns).for_each(|(c, turn)| *c = turn);
-        Self { coordinates, ..self }
-    }
+/// What resists a turn, and its preload.
+type Turning<T> = (Resistance<T>, T);
+
+/// Nothing.
+fn freely<T: Scalar>() -> [Turning<T>; 3] {
+    [(Resistance::none(), T::zero()); 3]
+}
+
+/// A rotary law along the axes of the outboard body.
+fn resisting<T: Scalar, R: RotaryLaw<T>>(law: &R, position: &Rotation<T>, rate: &[T; 3]) -> [Turning<T>; 3] {
+    let (force, unturned) = (law.torque(position, rate), law.torque(&Rotation::identity(), &[T::zero(); 3]));
+    let Columns { x, y, z } = position.matrix();
+    let [stiffness, damping] = slopes::<T, _>(|springs| law.pivot(position, rate, springs));
+    let along = [x, y, z].map(|axis| [stiffness, damping].map(|slope| dot(axis, slope.apply(axis))));
+    core::array::from_fn(|k| {
+        let [stiffness, damping] = along[k];
+        (Resistance { force: force[k], stiffness, damping }, unturned[k])
+    })
+}
+
+/// A coordinate that slides along an axis against a law.
+fn sliding<T: Scalar>(axis: Vector3<T>, law: &impl SpringLaw<T>, position: T, rate: T) -> Freedom<Spatial<T>> {
+    let (resistance, preload) = read(law, position, rate);
+    Freedom::smooth(Way::Slide, axis).undriven().against(resistance, preload)
+}
+
+/// What a law of one coordinate does.
+fn read<T: Scalar>(law: &impl SpringLaw<T>, position: T, rate: T) -> Turning<T> {
+    let zero = T::zero();
+    let [stiffness, damping] = slopes::<T, _>(|springs| law.pivot(position, rate, springs));
+    (Resistance { force: law.force(position, rate), stiffness, damping }, law.force(zero, zero))
 }
 
 pub(super) fn weld<T: Scalar>(_: &Weld<T>, _: &JointMotion<T>, (): &(), (): &()) -> Release<T> {
@@ -47,7 +68,7 @@ pub(super) fn weld<T: Scalar>(_: &Weld<T>, _: &JointMotion<T>, (): &(), (): &())
 
 pub(super) fn ball<T: Scalar>(_: &Ball, motion: &JointMotion<T>, _: &Rotation<T>, _: &[T; 3]) -> Release<T> {
     let free = Release { carries: false, ..Release::nothing() };
-    free.turning(&motion.outboard.turn.attitude, [T::zero(); 3])
+    turning(free, &motion.outboard.turn.attitude, freely())
 }
 
 pub(super) fn rotary<T: Scalar, R: RotaryLaw<T>>(
@@ -57,32 +78,31 @@ pub(super) fn rotary<T: Scalar, R: RotaryLaw<T>>(
     rate: &[T; 3],
 ) -> Release<T> {
     let (inner, outer) = (motion.inboard.turn, motion.outboard.turn);
-    let springs = joint.rotary.torque(position, rate);
     let angular = cross(inner.spin, outer.spin - inner.spin);
-    Release { angular, ..Release::nothing() }.turning(&outer.attitude, springs.into())
+    let release = Release { angular, ..Release::nothing() };
+    turning(release, &outer.attitude, resisting(&joint.rotary, position, rate))
 }
 
 pub(super) fn elastic<T: Scalar, R: RotaryLaw<T>, X: SpringLaw<T>, Y: SpringLaw<T>, Z: SpringLaw<T>>(
     joint: &ElasticHinge<R, Linear<T, X, Y, Z>>,
     motion: &JointMotion<T>,
     (place, turn): &([T; 3], Rotation<T>),
-    (sliding, turning): &([T; 3], [T; 3]),
+    (moving, rate): &([T; 3], [T; 3]),
 ) -> Release<T> {
     let (inner, outer) = (motion.inboard.turn, motion.outboard.turn);
-    let (arm, velocity) = (inner.attitude.apply(Vector3::from(*place)), inner.attitude.apply(Vector3::from(*sliding)));
+    let (arm, velocity) = (inner.attitude.apply(Vector3::from(*place)), inner.attitude.apply(Vector3::from(*moving)));
     let release = Release {
         linear: cross_onto(inner.spin, velocity + velocity, centripetal(inner.spin, arm)),
         angular: cross(inner.spin, outer.spin - inner.spin),
         ..Release::nothing()
     };
-    // Turns come first: efforts act on them.
-    let mut release = release.turning(&outer.attitude, joint.rotary.torque(turn, turning).into());
-    let forces = joint.linear.force(*place, *sliding);
-    let Columns { x, y, z } = inner.attitude;
-    for (k, (axis, force)) in [x, y, z].into_iter().zip([forces.x, forces.y, forces.z]).enumerate() {
-        release.coordinates[3 + k] = Some((Way::Slide, axis, force));
-    }
-    release
+    let Linear { x, y, z, .. } = &joint.linear;
+    let axes = inner.attitude;
+    let release = release
+        .with(sliding(axes.x, x, place[0], moving[0]))
+        .with(sliding(axes.y, y, place[1], moving[1]))
+        .with(sliding(axes.z, z, place[2], moving[2]));
+    turning(release, &outer.attitude, resisting(&joint.rotary, turn, rate))
 }
 
 pub(super) fn floating<T: Scalar>(
@@ -92,11 +112,11 @@ pub(super) fn floating<T: Scalar>(
     _: &([T; 3], [T; 3]),
 ) -> Release<T> {
     let Columns { x, y, z } = Columns::identity();
-    let mut free = Release { carries: false, driven: false, ..Release::nothing() };
-    for (coordinate, axis) in free.coordinates.iter_mut().zip([x, y, z]) {
-        *coordinate = Some((Way::Slide, axis, T::zero()));
-    }
-    free.turning(&motion.outboard.turn.attitude, [T::zero(); 3])
+    let free = Release { carries: false, ..Release::nothing() };
+    let free = [x, y, z].into_iter().fold(free, |free, axis| free.with(Freedom::smooth(Way::Slide, axis).undriven()));
+    let mut free = turning(free, &motion.outboard.turn.attitude, freely());
+    free.coordinates.iter_mut().flatten().for_each(|coordinate| coordinate.driven = false);
+    free
 }
 
 pub(super) fn axial<T: Scalar, J: Axial<T, K>, const K: usize>(
@@ -105,7 +125,7 @@ pub(super) fn axial<T: Scalar, J: Axial<T, K>, const K: usize>(
     position: &J::Coordinates,
     rate: &J::Coordinates,
 ) -> Release<T> {
-    let (position, rate) = (position.list(), rate.list());
+    let (position, rate, zero) = (position.list(), rate.list(), T::zero());
     let turn = motion.inboard.turn;
     let relative = joint.relative(&turn, position, rate);
     let mut release = Release {
@@ -114,8 +134,10 @@ pub(super) fn axial<T: Scalar, J: Axial<T, K>, const K: usize>(
         ..Release::nothing()
     };
     for k in 0..K {
-        let spring = joint.force(k, position[k], rate[k]);
-        release.coordinates[k] = Some((J::WAYS[k], relative.axes[k], spring));
+        let [stiffness, damping] = slopes::<T, _>(|springs| joint.pivot(k, position[k], rate[k], springs));
+        let resistance = Resistance { force: joint.force(k, position[k], rate[k]), stiffness, damping };
+        let preload = joint.force(k, zero, zero);
+        release = release.with(Freedom::smooth(J::WAYS[k], relative.axes[k]).against(resistance, preload));
     }
     release
 }

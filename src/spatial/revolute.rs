@@ -22,7 +22,7 @@ use nalgebra::Vector3;
 /// let rod = Rod::uniform(1.0, 0.1, 1.0);
 /// let hinge = Revolute::about([0.0, 0.0, 1.0]).with(Spring::stiffness(20.0));
 /// let arm = System::new(Clamped::origin(), (Revolute::about([0.0, 1.0, 0.0]), rod, hinge, rod), Free)?;
-/// assert_eq!(arm.at_rest(&[0.3, -0.2])?.position().1.2, -0.2);
+/// assert_eq!(arm.at_rest(&[0.3, -0.2])?.coordinates(), [0.3, -0.2]);
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,8 +7,8 @@ use super::index::{M, ONE, Q, R, THETA};
 use super::{BodyMotion, Effort, Frame, JointMotion, Release, Spatial, Station};
 use crate::element::Load;
 use crate::relation::Additive;
-use crate::relation::space::Way;
 use crate::relation::space::algebra::{Columns, centripetal, cross};
+use crate::release::{Freedom, Way};
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};
 use crate::transfer::{Efforts, Exact, Passage};
@@ -73,8 +73,8 @@ impl<T: Scalar> Exact<13> for Spatial<T> {
         u
     }
 
-    fn passage(joint: &JointMotion<T>, release: &Option<Release<T>>, efforts: [T; 3]) -> Option<Passage<T, 13>> {
-        let Release { coordinates, carries, driven, linear, angular } = (*release)?;
+    fn passage(joint: &JointMotion<T>, release: &Release<T>, efforts: [T; 3]) -> Passage<T, 13> {
+        let Release { carries, linear, angular, .. } = *release;
         let d = joint.outboard.place - joint.inboard.place;
         let mut fixed = TransferMatrix::identity();
         set(&mut fixed, (R, THETA), tilde(-d));
@@ -85,24 +85,14 @@ impl<T: Scalar> Exact<13> for Spatial<T> {
         set_column(&mut fixed, (THETA, ONE), angular);
         set(&mut fixed, (M, Q), tilde(d)); // m_O = m_I + d × q
         let mut passage = Passage::of(fixed);
-        for (k, (way, axis, spring)) in coordinates.into_iter().flatten().enumerate() {
-            let applied = efforts.get(k).filter(|_| driven).copied().unwrap_or(T::zero());
+        for (Freedom { way, axis, resistance, inertia, .. }, applied) in release.under(efforts) {
             // A torque on the outboard body is −m, a force on it q.
             passage = match way {
-                Way::Turn => passage.with(with(THETA, axis), with(M, axis), -(spring + applied)),
-                Way::Slide => passage.with(with(R, axis), with(Q, axis), spring + applied),
+                Way::Turn => passage.with(with(THETA, axis), with(M, axis), [-(resistance.force + applied), -inertia]),
+                Way::Slide => passage.with(with(R, axis), with(Q, axis), [resistance.force + applied, inertia]),
             };
         }
-        Some(passage)
-    }
-
-    fn root_passage(
-        joint: &JointMotion<T>,
-        release: &Option<Release<T>>,
-        efforts: [T; 3],
-        _: &[bool],
-    ) -> Option<Passage<T, 13>> {
-        <Self as Exact<13>>::passage(joint, release, efforts)
+        passage
     }
 
     fn acceleration_state(frame: &Frame<T>) -> StateVector<T, 13> {

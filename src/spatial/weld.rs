@@ -57,14 +57,14 @@ impl<T: Scalar> Joint<T> for Weld<T> {
         (Turn { attitude, ..inboard }, (attitude, [zero(); 2]))
     }
     #[inline(always)]
-    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
-        Some(release::weld(self, motion, position, rate))
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
+        release::weld(self, motion, position, rate)
     }
     #[inline(always)]
     fn moved(&self, inboard: Frame<T>, (): &(), (): &(), (): &()) -> JointMotion<T> {
         let outboard = Frame { turn: self.oriented(&(), &(), inboard.turn).0, ..inboard };
         let none = [T::zero(); 3];
-        JointMotion { inboard, outboard, position: none, rate: none, effort: none, energy: T::zero() }
+        JointMotion { inboard, outboard, position: none, rate: none, effort: none, energy: T::zero(), inertia: none }
     }
     fn check(&self) -> Result<(), Fault> {
         let Columns { x, y, z } = self.attitude;

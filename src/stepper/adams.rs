@@ -267,6 +267,10 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
         5.0
     }
 
+    fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {
+        self.start.firm(next, least)
+    }
+
     fn interpolate(
         &mut self,
         past: &MotionIn<D, L>,

@@ -208,6 +208,10 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         M::ORDER as f64
     }
 
+    fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {
+        self.scene.independent(next, &self.workspace, least, &mut |_, _| ()).is_ok()
+    }
+
     fn interpolate(
         &mut self,
         past: &MotionIn<D, L>,

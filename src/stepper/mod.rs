@@ -109,6 +109,14 @@ pub trait Stepper<D: Dynamics<L>, L> {
     /// Order of the error estimate: a step of half the size has an error 2^−order as large.
     fn error_order(&self) -> f64;
 
+    /// Whether closures hold the end of the last step firmly: whether each keeps more than the `least` share of what a free body would
+    /// yield to it. Where they are all but dependent, accelerations are lost in rounding, and a method that goes on from these should not
+    /// end its step there.
+    fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {
+        let _ = (next, least);
+        true
+    }
+
     /// Motion at the share `theta` of the last step, between `past` and `next`. Its accelerations are found by a sweep, so that
     /// forces belong to it. An implicit method steps there: between stiff joints an interpolation would strain them.
     fn interpolate(

@@ -71,7 +71,8 @@ pub trait Dynamics<L> {
     );
 
     /// Whether the closures that hold the tip and close loops are independent, after a sweep at this motion; tells entries (0 is the
-    /// root's joint) and names of those that need not be.
+    /// root's joint) and names of those that need not be. Those that are all but dependent count as such, too, down to the `least` share
+    /// of what a free body would yield.
     ///
     /// # Errors
     /// [`RedundantClosures`](crate::error::Fault::RedundantClosures), which names one that follows from the others (or cannot be met): a clamped tip on two rods, a
@@ -80,6 +81,7 @@ pub trait Dynamics<L> {
         &self,
         motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
         workspace: &Self::Workspace,
+        least: f64,
         tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error>;
 

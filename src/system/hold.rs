@@ -66,7 +66,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     {
         let (mut motion, mut workspace) = (motion.clone(), self.workspace());
         self.accelerate(&mut motion, loads, &mut workspace)?;
-        self.independent(&motion, &workspace, &mut |entry, name| tell(entry.saturating_sub(1), name))
+        self.independent(&motion, &workspace, 0.0, &mut |entry, name| tell(entry.saturating_sub(1), name))
     }
 
     /// [`assembled`](Self::assembled) in place.

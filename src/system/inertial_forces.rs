@@ -51,6 +51,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 lever.extend(force.momentum.cross(&body.spin).iter());
                 lever.extend(force.angular.cross(&body.spin).iter().map(|x| *x * half));
             }
+            *own = self.reflected(still, &rate).iter().fold(*own, |sum, x| sum + *x * *x);
             twists.set_column(j, &twist);
             levers.set_column(j, &lever);
         }

@@ -1,7 +1,7 @@
 //! The method as the paper has it, on a scene: transfer matrices and their product, to look at and to check sweeps with.
 
 use crate::element::{Coordinates, Element, Loading, Space};
-use crate::ends::{Pairs, Root, Tip};
+use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::solve::product::product;
 use crate::state::{StateVector, TransferMatrix};
@@ -28,8 +28,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::SingularTransfer`] where a joint is a centre of percussion of what lies outboard;
-    /// [`Fault::Unsupported`] for arms, and in the plane for joints that slide; [`Fault::Shape`] for a motion of another scene;
-    /// [`Fault::Count`] for a list of loads of another length.
+    /// [`Fault::Unsupported`] for arms; [`Fault::Shape`] for a motion of another scene; [`Fault::Count`] for a list of loads of another
+    /// length.
     pub fn transfer_matrix<L: Loading<S>, const N: usize>(
         &self,
         motion: &MotionOf<S, R, C, P>,
@@ -58,7 +58,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let (position, rate, acceleration) = (motion.position(), motion.rate(), motion.acceleration());
         let coordinates = Coordinates { position, rate, acceleration };
         let ground = self.ground(motion.time());
-        product(self.elements(), &ground, R::Pairs::MOTION, self.gravity(), loads, motion.time(), coordinates, each)
+        product(self.elements(), &ground, self.gravity(), loads, motion.time(), coordinates, each)
     }
 
     /// The acceleration state at the inboard end of the chain, from the plain product and the boundary conditions: what a

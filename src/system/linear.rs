@@ -5,10 +5,11 @@ use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, Implicit, Loading, Reading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::mirror::{Position, Rate};
-use crate::observe::{each_body, each_miss};
+use crate::observe::{each_body, each_joint, each_miss};
 use crate::planar::{self, Planar};
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
+use crate::space::FrameOf;
 use crate::spatial::{self, Spatial};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -20,6 +21,10 @@ pub trait Inertial: Space {
     /// Notes velocities of a body times the roots of what resists them, so that their squares add up to twice its kinetic
     /// energy.
     fn weighted(body: &Self::BodyMotion, note: &mut impl FnMut(RealOf<Self>));
+    /// The same of the coordinates of a joint that has reflected inertia.
+    fn reflected(joint: &Self::JointMotion, note: &mut impl FnMut(RealOf<Self>));
+    /// The motion of the inboard end of a body.
+    fn inboard(body: &Self::BodyMotion) -> FrameOf<Self>;
     /// Velocity and momentum of a body.
     fn carried(body: &Self::BodyMotion) -> Carried<RealOf<Self>>;
 }
@@ -58,6 +63,17 @@ impl<T: Scalar> Inertial for Planar<T> {
         note(about_centre * body.rate().real());
     }
 
+    fn reflected(joint: &planar::JointMotion<T>, note: &mut impl FnMut(T::Real)) {
+        let inertia = joint.inertia.real();
+        if inertia > T::Real::zero() {
+            note(inertia.sqrt() * joint.driven_rate().real());
+        }
+    }
+
+    fn inboard(body: &planar::BodyMotion<T>) -> planar::Frame<T> {
+        body.inboard
+    }
+
     fn carried(body: &planar::BodyMotion<T>) -> Carried<T::Real> {
         let zero = T::Real::zero();
         let centre = body.centre().velocity;
@@ -86,6 +102,19 @@ impl<T: Scalar> Inertial for Spatial<T> {
             }
             note((k..3).fold(T::Real::zero(), |sum, i| sum + column[i] * spin[i]));
         }
+    }
+
+    fn reflected(joint: &spatial::JointMotion<T>, note: &mut impl FnMut(T::Real)) {
+        for (inertia, rate) in joint.inertia.iter().zip(joint.rate).map(|(inertia, rate)| (inertia.real(), rate.real()))
+        {
+            if inertia > T::Real::zero() {
+                note(inertia.sqrt() * rate);
+            }
+        }
+    }
+
+    fn inboard(body: &spatial::BodyMotion<T>) -> spatial::Frame<T> {
+        body.inboard
     }
 
     fn carried(body: &spatial::BodyMotion<T>) -> Carried<T::Real> {
@@ -125,7 +154,7 @@ pub(crate) fn set<T: Scalar, V: Rate<T>>(rate: &mut V, numbers: impl IntoIterato
 const DIFFERENCES: [(f64, f64); 4] = [(1.0, 0.8), (2.0, -0.2), (3.0, 4.0 / 105.0), (4.0, -1.0 / 280.0)];
 
 impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Weighted velocities of all bodies where the coordinates of a motion at rest move at a rate.
+    /// Weighted velocities of all bodies, and of coordinates with reflected inertia, where the coordinates of a motion at rest move at a rate.
     pub(crate) fn weighted(&self, still: &MotionOf<S, R, C, P>, rate: &RateOf<S, R, C>) -> Vec<RealOf<S>> {
         let mut all = vec![];
         let moving = super::Coordinates { rate, ..coordinates(still) };
@@ -136,7 +165,18 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         each_body(self.elements(), self.ground(still.time), coordinates(still), |body| {
             S::weighted(body, &mut |x| relative.extend(all.next().map(|with| with - x)));
         });
+        relative.append(&mut self.reflected(still, rate));
         relative
+    }
+
+    /// The same of what moves with a joint coordinate alone.
+    pub(super) fn reflected(&self, still: &MotionOf<S, R, C, P>, rate: &RateOf<S, R, C>) -> Vec<RealOf<S>> {
+        let mut all = vec![];
+        let moving = super::Coordinates { rate, ..coordinates(still) };
+        each_joint(self.elements(), self.ground(still.time), moving, |joint| {
+            S::reflected(joint, &mut |x| all.push(x));
+        });
+        all
     }
 
     /// By how much all that is held misses its velocity: the tip, and ends of loops.

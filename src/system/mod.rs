@@ -28,10 +28,10 @@ pub use assembly::{Assembled, AssembledOf, Holding};
 pub use describe::Description;
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
-#[cfg(feature = "std")]
-pub(crate) use linear::numbers;
 #[cfg(feature = "alloc")]
 pub use linear::{Carried, Inertial};
+#[cfg(feature = "std")]
+pub(crate) use linear::{numbers, set, unit};
 pub use turning::AngularVelocity;
 
 use crate::element::{Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
@@ -285,7 +285,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         }
         self.admits(loads)?;
         *multipliers = self.accelerations(*time, position, rate, loads, workspace, acceleration);
-        self.independent(motion, workspace, &mut |_, _| ())?;
+        self.independent(motion, workspace, 0.0, &mut |_, _| ())?;
         let mut finite = true;
         motion.acceleration.visit(&mut |x| finite &= x.is_finite());
         if finite { Ok(()) } else { Err(self.diagnose(motion, loads, workspace)) }

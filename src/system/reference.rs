@@ -68,9 +68,10 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
         &self,
         motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
         workspace: &Self::Workspace,
+        least: f64,
         tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error> {
-        D::independent(self, motion, workspace, tell)
+        D::independent(self, motion, workspace, least, tell)
     }
 
     #[inline]

@@ -9,6 +9,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Solvable, VectorSpace};
+use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Kept, Shape};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
@@ -85,11 +86,12 @@ where
         &self,
         motion: &MotionOf<S, R, C, P>,
         workspace: &Self::Workspace,
+        least: f64,
         tell: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error> {
         let ground = self.root.ground(motion.time);
         if const { <Elements<S, R, C> as Shape<S>>::LOOPS > 0 } {
-            independent::<S, _, P::Closures>(&self.chain, ground, coordinates(motion), &workspace.kept, tell)
+            independent::<S, _, P::Closures>(&self.chain, ground, coordinates(motion), &workspace.kept, least, tell)
                 .map_err(|error| error.at_time(motion.time.as_f64()).beyond_root())?;
         }
         if P::Closures::COUNT == 0 {
@@ -97,7 +99,7 @@ where
         }
         let last = last_body(&self.chain, ground, coordinates(motion));
         let measure = last.map(|body| self.tip.free_compliance(motion.time, &body));
-        let dependent = measure.and_then(|measure| P::Closures::dependent(workspace.compliance(), &measure));
+        let dependent = measure.and_then(|measure| P::Closures::dependent(workspace.compliance(), &measure, least));
         let Some((row, independent)) = dependent else {
             return Ok(());
         };
@@ -158,7 +160,7 @@ where
         }
         let (mut acceleration, mut rate) = (motion.acceleration.clone(), motion.rate.clone());
         self.accelerations(time, &motion.position, &rate, loads, workspace, &mut acceleration);
-        if let Err(redundant) = self.independent(motion, workspace, &mut |_, _| ()) {
+        if let Err(redundant) = self.independent(motion, workspace, 0.0, &mut |_, _| ()) {
             return redundant;
         }
         if broken::<S, _, P::Closures>(&self.chain, &workspace.kept).is_none() {
@@ -328,7 +330,7 @@ impl<S: Space> Visit<S> for LookForAngles {
         self.0 = self.0.or_else(|| S::angle_out_of_range(body));
     }
     fn joint(&mut self, _: &S::JointMotion) {}
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> S::Release) {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) {
         self.0 = self.0.or_else(|| S::turn_out_of_range(joint, &release()));
     }
 }

@@ -38,8 +38,9 @@ impl<V> AngularVelocity<V> {
 
 impl<S: Turning, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// The same motion with one body turned to an absolute orientation: an angle (rad) in the plane, a
-    /// [`Rotation`](crate::spatial::Rotation) in space. The joint that turns the body does so: the last one that turns at all on the way
-    /// from the root. All other coordinates, and all rates, stay as they are stored (see [`Motion`](crate::Motion#what-rates-are)).
+    /// [`Rotation`] in space. The joint that turns the body does so: the last one that turns at all on the way
+    /// from the root. All other coordinates, and all rates, stay as they are stored (see [`Motion`](crate::Motion#what-rates-are)); loops
+    /// and held tips are for [`assembled`](Self::assembled) to close again.
     ///
     /// ```
     /// use catena::spatial::*;

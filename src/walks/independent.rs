@@ -12,7 +12,7 @@ use crate::space::{FrameOf, Space};
 use core::marker::PhantomData;
 
 /// Walks outward with complete kinematics; where closures of a loop need not hold independently of each other, tells stations and names
-/// of forces that the motion does not decide.
+/// of forces that the motion does not decide. What has the `least` share of its measure left depends on others, too.
 ///
 /// # Errors
 /// [`Fault::RedundantClosures`] where they have to and do not, as the last sweep saw it.
@@ -21,11 +21,12 @@ pub fn independent<S: Space, E: Shape<S>, C: Closures>(
     frame: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     kept: &E::Store<Kept<C>>,
+    least: f64,
     tell: &mut impl FnMut(usize, &'static str),
 ) -> Result<(), Error> {
     let Coordinates { position, rate, acceleration } = motion;
-    let mut walk =
-        Independent::<_, C> { said: Said { met: 0, outcome: Ok(()) }, tell: Some(tell), closures: PhantomData };
+    let said = Said { met: 0, outcome: Ok(()) };
+    let mut walk = Independent::<_, C> { said, least, tell: Some(tell), closures: PhantomData };
     chain.outward(&mut walk, frame, (position, rate, acceleration, kept));
     walk.said.outcome
 }
@@ -40,6 +41,7 @@ struct Said {
 /// Tells of closures where `C` act on the chain.
 struct Independent<'t, F, C> {
     said: Said,
+    least: f64,
     /// Lent to the walk of an arm while that is under way.
     tell: Option<&'t mut F>,
     closures: PhantomData<C>,
@@ -54,7 +56,8 @@ impl<'t, S: Space, F: FnMut(usize, &'static str), C: Closures> Outward<S> for In
     type In<Y: Way> = Independent<'t, F, Y::Forces<C>>;
 
     fn enter<Y: Way, X>(&mut self, go: impl FnOnce(&mut Self::In<Y>) -> X) -> X {
-        let mut arm = Independent { said: self.said, tell: self.tell.take(), closures: PhantomData };
+        let Self { said, least, .. } = *self;
+        let mut arm = Independent { said, least, tell: self.tell.take(), closures: PhantomData };
         let out = go(&mut arm);
         (self.said, self.tell) = (arm.said, arm.tell);
         out
@@ -90,7 +93,7 @@ impl<'t, S: Space, F: FnMut(usize, &'static str), C: Closures> Outward<S> for In
             }
         });
         let measure = yields(net, frame, in_main, in_side);
-        if let Some((row, independent)) = OwnOf::<S, N>::dependent(gain.compliance(), &measure) {
+        if let Some((row, independent)) = OwnOf::<S, N>::dependent(gain.compliance(), &measure, self.least) {
             let (mut closure, mut number) = ("", 0);
             OwnOf::<S, N>::map(&closing.names(), |name| {
                 if number == row {

@@ -8,13 +8,13 @@ use super::orient::{Base, Slot, Solid, angle_accelerations};
 use crate::element::{Element, Load, Loading};
 use crate::ends::{Pairs, Root, Tip};
 use crate::error::{Error, Fault, Place};
-use crate::mirror::{Position, Rate};
 use crate::paper::link::{End, dot};
 use crate::paper::orient::{Axes, Orient, Spring};
 use crate::paper::parts::{Item, Start};
 use crate::paper::plane_scene::list;
-use crate::paper::scene::{Chain, Met, Scene, Slots, trace};
+use crate::paper::scene::{Chain, Met, Scene, Slots, refuse_inertia, trace};
 use crate::relation::{Closures, Term};
+use crate::release::Way;
 use crate::scalar::{Real, Scalar};
 use crate::spatial::{BodyMotion, Drive, Frame, JointMotion, Spatial, Turn};
 use crate::system::{MotionOf, Runs, System};
@@ -88,7 +88,7 @@ where
         }
         let motion = self.with_accelerations(motion.clone(), loads)?;
         let met = trace(self, &motion)?;
-        let joint = |k: usize| matches!(met.get(k), Some(Met::Joint(_)));
+        let joint = |k: usize| matches!(met.get(k), Some(Met::Joint(..)));
         let [of_root, of_tip] = <Self as Scene<T, L, 13, 6, 3, 3>>::ATTITUDES;
         if of_root && joint(1) {
             return unsupported("a joint next to a root that turns about one axis")
@@ -100,7 +100,7 @@ where
         if of_tip && joint(met.len().wrapping_sub(1)) {
             return unsupported("a joint next to a tip whose attitude is held").map_err(|error| error.at(Place::Tip));
         }
-        let (joints, axis) = laws(self, &motion, &met)?;
+        let (joints, axis) = laws(self, motion.time())?;
         let mut items = Vec::with_capacity(met.len());
         for (k, (element, law)) in met.iter().zip(joints).enumerate() {
             let station = k.saturating_sub(1);
@@ -108,7 +108,7 @@ where
                 (Met::Body(body), _) => {
                     Item::Body(start(body, slots).map_err(|fault| Error::new(fault).at_station(station))?)
                 }
-                (Met::Joint(joint), Some((turns, spring))) => {
+                (Met::Joint(joint, _), Some((turns, spring))) => {
                     let [inner, outer] = [&joint.inboard, &joint.outboard].map(|frame| rows(&frame.turn.attitude));
                     let ahead = times(&transposed(&inner), &outer);
                     let off = (0..3).flat_map(|i| (0..3).map(move |j| (i, j))).fold(T::Real::zero(), |off, (i, j)| {
@@ -124,7 +124,7 @@ where
                     let elastic = core::array::from_fn(|i| spring.stiffness[i] * (far[i] - near[i]));
                     Item::Joint { turns, ahead, spring, elastic, linear: None }
                 }
-                (Met::Joint(_), None) => return Err(Error::new(Fault::Shape)),
+                (Met::Joint(..), None) => return Err(Error::new(Fault::Shape)),
             });
         }
         Ok(Chain { time: motion.time(), items, guide: axis })
@@ -162,7 +162,8 @@ where
             let spin = (outboard.turn.spin - inboard.turn.spin).into();
             rate = [dot(&apply(&own, axis), &spin), none[1], none[2]];
         }
-        let motion = JointMotion { inboard, outboard, position: none, rate, effort: none, energy: T::zero() };
+        let motion =
+            JointMotion { inboard, outboard, position: none, rate, effort: none, energy: T::zero(), inertia: none };
         let zero = Vector3::new(T::zero(), T::zero(), T::zero());
         let couple: [T; 3] = loads.in_joint(time, number, &motion).couple(&attitude).add_to(zero).into();
         if axis.is_some() { apply(&transposed(&rows(&attitude)), couple) } else { couple }
@@ -174,16 +175,15 @@ const fn about_one_axis(motion: &[bool]) -> bool {
     motion[3] as u8 + motion[4] as u8 + motion[5] as u8 == 2
 }
 
-/// What each joint is, by looks at the scene: whether it turns, and the law of its spring; and the axis, in those of the ground, about which
-/// the root turns if it is one.
+/// What each joint is, as it says where it is unturned: whether it turns, and the law of its spring; and the axis, in those of the ground,
+/// about which the root turns if it is one.
 ///
 /// # Errors
 /// [`Fault::Unsupported`] for joints with axes, whose matrices the paper has not.
 #[allow(clippy::type_complexity)] // a list of pairs
 fn laws<T, R, C, P>(
     system: &System<Spatial<T>, R, C, P>,
-    motion: &MotionOf<Spatial<T>, R, C, P>,
-    met: &[Met<Spatial<T>>],
+    time: T::Real,
 ) -> Result<(Vec<Option<(bool, Spring<T, 3>)>>, Option<[T; 3]>), Error>
 where
     T: Scalar,
@@ -191,86 +191,37 @@ where
     C: Element<Spatial<T>>,
     P: Tip<Spatial<T>>,
 {
-    // Balls have three coordinates, welds none: every third number is of the same axis. Sizes differ from joint to joint, for the rates of
-    // smooth balls are absolute.
     let mut hinge = None;
-    let one = about_one_axis(R::Pairs::MOTION);
-    let along = |axis: Option<usize>| {
-        // The one number of such a root counts as a third.
-        let mut count = if one { 2_usize } else { 0 };
-        move |_: T| {
-            let (joint, own) = (count / 3, count % 3);
-            count += 1;
-            let share = joint as f64 * 0.618_033_988_749_895;
-            if axis == Some(own) { T::literal(0.3 + 0.5 * (share - share as usize as f64)) } else { T::zero() }
-        }
-    };
-    let look = |turned: Option<usize>, turning: Option<usize>| {
-        let mut probe = motion.clone();
-        let mut step = motion.rate().clone();
-        step.replace(&mut along(turned));
-        let mut position = system.motion();
-        position.position_mut().displace(&step);
-        *probe.position_mut() = position.position().clone();
-        probe.rate_mut().replace(&mut along(turning));
-        trace(system, &probe)
-    };
-    let unturned = look(None, None)?;
-    let mut turned = Vec::new();
-    let mut turning = Vec::new();
-    for axis in 0..3 {
-        turned.push(look(Some(axis), None)?);
-        turning.push(look(None, Some(axis))?);
-    }
-    let mut laws = Vec::with_capacity(met.len());
-    for (k, element) in met.iter().enumerate() {
-        let Met::Joint(_) = element else {
+    let unturned = trace(system, &system.motion().at_time(time))?;
+    let mut laws = Vec::with_capacity(unturned.len());
+    for (k, element) in unturned.iter().enumerate() {
+        let Met::Joint(joint, release) = element else {
             laws.push(None);
             continue;
         };
-        let unsupported = |what| Err(Error::new(Fault::Unsupported { what }).at_station(k.saturating_sub(1)));
-        if let Met::Joint(joint) = &unturned[k]
-            && joint.effort.iter().any(|x| x.real() != T::Real::zero())
-        {
+        let refused = |fault| Error::new(fault).at_station(k.saturating_sub(1));
+        let unsupported = |what| Err(refused(Fault::Unsupported { what }));
+        refuse_inertia(release).map_err(refused)?;
+        if release.coordinates.iter().flatten().any(|coordinate| coordinate.preload.real() != T::Real::zero()) {
             return unsupported("a spring with a rest value in space");
         }
+        if k > 0 && release.of(Way::Slide).next().is_some() {
+            return unsupported(
+                "a joint whose points part: (33) to (35) push along inertial axes, no joint in space does",
+            );
+        }
         let mut spring = Spring::none();
-        let mut spins = [[T::zero(); 3]; 3];
-        for axis in 0..3 {
-            let (Met::Joint(swung), Met::Joint(spun)) = (&turned[axis][k], &turning[axis][k]) else {
-                return Err(Error::new(Fault::Shape));
-            };
-            let apart = swung.outboard.place - swung.inboard.place;
-            if k > 0 && apart.iter().any(|x| x.real().abs() > T::Real::zero()) {
-                return unsupported(
-                    "a joint whose points part: (33) to (35) push along inertial axes, no joint in space does",
-                );
-            }
-            spins[axis] = (spun.outboard.turn.spin - spun.inboard.turn.spin).into();
-            if spun.rate[axis].real() != T::Real::zero() {
-                spring.damping[axis] = -(spun.effort[axis] / spun.rate[axis]);
-            }
-            if swung.position[axis].real() != T::Real::zero() {
-                spring.stiffness[axis] = -(swung.effort[axis] / swung.position[axis]);
-            }
+        for (axis, turn) in release.of(Way::Turn).take(3).enumerate() {
+            (spring.stiffness[axis], spring.damping[axis]) = (turn.resistance.stiffness, turn.resistance.damping);
         }
-        if k == 0 && one {
-            let Met::Joint(spun) = &turning[2][0] else { return Err(Error::new(Fault::Shape)) };
-            let length = dot(&spins[2], &spins[2]).sqrt().recip();
-            let spin = spins[2].map(|x| x * length);
-            hinge = Some(apply(&transposed(&rows(&spun.inboard.turn.attitude)), spin));
-            laws.push(Some((true, Spring::none())));
-            continue;
-        }
-        // Of how many axes relative angular velocities can be.
-        let size = spins.iter().flatten().fold(T::Real::zero(), |size, x| size.max(x.real().abs()));
-        let volume = dot(&cross(spins[0], spins[1]), &spins[2]).real().abs();
-        if size == T::Real::zero() {
-            laws.push(Some((false, spring)));
-        } else if volume > T::Real::of(1e-6) * size * size * size {
-            laws.push(Some((true, spring)));
-        } else {
-            return unsupported("a joint with axes in space");
+        match (release.of(Way::Turn).count(), release.of(Way::Turn).next()) {
+            (0, _) => laws.push(Some((false, spring))),
+            (3, _) => laws.push(Some((true, spring))),
+            (1, Some(turn)) if k == 0 && about_one_axis(R::Pairs::MOTION) => {
+                hinge = Some(apply(&transposed(&rows(&joint.inboard.turn.attitude)), turn.axis.into()));
+                laws.push(Some((true, Spring::none())));
+            }
+            _ => return unsupported("a joint with axes in space"),
         }
     }
     Ok((laws, hinge))

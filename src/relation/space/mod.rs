@@ -11,11 +11,11 @@ mod geometry;
 mod pivots;
 mod slides;
 
-pub use super::{Empty, Lump, Relation};
+pub use super::{Empty, Lump, Relation, Way};
 pub use couple::Couple;
 pub use full::Rigid;
 pub use geometry::Spatial;
-pub use pivots::{BallGain, Gain, Pivot, Way};
+pub use pivots::{BallGain, Gain, Pivot};
 pub use slides::Slides;
 
 use super::{Absent, Open};

@@ -6,18 +6,9 @@
 
 use super::algebra::{Columns, Symmetric3, add_scaled, dot, dot_onto, is_finite, zero};
 use super::{Full, FullColumn, Point};
-use crate::relation::{Additive, Closures, Cuts, Open, Symmetric, Term};
+use crate::relation::{Additive, Closures, Cuts, Open, Symmetric, Term, Way};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
-
-/// Whether a coordinate turns about its axis or slides along it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
-    /// Φ = (0, n).
-    Turn,
-    /// Φ = (n, 0).
-    Slide,
-}
 
 impl<T: Scalar, C: Closures> Full<T, C> {
     /// Lets the station move along or about the axis `n` under a generalised force τ̂ − K̂ q̈ (N or N·m): only the pivot knows of K̂.

@@ -55,8 +55,8 @@ impl<T: Scalar> Joint<T> for Floating<T> {
         Joint::oriented(&Ball, &position.1, &rate.1, inboard)
     }
     #[inline(always)]
-    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Option<Release<T>> {
-        Some(release::floating(self, motion, position, rate))
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
+        release::floating(self, motion, position, rate)
     }
     #[inline(always)]
     fn moved(

@@ -73,11 +73,36 @@ fn point_masses_behind_pins_have_no_matrix() -> Result<(), Error> {
     Ok(())
 }
 
+/// Sliders and hinges with linear springs along each kind of axes, on a root that is guided and on one that floats.
 #[test]
-fn joints_that_slide_have_no_matrix() -> Result<(), Error> {
-    let rod = Rod::uniform(1.0, 1.0);
-    let scene = System::new(Pinned::origin(), (rod, Slider::along(0.3), rod), Free)?;
-    let error = scene.transfer_matrix(&scene.motion(), &Unloaded, |_, _: &TransferMatrix<f64, 7>| ()).unwrap_err();
-    assert!(matches!(error.fault, Fault::Unsupported { .. }) && error.place == Some(Place::Station(1)), "{error:?}");
+fn joints_that_slide_have_matrices_too() -> Result<(), Error> {
+    let (rod, plate) = (Rod::new(0.8, 1.3, 0.3, 0.07), RigidBody::new(0.9, 0.05, [0.3, 0.1], [0.7, -0.2]));
+    let spring = Spring::new(60.0).damped(0.8).resting_at(0.1);
+    let hinge = ElasticHinge::rotary(3.0).damped(0.2).with_linear(spring, spring);
+    let slider = Slider::along(0.3).sprung(spring);
+    macro_rules! agree {
+        ($root:expr, $chain:expr) => {{
+            let scene = System::new($root, $chain, Free)?.with_gravity(9.81);
+            let (mut motion, mut k) = (scene.motion(), 0.0);
+            let mut next = |_| {
+                k += 1.0;
+                0.3 * f64::sin(7.0 * k)
+            };
+            catena::mirror::Position::replace(motion.position_mut(), &mut next);
+            catena::mirror::Rate::replace(motion.rate_mut(), &mut next);
+            let motion = scene.with_accelerations(motion, &Unloaded)?;
+            let stations = scene.stations(&motion, &Unloaded)?;
+            let swept = stations.get(0).unwrap().acceleration_state();
+            let multiplied = scene.root_state(&motion, &Unloaded)?;
+            for index in [X, Y, THETA, M, QX, QY] {
+                let (found, expected) = (multiplied[index], swept[index]);
+                assert!((found - expected).abs() < 1e-10, "{index}: {found} {expected}"); // forces of 1e2
+            }
+        }};
+    }
+    agree!(Pinned::origin(), (rod, slider, plate));
+    agree!(Pinned::origin(), (rod, hinge, plate, Pin, rod));
+    agree!(Free, (rod, hinge.in_unbalanced_axes(), plate));
+    agree!(Guided::at(0.0, 0.0, 0.4), (rod, Pin, plate));
     Ok(())
 }

@@ -23,12 +23,14 @@ const FLOORS: [&[&str]; 8] = [
         "turning",
         "motion",
         "sensitive",
+        "release",
+        "kinematics",
     ],
     &["chain", "counts", "struts"],
     &["planar", "spatial"],
     &["solve", "observe"],
     &["system"],
-    &["stepper", "simulate", "observers", "modes", "sensitivity", "paper"],
+    &["stepper", "simulate", "observers", "modes", "sensitivity", "paper", "extend"],
 ];
 
 fn floor(module: &str) -> Option<usize> {

@@ -3,6 +3,7 @@
 mod andrews;
 mod assembly;
 mod assembly_held;
+mod bennett;
 mod in_time;
 mod ladders;
 mod numbers;

@@ -1,11 +1,12 @@
 //! Motions through places where closures become dependent: a ladder of windows, all of whose bars come to lie on one line.
 
+use crate::kit::Noise;
+use catena::Error;
 use catena::element::Element;
 use catena::planar::*;
 use catena::stepper::Method;
 use catena::system::{MotionOf, Runs};
 use catena::time::Rule;
-use catena::{Error, Fault};
 use core::f64::consts::FRAC_PI_2;
 
 /// A crank that begins at the ground.
@@ -39,13 +40,13 @@ fn three<K: Copy>(closing: K) -> Three<K> {
 }
 
 /// Angle and rate of the cranks of so many windows at a time, by the equation of the one freedom there is:
-/// ((N+1)/3 + N) φ'' = −9.81 ((N+1)/2 + N) cos φ. The classical rule in steps of 10 µs.
+/// ((N+1)/3 + N) φ'' = −9.81 ((N+1)/2 + N) cos φ. The classical rule in steps of 0.1 ms.
 fn alone(windows: usize, rate: f64, end: f64) -> [f64; 2] {
     let n = windows as f64;
     let fall = -9.81 * ((n + 1.0) / 2.0 + n) / ((n + 1.0) / 3.0 + n);
     let slope = |[angle, rate]: [f64; 2]| [rate, fall * angle.cos()];
     let plus = |y: [f64; 2], h: f64, k: [f64; 2]| [y[0] + h * k[0], y[1] + h * k[1]];
-    let steps = (end * 1e5).round() as usize;
+    let steps = (end * 1e4).round() as usize;
     let h = end / steps as f64;
     (0..steps).fold([FRAC_PI_2, rate], |y, _| {
         let k = slope(y);
@@ -136,38 +137,42 @@ fn ladders_pass_through_the_line() {
     );
 }
 
-/// Two windows with forty rates at the start (rad/s), so that steps and stages fall anywhere about the line. A run that cannot go on says so
-/// after a bounded number of trial steps; none goes another way.
+/// Windows with forty rates at the start (rad/s), and more at random, so that steps and stages fall anywhere about the line: none ends there,
+/// and none goes another way.
 #[test]
 fn ladders_pass_from_anywhere() -> Result<(), Error> {
+    let mut noise = Noise::new(7);
+    let mut rates: Vec<f64> = (0..40).map(|k| -1.0 - 0.013 * f64::from(k)).collect();
+    rates.extend((0..200).map(|_| -noise.between(0.2, 3.0)));
     let mut good = true;
     macro_rules! passed {
-        ($name:literal, $chain:expr, $rule:expr, $most:expr, $stuck:expr) => {{
+        ($windows:literal, $chain:expr, $rule:expr, $most:expr, $starts:expr) => {{
+            let name = concat!(stringify!($chain), " ", stringify!($rule));
             let (mut worst, mut trials, mut stuck) = (0.0_f64, 0, 0);
-            for k in 0..40 {
-                match run($chain, (2, -1.0 - 0.013 * f64::from(k)), $rule) {
+            for rate in &rates[..$starts] {
+                match run($chain, ($windows, *rate), $rule) {
                     Ok((steps, [angle, rate])) => {
                         worst = worst.max(angle.max(0.1 * rate));
                         trials = trials.max(steps);
                     }
                     Err(error) => {
-                        assert!(matches!(error.fault, Fault::StepTooSmall { .. }), "{error}");
-                        println!("{}: {error}", $name);
+                        println!("{name}, {rate}: {error}");
                         stuck += 1;
                     }
                 }
             }
-            println!("{}: worst {worst:.1e}, at most {trials} trial steps, {stuck} of 40 stuck", $name);
-            good &= worst <= $most && trials < 3000 && stuck <= $stuck;
+            println!("{name}: worst {worst:.1e}, at most {trials} trial steps, {stuck} of {} stuck", $starts);
+            good &= worst <= $most && trials < 3000 && stuck == 0;
         }};
     }
-    // A step of a fine tolerance that happens to end a ten-thousandth of a radian before the line may find no way over it.
-    passed!("Dop853 1e-12", two(Pin), Dop853::tolerance(1e-12), 10.0 * ROOT, 2);
-    passed!("Dop853 1e-9", two(Pin), Dop853::tolerance(1e-9), 1e-6, 0);
-    passed!("Dopri5 1e-9", two(Pin), Dopri5::tolerance(1e-9), 1e-6, 0);
-    passed!("Sdirk4 1e-8", two(Pin), Sdirk4::new().tolerance(1e-8), 1e-5, 0);
-    passed!("Dop853 1e-12, shared", two(LeastNorm(Pin)), Dop853::tolerance(1e-12), 10.0 * ROOT, 2);
-    passed!("Sdirk4 1e-8, shared", two(LeastNorm(Pin)), Sdirk4::new().tolerance(1e-8), 1e-5, 0);
+    // A step of a fine tolerance must not end near the line: accelerations there are rounding.
+    passed!(2, two(Pin), Dop853::tolerance(1e-12), ROOT, 240);
+    passed!(2, two(Pin), Dop853::tolerance(1e-9), 1e-6, 240);
+    passed!(3, three(Pin), Dop853::tolerance(1e-12), ROOT, 240);
+    passed!(2, two(Pin), Dopri5::tolerance(1e-9), 1e-6, 40);
+    passed!(2, two(Pin), Sdirk4::new().tolerance(1e-8), 1e-5, 40);
+    passed!(2, two(LeastNorm(Pin)), Dop853::tolerance(1e-12), ROOT, 40);
+    passed!(2, two(LeastNorm(Pin)), Sdirk4::new().tolerance(1e-8), 1e-5, 40);
     assert!(good);
     Ok(())
 }

@@ -5,6 +5,7 @@ mod double_pendulum;
 mod driven_sliders;
 mod endless_runs;
 mod flexible_pendulum;
+mod governor;
 mod held_beam;
 mod implicit_forces;
 mod laws_of_users;

@@ -1,6 +1,5 @@
 //! Names change nothing: runs, internal forces and derivatives of scenes with and without them are the same, bit by bit.
 
-use catena::element::Unloaded;
 use catena::{Error, planar, spatial};
 
 /// Bits of a motion.

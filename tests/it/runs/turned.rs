@@ -54,7 +54,7 @@ fn bodies_turn_as_they_were_told() -> Result<(), Error> {
             motion = scene.with_body_spin(motion, name, kind(spin))?;
             let bodies = scene.body_motions(&motion)?;
             let turn = |name: &str| -> Result<_, Error> {
-                Ok(bodies.get(scene.body(name)?.body).map(|body| body.inboard.turn).ok_or(Error::new(Fault::Shape))?)
+                bodies.get(scene.body(name)?.body).map(|body| body.inboard.turn).ok_or(Error::new(Fault::Shape))
             };
             let found = turn(name)?;
             let inboard = match against {
@@ -126,6 +126,10 @@ fn axes_let_bodies_turn_as_far_as_they_go() -> Result<(), Error> {
     let [one, two] = motion.coordinates_of(cross)?;
     near(one, 0.4, 1e-14);
     near(two, -0.9, 1e-14);
+    let rod = Rod::uniform(0.5, 0.02, 1.0);
+    let fixed = System::new(Clamped::origin(), (rod, Revolute::about(Z), rod), Free)?;
+    let failed = fixed.with_body_spin(fixed.motion(), 0, Inertial(X)).err();
+    assert!(matches!(failed, Some(Error { place: Some(Place::Station(0)), fault: Fault::Unsupported { .. }, .. })));
     let none = scene.with_body_spin(motion, "nobody", Inertial(X)).err();
     assert!(matches!(none, Some(Error { fault: Fault::NoSuchName { .. }, .. })));
     let nan = scene.with_body_spin(motion, "base", Inertial([f64::NAN; 3])).err();
@@ -137,7 +141,7 @@ fn axes_let_bodies_turn_as_far_as_they_go() -> Result<(), Error> {
 fn all_bodies_at_once() -> Result<(), Error> {
     let scene = scene!();
     let (mut noise, rest) = (Noise::new(11), scene.motion());
-    let mut motion = rest.clone();
+    let mut motion = rest;
     let list: Vec<f64> = (0..motion.coordinate_count()).map(|_| noise.next()).collect();
     motion.set_coordinates(&list)?;
     let rates: Vec<f64> = (0..motion.rate_count()).map(|_| noise.next()).collect();
@@ -168,7 +172,7 @@ fn all_bodies_at_once() -> Result<(), Error> {
             .collect::<Result<Vec<[f64; 3]>, Error>>()
     };
     for axes in [Inertial, Body] {
-        let turned = scene.with_body_rates(found.clone(), &spins(axes)?, axes)?;
+        let turned = scene.with_body_rates(found, &spins(axes)?, axes)?;
         for (found, rate) in turned.rates().iter().zip(&rates) {
             near(*found, *rate, 1e-14);
         }
@@ -191,7 +195,7 @@ fn all_bodies_at_once() -> Result<(), Error> {
 
     // Relative rates: those of axes as they are, of balls against the body inboard.
     let own: Vec<f64> = (0..16).map(|_| noise.next()).collect();
-    let turned = scene.with_joint_rates(motion.clone(), &own)?;
+    let turned = scene.with_joint_rates(motion, &own)?;
     let bodies = scene.body_motions(&turned)?;
     let turn = |k: usize| bodies.get(k).map(|body| body.inboard.turn).ok_or(Error::new(Fault::Shape));
     for (k, against, own) in [(1, 0, &own[3..6]), (2, 1, &own[6..9]), (3, 0, &own[9..12])] {
@@ -204,7 +208,7 @@ fn all_bodies_at_once() -> Result<(), Error> {
 
     let count = |expected, given| Some(Error::new(Fault::Count { expected, given }));
     assert_eq!(scene.at_attitudes(&attitudes[1..]).err(), count(7, 6));
-    assert_eq!(scene.with_body_rates(rest.clone(), &[X; 8], Inertial).err(), count(7, 8));
+    assert_eq!(scene.with_body_rates(rest, &[X; 8], Inertial).err(), count(7, 8));
     assert_eq!(scene.with_joint_rates(rest, &own[1..]).err(), count(16, 15));
     Ok(())
 }
@@ -223,8 +227,8 @@ fn the_plane_has_loops_too() -> Result<(), Error> {
     let start = scene.at_joint_angles(&angles)?;
     for relative in [false, true] {
         let motion = match relative {
-            false => scene.with_body_rates(start.clone(), &rates)?,
-            true => scene.with_joint_rates(start.clone(), &rates)?,
+            false => scene.with_body_rates(start, &rates)?,
+            true => scene.with_joint_rates(start, &rates)?,
         };
         let bodies = scene.body_motions(&motion)?;
         let turn = |k: usize| bodies.get(k).map(|body| body.inboard.turn).ok_or(Error::new(Fault::Shape));

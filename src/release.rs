@@ -1,0 +1,119 @@
+//! What a joint says of itself at an instant: what it lets move, and what resists it there.
+
+use crate::relation::Additive;
+pub use crate::relation::Way;
+use crate::scalar::Scalar;
+use crate::space::Space;
+
+/// What acts along the coordinate of a joint at an instant, ON the outboard body, and how that changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resistance<T> {
+    /// Generalised force (N·m, N).
+    pub force: T,
+    /// −∂force/∂position (N·m/rad, N/m).
+    pub stiffness: T,
+    /// −∂force/∂rate (N·m·s/rad, N·s/m).
+    pub damping: T,
+}
+
+impl<T: Scalar> Resistance<T> {
+    /// Nothing acts.
+    pub fn none() -> Self {
+        Self { force: T::zero(), stiffness: T::zero(), damping: T::zero() }
+    }
+
+    /// A viscous damper (N·m·s/rad, N·s/m).
+    pub fn viscous(damping: T, rate: T) -> Self {
+        Self { force: -(damping * rate), stiffness: T::zero(), damping }
+    }
+
+    /// A linear spring (N·m/rad, N/m) at a distance from its rest.
+    pub fn elastic(stiffness: T, strain: T) -> Self {
+        Self { force: -(stiffness * strain), stiffness, damping: T::zero() }
+    }
+}
+
+/// A coordinate of a joint at an instant: how it moves, about or along which axis, and what resists it there.
+#[derive(Clone, Copy, Debug)]
+pub struct Freedom<S: Space> {
+    /// Whether it turns or slides.
+    pub way: Way,
+    /// Its axis n, inertial axes: a unit vector, but zero for a turn in the plane, which is about ẑ.
+    pub axis: S::Vector,
+    /// What springs, dampers and laws exert on it.
+    pub resistance: Resistance<S::Scalar>,
+    /// What they exert on it where position and rate are zero: k φ₀ of a linear spring with the rest value φ₀.
+    pub preload: S::Scalar,
+    /// Reflected inertia I (kg·m², kg): of what moves with this coordinate alone, ½ I q̇².
+    pub inertia: S::Scalar,
+    /// Whether loads in the joint act on it, in order.
+    pub driven: bool,
+}
+
+impl<S: Space> Freedom<S> {
+    /// One that nothing resists.
+    pub fn smooth(way: Way, axis: S::Vector) -> Self {
+        let zero = Additive::null();
+        Self { way, axis, resistance: Resistance::none(), preload: zero, inertia: zero, driven: true }
+    }
+
+    /// The same, but no loads in the joint act on it.
+    #[must_use]
+    pub fn undriven(self) -> Self {
+        Self { driven: false, ..self }
+    }
+
+    /// The same against a law.
+    #[must_use]
+    pub fn against(self, resistance: Resistance<S::Scalar>, preload: S::Scalar) -> Self {
+        Self { resistance, preload, ..self }
+    }
+}
+
+/// What a joint lets move at an instant, in inertial axes: p_O = X p_I + c + Φ q̈, Φᵀ F = τ − I q̈.
+#[derive(Clone, Copy, Debug)]
+pub struct Release<S: Space> {
+    /// Its coordinates, in the order of its rates.
+    pub coordinates: [Option<Freedom<S>>; 6],
+    /// Whether its outboard body turns with the inboard one. Coordinates of pins and balls are absolute.
+    pub carries: bool,
+    /// Whether its outboard point swings about the inboard one with the inboard body.
+    pub swings: bool,
+    /// Whether the moments on its sides differ by that of its force, m_O = m_I + d × q.
+    pub balanced: bool,
+    /// c: what the outboard point accelerates by besides the inboard body (m/s²).
+    pub linear: S::Vector,
+    /// And by what its body does (rad/s²).
+    pub angular: S::Angular,
+}
+
+impl<S: Space> Release<S> {
+    /// A joint that lets nothing move.
+    pub fn nothing() -> Self {
+        let (linear, angular) = (Additive::null(), Additive::null());
+        Self { coordinates: [None; 6], carries: true, swings: true, balanced: true, linear, angular }
+    }
+
+    /// With another coordinate.
+    #[must_use]
+    pub fn with(mut self, freedom: Freedom<S>) -> Self {
+        if let Some(free) = self.coordinates.iter_mut().find(|coordinate| coordinate.is_none()) {
+            *free = Some(freedom);
+        }
+        self
+    }
+
+    /// Its coordinates, and the effort of a load on each.
+    pub fn under(self, efforts: [S::Scalar; 3]) -> impl Iterator<Item = (Freedom<S>, S::Scalar)> {
+        let mut efforts = efforts.into_iter();
+        self.coordinates.into_iter().flatten().map(move |freedom| {
+            let effort = if freedom.driven { efforts.next() } else { None };
+            (freedom, effort.unwrap_or(Additive::null()))
+        })
+    }
+
+    /// Its coordinates that turn, or that slide.
+    pub fn of(&self, way: Way) -> impl Iterator<Item = &Freedom<S>> {
+        self.coordinates.iter().flatten().filter(move |freedom| freedom.way == way)
+    }
+}
