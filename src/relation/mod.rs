@@ -12,7 +12,7 @@ mod arms;
 mod closing;
 mod closure;
 mod full;
-pub mod geometry;
+mod geometry;
 mod join;
 mod kinds;
 mod looped;
