@@ -89,6 +89,7 @@ pub mod simulate;
 pub mod solve;
 pub mod space;
 pub mod spatial;
+mod spring;
 mod state;
 pub mod stepper;
 pub mod struts;

@@ -2,7 +2,6 @@
 
 use super::axes::Axes;
 use super::linear::{HingeAxes, Linear};
-use super::spring::SpringLaw;
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
 use crate::element::{Element, Posture, Springs};
@@ -12,6 +11,7 @@ use crate::relation::Closures;
 use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::shape::{JointPosture, Native, PerAxes, Shape};
+use crate::spring::SpringLaw;
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use typenum::{U0, U1, U3};

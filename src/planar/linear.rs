@@ -1,12 +1,12 @@
 //! Linear springs of an elastic hinge, and the axes along which they push.
 
 use super::axes::{Axes, Fixed, Inboard, Offset, across};
-use super::spring::SpringLaw;
 use super::{Acceleration, ElasticHinge, Frame, Turn};
 use crate::lift::Lift;
 use crate::relation::plane::algebra::normal;
 use crate::relation::plane::{Full, Slides, along, back};
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use core::fmt::Debug;
 use core::marker::PhantomData;
 use nalgebra::Vector2;

@@ -39,6 +39,7 @@ pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
 pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
 pub use crate::relation::Absent;
 pub use crate::relation::plane::Planar;
+pub use crate::spring::{Spring, SpringLaw};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
 pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
@@ -58,7 +59,7 @@ pub use rigid_body::RigidBody;
 pub use rod::Rod;
 pub use sensitive::{Answering, Passing, Pulling};
 pub use slider::Slider;
-pub use spring::{Custom, Spring, SpringLaw};
+pub use spring::Custom;
 pub use station::{Station, index};
 pub use weld::Weld;
 

@@ -1,7 +1,6 @@
 //! The joint that slides.
 
 use super::axes::{Inboard, Offset};
-use super::spring::{SpringLaw, read};
 use super::{Acceleration, Frame, Joint, JointMotion, Planar, Spring, SpringState, Turn, release};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
@@ -10,6 +9,7 @@ use crate::relation::plane::{Full, SlideGain, Slides, along, back};
 use crate::relation::{Absent, Closures, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;
+use crate::spring::{SpringLaw, read};
 use nalgebra::Vector2;
 
 /// A joint whose outboard point slides along a straight line of the inboard body while the bodies do not turn relative to each

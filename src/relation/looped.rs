@@ -5,8 +5,8 @@
 //! becomes a relation like any other, with S + W Λ⁻¹ Wᵀ. So a loop costs nothing outside of itself, and of many loops in a chain
 //! each is eliminated where it ends.
 
+use super::Absent;
 use super::closure::{Closures, Cut, Cuts, Solvable};
-use super::{Absent, Geometry, WrenchOf};
 use crate::scalar::Scalar;
 
 /// Closure forces of a scene, `C`, and inside a loop those of the loop, `O`.
@@ -263,36 +263,6 @@ impl<V: Copy, T: Scalar, C: Closures, O: Own> Cuts<V, T, Looped<C, O>> {
             gap: (gap, O::zip(&own_gap, &side.gap, |a, b| a + b)),
         }
     }
-}
-
-/// What the forces of a loop are where it is cut.
-pub trait Kind<G: Geometry> {
-    /// A column of W.
-    type Column: Copy;
-}
-
-/// Forces without torques.
-#[derive(Clone, Copy, Debug)]
-pub struct Forces;
-
-/// Forces and torques.
-#[derive(Clone, Copy, Debug)]
-pub struct Wrenches;
-
-impl<G: Geometry> Kind<G> for Forces {
-    type Column = G::Vector;
-}
-
-impl<G: Geometry> Kind<G> for Wrenches {
-    type Column = WrenchOf<G>;
-}
-
-/// A relation that can carry the columns of a loop which is cut at its station.
-pub trait Carry<G: Geometry, O: Own, K: Kind<G>> {
-    /// The relation with these columns.
-    type Out: Copy;
-    /// Adds columns.
-    fn carry(self, columns: O::Each<K::Column>) -> Self::Out;
 }
 
 /// A relation at whose station a torque acts besides, on the outboard part.

@@ -23,12 +23,13 @@ pub mod space;
 mod way;
 mod wrench;
 
+pub use arms::{Carry, Forces, Kind, Wrenches};
 pub use closing::Close;
 pub use closure::{Closures, Cut, Cuts, Open, Solvable, largest};
 pub use full::Full;
 pub use geometry::{AccelerationOf, Additive, Angular, Geometry, Symmetric, VectorSpace, WrenchOf};
 pub use kinds::{Empty, Lump, Point, Relation};
-pub use looped::{Carry, Forces, Kind, LoopGain, Looped, Own, Settle, Twisted, Wrenches};
+pub use looped::{LoopGain, Looped, Own, Settle, Twisted};
 pub use shared::Shared;
 pub use way::Way;
 pub use wrench::{Acceleration, Wrench};
@@ -147,20 +148,32 @@ impl<T: Scalar> Term<T> for Minus<T> {
 }
 
 /// A coefficient that a scene may or may not have: of damping, for example.
-pub trait Coefficient<T>: Part {
+pub trait Coefficient<T: Scalar>: Part {
     /// `self · factor + sum`.
     fn times_onto(self, factor: T, sum: T) -> T;
     /// `self · factor`, or nothing.
     fn times(self, factor: T) -> Self;
+    /// −self · factor, or zero.
+    fn against(self, factor: T) -> T;
+    /// `self · factor`, or zero.
+    fn scaled(self, factor: T::Real) -> T;
 }
 
-impl<T> Coefficient<T> for Absent {
+impl<T: Scalar> Coefficient<T> for Absent {
     #[inline(always)]
     fn times_onto(self, _: T, sum: T) -> T {
         sum
     }
     fn times(self, _: T) -> Self {
         self
+    }
+    #[inline(always)]
+    fn against(self, _: T) -> T {
+        T::zero()
+    }
+    #[inline(always)]
+    fn scaled(self, _: T::Real) -> T {
+        T::zero()
     }
 }
 
@@ -171,6 +184,14 @@ impl<T: Scalar> Coefficient<T> for T {
     }
     fn times(self, factor: T) -> Self {
         self * factor
+    }
+    #[inline(always)]
+    fn against(self, factor: T) -> T {
+        -(self * factor)
+    }
+    #[inline(always)]
+    fn scaled(self, factor: T::Real) -> T {
+        self.scale(factor)
     }
 }
 

@@ -73,7 +73,7 @@ pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
     /// What its coordinates do on an inboard body that is turned like this.
     fn relative(&self, inboard: &Turn<T>, position: [T; K], rate: [T; K]) -> Relative<T, K>;
     /// Adds the generalised force of the spring and damper of coordinate `k` to a sum.
-    fn force_onto(&self, k: usize, position: T, rate: T, sum: T) -> T;
+    fn force(&self, k: usize, position: T, rate: T) -> T;
     /// K̂ of coordinate `k` in an implicit sweep.
     fn pivot(&self, k: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T;
     /// Energy stored in springs (J).

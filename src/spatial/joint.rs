@@ -4,7 +4,7 @@ use super::{
     Acceleration, Ball, Cylindrical, ElasticHinge, Floating, Frame, JointMotion, Linear, Prismatic, Revolute,
     RotaryLaw, Spatial, Turn,
 };
-use super::{Universal, Weld, release::Release, spring::Law};
+use super::{Universal, Weld, release::Release};
 use crate::counts::Counted;
 use crate::element::{Element, Springs};
 use crate::error::Fault;
@@ -13,6 +13,7 @@ use crate::relation::Closures;
 use crate::relation::space::algebra::Columns;
 use crate::scalar::Scalar;
 use crate::shape::{JointPosture, Native};
+use crate::spring::SpringLaw;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use typenum::{U0, U1, U2, U3, U6};
@@ -266,13 +267,13 @@ macro_rules! joint {
 }
 joint!([T: Scalar] Ball, true);
 joint!([T: Scalar, R: RotaryLaw<T>] ElasticHinge<R>, false);
-joint!([T: Scalar, R: RotaryLaw<T>, L: Law<T>, M: Law<T>, N: Law<T>] ElasticHinge<R, Linear<T, L, M, N>>, false);
+joint!([T: Scalar, R: RotaryLaw<T>, L: SpringLaw<T>, M: SpringLaw<T>, N: SpringLaw<T>] ElasticHinge<R, Linear<T, L, M, N>>, false);
 joint!([T: Scalar] Floating<T>, true);
 joint!([T: Scalar] Weld<T>, false);
-joint!([T: Scalar, L: Law<T>] Revolute<T, L>, false);
-joint!([T: Scalar, L: Law<T>] Prismatic<T, L>, false);
-joint!([T: Scalar, L: Law<T>, M: Law<T>] Universal<T, L, M>, false);
-joint!([T: Scalar, L: Law<T>, M: Law<T>] Cylindrical<T, L, M>, false);
+joint!([T: Scalar, L: SpringLaw<T>] Revolute<T, L>, false);
+joint!([T: Scalar, L: SpringLaw<T>] Prismatic<T, L>, false);
+joint!([T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>] Universal<T, L, M>, false);
+joint!([T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>] Cylindrical<T, L, M>, false);
 
 /// Gives joints their counts, and says that they are of this crate.
 macro_rules! count {

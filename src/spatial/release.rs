@@ -3,12 +3,12 @@
 use super::axial::{Axial, Listed};
 use super::axial_walks::{angular_bias, linear_bias};
 use super::rotary_spring::RotaryLaw;
-use super::spring::Law;
 use super::{Ball, ElasticHinge, Floating, JointMotion, Linear, Rotation, Spatial, Weld};
 use crate::element::Implicit;
 use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot};
 use crate::release::{Freedom, Resistance, Way};
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
 
@@ -50,16 +50,16 @@ fn resisting<T: Scalar, R: RotaryLaw<T>>(law: &R, position: &Rotation<T>, rate: 
 }
 
 /// A coordinate that slides along an axis against a law.
-fn sliding<T: Scalar>(axis: Vector3<T>, law: &impl Law<T>, position: T, rate: T) -> Freedom<Spatial<T>> {
+fn sliding<T: Scalar>(axis: Vector3<T>, law: &impl SpringLaw<T>, position: T, rate: T) -> Freedom<Spatial<T>> {
     let (resistance, preload) = read(law, position, rate);
     Freedom::smooth(Way::Slide, axis).undriven().against(resistance, preload)
 }
 
 /// What a law of one coordinate does.
-fn read<T: Scalar>(law: &impl Law<T>, position: T, rate: T) -> Turning<T> {
+fn read<T: Scalar>(law: &impl SpringLaw<T>, position: T, rate: T) -> Turning<T> {
     let zero = T::zero();
     let [stiffness, damping] = slopes::<T, _>(|springs| law.pivot(position, rate, springs));
-    (Resistance { force: law.force_onto(position, rate, zero), stiffness, damping }, law.force_onto(zero, zero, zero))
+    (Resistance { force: law.force(position, rate), stiffness, damping }, law.force(zero, zero))
 }
 
 pub(super) fn weld<T: Scalar>(_: &Weld<T>, _: &JointMotion<T>, (): &(), (): &()) -> Release<T> {
@@ -83,7 +83,7 @@ pub(super) fn rotary<T: Scalar, R: RotaryLaw<T>>(
     turning(release, &outer.attitude, resisting(&joint.rotary, position, rate))
 }
 
-pub(super) fn elastic<T: Scalar, R: RotaryLaw<T>, X: Law<T>, Y: Law<T>, Z: Law<T>>(
+pub(super) fn elastic<T: Scalar, R: RotaryLaw<T>, X: SpringLaw<T>, Y: SpringLaw<T>, Z: SpringLaw<T>>(
     joint: &ElasticHinge<R, Linear<T, X, Y, Z>>,
     motion: &JointMotion<T>,
     (place, turn): &([T; 3], Rotation<T>),
@@ -135,8 +135,8 @@ pub(super) fn axial<T: Scalar, J: Axial<T, K>, const K: usize>(
     };
     for k in 0..K {
         let [stiffness, damping] = slopes::<T, _>(|springs| joint.pivot(k, position[k], rate[k], springs));
-        let resistance = Resistance { force: joint.force_onto(k, position[k], rate[k], zero), stiffness, damping };
-        let preload = joint.force_onto(k, zero, zero, zero);
+        let resistance = Resistance { force: joint.force(k, position[k], rate[k]), stiffness, damping };
+        let preload = joint.force(k, zero, zero);
         release = release.with(Freedom::smooth(J::WAYS[k], relative.axes[k]).against(resistance, preload));
     }
     release

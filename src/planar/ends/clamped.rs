@@ -61,11 +61,11 @@ impl<G, A> Clamped<G, A> {
     /// The motion of the ground where it holds the end.
     pub(super) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
     where
-        G: Ground<T>,
+        G: Ground<T, 2>,
         A: Attitude<T>,
     {
         let [angle, rate, angular] = self.attitude.at(time);
-        let mut frame = self.place.at(time).frame();
+        let mut frame = self.place.at(time).frame::<Planar<T>>();
         frame.turn = Turn { angle, rate };
         frame.acceleration.angular = angular;
         frame
@@ -73,7 +73,7 @@ impl<G, A> Clamped<G, A> {
 
     pub(super) fn verify<T: Scalar>(&self) -> Result<(), Error>
     where
-        G: Ground<T>,
+        G: Ground<T, 2>,
         A: Attitude<T>,
     {
         self.place.at(T::Real::zero()).check()?;
@@ -83,7 +83,7 @@ impl<G, A> Clamped<G, A> {
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Planar<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, 2>, A: Attitude<T>> Root<Planar<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held);
     type Joint = Weld<T>;
 
@@ -98,7 +98,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Planar<T>> for Clamped<G, A> 
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Planar<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, 2>, A: Attitude<T>> Tip<Planar<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held);
     type Closures = Cut<3>;
     type Relation = Full<T, Cut<3>>;

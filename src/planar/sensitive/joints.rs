@@ -2,12 +2,12 @@
 
 use super::{Answering, Passing, Pulling};
 use crate::lift::Lift;
-use crate::planar::spring::{Spring, SpringLaw};
 use crate::planar::{ElasticHinge, Pin, Planar, Weld};
 use crate::relation::plane::{Full, Gain, Slides};
 use crate::relation::{Absent, Coefficient, Minus, Term};
 use crate::scalar::{Jet, Scalar, columns};
 use crate::sensitive::{At, Seeds, Sensitive};
+use crate::spring::{Spring, SpringLaw};
 
 /// What a joint that turns keeps.
 #[derive(Clone, Copy)]

@@ -77,11 +77,11 @@ impl<G, A> Clamped<G, A> {
     /// The motion of the ground where it holds the end.
     pub(super) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
     where
-        G: Ground<T>,
+        G: Ground<T, 3>,
         A: Attitude<T>,
     {
         let AttitudeMotion { attitude, spin, acceleration } = self.attitude.at(time);
-        let mut frame = self.place.at(time).frame();
+        let mut frame = self.place.at(time).frame::<Spatial<T>>();
         frame.turn = Turn { attitude: attitude.matrix(), spin: Vector3::from(spin) };
         frame.acceleration.angular = Vector3::from(acceleration);
         frame
@@ -89,7 +89,7 @@ impl<G, A> Clamped<G, A> {
 
     pub(super) fn verify<T: Scalar>(&self) -> Result<(), Error>
     where
-        G: Ground<T>,
+        G: Ground<T, 3>,
         A: Attitude<T>,
     {
         self.place.at(T::Real::zero()).check()?;
@@ -100,7 +100,7 @@ impl<G, A> Clamped<G, A> {
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Spatial<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Root<Spatial<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held, Held, Held, Held);
     type Joint = Weld<T>;
 
@@ -115,7 +115,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Spatial<T>> for Clamped<G, A>
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Spatial<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Tip<Spatial<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held, Held, Held, Held);
     type Closures = Cut<6>;
     type Relation = Full<T, Cut<6>>;

@@ -62,7 +62,7 @@ impl<G, A, T: Scalar> Hinged<G, A, T> {
 
     fn verify(&self) -> Result<(), Error>
     where
-        G: Ground<T>,
+        G: Ground<T, 3>,
         A: Attitude<T>,
     {
         check_axis(self.axis).map_err(Error::new)?;
@@ -76,7 +76,7 @@ impl<G, A, T: Scalar> Hinged<G, A, T> {
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Spatial<T>> for Hinged<G, A, T> {
+impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Root<Spatial<T>> for Hinged<G, A, T> {
     /// In axes of the joint, its own the last.
     type Pairs = (Held, Held, Held, Held, Held, Loose);
     type Joint = Revolute<T>;
@@ -92,7 +92,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Spatial<T>> for Hinged<G, A, 
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Spatial<T>> for Hinged<G, A, T> {
+impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Tip<Spatial<T>> for Hinged<G, A, T> {
     type Pairs = (Held, Held, Held, Held, Held, Loose);
     type Closures = Cut<5>;
     type Relation = Full<T, Cut<5>>;

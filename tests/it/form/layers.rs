@@ -13,6 +13,7 @@ const FLOORS: [&[&str]; 8] = [
         "space",
         "loading",
         "sweep",
+        "spring",
         "shape",
         "walks",
         "visit",

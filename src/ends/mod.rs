@@ -4,6 +4,10 @@
 //! entries are known: [`Root::Pairs`] and [`Tip::Pairs`] list one [`Choice`] for each pair, and an end that fixes both or
 //! neither cannot be written.
 
+mod ground;
+
+pub use ground::{Ground, GroundMotion, Moving};
+
 use crate::element::{Element, RealOf, Space};
 use crate::error::Error;
 use crate::relation::{Closures, Solvable, WrenchOf};
