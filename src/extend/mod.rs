@@ -6,7 +6,7 @@
 //! | of one's own | how | example |
 //! |---|---|---|
 //! | a law along a coordinate | [`SpringLaw`](crate::spring::SpringLaw), in a joint of this crate, or read by [`Resistance::of`] | a stop, a stiffening spring: there |
-//! | a joint | [`JointModel`]: [`Kinematics`] and what acts along their coordinate; [`joint!`](crate::joint) | `examples/own_joint.rs`: a geared motor, 36 lines |
+//! | a joint | [`JointModel`]: [`Kinematics`] and what acts along their coordinate; [`joint!`](crate::joint) | `examples/own_joint.rs`: a geared motor, 37 lines |
 //! | a joint that moves in a way of its own | [`Kinematics`]: its motion, and the elimination of its coordinate | |
 //! | a body | a struct of bodies, joints and arms; [`compound!`](crate::compound) | `examples/own_body.rs`: a tank in which liquid sloshes, 36 lines |
 //! | an end | [`Ground`](crate::planar::Ground): how its ground moves | below |
@@ -84,7 +84,7 @@
 //! }
 //!
 //! impl Ground<f64, 2> for Shaker {
-//!     fn at(&self, time: f64) -> GroundMotion<f64, 2> {
+//!     fn at(&self, time: f64) -> GroundMotion<f64> {
 //!         let (s, c) = (self.frequency * time).sin_cos();
 //!         let [a, w] = [self.amplitude, self.frequency];
 //!         GroundMotion { place: [a * s, 0.0], velocity: [a * w * c, 0.0], acceleration: [-a * w * w * s, 0.0] }
