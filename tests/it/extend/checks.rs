@@ -163,7 +163,7 @@ impl<T: Scalar> Kinematics<Planar<T>> for Mismatched<T> {
     ) -> Full<T, C> {
         let relation = self.pin.eliminate::<C>(outer, posture, force, resistance, kept);
         let one_more = self.off + T::literal(1.0);
-        kept.free = kept.free * one_more;
+        kept.free *= one_more;
         relation
     }
     fn under(motion: JointMotion<T>, model: Acting<T>) -> JointMotion<T> {
