@@ -2,7 +2,7 @@
 #![cfg(feature = "std")]
 
 use crate::kit::has_order;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::{Dop853, Free, Pin, Pinned, Rod, System};
 use catena::{Error, Fault};

@@ -2,7 +2,7 @@
 #![cfg(feature = "std")]
 
 use crate::kit::slope;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::{At, GeneralizedAlpha, JointScheme, Newmark, Scheme, Solver};
 use catena::planar::index::{M, QX, QY, THETA, X, Y};
 use catena::planar::{

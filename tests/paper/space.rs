@@ -2,7 +2,7 @@
 #![cfg(feature = "std")]
 
 use crate::kit::has_order;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::{
     At, GeneralizedAlpha, Midpoint, Multistep, Newmark, Rule, Scheme, Slots, Solver, Wilson, hht_alpha,
 };

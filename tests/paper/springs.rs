@@ -2,11 +2,11 @@
 #![cfg(feature = "std")]
 
 use crate::kit::{has_order, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::{At, GeneralizedAlpha, JointScheme, Midpoint, Newmark, Scheme, Solver, Wilson};
+use catena::planar::Absent;
 use catena::planar::index::{M, QX, QY, THETA, X, Y};
 use catena::planar::*;
-use catena::relation::Absent;
 use catena::{Error, Fault, Place};
 
 /// Errors of angles, of the places of all stations, and of all forces relative to their largest, against order 8 at three steps.

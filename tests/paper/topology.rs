@@ -4,7 +4,7 @@
 //! solve an overall equation must be those of the motion, its forces included.
 
 use crate::kit::{has_order, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::topology::{branched, closed_loop, free, network, pinned};
 use catena::paper::{
     At, Expansion, External, GeneralizedAlpha, Known, Rigid, Rotary, Scheme, Solver, rigid_body, rotary_hinge,

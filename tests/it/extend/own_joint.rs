@@ -2,7 +2,7 @@
 
 use super::geared::Geared;
 use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::{GeneralizedAlpha, Scheme};
 use catena::planar::{self, Clamped, Dop853, Free, Pin, Rod, System};
 use catena::scalar::Jet;

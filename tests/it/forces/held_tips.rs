@@ -9,7 +9,7 @@ mod scales;
 
 use crate::kit::{has_order, near};
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 
 /// Time, angles, rate of the crank, pivot force, force of the ground on the rocker.

@@ -3,7 +3,7 @@
 use crate::kit::{has_order, near};
 use crate::oracle::plane::{self as oracle, Coordinates, Ground, Scene, Tip};
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 
 /// Stiffness, damping and rest angle of the hinges.

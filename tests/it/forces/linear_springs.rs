@@ -6,10 +6,11 @@ mod numbers;
 use crate::kit::{has_order, near};
 use crate::oracle::plane::{self as oracle, Axes, Coordinates, Elastic, Scene, Tip};
 use catena::Error;
-use catena::element::{Element, Unloaded};
+use catena::loading::Unloaded;
+use catena::planar::Absent;
 use catena::planar::*;
-use catena::relation::Absent;
-use catena::stepper::Method;
+use catena::simulate::Method;
+use catena::system::Element;
 use catena::system::{Runs, StiffDynamics};
 
 /// Stiffness, damping and rest value along x, along y, and of the angle.

@@ -2,9 +2,9 @@
 
 use crate::kit::Noise;
 use crate::oracle::plane::{self as oracle, Scene};
-use catena::element::Unloaded;
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
 use catena::planar::*;
+use catena::system::{Position, Rate};
 use catena::{Error, Scalar};
 use core::f64::consts::{FRAC_PI_2, TAU};
 

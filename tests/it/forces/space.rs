@@ -4,11 +4,11 @@ use crate::kit::Noise;
 use crate::oracle::space as oracle;
 use crate::oracle::space::{Answer, Vector};
 use catena::Error;
-use catena::element::Element;
-use catena::element::Loading;
-use catena::ends::{Root, Tip};
+use catena::loading::Loading;
 use catena::spatial::*;
+use catena::system::Element;
 use catena::system::Runs;
+use catena::system::{Root, Tip};
 
 mod hinges;
 

@@ -1,8 +1,8 @@
 //! Bodies whose moments of inertia no distribution of mass has, as robot description files do: taken, listed, and repaired on request.
 
 use crate::kit::{Noise, near};
+use catena::internals::walks::check::check;
 use catena::spatial::*;
-use catena::walks::check::check;
 use catena::{Error, Fault, Place};
 use nalgebra::{Matrix3, Vector3};
 

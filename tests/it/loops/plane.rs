@@ -2,7 +2,7 @@
 
 use crate::kit::near;
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use core::f64::consts::{FRAC_PI_3, FRAC_PI_6, PI};
 

@@ -2,10 +2,11 @@
 //! the same mechanism without redundant closures, and reactions against the least norm of a dense solution.
 
 use crate::kit::near;
-use catena::element::{Element, Unloaded};
-use catena::ends::Root;
+use catena::loading::Unloaded;
 use catena::spatial::{self, *};
+use catena::system::Element;
 use catena::system::MotionOf;
+use catena::system::Root;
 use catena::{Error, Scalar};
 use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
 

@@ -3,7 +3,7 @@
 #![cfg(feature = "num-dual")]
 
 use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Real, Scalar};
 use nalgebra::{Const, U1, Vector2};

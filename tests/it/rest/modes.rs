@@ -1,7 +1,7 @@
 //! Natural frequencies and modes against closed forms, polynomials, beams and dense solutions in absolute angles.
 
 use crate::kit::{Noise, has_order, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Fault};
 use core::f64::consts::{FRAC_PI_2, PI};

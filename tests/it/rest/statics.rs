@@ -2,7 +2,7 @@
 //! catenary.
 
 use crate::kit::{Noise, has_order, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Fault};
 use core::cell::Cell;

@@ -2,9 +2,9 @@
 
 use crate::kit::{Noise, has_order, near};
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::stepper::Stepper;
+use catena::simulate::Stepper;
 use core::f64::consts::FRAC_PI_3;
 use num_dual::Dual64;
 

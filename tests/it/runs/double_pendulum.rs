@@ -3,7 +3,7 @@
 
 use crate::kit::{has_order, near};
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::time::{Explicit, Rule};
 use core::f64::consts::FRAC_PI_3;

@@ -2,7 +2,7 @@
 
 use crate::kit::near;
 use catena::Error;
-use catena::element::{Loading, Unloaded};
+use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
 
 /// Rounding of a few products.

@@ -2,9 +2,9 @@
 
 use crate::kit::{has_order, near};
 use catena::Error;
-use catena::element::Loading;
+use catena::loading::Loading;
 use catena::planar::*;
-use catena::stepper::Method;
+use catena::simulate::Method;
 use catena::system::Runs;
 use catena::time::Rule;
 use core::f64::consts::PI;

@@ -1,8 +1,8 @@
 //! Explicit rules keep their order on rotations: in attitudes, in rates and in forces, at the end of a step and within it.
 
 use crate::kit::slope;
+use catena::simulate::Method;
 use catena::spatial::*;
-use catena::stepper::Method;
 use catena::time::Rule;
 use catena::{Error, Motion};
 use nalgebra::Vector3;

@@ -1,8 +1,8 @@
 //! Implicit rules on spatial joints with springs: orders, stiffness without end, floating chains.
 
 use crate::kit::has_order;
+use catena::simulate::Method;
 use catena::spatial::*;
-use catena::stepper::Method;
 use catena::time::Rule;
 use catena::{Error, Motion};
 use nalgebra::Vector3;

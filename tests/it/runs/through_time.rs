@@ -2,12 +2,12 @@
 
 use crate::kit::{Noise, has_order, near};
 use crate::oracle::plane as oracle;
-use catena::element::Unloaded;
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
+use catena::planar::Absent;
 use catena::planar::*;
-use catena::relation::Absent;
-use catena::stepper::{Method, Stepper};
+use catena::simulate::{Method, Stepper};
 use catena::system::MotionOf;
+use catena::system::{Position, Rate};
 use catena::time::{Explicit, Rule, Sdirk4};
 use catena::{Error, Motion, Real};
 use core::f64::consts::{FRAC_PI_3, PI};

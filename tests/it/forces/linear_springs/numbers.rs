@@ -3,10 +3,10 @@
 #![cfg(all(feature = "num-dual", feature = "simd"))]
 
 use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
+use catena::planar::Absent;
 use catena::planar::*;
-use catena::relation::Absent;
-use catena::stepper::Method;
+use catena::simulate::Method;
 use catena::time::{Control, Rule, Sdirk4};
 use catena::{Error, Real, Scalar};
 use nalgebra::{Const, U1};

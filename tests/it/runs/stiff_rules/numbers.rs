@@ -3,9 +3,9 @@
 #![cfg(all(feature = "num-dual", feature = "simd"))]
 
 use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::stepper::Method;
+use catena::simulate::Method;
 use catena::time::Sdirk4;
 use catena::{Error, Real, Scalar};
 use nalgebra::{Const, U1};

@@ -1,9 +1,9 @@
 //! Steps of changing size, steps chosen by error control, and steps and rules that are none.
 
 use crate::kit::{Noise, has_order};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::stepper::{Method, Stepper};
+use catena::simulate::{Method, Stepper};
 use catena::time::{Rule, Sdirk4};
 use catena::{Error, Fault};
 
