@@ -23,7 +23,7 @@
 //!
 //! ```
 //! use catena::Scalar;
-//! use catena::element::Space;
+//! use catena::system::Space;
 //! use catena::extend::{JointModel, Kinematics, Resistance, check_element};
 //!
 //! /// A magnet that holds a coordinate near zero.
@@ -111,6 +111,8 @@ pub mod model {
     pub use crate::kinematics::{check, condense, motion, recover, release};
 }
 pub use crate::kinematics::{Acting, Driving, JointModel, Kinematics, Outboard, Resistance};
+pub use crate::relation::Geometry;
 pub use crate::release::{Freedom, Release, Way};
+pub use crate::sweep::Springs;
 #[doc(hidden)]
 pub use typenum::{U0 as None, U1 as One};

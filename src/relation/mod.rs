@@ -23,7 +23,7 @@ pub mod space;
 mod way;
 mod wrench;
 
-pub use arms::{Carry, Forces, Kind, Wrenches};
+pub use arms::{Carry, Forces, Wrenches};
 pub use closing::Close;
 pub use closure::{Closures, Cut, Cuts, Open, Solvable, largest};
 pub use full::Full;

@@ -1,7 +1,7 @@
 //! The paper's scheme on scenes of all kinds: solvers against each other, against other integrations, against closed forms.
 #![cfg(feature = "std")]
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::{At, GeneralizedAlpha, JointScheme, Newmark, Scheme, Solver};
 use catena::planar::index::{M, QX, QY, THETA, X, Y};
 use catena::planar::{
@@ -9,6 +9,7 @@ use catena::planar::{
     Pin, Pinned, PointMass, RigidBody, Rod, Slider, Spring, System, Turning, Weld,
 };
 use catena::{Error, Fault, Place};
+use catena_oracle::slope;
 use catena_oracle::slope;
 use core::f64::consts::FRAC_PI_3;
 

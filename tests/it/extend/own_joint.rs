@@ -1,11 +1,12 @@
 //! A geared motor: a rotor of inertia J that turns n times as fast as the joint, I = n² J.
 
 use super::geared::Geared;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::{GeneralizedAlpha, Scheme};
 use catena::planar::{self, Clamped, Dop853, Free, Pin, Rod, System};
 use catena::scalar::Jet;
 use catena::{Error, Fault, Scalar, spatial};
+use catena_oracle::near;
 use catena_oracle::near;
 use core::f64::consts::FRAC_PI_2;
 

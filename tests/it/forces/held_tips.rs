@@ -8,7 +8,7 @@ mod redundant;
 mod scales;
 
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena_oracle::{has_order, near};
 

@@ -1,7 +1,7 @@
 //! Hinges with springs and welds against a dense solution of all equations at once, and the orders of implicit rules on them.
 
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena_oracle::plane::{self as oracle, Coordinates, Ground, Scene, Tip};
 use catena_oracle::{has_order, near};

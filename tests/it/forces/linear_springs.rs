@@ -4,10 +4,11 @@
 mod numbers;
 
 use catena::Error;
-use catena::element::{Element, Unloaded};
+use catena::loading::Unloaded;
+use catena::planar::Absent;
 use catena::planar::*;
-use catena::relation::Absent;
-use catena::stepper::Method;
+use catena::simulate::Method;
+use catena::system::Element;
 use catena::system::{Runs, StiffDynamics};
 use catena_oracle::plane::{self as oracle, Axes, Coordinates, Elastic, Scene, Tip};
 use catena_oracle::{has_order, near};

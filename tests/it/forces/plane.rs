@@ -6,10 +6,11 @@
 //! digits.
 
 use catena::Error;
-use catena::element::{Element, Loading, Unloaded};
-use catena::ends::Root;
-use catena::mirror::Rate;
+use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
+use catena::system::Element;
+use catena::system::Rate;
+use catena::system::Root;
 use catena::system::{MotionOf, Runs};
 use catena_oracle::plane::{self as oracle, Answer, Load, Scene, State, Tip, add, cross, perp, rotate, scale, sub};
 use catena_oracle::{Noise, near};

@@ -23,7 +23,7 @@ fn body() -> RigidBody<f64> {
 type Full3<D> = ElasticHinge<RotarySpring<f64, D>, Linear<f64, Spring<f64, D>, Spring<f64, D>, Spring<f64, D>>>;
 
 /// Undamped, all stiffnesses different.
-fn elastic(scale: f64) -> Full3<catena::relation::Absent> {
+fn elastic(scale: f64) -> Full3<catena::planar::Absent> {
     let along = |k: f64| Spring::stiffness(scale * k);
     ElasticHinge::rotary([3.0, 8.0, 5.0].map(|k| scale * k)).with_linear(along(60.0), along(90.0), along(40.0))
 }

@@ -1,8 +1,9 @@
 //! Bodies whose moments of inertia no distribution of mass has, as robot description files do: taken, listed, and repaired on request.
 
+use catena::internals::walks::check::check;
 use catena::spatial::*;
-use catena::walks::check::check;
 use catena::{Error, Fault, Place};
+use catena_oracle::{Noise, near};
 use catena_oracle::{Noise, near};
 use nalgebra::{Matrix3, Vector3};
 

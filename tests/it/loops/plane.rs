@@ -1,7 +1,7 @@
 //! Closed loops and networks in the plane. Accelerations of loops at random are compared in `loops_at_random`.
 
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena_oracle::near;
 use core::f64::consts::{FRAC_PI_3, FRAC_PI_6, PI};

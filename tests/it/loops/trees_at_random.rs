@@ -4,7 +4,7 @@
 mod plane;
 mod space;
 
-use catena::chain::Branch;
+use catena::planar::Branch;
 use catena_oracle::Noise;
 use catena_oracle::space as oracle;
 use catena_oracle::space::{Answer, Vector};

@@ -123,8 +123,8 @@ fn twenty_rods() -> Result<(), Error> {
         let start = plain.with_rates(plain.at_rest(&state[..N])?, &state[N..])?;
         let motion = plain.simulate(start, rule, 0.1, |_| ())?.motion;
         let mut numbers = vec![];
-        catena::mirror::Position::visit(motion.position(), &mut |x| numbers.push(x));
-        catena::mirror::Rate::visit(motion.rate(), &mut |x| numbers.push(x));
+        catena::system::Position::visit(motion.position(), &mut |x| numbers.push(x));
+        catena::system::Rate::visit(motion.rate(), &mut |x| numbers.push(x));
         Ok(numbers)
     };
     // h² leaves 1e-8 of a third derivative, rounding 1e-15 / h of values up to a hundred.
@@ -177,7 +177,7 @@ fn the_state_matrix_of_a_double_pendulum_has_its_frequencies() -> Result<(), Err
     let mut workspace = catena::system::Dynamics::<Unloaded>::workspace(&sensitivity);
     sensitivity.accelerate(&mut motion, &Unloaded, &mut workspace)?;
     let mut rows = vec![];
-    catena::mirror::Rate::visit(motion.acceleration(), &mut |x| rows.push(x.eps));
+    catena::system::Rate::visit(motion.acceleration(), &mut |x| rows.push(x.eps));
     let [[a, b, p, q], [c, d, r, s]] = rows[..] else { return Err(Error::new(catena::Fault::Shape)) };
     // Rates do nothing at rest.
     assert_eq!([p, q, r, s], [0.0; 4]);

@@ -102,7 +102,7 @@ fn parameters_that_make_no_mechanics_are_refused() {
 
 #[test]
 fn arrays_vectors_and_lifted_beams_are_the_same_chain() {
-    use catena::lift::Lift;
+    use catena::Lift;
     macro_rules! compare {
         ($beam:expr) => {
             let beam = $beam;

@@ -2,7 +2,7 @@
 //! checked against a Taylor series of 30 digits.
 
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::time::{Explicit, Rule};
 use catena_oracle::{has_order, near};

@@ -1,7 +1,7 @@
 //! Sliders in the plane under loads in joints: a drive pushes along the line, and a law sees how far and how fast it has slid.
 
 use catena::Error;
-use catena::element::{Loading, Unloaded};
+use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
 use catena_oracle::near;
 

@@ -5,10 +5,11 @@ mod by_lagrange;
 mod laws;
 
 use by_lagrange::{GRAVITY, LENGTH, MASS, cart_and_rod, integrate, integrate_to_stops, two_rods};
-use catena::element::{Element, Unloaded};
-use catena::ends::{Root, Tip};
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
+use catena::system::Element;
 use catena::system::{Dynamics, MotionOf, Runs, StiffDynamics, System};
+use catena::system::{Position, Rate};
+use catena::system::{Root, Tip};
 use catena::time::{GeneralizedAlpha, Sdirk4};
 use catena::{Error, planar, spatial};
 use catena_oracle::{has_order, near};
@@ -34,7 +35,7 @@ fn errors<S, R, C, P, const N: usize>(
     error: impl Fn(&[f64], &[f64]) -> f64,
 ) -> Result<Vec<(f64, f64)>, Error>
 where
-    S: catena::element::Space<Scalar = f64>,
+    S: catena::system::Space<Scalar = f64>,
     R: Root<S>,
     C: Element<S>,
     P: Tip<S>,

@@ -38,7 +38,7 @@ fn in_the_plane(stiffness: f64, tolerance: f64, fine: bool, end: f64) -> Outcome
         scene.simulation(Dopri5::tolerance(tolerance)).loads(&loads).run(start, end, |_| ())?.motion
     };
     let mut angles = vec![];
-    catena::mirror::Position::visit(motion.position(), &mut |x| angles.push(x));
+    catena::system::Position::visit(motion.position(), &mut |x| angles.push(x));
     Ok([angles[0], angles[1]])
 }
 
@@ -59,7 +59,7 @@ fn in_space(stiffness: f64, tolerance: f64, fine: bool, end: f64) -> Outcome {
         scene.simulation(Dopri5::tolerance(tolerance)).loads(&loads).run(start, end, |_| ())?.motion
     };
     let mut angles = vec![];
-    catena::mirror::Position::visit(motion.position(), &mut |x| angles.push(x));
+    catena::system::Position::visit(motion.position(), &mut |x| angles.push(x));
     Ok([angles[0], angles[0] + angles[1]])
 }
 
