@@ -46,7 +46,7 @@ impl<T: Scalar, const K: usize> TurnStore<T, K> {
         );
     }
 
-    /// The same of a torque.
+    /// Turns what is missed of a torque into angular accelerations.
     #[inline(always)]
     fn gather_under(&self, applied: &[T; K], carried: &mut Pulling<T, K>, acceleration: &mut Jet<T, K>) {
         let (w, minus_inverse) = (self.gain.per_acceleration, self.minus_inverse);
