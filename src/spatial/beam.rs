@@ -145,7 +145,7 @@ pub trait Retardation<T: Scalar>: Copy {
     type Rotary: RotaryDamper<T>;
     /// Dampers of linear springs.
     type Linear: Coefficient<T>;
-    /// Those beside rotary springs of these stiffnesses.
+    /// Dampers beside rotary springs of these stiffnesses.
     fn rotary(self, stiffness: [T; 3]) -> Self::Rotary;
     /// A spring of a stiffness with its damper.
     fn linear(self, stiffness: T) -> Spring<T, Self::Linear>;

@@ -25,7 +25,7 @@ pub struct AttitudeMotion<T> {
 
 /// An attitude of the ground that may change as a given function of time.
 pub trait Attitude<T: Scalar> {
-    /// Its motion at a time (s).
+    /// The attitude's motion at a time (s).
     fn at(&self, time: T::Real) -> AttitudeMotion<T>;
 }
 
