@@ -20,7 +20,7 @@ pub struct Robot {
 /// A body with the joint that moves it against its parent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Its joint.
+    /// Name of the joint that moves the body.
     pub joint: String,
     /// Line of the joint in the description.
     pub line: usize,
@@ -32,7 +32,7 @@ pub struct Body {
     pub parent: Option<usize>,
     /// Where the body stands on its parent while the joint is at zero.
     pub pose: Pose,
-    /// Its inertia about the mass centre, in its own axes, whose origin is at the joint.
+    /// Inertia of the body about the mass centre, in its own axes, whose origin is at the joint.
     pub inertia: Inertia,
     /// Limits, damping, friction, reduction, mimic.
     pub furniture: Furniture,
@@ -61,7 +61,7 @@ pub struct Frame {
 }
 
 impl Robot {
-    /// Its name.
+    /// Name of the robot.
     pub fn name(&self) -> &str {
         &self.name
     }

@@ -34,13 +34,13 @@ where
     /// The torque applied in the root's joint.
     pub(super) drive: [T; A],
     pub(super) parts: Parts<T, D::Memory, S::Orient, N, P, A>,
-    /// Those formed last: a block of them, or all.
+    /// Links formed last: a block of them, or all.
     pub(super) links: Vec<Link<T, N, P, A>>,
     pub(super) room: Room<T, H, P, A>,
     pub(super) matrices: Vec<TransferMatrix<T, N>>,
-    /// As solved: absolute, or in increments.
+    /// States as solved: absolute, or in increments.
     pub(super) states: Vec<StateVector<T, N>>,
-    /// Absolute.
+    /// Absolute states.
     pub(super) stations: Vec<StateVector<T, N>>,
     pub(super) sweeps: usize,
 }
@@ -207,7 +207,7 @@ where
         self.turns().nth(k)
     }
 
-    /// The same of all bodies, root to tip.
+    /// Angles, rates and angular accelerations (rad, s) of all bodies, root to tip.
     pub fn turns(&self) -> impl Iterator<Item = [T; 3]> {
         self.parts.bodies.iter().map(|Body { angles: [angle], .. }| [angle.value, angle.rate, angle.acceleration])
     }

@@ -36,7 +36,7 @@ pub struct Increment<T: Scalar> {
 }
 
 impl<T: Scalar> Increment<T> {
-    /// As (7) to (12) are taken for angles: at t_{i−1}, to second order in ΔT.
+    /// The increment as (7) to (12) are taken for angles: at t_{i−1}, to second order in ΔT.
     pub fn printed(base: &Matrix<T>, spin: Vector<T>, angular: Vector<T>, dt: T::Real) -> Self {
         let half = T::Real::of(0.5);
         let advance = spin.map(|x| x.scale(dt));
