@@ -27,7 +27,7 @@ pub struct Holding<'a> {
 }
 
 impl<'a> Holding<'a> {
-    /// These coordinates stay, and their rates.
+    /// Holds the positions and the rates of these coordinates.
     pub const fn both(coordinates: &'a [usize]) -> Self {
         Self { positions: coordinates, rates: coordinates }
     }

@@ -16,7 +16,7 @@ pub(super) const CORRECTIONS: usize = 60;
 pub(super) const SHARE: f64 = 0.3;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// The same motion with its loops closed and its tip where it is held: the least correction of positions and rates, as measured
+    /// This motion with its loops closed and its tip where it is held: the least correction of positions and rates, as measured
     /// by the inertia of the scene (of a chain without loops from afar, by the angles), and the accelerations that belong to them. A
     /// scene with neither is left as it is, but for its accelerations. What must not move is held by
     /// [`assembled_holding`](Self::assembled_holding), which also tells what did (feature `alloc`). A straight chain or loop cannot tell where to bend: bend it.
