@@ -11,14 +11,14 @@ use crate::space::{FrameOf, Space};
     note = "in the plane `Pin` and `Weld` do, in space `Ball`, `Revolute` and `Weld`: cut the loop at one of these"
 )]
 pub trait Closing<S: Space>: Clone + 'static {
-    /// Its closure forces, ON the last body of the side arm.
+    /// Closure forces of the joint, ON the last body of the side arm.
     type Closures: Own;
-    /// What it keeps of the orientations of both ends.
+    /// What the joint keeps of the orientations of both ends.
     type PerAxes<X: Copy>: Clone;
 
-    /// Room for that.
+    /// Room for what the joint keeps.
     fn per_axes<X: Copy>(fill: X) -> Self::PerAxes<X>;
-    /// Keeps what it needs of the orientations of both ends.
+    /// Keeps what the joint needs of the orientations of both ends.
     #[allow(clippy::too_many_arguments)] // one store each
     fn orient(
         &self,
