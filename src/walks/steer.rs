@@ -11,9 +11,9 @@ use crate::turning::{Axes, Turning, length, minus, outboard, plus};
 
 /// A joint that turns its outboard body.
 pub struct Swivel<S: Space> {
-    /// Its number among joints.
+    /// Number of the joint among joints.
     pub joint: usize,
-    /// By how many coordinates it turns.
+    /// Number of coordinates by which the joint turns.
     pub freedoms: usize,
     /// The body inboard of it.
     pub inboard: S::Turn,

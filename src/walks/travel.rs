@@ -25,7 +25,7 @@ pub fn travel<S: Space, E: Shape<S>, V: Visit<S>>(
     chain.outward(&mut Travel(visit), frame, (position, rate, acceleration, on_bodies, in_joints))
 }
 
-/// The same with a visitor that writes nothing.
+/// Shows the motions of bodies and joints to a visitor that writes nothing.
 #[inline(always)]
 pub fn show<S: Space, E: Shape<S>, V: Visit<S, OnBody = (), InJoint = ()>>(
     chain: &E,
