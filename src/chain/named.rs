@@ -35,13 +35,13 @@ use crate::space::FrameOf;
 pub struct Named<E> {
     /// What is named.
     pub item: E,
-    /// Its name.
+    /// Name of the item.
     pub name: &'static str,
 }
 
 /// Gives names: to bodies, joints and chains of them, to joints that close loops, to roots.
 pub trait Name: Sized {
-    /// The same with a name.
+    /// Gives the item a name.
     fn named(self, name: &'static str) -> Named<Self> {
         Named { item: self, name }
     }
