@@ -27,7 +27,7 @@ use crate::space::FrameOf;
 pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     /// The numbers that jets hold.
     type Number: Scalar<Real = <Self::Scalar as Scalar>::Real>;
-    /// The same space over these.
+    /// This space over plain numbers.
     type Plain: Space<Scalar = Self::Number>;
     /// F = S p + e of what lies outboard, values alone.
     type Relation: Copy;
@@ -65,7 +65,7 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
 
 /// What acts in a joint, or [`Absent`].
 pub trait Effort<S: Varied>: Part {
-    /// As a walk reads it.
+    /// The effort as a walk reads it.
     fn effort(self) -> EffortOf<S>;
 }
 
@@ -99,7 +99,7 @@ impl<const PARAMETERS: bool, const LOADS: bool> Seeds for Columns<PARAMETERS, LO
     note = "run the same scene over jets or dual numbers by the rule itself, without `through_gains`"
 )]
 pub trait Sensitive<S: Varied>: Element<S> {
-    /// The same element over plain numbers.
+    /// This element over plain numbers.
     type Plain: Element<S::Plain>;
     /// What the walks keep.
     type Room: Clone;
@@ -154,11 +154,11 @@ pub trait Sensitive<S: Varied>: Element<S> {
 pub struct At<'a, S: Varied, E: Sensitive<S>> {
     /// The element over plain numbers.
     pub plain: &'a E::Plain,
-    /// Its posture.
+    /// Posture of the element.
     pub posture: Posture<'a, S::Plain, E::Plain>,
-    /// Its positions.
+    /// Positions of the element's coordinates.
     pub position: &'a E::Position,
-    /// Their rates.
+    /// Rates of the element's coordinates.
     pub rate: &'a E::Rate,
 }
 

@@ -15,7 +15,7 @@ use crate::space::FrameOf;
 
 /// Which of a conjugate pair an end makes known.
 pub trait Choice {
-    /// Whether it is the motion (and the force is unknown), or the force (and the motion is unknown).
+    /// Whether the end makes known the motion (and the force is unknown), or the force (and the motion is unknown).
     const MOTION: bool;
 }
 
