@@ -68,7 +68,7 @@ pub enum Fault {
     },
     /// Moments of inertia that no distribution of mass has, for one is larger than the sum of the other two. Sweeps can do with them.
     ImpossibleInertia {
-        /// By how much (kg·m²).
+        /// Excess of the largest moment over the sum of the other two (kg·m²).
         excess: f64,
     },
     /// Two axes of a joint are parallel.
@@ -119,12 +119,12 @@ pub enum Fault {
         what: &'static str,
         /// The name.
         name: Label,
-        /// How many have it.
+        /// Number of joints or bodies that have the name.
         count: usize,
     },
     /// A joint cannot turn its body so.
     ImpossibleTurn {
-        /// By how much it misses at least (rad, or rad/s).
+        /// Residual of the turn at least (rad, or rad/s).
         miss: f64,
     },
     /// A list of coordinates, rates or loads has the wrong length.
@@ -142,7 +142,7 @@ pub enum Fault {
     RedundantClosures {
         /// What one of those that depend on others holds.
         closure: &'static str,
-        /// How many are independent.
+        /// Number of independent closures.
         independent: usize,
         /// Number of closures.
         of: usize,
@@ -151,7 +151,7 @@ pub enum Fault {
     SingularTransfer,
     /// The tip cannot be brought to where it is held, or the ends of a loop to each other, from this guess.
     NotClosed {
-        /// By how much it misses (m, or rad for an angle).
+        /// Residual of the closures (m, or rad for an angle).
         miss: f64,
     },
     /// With what is held as it is given, the tip cannot be brought to where it is held, or the ends of a loop to each other, from this
@@ -159,7 +159,7 @@ pub enum Fault {
     ImpossibleHold {
         /// What is held: coordinates or rates.
         what: &'static str,
-        /// By how much it misses (m or rad; of rates, these a second).
+        /// Residual of the closures (m or rad; of rates, these a second).
         miss: f64,
     },
     /// No equilibrium was found from this guess.
@@ -222,7 +222,7 @@ pub enum Cause {
     RedundantClosures {
         /// What one of those that depend on others holds.
         closure: &'static str,
-        /// How many are independent.
+        /// Number of independent closures.
         independent: usize,
         /// Number of closures.
         of: usize,

@@ -61,7 +61,7 @@ pub struct BodyNumbers {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Label {
     text: [u8; 23],
-    /// How many of these are the name's, and in the highest bit whether it is longer.
+    /// Number of these bytes that are the name's, and in the highest bit whether it is longer.
     length: u8,
 }
 

@@ -51,7 +51,7 @@ pub struct Freedom<S: Space> {
 }
 
 impl<S: Space> Freedom<S> {
-    /// One that nothing resists.
+    /// A coordinate that nothing resists.
     pub fn smooth(way: Way, axis: S::Vector) -> Self {
         let zero = Additive::null();
         Self { way, axis, resistance: Resistance::none(), preload: zero, inertia: zero, driven: true }

@@ -21,7 +21,7 @@ pub trait Turning: Space {
     fn spin(turn: &Self::Turn) -> [Self::Scalar; 3];
     /// An angular velocity that is given in inertial axes.
     fn in_inertial_axes(spin: Self::Spin) -> [Self::Scalar; 3];
-    /// One that is given in axes of a body.
+    /// An angular velocity that is given in axes of a body.
     fn in_axes_of(body: &Self::Turn, spin: Self::Spin) -> [Self::Scalar; 3];
     /// The turn (rad) that leads from here to an orientation.
     fn towards(here: &Self::Turn, there: &Self::Orientation) -> [Self::Scalar; 3];

@@ -75,11 +75,11 @@ impl<S: Space, V: Visit<S>> Visit<S> for &mut V {
 pub struct Closed<S: Space> {
     /// The joint, from the side arm to the main one.
     pub joint: S::JointMotion,
-    /// The force and torque that it passes on.
+    /// The force and torque that the joint passes on.
     pub internal: WrenchOf<S>,
-    /// How many conditions it imposes.
+    /// Number of conditions that the joint imposes.
     pub conditions: usize,
-    /// By how much these conditions are missed, in place and in velocity; the numbers after them are zero.
+    /// Residuals of these conditions, in place and in velocity; the numbers after them are zero.
     pub miss: [S::Numbers; 2],
 }
 

@@ -51,7 +51,7 @@ pub enum Link<T: Scalar, const N: usize, const P: usize, const A: usize> {
         /// Whether K_O and K_I are zero by construction.
         smooth: bool,
     },
-    /// One that turns and whose points part: an elastic hinge with linear springs.
+    /// A joint that turns and whose points part: an elastic hinge with linear springs.
     Parting {
         /// Torque of the joint.
         law: Law<T, A>,
@@ -86,7 +86,7 @@ pub struct End<T, const H: usize> {
     /// The directions of force and torque, orthonormal, in the order of p. Coordinates of attitudes are not turns about fixed axes; else all
     /// three are the same.
     pub pulls: [[T; H]; H],
-    /// Along which the motion is known.
+    /// Directions along which the motion is known.
     pub held: [bool; H],
     /// What is known at the end: along each direction a component of p, or of the force and torque (q, m).
     pub known: [T; H],

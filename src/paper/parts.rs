@@ -192,7 +192,7 @@ where
         springs.and_then(|springs| self.springs.get(springs))
     }
 
-    /// How many there are.
+    /// Number of parts.
     pub fn len(&self) -> usize {
         self.order.len()
     }

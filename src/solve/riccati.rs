@@ -91,7 +91,7 @@ pub struct Spring<'a, P, V, K> {
     pub rate: &'a V,
     /// Where laws that are not linear are read.
     pub reading: Reading<'a, P, V>,
-    /// How they enter.
+    /// How springs and dampers enter.
     pub springs: K,
 }
 

@@ -23,9 +23,9 @@ pub type Stored<T> = (Columns<T>, [Vector3<T>; 2]);
 
 /// How many sets of axes a joint stores.
 pub trait Sets {
-    /// One `X` for each.
+    /// One `X` for each set.
     type Per<X: Copy>: Copy;
-    /// `fill` for each.
+    /// `fill` for each set.
     fn per<X: Copy>(fill: X) -> Self::Per<X>;
 }
 
@@ -53,9 +53,9 @@ impl Sets for Two {
 
 /// Axes that a joint stores.
 pub type Axes<T, J> = <<J as Joint<T>>::Sets as Sets>::Per<Columns<T>>;
-/// Vectors that it stores beside them.
+/// Vectors that a joint stores beside its axes.
 pub type Biases<T, J> = <<J as Joint<T>>::Sets as Sets>::Per<[Vector3<T>; 2]>;
-/// Both.
+/// Axes and vectors that a joint stores.
 pub type StoredIn<T, J> = (Axes<T, J>, Biases<T, J>);
 
 /// A massless joint in space.

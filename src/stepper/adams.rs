@@ -14,7 +14,7 @@ use num_traits::Zero;
 /// How many motions a predictor reads.
 const DEPTH: usize = 4;
 
-/// How near they may be to each other, as a share of the step.
+/// How near these motions may be to each other, as a share of the step.
 const NEAREST: f64 = 0.05;
 
 /// The weights of a step.

@@ -65,7 +65,7 @@ pub type AssembledOf<S, R, C, P> = Assembled<MotionOf<S, R, C, P>, <S as Geometr
 
 /// Conditions of a motion, and how they change with its coordinates.
 struct Conditions<T> {
-    /// By how much each is missed, in place and in velocity.
+    /// Residuals of the conditions, in place and in velocity.
     misses: Vec<[T; 2]>,
     /// Changes of velocity for unit rates.
     rows: Vec<Vec<T>>,

@@ -136,7 +136,7 @@ pub trait StiffDynamics<L>: Dynamics<L> {
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L>;
 
-    /// The same through the gains of the last implicit sweep.
+    /// Corrects positions and rates as [`project`](Dynamics::project) does, through the gains of the last implicit sweep.
     fn project_stiff(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,

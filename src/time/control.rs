@@ -36,7 +36,7 @@ impl<M, R> IntoRule<R> for Rule<M, R> {
 /// A choice of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Control<R> {
-    /// All of one size (s) (the last is shortened to end on time).
+    /// Steps of one size (s) (the last is shortened to end on time).
     Fixed(R),
     /// Steps as large as keep the error of a step within a tolerance, absolute and relative, no less than numbers are rounded by.
     ///

@@ -23,9 +23,9 @@ pub enum Sort {
     Body,
     /// A joint.
     Joint {
-        /// How many coordinates it has: those of a turn in space are four.
+        /// Number of coordinates of the joint: those of a turn in space are four.
         coordinates: usize,
-        /// How many rates.
+        /// Number of rates of the joint.
         rates: usize,
     },
 }

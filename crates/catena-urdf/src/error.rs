@@ -101,7 +101,7 @@ pub enum Fault {
     },
     /// Joints follow one another in a circle.
     MimicCircle {
-        /// One of them.
+        /// One of the joints.
         joint: String,
     },
     /// A link is the child of two joints.
@@ -153,7 +153,7 @@ pub enum Fault {
     NoInertiaOfBase,
     /// Numbers are so large that sums of them are not finite.
     Overflow {
-        /// Where.
+        /// The link or joint at which sums overflow.
         of: String,
     },
     /// More joints than a Rust type should have.

@@ -52,11 +52,11 @@ pub enum Carrier {
 /// A link of the description as a frame of the body that carries it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// The link.
+    /// Name of the link.
     pub name: String,
     /// What carries it.
     pub carrier: Carrier,
-    /// Where, in axes of the carrier.
+    /// Where the link stands, in axes of the carrier.
     pub pose: Pose,
 }
 

@@ -44,9 +44,9 @@ impl<T: Scalar, F: Fn(T::Real) -> [T; 3]> Attitude<T> for Turning<F> {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Clamped<G, A> {
-    /// Where.
+    /// Place of the end (m).
     pub place: G,
-    /// At which angle.
+    /// Angle of the end (rad).
     pub attitude: A,
 }
 

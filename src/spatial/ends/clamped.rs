@@ -56,9 +56,9 @@ impl<T: Scalar, F: Fn(T::Real) -> AttitudeMotion<T>> Attitude<T> for Turning<F> 
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Clamped<G, A> {
-    /// Where.
+    /// Place of the end (m).
     pub place: G,
-    /// At which attitude.
+    /// Attitude of the end.
     pub attitude: A,
 }
 
