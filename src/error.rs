@@ -125,7 +125,7 @@ pub enum Fault {
     /// A joint cannot turn its body so.
     ImpossibleTurn {
         /// Residual of the turn at least (rad, or rad/s).
-        miss: f64,
+        residual: f64,
     },
     /// A list of coordinates, rates or loads has the wrong length.
     Count {
@@ -152,7 +152,7 @@ pub enum Fault {
     /// The tip cannot be brought to where it is held, or the ends of a loop to each other, from this guess.
     NotClosed {
         /// Residual of the closures (m, or rad for an angle).
-        miss: f64,
+        residual: f64,
     },
     /// With what is held as it is given, the tip cannot be brought to where it is held, or the ends of a loop to each other, from this
     /// guess.
@@ -160,7 +160,7 @@ pub enum Fault {
         /// What is held: coordinates or rates.
         what: &'static str,
         /// Residual of the closures (m or rad; of rates, these a second).
-        miss: f64,
+        residual: f64,
     },
     /// No equilibrium was found from this guess.
     NoEquilibrium {
@@ -337,8 +337,8 @@ impl fmt::Display for Fault {
             Fault::AmbiguousName { what, name, count } => {
                 write!(f, "{name} names {count} of kind {what}: reach them by number")
             }
-            Fault::ImpossibleTurn { miss } => {
-                write!(f, "this joint cannot turn its body so: it misses by {miss} (rad, or rad/s)")
+            Fault::ImpossibleTurn { residual } => {
+                write!(f, "this joint cannot turn its body so: it misses by {residual} (rad, or rad/s)")
             }
             Fault::Count { expected, given } => write!(f, "{expected} values needed, {given} given"),
             Fault::NoBodies => write!(f, "the chain has no body"),
@@ -353,11 +353,11 @@ impl fmt::Display for Fault {
                 f,
                 "no transfer matrix exists: the joint is the centre of percussion of what lies outboard; sweep instead"
             ),
-            Fault::NotClosed { miss } => {
-                write!(f, "what is held together cannot be brought there from this guess: it misses by {miss}")
+            Fault::NotClosed { residual } => {
+                write!(f, "what is held together cannot be brought there from this guess: it misses by {residual}")
             }
-            Fault::ImpossibleHold { what, miss } => {
-                write!(f, "nothing closes from this guess with the {what} that are to stay: it misses by {miss}")
+            Fault::ImpossibleHold { what, residual } => {
+                write!(f, "nothing closes from this guess with the {what} that are to stay: it misses by {residual}")
             }
             Fault::NoEquilibrium { residual } => {
                 write!(

@@ -3,12 +3,12 @@
 mod by_joint;
 mod doubts;
 mod in_turn;
-mod misses;
+mod residuals;
 
 pub(crate) use doubts::doubts;
 #[cfg(feature = "alloc")]
-pub(crate) use misses::each_miss;
-pub(crate) use misses::loops_miss;
+pub(crate) use residuals::each_residual;
+pub(crate) use residuals::loop_residual;
 
 use crate::counts::HasBody;
 use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};

@@ -1,8 +1,8 @@
 //! The contract for derivatives through kept gains.
 //!
 //! A scene over [`Jet`](crate::scalar::Jet)s moves with values and columns of derivatives. To send all of it through a sweep would
-//! differentiate the inertia of what lies outboard, and every elimination. But accelerations q̈ solve R(q, q̇, q̈) = 0, the forces
-//! that inverse dynamics misses at each joint, so that dq̈ = −(∂R/∂q̈)⁻¹ dR with dR taken at fixed q̈. This dR is local, a few products
+//! differentiate the inertia of what lies outboard, and every elimination. But accelerations q̈ solve R(q, q̇, q̈) = 0, the
+//! residuals of inverse dynamics in the joints, so that dq̈ = −(∂R/∂q̈)⁻¹ dR with dR taken at fixed q̈. This dR is local, a few products
 //! a body, and (∂R/∂q̈)⁻¹ is a sweep with other right-hand sides through gains that are already there: no division, no sine. The walks
 //! are
 //!
@@ -10,7 +10,7 @@
 //! pose      root → tip   as in a sweep of plain numbers                            Element::pose
 //! factor    tip → root   F = S p + e, and one number more kept for each pivot      Sensitive::factor
 //! vary      root → tip   accelerations; columns of p at fixed q̈                    Sensitive::vary
-//! gather    tip → root   columns of what is missed, eliminated through the gains   Sensitive::gather
+//! gather    tip → root   columns of residuals, eliminated through the gains        Sensitive::gather
 //! answer    root → tip   columns of q̈                                              Sensitive::answer
 //! ```
 //!
@@ -136,7 +136,7 @@ pub trait Sensitive<S: Varied>: Element<S> {
         acceleration: &mut Self::Rate,
     );
 
-    /// Carries columns of forces inward, and turns what they miss in joints into columns of their accelerations where the inboard
+    /// Carries columns of forces inward, and turns their residuals in joints into columns of their accelerations where the inboard
     /// station stays as it is.
     fn gather<N: Seeds>(
         &self,

@@ -80,7 +80,7 @@ pub struct Closed<S: Space> {
     /// Number of conditions that the joint imposes.
     pub conditions: usize,
     /// Residuals of these conditions, in place and in velocity; the numbers after them are zero.
-    pub miss: [S::Numbers; 2],
+    pub residual: [S::Numbers; 2],
 }
 
 /// A gatherer of [`gather`](crate::walks::gather::gather): internal forces that add up from the tips to the root, for example.

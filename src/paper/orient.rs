@@ -34,8 +34,8 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
     ) -> (Self, [T; A]);
     /// The linearisation about increments found.
     fn again(base: &Self::Base, step: &[Linearization<T>; A], found: &[T; A]) -> Self;
-    /// By how much coordinates miss where it was taken (rad).
-    fn miss(&self, angles: &[T; A]) -> T::Real;
+    /// Residual of the linearisation: by how much coordinates miss where it was taken (rad).
+    fn residual(&self, angles: &[T; A]) -> T::Real;
     /// Refuses orientations that these coordinates cannot say.
     ///
     /// # Errors

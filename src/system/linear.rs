@@ -5,7 +5,7 @@ use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, Implicit, Loading, Reading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::mirror::{Position, Rate};
-use crate::observe::{each_body, each_joint, each_miss};
+use crate::observe::{each_body, each_joint, each_residual};
 use crate::planar::{self, Planar};
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
@@ -179,11 +179,11 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         all
     }
 
-    /// By how much all that is held misses its velocity: the tip, and ends of loops.
+    /// Residuals of velocity of all that is held: the tip, and ends of loops.
     fn drift(&self, motion: &MotionOf<S, R, C, P>) -> Vec<RealOf<S>> {
         let mut drift = vec![];
-        P::Closures::map(&self.miss(motion)[1], |x| drift.push(x.real()));
-        each_miss(self.elements(), self.ground(motion.time), coordinates(motion), |[_, x]| drift.push(x.real()));
+        P::Closures::map(&self.residual(motion)[1], |x| drift.push(x.real()));
+        each_residual(self.elements(), self.ground(motion.time), coordinates(motion), |[_, x]| drift.push(x.real()));
         drift
     }
 

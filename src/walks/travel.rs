@@ -86,7 +86,7 @@ impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
             joint: closing.joint(&side, &main),
             internal: S::internal(*internal),
             conditions: K::Closures::COUNT,
-            miss: closing.miss(&side, &main).map(|miss| padded::<S, K::Closures>(&miss)),
+            residual: closing.residual(&side, &main).map(|residual| padded::<S, K::Closures>(&residual)),
         });
     }
     /// The side arm, with the joint that closes the loop, is an arm to the visitor; the main one is the chain.

@@ -113,7 +113,7 @@ where
             if self.scheme.at != At::Iterated || holds {
                 break;
             }
-            holds = self.miss() <= T::Real::EPSILON.powf(T::Real::of(0.75));
+            holds = self.linearization_residual() <= T::Real::EPSILON.powf(T::Real::of(0.75));
             if !holds && sweep == 30 {
                 return Err(at_time(Error::new(Fault::NotConverged { sweeps: 30 })));
             }
@@ -179,8 +179,8 @@ where
         Ok(())
     }
 
-    /// By how much the worst body misses where it was linearised (rad).
-    fn miss(&mut self) -> T::Real {
+    /// The largest residual of a linearisation: by how much a body misses where it was taken (rad).
+    fn linearization_residual(&mut self) -> T::Real {
         let absolute = self.scheme.solver == Solver::Product;
         let Parts { order, bodies, .. } = &mut self.parts;
         let mut worst = T::Real::zero();
@@ -188,8 +188,8 @@ where
             if let Part::Body(number) = *part {
                 let body = &mut bodies[number];
                 body.find(z, absolute);
-                let miss = body.expansion.miss(&core::array::from_fn(|i| body.angles[i].value + body.found[i]));
-                worst = worst.max(miss);
+                let residual = body.expansion.residual(&core::array::from_fn(|i| body.angles[i].value + body.found[i]));
+                worst = worst.max(residual);
             }
         }
         worst

@@ -140,12 +140,12 @@ impl<T: Scalar> Increment<T> {
         shape.matrix(body, step.chi1, &known, external)
     }
 
-    /// The largest component by which ψ misses where arms are expanded (rad).
-    pub(super) fn miss(&self, psi: &Vector<T>) -> T::Real {
+    /// Residual of the linearisation: the largest component by which ψ misses where arms are expanded (rad).
+    pub(super) fn residual(&self, psi: &Vector<T>) -> T::Real {
         let at = self.arms.1;
         (0..3).fold(T::Real::zero(), |worst, k| {
-            let miss = (psi[k] - at[k]).real().abs();
-            if miss <= worst { worst } else { miss }
+            let residual = (psi[k] - at[k]).real().abs();
+            if residual <= worst { worst } else { residual }
         })
     }
 }
