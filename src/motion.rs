@@ -87,7 +87,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
         &mut self.acceleration
     }
 
-    /// The same motion over another scalar, `number` replacing each coordinate, rate and acceleration.
+    /// This motion over another scalar, `number` replacing each coordinate, rate and acceleration.
     pub fn lift<U: Scalar<Real = T::Real>>(&self, mut number: impl FnMut(T) -> U) -> Motion<U, P::Over, C>
     where
         P: Lift<T, U, Over: Position<U, Rate = <P::Rate as Lift<T, U>>::Over>>,
@@ -132,7 +132,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
 impl<T: Scalar, P: Position<T> + Copy, C: Closures> Copy for Motion<T, P, C> where P::Rate: Copy {}
 
 impl<T: Scalar, P: Position<T>, C: Closures> PartialEq for Motion<T, P, C> {
-    /// As the scalar compares: dual numbers by their real part only.
+    /// Compares as the scalar does: dual numbers by their real part only.
     fn eq(&self, other: &Self) -> bool {
         let mut held = true;
         C::zip(&self.multipliers, &other.multipliers, |a, b| held &= a == b);

@@ -120,7 +120,7 @@ pub struct Struts<T, const D: usize, const N: usize, L = crate::loading::Unloade
 }
 
 impl<T, const D: usize, const N: usize> Struts<T, D, N> {
-    /// These struts, and no other loads.
+    /// Loads by these struts, and no others.
     pub const fn of(struts: [Strut<T, D>; N]) -> Self {
         Self { struts, others: crate::loading::Unloaded }
     }

@@ -15,7 +15,7 @@ use crate::space::FrameOf;
 
 /// Which of a conjugate pair an end makes known.
 pub trait Choice {
-    /// Whether it is the motion (and the force is unknown), or the force (and the motion is unknown).
+    /// Whether the end makes known the motion (and the force is unknown), or the force (and the motion is unknown).
     const MOTION: bool;
 }
 
@@ -86,8 +86,8 @@ pub trait Tip<S: Space> {
     fn relation(&self, time: RealOf<S>, gravity: S::Vector, turn: &S::Turn) -> Self::Relation;
     /// Internal force and torque at the tip where it is held by these forces.
     fn internal(&self, time: RealOf<S>, multipliers: &<Self::Closures as Closures>::Each<S::Scalar>) -> WrenchOf<S>;
-    /// By how much a tip that moves with `frame` misses the place demanded at a time, and the velocity.
-    fn miss(&self, time: RealOf<S>, frame: &FrameOf<S>) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
+    /// Residual of the closure: by how much a tip that moves with `frame` misses the place demanded at a time, and the velocity.
+    fn residual(&self, time: RealOf<S>, frame: &FrameOf<S>) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
     /// How much the last body would yield to each of the forces if it were free: the measure of Λ, which tells closures that
     /// say the same twice.
     fn free_compliance(&self, time: RealOf<S>, body: &S::BodyMotion) -> <Self::Closures as Closures>::Each<S::Scalar>;

@@ -34,8 +34,8 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
     ) -> (Self, [T; A]);
     /// The linearisation about increments found.
     fn again(base: &Self::Base, step: &[Linearization<T>; A], found: &[T; A]) -> Self;
-    /// By how much coordinates miss where it was taken (rad).
-    fn miss(&self, angles: &[T; A]) -> T::Real;
+    /// Residual of the linearisation: by how much coordinates miss where it was taken (rad).
+    fn residual(&self, angles: &[T; A]) -> T::Real;
     /// Refuses orientations that these coordinates cannot say.
     ///
     /// # Errors
@@ -120,7 +120,7 @@ impl<T: Scalar, const A: usize> Spring<T, A> {
 /// The axes of a body as a step expands them: where each points, and how that depends on the coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct Axes<T, const P: usize, const A: usize> {
-    /// Where they point if coordinates stay, or, in absolute coordinates, where these are zero.
+    /// Where the axes point if coordinates stay, or, in absolute coordinates, where these are zero.
     pub points: [[T; P]; P],
     /// (22) of each.
     pub slopes: [[[T; A]; P]; P],
@@ -129,7 +129,7 @@ pub struct Axes<T, const P: usize, const A: usize> {
 /// One side of a joint in a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Side<T: Scalar, E, const A: usize> {
-    /// Where its orientation is linearised.
+    /// Where the side's orientation is linearised.
     pub expansion: E,
     /// (1) and (2) of its angles.
     pub step: [Linearization<T>; A],

@@ -50,7 +50,7 @@ impl<T: Scalar> Orient<T, 7, 2, 1> for Expansion<T> {
     fn again((): &(), [step]: &[Linearization<T>; 1], [found]: &[T; 1]) -> Self {
         Self::about(step.past + *found)
     }
-    fn miss(&self, [angle]: &[T; 1]) -> T::Real {
+    fn residual(&self, [angle]: &[T; 1]) -> T::Real {
         (*angle - self.angle).real().abs()
     }
     fn check(&self) -> Result<(), Fault> {

@@ -78,7 +78,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
         }
     }
 
-    /// The same, with or without joints whose points part.
+    /// Eliminates links from the tip inward, with or without joints whose points part.
     #[inline(always)]
     fn walk_inward<const N: usize, const PARTING: bool>(
         &mut self,
@@ -130,7 +130,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
         }
     }
 
-    /// The same, with or without joints whose points part.
+    /// Finds the states of links from the root outward, with or without joints whose points part.
     #[inline(always)]
     fn walk_outward<const N: usize, const PARTING: bool>(
         &self,

@@ -17,7 +17,7 @@ pub trait Axes {
     fn resolve<T: Scalar>(x: &mut Self::Per<T>, y: &mut Self::Per<T>, p: &mut Self::Per<T>, q: &mut Self::Per<T>);
     /// What the walks read.
     fn offset<T: Scalar>(x: &Self::Per<T>, y: &Self::Per<T>, p: &Self::Per<T>, q: &Self::Per<T>) -> Self::Offset<T>;
-    /// The same without velocities.
+    /// `offset` without velocities.
     fn at_rest<T: Scalar>(offset: Self::Offset<T>) -> Self::Offset<T>;
 }
 

@@ -71,7 +71,7 @@ pub(super) fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(
 ///
 /// With these methods a type is a body; the macro `body!` in this file, which is not exported, makes it an element.
 pub trait Body<T: Scalar>: Copy + Debug + 'static {
-    /// Its inertia.
+    /// Mass, mass centre and moment of inertia of the body.
     fn inertia(&self) -> Inertia<T>;
 
     /// O (m), body axes.
@@ -92,10 +92,10 @@ pub trait Body<T: Scalar>: Copy + Debug + 'static {
     /// What a sweep reads of its parameters.
     fn base(&self) -> Base<T>;
 
-    /// Direction of its axes.
+    /// Direction of the body's axes.
     fn direction(&self, pose: Pose<T>) -> Vector2<T>;
 
-    /// Whether it may have a first moment: all other bodies have none.
+    /// Whether the body may have a first moment: all other bodies have none.
     const MOMENT: bool = false;
 
     /// Condenses the relation at O to one at I, without the point mass at I, with that at O.
@@ -134,7 +134,7 @@ pub struct Pose<T> {
 }
 
 impl<T: Scalar> Pose<T> {
-    /// That of a straight link of a length (m) along the body's x axis: its arm and the centripetal acceleration −ω² d.
+    /// The pose of a straight link of a length (m) along the body's x axis: its arm d and the centripetal acceleration −ω² d.
     #[inline(always)]
     pub fn of_link(length: T, angle: T, minus_spin2: T) -> Self {
         let (sine, cosine) = angle.sin_cos();

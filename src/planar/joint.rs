@@ -21,14 +21,14 @@ use typenum::{U0, U1, U3};
 /// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
 /// macro `joint!` in this file, which is not exported, makes it an element.
 pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
-    /// Its coordinates.
+    /// Coordinates of the joint.
     type Position: Position<T, Rate = Self::Rate>;
-    /// Their rates and accelerations.
+    /// Rates and accelerations of the coordinates.
     type Rate: Rate<T>;
-    /// What its elimination keeps for the outward walk.
+    /// What the joint's elimination keeps for the outward walk.
     type Kept<C: Closures>: Clone;
 
-    /// What it keeps of the place of its outboard side.
+    /// What the joint stores of the place of its outboard side.
     type Axes: Axes;
 
     /// Whether the outboard body turns relative to the inboard one.
@@ -64,7 +64,7 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     /// The orientation of the outboard body.
     fn turned(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> Turn<T>;
 
-    /// The same, and what it stores of the place of the outboard side.
+    /// The orientation of the outboard body, and what the joint stores of the place of its outboard side.
     #[inline(always)]
     #[allow(clippy::too_many_arguments)] // one store each
     fn orient(
@@ -101,7 +101,7 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
         [[T::zero(); 2]; 2]
     }
 
-    /// What it lets move, and what resists it.
+    /// The coordinates that the joint lets move, and what resists them.
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<Planar<T>>;
 
     /// Whether its points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.
@@ -135,7 +135,8 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
         rate: &mut Self::Rate,
     ) -> Acceleration<T>;
 
-    /// The same after a sweep in which springs entered by `By`, for a joint that can do with less then.
+    /// The accelerations as [`recovered`](Self::recovered) finds them, after a sweep in which springs entered by `By`: for a joint
+    /// that can do with less then.
     #[inline(always)]
     fn recovered_after<C: Closures, By: Springs<T>>(
         &self,

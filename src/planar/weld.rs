@@ -29,7 +29,7 @@ impl<T: Scalar> Weld<T> {
         Self { angle }
     }
 
-    /// That angle (rad).
+    /// The outboard body's angle relative to the inboard one (rad).
     pub fn angle(&self) -> T {
         self.angle
     }

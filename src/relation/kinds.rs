@@ -131,7 +131,7 @@ impl<G: Geometry, M: Term<G::Angular>, C: Closures> Point<G, M, C> {
         }
     }
 
-    /// One that says nothing but `value`: zero, or that it is not known.
+    /// A relation that says nothing but `value`: zero, or that it is not known.
     fn blank(value: G::Scalar) -> Self {
         let vector = G::Vector::null().times(value);
         let cuts = Cuts::at_tip(C::each(|_| vector), C::each(|_| value));

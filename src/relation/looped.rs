@@ -15,7 +15,7 @@ pub struct Looped<C, O>(core::marker::PhantomData<(C, O)>);
 
 impl<C: Closures, O: Closures> Closures for Looped<C, O> {
     type Each<X: Copy> = (C::Each<X>, O::Each<X>);
-    /// Those of C, those between O and C, those of O.
+    /// Pairs of C, those between O and C, pairs of O.
     type Pairs<T: Copy> = (C::Pairs<T>, O::Each<C::Each<T>>, O::Pairs<T>);
     const COUNT: usize = C::COUNT + O::COUNT;
 

@@ -45,7 +45,7 @@ pub struct Absent;
 
 /// A value that a scene may or may not have.
 pub trait Part: Copy + Debug + 'static {
-    /// Whether it is finite; nothing is.
+    /// Whether the value is finite; nothing is.
     fn is_finite(self) -> bool;
 }
 
@@ -212,9 +212,9 @@ impl<R> Promote<R> for R {
 pub trait Meet<R>: Sized {
     /// What can say both.
     type Both: Copy;
-    /// That of the links.
+    /// The relation of the links.
     fn of_links(own: Self) -> Self::Both;
-    /// That of no links.
+    /// The relation outboard of no links.
     fn of_none(outer: R) -> Self::Both;
 }
 

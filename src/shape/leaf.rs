@@ -15,13 +15,13 @@ use crate::sweep::Springs;
     label = "not an element of `{S}`"
 )]
 pub trait Body<S: Space>: Copy + 'static {
-    /// What resolving its posture reads of its shape.
+    /// What resolving the body's posture reads of its shape.
     fn size(&self) -> S::Size;
-    /// The acceleration of its outboard end, from that of its inboard end.
+    /// The acceleration of the body's outboard end, from that of its inboard end.
     fn shifted(&self, inboard: AccelerationOf<S>, posture: PostureOf<'_, S>) -> AccelerationOf<S>;
     /// What [`shifted`](Self::shifted) gives without velocities.
     fn swung(&self, inboard: AccelerationOf<S>, posture: PostureOf<'_, S>) -> AccelerationOf<S>;
-    /// Its motion, if its inboard end moves like this, and that of its outboard end.
+    /// Motion of the body, if its inboard end moves like this, and motion of its outboard end.
     fn motion(&self, inboard: FrameOf<S>) -> (S::BodyMotion, FrameOf<S>);
     /// Rejects parameters that make no mechanics.
     ///
@@ -47,13 +47,13 @@ pub type JointPosture<'a, S, J> = (
     label = "not an element of `{S}`"
 )]
 pub trait Joint<S: Space>: Copy + 'static {
-    /// Its coordinates.
+    /// Coordinates of the joint.
     type Position: Position<S::Scalar, Rate = Self::Rate>;
-    /// Their rates and accelerations.
+    /// Rates and accelerations of the coordinates.
     type Rate: Rate<S::Scalar>;
-    /// What its elimination keeps for the outward walk.
+    /// What the joint's elimination keeps for the outward walk.
     type Kept<C: Closures>: Clone;
-    /// One `X` for each set of axes that it keeps.
+    /// One `X` for each set of axes that the joint keeps.
     type Per<X: Copy>: Clone;
 
     /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
@@ -97,7 +97,7 @@ pub trait Joint<S: Space>: Copy + 'static {
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> AccelerationOf<S>;
-    /// Its motion, if its inboard side moves like this, and that of its outboard side.
+    /// Motion of the joint, if its inboard side moves like this, and motion of its outboard side.
     fn motion(
         &self,
         inboard: FrameOf<S>,
@@ -105,7 +105,7 @@ pub trait Joint<S: Space>: Copy + 'static {
         rate: &Self::Rate,
         acceleration: &Self::Rate,
     ) -> (S::JointMotion, FrameOf<S>);
-    /// What it lets move.
+    /// The coordinates that the joint lets move, and what resists them.
     fn release(&self, motion: &S::JointMotion, position: &Self::Position, rate: &Self::Rate) -> Release<S>;
     /// Rejects parameters that make no mechanics.
     ///

@@ -35,7 +35,7 @@ pub struct Progress<R> {
 }
 
 impl<R: Real> Progress<R> {
-    /// That of a run which begins at a time (s), with the size of its first step (s).
+    /// The progress of a run which begins at a time (s), with the size of its first step (s).
     pub(super) fn at(start: R, size: R, trials: Trials<R>) -> Self {
         Self {
             start,
@@ -179,7 +179,7 @@ where
         Ok(())
     }
 
-    /// Where it stands.
+    /// The state of the run, to be gone on from.
     pub fn save(&self) -> SavedOf<S, R, C, P, K::Memory> {
         let progress = Progress { sweeps: self.sweeps(), ..self.progress };
         Saved { motion: self.past.clone(), memory: self.stepper.memory(), progress }

@@ -59,9 +59,9 @@ pub struct Relative<T, const K: usize> {
 
 /// A joint that turns about axes or slides along them, at most two.
 pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
-    /// Its coordinates.
+    /// Coordinates of the joint.
     type Coordinates: Listed<T, K>;
-    /// What they do, innermost first.
+    /// What the coordinates do, innermost first: turn or slide.
     const WAYS: [Way; K];
     /// Whether its points slide apart.
     const SLIDES: bool;
@@ -70,7 +70,7 @@ pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
     /// Whether its springs and dampers are linear.
     const LINEAR: bool = false;
 
-    /// What its coordinates do on an inboard body that is turned like this.
+    /// What the coordinates do on an inboard body that is turned like this.
     fn relative(&self, inboard: &Turn<T>, position: [T; K], rate: [T; K]) -> Relative<T, K>;
     /// Adds the generalised force of the spring and damper of coordinate `k` to a sum.
     fn force(&self, k: usize, position: T, rate: T) -> T;

@@ -113,7 +113,7 @@ pub struct Place<'a, T> {
     pub attitude: Columns<T>,
     /// Where laws are read in an explicit sweep.
     pub state: (&'a Rotation<T>, &'a [T; 3]),
-    /// Where they are read in an implicit one.
+    /// Where laws are read in an implicit sweep.
     pub reading: Reading<'a, Rotation<T>, [T; 3]>,
 }
 

@@ -111,7 +111,8 @@ pub struct JointMotion<T> {
     pub position: [T; 3],
     /// Rates of the coordinates; of a ball or an elastic hinge the relative angular velocity (rad/s) in axes of the outboard body.
     pub rate: [T; 3],
-    /// What its springs and dampers exert on these coordinates (N·m, N), ON the outboard body; in a ball a torque in axes of that body.
+    /// What the joint's springs and dampers exert on its coordinates (N·m, N), ON the outboard body; in a ball a torque in axes of that
+    /// body.
     pub effort: [T; 3],
     /// Energy stored in its springs (J).
     pub energy: T,

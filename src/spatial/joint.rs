@@ -23,9 +23,9 @@ pub type Stored<T> = (Columns<T>, [Vector3<T>; 2]);
 
 /// How many sets of axes a joint stores.
 pub trait Sets {
-    /// One `X` for each.
+    /// One `X` for each set.
     type Per<X: Copy>: Copy;
-    /// `fill` for each.
+    /// `fill` for each set.
     fn per<X: Copy>(fill: X) -> Self::Per<X>;
 }
 
@@ -53,9 +53,9 @@ impl Sets for Two {
 
 /// Axes that a joint stores.
 pub type Axes<T, J> = <<J as Joint<T>>::Sets as Sets>::Per<Columns<T>>;
-/// Vectors that it stores beside them.
+/// Vectors that a joint stores beside its axes.
 pub type Biases<T, J> = <<J as Joint<T>>::Sets as Sets>::Per<[Vector3<T>; 2]>;
-/// Both.
+/// Axes and vectors that a joint stores.
 pub type StoredIn<T, J> = (Axes<T, J>, Biases<T, J>);
 
 /// A massless joint in space.
@@ -63,13 +63,13 @@ pub type StoredIn<T, J> = (Axes<T, J>, Biases<T, J>);
 /// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
 /// macro `joint!` in this file, which is not exported, makes it an element.
 pub trait Joint<T: Scalar>: Copy + Debug + 'static {
-    /// Its coordinates.
+    /// Coordinates of the joint.
     type Position: Position<T, Rate = Self::Rate>;
-    /// Their rates and accelerations.
+    /// Rates and accelerations of the coordinates.
     type Rate: Rate<T>;
-    /// What its elimination keeps for the outward walk.
+    /// What the joint's elimination keeps for the outward walk.
     type Kept<C: Closures>: Clone;
-    /// How many sets of axes it stores.
+    /// How many sets of axes the joint stores.
     type Sets: Sets;
 
     /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
@@ -111,7 +111,7 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
         acceleration: &Self::Rate,
     ) -> JointMotion<T>;
 
-    /// What it lets move, and what resists it.
+    /// The coordinates that the joint lets move, and what resists them.
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T>;
 
     /// Rejects parameters that make no mechanics.
@@ -132,7 +132,7 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
         rate: &mut Self::Rate,
     ) -> Acceleration<T>;
 
-    /// The same without what velocities, loads and springs contribute.
+    /// The accelerations without what velocities, loads and springs contribute.
     fn responded<C: Closures>(
         &self,
         inboard: Acceleration<T>,

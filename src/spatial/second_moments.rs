@@ -13,9 +13,9 @@ const SWEEPS: usize = 8;
 
 /// Principal second moments.
 pub(super) struct SecondMoments<R> {
-    /// Their values (kg·m²).
+    /// Principal second moments (kg·m²).
     values: [R; 3],
-    /// Their axes, in columns.
+    /// Principal axes, in columns.
     axes: [[R; 3]; 3],
 }
 

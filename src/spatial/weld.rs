@@ -30,7 +30,7 @@ impl<T: Scalar> Weld<T> {
         Self { attitude: attitude.matrix() }
     }
 
-    /// That attitude: axes of the outboard body in those of the inboard one.
+    /// Attitude of the outboard body relative to the inboard one: axes of the former in those of the latter.
     pub fn attitude(&self) -> &Columns<T> {
         &self.attitude
     }

@@ -14,7 +14,7 @@ use num_traits::Zero;
 /// How many motions a predictor reads.
 const DEPTH: usize = 4;
 
-/// How near they may be to each other, as a share of the step.
+/// How near these motions may be to each other, as a share of the step.
 const NEAREST: f64 = 0.05;
 
 /// The weights of a step.
@@ -45,7 +45,7 @@ impl Pece {
         Self { nodes: *nodes, predictor: Weights::new(&known, 1.0), corrector, difference, growth }
     }
 
-    /// Those of these nodes. Equal steps, whose times are rounded, share theirs.
+    /// Takes the weights of these nodes. Equal steps, whose times are rounded, share theirs.
     fn update(&mut self, nodes: &[f64; DEPTH + 1]) {
         const EQUAL: [f64; DEPTH + 1] = [1.0, 0.0, -1.0, -2.0, -3.0];
         let near = |(a, b): (&f64, &f64)| (-1e-11..=1e-11).contains(&(a - b));
@@ -80,10 +80,10 @@ pub struct AdamsStepper<D: Dynamics<L>, L> {
     memory: AdamsMemory<MotionIn<D, L>>,
     /// Accelerations: predicted, and of the past motions.
     slopes: [D::Rate; DEPTH + 1],
-    /// When they were, as shares of the step.
+    /// When the accelerations were, as shares of the step.
     nodes: [f64; DEPTH + 1],
     weights: Pece,
-    /// Whether they made the last step.
+    /// Whether the weights of past accelerations made the last step.
     own: bool,
     stage: (D::Position, D::Rate),
     estimate: (D::Rate, D::Rate),

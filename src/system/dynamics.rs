@@ -20,7 +20,7 @@ pub trait Dynamics<L> {
     type Scalar: Scalar;
     /// Positions of the joint coordinates.
     type Position: Position<Self::Scalar, Rate = Self::Rate>;
-    /// Their rates.
+    /// Rates of the joint coordinates.
     type Rate: Rate<Self::Scalar>;
     /// Forces that hold the tip.
     type Closures: Closures;
@@ -111,10 +111,10 @@ pub trait StiffDynamics<L>: Dynamics<L> {
     /// What joints keep from sweep to sweep.
     type Gains: Clone;
 
-    /// That of a workspace: with it, what comes next in another workspace is the same, bit by bit.
+    /// The gains of a workspace: with them, what comes next in another workspace is the same, bit by bit.
     fn gains<'w>(&self, workspace: &'w Self::StiffWorkspace) -> &'w Self::Gains;
 
-    /// Puts it into a workspace.
+    /// Puts gains into a workspace.
     fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains);
 
     /// Room for implicit sweeps.
@@ -136,7 +136,7 @@ pub trait StiffDynamics<L>: Dynamics<L> {
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L>;
 
-    /// The same through the gains of the last implicit sweep.
+    /// Corrects positions and rates as [`project`](Dynamics::project) does, through the gains of the last implicit sweep.
     fn project_stiff(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,

@@ -111,7 +111,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(Self { chain: lumped(root.joint(), chain), root, tip, gravity: Additive::null() })
     }
 
-    /// The same scene in a uniform field of gravity (m/s²).
+    /// This scene in a uniform field of gravity (m/s²).
     #[must_use]
     pub fn with_gravity_vector(self, gravity: S::Vector) -> Self {
         Self { gravity, ..self }
@@ -218,7 +218,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 }
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// The same scene over another scalar, `number` replacing each of its parameters.
+    /// This scene over another scalar, `number` replacing each of its parameters.
     ///
     /// A parameter that is to have a derivative is better set when the scene is built.
     ///

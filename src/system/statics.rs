@@ -199,7 +199,7 @@ struct Step<T: Scalar> {
 }
 
 impl<T: Scalar> Step<T> {
-    /// The same step or, if that is too long, one as long as may be in its direction.
+    /// This step or, if that is too long, one as long as may be in its direction.
     fn within(mut self, longest: T::Real) -> Option<Self> {
         if self.size > longest {
             let share = longest / self.size;

@@ -8,11 +8,11 @@ use core::any::type_name;
 /// A body or a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Its type, without modules and parameters.
+    /// Type of the body or joint, without modules and parameters.
     pub kind: &'static str,
-    /// Its name, if it has one.
+    /// Name of the body or joint, if it has one.
     pub name: Option<&'static str>,
-    /// What it is.
+    /// Body or joint.
     pub sort: Sort,
 }
 
@@ -23,9 +23,9 @@ pub enum Sort {
     Body,
     /// A joint.
     Joint {
-        /// How many coordinates it has: those of a turn in space are four.
+        /// Number of coordinates of the joint: those of a turn in space are four.
         coordinates: usize,
-        /// How many rates.
+        /// Number of rates of the joint.
         rates: usize,
     },
 }

@@ -134,13 +134,13 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
             }
         }
     }
-    fn miss(&self, angles: &Vector<T>) -> T::Real {
+    fn residual(&self, angles: &Vector<T>) -> T::Real {
         match self {
-            Self::Angles(at) => difference(*angles, at.angles).iter().fold(T::Real::zero(), |worst, miss| {
-                let miss = miss.real().abs();
-                if miss <= worst { worst } else { miss }
+            Self::Angles(at) => difference(*angles, at.angles).iter().fold(T::Real::zero(), |worst, residual| {
+                let residual = residual.real().abs();
+                if residual <= worst { worst } else { residual }
             }),
-            Self::Vector(at) => at.miss(angles),
+            Self::Vector(at) => at.residual(angles),
         }
     }
     fn check(&self) -> Result<(), Fault> {

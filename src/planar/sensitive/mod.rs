@@ -34,7 +34,7 @@ pub struct Passing<T, const K: usize> {
 pub struct Pulling<T, const K: usize> {
     /// Force on the outboard part (N).
     pub(super) force: Vector2<T>,
-    /// Its columns.
+    /// Columns of the force on the outboard part.
     pub(super) x: [T; K],
     pub(super) y: [T; K],
     /// Columns of the torque on the outboard part.

@@ -48,7 +48,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
         }
     }
 
-    /// The same with an angular acceleration alone.
+    /// This relation with the bias of an angular acceleration alone.
     #[inline(always)]
     pub fn turning(self, angular: Vector3<T>) -> Self {
         Self {

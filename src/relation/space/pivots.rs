@@ -207,7 +207,7 @@ impl<T: Scalar, C: Closures> BallGain<T, C> {
         Self { absolute, per_angular: Columns { x: -x, y: -y, z: -z } }
     }
 
-    /// The same without what velocities, loads and springs contribute.
+    /// This gain without what velocities, loads and springs contribute.
     #[inline(always)]
     pub fn homogeneous(&self) -> Self {
         Self { absolute: Gain { free: zero(), ..self.absolute }, ..*self }

@@ -121,7 +121,7 @@ impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Tip<Spatial<T>> for Hinged<G, A
         let [first, second] = self.normals(&self.ground.frame(time).turn);
         Internal { force: -Vector3::new(x, y, z), torque: first * one + second * two }
     }
-    fn miss(&self, time: T::Real, tip: &Frame<T>) -> [[T; 5]; 2] {
+    fn residual(&self, time: T::Real, tip: &Frame<T>) -> [[T; 5]; 2] {
         let frame = self.ground.frame(time);
         let [first, second] = self.normals(&frame.turn);
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);

@@ -30,7 +30,7 @@ impl<'a> Element<'a> {
         Self { node, lines }
     }
 
-    /// Its name; with a space before it where it comes from another vocabulary, so that it is none of ours.
+    /// Name of the element; with a space before it where it comes from another vocabulary, so that it is none of ours.
     pub fn tag(&self) -> String {
         let tag = self.node.tag_name();
         match tag.namespace().and_then(|space| self.node.lookup_prefix(space)) {
