@@ -6,7 +6,6 @@ use catena::paper::*;
 use catena::planar::{Dop853, Free, Pin, Pinned, Rod, System};
 use catena::{Error, Fault};
 use catena_oracle::has_order;
-use catena_oracle::has_order;
 use core::f64::consts::FRAC_PI_3;
 
 type Pendulum = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Pin, Rod<f64>), Free>;

@@ -10,7 +10,6 @@ use catena::planar::{
 };
 use catena::{Error, Fault, Place};
 use catena_oracle::slope;
-use catena_oracle::slope;
 use core::f64::consts::FRAC_PI_3;
 
 /// Errors of all angles, and of all forces relative to their largest, against order 8 at three steps: their orders.

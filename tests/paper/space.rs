@@ -9,7 +9,6 @@ use catena::spatial::index::{M, Q, R};
 use catena::spatial::*;
 use catena::{Error, Fault, Place};
 use catena_oracle::has_order;
-use catena_oracle::has_order;
 
 /// Errors of attitudes (the largest difference of direction cosines), and of all forces relative to their largest, against order 8 at
 /// three steps: their orders.

@@ -8,7 +8,6 @@ use catena::planar::index::{M, QX, QY, THETA, X, Y};
 use catena::planar::*;
 use catena::{Error, Fault, Place};
 use catena_oracle::{has_order, near};
-use catena_oracle::{has_order, near};
 
 /// Errors of angles, of the places of all stations, and of all forces relative to their largest, against order 8 at three steps.
 macro_rules! orders {

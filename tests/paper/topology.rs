@@ -13,7 +13,6 @@ use catena::planar::index::{M, ONE, QX, QY, THETA, X, Y};
 use catena::planar::{Branch, Free, Inertia, Pin, Pinned, Rod, System};
 use catena::{Error, StateVector, TransferMatrix};
 use catena_oracle::{has_order, near};
-use catena_oracle::{has_order, near};
 use core::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 use nalgebra::{DMatrix, DVector, Vector2};
 

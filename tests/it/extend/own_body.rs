@@ -6,7 +6,6 @@ use catena::planar::*;
 use catena::scalar::Jet;
 use catena::{Error, Scalar};
 use catena_oracle::near;
-use catena_oracle::near;
 
 const GRAVITY: f64 = 9.81;
 /// Of the tank: mass, moment of inertia, mass centre and outboard end; of the liquid: mass, place, direction, stiffness, damping.

@@ -7,7 +7,6 @@ use catena::planar::{self, Clamped, Dop853, Free, Pin, Rod, System};
 use catena::scalar::Jet;
 use catena::{Error, Fault, Scalar, spatial};
 use catena_oracle::near;
-use catena_oracle::near;
 use core::f64::consts::FRAC_PI_2;
 
 const GRAVITY: f64 = 9.81;

@@ -5,8 +5,6 @@ use catena::planar::*;
 use catena::system::{Position, Rate};
 use catena::{Error, Scalar};
 use catena_oracle::Noise;
-use catena_oracle::Noise;
-use catena_oracle::plane::{self as oracle, Scene};
 use catena_oracle::plane::{self as oracle, Scene};
 use core::f64::consts::{FRAC_PI_2, TAU};
 

@@ -6,6 +6,9 @@ use catena::spatial::*;
 use catena::system::Element;
 use catena::system::Runs;
 use catena::system::{Root, Tip};
+use catena_oracle::Noise;
+use catena_oracle::space as oracle;
+use catena_oracle::space::{Answer, Vector};
 
 mod hinges;
 

@@ -5,7 +5,6 @@ use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::{Error, Fault, Motion, Place, Scalar};
 use catena_oracle::has_order;
-use catena_oracle::has_order;
 use core::f64::consts::FRAC_PI_3;
 use nalgebra::Vector3;
 use num_dual::Dual64;

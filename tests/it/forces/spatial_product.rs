@@ -9,7 +9,6 @@ use catena::system::Root;
 use catena::system::{MotionOf, Runs};
 use catena::{Error, Fault, Place, StateVector, TransferMatrix};
 use catena_oracle::Noise;
-use catena_oracle::Noise;
 use nalgebra::Vector3;
 
 type State = StateVector<f64, 13>;

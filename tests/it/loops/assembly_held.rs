@@ -5,7 +5,6 @@ use catena::planar::*;
 use catena::system::Holding;
 use catena::{Error, Fault, Place, Scalar};
 use catena_oracle::near;
-use catena_oracle::near;
 use core::f64::consts::PI;
 
 /// Crank, coupler, rocker, and the distance of their ground pins (m).

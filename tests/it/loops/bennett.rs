@@ -9,7 +9,6 @@ use catena::loading::Unloaded;
 use catena::spatial::{self, *};
 use catena::{Error, Fault};
 use catena_oracle::near;
-use catena_oracle::near;
 use nalgebra::{Rotation3, Vector3};
 
 const LENGTHS: [f64; 2] = [0.4, 0.7];

@@ -5,7 +5,6 @@ use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Real, Scalar};
 use catena_oracle::near;
-use catena_oracle::near;
 use num_dual::Dual64;
 use simba::simd::WideF64x4;
 

@@ -10,6 +10,8 @@ use catena::system::Element;
 use catena::system::{MotionOf, Runs};
 use catena::system::{Position, Rate};
 use catena::system::{Root, Tip};
+use catena_oracle::space as oracle;
+use catena_oracle::space::{Answer, Vector};
 use grow::*;
 
 /// Relative to the largest acceleration or reaction: a hundred times what rounding leaves in the dense system.

@@ -8,7 +8,6 @@ use catena::system::MotionOf;
 use catena::system::Root;
 use catena::{Error, Scalar};
 use catena_oracle::near;
-use catena_oracle::near;
 use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
 
 /// Places of the joints in the plane of the linkages (m), from the end of the base: crank A-B, coupler B-C-E, rocker D-C, and F-G-E.

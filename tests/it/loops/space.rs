@@ -7,7 +7,6 @@ use catena::system::MotionOf;
 use catena::system::{Root, Tip};
 use catena::{Error, Fault, Place};
 use catena_oracle::near;
-use catena_oracle::near;
 use nalgebra::Vector3;
 
 /// Place of the rocker's hinge (m), its axis, and lengths (m).

@@ -7,10 +7,7 @@ use catena::system::Element;
 use catena::system::Rate;
 use catena::{Error, Fault};
 use catena_oracle::Noise;
-use catena_oracle::Noise;
 use catena_oracle::space as oracle;
-use catena_oracle::space as oracle;
-use catena_oracle::space::{Closing, Matrix, Vector};
 use catena_oracle::space::{Closing, Matrix, Vector};
 
 /// Relative to the largest acceleration or reaction: a hundred times what rounding leaves in the dense system.

@@ -9,7 +9,6 @@ use catena::system::Runs;
 use catena::time::Rule;
 use catena::{Error, Fault, Place, Scalar};
 use catena_oracle::{has_order, near};
-use catena_oracle::{has_order, near};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6};
 use num_dual::Dual64;
 

@@ -6,7 +6,6 @@ use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Real, Scalar};
 use catena_oracle::near;
-use catena_oracle::near;
 use nalgebra::{Const, U1, Vector2};
 use num_dual::{Dual64, DualSVec64, HyperDual64};
 

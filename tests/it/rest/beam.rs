@@ -5,7 +5,6 @@ use catena::modes::Modes;
 use catena::planar::*;
 use catena::{Error, Fault, Real, Scalar};
 use catena_oracle::{has_order, near};
-use catena_oracle::{has_order, near};
 use core::f64::consts::{PI, TAU};
 
 /// Numbers of segments.

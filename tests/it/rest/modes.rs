@@ -4,7 +4,6 @@ use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Fault};
 use catena_oracle::{Noise, has_order, near};
-use catena_oracle::{Noise, has_order, near};
 use core::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 

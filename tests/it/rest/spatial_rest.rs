@@ -4,7 +4,6 @@ use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::{Error, Fault, planar};
 use catena_oracle::near;
-use catena_oracle::near;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, SymmetricEigen, Vector3};
 use num_dual::{Dual64, DualNum};

@@ -5,7 +5,6 @@ use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Fault};
 use catena_oracle::{Noise, has_order, near};
-use catena_oracle::{Noise, has_order, near};
 use core::cell::Cell;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 use nalgebra::{DMatrix, DVector};

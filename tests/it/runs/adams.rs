@@ -4,6 +4,7 @@ use catena::Error;
 use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::simulate::Stepper;
+use catena_oracle::{Noise, has_order, near};
 use core::f64::consts::FRAC_PI_3;
 use num_dual::Dual64;
 

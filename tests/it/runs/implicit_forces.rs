@@ -6,7 +6,6 @@ use catena::simulate::Stepper;
 use catena::time::Sdirk4;
 use catena::{Error, spatial};
 use catena_oracle::has_order;
-use catena_oracle::has_order;
 use core::f64::consts::FRAC_PI_2;
 
 const G: f64 = 9.81;

@@ -5,7 +5,6 @@ use catena::spatial::*;
 use catena::time::Rule;
 use catena::{Error, Motion};
 use catena_oracle::slope;
-use catena_oracle::slope;
 use nalgebra::Vector3;
 
 type Chain = (RigidBody<f64>, Ball, RigidBody<f64>);

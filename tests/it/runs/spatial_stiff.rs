@@ -5,7 +5,6 @@ use catena::spatial::*;
 use catena::time::Rule;
 use catena::{Error, Motion};
 use catena_oracle::has_order;
-use catena_oracle::has_order;
 use nalgebra::Vector3;
 
 type Hinge = Revolute<f64, Spring<f64, f64>>;

@@ -4,7 +4,6 @@ use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Fault};
 use catena_oracle::{Noise, near};
-use catena_oracle::{Noise, near};
 
 const WELD: f64 = -0.7;
 

@@ -9,8 +9,6 @@ use catena::system::{Position, Rate};
 use catena::time::{Explicit, Rule, Sdirk4};
 use catena::{Error, Motion, Real};
 use catena_oracle::plane as oracle;
-use catena_oracle::plane as oracle;
-use catena_oracle::{Noise, has_order, near};
 use catena_oracle::{Noise, has_order, near};
 use core::f64::consts::{FRAC_PI_3, PI};
 

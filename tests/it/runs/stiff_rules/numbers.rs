@@ -8,7 +8,6 @@ use catena::simulate::Method;
 use catena::time::Sdirk4;
 use catena::{Error, Real, Scalar};
 use catena_oracle::near;
-use catena_oracle::near;
 use nalgebra::{Const, U1};
 use num_dual::{Dual64, DualSVec64, HyperDual64};
 use simba::simd::WideF64x4;

@@ -6,7 +6,6 @@ use catena::simulate::{Method, Stepper};
 use catena::time::{Rule, Sdirk4};
 use catena::{Error, Fault};
 use catena_oracle::{Noise, has_order};
-use catena_oracle::{Noise, has_order};
 
 type Hinge = ElasticHinge<Spring<f64, f64, f64>>;
 type Scene = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Hinge, Rod<f64>, Hinge, Rod<f64>), Free>;
