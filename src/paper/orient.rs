@@ -72,8 +72,8 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
         given: &Given<T, P, A>,
         external: &Self::External,
     ) -> TransferMatrix<T, N>;
-    /// After a step.
-    fn land<M: Copy>(base: &mut Self::Base, angles: &mut [Coordinate<T, M>; A]);
+    /// Retracts a step: the attitude reached becomes the base, and coordinates counted from it begin at zero anew.
+    fn retract<M: Copy>(base: &mut Self::Base, angles: &mut [Coordinate<T, M>; A]);
 
     /// (34) of an elastic joint. The offset holds in absolute coordinates or in increments.
     fn law(spring: &Spring<T, A>, elastic: &[T; A], sides: [&Side<T, Self, A>; 2], absolute: bool) -> Law<T, A>

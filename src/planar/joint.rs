@@ -46,14 +46,19 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     fn rate() -> Self::Rate;
     /// Room for the gains.
     fn kept<C: Closures>() -> Self::Kept<C>;
-    /// Whether its pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
+    /// Whether the joint's pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
     fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
 
     /// The gains without what velocities, loads and springs contribute.
     fn homogeneous<C: Closures>(kept: &Self::Kept<C>) -> Self::Kept<C>;
 
-    /// Coordinates that turn the outboard body to an absolute angle.
-    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T>;
+    /// Sets the rotary coordinate so that the outboard body has the angle (rad) that `next` gives, and gives that orientation.
+    fn configure(
+        &self,
+        position: &mut Self::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T>;
 
     /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide, that is
     /// as good on the other side.
@@ -104,7 +109,7 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     /// The coordinates that the joint lets move, and what resists them.
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<Planar<T>>;
 
-    /// Whether its points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.
+    /// Whether the joint's points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.
     const LEVER: bool = false;
 
     /// Rejects parameters that make no mechanics.
@@ -182,13 +187,13 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
     fn is_finite<C: Closures>(kept: &<J as Joint<T>>::Kept<C>) -> bool {
         <J as Joint<T>>::is_finite::<C>(kept)
     }
-    fn aim(
+    fn configure(
         &self,
         position: &mut <J as Joint<T>>::Position,
         inboard: Turn<T>,
         next: &mut impl FnMut(Turn<T>) -> T,
     ) -> Turn<T> {
-        Joint::aim(self, position, inboard, next)
+        Joint::configure(self, position, inboard, next)
     }
     #[inline(always)]
     fn recover<C: Closures, By: Springs<T>>(

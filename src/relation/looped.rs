@@ -232,7 +232,7 @@ impl<V: Copy, T: Scalar, C: Closures, O: Own> LoopGain<V, T, C, O> {
         &self.compliance
     }
 
-    /// Whether its pivots yield: what velocities, loads and springs contribute may overflow where they do.
+    /// Whether the pivots of the gain yield: what velocities, loads and springs contribute may overflow where they do.
     pub fn is_finite(&self) -> bool {
         let mut finite = true;
         O::map(&self.inverse, |x| finite &= x.is_finite());

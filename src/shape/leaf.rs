@@ -68,11 +68,12 @@ pub trait Joint<S: Space>: Copy + 'static {
     /// `fill` for each set of axes.
     fn per<X: Copy>(fill: X) -> Self::Per<X>;
 
-    /// Whether its pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
+    /// Whether the joint's pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
     fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
-    /// Coordinates that turn the outboard body to an absolute orientation, and that orientation: one number of `next`, which is told
-    /// the orientation of the inboard body, for each rotary coordinate.
-    fn aim(
+    /// Sets the rotary coordinates of a configuration, and gives the orientation of the outboard body: one number of `next`, which is
+    /// given the orientation of the inboard body, for each. It is an angle of the outboard body or of the joint, as
+    /// [`at_rest`](crate::system::System::at_rest) takes them.
+    fn configure(
         &self,
         position: &mut Self::Position,
         inboard: S::Turn,

@@ -34,7 +34,7 @@ pub struct BodyStore<T, const K: usize, const A: usize> {
     angular: T,
     rate: T,
     load: Wrench<Jet<T, K>>,
-    /// Whether its parameters have derivatives.
+    /// Whether the body's parameters have derivatives.
     seeded: bool,
     /// Whether more than its angle and angular velocity has.
     varied: bool,
