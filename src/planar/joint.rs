@@ -34,7 +34,7 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     /// Whether the outboard body turns relative to the inboard one.
     const TURNS: bool;
 
-    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
 
     /// Whether the orientation of the outboard body does not depend on that of the inboard one.
@@ -94,13 +94,13 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
         acceleration: &Self::Rate,
     ) -> Frame<T>;
 
-    /// Torque of its spring and damper on the outboard body, and the energy stored.
+    /// Torque of the joint's spring and damper on the outboard body, and the energy stored.
     #[inline(always)]
     fn spring(&self, _position: &Self::Position, _rate: &Self::Rate) -> SpringState<T> {
         SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() }
     }
 
-    /// How far its points are apart along the axes in which they move (m), and the rates of that (m/s).
+    /// How far the joint's points are apart along the axes in which they move (m), and the rates of that (m/s).
     #[inline(always)]
     fn slid(&self, _position: &Self::Position, _rate: &Self::Rate) -> [[T; 2]; 2] {
         [[T::zero(); 2]; 2]
@@ -120,7 +120,7 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
         Ok(())
     }
 
-    /// Remembers for the next sweep what it needs of the inboard side's acceleration.
+    /// Remembers for the next sweep what the joint needs of the inboard side's acceleration.
     #[inline(always)]
     fn note<C: Closures>(
         &self,

@@ -56,7 +56,7 @@ pub trait Joint<S: Space>: Copy + 'static {
     /// One `X` for each set of axes that the joint keeps.
     type Per<X: Copy>: Clone;
 
-    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool;
 
     /// The position of an unturned joint.
@@ -79,7 +79,7 @@ pub trait Joint<S: Space>: Copy + 'static {
         inboard: S::Turn,
         next: &mut impl FnMut(S::Turn) -> S::Scalar,
     ) -> S::Turn;
-    /// The accelerations of its coordinates and of its outboard side from that of its inboard side, after a sweep in which springs
+    /// The accelerations of the joint's coordinates and of its outboard side from that of its inboard side, after a sweep in which springs
     /// entered by `By`.
     fn recover<C: Closures, By: Springs<S::Scalar>>(
         &self,

@@ -24,13 +24,13 @@ pub struct Progress<R> {
     pub(super) careful: bool,
     /// What has come of trials so far.
     pub(super) trials: Trials<R>,
-    /// Whether an event has ended it.
+    /// Whether an event has ended the run.
     pub(super) stopped: bool,
     /// Number of the next sample.
     pub(super) samples: usize,
     pub(super) steps: usize,
     pub(super) rejected: usize,
-    /// Sweeps made before it was saved.
+    /// Sweeps made before the run was saved.
     pub(super) sweeps: usize,
 }
 

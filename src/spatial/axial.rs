@@ -82,7 +82,7 @@ pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
     fn lump(&mut self, mass: T) -> T {
         mass
     }
-    /// Point mass (kg) that it has not handed on.
+    /// Point mass (kg) that the joint has not handed on.
     fn lumped(&self) -> T {
         T::zero()
     }

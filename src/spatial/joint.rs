@@ -72,7 +72,7 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
     /// How many sets of axes the joint stores.
     type Sets: Sets;
 
-    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
 
     /// The position of an unturned joint.
@@ -108,7 +108,7 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
         (*x, *y) = stored;
     }
 
-    /// The motion of its outboard side.
+    /// The motion of the joint's outboard side.
     fn moved(
         &self,
         inboard: Frame<T>,

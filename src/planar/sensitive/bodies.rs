@@ -36,7 +36,7 @@ pub struct BodyStore<T, const K: usize, const A: usize> {
     load: Wrench<Jet<T, K>>,
     /// Whether the body's parameters have derivatives.
     seeded: bool,
-    /// Whether more than its angle and angular velocity has.
+    /// Whether more than the body's angle and angular velocity has derivatives.
     varied: bool,
     /// Columns of the angle.
     angle: [T; K],
