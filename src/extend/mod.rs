@@ -5,7 +5,7 @@
 //!
 //! | of one's own | how | example |
 //! |---|---|---|
-//! | a law along a coordinate | [`planar::SpringLaw`](crate::planar::SpringLaw), [`spatial::Law`](crate::spatial::Law), in a joint of this crate | a stop, a stiffening spring: there |
+//! | a law along a coordinate | [`planar::SpringLaw`](crate::planar::SpringLaw), [`spatial::SpringLaw`](crate::spatial::SpringLaw), in a joint of this crate | a stop, a stiffening spring: there |
 //! | a joint | [`JointModel`]: [`Kinematics`] and what acts along their coordinate; [`joint!`](crate::joint) | `examples/own_joint.rs`: a geared motor, 36 lines |
 //! | a joint that moves in a way of its own | [`Kinematics`]: its motion, and the elimination of its coordinate | |
 //! | a body | a struct of bodies, joints and arms; [`compound!`](crate::compound) | `examples/own_body.rs`: a tank in which liquid sloshes, 36 lines |
