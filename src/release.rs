@@ -4,6 +4,9 @@ use crate::relation::Additive;
 pub use crate::relation::Way;
 use crate::scalar::Scalar;
 use crate::space::Space;
+use crate::spring::SpringLaw;
+use crate::sweep::Implicit;
+use num_traits::{One, Zero};
 
 /// What acts along the coordinate of a joint at an instant, ON the outboard body, and how that changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +25,12 @@ impl<T: Scalar> Resistance<T> {
         Self { force: T::zero(), stiffness: T::zero(), damping: T::zero() }
     }
 
+    /// What a law does at a position and rate.
+    pub fn of(law: &impl SpringLaw<T>, position: T, rate: T) -> Self {
+        let [stiffness, damping] = slopes::<T, _>(|springs| law.pivot(position, rate, springs));
+        Self { force: law.force(position, rate), stiffness, damping }
+    }
+
     /// A viscous damper (N·m·s/rad, N·s/m).
     pub fn viscous(damping: T, rate: T) -> Self {
         Self { force: -(damping * rate), stiffness: T::zero(), damping }
@@ -31,6 +40,12 @@ impl<T: Scalar> Resistance<T> {
     pub fn elastic(stiffness: T, strain: T) -> Self {
         Self { force: -(stiffness * strain), stiffness, damping: T::zero() }
     }
+}
+
+/// The slopes of a law, ∂/∂position and ∂/∂rate, by what it adds to pivots.
+pub(crate) fn slopes<T: Scalar, X>(pivot: impl Fn(Implicit<T::Real>) -> X) -> [X; 2] {
+    let (zero, one) = (T::Real::zero(), T::Real::one());
+    [(one, zero), (zero, one)].map(|(position, rate)| pivot(Implicit { position, rate }))
 }
 
 /// A coordinate of a joint at an instant: how it moves, about or along which axis, and what resists it there.
@@ -55,6 +70,12 @@ impl<S: Space> Freedom<S> {
     pub fn smooth(way: Way, axis: S::Vector) -> Self {
         let zero = Additive::null();
         Self { way, axis, resistance: Resistance::none(), preload: zero, inertia: zero, driven: true }
+    }
+
+    /// This coordinate against the law of a spring.
+    #[must_use]
+    pub fn sprung(self, law: &impl SpringLaw<S::Scalar>, [position, rate]: [S::Scalar; 2]) -> Self {
+        self.against(Resistance::of(law, position, rate), law.force(Additive::null(), Additive::null()))
     }
 
     /// This coordinate, but no loads in the joint act on it.

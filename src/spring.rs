@@ -75,7 +75,6 @@ impl<T: Scalar, D: Coefficient<T>> Spring<T, D> {
 /// by much: a step must resolve what they drive apart.
 ///
 /// ```
-/// use catena::element::Springs;
 /// use catena::planar::*;
 /// use catena::Fault;
 ///
@@ -113,7 +112,6 @@ impl<T: Scalar, D: Coefficient<T>> Spring<T, D> {
 /// And in space, for numbers of any type:
 ///
 /// ```
-/// use catena::element::Springs;
 /// use catena::spatial::*;
 /// use catena::{Fault, Scalar};
 ///

@@ -14,7 +14,7 @@ use crate::space::FrameOf;
 /// these are shared out. Of loops within loops the forces of the outer one are chosen first.
 ///
 /// ```
-/// use catena::element::Unloaded;
+/// use catena::loading::Unloaded;
 /// use catena::spatial::*;
 /// // A four-bar linkage: revolutes about z hold it in its plane, and so would the last one.
 /// let (hinge, rod) = (Revolute::about([0.0, 0.0, 1.0]), Rod::uniform(0.5_f64, 0.02, 0.5));

@@ -42,6 +42,7 @@ pub use crate::relation::plane::Planar;
 pub use crate::spring::{Spring, SpringLaw};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
+pub use crate::sweep::Springs;
 pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
 pub use beam::{Beam, Segments, Stretch};
 pub use body::{Base, Body, Inertia, Pose};

@@ -13,7 +13,7 @@ mod arms;
 mod closing;
 mod closure;
 mod full;
-pub mod geometry;
+mod geometry;
 mod join;
 mod kinds;
 mod looped;
@@ -24,7 +24,7 @@ pub mod space;
 mod way;
 mod wrench;
 
-pub use arms::{Carry, Forces, Kind, Wrenches};
+pub use arms::{Carry, Forces, Wrenches};
 pub use closing::Close;
 pub use closure::{Closures, Cut, Cuts, Open, Solvable, largest};
 pub use full::Full;

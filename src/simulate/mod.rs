@@ -1,4 +1,4 @@
-//! Running a scene through time: step control, dense output at requested times, events.
+//! Running a scene through time: step control, dense output at requested times, events, observers; and single steps, of a [`Stepper`].
 
 mod drive;
 mod limits;
@@ -9,13 +9,19 @@ use crate::element::{Budget, Element, Loading, RealOf, Space, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::observe::{PerBody, Stations};
-use crate::stepper::Method;
 use crate::system::Dynamics;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::time::{IntoRule, Rule};
 use core::cell::OnceCell;
 use core::fmt;
 
+#[cfg(feature = "std")]
+pub use crate::observers::Trace;
+pub use crate::observers::{EnergyDrift, Observe};
+pub use crate::stepper::{
+    AdamsMemory, AdamsStepper, ExplicitStepper, ImplicitMemory, ImplicitStepper, Method, MotionIn, SdirkStepper,
+    Stepper, StepperOf, TimeIn,
+};
 pub use drive::Running;
 pub use saved::{Progress, Saved};
 

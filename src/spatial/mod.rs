@@ -77,6 +77,7 @@ pub use crate::relation::space::Spatial;
 pub use crate::spring::{Spring, SpringLaw};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
+pub use crate::sweep::Springs;
 pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
 pub use axial::{Axial, Listed, Relative};
 pub use ball::Ball;

@@ -14,7 +14,7 @@ use num_traits::Zero;
 
 pub use adams::{AdamsMemory, AdamsStepper};
 pub use explicit::ExplicitStepper;
-pub use implicit::{ImplicitMemory, ImplicitStepper, Trace};
+pub use implicit::{ImplicitMemory, ImplicitStepper};
 pub use sdirk::SdirkStepper;
 
 /// The motion of a scene described by `D`.

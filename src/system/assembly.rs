@@ -78,7 +78,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// With nothing held it is what `assembled` finds, which measures changes by the inertia of the scene.
     ///
     /// ```
-    /// use catena::element::Unloaded;
+    /// use catena::loading::Unloaded;
     /// use catena::planar::*;
     /// use catena::system::Holding;
     /// let rod = |length| Rod::uniform(length, 1.0);

@@ -149,7 +149,8 @@ pub trait StiffDynamics<L>: Dynamics<L> {
 /// It suffices for explicit rules. Code that hands a generic scene to an implicit rule bounds it by [`StiffDynamics`] too.
 ///
 /// ```
-/// use catena::element::{Element, Unloaded};
+/// use catena::loading::Unloaded;
+/// use catena::system::Element;
 /// use catena::planar::*;
 /// use catena::system::Runs;
 /// use catena::{Error, Scalar};

@@ -34,11 +34,16 @@ pub use linear::{Carried, Inertial};
 pub(crate) use linear::{numbers, set, unit};
 pub use turning::AngularVelocity;
 
-use crate::element::{Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
-use crate::ends::{Root, Tip};
+// What bounds of functions over scenes are made of.
+pub use crate::counts::Counted;
+pub use crate::element::Element;
+pub use crate::ends::{Root, Tip};
+pub use crate::mirror::{Position, Rate};
+pub use crate::space::{RealOf, Space};
+
+use crate::element::{Coordinates, Loading, SpaceOver, Unloaded};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::mirror::Rate;
 use crate::motion::Motion;
 use crate::relation::{Additive, Closures, Geometry};
 use crate::scalar::Scalar;

@@ -42,7 +42,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// equilibrium has derivatives, to 12 digits. Lanes each have an equilibrium of their own, and are not supported.
     ///
     /// ```
-    /// use catena::element::Unloaded;
+    /// use catena::loading::Unloaded;
     /// use catena::planar::*;
     /// let rod = Rod::uniform(0.1_f64, 0.1);
     /// let chain = System::new(Pinned::origin(), (rod, [(Pin, rod); 9]), Pinned::at(0.8, 0.0))?.with_gravity(9.81);

@@ -20,7 +20,7 @@ use nalgebra::Vector3;
 /// five closure forces hold it: a force (N, inertial axes) and torques (N·m) about two directions across the axis, all ON the last body.
 ///
 /// ```
-/// use catena::element::Unloaded;
+/// use catena::loading::Unloaded;
 /// use catena::spatial::*;
 /// let rod = |length| Rod::uniform(length, 0.02, 1.0);
 /// // A crank about z and a rocker about y, with a coupler between a ball and a universal joint.

@@ -1,10 +1,11 @@
 //! Loops brought to closure, and those that cannot be: what does not hold independently is named.
 
-use catena::element::{Element, Unloaded};
-use catena::ends::Root;
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
 use catena::planar::*;
+use catena::system::Element;
+use catena::system::Root;
 use catena::system::{MotionOf, Runs};
+use catena::system::{Position, Rate};
 use catena::{Error, Fault, Place};
 use core::f64::consts::{FRAC_PI_3, PI};
 

@@ -1,10 +1,11 @@
 //! Motions assembled with some coordinates and rates held: against the closed forms of linkages.
 
-use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::system::Holding;
 use catena::{Error, Fault, Place, Scalar};
+use catena_oracle::near;
+use catena_oracle::near;
 use core::f64::consts::PI;
 
 /// Crank, coupler, rocker, and the distance of their ground pins (m).
@@ -86,13 +87,13 @@ fn a_crank_stays_where_it_is_put() -> Result<(), Error> {
     Ok(())
 }
 
-fn numbers<V: catena::mirror::Rate<f64>>(rate: &V) -> Vec<f64> {
+fn numbers<V: catena::system::Rate<f64>>(rate: &V) -> Vec<f64> {
     let mut numbers = vec![];
     rate.visit(&mut |x| numbers.push(x));
     numbers
 }
 
-fn places<P: catena::mirror::Position<f64>>(position: &P) -> Vec<f64> {
+fn places<P: catena::system::Position<f64>>(position: &P) -> Vec<f64> {
     let mut numbers = vec![];
     position.visit(&mut |x| numbers.push(x));
     numbers
@@ -294,7 +295,7 @@ fn every_number_is_assembled() -> Result<(), Error> {
     let rate = |by: f64| closed_form([CRANK[0] + by, CRANK[1]])[1][1];
     let slope = (8.0 * (rate(h) - rate(-h)) - (rate(2.0 * h) - rate(-2.0 * h))) / (12.0 * h);
     let mut rates = vec![];
-    catena::mirror::Rate::visit(start.motion.rate(), &mut |x: Dual64| rates.push(x));
+    catena::system::Rate::visit(start.motion.rate(), &mut |x: Dual64| rates.push(x));
     near(rates[2].eps, slope, 1e-9);
 
     let lanes = held_tip!(WideF64x4);

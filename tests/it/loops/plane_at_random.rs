@@ -3,14 +3,13 @@
 
 mod grow;
 
-use crate::oracle::space as oracle;
-use crate::oracle::space::{Answer, Vector};
 use catena::Error;
-use catena::element::{Element, Unloaded};
-use catena::ends::{Root, Tip};
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
 use catena::planar::*;
+use catena::system::Element;
 use catena::system::{MotionOf, Runs};
+use catena::system::{Position, Rate};
+use catena::system::{Root, Tip};
 use grow::*;
 
 /// Relative to the largest acceleration or reaction: a hundred times what rounding leaves in the dense system.

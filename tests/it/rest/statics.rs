@@ -1,10 +1,11 @@
 //! Static equilibrium against independent solutions: dense Newton iterations on energies in absolute angles, the elastica, the
 //! catenary.
 
-use crate::kit::{Noise, has_order, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Fault};
+use catena_oracle::{Noise, has_order, near};
+use catena_oracle::{Noise, has_order, near};
 use core::cell::Cell;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 use nalgebra::{DMatrix, DVector};

@@ -1,9 +1,10 @@
 //! Initial motions from angles and rates of joints or of bodies.
 
-use crate::kit::{Noise, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Fault};
+use catena_oracle::{Noise, near};
+use catena_oracle::{Noise, near};
 
 const WELD: f64 = -0.7;
 
@@ -53,7 +54,7 @@ fn hinges_get_their_angles_to_the_last_digit() -> Result<(), Error> {
     let given: Vec<f64> = (0..n).map(|_| 0.01 * noise.next()).collect();
     let motion = blade.at_joint_angles(&given)?;
     let mut found = vec![];
-    catena::mirror::Position::visit(motion.position(), &mut |x: f64| found.push(x));
+    catena::system::Position::visit(motion.position(), &mut |x: f64| found.push(x));
     assert_eq!(found, given);
     Ok(())
 }

@@ -1,10 +1,10 @@
 //! Motions set by orientations and angular velocities of bodies, against what readings show of the bodies.
 
-use crate::kit::{Noise, near};
 use catena::scalar::Jet;
 use catena::spatial::*;
 use catena::system::AngularVelocity::{self, Body, Inertial, Relative};
 use catena::{Error, Fault, Place, planar};
+use catena_oracle::{Noise, near};
 use nalgebra::Vector3;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];

@@ -1,7 +1,7 @@
 //! Laws as a user writes them, for joints in the plane and in space alike.
 
 use catena::Fault;
-use catena::element::Springs;
+use catena::extend::Springs;
 use catena::planar::SpringLaw;
 
 /// −k q − k₃ q³ − c q̇ − c₃ q̇³.

@@ -13,8 +13,6 @@
 //! velocity in inertial axes. Joint k lies between body k and its parent, which is the ground or a body of lower number: a chain is the
 //! tree in which each body has the one before as its parent.
 
-#![allow(dead_code)] // every test binary uses its own part of this module
-
 pub mod elastic;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
