@@ -23,7 +23,7 @@ use num_traits::Zero;
     note = "end a chain with a body, and put a body between two joints"
 )]
 pub trait Outboard<S: Space>: Copy {
-    /// Closure forces it carries.
+    /// Closure forces that the relation carries.
     type Closures: Closures;
     /// The relation in full.
     fn whole(self) -> Full<S, Self::Closures>;
@@ -31,7 +31,7 @@ pub trait Outboard<S: Space>: Copy {
 
 /// What acts in a joint with one coordinate: a generalised force (N·m, N), or nothing.
 pub trait Driving<S: Space>: Part {
-    /// Adds it to a sum.
+    /// Adds the generalised force to a sum.
     fn onto(self, sum: S::Scalar) -> S::Scalar;
 }
 
@@ -75,7 +75,7 @@ pub trait Kinematics<S: Space>: Joint<S, Position = S::Scalar, Rate = S::Scalar>
 /// What a model does in a joint at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Acting<T> {
-    /// Generalised force of its law ON the outboard body, with slopes.
+    /// Generalised force of the joint's law ON the outboard body, with slopes.
     pub resistance: Resistance<T>,
     /// Energy stored (J).
     pub energy: T,

@@ -107,7 +107,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
         &self.multipliers
     }
 
-    /// Whether every number of it is finite.
+    /// Whether every number of the motion is finite.
     pub fn is_finite(&self) -> bool {
         let mut finite = true;
         self.position.visit(&mut |x| finite &= x.is_finite());

@@ -3,7 +3,7 @@
 use core::fmt;
 use core::ops::Range;
 
-/// Which joint or body: its number, counted from 0 at the root, or its name.
+/// A joint or a body: its number, counted from 0 at the root, or its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which<'n> {
     /// The one with this number.

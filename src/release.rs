@@ -96,11 +96,11 @@ impl<S: Space> Freedom<S> {
 pub struct Release<S: Space> {
     /// Coordinates of the joint, in the order of its rates.
     pub coordinates: [Option<Freedom<S>>; 6],
-    /// Whether its outboard body turns with the inboard one. Coordinates of pins and balls are absolute.
+    /// Whether the outboard body turns with the inboard one. Coordinates of pins and balls are absolute.
     pub carries: bool,
-    /// Whether its outboard point swings about the inboard one with the inboard body.
+    /// Whether the outboard point swings about the inboard one with the inboard body.
     pub swings: bool,
-    /// Whether the moments on its sides differ by that of its force, m_O = m_I + d × q.
+    /// Whether the moments on the joint's sides differ by that of its force, m_O = m_I + d × q.
     pub balanced: bool,
     /// c: what the outboard point accelerates by besides the inboard body (m/s²).
     pub linear: S::Vector,

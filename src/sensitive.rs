@@ -49,7 +49,7 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     fn ground(frame: &FrameOf<Self>, gravity: Self::Vector) -> Self::Outward;
     /// What lies beyond a free tip.
     fn nothing() -> Self::Relation;
-    /// The force of it.
+    /// The force of what lies beyond a free tip.
     fn no_pull() -> Self::Inward;
     /// A ground that does not answer.
     fn stillness() -> Self::Response;
@@ -104,7 +104,7 @@ pub trait Sensitive<S: Varied>: Element<S> {
     /// What the walks keep.
     type Room: Clone;
 
-    /// Room for it.
+    /// Room for what the walks keep.
     fn room(&self) -> Self::Room;
 
     /// Plain coordinates of coordinates over jets.

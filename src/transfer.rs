@@ -58,9 +58,9 @@ pub struct Passage<T, const N: usize> {
 /// A coordinate of a joint.
 #[derive(Clone, Copy, Debug)]
 struct Freedom<T, const N: usize> {
-    /// What a unit of its acceleration adds to the state outboard.
+    /// What a unit of the coordinate's acceleration adds to the state outboard.
     push: [T; N],
-    /// The row that reads the generalised force on it in the state outboard,
+    /// The row that reads the generalised force on the coordinate in the state outboard,
     row: [T; N],
     /// what that force is where the coordinate does not accelerate,
     effort: T,

@@ -77,12 +77,12 @@ pub trait Root<S: Space> {
 pub trait Tip<S: Space> {
     /// What is known of each conjugate pair.
     type Pairs: Pairs;
-    /// Forces that hold it.
+    /// Forces that hold the tip.
     type Closures: Solvable;
-    /// The relation it hands on.
+    /// The relation that the tip hands on.
     type Relation: Copy;
 
-    /// The relation it hands on, with the motion it demands (in a frame that falls freely) of a tip that turns like this.
+    /// The relation that the tip hands on, with the motion that it demands (in a frame that falls freely) of a body that turns like this.
     fn relation(&self, time: RealOf<S>, gravity: S::Vector, turn: &S::Turn) -> Self::Relation;
     /// Internal force and torque at the tip where it is held by these forces.
     fn internal(&self, time: RealOf<S>, multipliers: &<Self::Closures as Closures>::Each<S::Scalar>) -> WrenchOf<S>;

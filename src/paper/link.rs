@@ -41,7 +41,7 @@ pub enum Link<T: Scalar, const N: usize, const P: usize, const A: usize> {
         matrix: TransferMatrix<T, N>,
         /// The size of the terms of u₄₃, of Ū₃₂: (J_I + m |d_C| |d_O|) χ₁.
         inertia: T::Real,
-        /// Whether a smooth joint at its inboard end has no matrix (40).
+        /// Whether a smooth joint at the body's inboard end has no matrix (40).
         percussive: bool,
     },
     /// A joint that turns: an elastic hinge, or a pin or ball where it is smooth.
@@ -104,7 +104,7 @@ impl<T: Scalar, const H: usize> End<T, H> {
         Self::along_axes([false; H], [T::zero(); H])
     }
 
-    /// Whether anything holds it.
+    /// Whether anything holds the end.
     pub fn is_held(&self) -> bool {
         self.held.iter().any(|held| *held)
     }

@@ -54,11 +54,11 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
     fn arms(rigid: &Self::Rigid) -> [[T; P]; 2];
     /// The size of the terms of (32) u₄₃: J_I + m |d_C| |d_O|.
     fn inertia(rigid: &Self::Rigid) -> T::Real;
-    /// Whether a smooth joint at its inboard end has no matrix (40).
+    /// Whether a smooth joint at a body's inboard end has no matrix (40).
     fn is_percussive(rigid: &Self::Rigid) -> bool;
     /// (22): how the place of a point of the body depends on the coordinates.
     fn psi(&self, point: [T; P]) -> [[T; A]; P];
-    /// Φ r of (21): its place where they are zero.
+    /// Φ r of (21): the place of a point where coordinates are zero.
     fn phi(&self, point: [T; P]) -> [T; P];
     /// By how much a vector as expanded differs from the true one at given coordinates, to all its digits.
     fn remainder(&self, base: &Self::Base, point: [T; P], angles: &[T; A]) -> [T; P];
@@ -72,8 +72,8 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
         given: &Given<T, P, A>,
         external: &Self::External,
     ) -> TransferMatrix<T, N>;
-    /// After a step.
-    fn land<M: Copy>(base: &mut Self::Base, angles: &mut [Coordinate<T, M>; A]);
+    /// Retracts a step: the attitude reached becomes the base, and coordinates counted from it begin at zero anew.
+    fn retract<M: Copy>(base: &mut Self::Base, angles: &mut [Coordinate<T, M>; A]);
 
     /// (34) of an elastic joint. The offset holds in absolute coordinates or in increments.
     fn law(spring: &Spring<T, A>, elastic: &[T; A], sides: [&Side<T, Self, A>; 2], absolute: bool) -> Law<T, A>
@@ -131,7 +131,7 @@ pub struct Axes<T, const P: usize, const A: usize> {
 pub struct Side<T: Scalar, E, const A: usize> {
     /// Where the side's orientation is linearised.
     pub expansion: E,
-    /// (1) and (2) of its angles.
+    /// (1) and (2) of the side's angles.
     pub step: [Linearization<T>; A],
 }
 

@@ -50,7 +50,7 @@ pub struct Body<T: Scalar, M, E: Orient<T, N, P, A>, const N: usize, const P: us
     pub rigid: E::Rigid,
     /// Orientation of the body besides the coordinates.
     pub base: E::Base,
-    /// Whether a smooth joint at its inboard end has no matrix (40).
+    /// Whether a smooth joint at the body's inboard end has no matrix (40).
     pub percussive: bool,
     /// Inboard end, mass centre and outboard end.
     pub points: [[Coordinate<T, M>; P]; 3],
@@ -78,7 +78,7 @@ pub struct Joint<T, R, const A: usize> {
     pub elastic: [T; A],
     /// The attitude of the joint's outboard side to its inboard one, if it does not turn.
     pub ahead: R,
-    /// The number of the body on its outboard side.
+    /// The number of the body on the joint's outboard side.
     pub outer: usize,
     /// The number of the joint's linear springs, if it has any.
     pub springs: Option<usize>,
@@ -94,7 +94,7 @@ pub struct Springs<T, M, const P: usize> {
 }
 
 impl<T: Scalar, R, const A: usize> Joint<T, R, A> {
-    /// The number of the body on its inboard side; none at the ground.
+    /// The number of the body on the joint's inboard side; none at the ground.
     pub fn inner(&self) -> Option<usize> {
         self.outer.checked_sub(1)
     }
@@ -135,7 +135,7 @@ pub enum Part {
 /// a step walks through must be small.
 #[derive(Clone, Debug)]
 pub struct Parts<T: Scalar, M, E: Orient<T, N, P, A>, const N: usize, const P: usize, const A: usize> {
-    /// In which order they follow each other.
+    /// In which order bodies and joints follow each other.
     pub order: Vec<Part>,
     /// The bodies.
     pub bodies: Vec<Body<T, M, E, N, P, A>>,
@@ -217,7 +217,7 @@ impl<T: Scalar, M: Copy, E: Orient<T, N, P, A>, const N: usize, const P: usize, 
         }
     }
 
-    /// Reads the increments of its angles from the state at its inboard end.
+    /// Reads the increments of the body's angles from the state at its inboard end.
     pub fn find(&mut self, z: &StateVector<T, N>, absolute: bool) {
         self.found = core::array::from_fn(|i| if absolute { z[P + i] - self.angles[i].value } else { z[P + i] });
     }

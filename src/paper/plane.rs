@@ -97,7 +97,7 @@ impl<T: Scalar> Orient<T, 7, 2, 1> for Expansion<T> {
         let Given { inboard, centre, angles: [angle], arms: [to_centre, to_outboard], .. } = *given;
         rigid_body(rigid, self, step.chi1, &Known { inboard, centre, angle, to_outboard, to_centre }, external)
     }
-    fn land<M: Copy>((): &mut (), _: &mut [Coordinate<T, M>; 1]) {}
+    fn retract<M: Copy>((): &mut (), _: &mut [Coordinate<T, M>; 1]) {}
 
     fn law(
         spring: &Spring<T, 1>,

@@ -80,7 +80,7 @@ pub trait Body<T: Scalar>: Copy + Debug + 'static {
     /// Takes the point mass that its outboard neighbour lumps at O, hands on its own at I.
     fn lump(&mut self, mass: T) -> T;
 
-    /// What `pose` reads of its shape.
+    /// What `pose` reads of the body's shape.
     fn size(&self) -> T;
 
     /// What the walks read of a body of a size at an angle (rad), turning with −ω² (rad²/s²).
@@ -89,7 +89,7 @@ pub trait Body<T: Scalar>: Copy + Debug + 'static {
     /// From I to O (m), inertial axes, and the centripetal acceleration of O (m/s²).
     fn arm(&self, pose: Pose<T>) -> [Vector2<T>; 2];
 
-    /// What a sweep reads of its parameters.
+    /// What a sweep reads of the body's parameters.
     fn base(&self) -> Base<T>;
 
     /// Direction of the body's axes.
@@ -123,9 +123,9 @@ pub struct Base<T> {
 /// itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Pose<T> {
-    /// Of a rod: x of its arm (m).
+    /// Of a rod: x of the arm (m).
     pub x: T,
-    /// Of a rod: y of its arm (m).
+    /// Of a rod: y of the arm (m).
     pub y: T,
     /// Of a rod: x of the centripetal acceleration of its outboard end (m/s²).
     pub p: T,

@@ -51,7 +51,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     fn is_finite<C: Closures>((): &()) -> bool {
         true
     }
-    fn aim(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         self.turned(&(), &(), inboard)
     }
     #[inline(always)]

@@ -31,7 +31,7 @@ pub struct Point<G: Geometry, M = Absent, C: Closures = Open> {
 
 /// What a body can do with the relation it meets, whatever that is.
 pub trait Relation<G: Geometry>: Copy {
-    /// Closure forces it carries.
+    /// Closure forces that the relation carries.
     type Closures: Closures;
     /// The relation with a point mass added at its station.
     type WithMass: Relation<G, Closures = Self::Closures>;

@@ -315,7 +315,7 @@ where
 
     fn project(&self, _: &mut MotionOf<S, R, C, P>, _: &mut Self::Workspace) {}
 
-    fn draw(&self, _: &mut MotionOf<S, R, C, P>, _: RealOf<S>, _: &mut Self::Workspace) {}
+    fn assembly_step(&self, _: &mut MotionOf<S, R, C, P>, _: RealOf<S>, _: &mut Self::Workspace) {}
 
     fn independent(
         &self,

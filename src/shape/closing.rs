@@ -45,7 +45,7 @@ pub trait Closing<S: Space>: Clone + 'static {
     /// # Errors
     /// What is wrong with them.
     fn check(&self) -> Result<(), Fault>;
-    /// The name of its type, and its own if it has one.
+    /// The name of the joint's type, and its own if it has one.
     fn label(&self) -> (&'static str, Option<&'static str>) {
         (core::any::type_name::<Self>(), None)
     }

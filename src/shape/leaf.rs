@@ -56,7 +56,7 @@ pub trait Joint<S: Space>: Copy + 'static {
     /// One `X` for each set of axes that the joint keeps.
     type Per<X: Copy>: Clone;
 
-    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool;
 
     /// The position of an unturned joint.
@@ -68,17 +68,18 @@ pub trait Joint<S: Space>: Copy + 'static {
     /// `fill` for each set of axes.
     fn per<X: Copy>(fill: X) -> Self::Per<X>;
 
-    /// Whether its pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
+    /// Whether the joint's pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
     fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
-    /// Coordinates that turn the outboard body to an absolute orientation, and that orientation: one number of `next`, which is told
-    /// the orientation of the inboard body, for each rotary coordinate.
-    fn aim(
+    /// Sets the rotary coordinates of a configuration, and gives the orientation of the outboard body: one number of `next`, which is
+    /// given the orientation of the inboard body, for each. It is an angle of the outboard body or of the joint, as
+    /// [`at_rest`](crate::system::System::at_rest) takes them.
+    fn configure(
         &self,
         position: &mut Self::Position,
         inboard: S::Turn,
         next: &mut impl FnMut(S::Turn) -> S::Scalar,
     ) -> S::Turn;
-    /// The accelerations of its coordinates and of its outboard side from that of its inboard side, after a sweep in which springs
+    /// The accelerations of the joint's coordinates and of its outboard side from that of its inboard side, after a sweep in which springs
     /// entered by `By`.
     fn recover<C: Closures, By: Springs<S::Scalar>>(
         &self,

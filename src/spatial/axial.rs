@@ -63,11 +63,11 @@ pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
     type Coordinates: Listed<T, K>;
     /// What the coordinates do, innermost first: turn or slide.
     const WAYS: [Way; K];
-    /// Whether its points slide apart.
+    /// Whether the joint's points slide apart.
     const SLIDES: bool;
-    /// Whether its bodies turn.
+    /// Whether the joint's bodies turn.
     const TURNS: bool;
-    /// Whether its springs and dampers are linear.
+    /// Whether the joint's springs and dampers are linear.
     const LINEAR: bool = false;
 
     /// What the coordinates do on an inboard body that is turned like this.
@@ -82,7 +82,7 @@ pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
     fn lump(&mut self, mass: T) -> T {
         mass
     }
-    /// Point mass (kg) that it has not handed on.
+    /// Point mass (kg) that the joint has not handed on.
     fn lumped(&self) -> T {
         T::zero()
     }

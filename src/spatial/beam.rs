@@ -177,7 +177,7 @@ impl<T: Scalar> Retardation<T> for T {
 pub trait Stretch<T: Scalar, D: Retardation<T>>: Copy {
     /// Springs of a segment and the rod outboard of them.
     type Link;
-    /// Makes one, from its rotary springs and what makes linear ones of stiffnesses EA or GA.
+    /// Makes a link, from its rotary springs and what makes linear ones of stiffnesses EA or GA.
     fn link(
         self,
         hinge: ElasticBall<T, D::Rotary>,

@@ -193,7 +193,7 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
         kept.is_finite()
     }
     /// Three absolute angles 1-2-3.
-    fn aim(&self, position: &mut Rotation<T>, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, position: &mut Rotation<T>, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         let absolute = Rotation::from_angles([(); 3].map(|()| next(inboard)));
         *position = absolute.relative_to(&Rotation::from_matrix(&inboard.attitude)).shortest();
         Turn { attitude: absolute.matrix(), spin: zero() }

@@ -72,7 +72,7 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
     /// How many sets of axes the joint stores.
     type Sets: Sets;
 
-    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
 
     /// The position of an unturned joint.
@@ -81,11 +81,17 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
     fn rate() -> Self::Rate;
     /// Room for the gains.
     fn kept<C: Closures>() -> Self::Kept<C>;
-    /// Whether its pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
+    /// Whether the joint's pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
     fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
 
-    /// Coordinates for the numbers of [`System::at_rest`](crate::system::System::at_rest).
-    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T>;
+    /// Sets the rotary coordinates from the numbers of [`System::at_rest`](crate::system::System::at_rest), and gives the orientation of the
+    /// outboard body.
+    fn configure(
+        &self,
+        position: &mut Self::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T>;
 
     /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide, that is
     /// as good on the other side.
@@ -102,7 +108,7 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
         (*x, *y) = stored;
     }
 
-    /// The motion of its outboard side.
+    /// The motion of the joint's outboard side.
     fn moved(
         &self,
         inboard: Frame<T>,
@@ -166,13 +172,13 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
     fn is_finite<C: Closures>(kept: &<J as Joint<T>>::Kept<C>) -> bool {
         <J as Joint<T>>::is_finite::<C>(kept)
     }
-    fn aim(
+    fn configure(
         &self,
         position: &mut <J as Joint<T>>::Position,
         inboard: Turn<T>,
         next: &mut impl FnMut(Turn<T>) -> T,
     ) -> Turn<T> {
-        Joint::aim(self, position, inboard, next)
+        Joint::configure(self, position, inboard, next)
     }
     #[inline(always)]
     fn recover<C: Closures, By: Springs<T>>(

@@ -48,7 +48,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     fn is_finite<C: Closures>((): &()) -> bool {
         true
     }
-    fn aim(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         self.oriented(&(), &(), inboard).0
     }
     #[inline(always)]

@@ -61,16 +61,16 @@ pub trait Dynamics<L> {
         workspace: &mut Self::Workspace,
     );
 
-    /// Moves a motion whose loops are far from closed towards it, as [`project`](Self::project) does, but no coordinate by more than
-    /// a share (rad, m).
-    fn draw(
+    /// A Newton step of assembly, shortened: moves a motion whose loops are far from closed as [`project`](Self::project) does, but no
+    /// coordinate by more than a share (rad, m).
+    fn assembly_step(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
         share: <Self::Scalar as Scalar>::Real,
         workspace: &mut Self::Workspace,
     );
 
-    /// Whether the closures that hold the tip and close loops are independent, after a sweep at this motion; tells entries (0 is the
+    /// Whether the closures that hold the tip and close loops are independent, after a sweep at this motion; reports entries (0 is the
     /// root's joint) and names of those that need not be. Those that are all but dependent count as such, too, down to the `least` share
     /// of what a free body would yield.
     ///
@@ -82,7 +82,7 @@ pub trait Dynamics<L> {
         motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
         workspace: &Self::Workspace,
         least: f64,
-        tell: &mut impl FnMut(usize, &'static str),
+        report: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error>;
 
     /// Whether a motion may stand: finite, and no angle out of range.

@@ -59,14 +59,14 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         &self,
         motion: &MotionOf<S, R, C, P>,
         loads: &L,
-        mut tell: impl FnMut(usize, &'static str),
+        mut report: impl FnMut(usize, &'static str),
     ) -> Result<(), Error>
     where
         Self: Runs<L, S, R, C, P>,
     {
         let (mut motion, mut workspace) = (motion.clone(), self.workspace());
         self.accelerate(&mut motion, loads, &mut workspace)?;
-        self.independent(&motion, &workspace, 0.0, &mut |entry, name| tell(entry.saturating_sub(1), name))
+        self.independent(&motion, &workspace, 0.0, &mut |entry, name| report(entry.saturating_sub(1), name))
     }
 
     /// [`assembled`](Self::assembled) in place.
@@ -100,7 +100,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             if step <= real(SHARE) {
                 *motion = corrected;
             } else if const { Self::LOOPED } {
-                self.draw(motion, real(SHARE), workspace);
+                self.assembly_step(motion, real(SHARE), workspace);
             } else {
                 self.approach(motion);
             }

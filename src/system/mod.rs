@@ -50,8 +50,8 @@ use crate::scalar::Scalar;
 use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
 use crate::space::FrameOf;
-use crate::walks::aim::aim;
 use crate::walks::check::check;
+use crate::walks::configure::configure;
 use crate::walks::fits::fits;
 use num_traits::Zero;
 
@@ -180,7 +180,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             expected += 1;
             orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         };
-        aim(&self.chain, &mut motion.position, ground.turn, &mut next);
+        configure(&self.chain, &mut motion.position, ground.turn, &mut next);
         if expected != orientations.len() {
             return Err(Error::new(Fault::Count { expected, given: orientations.len() }));
         }

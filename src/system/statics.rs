@@ -190,11 +190,11 @@ struct Fall<T: Scalar> {
 
 /// A step towards rest.
 struct Step<T: Scalar> {
-    /// Of all coordinates.
+    /// Displacements of all coordinates (rad, m).
     displacement: Vec<T>,
-    /// The largest of them.
+    /// The largest displacement (rad, m).
     size: T::Real,
-    /// Work that the forces at its start do on it (J).
+    /// Work that the forces at the step's start do on it (J).
     work: T::Real,
 }
 

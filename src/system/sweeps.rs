@@ -70,7 +70,7 @@ where
         self.project_by(motion, workspace);
     }
 
-    fn draw(&self, motion: &mut MotionOf<S, R, C, P>, share: RealOf<S>, workspace: &mut Self::Workspace) {
+    fn assembly_step(&self, motion: &mut MotionOf<S, R, C, P>, share: RealOf<S>, workspace: &mut Self::Workspace) {
         let [place, _] = self.residual(motion);
         let ground = self.root.ground(motion.time);
         if let Some(step) = correction(&self.chain, ground, coordinates(motion), Level::Place, &place, workspace) {
@@ -87,11 +87,11 @@ where
         motion: &MotionOf<S, R, C, P>,
         workspace: &Self::Workspace,
         least: f64,
-        tell: &mut impl FnMut(usize, &'static str),
+        report: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error> {
         let ground = self.root.ground(motion.time);
         if const { <Elements<S, R, C> as Shape<S>>::LOOPS > 0 } {
-            independent::<S, _, P::Closures>(&self.chain, ground, coordinates(motion), &workspace.kept, least, tell)
+            independent::<S, _, P::Closures>(&self.chain, ground, coordinates(motion), &workspace.kept, least, report)
                 .map_err(|error| error.at_time(motion.time.as_f64()).beyond_root())?;
         }
         if P::Closures::COUNT == 0 {

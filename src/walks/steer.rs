@@ -15,9 +15,9 @@ pub struct Swivel<S: Space> {
     pub joint: usize,
     /// Number of coordinates by which the joint turns.
     pub freedoms: usize,
-    /// The body inboard of it.
+    /// The body inboard of the joint.
     pub inboard: S::Turn,
-    /// The body outboard of it, as it moves so far.
+    /// The body outboard of the joint, as it moves so far.
     pub outboard: S::Turn,
 }
 
@@ -27,7 +27,7 @@ pub enum Wanted<S: Turning> {
     Any,
     /// Angular velocity of the outboard body (rad/s), inertial axes.
     Spin([S::Scalar; 3]),
-    /// Rates that its turning coordinates would have on an inboard body at rest (rad/s), as many as there are.
+    /// Rates that the joint's turning coordinates would have on an inboard body at rest (rad/s), as many as there are.
     Relative([S::Scalar; 3]),
     /// Orientation of the outboard body.
     Orientation(S::Orientation),

@@ -94,7 +94,7 @@ pub enum Fault {
     },
     /// A joint to be followed or held is not there.
     UnknownJoint {
-        /// What names it.
+        /// What names the joint.
         by: String,
         /// The joint.
         joint: String,

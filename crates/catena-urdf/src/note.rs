@@ -32,7 +32,7 @@ pub enum Remark {
     },
     /// Numbers that the module has as constants, while the scene does not act by them.
     ConstantOnly {
-        /// What they are.
+        /// The numbers, in words.
         what: &'static str,
     },
     /// A joint that must have limits has none written, and is unlimited.

@@ -54,7 +54,7 @@ pub enum Carrier {
 pub struct Frame {
     /// Name of the link.
     pub name: String,
-    /// What carries it.
+    /// What carries the link.
     pub carrier: Carrier,
     /// Where the link stands, in axes of the carrier.
     pub pose: Pose,

@@ -79,7 +79,7 @@ where
             body.found = core::array::from_fn(|i| angles[i] - last[i]);
         }
         body.shown = S::Orient::shown(&body.base, &angles, &body.shown);
-        S::Orient::land(&mut body.base, &mut body.angles);
+        S::Orient::retract(&mut body.base, &mut body.angles);
     }
 
     /// Strains a joint between two bodies that have gone on.

@@ -213,7 +213,7 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
         let shape = Shape { psi: Self::arms(solid).map(|arm| self.psi(arm)), barred: *self.barred(), gyration };
         shape.matrix(rigid, step.chi1, given, external)
     }
-    fn land<M: Copy>(base: &mut Base<T>, angles: &mut [Coordinate<T, M>; 3]) {
+    fn retract<M: Copy>(base: &mut Base<T>, angles: &mut [Coordinate<T, M>; 3]) {
         if base.slots == Slots::RotationVectors {
             let psi = angles.each_ref().map(|angle| angle.value);
             base.attitude = orthonormal(&attitude_of(base, &psi));

@@ -16,9 +16,9 @@ pub struct Passing<T, const K: usize> {
     pub(super) acceleration: Acceleration<T>,
     /// Angular velocity of that body (rad/s).
     pub(super) rate: T,
-    /// Columns of its angle.
+    /// Columns of the body's angle.
     pub(super) angle: [T; K],
-    /// Columns of its angular velocity.
+    /// Columns of the body's angular velocity.
     pub(super) spin: [T; K],
     /// Columns of the acceleration of the station.
     pub(super) x: [T; K],

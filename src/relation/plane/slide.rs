@@ -56,7 +56,7 @@ impl<T: Scalar, C: Closures> SlideGain<T, C> {
         Self { per_acceleration: self.per_acceleration.yx(), ..self }
     }
 
-    /// Whether its pivot resists: what velocities, loads and springs contribute may overflow where it does.
+    /// Whether the pivot of the gain resists: what velocities, loads and springs contribute may overflow where it does.
     pub fn is_finite(&self) -> bool {
         let w = self.per_acceleration;
         w.x.is_finite() && w.y.is_finite() && self.per_angular.is_finite()

@@ -67,7 +67,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
     note = "end a chain with a body, put a body between two joints, and start a chain with a body: the root `Pinned` is a ball"
 )]
 pub trait Rigid<T: Scalar>: Copy {
-    /// Closure forces it carries.
+    /// Closure forces that the relation carries.
     type Closures: Closures;
     /// The relation in full.
     fn full(self) -> Full<T, Self::Closures>;

@@ -77,7 +77,7 @@ impl<G, A, T: Scalar> Hinged<G, A, T> {
 }
 
 impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Root<Spatial<T>> for Hinged<G, A, T> {
-    /// In axes of the joint, its own the last.
+    /// Pairs in axes of the joint, its own the last.
     type Pairs = (Held, Held, Held, Held, Held, Loose);
     type Joint = Revolute<T>;
 

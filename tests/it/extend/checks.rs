@@ -99,8 +99,8 @@ impl<T: Scalar> shape::Joint<Planar<T>> for Mismatched<T> {
     fn is_finite<C: Closures>(kept: &HingeGain<T, C>) -> bool {
         kept.is_finite()
     }
-    fn aim(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-        shape::Joint::aim(&self.pin, position, inboard, next)
+    fn configure(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+        shape::Joint::configure(&self.pin, position, inboard, next)
     }
     fn recover<C: Closures, By: Springs<T>>(
         &self,

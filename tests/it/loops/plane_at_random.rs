@@ -122,7 +122,7 @@ impl Case {
         motion.position().visit(&mut |x| position.push(x));
         motion.rate().visit(&mut |x| rate.push(x));
         let answer = self.answer(&position, &rate);
-        assert!(answer.miss < CLOSED, "loops miss by {:.1e}", answer.miss);
+        assert!(answer.residual < CLOSED, "loops miss by {:.1e}", answer.residual);
         let all = answer.linear.iter().chain(&answer.angular).chain(&answer.forces).chain(&answer.torques);
         let size = all.fold(1.0_f64, |size, v| size.max(v.amax()));
 

@@ -128,7 +128,7 @@ where
     let closings: Vec<_> = plan.closings.iter().map(closing).collect();
     let free = (twins.len() - 1, oracle::Tip::Free);
     let answer = oracle::solve_closed(oracle::Frame::still(), gravity, &plan.parents, &twins, &joints, free, &closings);
-    assert!(answer.miss < 1e-13, "loops miss by {:.1e}", answer.miss);
+    assert!(answer.residual < 1e-13, "loops miss by {:.1e}", answer.residual);
 
     let size = [&answer.linear, &answer.angular, &answer.forces, &answer.torques];
     let size = size.into_iter().flatten().fold(1.0_f64, |size, v| size.max(v.amax()));

@@ -43,7 +43,7 @@ impl<'a> Element<'a> {
         self.node.tag_name().name() == name && self.node.tag_name().namespace().is_none()
     }
 
-    /// The line where it begins.
+    /// The line where the element begins.
     pub fn line(&self) -> usize {
         self.lines.at(self.node.range().start)
     }
