@@ -20,13 +20,12 @@
 //! pull back    tip → root   G and F; costates of positions, rates, parameters       walks::pull_back
 //! ```
 //!
-//! These are [selective](Selective) walks: what they do at a body or a joint stands with its physics (`planar/adjoint/`).
-
-pub use crate::shape::{Selective, Takes};
+//! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics (`planar/adjoint/`).
 
 use crate::element::{Element, Space};
 use crate::ends::{Root, Tip};
 use crate::relation::{Additive, Open};
+use crate::shape::Takes;
 use crate::space::FrameOf;
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
@@ -44,7 +43,7 @@ pub trait Reversed: Space {
     type Stirred: Copy;
     /// What that walk keeps of a body.
     type OnBody: Copy + 'static;
-    /// What it keeps of a joint without coordinates.
+    /// What that walk keeps of a joint without coordinates.
     type InJoint: Copy + 'static;
     /// What is carried inward: G and F, and what turning all that has been met does to P.
     type Pulled: Additive;

@@ -38,7 +38,7 @@
 //! ```
 
 use super::gradient::{Costate, Gradient};
-use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip, Takes};
+use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -46,7 +46,7 @@ use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Additive, Open, Wrench};
 use crate::scalar::Real;
-use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
+use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape, Takes};
 use crate::stepper::displace::{displace, gather};
 use crate::system::{Dynamics, Elements, MotionOf, PositionOf, RateOf, Runs, System};
 use crate::time::Explicit;

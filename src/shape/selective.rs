@@ -12,7 +12,7 @@ use crate::space::Space;
 
 /// A walk that meets elements by their types.
 pub trait Selective<S: Space>: Walk<S> {
-    /// Whether it goes from the root to the tips, or from them to the root.
+    /// Whether the walk goes from the root to the tips, or from them to the root.
     const OUTWARD: bool;
 
     /// What goes on where an arm leaves the chain; `go` is the way through the arm.

@@ -17,13 +17,12 @@
 //! and at I G has w ẑ×σ more, F α ẑ×σ − ω² σ. What α, ω² and w multiply in θ̄ is summed up for all bodies that a pin turns.
 
 use super::{Kind, OnBody, Outboard, Pulled, Stirred};
-use crate::adjoint::Takes;
 use crate::planar::body::{Base, Pose};
 use crate::planar::{Acceleration, Body, Planar, PointMass, RigidBody, Rod, Wrench};
 use crate::relation::Empty;
 use crate::relation::plane::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::scalar::Scalar;
-use crate::shape::Of;
+use crate::shape::{Of, Takes};
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
@@ -83,7 +82,7 @@ fn pull_back<T: Scalar, B: Body<T>>(
     } else {
         // d · d̄: see `Reversed::complete`.
         let length = plus_dot(angular.mul_add(turned_across, w * dot(n, force)), centripetal, momentum);
-        sums.outboard[0] = sums.outboard[0] - length;
+        sums.outboard[0] -= length;
     }
     Pulled { momentum, force, along, across, lever }
 }

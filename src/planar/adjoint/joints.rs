@@ -1,11 +1,10 @@
 //! The costate sweep in the plane: what joints do.
 
 use super::{Outboard, Pulled, Stirred, Turning};
-use crate::adjoint::Takes;
 use crate::planar::{Acceleration, Pin, Planar, Weld, Wrench};
 use crate::relation::plane::algebra::{add_scaled, plus_dot};
 use crate::scalar::Scalar;
-use crate::shape::Of;
+use crate::shape::{Of, Takes};
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
@@ -75,7 +74,7 @@ impl<T: Scalar> Takes<Planar<T>, Stir> for Pin {
 }
 
 impl<T: Scalar> Takes<Planar<T>, PullBack> for Pin {
-    /// Its coordinate is the absolute angle of what it turns: nothing of that is left for what lies inboard.
+    /// The coordinate is the absolute angle of what the pin turns: nothing of that is left for what lies inboard.
     #[inline(always)]
     fn take(
         &self,
@@ -123,7 +122,7 @@ impl<T: Scalar> Takes<Planar<T>, Stir> for Weld<T> {
 }
 
 impl<T: Scalar> Takes<Planar<T>, PullBack> for Weld<T> {
-    /// Its angle turns all that has been met since the last pin.
+    /// The angle of a weld turns all that has been met since the last pin.
     #[inline(always)]
     fn take(
         &self,

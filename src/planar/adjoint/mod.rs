@@ -1,6 +1,5 @@
 //! The costate sweep in the plane: what is carried and kept.
 
-mod along;
 mod bodies;
 mod ends;
 mod joints;
@@ -170,7 +169,7 @@ impl<T: Scalar> Reversed for Planar<T> {
     /// Links in the direction of their axes sum up d · d̄: their length l is constant, and d̄ along d is that over l.
     fn complete(size: &T, sums: &mut Base<T>) {
         if size.real() != num_traits::Zero::zero() {
-            sums.outboard[0] = sums.outboard[0] * size.recip();
+            sums.outboard[0] *= size.recip();
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Gradients of runs that go backward: against jets through the same steps, kind by kind, and against central differences.
 
-use crate::kit::{Noise, near};
 use catena::planar::*;
 use catena::scalar::Jet;
 use catena::sensitivity::Costate;
 use catena::{Error, Fault, Scalar};
+use catena_oracle::{Noise, near};
 
 /// Some thousand roundings.
 const ROUNDING: f64 = 1e-12;

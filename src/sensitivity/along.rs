@@ -1,14 +1,12 @@
 //! Gradients of runs in the plane, along whatever parameters a scene is made of.
 
-use crate::adjoint::Takes;
+use super::Gradient;
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::planar::body::Base;
-use crate::planar::{Body, Pin, Planar, PointMass, RigidBody, Rod, System, Weld};
+use crate::planar::{Base, Body, Pin, Planar, PointMass, RigidBody, Rod, System, Weld};
 use crate::scalar::{Jet, Scalar};
-use crate::sensitivity::Gradient;
-use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Walk};
+use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk};
 use crate::system::Elements;
 
 /// Sums up what derivatives of parameters do to a cost.
