@@ -75,8 +75,37 @@ impl<T: Scalar, const K: usize> Takes<Planar<Jet<T, K>>, Along<T, K>> for Weld<J
 }
 
 impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
-    /// Along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them, lengths,
+    /// The gradient along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them, lengths,
     /// masses, gravity, one thickness in sixty rods. The scene is built over jets once, whatever the length of the run.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// use catena::scalar::{Jet, Scalar};
+    /// /// Two rods of a length, in a field of gravity: over plain numbers, and over jets.
+    /// macro_rules! pendulum {
+    ///     ($length:expr, $mass:expr, $gravity:expr) => {{
+    ///         let rod = Rod::uniform($length, $mass);
+    ///         System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity($gravity)
+    ///     }};
+    /// }
+    /// # let end_of = |length: f64| -> Result<f64, catena::Error> {
+    /// #     let plain = pendulum!(length, 1.0, 9.81);
+    /// #     let start = plain.at_rest(&[-1.0, -0.5])?;
+    /// #     Ok(plain.simulate(start, Rk4::step(0.01), 1.0, |_| ())?.motion.coordinates()[1])
+    /// # };
+    /// let plain = pendulum!(1.0, 1.0, 9.81);
+    /// let start = plain.at_rest(&[-1.0, -0.5])?;
+    /// let (mut backward, mut states) = (plain.backward(Rk4), [start; 101]);
+    /// backward.run(&start, 0.01, 100, &[], &mut states)?;
+    /// let gradient = backward.gradient(0.01, &[], &states, &mut [], |step, _, by| {
+    ///     if step == 100 { by.add(&[0.0, 1.0], &[0.0, 0.0]) } else { Ok(()) }
+    /// })?;
+    /// let seeded = pendulum!(Jet::<f64, 2>::seed(1.0, 0), Jet::of(1.0), Jet::seed(9.81, 1));
+    /// let [by_length, by_gravity] = gradient.along(&seeded)?;
+    /// # assert!((by_length - (end_of(1.0 + 1e-5)? - end_of(1.0 - 1e-5)?) / 2e-5).abs() < 1e-7);
+    /// # assert!((by_gravity + gradient.by_gravity().y).abs() < 1e-14);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Fault::Shape`] for another scene.
