@@ -112,7 +112,8 @@ pub mod model {
 }
 pub use crate::kinematics::{Acting, Driving, JointModel, Kinematics, Outboard, Resistance};
 pub use crate::relation::Geometry;
+pub use crate::relation::space::algebra::Symmetric3;
 pub use crate::release::{Freedom, Release, Way};
-pub use crate::sweep::Springs;
+pub use crate::sweep::{Implicit, Springs};
 #[doc(hidden)]
 pub use typenum::{U0 as None, U1 as One};

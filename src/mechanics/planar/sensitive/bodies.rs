@@ -16,8 +16,8 @@
 //! α itself does not change then, but with the ground: a sum of accelerations of coordinates has no directions.
 
 use super::{Answering, Passing, Pulling};
-use crate::planar::body::{Base, Pose};
-use crate::planar::{Acceleration, Body, Planar, PointMass, RigidBody, Rod, Wrench};
+use crate::mechanics::planar::body::{Base, Pose};
+use crate::mechanics::planar::{Acceleration, Body, Planar, PointMass, RigidBody, Rod, Wrench};
 use crate::relation::Term;
 use crate::relation::plane::Full;
 use crate::relation::plane::algebra::{add_scaled, dot, normal};

@@ -4,11 +4,11 @@ use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Place};
 use crate::lift::Lift;
+use crate::mechanics::spatial::{Ball, BodyMotion, Frame, Internal, Spatial, Turn};
 use crate::relation::space::Point;
 use crate::relation::space::algebra::{Symmetric3, zero};
 use crate::relation::{Absent, Cut, Cuts, Symmetric};
 use crate::scalar::Scalar;
-use crate::spatial::{Ball, BodyMotion, Frame, Internal, Spatial, Turn};
 use nalgebra::Vector3;
 use num_traits::Zero;
 

@@ -2,7 +2,7 @@
 
 use super::{Answering, Passing, Pulling};
 use crate::lift::Lift;
-use crate::planar::{ElasticHinge, Pin, Planar, Weld};
+use crate::mechanics::planar::{ElasticHinge, Pin, Planar, Weld};
 use crate::relation::plane::{Full, Gain, Slides};
 use crate::relation::{Absent, Coefficient, Minus, Term};
 use crate::scalar::{Jet, Scalar, columns};

@@ -4,11 +4,11 @@ use super::Floating;
 use crate::ends::{Loose, Root, Tip};
 use crate::error::Error;
 use crate::lift::lift;
+use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Spatial, Turn};
 use crate::relation::Open;
 use crate::relation::space::Empty;
 use crate::relation::space::algebra::zero;
 use crate::scalar::Scalar;
-use crate::spatial::{BodyMotion, Frame, Internal, Spatial, Turn};
 use nalgebra::Vector3;
 
 /// An end on which nothing acts.

@@ -4,7 +4,7 @@ use super::{Compliance, Ground};
 use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
-use crate::planar::{BodyMotion, Frame, Internal, Planar, Turn, Weld};
+use crate::mechanics::planar::{BodyMotion, Frame, Internal, Planar, Turn, Weld};
 use crate::relation::plane::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
 use crate::scalar::Scalar;

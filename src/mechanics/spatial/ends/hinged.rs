@@ -4,12 +4,12 @@ use super::{Attitude, Clamped, Compliance, Ground};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Place};
 use crate::lift::Lift;
+use crate::mechanics::spatial::axial::{check_axis, unit};
+use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Revolute, Rotation, Spatial, Turn};
 use crate::relation::space::algebra::{cross, dot, zero};
 use crate::relation::space::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
 use crate::scalar::{Real, Scalar};
-use crate::spatial::axial::{check_axis, unit};
-use crate::spatial::{BodyMotion, Frame, Internal, Revolute, Rotation, Spatial, Turn};
 use nalgebra::Vector3;
 
 /// An end held by a smooth revolute joint, at a place of the ground and about an axis of it. The ground may move and turn as given

@@ -35,43 +35,14 @@
 //! # Ok::<(), catena::Error>(())
 //! ```
 
-mod angles;
-mod axial;
-mod axial_walks;
-mod ball;
-mod beam;
-mod body;
-mod cylindrical;
-mod elastic_hinge;
-mod ends;
-mod frame;
-mod inertia;
-mod isometry;
-mod joint;
-mod kinematics;
-mod linear_hinge;
-mod loads;
-mod loops;
-pub mod maps;
-mod point_mass;
-mod prismatic;
-mod release;
-mod revolute;
-mod rigid_body;
-mod rod;
-mod rotary_spring;
-mod rotation;
-mod second_moments;
-mod sensitive;
-mod spring;
-mod station;
-mod transfer;
-mod turning;
-mod universal;
-mod weld;
-
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
 pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
+pub use crate::mechanics::spatial::{
+    Acceleration, Attitude, AttitudeMotion, Ball, Beam, BodyMotion, Clamped, ClosedLoop, Cylindrical, Effort,
+    ElasticBall, ElasticHinge, Floating, Frame, Free, Ground, GroundMotion, Hinged, Inertia, Internal, JointMotion,
+    Linear, Moving, Pinned, PointMass, Prismatic, Revolute, RigidBody, Rod, RotaryLaw, RotarySpring, Rotation,
+    Segments, Station, Turn, Turning, Universal, Weld, Wrench, index, maps,
+};
 pub use crate::relation::Absent;
 pub use crate::relation::space::Spatial;
 pub use crate::spring::{Spring, SpringLaw};
@@ -79,33 +50,6 @@ pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
 pub use crate::sweep::Springs;
 pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
-pub use axial::{Axial, Listed, Relative};
-pub use ball::Ball;
-pub use beam::{Beam, Retardation, Segments, Stretch};
-pub use body::{Body, Pose};
-pub use cylindrical::Cylindrical;
-pub use elastic_hinge::{BallRule, ElasticBall, ElasticHinge, Place};
-pub use ends::{
-    Attitude, AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning,
-};
-pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Turn};
-pub use inertia::Inertia;
-pub use joint::{Joint, Sets, Stored};
-pub use linear_hinge::{Linear, RotaryElimination};
-pub use loads::{Drive, Effort, Wrench};
-pub use loops::ClosedLoop;
-pub use point_mass::PointMass;
-pub use prismatic::Prismatic;
-pub use release::Release;
-pub use revolute::Revolute;
-pub use rigid_body::RigidBody;
-pub use rod::Rod;
-pub use rotary_spring::{RotaryDamper, RotaryLaw, RotarySpring};
-pub use rotation::Rotation;
-pub use spring::PivotRule;
-pub use station::{Station, index};
-pub use universal::Universal;
-pub use weld::Weld;
 
 /// A spatial scene.
 pub type System<T, R, C, P> = crate::system::System<Spatial<T>, R, C, P>;

@@ -4,11 +4,11 @@ use super::{Compliance, Ground};
 use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
+use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Rotation, Spatial, Turn, Weld};
 use crate::relation::space::algebra::{cross, zero};
 use crate::relation::space::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
 use crate::scalar::{Real, Scalar};
-use crate::spatial::{BodyMotion, Frame, Internal, Rotation, Spatial, Turn, Weld};
 use nalgebra::Vector3;
 use num_traits::Zero;
 

@@ -3,7 +3,7 @@
 mod bodies;
 mod joints;
 
-use crate::planar::{Acceleration, Frame, Planar, Turn};
+use crate::mechanics::planar::{Acceleration, Frame, Planar, Turn};
 use crate::relation::plane::Full;
 use crate::scalar::{Jet, Scalar, columns};
 use crate::sensitive::{Effort, Varied};

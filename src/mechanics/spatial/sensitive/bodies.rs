@@ -13,13 +13,13 @@
 
 use super::columns::*;
 use super::{Answering, Passing, Pulling};
+use crate::mechanics::spatial::body::{Body, Pose};
+use crate::mechanics::spatial::{Acceleration, PointMass, RigidBody, Rod, Spatial, Turn, Wrench};
 use crate::relation::Term;
 use crate::relation::space::Full;
 use crate::relation::space::algebra::{Columns, cross, cross_onto, dot, zero};
 use crate::scalar::{Jet, Scalar};
 use crate::sensitive::{At, Seeds, Sensitive, Varied};
-use crate::spatial::body::{Body, Pose};
-use crate::spatial::{Acceleration, PointMass, RigidBody, Rod, Spatial, Turn, Wrench};
 use nalgebra::Vector3;
 
 /// What a body keeps: its motion on the inboard side, and its load.

@@ -1,13 +1,13 @@
 //! The joint of a chain that floats.
 
 use crate::element::{Condense, Given, Posture, Sweep};
+use crate::mechanics::spatial::joint::{One, Stored};
+use crate::mechanics::spatial::release::{self, Release};
+use crate::mechanics::spatial::{Acceleration, Ball, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
 use crate::relation::space::algebra::{Columns, is_finite, zero};
 use crate::relation::space::{Empty, Relation, Rigid};
 use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
-use crate::spatial::joint::{One, Stored};
-use crate::spatial::release::{self, Release};
-use crate::spatial::{Acceleration, Ball, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
 use nalgebra::Vector3;
 
 /// The joint of a chain that floats: place and attitude of its first body, whose rates are the velocity in inertial and the angular

@@ -3,7 +3,7 @@
 use super::axes::Axes;
 use super::{JointMotion, Planar, Revolute, Slider, SpringState, Turn};
 use crate::kinematics::{Acting, Driving, Kinematics, Outboard};
-use crate::planar::Joint;
+use crate::mechanics::planar::Joint;
 use crate::relation::plane::{Full, HingeGain, Rigid};
 use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;

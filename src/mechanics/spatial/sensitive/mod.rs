@@ -5,12 +5,12 @@ mod bodies;
 mod columns;
 mod joints;
 
+use crate::mechanics::spatial::loads::Effort;
+use crate::mechanics::spatial::{Acceleration, Frame, Spatial, Turn};
 use crate::relation::space::Full;
 use crate::relation::space::algebra::{Columns, zero};
 use crate::scalar::{Jet, Scalar};
 use crate::sensitive::Varied;
-use crate::spatial::loads::Effort;
-use crate::spatial::{Acceleration, Frame, Spatial, Turn};
 use columns::*;
 use nalgebra::Vector3;
 

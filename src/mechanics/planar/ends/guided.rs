@@ -4,7 +4,7 @@ use super::{Attitude, Clamped, Compliance, Ground};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
-use crate::planar::{BodyMotion, Frame, Internal, Planar, Slider, Turn};
+use crate::mechanics::planar::{BodyMotion, Frame, Internal, Planar, Slider, Turn};
 use crate::relation::plane::algebra::dot;
 use crate::relation::plane::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};

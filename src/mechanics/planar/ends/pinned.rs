@@ -4,7 +4,7 @@ use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Place};
 use crate::lift::Lift;
-use crate::planar::{BodyMotion, Frame, Internal, Pin, Planar, Turn};
+use crate::mechanics::planar::{BodyMotion, Frame, Internal, Pin, Planar, Turn};
 use crate::relation::plane::Point;
 use crate::relation::plane::algebra::Symmetric2;
 use crate::relation::{Absent, Cut, Cuts, Symmetric};

@@ -3,7 +3,7 @@
 use crate::ends::{Loose, Root, Tip};
 use crate::error::Error;
 use crate::lift::lift;
-use crate::planar::{BodyMotion, ElasticHinge, Frame, Internal, Linear, Planar, Turn, Unbalanced};
+use crate::mechanics::planar::{BodyMotion, ElasticHinge, Frame, Internal, Linear, Planar, Turn, Unbalanced};
 use crate::relation::plane::Empty;
 use crate::relation::{Absent, Open};
 use crate::scalar::Scalar;

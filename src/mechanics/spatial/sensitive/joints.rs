@@ -3,13 +3,13 @@
 use super::columns::{Vectors, add_along, apply, crossed, none, parts, project, value};
 use super::{Answering, Passing, Pulling, turned};
 use crate::lift::Lift;
+use crate::mechanics::spatial::loads::Effort;
+use crate::mechanics::spatial::{Ball, Rotation, Spatial, Turn, Weld};
 use crate::relation::space::algebra::{Columns, zero};
 use crate::relation::space::{Couple, Full, Gain, Point};
 use crate::relation::{Absent, Additive, Term};
 use crate::scalar::{Jet, Scalar, columns};
 use crate::sensitive::{At, Seeds, Sensitive};
-use crate::spatial::loads::Effort;
-use crate::spatial::{Ball, Rotation, Spatial, Turn, Weld};
 use nalgebra::Vector3;
 
 /// What a ball keeps.

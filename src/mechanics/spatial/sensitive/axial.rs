@@ -3,14 +3,14 @@
 use super::columns::{Vectors, add, add_along, add_scaled_vectors, apply, crossed, none, parts, project};
 use super::{Answering, Passing, Pulling, turned};
 use crate::lift::Lift;
+use crate::mechanics::spatial::axial::{Axial, Listed, Relative};
+use crate::mechanics::spatial::loads::Effort;
+use crate::mechanics::spatial::{Acceleration, Revolute, Spatial, Turn, Universal};
 use crate::relation::Absent;
 use crate::relation::space::algebra::{Columns, add_scaled, dot, zero};
 use crate::relation::space::{Full, Pivot, Way};
 use crate::scalar::{Jet, Scalar};
 use crate::sensitive::{At, Seeds, Sensitive};
-use crate::spatial::axial::{Axial, Listed, Relative};
-use crate::spatial::loads::Effort;
-use crate::spatial::{Acceleration, Revolute, Spatial, Turn, Universal};
 use crate::spring::SpringLaw;
 use nalgebra::Vector3;
 use num_traits::Zero;
