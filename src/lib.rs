@@ -28,8 +28,13 @@
 //!
 //! # Conventions
 //!
-//! SI units throughout. A planar angle is measured from +x, counter-clockwise, and never wrapped. Signs of internal forces stand
-//! in [`system::Element`]. Errors are values that say when, where and what: [`Error`].
+//! SI units throughout. A planar angle is measured from +x, counter-clockwise, and never wrapped. Errors are values
+//! that say when, where and what: [`Error`].
+//!
+//! On a body the force +q acts at its inboard end I and −q at its outboard end O, the torque −m at I and +m at O. A
+//! massless joint passes q and, if its two points coincide, m. So q at the root is the force of the ground on the first
+//! body. The relation uses F = (q, −m), the force and torque *on the outboard part*. A torque in a joint acts on the
+//! outboard body, and its opposite on the inboard one.
 //!
 //! # Where things are
 //!

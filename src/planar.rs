@@ -18,7 +18,7 @@ pub use crate::mechanics::planar::{
     RigidBody, Rod, Segments, Slider, Station, Turn, Turning, Unbalanced, Weld, Wrench, index,
 };
 pub use crate::relation::Absent;
-pub use crate::relation::plane::Planar;
+pub use crate::relation::planar::Planar;
 pub use crate::spring::{Spring, SpringLaw};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};

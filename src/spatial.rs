@@ -44,7 +44,7 @@ pub use crate::mechanics::spatial::{
     Segments, Station, Turn, Turning, Universal, Weld, Wrench, index, maps,
 };
 pub use crate::relation::Absent;
-pub use crate::relation::space::Spatial;
+pub use crate::relation::spatial::Spatial;
 pub use crate::spring::{Spring, SpringLaw};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};

@@ -16,10 +16,10 @@ pub mod geometry;
 mod join;
 mod kinds;
 mod looped;
-pub mod plane;
+pub mod planar;
 mod redundancy;
 mod shared;
-pub mod space;
+pub mod spatial;
 mod way;
 mod wrench;
 

@@ -43,7 +43,7 @@ use alloc::vec::Vec;
 /// | stretching, one end held | 2 | −1.0e-3 | −2.6e-4 | −6.4e-5 |
 ///
 /// The highest frequency of a cantilever is 8.87 K² √(EI/ρA)/L², that of a stretching one 2K √(EA/ρA)/L if it is more: many segments
-/// make a stiff scene, which asks for [`GeneralizedAlpha`](super::GeneralizedAlpha) or [`Sdirk4`](super::Sdirk4).
+/// make a stiff scene, which asks for [`GeneralizedAlpha`](crate::time::GeneralizedAlpha) or [`Sdirk4`](crate::time::Sdirk4).
 ///
 /// # Source
 ///
@@ -145,12 +145,12 @@ impl<T: Scalar, D> Stretch<T, D> for Absent {
 }
 
 /// The slider is along the rod inboard of it.
-impl<T: Scalar, D> Stretch<T, D> for T {
+impl<T: Scalar, D: Coefficient<T>> Stretch<T, D> for T {
     type Link = (Slider<T, Spring<T, D>>, ElasticHinge<Spring<T, D>>, Rod<T>);
 
     fn link(self, spring: impl Fn(T) -> Spring<T, D>, bending: T, rod: Rod<T>) -> Self::Link {
         let hinge = ElasticHinge { rotary: spring(bending), linear: Absent };
-        (Slider::along(T::zero()).sprung(spring(self)), hinge, rod)
+        (Slider::along(T::zero()).with(spring(self)), hinge, rod)
     }
 }
 

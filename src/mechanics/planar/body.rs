@@ -6,7 +6,7 @@ use crate::element::{Condense, Element, Given, OnBody, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::Term;
-use crate::relation::plane::{Full, Relation};
+use crate::relation::planar::{Full, Relation};
 use crate::scalar::{Real, Scalar};
 use crate::shape::{PerAxes, PostureOf, Shape};
 use core::fmt::Debug;
@@ -191,6 +191,19 @@ impl<T: Scalar, B: Body<T>> crate::shape::Body<Planar<T>> for B {
 macro_rules! body {
     ($($Body:ident),*) => {$(
         crate::shape::leaf!(body [T: Scalar] super::$Body<T>: Planar<T>);
+
+        impl<T: Scalar> super::$Body<T> {
+            /// Mass, mass centre and moment of inertia.
+            #[inline(always)]
+            pub fn inertia(&self) -> Inertia<T> {
+                Body::inertia(self)
+            }
+            /// From its inboard to its outboard end (m), body axes.
+            #[inline(always)]
+            pub fn outboard(&self) -> [T; 2] {
+                Body::outboard(self)
+            }
+        }
 
         impl<T: Scalar> Element<Planar<T>> for super::$Body<T> {
             type Position = ();

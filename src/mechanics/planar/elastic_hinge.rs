@@ -6,7 +6,7 @@ use super::{Acceleration, Frame, Joint, JointMotion, Linear, Planar, Spring, Spr
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::{Lift, lift};
-use crate::relation::plane::{Full, HingeGain, Point, Rigid, Slides};
+use crate::relation::planar::{Full, HingeGain, Point, Rigid, Slides};
 use crate::relation::{Absent, Closures, Minus, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;

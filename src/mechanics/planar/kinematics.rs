@@ -4,7 +4,7 @@ use super::axes::Axes;
 use super::{JointMotion, Planar, Revolute, Slider, SpringState, Turn};
 use crate::kinematics::{Acting, Driving, Kinematics, Outboard};
 use crate::mechanics::planar::Joint;
-use crate::relation::plane::{Full, HingeGain, Rigid};
+use crate::relation::planar::{Full, HingeGain, Rigid};
 use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
 use crate::shape::JointPosture;

@@ -3,8 +3,8 @@
 use super::axes::{Axes, Fixed, Inboard, Offset, across};
 use super::{Acceleration, ElasticHinge, Frame, Turn};
 use crate::lift::Lift;
-use crate::relation::plane::algebra::normal;
-use crate::relation::plane::{Full, Slides, along, back};
+use crate::relation::planar::algebra::normal;
+use crate::relation::planar::{Full, Slides, along, back};
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;
 use core::fmt::Debug;
@@ -15,9 +15,9 @@ use nalgebra::Vector2;
 ///
 /// The coordinates are the components (m) of the vector d from the inboard to the outboard point:
 ///
-/// * [`Inboard`] (the default): along the axes of the inboard body, with m_O = m_I + d × q. Nothing depends on where the scene is
+/// * `Inboard` (the default): along the axes of the inboard body, with m_O = m_I + d × q. Nothing depends on where the scene is
 ///   turned, and momentum and energy are conserved.
-/// * [`Fixed`]: along inertial axes, with the same balance of moments.
+/// * `Fixed`: along inertial axes, with the same balance of moments.
 /// * [`Unbalanced`]: along inertial axes and with m_O = m_I, as (33)-(35) of the paper have it. Angular momentum is not conserved.
 ///
 /// An implicit rule takes inboard axes and unbalanced ones exactly into account. With fixed ones the inboard body's angular

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::element::{Condense, Given, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
-use crate::relation::plane::{Full, HingeGain, Point, Relation, Rigid, SlideGain, Slides};
+use crate::relation::planar::{Full, HingeGain, Point, Relation, Rigid, SlideGain, Slides};
 use crate::relation::{Absent, Closures, Coefficient, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;

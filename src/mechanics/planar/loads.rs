@@ -3,7 +3,7 @@
 use super::{BodyMotion, Frame, JointMotion, Planar};
 use crate::loading::Seen;
 use crate::relation;
-use crate::relation::plane::algebra::cross;
+use crate::relation::planar::algebra::cross;
 use crate::scalar::Scalar;
 use crate::struts::Points;
 use nalgebra::Vector2;

@@ -4,8 +4,8 @@ use super::ends::Compliance;
 use super::{BodyMotion, Frame, Internal, JointMotion, Pin, Planar, RigidBody, SpringState, Turn, Weld};
 use crate::chain::{Branch, CloseOff, Closing, Ends, LeastNorm, Network};
 use crate::error::Fault;
-use crate::relation::plane::algebra::Symmetric2;
-use crate::relation::plane::{Full, FullColumn, Point};
+use crate::relation::planar::algebra::Symmetric2;
+use crate::relation::planar::{Full, FullColumn, Point};
 use crate::relation::{Carry, Cut, Cuts, Forces, Own, Reacting, Shared, Symmetric, Term, Twisted, Wrenches};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -96,7 +96,7 @@ where
     let (pull, push) = (pulls(-T::one()), pulls(T::one()));
     let cuts = Cuts::at_tip(O::each(|k| pull[k]), O::each(|_| T::zero()));
     let offset = Vector2::new(T::zero(), T::zero());
-    let side = Point { stiffness: Symmetric2::diagonal(T::zero()), offset, torque, cuts };
+    let side = Point { mass: Symmetric2::diagonal(T::zero()), offset, torque, cuts };
     // A torque τ ON the main arm's body is m = −τ.
     let passed = Internal { force: offset, torque: torque.take_from(T::zero()) };
     (outer.carry(O::each(|k| push[k])).twisted(torque.reaction()), side, passed)

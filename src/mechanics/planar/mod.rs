@@ -25,7 +25,7 @@ mod transfer;
 mod turning;
 mod weld;
 
-pub use crate::relation::plane::Planar;
+pub use crate::relation::planar::Planar;
 pub use crate::spring::{Spring, SpringLaw};
 pub use beam::{Beam, Segments};
 pub use body::{Base, Body, Inertia, Pose};

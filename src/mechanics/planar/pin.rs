@@ -4,7 +4,7 @@ use super::axes::Coincident;
 use super::{Acceleration, Frame, Joint, JointMotion, Planar, Turn, release};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::lift::lift;
-use crate::relation::plane::{Gain, Point, Rigid};
+use crate::relation::planar::{Gain, Point, Rigid};
 use crate::relation::{Closures, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;

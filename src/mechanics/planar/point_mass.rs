@@ -4,7 +4,7 @@ use super::body::{Base, not_negative, positive};
 use super::{Body, Inertia, Planar, Pose};
 use crate::error::Fault;
 use crate::lift::lift;
-use crate::relation::plane::{Full, Relation};
+use crate::relation::planar::{Full, Relation};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 use num_traits::Zero;

@@ -2,7 +2,7 @@
 
 use super::{ElasticHinge, HingeAxes, JointMotion, Linear, Planar, Slider, SpringLaw};
 use crate::element::Implicit;
-use crate::relation::plane::algebra::normal;
+use crate::relation::planar::algebra::normal;
 use crate::release::{Freedom, Release, Resistance, Way};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;

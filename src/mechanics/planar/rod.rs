@@ -4,7 +4,7 @@ use super::body::{Base, positive};
 use super::{Body, Inertia, Planar, Pose};
 use crate::error::Fault;
 use crate::lift::lift;
-use crate::relation::plane::{Full, Relation};
+use crate::relation::planar::{Full, Relation};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector2;
 

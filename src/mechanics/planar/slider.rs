@@ -5,7 +5,7 @@ use super::{Acceleration, Frame, Joint, JointMotion, Planar, Spring, SpringState
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
-use crate::relation::plane::{Full, SlideGain, Slides, along, back};
+use crate::relation::planar::{Full, SlideGain, Slides, along, back};
 use crate::relation::{Absent, Closures, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;
@@ -19,7 +19,7 @@ use nalgebra::Vector2;
 /// ```
 /// use catena::planar::*;
 /// let (cart, rod) = (RigidBody::new(2.0, 0.1, [0.0; 2], [0.0; 2]), Rod::uniform(1.0, 0.5));
-/// let track = Slider::along(0.0).sprung(Spring::new(50.0)); // direction (rad) in the axes of the inboard body
+/// let track = Slider::along(0.0).with(Spring::new(50.0)); // direction (rad) in the axes of the inboard body
 /// let crane = System::new(Clamped::at(0.0, 0.0, 0.0), (track, cart, Pin, rod), Free)?.with_gravity(9.81);
 /// # Ok::<(), catena::Error>(())
 /// ```
@@ -38,11 +38,15 @@ impl<T: Scalar> Slider<T> {
     }
 
     /// With a spring along the line.
-    pub fn sprung<D, P>(self, spring: Spring<T, D, P>) -> Slider<T, Spring<T, D, P>> {
-        Slider { direction: self.direction, spring, lumped: self.lumped }
+    #[deprecated(note = "`with` takes springs, too")]
+    pub fn sprung<D, P>(self, spring: Spring<T, D, P>) -> Slider<T, Spring<T, D, P>>
+    where
+        Spring<T, D, P>: SpringLaw<T>,
+    {
+        self.with(spring)
     }
 
-    /// With a law of the user's own along the line, see [`SpringLaw`].
+    /// With a spring or a law of the user's own along the line, see [`SpringLaw`].
     pub fn with<L: SpringLaw<T>>(self, law: L) -> Slider<T, L> {
         Slider { direction: self.direction, spring: law, lumped: self.lumped }
     }

@@ -1,7 +1,7 @@
 //! Stations: what moves there, and what force and torque pass through.
 
 use super::{BodyMotion, Frame, Internal, JointMotion};
-use crate::relation::plane::algebra::{cross, dot, normal};
+use crate::relation::planar::algebra::{cross, dot, normal};
 use crate::scalar::Scalar;
 use crate::state::StateVector;
 use nalgebra::Vector2;

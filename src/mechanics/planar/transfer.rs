@@ -6,7 +6,7 @@
 use super::index::{M, ONE, QX, QY, THETA, X, Y};
 use super::{BodyMotion, Frame, JointMotion, Planar, Station};
 use crate::element::Load;
-use crate::relation::plane::algebra::cross;
+use crate::relation::planar::algebra::cross;
 use crate::release::{Freedom, Release, Way};
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};

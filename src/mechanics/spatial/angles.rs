@@ -4,7 +4,7 @@
 //! the values nearest to those before.
 
 use super::Rotation;
-use crate::relation::space::algebra::Columns;
+use crate::relation::spatial::algebra::Columns;
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 use num_traits::Zero;

@@ -6,8 +6,8 @@ use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, jo
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::lift::lift;
 use crate::relation::Closures;
-use crate::relation::space::algebra::{Columns, zero};
-use crate::relation::space::{Gain, Point, Rigid};
+use crate::relation::spatial::algebra::{Columns, zero};
+use crate::relation::spatial::{Gain, Point, Rigid};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 

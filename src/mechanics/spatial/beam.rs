@@ -20,7 +20,7 @@ use alloc::vec::Vec;
 /// let cantilever = System::new(Clamped::origin(), beam.segments::<20>(), Free)?.with_gravity([0.0, -9.81, 0.0]);
 /// let hub = RigidBody::new(3.0, [[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]], [0.0; 3], [0.2, 0.0, 0.0]);
 /// let blade = System::new(Pinned::origin(), (hub, beam.segments::<20>()), Free)?; // grows out of the hub
-/// let bridge = System::new(Pinned::origin(), beam.with_extension(1e5).segments::<20>(), Pinned::at(1.0, 0.0, 0.0))?;
+/// let bridge = System::new(Pinned::origin(), beam.with_extension(1e5).segments::<20>(), Pinned::at([1.0, 0.0, 0.0]))?;
 /// # Ok::<(), catena::Error>(())
 /// ```
 ///
@@ -38,7 +38,7 @@ use alloc::vec::Vec;
 /// under couples and forces converge with 1/K²:
 /// the lowest frequency of bending is off by 2.3e-3 with 10 segments and by 1.4e-4 with 40, that of torsion by 1.0e-3 and 6.4e-5.
 /// Many segments make a stiff scene, and so does a small ρI_p, by the frequencies of torsion: it asks for
-/// [`GeneralizedAlpha`](super::GeneralizedAlpha) or [`Sdirk4`](super::Sdirk4).
+/// [`GeneralizedAlpha`](crate::time::GeneralizedAlpha) or [`Sdirk4`](crate::time::Sdirk4).
 ///
 /// Where a beam stretches and shears, it does so along the axes of the rod inboard of each spring: where it is strongly bent as
 /// well, that converges with 1/K.

@@ -5,8 +5,8 @@ use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, OnBody, Posture, Sweep};
 use crate::error::Fault;
 use crate::relation::Term;
-use crate::relation::space::algebra::{Columns, centripetal};
-use crate::relation::space::{Full, Relation};
+use crate::relation::spatial::algebra::{Columns, centripetal};
+use crate::relation::spatial::{Full, Relation};
 use crate::scalar::Scalar;
 use crate::shape::PostureOf;
 use core::fmt::Debug;
@@ -95,6 +95,19 @@ impl<T: Scalar, B: Body<T>> crate::shape::Body<Spatial<T>> for B {
 macro_rules! body {
     ($($Body:ident),*) => {$(
         crate::shape::leaf!(body [T: Scalar] super::$Body<T>: Spatial<T>);
+
+        impl<T: Scalar> super::$Body<T> {
+            /// Mass, mass centre and moment of inertia.
+            #[inline(always)]
+            pub fn inertia(&self) -> Inertia<T> {
+                Body::inertia(self)
+            }
+            /// From its inboard to its outboard end (m), body axes.
+            #[inline(always)]
+            pub fn outboard(&self) -> [T; 3] {
+                Body::outboard(self)
+            }
+        }
 
         impl<T: Scalar> Element<Spatial<T>> for super::$Body<T> {
             type Position = ();

@@ -8,8 +8,8 @@ use super::{joint::One, joint::Stored};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
-use crate::relation::space::algebra::{Columns, cross, zero};
-use crate::relation::space::{BallGain, Couple, Full, Point, Rigid, Slides};
+use crate::relation::spatial::algebra::{Columns, cross, zero};
+use crate::relation::spatial::{BallGain, Couple, Full, Point, Rigid, Slides};
 use crate::relation::{Absent, Closures, Symmetric, Term};
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;
@@ -27,8 +27,8 @@ use nalgebra::Vector3;
 /// rate; before them, where there are linear springs, the displacement along axes of the inboard body (m). Loads in the joint are
 /// torques in axes of the outboard body.
 ///
-/// All rules keep their order on it. [`GeneralizedAlpha`](super::GeneralizedAlpha) takes the law of the rotary spring at the attitude
-/// without the acceleration sought, [`Sdirk4`](super::Sdirk4) at that of the sweep before.
+/// All rules keep their order on it. [`GeneralizedAlpha`](crate::time::GeneralizedAlpha) takes the law of the rotary spring at the attitude
+/// without the acceleration sought, [`Sdirk4`](crate::time::Sdirk4) at that of the sweep before.
 ///
 /// ```
 /// use catena::spatial::*;
@@ -95,6 +95,11 @@ impl<T: Scalar, D, L> ElasticHinge<RotarySpring<T, D>, L> {
 }
 
 impl<R> ElasticHinge<R> {
+    /// With a law of the user's own between points that coincide, see [`RotaryLaw`].
+    pub fn with(law: R) -> Self {
+        Self { rotary: law, linear: Absent }
+    }
+
     /// With springs along the axes of the inboard body.
     pub fn with_linear<T: Scalar, X: SpringLaw<T>, Y: SpringLaw<T>, Z: SpringLaw<T>>(
         self,

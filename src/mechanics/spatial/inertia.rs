@@ -4,7 +4,7 @@ use super::second_moments::SecondMoments;
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::Symmetric;
-use crate::relation::space::algebra::{Columns, Symmetric3, dot};
+use crate::relation::spatial::algebra::{Columns, Symmetric3, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 use num_traits::Zero;

@@ -3,7 +3,7 @@
 //! Places are arrays `[T; 3]` or `Vector3<T>`, between which and its points and translations nalgebra converts by itself.
 
 use super::{BodyMotion, Clamped, Frame, Pinned, Rotation};
-use crate::relation::space::algebra::Columns;
+use crate::relation::spatial::algebra::Columns;
 use crate::scalar::Scalar;
 use nalgebra::{
     Isometry3, Matrix3, Point3, Quaternion, Rotation3, Translation3, Unit, UnitQuaternion, Vector3, Vector4,
@@ -85,13 +85,13 @@ impl<T: Scalar> From<Isometry3<T>> for Clamped<[T; 3], Rotation<T>> {
 impl<T: Scalar> From<Vector3<T>> for Pinned<[T; 3]> {
     /// Held at this place (m).
     fn from(place: Vector3<T>) -> Self {
-        Self(place.into())
+        Self::on(place.into())
     }
 }
 
 impl<T: Scalar> From<Point3<T>> for Pinned<[T; 3]> {
     /// Held at this place (m).
     fn from(place: Point3<T>) -> Self {
-        Self(place.into())
+        Self::on(place.into())
     }
 }

@@ -10,7 +10,7 @@ use crate::element::{Element, Springs};
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
-use crate::relation::space::algebra::Columns;
+use crate::relation::spatial::algebra::Columns;
 use crate::scalar::Scalar;
 use crate::shape::{JointPosture, Native};
 use crate::spring::SpringLaw;

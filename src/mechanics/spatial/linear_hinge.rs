@@ -9,8 +9,8 @@ use super::{Acceleration, ElasticHinge, Frame, Joint, JointMotion, Rotation, Spa
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
-use crate::relation::space::algebra::{Columns, Symmetric3, centripetal, cross, cross_onto, zero};
-use crate::relation::space::{BallGain, Full, Point, Relation, Rigid, Slides};
+use crate::relation::spatial::algebra::{Columns, Symmetric3, centripetal, cross, cross_onto, zero};
+use crate::relation::spatial::{BallGain, Full, Point, Relation, Rigid, Slides};
 use crate::relation::{Absent, Closures, Term};
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;

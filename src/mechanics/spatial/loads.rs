@@ -2,8 +2,8 @@
 
 use super::{BodyMotion, Frame, JointMotion, Spatial};
 use crate::loading::Seen;
-use crate::relation::space::Couple;
-use crate::relation::space::algebra::{Columns, cross};
+use crate::relation::spatial::Couple;
+use crate::relation::spatial::algebra::{Columns, cross};
 use crate::relation::{self, Absent, Additive, Part, Term};
 use crate::scalar::Scalar;
 use crate::struts::Points;

@@ -4,8 +4,8 @@ use super::ends::Compliance;
 use super::{Ball, BodyMotion, Drive, Frame, Internal, Joint, JointMotion, Revolute, RigidBody, Spatial, Turn, Weld};
 use crate::chain::{Branch, CloseOff, Closing, Ends, LeastNorm, Network};
 use crate::error::Fault;
-use crate::relation::space::algebra::{Columns, Symmetric3, cross, dot, zero};
-use crate::relation::space::{Couple, Full, FullColumn, Point};
+use crate::relation::spatial::algebra::{Columns, Symmetric3, cross, dot, zero};
+use crate::relation::spatial::{Couple, Full, FullColumn, Point};
 use crate::relation::{Carry, Cut, Cuts, Forces, Reacting, Shared, Symmetric, Term, Twisted, Wrenches};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
@@ -243,7 +243,7 @@ macro_rules! close_off {
                 // λ acts ON the side arm, so F on what lies outboard of it is −λ, and the opposite on what the main arm meets.
                 let cuts = Cuts::at_tip(pulls(-T::one()), [T::zero(); 3]);
                 let torque = torque.couple(axes.x);
-                let side = Point { stiffness: Symmetric3::diagonal(T::zero()), offset: zero(), torque, cuts };
+                let side = Point { mass: Symmetric3::diagonal(T::zero()), offset: zero(), torque, cuts };
                 // A torque τ ON the main arm's body is m = −τ.
                 let passed = Internal { force: zero(), torque: torque.take_from(zero()) };
                 (outer.carry(pulls(T::one())).twisted(torque.reaction()), side, passed)

@@ -5,7 +5,7 @@
 //! lanes do not part.
 
 use super::Rotation;
-use crate::relation::space::algebra::{Columns, Symmetric3, add_scaled, cross, dot};
+use crate::relation::spatial::algebra::{Columns, Symmetric3, add_scaled, cross, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 

@@ -35,7 +35,7 @@ mod turning;
 mod universal;
 mod weld;
 
-pub use crate::relation::space::Spatial;
+pub use crate::relation::spatial::Spatial;
 pub use crate::spring::Spring;
 pub use ball::Ball;
 pub use beam::{Beam, Segments};

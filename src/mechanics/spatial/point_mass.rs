@@ -4,7 +4,7 @@ use super::inertia::{not_negative, positive};
 use super::{Body, Inertia, Pose, Spatial, Turn};
 use crate::error::Fault;
 use crate::lift::lift;
-use crate::relation::space::{Full, Relation};
+use crate::relation::spatial::{Full, Relation};
 use crate::scalar::Scalar;
 
 /// A point mass at the outboard end of a massless rigid link along the x axis: the bob of a mathematical pendulum.

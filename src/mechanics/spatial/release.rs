@@ -5,7 +5,7 @@ use super::axial_walks::{angular_bias, linear_bias};
 use super::rotary_spring::RotaryLaw;
 use super::{Ball, ElasticHinge, Floating, JointMotion, Linear, Rotation, Spatial, Weld};
 use crate::element::Implicit;
-use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot};
+use crate::relation::spatial::algebra::{Columns, centripetal, cross, cross_onto, dot};
 use crate::release::{Freedom, Resistance, Way};
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;

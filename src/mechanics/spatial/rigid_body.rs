@@ -4,8 +4,8 @@ use super::inertia::finite;
 use super::{Body, Inertia, Pose, Spatial, Turn};
 use crate::error::Fault;
 use crate::lift::lift;
-use crate::relation::space::algebra::Symmetric3;
-use crate::relation::space::{Full, Relation};
+use crate::relation::spatial::algebra::Symmetric3;
+use crate::relation::spatial::{Full, Relation};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 

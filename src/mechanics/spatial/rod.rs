@@ -5,8 +5,8 @@ use super::{Body, Inertia, Pose, Spatial, Turn};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::Symmetric;
-use crate::relation::space::algebra::{cross, dot};
-use crate::relation::space::{Full, Relation};
+use crate::relation::spatial::algebra::{cross, dot};
+use crate::relation::spatial::{Full, Relation};
 use crate::scalar::{Real, Scalar};
 
 /// A rigid rod along its x axis, from the inboard end to the outboard end at (length, 0, 0), alike around that axis.

@@ -6,7 +6,7 @@ use super::maps::{spring_couple, spring_slope};
 use crate::element::Implicit;
 use crate::error::Fault;
 use crate::lift::Lift;
-use crate::relation::space::algebra::{Columns, Symmetric3, dot, zero};
+use crate::relation::spatial::algebra::{Columns, Symmetric3, dot, zero};
 use crate::relation::{Absent, Part, Symmetric, Term};
 use crate::scalar::{Real, Scalar};
 use core::fmt::Debug;
@@ -24,6 +24,42 @@ pub struct RotarySpring<T, D = Absent, P = Absent> {
 }
 
 /// What resists relative rotation in a joint: a [`RotarySpring`], nothing, or a law of the user's own.
+///
+/// ```
+/// use catena::extend::{Implicit, Symmetric3};
+/// use catena::spatial::*;
+/// use catena::{Fault, nalgebra::Vector3};
+///
+/// /// A spring that turns a body back along the rotation vector, −k φ.
+/// #[derive(Clone, Copy, Debug)]
+/// struct Homing(f64);
+///
+/// impl RotaryLaw<f64> for Homing {
+///     fn torque(&self, position: &Rotation<f64>, _: &[f64; 3]) -> Vector3<f64> {
+///         Vector3::from(position.log()) * -self.0 // φ has the same numbers in the axes of both bodies
+///     }
+///     fn pivot(&self, _: &Rotation<f64>, _: &[f64; 3], springs: Implicit<f64>) -> Symmetric3<f64> {
+///         let k = self.0 * springs.position; // near φ = 0
+///         Symmetric3 { xx: k, xy: 0.0, xz: 0.0, yy: k, yz: 0.0, zz: k }
+///     }
+///     fn energy(&self, position: &Rotation<f64>) -> f64 {
+///         0.5 * self.0 * position.log().map(|x| x * x).iter().sum::<f64>()
+///     }
+///     fn check(&self) -> Result<(), Fault> {
+///         if self.0.is_finite() { Ok(()) } else { Err(Fault::NotFinite { parameter: "stiffness" }) }
+///     }
+/// }
+///
+/// let rod = Rod::uniform(0.5, 0.05, 1.0);
+/// let own = System::new(Clamped::origin(), (ElasticHinge::with(Homing(20.0)), rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
+/// let same = System::new(Clamped::origin(), (ElasticHinge::rotary([20.0; 3]), rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
+/// let (rule, start) = (Dop853::tolerance(1e-12), [0.2, 0.3, -0.4]);
+/// let one = own.simulate(own.at_rest(&start)?, rule, 1.0, |_| ())?.motion;
+/// let other = same.simulate(same.at_rest(&start)?, rule, 1.0, |_| ())?.motion;
+/// let apart = one.coordinates().iter().zip(other.coordinates()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+/// assert!(apart < 1e-10 && (own.budget(&one)?.potential - same.budget(&other)?.potential).abs() < 1e-9);
+/// # Ok::<(), catena::Error>(())
+/// ```
 pub trait RotaryLaw<T: Scalar>: Copy + Debug + 'static {
     /// Whether reading it without the acceleration sought will do for rules of order two.
     const LINEAR: bool = false;

@@ -16,7 +16,7 @@
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Position, Term};
-use crate::relation::space::algebra::{Columns, add_scaled, cross, cross_onto, dot};
+use crate::relation::spatial::algebra::{Columns, add_scaled, cross, cross_onto, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 use num_traits::{One, Zero};

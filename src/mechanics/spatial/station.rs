@@ -2,7 +2,7 @@
 
 use super::angles::angles;
 use super::{BodyMotion, Frame, Internal, JointMotion};
-use crate::relation::space::algebra::{cross, cross_onto, zero};
+use crate::relation::spatial::algebra::{cross, cross_onto, zero};
 use crate::scalar::Scalar;
 use crate::state::StateVector;
 use nalgebra::Vector3;

@@ -7,7 +7,7 @@ use super::index::{M, ONE, Q, R, THETA};
 use super::{BodyMotion, Effort, Frame, JointMotion, Release, Spatial, Station};
 use crate::element::Load;
 use crate::relation::Additive;
-use crate::relation::space::algebra::{Columns, centripetal, cross};
+use crate::relation::spatial::algebra::{Columns, centripetal, cross};
 use crate::release::{Freedom, Way};
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};

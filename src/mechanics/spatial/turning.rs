@@ -1,7 +1,7 @@
 //! Turns in space.
 
 use super::{Frame, Rotation, Spatial, Turn};
-use crate::relation::space::algebra::zero;
+use crate::relation::spatial::algebra::zero;
 use crate::scalar::Scalar;
 use crate::turning::Turning;
 use nalgebra::Vector3;

@@ -6,7 +6,7 @@ use crate::element::{Condense, Given, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::Closures;
-use crate::relation::space::algebra::{Columns, is_finite, zero};
+use crate::relation::spatial::algebra::{Columns, is_finite, zero};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 

@@ -1,7 +1,7 @@
 //! Three by three: products without tests for zero, which would lose derivatives.
 
 use crate::mechanics::spatial::{Rotation, maps};
-use crate::relation::space::algebra::Columns;
+use crate::relation::spatial::algebra::Columns;
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 use num_traits::Zero;

@@ -6,7 +6,7 @@ use super::algebra::{Matrix, Vector, apply, cross, from_fn, transposed};
 use crate::mechanics::spatial::Frame;
 use crate::paper::link::{End, dot, inverse};
 use crate::paper::orient::Axes;
-use crate::relation::space::algebra::Columns;
+use crate::relation::spatial::algebra::Columns;
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 

@@ -5,7 +5,7 @@ use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
 use crate::mechanics::planar::{BodyMotion, Frame, Internal, Planar, Turn, Weld};
-use crate::relation::plane::{Full, FullColumn};
+use crate::relation::planar::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -39,7 +39,7 @@ impl<T: Scalar, F: Fn(T::Real) -> [T; 3]> Attitude<T> for Turning<F> {
 /// use catena::planar::*;
 /// let rod = Rod::uniform(0.5, 1.0);
 /// let blade = System::new(Clamped::at(0.0, 0.0, 0.2), (rod, ElasticHinge::rotary(20.0), rod), Free)?;
-/// let shaken = Clamped { place: [0.0, 0.0], attitude: Turning(|t: f64| [t.sin(), t.cos(), -t.sin()]) };
+/// let shaken = Clamped::on([0.0, 0.0], Turning(|t: f64| [t.sin(), t.cos(), -t.sin()]));
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +51,10 @@ pub struct Clamped<G, A> {
 }
 
 impl<T: Scalar> Clamped<[T; 2], T> {
+    /// Held at the origin, unturned.
+    pub fn origin() -> Self {
+        Self::at(T::zero(), T::zero(), T::zero())
+    }
     /// Held at a place (m) and an angle (rad).
     pub fn at(x: T, y: T, angle: T) -> Self {
         Self { place: [x, y], attitude: angle }
@@ -58,6 +62,11 @@ impl<T: Scalar> Clamped<[T; 2], T> {
 }
 
 impl<G, A> Clamped<G, A> {
+    /// Held at a place and an angle of a ground that may move.
+    pub fn on(place: G, attitude: A) -> Self {
+        Self { place, attitude }
+    }
+
     /// The motion of the ground where it holds the end.
     pub(super) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
     where

@@ -1,7 +1,7 @@
 //! How much the end of a body yields to a force: the measure of closures that hold it.
 
 use crate::mechanics::planar::BodyMotion;
-use crate::relation::plane::algebra::{cross, dot};
+use crate::relation::planar::algebra::{cross, dot};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 

@@ -4,7 +4,7 @@ use crate::ends::{Loose, Root, Tip};
 use crate::error::Error;
 use crate::lift::lift;
 use crate::mechanics::planar::{BodyMotion, ElasticHinge, Frame, Internal, Linear, Planar, Turn, Unbalanced};
-use crate::relation::plane::Empty;
+use crate::relation::planar::Empty;
 use crate::relation::{Absent, Open};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;

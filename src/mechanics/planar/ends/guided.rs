@@ -5,8 +5,8 @@ use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
 use crate::mechanics::planar::{BodyMotion, Frame, Internal, Planar, Slider, Turn};
-use crate::relation::plane::algebra::dot;
-use crate::relation::plane::{Full, FullColumn};
+use crate::relation::planar::algebra::dot;
+use crate::relation::planar::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -32,6 +32,10 @@ pub struct Guided<G, A, T> {
 }
 
 impl<T: Scalar> Guided<[T; 2], T, T> {
+    /// Along the x axis.
+    pub fn origin() -> Self {
+        Self::on(Clamped::origin(), T::zero())
+    }
     /// Along the line through the point (x, y) (m) in the direction `angle` (rad); a body on it keeps this angle.
     pub fn at(x: T, y: T, angle: T) -> Self {
         Self::on(Clamped::at(x, y, angle), T::zero())

@@ -3,7 +3,7 @@
 use super::{Answering, Passing, Pulling};
 use crate::lift::Lift;
 use crate::mechanics::planar::{ElasticHinge, Pin, Planar, Weld};
-use crate::relation::plane::{Full, Gain, Slides};
+use crate::relation::planar::{Full, Gain, Slides};
 use crate::relation::{Absent, Coefficient, Minus, Term};
 use crate::scalar::{Jet, Scalar, columns};
 use crate::sensitive::{At, Seeds, Sensitive};

@@ -4,7 +4,7 @@ mod bodies;
 mod joints;
 
 use crate::mechanics::planar::{Acceleration, Frame, Planar, Turn};
-use crate::relation::plane::Full;
+use crate::relation::planar::Full;
 use crate::scalar::{Jet, Scalar, columns};
 use crate::sensitive::{Effort, Varied};
 use nalgebra::Vector2;

@@ -5,8 +5,8 @@ use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
 use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Rotation, Spatial, Turn, Weld};
-use crate::relation::space::algebra::{cross, zero};
-use crate::relation::space::{Full, FullColumn};
+use crate::relation::spatial::algebra::{cross, zero};
+use crate::relation::spatial::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
@@ -74,6 +74,11 @@ impl<T: Scalar> Clamped<[T; 3], Rotation<T>> {
 }
 
 impl<G, A> Clamped<G, A> {
+    /// Held at a place and an attitude of a ground that may move.
+    pub fn on(place: G, attitude: A) -> Self {
+        Self { place, attitude }
+    }
+
     /// The motion of the ground where it holds the end.
     pub(super) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
     where

@@ -1,7 +1,7 @@
 //! How much the end of a body yields to a force: the measure of closures that hold it.
 
 use crate::mechanics::spatial::BodyMotion;
-use crate::relation::space::algebra::{cross, dot};
+use crate::relation::spatial::algebra::{cross, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 

@@ -6,8 +6,8 @@ use crate::error::Error;
 use crate::lift::lift;
 use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Spatial, Turn};
 use crate::relation::Open;
-use crate::relation::space::Empty;
-use crate::relation::space::algebra::zero;
+use crate::relation::spatial::Empty;
+use crate::relation::spatial::algebra::zero;
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 

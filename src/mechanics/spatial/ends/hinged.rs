@@ -6,8 +6,8 @@ use crate::error::{Error, Place};
 use crate::lift::Lift;
 use crate::mechanics::spatial::axial::{check_axis, unit};
 use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Revolute, Rotation, Spatial, Turn};
-use crate::relation::space::algebra::{cross, dot, zero};
-use crate::relation::space::{Full, FullColumn};
+use crate::relation::spatial::algebra::{cross, dot, zero};
+use crate::relation::spatial::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
@@ -43,6 +43,10 @@ pub struct Hinged<G, A, T> {
 }
 
 impl<T: Scalar> Hinged<[T; 3], Rotation<T>, T> {
+    /// Held at the origin, about an axis of any length.
+    pub fn origin(axis: [T; 3]) -> Self {
+        Self::at([T::zero(); 3], axis)
+    }
     /// Held at a place (m), about an axis of any length.
     pub fn at(place: [T; 3], axis: [T; 3]) -> Self {
         Self::on(Clamped::at(place, Rotation::identity()), axis)

@@ -5,8 +5,8 @@ use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Place};
 use crate::lift::Lift;
 use crate::mechanics::spatial::{Ball, BodyMotion, Frame, Internal, Spatial, Turn};
-use crate::relation::space::Point;
-use crate::relation::space::algebra::{Symmetric3, zero};
+use crate::relation::spatial::Point;
+use crate::relation::spatial::algebra::{Symmetric3, zero};
 use crate::relation::{Absent, Cut, Cuts, Symmetric};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -16,24 +16,34 @@ use num_traits::Zero;
 ///
 /// ```
 /// use catena::spatial::{GroundMotion, Moving, Pinned};
-/// let still = Pinned::at(0.0, 1.0, 0.0);
-/// let shaken = Pinned(Moving(|t: f64| GroundMotion {
+/// let still = Pinned::at([0.0, 1.0, 0.0]);
+/// let shaken = Pinned::on(Moving(|t: f64| GroundMotion {
 ///     place: [t.sin(), 0.0, 0.0],
 ///     velocity: [t.cos(), 0.0, 0.0],
 ///     acceleration: [-t.sin(), 0.0, 0.0],
 /// }));
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Pinned<G>(pub G);
+pub struct Pinned<G> {
+    /// Where.
+    pub place: G,
+}
 
 impl<T: Scalar> Pinned<[T; 3]> {
     /// Held at the origin.
     pub fn origin() -> Self {
-        Self([T::zero(); 3])
+        Self::on([T::zero(); 3])
     }
     /// Held at a place (m).
-    pub fn at(x: T, y: T, z: T) -> Self {
-        Self([x, y, z])
+    pub fn at(place: [T; 3]) -> Self {
+        Self::on(place)
+    }
+}
+
+impl<G> Pinned<G> {
+    /// Held at a place of a ground that may move.
+    pub fn on(place: G) -> Self {
+        Self { place }
     }
 }
 
@@ -45,10 +55,10 @@ impl<T: Scalar, G: Ground<T, 3>> Root<Spatial<T>> for Pinned<G> {
         Ball
     }
     fn ground(&self, time: T::Real) -> Frame<T> {
-        self.0.at(time).frame::<Spatial<T>>()
+        self.place.at(time).frame::<Spatial<T>>()
     }
     fn check(&self) -> Result<(), Error> {
-        self.0.at(T::Real::zero()).check().map_err(|error| error.at(Place::Root))
+        self.place.at(T::Real::zero()).check().map_err(|error| error.at(Place::Root))
     }
 }
 
@@ -59,18 +69,18 @@ impl<T: Scalar, G: Ground<T, 3>> Tip<Spatial<T>> for Pinned<G> {
 
     #[inline(always)]
     fn relation(&self, time: T::Real, gravity: Vector3<T>, _: &Turn<T>) -> Self::Relation {
-        let target = Vector3::from(self.0.at(time).acceleration) - gravity;
+        let target = Vector3::from(self.place.at(time).acceleration) - gravity;
         let (o, i) = (T::zero(), T::one());
         // λ acts ON the last body, so F on the ground beyond the tip is −λ.
         let columns = [Vector3::new(-i, o, o), Vector3::new(o, -i, o), Vector3::new(o, o, -i)];
         let cuts = Cuts::at_tip(columns, [-target.x, -target.y, -target.z]);
-        Point { stiffness: Symmetric3::diagonal(o), offset: zero(), torque: Absent, cuts }
+        Point { mass: Symmetric3::diagonal(o), offset: zero(), torque: Absent, cuts }
     }
     fn internal(&self, _: T::Real, multipliers: &[T; 3]) -> Internal<T> {
         Internal { force: -Vector3::from(*multipliers), torque: zero() }
     }
     fn miss(&self, time: T::Real, frame: &Frame<T>) -> [[T; 3]; 2] {
-        let GroundMotion { place, velocity, .. } = self.0.at(time);
+        let GroundMotion { place, velocity, .. } = self.place.at(time);
         [(frame.place - Vector3::from(place)).into(), (frame.velocity - Vector3::from(velocity)).into()]
     }
     fn free_compliance(&self, _: T::Real, body: &BodyMotion<T>) -> [T; 3] {
@@ -80,13 +90,13 @@ impl<T: Scalar, G: Ground<T, 3>> Tip<Spatial<T>> for Pinned<G> {
         ["x of the tip", "y of the tip", "z of the tip"]
     }
     fn check(&self) -> Result<(), Error> {
-        self.0.at(T::Real::zero()).check().map_err(|error| error.at(Place::Tip))
+        self.place.at(T::Real::zero()).check().map_err(|error| error.at(Place::Tip))
     }
 }
 
 impl<T: Scalar, U: Scalar> Lift<T, U> for Pinned<[T; 3]> {
     type Over = Pinned<[U; 3]>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Pinned(self.0.lift(number))
+        Pinned { place: self.place.lift(number) }
     }
 }

@@ -1,6 +1,6 @@
 //! Columns of vectors.
 
-use crate::relation::space::algebra::Columns;
+use crate::relation::spatial::algebra::Columns;
 use crate::scalar::{Jet, Scalar, columns};
 use nalgebra::Vector3;
 

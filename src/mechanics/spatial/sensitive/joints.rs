@@ -5,8 +5,8 @@ use super::{Answering, Passing, Pulling, turned};
 use crate::lift::Lift;
 use crate::mechanics::spatial::loads::Effort;
 use crate::mechanics::spatial::{Ball, Rotation, Spatial, Turn, Weld};
-use crate::relation::space::algebra::{Columns, zero};
-use crate::relation::space::{Couple, Full, Gain, Point};
+use crate::relation::spatial::algebra::{Columns, zero};
+use crate::relation::spatial::{Couple, Full, Gain, Point};
 use crate::relation::{Absent, Additive, Term};
 use crate::scalar::{Jet, Scalar, columns};
 use crate::sensitive::{At, Seeds, Sensitive};
@@ -41,7 +41,7 @@ fn angle_of<T: Scalar, const K: usize>(rotation: &Rotation<Jet<T, K>>) -> Vector
 }
 
 fn full<T: Scalar>(point: Point<T, impl Term<Vector3<T>>>) -> Full<T> {
-    Full { linear: point.stiffness, force: point.offset, torque: point.torque.add_to(zero()), ..Full::massless() }
+    Full { linear: point.mass, force: point.offset, torque: point.torque.add_to(zero()), ..Full::massless() }
 }
 
 impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {

@@ -7,8 +7,8 @@ mod joints;
 
 use crate::mechanics::spatial::loads::Effort;
 use crate::mechanics::spatial::{Acceleration, Frame, Spatial, Turn};
-use crate::relation::space::Full;
-use crate::relation::space::algebra::{Columns, zero};
+use crate::relation::spatial::Full;
+use crate::relation::spatial::algebra::{Columns, zero};
 use crate::scalar::{Jet, Scalar};
 use crate::sensitive::Varied;
 use columns::*;

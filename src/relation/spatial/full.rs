@@ -11,7 +11,7 @@ impl<T: Scalar> Full<T> {
     #[inline(always)]
     pub fn free(self) -> (Vector3<T>, Vector3<T>) {
         let (point, gain) = self.balled(Absent);
-        let linear = -point.stiffness.factor().solve(point.offset);
+        let linear = -point.mass.factor().solve(point.offset);
         (linear, gain.angular(linear, &()))
     }
 }

@@ -69,12 +69,8 @@ impl<T: Scalar, C: Closures> Full<T, C> {
         };
         let (cuts, per_closure) =
             turned_out(&self.cuts, |w| w.torque, free, |w| -factor.solve(w), |w, row| k.apply_onto(row, w.force));
-        let relation = Point {
-            stiffness: self.linear.plus_product(&k, &rows),
-            offset: k.apply_onto(free, self.force),
-            torque,
-            cuts,
-        };
+        let relation =
+            Point { mass: self.linear.plus_product(&k, &rows), offset: k.apply_onto(free, self.force), torque, cuts };
         (relation, Gain { per_acceleration, free, per_closure })
     }
 

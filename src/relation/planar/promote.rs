@@ -6,29 +6,29 @@ use crate::scalar::Scalar;
 
 impl<T: Scalar, C: Closures> Promote<Point<T, Absent, C>> for Point<T, Minus<T>, C> {
     fn promote(lesser: Point<T, Absent, C>) -> Self {
-        let Point { stiffness, offset, cuts, .. } = lesser;
-        Self { stiffness, offset, torque: Minus::none(), cuts }
+        let Point { mass, offset, cuts, .. } = lesser;
+        Self { mass, offset, torque: Minus::none(), cuts }
     }
 }
 
 impl<T: Scalar, C: Closures> Promote<Point<T, Absent, C>> for Point<T, T, C> {
     fn promote(lesser: Point<T, Absent, C>) -> Self {
-        let Point { stiffness, offset, cuts, .. } = lesser;
-        Self { stiffness, offset, torque: T::zero(), cuts }
+        let Point { mass, offset, cuts, .. } = lesser;
+        Self { mass, offset, torque: T::zero(), cuts }
     }
 }
 
 impl<T: Scalar, C: Closures> Promote<Point<T, Minus<T>, C>> for Point<T, T, C> {
     fn promote(other: Point<T, Minus<T>, C>) -> Self {
-        let Point { stiffness, offset, torque: Minus(torque), cuts } = other;
-        Self { stiffness, offset, torque: -torque, cuts }
+        let Point { mass, offset, torque: Minus(torque), cuts } = other;
+        Self { mass, offset, torque: -torque, cuts }
     }
 }
 
 impl<T: Scalar, C: Closures> Promote<Point<T, T, C>> for Point<T, Minus<T>, C> {
     fn promote(other: Point<T, T, C>) -> Self {
-        let Point { stiffness, offset, torque, cuts } = other;
-        Self { stiffness, offset, torque: Minus(-torque), cuts }
+        let Point { mass, offset, torque, cuts } = other;
+        Self { mass, offset, torque: Minus(-torque), cuts }
     }
 }
 

@@ -56,8 +56,8 @@ impl<T: Scalar> Join<Absent> for Couple<T> {
 
 impl<T: Scalar, C: Closures> Promote<Point<T, Absent, C>> for Point<T, Couple<T>, C> {
     fn promote(lesser: Point<T, Absent, C>) -> Self {
-        let Point { stiffness, offset, cuts, .. } = lesser;
-        Self { stiffness, offset, torque: Couple(zero()), cuts }
+        let Point { mass, offset, cuts, .. } = lesser;
+        Self { mass, offset, torque: Couple(zero()), cuts }
     }
 }
 

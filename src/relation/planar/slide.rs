@@ -169,7 +169,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Slides<T> for Point<T, M, C> {
     #[inline(always)]
     fn along(self, direction: Vector2<T>) -> Self {
         Self {
-            stiffness: self.stiffness.along(direction),
+            mass: self.mass.along(direction),
             offset: along(self.offset, direction),
             cuts: self.cuts.mapped(|w| along(w, direction)),
             ..self
@@ -178,7 +178,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Slides<T> for Point<T, M, C> {
     #[inline(always)]
     fn swapped(self) -> Self {
         Self {
-            stiffness: self.stiffness.swapped(),
+            mass: self.mass.swapped(),
             offset: self.offset.yx(),
             cuts: self.cuts.mapped(|w: Vector2<T>| w.yx()),
             ..self
@@ -186,7 +186,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Slides<T> for Point<T, M, C> {
     }
     #[inline(always)]
     fn slid(self, applied: T, stiffness: T) -> (Self, SlideGain<T, C>) {
-        let Self { stiffness: s, offset, torque, cuts } = self;
+        let Self { mass: s, offset, torque, cuts } = self;
         let pivot = Pivot::of(s.xx, stiffness, applied, offset.x);
         let (cuts, per_closure) = cuts.eliminated(
             pivot.minus_inverse,
@@ -194,7 +194,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Slides<T> for Point<T, M, C> {
             |w| w.x,
             |w, row| Vector2::new(w.x * pivot.left, s.xy.mul_add(row, w.y)),
         );
-        let relation = Self { stiffness: pivot.reduce(s), offset: pivot.force(s, applied, offset), torque, cuts };
+        let relation = Self { mass: pivot.reduce(s), offset: pivot.force(s, applied, offset), torque, cuts };
         let per_acceleration = Vector2::new(-pivot.yielded, s.xy * pivot.minus_inverse);
         (relation, SlideGain { per_acceleration, per_angular: T::zero(), free: pivot.free, per_closure })
     }

@@ -51,17 +51,17 @@ impl<T: Scalar, M: Term<Vector3<T>>, C: Closures> Slides<T> for Point<T, M, C> {
 
     #[inline(always)]
     fn loosed(self, force: Vector3<T>) -> (Self, BallGain<T, C>) {
-        let factor = self.stiffness.factor();
+        let factor = self.mass.factor();
         let free = factor.solve(force - self.offset);
         let (cuts, per_closure) = turned_out(&self.cuts, |w| w, free, |w| -factor.solve(w), |_, _| zero());
         let per_acceleration = each_column(&Columns::identity(), |e| -e);
         let gain = BallGain { absolute: Gain { per_acceleration, free, per_closure }, per_angular: Columns::null() };
-        (Self { stiffness: Symmetric3::diagonal(T::zero()), offset: force, cuts, ..self }, gain)
+        (Self { mass: Symmetric3::diagonal(T::zero()), offset: force, cuts, ..self }, gain)
     }
 
     #[inline(always)]
     fn slid(self, force: Vector3<T>, stiffness: Symmetric3<T>) -> (Self, BallGain<T, C>) {
-        let own = self.stiffness;
+        let own = self.mass;
         let factor = (own + stiffness).factor();
         let free = factor.solve(force - self.offset);
         // S' = S Δ⁻¹ K̂: no difference of large numbers.
@@ -70,7 +70,7 @@ impl<T: Scalar, M: Term<Vector3<T>>, C: Closures> Slides<T> for Point<T, M, C> {
         let (cuts, per_closure) = turned_out(&self.cuts, |w| w, free, |w| -factor.solve(w), reduce);
         let per_acceleration = each_column(&own.columns(), |k| -factor.solve(k));
         let relation = Self {
-            stiffness: symmetric(&own.columns().times(&left)),
+            mass: symmetric(&own.columns().times(&left)),
             offset: own.apply_onto(free, self.offset),
             torque: self.torque,
             cuts,

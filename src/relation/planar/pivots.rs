@@ -29,7 +29,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
         let reduce = |w: FullColumn<T>, row: T| add_scaled(w.force, row, self.coupling);
         let (cuts, per_closure) = self.cuts.eliminated(minus_inverse, free, |w| w.torque, reduce);
         let relation = Point {
-            stiffness: self.linear.plus_outer(self.coupling, per_acceleration),
+            mass: self.linear.plus_outer(self.coupling, per_acceleration),
             offset: add_scaled(self.force, free, self.coupling),
             torque,
             cuts,
