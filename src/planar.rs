@@ -13,9 +13,9 @@
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
 pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
 pub use crate::mechanics::planar::{
-    Acceleration, Attitude, Base, Beam, BodyMotion, Clamped, ClosedLoop, Custom, ElasticHinge, Floating, Frame, Free,
-    Ground, GroundMotion, Guided, Inertia, Internal, JointMotion, Linear, Moving, Pin, Pinned, PointMass, Revolute,
-    RigidBody, Rod, Segments, Slider, Station, Turn, Turning, Unbalanced, Weld, Wrench, index,
+    Acceleration, Attitude, Beam, BodyMotion, Clamped, ClosedLoop, Custom, ElasticHinge, Floating, Frame, Free, Ground,
+    GroundMotion, Guided, Inertia, Internal, JointMotion, Linear, Moving, Pin, Pinned, PointMass, Revolute, RigidBody,
+    Rod, Segments, Slider, Station, Turn, Turning, Unbalanced, Weld, Wrench, index,
 };
 pub use crate::relation::Absent;
 pub use crate::relation::planar::Planar;

@@ -45,6 +45,7 @@ pub use crate::mechanics::spatial::{
 };
 pub use crate::relation::Absent;
 pub use crate::relation::spatial::Spatial;
+pub use crate::relation::spatial::algebra::{Columns, Symmetric3};
 pub use crate::spring::{Spring, SpringLaw};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};

@@ -114,7 +114,6 @@ pub mod model {
 }
 pub use crate::kinematics::{Acting, Driving, JointModel, Kinematics, Outboard, Resistance};
 pub use crate::relation::Geometry;
-pub use crate::relation::spatial::algebra::Symmetric3;
 pub use crate::release::{Freedom, Release, Way};
 pub use crate::sweep::{Implicit, Springs};
 #[doc(hidden)]

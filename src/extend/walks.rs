@@ -46,9 +46,9 @@
 //!
 //! * What a walk outward carries does not come back from an arm: totals and numbers of stations belong into the walk.
 //! * A walk sees the entry of one element at a time. One that is to keep a reference to an entry reads its store as
-//!   [`Held`](crate::shape::Held).
+//!   [`Held`].
 //! * Stores in a bundle are not known to be apart: where sines are to vectorise, a walk takes its bundle apart in
-//!   [`Outward::items`](crate::shape::Outward::items) and calls a function with one slice each, as poses of arrays do.
+//!   [`Outward::items`] and calls a function with one slice each, as poses of arrays do.
 
 pub use crate::shape::{
     AsBody, AsJoint, AtBody, AtClosing, AtJoint, Body, Closing, Field, Held, Inward, Joint, JointPosture, Member, Mut,

@@ -26,7 +26,7 @@ pub struct RotarySpring<T, D = Absent, P = Absent> {
 /// What resists relative rotation in a joint: a [`RotarySpring`], nothing, or a law of the user's own.
 ///
 /// ```
-/// use catena::extend::{Implicit, Symmetric3};
+/// use catena::extend::Implicit;
 /// use catena::spatial::*;
 /// use catena::{Fault, nalgebra::Vector3};
 ///

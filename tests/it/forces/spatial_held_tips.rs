@@ -196,7 +196,7 @@ fn tips_follow_ground_that_moves_and_turns() -> Result<(), Error> {
             assert!(power.len() == 401 && worst < 1e-11 && work.abs() > 0.01 && (work - gain).abs() < 1e-6, $name);
         }};
     }
-    type Axes = catena::internals::relation::spatial::algebra::Columns<f64>;
+    type Axes = catena::spatial::Columns<f64>;
     follow!("ball", Pinned::on(moving), |_: &Axes, _: &Rotation<f64>| 0.0);
     follow!("clamp", clamp, |own: &Axes, held: &Rotation<f64>| {
         let held = held.matrix();
