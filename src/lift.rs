@@ -5,7 +5,7 @@ use crate::tuples::for_each_tuple;
 
 /// A value whose numbers can be replaced by numbers of type `U`.
 pub trait Lift<T: Scalar, U: Scalar> {
-    /// The same value over `U`.
+    /// This value over `U`.
     type Over;
 
     /// Replaces each number.

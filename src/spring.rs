@@ -153,7 +153,7 @@ pub trait SpringLaw<T: Scalar>: Copy + Debug + 'static {
     fn force(&self, position: T, rate: T) -> T;
     /// Energy stored (J).
     fn energy(&self, position: T) -> T;
-    /// What it adds to the pivot of its coordinate: `springs.pivot(k, c)`, for the slopes there, k = −∂force/∂position and
+    /// What the law adds to the pivot of its coordinate: `springs.pivot(k, c)`, for the slopes there, k = −∂force/∂position and
     /// c = −∂force/∂rate.
     fn pivot(&self, position: T, rate: T, springs: impl Springs<T>) -> T;
     /// Rejects parameters that make no mechanics.

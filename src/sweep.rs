@@ -27,7 +27,7 @@ impl<S: Space, L: Loading<S>, K: Springs<S::Scalar>, C: Closures> Sweep<S> for C
 
 /// How springs enter a sweep.
 pub trait Springs<T: Scalar>: Copy {
-    /// Whether they add to pivots. Where they are torques given instead, gains are those of absolute angles.
+    /// Whether springs add to pivots. Where they are torques given instead, gains are those of absolute angles.
     const STIFF: bool;
 
     /// K̂, what a spring and damper add to the pivot of their coordinate.

@@ -55,8 +55,8 @@ impl<S: Space, K: Closing<S, Closures = Cut<L>>, const L: usize> Closing<S> for 
     fn internal(&self, forces: &[S::Scalar; L], axes: Ends<'_, S, Self>) -> WrenchOf<S> {
         self.0.internal(forces, axes.of())
     }
-    fn miss(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [[S::Scalar; L]; 2] {
-        self.0.miss(side, main)
+    fn residual(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [[S::Scalar; L]; 2] {
+        self.0.residual(side, main)
     }
     fn free_compliance(&self, body: &S::BodyMotion) -> [S::Scalar; L] {
         self.0.free_compliance(body)

@@ -17,7 +17,7 @@ pub struct GroundMotion<T, const N: usize> {
 
 /// A place that may move as a given function of time.
 pub trait Ground<T: Scalar, const N: usize> {
-    /// Its motion at a time (s).
+    /// The motion of the place at a time (s).
     fn at(&self, time: T::Real) -> GroundMotion<T, N>;
 }
 

@@ -34,13 +34,13 @@ macro_rules! joint {
                 fn is_finite<Closing: $crate::internals::relation::Closures>(kept: &Self::Kept<Closing>) -> bool {
                     <CatenaKinematics<Spaced, Self> as $crate::internals::shape::Joint<Spaced>>::is_finite::<Closing>(kept)
                 }
-                fn aim(
+                fn configure(
                     &self,
                     position: &mut Spaced::Scalar,
                     inboard: Spaced::Turn,
                     next: &mut impl FnMut(Spaced::Turn) -> Spaced::Scalar,
                 ) -> Spaced::Turn {
-                    $crate::internals::shape::Joint::aim($crate::extend::JointModel::<Spaced>::kinematics(self), position, inboard, next)
+                    $crate::internals::shape::Joint::configure($crate::extend::JointModel::<Spaced>::kinematics(self), position, inboard, next)
                 }
                 #[inline(always)]
                 fn recover<Closing: $crate::internals::relation::Closures, By: $crate::internals::element::Springs<Spaced::Scalar>>(

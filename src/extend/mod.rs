@@ -5,11 +5,11 @@
 //!
 //! | of one's own | how | example |
 //! |---|---|---|
-//! | a law along a coordinate | [`planar::SpringLaw`](crate::planar::SpringLaw), [`spatial::RotaryLaw`](crate::spatial::RotaryLaw), in a joint of this crate | a stop, a stiffening spring: there |
-//! | a joint | [`JointModel`]: [`Kinematics`] and what acts along their coordinate; [`joint!`](crate::joint) | `examples/own_joint.rs`: a geared motor, 36 lines |
+//! | a law along a coordinate | [`SpringLaw`](crate::planar::SpringLaw), and [`spatial::RotaryLaw`](crate::spatial::RotaryLaw), in a joint of this crate, or read by [`Resistance::of`] | a stop, a stiffening spring: there |
+//! | a joint | [`JointModel`]: [`Kinematics`] and what acts along their coordinate; [`joint!`](crate::joint) | `examples/own_joint.rs`: a geared motor, 37 lines |
 //! | a joint that moves in a way of its own | [`Kinematics`]: its motion, and the elimination of its coordinate | |
 //! | a body | a struct of bodies, joints and arms; [`compound!`](crate::compound) | `examples/own_body.rs`: a tank in which liquid sloshes, 36 lines |
-//! | an end | [`planar::Ground`](crate::planar::Ground), [`spatial::Ground`](crate::spatial::Ground): how its ground moves | below |
+//! | an end | [`Ground`](crate::planar::Ground): how its ground moves | below |
 //! | a walk | [`walks`]: what is done at a body and at a joint | there |
 //! | a load | [`LoadLaw`](crate::loading::LoadLaw) | there |
 //!
@@ -84,7 +84,7 @@
 //!     frequency: f64,
 //! }
 //!
-//! impl Ground<f64> for Shaker {
+//! impl Ground<f64, 2> for Shaker {
 //!     fn at(&self, time: f64) -> GroundMotion<f64> {
 //!         let (s, c) = (self.frequency * time).sin_cos();
 //!         let [a, w] = [self.amplitude, self.frequency];

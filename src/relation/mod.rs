@@ -1,6 +1,7 @@
 //! Condensed relations: what a chain's outboard part demands of the force at a station.
 //!
-//! Everything outboard of a station answers an acceleration p = (a, α) of that station with a force F = S p + e + Wλ. The
+//! Everything outboard of a station answers an acceleration p = (a, α) of that station with a force F = S p + e + Wλ: S is the
+//! articulated-body inertia of the field and e the bias force, W λ is what constraint forces add. The
 //! inward pass of the Riccati sweep carries such a relation from the tip to the root; each element maps the relation it
 //! meets to the one it hands on. How much of S, e and W there is depends on what lies outboard, so it is decided by
 //! *type*: after a pin, for example, no moment depends on the motion and a 2 × 2 block is all there is.
@@ -12,7 +13,7 @@ mod arms;
 mod closing;
 mod closure;
 mod full;
-pub mod geometry;
+mod geometry;
 mod join;
 mod kinds;
 mod looped;
@@ -45,7 +46,7 @@ pub struct Absent;
 
 /// A value that a scene may or may not have.
 pub trait Part: Copy + Debug + 'static {
-    /// Whether it is finite; nothing is.
+    /// Whether the value is finite; nothing is.
     fn is_finite(self) -> bool;
 }
 
@@ -212,9 +213,9 @@ impl<R> Promote<R> for R {
 pub trait Meet<R>: Sized {
     /// What can say both.
     type Both: Copy;
-    /// That of the links.
+    /// The relation of the links.
     fn of_links(own: Self) -> Self::Both;
-    /// That of no links.
+    /// The relation outboard of no links.
     fn of_none(outer: R) -> Self::Both;
 }
 

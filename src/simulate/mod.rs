@@ -172,7 +172,7 @@ pub struct NoEvent;
 pub trait EventFunction<N: ?Sized, T> {
     /// Whether there is one.
     const ON: bool;
-    /// Its value.
+    /// Value of the function; none where there is none.
     fn value(&mut self, now: &N) -> Option<T>;
 }
 
@@ -213,7 +213,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         method.stepper(self)
     }
 
-    /// The same, with the scene inside: for a value that keeps its scene and its stepper.
+    /// A stepper with the scene inside: for a value that keeps its scene and its stepper.
     pub fn into_stepper<M: Method<Self, L>, L: Loading<S>>(self, method: M) -> M::Stepper
     where
         Self: Dynamics<L>,

@@ -50,8 +50,8 @@ use crate::scalar::Scalar;
 use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
 use crate::space::FrameOf;
-use crate::walks::aim::aim;
 use crate::walks::check::check;
+use crate::walks::configure::configure;
 use crate::walks::fits::fits;
 use num_traits::Zero;
 
@@ -111,7 +111,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(Self { chain: lumped(root.joint(), chain), root, tip, gravity: Additive::null() })
     }
 
-    /// The same scene in a uniform field of gravity (m/s²).
+    /// This scene in a uniform field of gravity (m/s²).
     #[must_use]
     pub fn with_gravity_vector(self, gravity: S::Vector) -> Self {
         Self { gravity, ..self }
@@ -180,7 +180,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             expected += 1;
             orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         };
-        aim(&self.chain, &mut motion.position, ground.turn, &mut next);
+        configure(&self.chain, &mut motion.position, ground.turn, &mut next);
         if expected != orientations.len() {
             return Err(Error::new(Fault::Count { expected, given: orientations.len() }));
         }
@@ -218,7 +218,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 }
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// The same scene over another scalar, `number` replacing each of its parameters.
+    /// This scene over another scalar, `number` replacing each of its parameters.
     ///
     /// A parameter that is to have a derivative is better set when the scene is built.
     ///

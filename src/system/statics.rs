@@ -190,16 +190,16 @@ struct Fall<T: Scalar> {
 
 /// A step towards rest.
 struct Step<T: Scalar> {
-    /// Of all coordinates.
+    /// Displacements of all coordinates (rad, m).
     displacement: Vec<T>,
-    /// The largest of them.
+    /// The largest displacement (rad, m).
     size: T::Real,
-    /// Work that the forces at its start do on it (J).
+    /// Work that the forces at the step's start do on it (J).
     work: T::Real,
 }
 
 impl<T: Scalar> Step<T> {
-    /// The same step or, if that is too long, one as long as may be in its direction.
+    /// This step or, if that is too long, one as long as may be in its direction.
     fn within(mut self, longest: T::Real) -> Option<Self> {
         if self.size > longest {
             let share = longest / self.size;

@@ -1,13 +1,13 @@
 //! The paper's matrices in space against Newton and Euler along a given motion: how what is left falls with the step, as corrected and as
 //! printed.
 
-use crate::kit::{Noise, slope};
 use catena::paper::Linear;
 use catena::paper::spatial::{
     ANGLES, Attitude, External, FORCE, Increment, ONE, PLACE, Rigid, Rotary, Step, TORQUE, Vector, linear_hinge,
     lumped_mass, rigid_body, rotary_hinge, smooth_ball,
 };
 use catena::{Fault, StateVector, TransferMatrix};
+use catena_oracle::{Noise, slope};
 use nalgebra::{Matrix3, Vector3};
 
 type State = StateVector<f64, 13>;

@@ -148,7 +148,7 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
     fn is_finite<C: Closures>(kept: &HingeGain<T, C>) -> bool {
         kept.is_finite()
     }
-    fn aim(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         let angle = next(inboard);
         *position = angle - inboard.angle;
         Turn { angle, rate: T::zero() }

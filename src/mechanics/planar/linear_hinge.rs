@@ -118,7 +118,7 @@ where
         self.linear.lumped = mass;
         T::zero()
     }
-    fn aim(&self, position: &mut (T, T, T), inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, position: &mut (T, T, T), inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         let angle = next(inboard);
         position.2 = angle - inboard.angle;
         Turn { angle, rate: T::zero() }

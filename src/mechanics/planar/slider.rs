@@ -78,7 +78,7 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
     fn is_finite<C: Closures>(kept: &SlideGain<T, C>) -> bool {
         kept.is_finite()
     }
-    fn aim(&self, _: &mut T, inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, _: &mut T, inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         inboard
     }
     fn lump(&mut self, mass: T) -> T {

@@ -239,7 +239,7 @@ macro_rules! axial {
                 kept.iter().all(Pivot::is_finite)
             }
             /// Angles of the joint; its slides stay.
-            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+            fn configure(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 let mut list = Listed::<T, $K>::list(position);
                 for (x, way) in list.iter_mut().zip(<Self as Axial<T, $K>>::WAYS) {
                     if way == Way::Turn {

@@ -118,7 +118,7 @@ pub struct Place<'a, T> {
     pub attitude: Columns<T>,
     /// Where laws are read in an explicit sweep.
     pub state: (&'a Rotation<T>, &'a [T; 3]),
-    /// Where they are read in an implicit one.
+    /// Where laws are read in an implicit sweep.
     pub reading: Reading<'a, Rotation<T>, [T; 3]>,
 }
 
@@ -198,7 +198,7 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
         kept.is_finite()
     }
     /// Three absolute angles 1-2-3.
-    fn aim(&self, position: &mut Rotation<T>, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, position: &mut Rotation<T>, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         let absolute = Rotation::from_angles([(); 3].map(|()| next(inboard)));
         *position = absolute.relative_to(&Rotation::from_matrix(&inboard.attitude)).shortest();
         Turn { attitude: absolute.matrix(), spin: zero() }

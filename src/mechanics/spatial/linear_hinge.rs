@@ -212,8 +212,13 @@ where
         T::zero()
     }
     /// Three absolute angles 1-2-3; the displacement stays.
-    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-        ElasticHinge { rotary: self.rotary, linear: Absent }.aim(&mut position.1, inboard, next)
+    fn configure(
+        &self,
+        position: &mut Self::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T> {
+        ElasticHinge { rotary: self.rotary, linear: Absent }.configure(&mut position.1, inboard, next)
     }
     #[inline(always)]
     fn oriented(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> (Turn<T>, StoredIn<T, Self>) {

@@ -4,22 +4,14 @@ use super::axial::{Axial, Listed};
 use super::axial_walks::{angular_bias, linear_bias};
 use super::rotary_spring::RotaryLaw;
 use super::{Ball, ElasticHinge, Floating, JointMotion, Linear, Rotation, Spatial, Weld};
-use crate::element::Implicit;
 use crate::relation::spatial::algebra::{Columns, centripetal, cross, cross_onto, dot};
-use crate::release::{Freedom, Resistance, Way};
+use crate::release::{Freedom, Resistance, Way, slopes};
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;
 use nalgebra::Vector3;
-use num_traits::{One, Zero};
 
 /// What a joint in space lets move.
 pub type Release<T> = crate::release::Release<Spatial<T>>;
-
-/// The slopes of a law, by what it adds to pivots.
-fn slopes<T: Scalar, X>(pivot: impl Fn(Implicit<T::Real>) -> X) -> [X; 2] {
-    let (zero, one) = (T::Real::zero(), T::Real::one());
-    [(one, zero), (zero, one)].map(|(position, rate)| pivot(Implicit { position, rate }))
-}
 
 /// With turns about the axes of a body, against a law.
 fn turning<T: Scalar>(release: Release<T>, axes: &Columns<T>, turns: [Turning<T>; 3]) -> Release<T> {
@@ -51,15 +43,7 @@ fn resisting<T: Scalar, R: RotaryLaw<T>>(law: &R, position: &Rotation<T>, rate: 
 
 /// A coordinate that slides along an axis against a law.
 fn sliding<T: Scalar>(axis: Vector3<T>, law: &impl SpringLaw<T>, position: T, rate: T) -> Freedom<Spatial<T>> {
-    let (resistance, preload) = read(law, position, rate);
-    Freedom::smooth(Way::Slide, axis).undriven().against(resistance, preload)
-}
-
-/// What a law of one coordinate does.
-fn read<T: Scalar>(law: &impl SpringLaw<T>, position: T, rate: T) -> Turning<T> {
-    let zero = T::zero();
-    let [stiffness, damping] = slopes::<T, _>(|springs| law.pivot(position, rate, springs));
-    (Resistance { force: law.force(position, rate), stiffness, damping }, law.force(zero, zero))
+    Freedom::smooth(Way::Slide, axis).undriven().sprung(law, [position, rate])
 }
 
 pub(super) fn weld<T: Scalar>(_: &Weld<T>, _: &JointMotion<T>, (): &(), (): &()) -> Release<T> {

@@ -186,7 +186,7 @@ impl<T: Scalar> Symmetric<Vector3<T>> for Symmetric3<T> {
 }
 
 impl<T: Scalar> Symmetric3<T> {
-    /// These values on the diagonal.
+    /// The symmetric matrix with these values on its diagonal.
     #[inline(always)]
     pub fn of_diagonal(values: Vector3<T>) -> Self {
         let o = T::zero();

@@ -99,8 +99,8 @@ impl<T: Scalar> shape::Joint<Planar<T>> for Mismatched<T> {
     fn is_finite<C: Closures>(kept: &HingeGain<T, C>) -> bool {
         kept.is_finite()
     }
-    fn aim(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-        shape::Joint::aim(&self.pin, position, inboard, next)
+    fn configure(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+        shape::Joint::configure(&self.pin, position, inboard, next)
     }
     fn recover<C: Closures, By: Springs<T>>(
         &self,
@@ -163,7 +163,7 @@ impl<T: Scalar> Kinematics<Planar<T>> for Mismatched<T> {
     ) -> Full<T, C> {
         let relation = self.pin.eliminate::<C>(outer, posture, force, resistance, kept);
         let one_more = self.off + T::literal(1.0);
-        kept.free = kept.free * one_more;
+        kept.free *= one_more;
         relation
     }
     fn under(motion: JointMotion<T>, model: Acting<T>) -> JointMotion<T> {

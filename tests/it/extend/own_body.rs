@@ -1,11 +1,11 @@
 //! A tank in which liquid sloshes, against the same thing composed in another way.
 
 use super::tank::{Liquid, Tank};
-use crate::kit::near;
 use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::scalar::Jet;
 use catena::{Error, Scalar};
+use catena_oracle::near;
 
 const GRAVITY: f64 = 9.81;
 /// Of the tank: mass, moment of inertia, mass centre and outboard end; of the liquid: mass, place, direction, stiffness, damping.

@@ -3,8 +3,6 @@
 
 mod numbers;
 
-use crate::kit::{has_order, near};
-use crate::oracle::plane::{self as oracle, Axes, Coordinates, Elastic, Scene, Tip};
 use catena::Error;
 use catena::loading::Unloaded;
 use catena::planar::Absent;
@@ -12,6 +10,8 @@ use catena::planar::*;
 use catena::simulate::Method;
 use catena::system::Element;
 use catena::system::{Runs, StiffDynamics};
+use catena_oracle::plane::{self as oracle, Axes, Coordinates, Elastic, Scene, Tip};
+use catena_oracle::{has_order, near};
 
 /// Stiffness, damping and rest value along x, along y, and of the angle.
 const SPRINGS: [[f64; 3]; 3] = [[300.0, 1.2, 0.1], [150.0, 0.7, -0.05], [8.0, 0.2, 0.3]];

@@ -1,10 +1,10 @@
 //! Chains in space held at both ends: by balls, clamps and hinges, on ground that rests, moves and turns.
 
-use crate::kit::has_order;
 use catena::internals::relation::Cut;
 use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::{Error, Fault, Motion, Place, Scalar};
+use catena_oracle::has_order;
 use core::f64::consts::FRAC_PI_3;
 use nalgebra::Vector3;
 use num_dual::Dual64;

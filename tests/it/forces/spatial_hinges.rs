@@ -1,12 +1,12 @@
 //! Motions of elastic hinges in space: against the dense oracle integrated by extrapolation, energy and momentum, orders of rules,
 //! stiffness without end, forms of scenes.
 
-use crate::kit::{has_order, slope};
-use crate::oracle::extrapolation::extrapolate;
-use crate::oracle::space as oracle;
-use crate::oracle::space::elastic::Law;
 use catena::Error;
 use catena::spatial::*;
+use catena_oracle::extrapolation::extrapolate;
+use catena_oracle::space as oracle;
+use catena_oracle::space::elastic::Law;
+use catena_oracle::{has_order, slope};
 use core::f64::consts::PI;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 

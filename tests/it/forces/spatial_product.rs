@@ -1,6 +1,5 @@
 //! The plain product of transfer matrices in space against the Riccati sweep, and against the equations of Newton and Euler.
 
-use crate::kit::Noise;
 use catena::internals::transfer::Efforts;
 use catena::loading::{Loading, Unloaded};
 use catena::spatial::index::{M, ONE, Q, R, THETA};
@@ -9,6 +8,7 @@ use catena::system::Element;
 use catena::system::Root;
 use catena::system::{MotionOf, Runs};
 use catena::{Error, Fault, Place, StateVector, TransferMatrix};
+use catena_oracle::Noise;
 use nalgebra::Vector3;
 
 type State = StateVector<f64, 13>;

@@ -7,7 +7,7 @@ use catena::spatial::Columns;
 use catena::spatial::*;
 use std::error::Error;
 
-use crate::kit::Noise;
+use catena_oracle::Noise;
 
 fn quaternion(noise: &mut Noise) -> UnitQuaternion<f64> {
     UnitQuaternion::from_scaled_axis(Vector3::from_fn(|_, _| 3.0 * noise.next()))

@@ -1,7 +1,6 @@
 //! Loads handed in as lists: refused where a list has not one value for each body or joint, and spread over the scene without a walk,
 //! whatever its form.
 
-use crate::kit;
 use catena::loading::{Loading, Unloaded};
 use catena::planar::{Pin, Planar, Rod};
 use catena::simulate::Stepper;
@@ -10,6 +9,7 @@ use catena::system::Element;
 use catena::system::Rate;
 use catena::system::{Dynamics, MotionOf, Runs};
 use catena::{Error, Fault, planar, spatial};
+use catena_oracle;
 use core::cell::Cell;
 
 fn refused<X: core::fmt::Debug>(outcome: Result<X, Error>, expected: usize, given: usize) {
@@ -186,7 +186,7 @@ fn a_list_is_spread_without_a_walk_in_every_form() -> Result<(), Error> {
     let size = want.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
     for found in forms {
         assert_eq!(found.len(), want.len());
-        found.iter().zip(&want).for_each(|(found, want)| kit::near(*found, *want, 1e-12 * size));
+        found.iter().zip(&want).for_each(|(found, want)| catena_oracle::near(*found, *want, 1e-12 * size));
     }
     Ok(())
 }

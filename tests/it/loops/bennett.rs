@@ -5,10 +5,10 @@
 //! and half tangents t the x component of where z goes says (t₂ cos q + t₁ cos p)(sin p + t₁ t₂ sin q) = 0: the linkage moves by the
 //! second factor.
 
-use crate::kit::near;
 use catena::loading::Unloaded;
 use catena::spatial::{self, *};
 use catena::{Error, Fault};
+use catena_oracle::near;
 use nalgebra::{Rotation3, Vector3};
 
 const LENGTHS: [f64; 2] = [0.4, 0.7];

@@ -1,10 +1,10 @@
 //! Loops with every kind of number, and their derivatives against differences.
 #![cfg(all(feature = "num-dual", feature = "simd"))]
 
-use crate::kit::near;
 use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Real, Scalar};
+use catena_oracle::near;
 use num_dual::Dual64;
 use simba::simd::WideF64x4;
 

@@ -1,6 +1,5 @@
 //! Trees: chains that arms leave. Accelerations of trees at random are compared in `trees_at_random`.
 
-use crate::kit::{has_order, near};
 use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
 use catena::simulate::Method;
@@ -9,6 +8,7 @@ use catena::system::Position;
 use catena::system::Runs;
 use catena::time::Rule;
 use catena::{Error, Fault, Place, Scalar};
+use catena_oracle::{has_order, near};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6};
 use num_dual::Dual64;
 

@@ -1,10 +1,10 @@
 //! Beams of segments against closed forms: frequencies of Euler and Bernoulli and of bars, deflections, circles.
 
-use crate::kit::{has_order, near};
 use catena::loading::Unloaded;
 use catena::modes::Modes;
 use catena::planar::*;
 use catena::{Error, Fault, Real, Scalar};
+use catena_oracle::{has_order, near};
 use core::f64::consts::{PI, TAU};
 
 /// Numbers of segments.

@@ -3,9 +3,9 @@
 mod shapes;
 mod sweeps;
 
-use crate::kit::{has_order, near};
 use catena::spatial::*;
 use catena::{Error, Fault, Real, Scalar};
+use catena_oracle::{has_order, near};
 use core::f64::consts::PI;
 use sweeps::frequencies;
 

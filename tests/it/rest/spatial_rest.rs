@@ -1,9 +1,9 @@
 //! Static equilibrium and natural frequencies in space, against closed forms and dense systems that share nothing with the crate.
 
-use crate::kit::near;
 use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::{Error, Fault, planar};
+use catena_oracle::near;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, SymmetricEigen, Vector3};
 use num_dual::{Dual64, DualNum};

@@ -1,9 +1,9 @@
 //! A flyball governor: two masses on arms that a spindle turns, and a sleeve that stiff struts with dampers hang from them.
 
-use crate::kit::near;
 use catena::planar::{Strut, Struts};
 use catena::spatial::*;
 use catena::{Error, spatial};
+use catena_oracle::near;
 use core::f64::consts::{FRAC_PI_3, PI};
 
 /// Mass (kg) and moments of inertia (kg·m²: along the arm, about its hinge, across both) of an arm; from its hinge to the mass centre

@@ -1,8 +1,8 @@
 //! Conservation on long runs, chains of any length, tips that are held, what a sweep allocates and costs.
 
-use crate::kit::Noise;
 use catena::Error;
 use catena::spatial::*;
+use catena_oracle::Noise;
 use nalgebra::Vector3;
 
 fn body() -> RigidBody<f64> {

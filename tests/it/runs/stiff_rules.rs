@@ -3,13 +3,13 @@
 mod numbers;
 mod steps;
 
-use crate::kit::{has_order, near};
 use catena::Error;
 use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
 use catena::simulate::Method;
 use catena::system::Runs;
 use catena::time::{Rule, Sdirk4};
+use catena_oracle::{has_order, near};
 use core::f64::consts::FRAC_PI_2;
 
 /// A first angle (rad) and a pivot force (N).

@@ -1,8 +1,8 @@
 //! Runs under error control into one-sided stops: a trial step that leads nowhere is refused, and the run goes on.
 
-use crate::kit::near;
 use catena::simulate::Interrupted;
 use catena::{Cause, Error, Fault, Place, planar, spatial};
+use catena_oracle::near;
 
 /// Length (m) and mass (kg) of both rods, the start (rad), and where the stop begins (rad).
 const LENGTH: f64 = 0.5;

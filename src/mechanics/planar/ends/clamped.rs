@@ -44,9 +44,9 @@ impl<T: Scalar, F: Fn(T::Real) -> [T; 3]> Attitude<T> for Turning<F> {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Clamped<G, A> {
-    /// Where.
+    /// Place of the end (m).
     pub place: G,
-    /// At which angle.
+    /// Angle of the end (rad).
     pub attitude: A,
 }
 
@@ -130,7 +130,7 @@ impl<T: Scalar, G: Ground<T, 2>, A: Attitude<T>> Tip<Planar<T>> for Clamped<G, A
         let [x, y, torque] = *multipliers;
         Internal { force: Vector2::new(-x, -y), torque }
     }
-    fn miss(&self, time: T::Real, tip: &Frame<T>) -> [[T; 3]; 2] {
+    fn residual(&self, time: T::Real, tip: &Frame<T>) -> [[T; 3]; 2] {
         let frame = self.frame(time);
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);
         let (angle, rate) = (tip.turn.angle - frame.turn.angle, tip.turn.rate - frame.turn.rate);

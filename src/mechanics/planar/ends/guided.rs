@@ -103,7 +103,7 @@ impl<T: Scalar, G: Ground<T, 2>> Tip<Planar<T>> for Guided<G, T, T> {
         let [force, torque] = *multipliers;
         Internal { force: self.normal(&self.ground.frame(time)) * -force, torque }
     }
-    fn miss(&self, time: T::Real, tip: &Frame<T>) -> [[T; 2]; 2] {
+    fn residual(&self, time: T::Real, tip: &Frame<T>) -> [[T; 2]; 2] {
         let frame = self.ground.frame(time);
         let normal = self.normal(&frame);
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);

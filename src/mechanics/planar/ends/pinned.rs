@@ -80,7 +80,7 @@ impl<T: Scalar, G: Ground<T, 2>> Tip<Planar<T>> for Pinned<G> {
     fn internal(&self, _: T::Real, multipliers: &[T; 2]) -> Internal<T> {
         Internal { force: Vector2::new(-multipliers[0], -multipliers[1]), torque: T::zero() }
     }
-    fn miss(&self, time: T::Real, frame: &Frame<T>) -> [[T; 2]; 2] {
+    fn residual(&self, time: T::Real, frame: &Frame<T>) -> [[T; 2]; 2] {
         let GroundMotion { place, velocity, .. } = self.place.at(time);
         let place = frame.place - Vector2::from(place);
         let velocity = frame.velocity - Vector2::from(velocity);

@@ -25,7 +25,7 @@ pub struct AttitudeMotion<T> {
 
 /// An attitude of the ground that may change as a given function of time.
 pub trait Attitude<T: Scalar> {
-    /// Its motion at a time (s).
+    /// The attitude's motion at a time (s).
     fn at(&self, time: T::Real) -> AttitudeMotion<T>;
 }
 
@@ -56,9 +56,9 @@ impl<T: Scalar, F: Fn(T::Real) -> AttitudeMotion<T>> Attitude<T> for Turning<F> 
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Clamped<G, A> {
-    /// Where.
+    /// Place of the end (m).
     pub place: G,
-    /// At which attitude.
+    /// Attitude of the end.
     pub attitude: A,
 }
 
@@ -145,7 +145,7 @@ impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Tip<Spatial<T>> for Clamped<G, 
         let [a, b, c, d, e, f] = *multipliers;
         Internal { force: -Vector3::new(a, b, c), torque: Vector3::new(d, e, f) }
     }
-    fn miss(&self, time: T::Real, tip: &Frame<T>) -> [[T; 6]; 2] {
+    fn residual(&self, time: T::Real, tip: &Frame<T>) -> [[T; 6]; 2] {
         let frame = self.frame(time);
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);
         // For a small turn δ of the body's axes against those demanded, Σ d_k × (d_k + δ × d_k) = 2 δ.

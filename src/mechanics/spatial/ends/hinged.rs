@@ -81,7 +81,7 @@ impl<G, A, T: Scalar> Hinged<G, A, T> {
 }
 
 impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Root<Spatial<T>> for Hinged<G, A, T> {
-    /// In axes of the joint, its own the last.
+    /// Pairs in axes of the joint, its own the last.
     type Pairs = (Held, Held, Held, Held, Held, Loose);
     type Joint = Revolute<T>;
 
@@ -125,7 +125,7 @@ impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Tip<Spatial<T>> for Hinged<G, A
         let [first, second] = self.normals(&self.ground.frame(time).turn);
         Internal { force: -Vector3::new(x, y, z), torque: first * one + second * two }
     }
-    fn miss(&self, time: T::Real, tip: &Frame<T>) -> [[T; 5]; 2] {
+    fn residual(&self, time: T::Real, tip: &Frame<T>) -> [[T; 5]; 2] {
         let frame = self.ground.frame(time);
         let [first, second] = self.normals(&frame.turn);
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);

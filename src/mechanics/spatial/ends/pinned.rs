@@ -79,7 +79,7 @@ impl<T: Scalar, G: Ground<T, 3>> Tip<Spatial<T>> for Pinned<G> {
     fn internal(&self, _: T::Real, multipliers: &[T; 3]) -> Internal<T> {
         Internal { force: -Vector3::from(*multipliers), torque: zero() }
     }
-    fn miss(&self, time: T::Real, frame: &Frame<T>) -> [[T; 3]; 2] {
+    fn residual(&self, time: T::Real, frame: &Frame<T>) -> [[T; 3]; 2] {
         let GroundMotion { place, velocity, .. } = self.place.at(time);
         [(frame.place - Vector3::from(place)).into(), (frame.velocity - Vector3::from(velocity)).into()]
     }

@@ -153,14 +153,14 @@ macro_rules! axial {
                 for i in (0..$D).rev() {
                     let load = if N::LOADS { store.load.0[i] } else { Jet::zero() };
                     let force = load + self.force(i, position[i], rate[i]);
-                    let mut missed = force.eps.map(|x| -x);
-                    project(&mut missed, store.axes[i], &carried.torques);
-                    project(&mut missed, carried.torque, &store.turned[i]);
+                    let mut residual = force.eps.map(|x| -x);
+                    project(&mut residual, store.axes[i], &carried.torques);
+                    project(&mut residual, carried.torque, &store.turned[i]);
                     let Pivot { per_linear, per_angular, .. } = store.pivots[i];
-                    add_along(&mut carried.forces, per_linear, &missed);
-                    add_along(&mut carried.torques, per_angular, &missed);
+                    add_along(&mut carried.forces, per_linear, &residual);
+                    add_along(&mut carried.torques, per_angular, &residual);
                     let minus_inverse = store.minus_inverse[i];
-                    list[i].eps = missed.map(|x| x * minus_inverse);
+                    list[i].eps = residual.map(|x| x * minus_inverse);
                 }
                 *acceleration = Listed::from_list(list);
             }

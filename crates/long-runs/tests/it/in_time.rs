@@ -1,6 +1,5 @@
 //! Closed loops and networks in time: what is conserved, what stays closed, and orders of rules with projection.
 
-use crate::kit::slope;
 use catena::Error;
 use catena::loading::Unloaded;
 use catena::planar::*;
@@ -9,6 +8,7 @@ use catena::system::Element;
 use catena::system::{MotionOf, Runs};
 use catena::system::{Root, Tip};
 use catena::time::Rule;
+use catena_oracle::slope;
 
 type Scene<R, C> = System<f64, R, C, Free>;
 type Motion<R, C> = MotionOf<Planar<f64>, R, C, Free>;

@@ -1,12 +1,12 @@
 //! Motions through places where closures become dependent: a ladder of windows, all of whose bars come to lie on one line.
 
-use crate::kit::Noise;
 use catena::Error;
 use catena::planar::*;
 use catena::simulate::Method;
 use catena::system::Element;
 use catena::system::{MotionOf, Runs};
 use catena::time::Rule;
+use catena_oracle::Noise;
 use core::f64::consts::FRAC_PI_2;
 
 /// A crank that begins at the ground.
