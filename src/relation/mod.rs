@@ -17,10 +17,10 @@ mod geometry;
 mod join;
 mod kinds;
 mod looped;
-pub mod plane;
+pub mod planar;
 mod redundancy;
 mod shared;
-pub mod space;
+pub mod spatial;
 mod way;
 mod wrench;
 
