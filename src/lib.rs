@@ -39,7 +39,7 @@
 //! |---|---|
 //! | 0 | [`scalar`], errors, names and numbers, [`StateVector`] and [`TransferMatrix`] |
 //! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
-//! | 2 | [`space`], [`loading`], [`sweep`], [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], turning, motions, [`sensitive`], [`release`] and [`kinematics`] (what a joint says of itself, and how it moves) |
+//! | 2 | [`space`], [`loading`], [`sweep`], [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], turning, motions, [`sensitive`], [`series`], [`release`] and [`kinematics`] (what a joint says of itself, and how it moves) |
 //! | 3 | [`chain`] (composition: tuples, arrays, vectors, branches, networks), [`counts`], [`struts`] |
 //! | 4 | [`planar`], [`spatial`] |
 //! | 5 | [`solve`], [`observe`] |
@@ -84,6 +84,7 @@ pub mod release;
 pub mod scalar;
 pub mod sensitive;
 pub mod sensitivity;
+pub mod series;
 pub mod shape;
 pub mod simulate;
 pub mod solve;

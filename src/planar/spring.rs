@@ -51,6 +51,14 @@ impl<T: Scalar, D: Coefficient<T>> Spring<T, D> {
     }
 }
 
+impl<T: Scalar, D: Copy, P> Spring<T, D, P> {
+    /// The same with the rest value zero: how its force changes.
+    #[inline(always)]
+    pub(super) fn unstrained(&self) -> Spring<T, D> {
+        Spring { stiffness: self.stiffness, damping: self.damping, rest: Absent }
+    }
+}
+
 /// What acts along a coordinate of a joint: a [`Spring`], nothing, or a law of the user's own.
 ///
 /// Explicit rules read its force. Implicit ones take it linearly implicitly, from its force and slopes where the last sweep has led: a

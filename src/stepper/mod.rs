@@ -5,6 +5,7 @@ mod displace;
 mod explicit;
 mod implicit;
 mod sdirk;
+mod taylor;
 
 use crate::error::{Error, Fault};
 use crate::motion::Motion;
@@ -16,6 +17,7 @@ pub use adams::{AdamsMemory, AdamsStepper};
 pub use explicit::ExplicitStepper;
 pub use implicit::{ImplicitMemory, ImplicitStepper, Trace};
 pub use sdirk::SdirkStepper;
+pub use taylor::TaylorStepper;
 
 /// The motion of a scene described by `D`.
 pub type MotionIn<D, L> =
@@ -95,6 +97,12 @@ pub trait Stepper<D: Dynamics<L>, L> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error>;
+
+    /// The size (s) of a step from `past` that errs by `tolerance`, of a method that knows before it steps; none of one that has to try.
+    fn propose(&mut self, past: &MotionIn<D, L>, loads: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
+        let _ = (past, loads, tolerance);
+        None
+    }
 
     /// Estimated error of the last step as a multiple of `tolerance` (absolute and relative), root of the mean square over
     /// positions and rates; `None` for a method without an estimate.
