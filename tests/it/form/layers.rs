@@ -22,6 +22,7 @@ const FLOORS: [&[&str]; 8] = [
         "turning",
         "motion",
         "sensitive",
+        "series",
         "release",
         "kinematics",
     ],
