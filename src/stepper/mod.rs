@@ -55,6 +55,12 @@ fn of_stage(error: Error) -> Error {
 
 /// A method that can make steppers for scenes `D` with loads `L`: `Rk4`, which is told the size of every step, rather than the rule
 /// `Rk4::step(0.001)` of a run.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` makes no steps of `{D}` under loads `{L}`",
+    label = "not a method for this scene",
+    note = "`Taylor` knows rods, rigid bodies, point masses, pins, welds and rotary springs and dampers of the plane, in chains and trees on ground that rests, with a free tip, under gravity alone: `Taylor::<12>::knows(&scene)` names what it does not know",
+    note = "`Dop853` runs all scenes"
+)]
 pub trait Method<D: Dynamics<L>, L> {
     /// Its stepper.
     type Stepper: Stepper<D, L>;

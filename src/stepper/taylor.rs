@@ -1,12 +1,13 @@
 //! Steps by Taylor series.
 
 use super::{Method, MotionIn, Stepper, TimeIn, of_stage};
+use crate::element::Element;
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
-use crate::series::Instant;
-use crate::system::SeriesDynamics;
+use crate::series::{AtRest, Expand, Expandable, Instant, Unheld};
+use crate::system::{Elements, SeriesDynamics, System};
 use crate::time::Taylor;
 use num_traits::{One, Zero};
 
@@ -20,6 +21,8 @@ pub struct TaylorStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
     /// Where the series was expanded.
     origin: MotionIn<D, L>,
     expanded: bool,
+    /// How far it reaches (s) for a tolerance.
+    reached: Option<[TimeIn<D, L>; 2]>,
     /// Where the next one has begun: at the end of the last step.
     ahead: MotionIn<D, L>,
     begun: bool,
@@ -43,10 +46,33 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Method<D, L> for Taylor<P> {
             ahead: still,
             scene,
             expanded: false,
+            reached: None,
             begun: false,
             shares: core::array::from_fn(|k| TimeIn::<D, L>::of(1.0 / (k + 1) as f64)),
             sweeps: 0,
         }
+    }
+}
+
+impl<const P: usize> Taylor<P> {
+    /// Says nothing of a scene whose motion has a series of this order. Of any other the compiler says which element, end or space is to
+    /// blame, where a run by this rule would only say that there is something.
+    ///
+    /// ```compile_fail,E0277
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let scene = System::new(Pinned::origin(), (rod, Slider::along(0.0), rod), Free)?;
+    /// Taylor::<12>::knows(&scene); // no series of the motion of `Slider<f64>`
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    pub fn knows<S, R, C, E>(_: &System<S, R, C, E>)
+    where
+        S: Expandable,
+        R: AtRest<S>,
+        C: Element<S>,
+        E: Unheld<S>,
+        Elements<S, R, C>: Expand<S, P>,
+    {
     }
 }
 
@@ -57,13 +83,10 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         self.scene.coefficients(&self.series, each);
     }
 
-    /// Whether two motions are the same.
+    /// Whether two motions are the same: then their accelerations are, but for rounding.
     fn same(a: &MotionIn<D, L>, b: &MotionIn<D, L>) -> bool {
         let mut same = Scalar::is_identical;
-        a.time == b.time
-            && a.position.all(&b.position, &mut same)
-            && a.rate.all(&b.rate, &mut same)
-            && a.acceleration.all(&b.acceleration, &mut same)
+        a.time == b.time && a.position.all(&b.position, &mut same) && a.rate.all(&b.rate, &mut same)
     }
 
     /// Copies a motion but for its accelerations; allocates nothing.
@@ -77,7 +100,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
     fn begin(&mut self) {
         let Motion { time, position, rate, acceleration, .. } = &mut self.ahead;
         self.scene.begin(*time, position, rate, &mut self.series, acceleration);
-        (self.begun, self.sweeps) = (true, self.sweeps + 1);
+        self.begun = true;
     }
 
     /// Makes the series that of a motion.
@@ -94,7 +117,8 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         }
         core::mem::swap(&mut self.origin, &mut self.ahead);
         self.scene.expand(&mut self.series, &mut self.scratch);
-        (self.begun, self.expanded) = (false, true);
+        (self.begun, self.expanded, self.reached) = (false, true, None);
+        self.sweeps += 1;
         Ok(())
     }
 
@@ -108,7 +132,12 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
     /// How long a step may be (s): as far as the last term of the series is a tolerance, by the radius of convergence that two last terms
     /// tell. Where they tell a radius of more than twice that of the two before, all four are asked: a motion from rest may have only
     /// every fourth term.
-    fn reach(&self, tolerance: TimeIn<D, L>) -> TimeIn<D, L> {
+    fn reach(&mut self, tolerance: TimeIn<D, L>) -> TimeIn<D, L> {
+        if let Some([known, size]) = self.reached
+            && known == tolerance
+        {
+            return size;
+        }
         let mut size = TimeIn::<D, L>::zero();
         self.origin.rate.visit(&mut |rate| size = size.max(rate.real().abs()));
         let mut last = [TimeIn::<D, L>::zero(); 4];
@@ -127,7 +156,9 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         let larger = |a: f64, b: f64| if a > b { a } else { b };
         let (before, newest) = (larger(inverse[0], inverse[1]), larger(inverse[2], inverse[3]));
         let inverse = if before > newest + 1.0 { before } else { newest };
-        TimeIn::<D, L>::of(exp2(log2(tolerance.as_f64()) / P as f64 - inverse))
+        let size = TimeIn::<D, L>::of(exp2(log2(tolerance.as_f64()) / P as f64 - inverse));
+        self.reached = Some([tolerance, size]);
+        size
     }
 }
 

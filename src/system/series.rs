@@ -3,7 +3,7 @@
 use super::{Dynamics, Elements, PositionOf, RateOf, Runs, System};
 use crate::element::{Element, Posture, RealOf};
 use crate::ends::Root;
-use crate::relation::{Acceleration, Wrench};
+use crate::relation::{Acceleration, AccelerationOf, Wrench};
 use crate::scalar::Scalar;
 use crate::series::{AtRest, Expand, ExpandLoads, Expandable, Instant, Order, Origin, Unheld};
 use crate::shape::{PerAxes, Shape};
@@ -55,6 +55,23 @@ pub struct SeriesRoom<S: Expandable, E: Expand<S, N>, const N: usize> {
     room: E::Room,
 }
 
+impl<S: Expandable, R: Root<S>, C: Element<S>, P> System<S, R, C, P> {
+    /// The walks of one order, for a ground that accelerates like this: one copy for all.
+    #[inline(never)]
+    fn coefficients_of<const N: usize>(
+        &self,
+        order: &Order<RealOf<S>>,
+        ground: AccelerationOf<S>,
+        room: &mut <Elements<S, R, C> as Expand<S, N>>::Room,
+        acceleration: &mut RateOf<S, R, C>,
+    ) where
+        Elements<S, R, C>: Expand<S, N>,
+    {
+        self.chain.push(order, Wrench::none(), room);
+        self.chain.swing(order, ground, room, acceleration);
+    }
+}
+
 impl<S, R, C, P, L, const N: usize> SeriesDynamics<L, N> for System<S, R, C, P>
 where
     S: Expandable,
@@ -93,17 +110,13 @@ where
         self.chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
         self.chain.begin(Posture { x, y, p, q }, position, rate, ground.turn, room);
         self.chain.factor(S::nothing(), room);
-        let order = Order::of(0);
-        self.chain.push(&order, Wrench::none(), room);
-        self.chain.swing(&order, ground.falling(self.gravity), room, acceleration);
+        self.coefficients_of(&Order::of(0), ground.falling(self.gravity), room, acceleration);
     }
 
     #[inline(never)]
     fn expand(&self, series: &mut Self::Series, scratch: &mut RateOf<S, R, C>) {
         for k in 1..N {
-            let order = Order::of(k);
-            self.chain.push(&order, Wrench::none(), &mut series.room);
-            self.chain.swing(&order, Acceleration::zero(), &mut series.room, scratch);
+            self.coefficients_of(&Order::of(k), Acceleration::zero(), &mut series.room, scratch);
         }
     }
 

@@ -30,6 +30,8 @@ pub struct BodySeries<T, const N: usize> {
     force: [Vector2<T>; 2],
     inner: Symmetric2<T>,
     moment: Vector2<T>,
+    /// What α does to Y, as (y, −x).
+    swing: [T; 2],
     /// Of the present order: p, and what is known of Y.
     curl: Vector2<T>,
     known: Vector2<T>,
@@ -61,6 +63,7 @@ impl<T: Scalar, const N: usize> BodySeries<T, N> {
             force: [zero; 2],
             inner: Symmetric2::diagonal(T::zero()),
             moment: zero,
+            swing: [T::zero(); 2],
             curl: zero,
             known: zero,
             turned: none,
@@ -68,7 +71,8 @@ impl<T: Scalar, const N: usize> BodySeries<T, N> {
         }
     }
 
-    /// Products of all coefficients whose numbers add up to `k`. Those of the newest come last: others need not wait for them.
+    /// Products of all coefficients whose numbers add up to `k`. Those of the newest come last: others need not wait for them. The rest
+    /// goes two at a time.
     #[inline(always)]
     fn convolved(&self, k: usize) -> [T; 4] {
         let (Some((first, turned)), Some((last, turning))) =
@@ -76,14 +80,19 @@ impl<T: Scalar, const N: usize> BodySeries<T, N> {
         else {
             return [T::zero(); 4];
         };
-        let mut sum = [T::zero(); 4];
         let (Some((newest, turned)), Some((recent, turning))) = (turned.split_last(), turning.split_last()) else {
             return core::array::from_fn(|i| first[i] * last[i]);
         };
-        for (a, b) in turned.iter().zip(turning.iter().rev()) {
-            sum = core::array::from_fn(|i| a[i].mul_add(b[i], sum[i]));
+        let ((few, turned), (turning, others)) = (turned.as_rchunks::<2>(), turning.as_chunks::<2>());
+        let mut sums = [[T::zero(); 4]; 2];
+        if let ([a], [b]) = (few, others) {
+            sums[0] = core::array::from_fn(|i| a[i] * b[i]);
         }
-        sum = core::array::from_fn(|i| first[i].mul_add(recent[i], sum[i]));
+        for ([a, b], [c, d]) in turned.iter().zip(turning.iter().rev()) {
+            sums[0] = core::array::from_fn(|i| a[i].mul_add(d[i], sums[0][i]));
+            sums[1] = core::array::from_fn(|i| b[i].mul_add(c[i], sums[1][i]));
+        }
+        let sum: [T; 4] = core::array::from_fn(|i| first[i].mul_add(recent[i], sums[0][i] + sums[1][i]));
         core::array::from_fn(|i| newest[i].mul_add(last[i], sum[i]))
     }
 }
@@ -130,7 +139,7 @@ macro_rules! bodies {
                 let (linear, lever) = (linear.plus_diagonal(lumped), room.lever);
                 let swung = linear.apply_onto(lever, coupling);
                 let angular = plus_dot(angular + inertia, lever, coupling + swung);
-                if Self::MOMENT {
+                let coupling = if Self::MOMENT {
                     let [x, y] = outboard;
                     let along = [linear.apply(Vector2::new(x, y)), linear.apply(Vector2::new(-y, x))];
                     let [p, q] = along.map(|force| back(outboard, force));
@@ -138,13 +147,13 @@ macro_rules! bodies {
                     let [x, y] = moment;
                     room.force = [along[0] + Vector2::new(x, y), along[1] + Vector2::new(-y, x)];
                     room.moment = back(outboard, swung);
-                    let coupling = swung + normal(times(moment, room.axes));
-                    Articulated { linear, coupling, angular }
+                    swung + normal(times(moment, room.axes))
                 } else {
-                    room.inner = linear;
-                    room.moment = swung;
-                    Articulated { linear, coupling: swung, angular }
-                }
+                    (room.inner, room.moment) = (linear, swung);
+                    swung
+                };
+                room.swing = [room.moment.y, -room.moment.x];
+                Articulated { linear, coupling, angular }
             }
             #[inline(always)]
             fn push(&self, order: &Order<T::Real>, outer: Internal<T>, room: &mut Self::Room) -> Internal<T> {
@@ -174,15 +183,20 @@ macro_rules! bodies {
                 let (force, outboard) = if Self::MOMENT {
                     let [along_x, along_y] = room.force;
                     let force = Vector2::new(plus_dot(room.known.x, along_x, linear), plus_dot(room.known.y, along_y, linear));
-                    (force, linear + times(base(self).outboard, turned))
+                    (force, linear + times(base(self).outboard, room.curl))
                 } else {
-                    (room.inner.apply_onto(linear, room.known), linear + turned)
+                    (room.inner.apply_onto(linear, room.known), linear + room.curl)
                 };
-                let force = add_scaled(force, angular, room.moment);
+                // Last what waits for the inboard body.
+                let outboard = add_scaled(outboard, angular, room.lever);
                 if let (Some(axes), Some(spin)) = (room.turned.get_mut(order.k + 1), room.turning.get_mut(order.k + 1)) {
-                    let (x, y, rate) = (turned.x.scale(order.twice), turned.y.scale(order.twice), angular.scale(order.once));
+                    let (x, y) = (turned.x.scale(order.twice), turned.y.scale(order.twice));
                     *axes = [x, y, x, y];
-                    *spin = [rate, rate, force.y, -force.x];
+                    // All lanes by the same operation: they are stored at once, and so can be loaded at once right after.
+                    let (zero, once) = (T::zero(), T::constant(order.once));
+                    let (parts, [y, x]) = ([zero, zero, force.y, -force.x], room.swing);
+                    let weights = [once, once, y, x];
+                    *spin = core::array::from_fn(|i| weights[i].mul_add(angular, parts[i]));
                 }
                 Acceleration { linear: outboard, angular }
             }

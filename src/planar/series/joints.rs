@@ -4,7 +4,7 @@ use super::Articulated;
 use crate::element::Posture;
 use crate::planar::spring::{Spring, SpringLaw};
 use crate::planar::{Acceleration, ElasticHinge, Internal, Joint, Pin, Planar, Turn, Weld};
-use crate::relation::plane::algebra::{add_scaled, dot};
+use crate::relation::plane::algebra::{add_scaled, plus_dot};
 use crate::relation::{Absent, Coefficient, Symmetric, Term};
 use crate::scalar::Scalar;
 use crate::series::{Expand, Instant, Order, Origin};
@@ -51,7 +51,7 @@ impl<T: Scalar, const N: usize> TurnSeries<T, N> {
     /// The angular acceleration of the outboard body.
     #[inline(always)]
     fn angular(&self, linear: Vector2<T>) -> T {
-        self.free + dot(self.gain, linear)
+        plus_dot(self.free, self.gain, linear)
     }
 
     /// Keeps the coefficient of the rate that an acceleration of the coordinate makes.
