@@ -151,7 +151,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         let size = log2((TimeIn::<D, L>::one() + size).as_f64());
         let mut inverse = last.map(|most| log2(most.as_f64()) - size);
         for (i, inverse) in inverse.iter_mut().enumerate() {
-            *inverse /= (P + i - 3) as f64;
+            *inverse *= 1.0 / (P + i - 3) as f64;
         }
         let larger = |a: f64, b: f64| if a > b { a } else { b };
         let (before, newest) = (larger(inverse[0], inverse[1]), larger(inverse[2], inverse[3]));
@@ -163,6 +163,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
 }
 
 /// The logarithm to base 2 of a positive number, to a hundredth: a parabola between powers of two.
+#[inline]
 fn log2(x: f64) -> f64 {
     let bits = x.to_bits();
     let power = (bits >> 52) as f64 - 1023.0;
@@ -171,6 +172,7 @@ fn log2(x: f64) -> f64 {
 }
 
 /// Two to the power `x`, to three thousandths, likewise; as large as numbers are where it overflows.
+#[inline]
 fn exp2(x: f64) -> f64 {
     let x = x.clamp(-1000.0, 1000.0) + 1023.0;
     let power = x as u64;
