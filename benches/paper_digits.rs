@@ -9,7 +9,7 @@
 //! 0.7 here, 5.5e-9, 2.4e-3, 0.07 there). What is left is of the bend and the rates at the start, which the paper does not say: they set by
 //! how much entries of U grow, here 4 to 25 times more than there.
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::{ElasticHinge, Free, Pinned, Rod, System};
 use catena::{Real, Scalar, TransferMatrix};

@@ -7,10 +7,10 @@
 #[path = "parts/clock.rs"]
 mod clock;
 
-use catena::mirror::{Position, Rate};
 use catena::planar::*;
 use catena::scalar::Jet;
-use catena::stepper::Stepper;
+use catena::simulate::Stepper;
+use catena::system::{Position, Rate};
 use catena::{Error, Motion, Scalar};
 use clock::{median, progress};
 use num_dual::DualSVec64;

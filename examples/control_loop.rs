@@ -11,9 +11,9 @@
 mod common;
 
 use catena::Scalar;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::stepper::{MotionIn, Stepper, StepperOf};
+use catena::simulate::{MotionIn, Stepper, StepperOf};
 use common::{BLUE, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
 use num_dual::Dual2_64;
 use std::error::Error;

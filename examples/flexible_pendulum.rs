@@ -6,9 +6,9 @@
 
 mod common;
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::stepper::Method;
+use catena::simulate::Method;
 use catena::time::Rule;
 use common::{BLUE, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
 use std::error::Error;

@@ -6,11 +6,11 @@
 
 mod common;
 
-use catena::element::Loading;
-use catena::ends::Tip;
+use catena::loading::Loading;
 use catena::planar::*;
-use catena::stepper::Method;
+use catena::simulate::Method;
 use catena::system::Runs;
+use catena::system::Tip;
 use catena::time::Rule;
 use common::{BLUE, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
 use std::error::Error;

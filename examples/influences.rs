@@ -12,7 +12,7 @@ mod common;
 
 use catena::planar::*;
 use catena::scalar::{Jet, Scalar};
-use catena::{Error, lift::Lift};
+use catena::{Error, Lift};
 use common::{BLUE, Drawn, GREEN, GREY, ORANGE, line};
 use std::path::PathBuf;
 use std::time::Instant;

@@ -7,8 +7,8 @@
 #[path = "elements/tank.rs"]
 mod tank;
 
-use catena::element::Unloaded;
 use catena::extend::check_element;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use std::error::Error;
 use tank::{Liquid, Tank};

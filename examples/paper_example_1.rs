@@ -10,7 +10,7 @@
 mod common;
 
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::{Dop853, Free, Pin, Pinned, Rod, System};
 use common::{BLUE, Drawn, GREEN, GREY, ORANGE, line};

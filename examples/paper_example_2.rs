@@ -10,7 +10,7 @@
 
 mod common;
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::index::{QY, X, Y};
 use catena::planar::{Dop853, ElasticHinge, Free, Pinned, Rod, Spring as HingeSpring, System};

@@ -10,7 +10,7 @@
 
 mod common;
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::{At, GeneralizedAlpha, Newmark, Scheme, Slots, Solver};
 use catena::spatial::index::Q;
 use catena::spatial::{Ball, Dop853, Free, Pinned, RigidBody, Rotation, System};

@@ -13,7 +13,7 @@ mod common;
 #[path = "common/global.rs"]
 mod global;
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::{ElasticHinge, Free, Pinned, Rod, Spring as HingeSpring, Stepper, System};
 use common::{BLUE, Drawn, GREEN, GREY, INK, ORANGE};

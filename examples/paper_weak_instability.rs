@@ -9,7 +9,7 @@
 
 mod common;
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::{GeneralizedAlpha, Newmark, Scheme};
 use catena::planar::{Dop853, Free, Pin, Pinned, Rod, System};
 use common::{BLUE, GREEN, INK, ORANGE, blend, line};

@@ -6,7 +6,7 @@
 
 mod common;
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::spatial::*;
 use common::{BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use nalgebra::Vector3;

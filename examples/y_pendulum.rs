@@ -6,7 +6,7 @@
 
 mod common;
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use common::{BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use std::error::Error;

@@ -9,7 +9,7 @@ use typenum::{B1, Const, IsGreater, Sum, ToUInt, U, Unsigned};
 /// A chain whose type decides how many bodies and degrees of freedom it has.
 ///
 /// ```
-/// use catena::counts::Counted;
+/// use catena::system::Counted;
 /// use catena::planar::{Pin, Rod};
 /// use typenum::Unsigned;
 /// type Chain = (Rod<f64>, [(Pin, Rod<f64>); 4]);

@@ -24,12 +24,12 @@ impl<R: Real> Matrix<R> {
         self.columns
     }
 
-    /// Its rows.
+    /// Rows of the matrix.
     pub fn rows(&self) -> impl Iterator<Item = &[R]> {
         self.entries.chunks_exact(self.columns.max(1))
     }
 
-    /// Its rows, to be set.
+    /// Rows of the matrix, to be set.
     pub fn rows_mut(&mut self) -> impl Iterator<Item = &mut [R]> {
         self.entries.chunks_exact_mut(self.columns.max(1))
     }

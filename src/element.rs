@@ -207,7 +207,7 @@ pub struct Given<'a, S: Space, E: Shape<S>, W: Sweep<S>> {
     pub in_joints: &'a E::Store<PerJoint<InJoint<S, W>>>,
     /// Positions of the joint coordinates for springs; in an implicit sweep those that no acceleration would give.
     pub position: &'a E::Store<Positions>,
-    /// Their rates for dampers, likewise.
+    /// Rates of the joint coordinates for dampers; in an implicit sweep those that no acceleration would give.
     pub rate: &'a E::Store<Rates>,
     /// Where laws that are not linear in the coordinates are read in an implicit sweep.
     pub reading: Reading<'a, E::Store<Positions>, E::Store<Rates>>,

@@ -31,23 +31,23 @@ pub enum Place {
 pub enum Fault {
     /// A parameter that must be positive is not.
     NotPositive {
-        /// Its name.
+        /// Name of the parameter.
         parameter: &'static str,
-        /// Its value.
+        /// Value of the parameter.
         value: f64,
     },
     /// A parameter that must not be negative is.
     Negative {
-        /// Its name.
+        /// Name of the parameter.
         parameter: &'static str,
-        /// Its value.
+        /// Value of the parameter.
         value: f64,
     },
     /// A parameter is outside the range in which it makes sense (or NaN).
     OutOfRange {
-        /// Its name.
+        /// Name of the parameter.
         parameter: &'static str,
-        /// Its value.
+        /// Value of the parameter.
         value: f64,
         /// The least value allowed.
         least: f64,
@@ -58,17 +58,17 @@ pub enum Fault {
     },
     /// A parameter or an input is NaN or infinite.
     NotFinite {
-        /// Its name.
+        /// Name of the parameter or input.
         parameter: &'static str,
     },
     /// A matrix that must be symmetric is not.
     NotSymmetric {
-        /// Its name.
+        /// Name of the matrix.
         parameter: &'static str,
     },
     /// Moments of inertia that no distribution of mass has, for one is larger than the sum of the other two. Sweeps can do with them.
     ImpossibleInertia {
-        /// By how much (kg·m²).
+        /// Excess of the largest moment over the sum of the other two (kg·m²).
         excess: f64,
     },
     /// Two axes of a joint are parallel.
@@ -94,14 +94,14 @@ pub enum Fault {
     },
     /// A load acts on a body that the scene does not have.
     NoSuchBody {
-        /// Its number, counted from 0 at the root.
+        /// Number of the body, counted from 0 at the root.
         body: usize,
         /// Number of bodies.
         bodies: usize,
     },
     /// The scene does not have such a joint.
     NoSuchJoint {
-        /// Its number, counted from 0 at the root.
+        /// Number of the joint, counted from 0 at the root.
         joint: usize,
         /// Number of joints.
         joints: usize,
@@ -119,13 +119,13 @@ pub enum Fault {
         what: &'static str,
         /// The name.
         name: Label,
-        /// How many have it.
+        /// Number of joints or bodies that have the name.
         count: usize,
     },
     /// A joint cannot turn its body so.
     ImpossibleTurn {
-        /// By how much it misses at least (rad, or rad/s).
-        miss: f64,
+        /// Residual of the turn at least (rad, or rad/s).
+        residual: f64,
     },
     /// A list of coordinates, rates or loads has the wrong length.
     Count {
@@ -142,7 +142,7 @@ pub enum Fault {
     RedundantClosures {
         /// What one of those that depend on others holds.
         closure: &'static str,
-        /// How many are independent.
+        /// Number of independent closures.
         independent: usize,
         /// Number of closures.
         of: usize,
@@ -151,16 +151,16 @@ pub enum Fault {
     SingularTransfer,
     /// The tip cannot be brought to where it is held, or the ends of a loop to each other, from this guess.
     NotClosed {
-        /// By how much it misses (m, or rad for an angle).
-        miss: f64,
+        /// Residual of the closures (m, or rad for an angle).
+        residual: f64,
     },
     /// With what is held as it is given, the tip cannot be brought to where it is held, or the ends of a loop to each other, from this
     /// guess.
     ImpossibleHold {
         /// What is held: coordinates or rates.
         what: &'static str,
-        /// By how much it misses (m or rad; of rates, these a second).
-        miss: f64,
+        /// Residual of the closures (m or rad; of rates, these a second).
+        residual: f64,
     },
     /// No equilibrium was found from this guess.
     NoEquilibrium {
@@ -191,7 +191,7 @@ pub enum Fault {
     },
     /// A formulation does not know such an element.
     Unsupported {
-        /// What it meets.
+        /// The element that it meets.
         what: &'static str,
     },
 }
@@ -200,7 +200,7 @@ pub enum Fault {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cause {
-    /// Its estimated error exceeds the tolerance.
+    /// The estimated error of the step exceeds the tolerance.
     Inaccurate,
     /// [`Fault::NonFiniteMotion`].
     NonFiniteMotion,
@@ -208,7 +208,7 @@ pub enum Cause {
     NonFiniteLoad,
     /// [`Fault::NotFinite`]: the motion of the ground, for example.
     NotFinite {
-        /// Its name.
+        /// Name of the parameter or input.
         parameter: &'static str,
     },
     /// [`Fault::SingularJoint`].
@@ -222,7 +222,7 @@ pub enum Cause {
     RedundantClosures {
         /// What one of those that depend on others holds.
         closure: &'static str,
-        /// How many are independent.
+        /// Number of independent closures.
         independent: usize,
         /// Number of closures.
         of: usize,
@@ -230,7 +230,7 @@ pub enum Cause {
 }
 
 impl Cause {
-    /// That of a trial step which failed like this; none for what no shorter step would mend.
+    /// The cause of this fault's name; none for what no shorter step would mend.
     pub(crate) const fn of(fault: Fault) -> Option<Self> {
         Some(match fault {
             Fault::NonFiniteMotion => Self::NonFiniteMotion,
@@ -276,19 +276,19 @@ impl Error {
         Self { time: None, place: None, fault }
     }
 
-    /// The same fault, at a station.
+    /// This error at a station.
     #[must_use]
     pub const fn at_station(self, station: usize) -> Self {
         Self { place: Some(Place::Station(station)), ..self }
     }
 
-    /// The same fault, at a place.
+    /// This error at a place.
     #[must_use]
     pub const fn at(self, place: Place) -> Self {
         Self { place: Some(place), ..self }
     }
 
-    /// The same fault at its place in the chain, where stations were counted from the root's joint on.
+    /// This error at its place in the chain, where stations were counted from the root's joint on.
     #[must_use]
     pub(crate) const fn beyond_root(self) -> Self {
         match self.place {
@@ -298,7 +298,7 @@ impl Error {
         }
     }
 
-    /// The same fault, at a time (s).
+    /// This error at a time (s).
     #[must_use]
     pub const fn at_time(self, time: f64) -> Self {
         Self { time: Some(time), ..self }
@@ -337,8 +337,8 @@ impl fmt::Display for Fault {
             Fault::AmbiguousName { what, name, count } => {
                 write!(f, "{name} names {count} of kind {what}: reach them by number")
             }
-            Fault::ImpossibleTurn { miss } => {
-                write!(f, "this joint cannot turn its body so: it misses by {miss} (rad, or rad/s)")
+            Fault::ImpossibleTurn { residual } => {
+                write!(f, "this joint cannot turn its body so: it misses by {residual} (rad, or rad/s)")
             }
             Fault::Count { expected, given } => write!(f, "{expected} values needed, {given} given"),
             Fault::NoBodies => write!(f, "the chain has no body"),
@@ -353,11 +353,11 @@ impl fmt::Display for Fault {
                 f,
                 "no transfer matrix exists: the joint is the centre of percussion of what lies outboard; sweep instead"
             ),
-            Fault::NotClosed { miss } => {
-                write!(f, "what is held together cannot be brought there from this guess: it misses by {miss}")
+            Fault::NotClosed { residual } => {
+                write!(f, "what is held together cannot be brought there from this guess: it misses by {residual}")
             }
-            Fault::ImpossibleHold { what, miss } => {
-                write!(f, "nothing closes from this guess with the {what} that are to stay: it misses by {miss}")
+            Fault::ImpossibleHold { what, residual } => {
+                write!(f, "nothing closes from this guess with the {what} that are to stay: it misses by {residual}")
             }
             Fault::NoEquilibrium { residual } => {
                 write!(

@@ -23,7 +23,7 @@ use num_traits::Zero;
     note = "end a chain with a body, and put a body between two joints"
 )]
 pub trait Outboard<S: Space>: Copy {
-    /// Closure forces it carries.
+    /// Closure forces that the relation carries.
     type Closures: Closures;
     /// The relation in full.
     fn whole(self) -> Full<S, Self::Closures>;
@@ -31,20 +31,20 @@ pub trait Outboard<S: Space>: Copy {
 
 /// What acts in a joint with one coordinate: a generalised force (N·m, N), or nothing.
 pub trait Driving<S: Space>: Part {
-    /// Adds it to a sum.
+    /// Adds the generalised force to a sum.
     fn onto(self, sum: S::Scalar) -> S::Scalar;
 }
 
 /// How one coordinate moves the outboard side of a joint against the inboard one.
 ///
 /// The library's own are `planar::Revolute`, `planar::Slider`, `spatial::Revolute` and `spatial::Prismatic` without springs. One of a
-/// user's own says the same: its motion as any joint does ([`Joint`](crate::shape::Joint)), and the elimination of its coordinate.
+/// user's own says the same: its motion as any joint does ([`Joint`]), and the elimination of its coordinate.
 pub trait Kinematics<S: Space>: Joint<S, Position = S::Scalar, Rate = S::Scalar> + Debug {
     /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide it hands it on.
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar;
     /// The orientation of the outboard body.
     fn turned(&self, position: &S::Scalar, rate: &S::Scalar, inboard: S::Turn) -> S::Turn;
-    /// The same, and what the other walks read, stored.
+    /// The orientation of the outboard body; what the other walks read is stored.
     #[allow(clippy::too_many_arguments)] // one store each
     fn orient(
         &self,
@@ -75,7 +75,7 @@ pub trait Kinematics<S: Space>: Joint<S, Position = S::Scalar, Rate = S::Scalar>
 /// What a model does in a joint at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Acting<T> {
-    /// Generalised force of its law ON the outboard body, with slopes.
+    /// Generalised force of the joint's law ON the outboard body, with slopes.
     pub resistance: Resistance<T>,
     /// Energy stored (J).
     pub energy: T,
@@ -91,15 +91,16 @@ pub struct Acting<T> {
     note = "`catena::joint!` makes an element of a type that implements `JointModel` for the chain's space"
 )]
 pub trait JointModel<S: Space>: Copy + Debug + 'static {
-    /// How it moves.
+    /// How the joint's coordinate moves its outboard side.
     type Kinematics: Kinematics<S>;
 
-    /// Whether its force is affine in position and rate: then slopes are the same everywhere, and implicit rules need not read it twice.
+    /// Whether the joint's force is affine in position and rate: then slopes are the same everywhere, and implicit rules need not read it
+    /// twice.
     const LINEAR: bool = false;
 
-    /// How it moves.
+    /// The kinematics of the joint.
     fn kinematics(&self) -> &Self::Kinematics;
-    /// The same, for the scene to note point masses in.
+    /// The kinematics of the joint, for the scene to note point masses in.
     fn kinematics_mut(&mut self) -> &mut Self::Kinematics;
 
     /// What acts along the coordinate. Explicit rules read its force; implicit ones take it linearly implicitly by its slopes, which

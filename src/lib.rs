@@ -38,8 +38,8 @@
 //! | floor | modules |
 //! |---|---|
 //! | 0 | [`scalar`], errors, names and numbers, [`StateVector`] and [`TransferMatrix`] |
-//! | 1 | [`lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
-//! | 2 | [`space`], [`loading`], [`sweep`], [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], turning, motions, [`sensitive`], [`series`], [`release`] and [`kinematics`] (what a joint says of itself, and how it moves) |
+//! | 1 | [`mod@lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
+//! | 2 | [`space`], [`loading`], [`sweep`], laws of springs, [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], turning, motions, [`sensitive`], [`series`], [`release`] and [`kinematics`] (what a joint says of itself, and how it moves) |
 //! | 3 | [`chain`] (composition: tuples, arrays, vectors, branches, networks), [`counts`], [`struts`] |
 //! | 4 | [`planar`], [`spatial`] |
 //! | 5 | [`solve`], [`observe`] |
@@ -59,52 +59,56 @@ extern crate std;
 mod tuples;
 mod turning;
 
-pub mod chain;
-pub mod counts;
+mod chain;
+mod counts;
 #[cfg(feature = "alloc")]
 mod dense;
-pub mod element;
-pub mod ends;
+mod element;
+mod ends;
 mod error;
 pub mod extend;
-pub mod kinematics;
-pub mod lift;
+#[doc(hidden)]
+pub mod internals;
+mod kinematics;
+mod lift;
 pub mod loading;
-pub mod mirror;
+mod mirror;
 #[cfg(feature = "std")]
 pub mod modes;
 mod motion;
 mod names;
 pub mod observe;
-pub mod observers;
+mod observers;
 pub mod paper;
 pub mod planar;
-pub mod relation;
-pub mod release;
+mod relation;
+mod release;
 pub mod scalar;
-pub mod sensitive;
+mod sensitive;
 pub mod sensitivity;
-pub mod series;
-pub mod shape;
+mod series;
+mod shape;
 pub mod simulate;
-pub mod solve;
-pub mod space;
+mod solve;
+mod space;
 pub mod spatial;
+mod spring;
 mod state;
-pub mod stepper;
-pub mod struts;
-pub mod sweep;
+mod stepper;
+mod struts;
+mod sweep;
 pub mod system;
 pub mod time;
-pub mod transfer;
-pub mod visit;
-pub mod walks;
+mod transfer;
+mod visit;
+mod walks;
 
 // Their types stand in this library's own: users take them from here rather than meet a second version of them.
 pub use nalgebra;
 #[cfg(feature = "num-dual")]
 pub use num_dual;
 
+pub use crate::lift::Lift;
 pub use error::{Cause, Error, Fault, Place};
 pub use motion::Motion;
 pub use names::{BodyNumbers, JointNumbers, Label, Which};

@@ -5,7 +5,7 @@ use crate::tuples::for_each_tuple;
 
 /// A value whose numbers can be replaced by numbers of type `U`.
 pub trait Lift<T: Scalar, U: Scalar> {
-    /// The same value over `U`.
+    /// This value over `U`.
     type Over;
 
     /// Replaces each number.
@@ -64,15 +64,15 @@ for_each_tuple!(lift_tuple);
 #[macro_export]
 macro_rules! lift {
     ($($Name:ident<T $(, $Part:ident)*> { $($field:ident),* $(,)? }),*) => {$(
-        impl<T, U, $($Part),*> $crate::lift::Lift<T, U> for $Name<T, $($Part),*>
+        impl<T, U, $($Part),*> $crate::Lift<T, U> for $Name<T, $($Part),*>
         where
             T: $crate::Scalar,
             U: $crate::Scalar,
-            $($Part: $crate::lift::Lift<T, U>),*
+            $($Part: $crate::Lift<T, U>),*
         {
             type Over = $Name<U, $($Part::Over),*>;
             fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-                $Name { $($field: $crate::lift::Lift::lift(&self.$field, number)),* }
+                $Name { $($field: $crate::Lift::lift(&self.$field, number)),* }
             }
         }
     )*};
@@ -80,7 +80,7 @@ macro_rules! lift {
         $($crate::lift!($Name<T> { $($field),* });)*
     };
     ($($Name:ident),*) => {$(
-        impl<T: $crate::Scalar, U: $crate::Scalar> $crate::lift::Lift<T, U> for $Name {
+        impl<T: $crate::Scalar, U: $crate::Scalar> $crate::Lift<T, U> for $Name {
             type Over = Self;
             fn lift(&self, _: &mut impl FnMut(T) -> U) -> Self {
                 *self

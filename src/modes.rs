@@ -1,7 +1,7 @@
 //! Natural frequencies and modes of vibration of a scene about a position of rest.
 //!
 //! ```
-//! use catena::element::Unloaded;
+//! use catena::loading::Unloaded;
 //! use catena::planar::*;
 //! use core::f64::consts::FRAC_PI_2;
 //!

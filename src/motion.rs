@@ -87,7 +87,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
         &mut self.acceleration
     }
 
-    /// The same motion over another scalar, `number` replacing each coordinate, rate and acceleration.
+    /// This motion over another scalar, `number` replacing each coordinate, rate and acceleration.
     pub fn lift<U: Scalar<Real = T::Real>>(&self, mut number: impl FnMut(T) -> U) -> Motion<U, P::Over, C>
     where
         P: Lift<T, U, Over: Position<U, Rate = <P::Rate as Lift<T, U>>::Over>>,
@@ -107,7 +107,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
         &self.multipliers
     }
 
-    /// Whether every number of it is finite.
+    /// Whether every number of the motion is finite.
     pub fn is_finite(&self) -> bool {
         let mut finite = true;
         self.position.visit(&mut |x| finite &= x.is_finite());
@@ -132,7 +132,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
 impl<T: Scalar, P: Position<T> + Copy, C: Closures> Copy for Motion<T, P, C> where P::Rate: Copy {}
 
 impl<T: Scalar, P: Position<T>, C: Closures> PartialEq for Motion<T, P, C> {
-    /// As the scalar compares: dual numbers by their real part only.
+    /// Compares as the scalar does: dual numbers by their real part only.
     fn eq(&self, other: &Self) -> bool {
         let mut held = true;
         C::zip(&self.multipliers, &other.multipliers, |a, b| held &= a == b);

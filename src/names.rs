@@ -3,7 +3,7 @@
 use core::fmt;
 use core::ops::Range;
 
-/// Which joint or body: its number, counted from 0 at the root, or its name.
+/// A joint or a body: its number, counted from 0 at the root, or its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which<'n> {
     /// The one with this number.
@@ -28,21 +28,21 @@ impl<'n> From<&'n str> for Which<'n> {
 /// lengths of vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct JointNumbers {
-    /// Its number among joints, the root's being 0: that of loads in joints.
+    /// Number of the joint among joints, the root's being 0: that of loads in joints.
     pub joint: usize,
-    /// Its station: that of readings and of errors; none of the root's joint, whose station is the root.
+    /// Station of the joint: that of readings and of errors; none of the root's joint, whose station is the root.
     pub station: Option<usize>,
     pub(crate) coordinates: [usize; 2],
     pub(crate) rates: [usize; 2],
 }
 
 impl JointNumbers {
-    /// Where its coordinates are in the list of all ([`Motion::coordinates`](crate::Motion::coordinates)).
+    /// Where the joint's coordinates are in the list of all ([`Motion::coordinates`](crate::Motion::coordinates)).
     pub fn coordinates(&self) -> Range<usize> {
         self.coordinates[0]..self.coordinates[1]
     }
 
-    /// Where its rates and accelerations are in the lists of all ([`Motion::rates`](crate::Motion::rates)).
+    /// Where the joint's rates and accelerations are in the lists of all ([`Motion::rates`](crate::Motion::rates)).
     pub fn rates(&self) -> Range<usize> {
         self.rates[0]..self.rates[1]
     }
@@ -51,9 +51,9 @@ impl JointNumbers {
 /// The numbers of a body: by which loads, struts and readings know it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BodyNumbers {
-    /// Its number among bodies: that of loads on bodies, of struts, and of readings such as angles.
+    /// Number of the body among bodies: that of loads on bodies, of struts, and of readings such as angles.
     pub body: usize,
-    /// The station of its inboard end: that of readings of forces, and of errors.
+    /// The station of the body's inboard end: that of readings of forces, and of errors.
     pub station: usize,
 }
 
@@ -61,12 +61,12 @@ pub struct BodyNumbers {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Label {
     text: [u8; 23],
-    /// How many of these are the name's, and in the highest bit whether it is longer.
+    /// Number of these bytes that are the name's, and in the highest bit whether it is longer.
     length: u8,
 }
 
 impl Label {
-    /// That of a name.
+    /// The label of a name.
     pub(crate) fn of(name: &str) -> Self {
         let mut text = [0; 23];
         let kept = (0..=name.len().min(text.len())).rev().find(|end| name.is_char_boundary(*end)).unwrap_or(0);

@@ -3,12 +3,12 @@
 mod by_joint;
 mod doubts;
 mod in_turn;
-mod misses;
+mod residuals;
 
 pub(crate) use doubts::doubts;
 #[cfg(feature = "alloc")]
-pub(crate) use misses::each_miss;
-pub(crate) use misses::loops_miss;
+pub(crate) use residuals::each_residual;
+pub(crate) use residuals::loop_residual;
 
 use crate::counts::HasBody;
 use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
@@ -54,12 +54,12 @@ impl<'a, S: Space, E: Element<S>, X: Copy + 'static> PerBody<'a, S, E, X> {
         self.len() == 0
     }
 
-    /// That of body number `k`, counted from 0 at the root.
+    /// The reading of body number `k`, counted from 0 at the root.
     pub fn get(&self, k: usize) -> Option<&X> {
         find::body(self.chain, &self.bodies, k)?.as_ref()
     }
 
-    /// That of body number `K`; a scene without such a body does not compile.
+    /// The reading of body number `K`; a scene without such a body does not compile.
     ///
     /// ```
     /// # use catena::planar::*;
@@ -76,7 +76,7 @@ impl<'a, S: Space, E: Element<S>, X: Copy + 'static> PerBody<'a, S, E, X> {
         self.get(K)
     }
 
-    /// Those of all bodies, root to tip, each met once.
+    /// The readings of all bodies, root to tip, each met once.
     pub fn iter(&self) -> impl Iterator<Item = &X> {
         in_turn(
             E::BODIES.is_some(),

@@ -19,7 +19,7 @@ pub trait Observe<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>>
 /// How far the energy of a run strays from its first value.
 ///
 /// ```
-/// use catena::observers::{EnergyDrift, Observe};
+/// use catena::simulate::{EnergyDrift, Observe};
 /// use catena::planar::*;
 /// let rod = Rod::uniform(1.0, 1.0);
 /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
@@ -54,7 +54,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Observe<S, R
 /// Numbers are written so that they read back exactly. Dual numbers and lanes write their real part.
 ///
 /// ```
-/// use catena::observers::{Observe, Trace};
+/// use catena::simulate::{Observe, Trace};
 /// use catena::planar::*;
 /// let pendulum = System::new(Pinned::origin(), Rod::uniform(1.0, 1.0), Free)?.with_gravity(9.81);
 /// let mut trace = Trace::new(Vec::new());

@@ -4,6 +4,9 @@ use crate::relation::Additive;
 pub use crate::relation::Way;
 use crate::scalar::Scalar;
 use crate::space::Space;
+use crate::spring::SpringLaw;
+use crate::sweep::Implicit;
+use num_traits::{One, Zero};
 
 /// What acts along the coordinate of a joint at an instant, ON the outboard body, and how that changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +25,12 @@ impl<T: Scalar> Resistance<T> {
         Self { force: T::zero(), stiffness: T::zero(), damping: T::zero() }
     }
 
+    /// What a law does at a position and rate.
+    pub fn of(law: &impl SpringLaw<T>, position: T, rate: T) -> Self {
+        let [stiffness, damping] = slopes::<T, _>(|springs| law.pivot(position, rate, springs));
+        Self { force: law.force(position, rate), stiffness, damping }
+    }
+
     /// A viscous damper (N·m·s/rad, N·s/m).
     pub fn viscous(damping: T, rate: T) -> Self {
         Self { force: -(damping * rate), stiffness: T::zero(), damping }
@@ -33,16 +42,22 @@ impl<T: Scalar> Resistance<T> {
     }
 }
 
+/// The slopes of a law, ∂/∂position and ∂/∂rate, by what it adds to pivots.
+pub(crate) fn slopes<T: Scalar, X>(pivot: impl Fn(Implicit<T::Real>) -> X) -> [X; 2] {
+    let (zero, one) = (T::Real::zero(), T::Real::one());
+    [(one, zero), (zero, one)].map(|(position, rate)| pivot(Implicit { position, rate }))
+}
+
 /// A coordinate of a joint at an instant: how it moves, about or along which axis, and what resists it there.
 #[derive(Clone, Copy, Debug)]
 pub struct Freedom<S: Space> {
-    /// Whether it turns or slides.
+    /// Whether the coordinate turns or slides.
     pub way: Way,
-    /// Its axis n, inertial axes: a unit vector, but zero for a turn in the plane, which is about ẑ.
+    /// Axis n of the coordinate, inertial axes: a unit vector, but zero for a turn in the plane, which is about ẑ.
     pub axis: S::Vector,
-    /// What springs, dampers and laws exert on it.
+    /// What springs, dampers and laws exert on the coordinate.
     pub resistance: Resistance<S::Scalar>,
-    /// What they exert on it where position and rate are zero: k φ₀ of a linear spring with the rest value φ₀.
+    /// What springs and laws exert on the coordinate where position and rate are zero: k φ₀ of a linear spring with the rest value φ₀.
     pub preload: S::Scalar,
     /// Reflected inertia I (kg·m², kg): of what moves with this coordinate alone, ½ I q̇².
     pub inertia: S::Scalar,
@@ -51,19 +66,25 @@ pub struct Freedom<S: Space> {
 }
 
 impl<S: Space> Freedom<S> {
-    /// One that nothing resists.
+    /// A coordinate that nothing resists.
     pub fn smooth(way: Way, axis: S::Vector) -> Self {
         let zero = Additive::null();
         Self { way, axis, resistance: Resistance::none(), preload: zero, inertia: zero, driven: true }
     }
 
-    /// The same, but no loads in the joint act on it.
+    /// This coordinate against the law of a spring.
+    #[must_use]
+    pub fn sprung(self, law: &impl SpringLaw<S::Scalar>, [position, rate]: [S::Scalar; 2]) -> Self {
+        self.against(Resistance::of(law, position, rate), law.force(Additive::null(), Additive::null()))
+    }
+
+    /// This coordinate, but no loads in the joint act on it.
     #[must_use]
     pub fn undriven(self) -> Self {
         Self { driven: false, ..self }
     }
 
-    /// The same against a law.
+    /// This coordinate against a law.
     #[must_use]
     pub fn against(self, resistance: Resistance<S::Scalar>, preload: S::Scalar) -> Self {
         Self { resistance, preload, ..self }
@@ -73,17 +94,17 @@ impl<S: Space> Freedom<S> {
 /// What a joint lets move at an instant, in inertial axes: p_O = X p_I + c + Φ q̈, Φᵀ F = τ − I q̈.
 #[derive(Clone, Copy, Debug)]
 pub struct Release<S: Space> {
-    /// Its coordinates, in the order of its rates.
+    /// Coordinates of the joint, in the order of its rates.
     pub coordinates: [Option<Freedom<S>>; 6],
-    /// Whether its outboard body turns with the inboard one. Coordinates of pins and balls are absolute.
+    /// Whether the outboard body turns with the inboard one. Coordinates of pins and balls are absolute.
     pub carries: bool,
-    /// Whether its outboard point swings about the inboard one with the inboard body.
+    /// Whether the outboard point swings about the inboard one with the inboard body.
     pub swings: bool,
-    /// Whether the moments on its sides differ by that of its force, m_O = m_I + d × q.
+    /// Whether the moments on the joint's sides differ by that of its force, m_O = m_I + d × q.
     pub balanced: bool,
     /// c: what the outboard point accelerates by besides the inboard body (m/s²).
     pub linear: S::Vector,
-    /// And by what its body does (rad/s²).
+    /// c: angular acceleration of the outboard body besides the inboard one (rad/s²).
     pub angular: S::Angular,
 }
 
@@ -103,7 +124,7 @@ impl<S: Space> Release<S> {
         self
     }
 
-    /// Its coordinates, and the effort of a load on each.
+    /// Coordinates of the joint, and the effort of a load on each.
     pub fn under(self, efforts: [S::Scalar; 3]) -> impl Iterator<Item = (Freedom<S>, S::Scalar)> {
         let mut efforts = efforts.into_iter();
         self.coordinates.into_iter().flatten().map(move |freedom| {
@@ -112,7 +133,7 @@ impl<S: Space> Release<S> {
         })
     }
 
-    /// Its coordinates that turn, or that slide.
+    /// Coordinates that turn, or that slide.
     pub fn of(&self, way: Way) -> impl Iterator<Item = &Freedom<S>> {
         self.coordinates.iter().flatten().filter(move |freedom| freedom.way == way)
     }

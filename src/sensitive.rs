@@ -1,8 +1,8 @@
 //! The contract for derivatives through kept gains.
 //!
 //! A scene over [`Jet`](crate::scalar::Jet)s moves with values and columns of derivatives. To send all of it through a sweep would
-//! differentiate the inertia of what lies outboard, and every elimination. But accelerations q̈ solve R(q, q̇, q̈) = 0, the forces
-//! that inverse dynamics misses at each joint, so that dq̈ = −(∂R/∂q̈)⁻¹ dR with dR taken at fixed q̈. This dR is local, a few products
+//! differentiate the inertia of what lies outboard, and every elimination. But accelerations q̈ solve R(q, q̇, q̈) = 0, the
+//! residuals of inverse dynamics in the joints, so that dq̈ = −(∂R/∂q̈)⁻¹ dR with dR taken at fixed q̈. This dR is local, a few products
 //! a body, and (∂R/∂q̈)⁻¹ is a sweep with other right-hand sides through gains that are already there: no division, no sine. The walks
 //! are
 //!
@@ -10,7 +10,7 @@
 //! pose      root → tip   as in a sweep of plain numbers                            Element::pose
 //! factor    tip → root   F = S p + e, and one number more kept for each pivot      Sensitive::factor
 //! vary      root → tip   accelerations; columns of p at fixed q̈                    Sensitive::vary
-//! gather    tip → root   columns of what is missed, eliminated through the gains   Sensitive::gather
+//! gather    tip → root   columns of residuals, eliminated through the gains        Sensitive::gather
 //! answer    root → tip   columns of q̈                                              Sensitive::answer
 //! ```
 //!
@@ -27,7 +27,7 @@ use crate::space::FrameOf;
 pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     /// The numbers that jets hold.
     type Number: Scalar<Real = <Self::Scalar as Scalar>::Real>;
-    /// The same space over these.
+    /// This space over plain numbers.
     type Plain: Space<Scalar = Self::Number>;
     /// F = S p + e of what lies outboard, values alone.
     type Relation: Copy;
@@ -49,7 +49,7 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     fn ground(frame: &FrameOf<Self>, gravity: Self::Vector) -> Self::Outward;
     /// What lies beyond a free tip.
     fn nothing() -> Self::Relation;
-    /// The force of it.
+    /// The force of what lies beyond a free tip.
     fn no_pull() -> Self::Inward;
     /// A ground that does not answer.
     fn stillness() -> Self::Response;
@@ -65,7 +65,7 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
 
 /// What acts in a joint, or [`Absent`].
 pub trait Effort<S: Varied>: Part {
-    /// As a walk reads it.
+    /// The effort as a walk reads it.
     fn effort(self) -> EffortOf<S>;
 }
 
@@ -99,12 +99,12 @@ impl<const PARAMETERS: bool, const LOADS: bool> Seeds for Columns<PARAMETERS, LO
     note = "run the same scene over jets or dual numbers by the rule itself, without `through_gains`"
 )]
 pub trait Sensitive<S: Varied>: Element<S> {
-    /// The same element over plain numbers.
+    /// This element over plain numbers.
     type Plain: Element<S::Plain>;
     /// What the walks keep.
     type Room: Clone;
 
-    /// Room for it.
+    /// Room for what the walks keep.
     fn room(&self) -> Self::Room;
 
     /// Plain coordinates of coordinates over jets.
@@ -136,7 +136,7 @@ pub trait Sensitive<S: Varied>: Element<S> {
         acceleration: &mut Self::Rate,
     );
 
-    /// Carries columns of forces inward, and turns what they miss in joints into columns of their accelerations where the inboard
+    /// Carries columns of forces inward, and turns their residuals in joints into columns of their accelerations where the inboard
     /// station stays as it is.
     fn gather<N: Seeds>(
         &self,
@@ -154,11 +154,11 @@ pub trait Sensitive<S: Varied>: Element<S> {
 pub struct At<'a, S: Varied, E: Sensitive<S>> {
     /// The element over plain numbers.
     pub plain: &'a E::Plain,
-    /// Its posture.
+    /// Posture of the element.
     pub posture: Posture<'a, S::Plain, E::Plain>,
-    /// Its positions.
+    /// Positions of the element's coordinates.
     pub position: &'a E::Position,
-    /// Their rates.
+    /// Rates of the element's coordinates.
     pub rate: &'a E::Rate,
 }
 

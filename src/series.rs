@@ -98,7 +98,7 @@ pub trait Expand<S: Expandable, const N: usize>: Element<S> {
     /// What the walks keep.
     type Room: Clone;
 
-    /// Room for it.
+    /// Room for what the walks keep.
     fn room(&self) -> Self::Room;
 
     /// Keeps the coefficients of order 0, of a posture.

@@ -85,7 +85,7 @@ impl<T: Scalar, const D: usize> Strut<T, D> {
         (self.stiffness * stretch * stretch).scale(crate::scalar::Real::of(0.5))
     }
 
-    /// Force (N) on its first end, for place and velocity of both.
+    /// Force (N) on the strut's first end, for place and velocity of both.
     fn force(&self, [from, to]: [[SVector<T, D>; 2]; 2]) -> SVector<T, D> {
         let (apart, parting) = (to[0] - from[0], to[1] - from[1]);
         let none = T::zero();
@@ -120,7 +120,7 @@ pub struct Struts<T, const D: usize, const N: usize, L = crate::loading::Unloade
 }
 
 impl<T, const D: usize, const N: usize> Struts<T, D, N> {
-    /// These struts, and no other loads.
+    /// Loads by these struts, and no others.
     pub const fn of(struts: [Strut<T, D>; N]) -> Self {
         Self { struts, others: crate::loading::Unloaded }
     }

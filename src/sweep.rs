@@ -27,11 +27,11 @@ impl<S: Space, L: Loading<S>, K: Springs<S::Scalar>, C: Closures> Sweep<S> for C
 
 /// How springs enter a sweep.
 pub trait Springs<T: Scalar>: Copy {
-    /// Whether they add to pivots. Where they are torques given instead, gains are those of absolute angles.
+    /// Whether springs add to pivots. Where they are torques given instead, gains are those of absolute angles.
     const STIFF: bool;
 
     /// K̂, what a spring and damper add to the pivot of their coordinate.
-    fn pivot(self, stiffness: T, damping: impl Coefficient<T>) -> T;
+    fn pivot(self, stiffness: impl Coefficient<T>, damping: impl Coefficient<T>) -> T;
 }
 
 /// Springs as torques of the state given.
@@ -42,7 +42,7 @@ impl<T: Scalar> Springs<T> for Explicit {
     const STIFF: bool = false;
 
     #[inline(always)]
-    fn pivot(self, _: T, _: impl Coefficient<T>) -> T {
+    fn pivot(self, _: impl Coefficient<T>, _: impl Coefficient<T>) -> T {
         T::zero()
     }
 }
@@ -83,7 +83,7 @@ impl<T: Scalar> Springs<T> for Implicit<T::Real> {
     const STIFF: bool = true;
 
     #[inline(always)]
-    fn pivot(self, stiffness: T, damping: impl Coefficient<T>) -> T {
-        damping.times_onto(T::constant(self.rate), stiffness.scale(self.position))
+    fn pivot(self, stiffness: impl Coefficient<T>, damping: impl Coefficient<T>) -> T {
+        damping.times_onto(T::constant(self.rate), stiffness.scaled(self.position))
     }
 }

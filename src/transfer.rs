@@ -58,9 +58,9 @@ pub struct Passage<T, const N: usize> {
 /// A coordinate of a joint.
 #[derive(Clone, Copy, Debug)]
 struct Freedom<T, const N: usize> {
-    /// What a unit of its acceleration adds to the state outboard.
+    /// What a unit of the coordinate's acceleration adds to the state outboard.
     push: [T; N],
-    /// The row that reads the generalised force on it in the state outboard,
+    /// The row that reads the generalised force on the coordinate in the state outboard,
     row: [T; N],
     /// what that force is where the coordinate does not accelerate,
     effort: T,
@@ -74,7 +74,7 @@ impl<T: Scalar, const N: usize> Passage<T, N> {
         Self { fixed, freedoms: [None; MOST] }
     }
 
-    /// The same with another coordinate: what a unit of its acceleration adds to the state outboard, the row that reads the
+    /// This joint with another coordinate: what a unit of its acceleration adds to the state outboard, the row that reads the
     /// generalised force on it there, that force, and what a unit of the acceleration takes away from it.
     #[must_use]
     pub fn with(mut self, push: [T; N], row: [T; N], [effort, inertia]: [T; 2]) -> Self {
@@ -89,7 +89,7 @@ impl<T: Scalar, const N: usize> Passage<T, N> {
         self.freedoms.iter().flatten().count()
     }
 
-    /// Its condition on the state at its inboard side, `row` z = 0: that a generalised force is what it is.
+    /// The condition of a coordinate on the state at the joint's inboard side, `row` z = 0: that a generalised force is what it is.
     fn condition(&self, freedom: &Freedom<T, N>) -> [T; N] {
         let mut row = through(&freedom.row, &self.fixed);
         row[N - 1] -= freedom.effort;
@@ -194,7 +194,7 @@ pub(crate) fn solve_dense<T: Scalar, const K: usize>(a: [[T; K]; K], b: [T; K]) 
     solve_unless(a, b, T::Real::zero())
 }
 
-/// The same; `None` where a pivot is not above `least`.
+/// Solves A x = b by elimination with row pivoting; `None` where a pivot is not above `least`.
 fn solve_unless<T: Scalar, const K: usize>(mut a: [[T; K]; K], mut b: [T; K], least: T::Real) -> Option<[T; K]> {
     for i in 0..K {
         let magnitude = |row: &usize| a[*row][i].real().abs();

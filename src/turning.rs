@@ -15,13 +15,13 @@ pub trait Turning: Space {
 
     /// A frame at rest that is turned so, but for its angular velocity.
     fn facing(turn: Self::Turn) -> FrameOf<Self>;
-    /// The same orientation at rest.
+    /// An orientation at rest: the turn without its angular velocity.
     fn still(turn: Self::Turn) -> Self::Turn;
     /// Angular velocity.
     fn spin(turn: &Self::Turn) -> [Self::Scalar; 3];
     /// An angular velocity that is given in inertial axes.
     fn in_inertial_axes(spin: Self::Spin) -> [Self::Scalar; 3];
-    /// One that is given in axes of a body.
+    /// An angular velocity that is given in axes of a body.
     fn in_axes_of(body: &Self::Turn, spin: Self::Spin) -> [Self::Scalar; 3];
     /// The turn (rad) that leads from here to an orientation.
     fn towards(here: &Self::Turn, there: &Self::Orientation) -> [Self::Scalar; 3];
@@ -71,7 +71,7 @@ pub fn plus<T: Scalar>(a: [T; 3], b: [T; 3]) -> [T; 3] {
 }
 
 impl<T: Scalar> Axes<T> {
-    /// Those of a joint.
+    /// Axes of a joint's rates.
     pub fn of<S: Turning<Scalar = T>, J: Joint<S>>(joint: &J, inboard: S::Turn, position: &J::Position) -> Self {
         let mut axes = Self { list: [(0, [T::zero(); 3]); MOST], count: 0 };
         let (mut unit, mut rates) = (J::rate(), 0);
@@ -123,7 +123,7 @@ impl<T: Scalar> Axes<T> {
         rates
     }
 
-    /// Their angular velocity.
+    /// Angular velocity Σ axis q̇ (rad/s) of the outboard body against one that rests.
     pub fn spin_of(&self, rates: &[T; 3]) -> [T; 3] {
         let own = self.list[..self.count].iter().zip(rates);
         own.fold([T::zero(); 3], |sum, ((_, axis), rate)| plus(sum, axis.map(|x| x * *rate)))

@@ -22,7 +22,7 @@ pub trait Visit<S: Space> {
     fn body(&mut self, body: &S::BodyMotion) -> Self::OnBody;
     /// Meets a joint.
     fn joint(&mut self, joint: &S::JointMotion) -> Self::InJoint;
-    /// The same, for those who want to know what the joint lets move.
+    /// Meets a joint, for those who want to know what it lets move.
     #[inline(always)]
     fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) -> Self::InJoint {
         let _ = release;
@@ -75,19 +75,19 @@ impl<S: Space, V: Visit<S>> Visit<S> for &mut V {
 pub struct Closed<S: Space> {
     /// The joint, from the side arm to the main one.
     pub joint: S::JointMotion,
-    /// The force and torque that it passes on.
+    /// The force and torque that the joint passes on.
     pub internal: WrenchOf<S>,
-    /// How many conditions it imposes.
+    /// Number of conditions that the joint imposes.
     pub conditions: usize,
-    /// By how much these are missed, in place and in velocity; the numbers after them are zero.
-    pub miss: [S::Numbers; 2],
+    /// Residuals of these conditions, in place and in velocity; the numbers after them are zero.
+    pub residual: [S::Numbers; 2],
 }
 
 /// A gatherer of [`gather`](crate::walks::gather::gather): internal forces that add up from the tips to the root, for example.
 pub trait Gather {
-    /// What it reads or writes of each body and joint.
+    /// What the gatherer reads or writes of each body and joint.
     type Entry: Copy + 'static;
-    /// What it carries inward.
+    /// What the gatherer carries inward.
     type Carried: Copy;
 
     /// Meets a body or a joint, with what comes from its outboard side; gives what goes on inward.

@@ -1,11 +1,11 @@
 //! Chains of rods with other joints and ends than those of the main table: beside the pin chain with a free tip.
 
 use crate::scenes::{Case, GRAVITY, Library, Link, Row, state};
-use catena::element::Unloaded;
-use catena::element::{Implicit, Reading};
-use catena::mirror::{Position, Rate};
+use catena::internals::element::{Implicit, Reading};
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::system::StiffDynamics;
+use catena::system::{Position, Rate};
 use std::hint::black_box;
 
 /// Stiffness of the rotary springs (N·m/rad).

@@ -2,11 +2,11 @@
 
 use crate::by_hand;
 use crate::system_sine::SystemSine;
-use catena::element::Unloaded;
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::scalar::Scalar;
 use catena::system::Dynamics;
+use catena::system::{Position, Rate};
 use num_traits::Zero;
 use std::hint::black_box;
 

@@ -2,10 +2,10 @@
 
 use crate::inverse::{self, Joint};
 use crate::scenes::{Case, GRAVITY, Library, Row};
-use catena::element::Unloaded;
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::system::Dynamics;
+use catena::system::{Position, Rate};
 
 /// A scene of the library with its accelerations checked.
 struct Checked<D: Dynamics<Unloaded>> {

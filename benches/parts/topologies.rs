@@ -2,7 +2,7 @@
 //! closed where it takes place.
 
 use crate::scenes::{GRAVITY, Library, Link, Row};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 
 /// A row: a chain on a wall with a free tip.

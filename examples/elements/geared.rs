@@ -1,8 +1,8 @@
 //! A motor in a joint: its rotor turns `ratio` times as fast as the joint, and its bearings rub.
 
 use catena::Scalar;
-use catena::element::Space;
 use catena::extend::{JointModel, Kinematics, Resistance};
+use catena::system::Space;
 use std::fmt::Debug;
 
 /// A geared motor on any kinematics with one coordinate: a hinge or a slide, in the plane or in space.

@@ -14,7 +14,7 @@ use crate::space::FrameOf;
 /// these are shared out. Of loops within loops the forces of the outer one are chosen first.
 ///
 /// ```
-/// use catena::element::Unloaded;
+/// use catena::loading::Unloaded;
 /// use catena::spatial::*;
 /// // A four-bar linkage: revolutes about z hold it in its plane, and so would the last one.
 /// let (hinge, rod) = (Revolute::about([0.0, 0.0, 1.0]), Rod::uniform(0.5_f64, 0.02, 0.5));
@@ -55,8 +55,8 @@ impl<S: Space, K: Closing<S, Closures = Cut<L>>, const L: usize> Closing<S> for 
     fn internal(&self, forces: &[S::Scalar; L], axes: Ends<'_, S, Self>) -> WrenchOf<S> {
         self.0.internal(forces, axes.of())
     }
-    fn miss(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [[S::Scalar; L]; 2] {
-        self.0.miss(side, main)
+    fn residual(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [[S::Scalar; L]; 2] {
+        self.0.residual(side, main)
     }
     fn free_compliance(&self, body: &S::BodyMotion) -> [S::Scalar; L] {
         self.0.free_compliance(body)

@@ -35,13 +35,13 @@ use crate::space::FrameOf;
 pub struct Named<E> {
     /// What is named.
     pub item: E,
-    /// Its name.
+    /// Name of the item.
     pub name: &'static str,
 }
 
 /// Gives names: to bodies, joints and chains of them, to joints that close loops, to roots.
 pub trait Name: Sized {
-    /// The same with a name.
+    /// Gives the item a name.
     fn named(self, name: &'static str) -> Named<Self> {
         Named { item: self, name }
     }
@@ -206,8 +206,8 @@ impl<S: Space, K: Closing<S>> Closing<S> for Named<K> {
     fn internal(&self, forces: &<K::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> WrenchOf<S> {
         self.item.internal(forces, ends(axes))
     }
-    fn miss(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [<K::Closures as Closures>::Each<S::Scalar>; 2] {
-        self.item.miss(side, main)
+    fn residual(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [<K::Closures as Closures>::Each<S::Scalar>; 2] {
+        self.item.residual(side, main)
     }
     fn free_compliance(&self, body: &S::BodyMotion) -> <K::Closures as Closures>::Each<S::Scalar> {
         self.item.free_compliance(body)

@@ -17,7 +17,7 @@ use typenum::{Sum, Unsigned};
 /// `Revolute` or `Weld` in space.
 ///
 /// ```
-/// use catena::element::Unloaded;
+/// use catena::loading::Unloaded;
 /// use catena::planar::*;
 /// let rod = Rod::uniform(0.5, 1.0); // length (m), mass (kg)
 /// // A rod, and from its end two pairs of rods that meet again.

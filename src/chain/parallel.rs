@@ -9,7 +9,7 @@ use crate::shape::{Ends, Kept};
 /// What a sweep carries into the main arm.
 type InMain<S, W, K> =
     Carrying<<W as Sweep<S>>::Loads, <W as Sweep<S>>::Springs, Inside<S, <W as Sweep<S>>::Closures, K>>;
-/// What it carries into the side arm.
+/// What a sweep carries into the side arm.
 type InSide<S, W, K> = Carrying<<W as Sweep<S>>::Loads, <W as Sweep<S>>::Springs, OwnOf<S, K>>;
 
 impl<S, R, W, M, A, K> Condense<S, R, W> for Network<M, A, K>

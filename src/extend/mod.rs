@@ -5,12 +5,12 @@
 //!
 //! | of one's own | how | example |
 //! |---|---|---|
-//! | a law along a coordinate | [`planar::SpringLaw`](crate::planar::SpringLaw), [`spatial::Law`](crate::spatial::Law), in a joint of this crate | a stop, a stiffening spring: there |
-//! | a joint | [`JointModel`]: [`Kinematics`] and what acts along their coordinate; [`joint!`](crate::joint) | `examples/own_joint.rs`: a geared motor, 36 lines |
+//! | a law along a coordinate | [`SpringLaw`](crate::spring::SpringLaw), in a joint of this crate, or read by [`Resistance::of`] | a stop, a stiffening spring: there |
+//! | a joint | [`JointModel`]: [`Kinematics`] and what acts along their coordinate; [`joint!`](crate::joint) | `examples/own_joint.rs`: a geared motor, 37 lines |
 //! | a joint that moves in a way of its own | [`Kinematics`]: its motion, and the elimination of its coordinate | |
 //! | a body | a struct of bodies, joints and arms; [`compound!`](crate::compound) | `examples/own_body.rs`: a tank in which liquid sloshes, 36 lines |
-//! | an end | [`planar::Ground`](crate::planar::Ground), [`spatial::Ground`](crate::spatial::Ground): how its ground moves | below |
-//! | a load | [`planar::BodyLaw`](crate::planar::BodyLaw), [`planar::JointLaw`](crate::planar::JointLaw), and in space likewise | there |
+//! | an end | [`Ground`](crate::planar::Ground): how its ground moves | below |
+//! | a load | [`LoadLaw`](crate::loading::LoadLaw) | there |
 //!
 //! [`lift!`](crate::lift!) makes a struct one over dual numbers, jets and lanes as well. [`check_element`] is a test for all of them: it
 //! compares what an element says in one way with what it says in another, and names what does not match.
@@ -23,7 +23,7 @@
 //!
 //! ```
 //! use catena::Scalar;
-//! use catena::element::Space;
+//! use catena::system::Space;
 //! use catena::extend::{JointModel, Kinematics, Resistance, check_element};
 //!
 //! /// A magnet that holds a coordinate near zero.
@@ -83,7 +83,7 @@
 //!     frequency: f64,
 //! }
 //!
-//! impl Ground<f64> for Shaker {
+//! impl Ground<f64, 2> for Shaker {
 //!     fn at(&self, time: f64) -> GroundMotion<f64> {
 //!         let (s, c) = (self.frequency * time).sin_cos();
 //!         let [a, w] = [self.amplitude, self.frequency];
@@ -111,6 +111,8 @@ pub mod model {
     pub use crate::kinematics::{check, condense, motion, recover, release};
 }
 pub use crate::kinematics::{Acting, Driving, JointModel, Kinematics, Outboard, Resistance};
+pub use crate::relation::Geometry;
 pub use crate::release::{Freedom, Release, Way};
+pub use crate::sweep::Springs;
 #[doc(hidden)]
 pub use typenum::{U0 as None, U1 as One};

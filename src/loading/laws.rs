@@ -22,7 +22,7 @@ pub trait LoadLaw<M: Seen> {
     type Value: Part + Additive;
     /// Whether there is a load.
     const ON: bool = true;
-    /// Whether it depends on time or motion, or is a [`list`](Self::list).
+    /// Whether the load depends on time or motion, or is a [`list`](Self::list).
     const READS: bool = true;
     /// The load on the body or in the joint of a number.
     fn at(&self, time: RealOf<M::Space>, number: usize, motion: &M) -> Self::Value;

@@ -44,7 +44,7 @@ use crate::space::{RealOf, Space};
 ///
 /// ```
 /// use catena::planar::*;
-/// use catena::stepper::{MotionIn, StepperOf};
+/// use catena::simulate::{MotionIn, StepperOf};
 ///
 /// type Arm = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Pin, Rod<f64>), Free>;
 ///

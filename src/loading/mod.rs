@@ -70,7 +70,7 @@ fn count(expected: usize, given: usize) -> Result<(), Fault> {
 
 /// A load on a body, or [`Absent`].
 pub trait Load<S: Space>: Part {
-    /// As a force and a torque about the body's inboard end.
+    /// The load as a force (N) and a torque (N·m) about the body's inboard end.
     fn wrench(self) -> WrenchOf<S>;
 }
 

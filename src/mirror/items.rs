@@ -96,13 +96,13 @@ macro_rules! mirror_items {
                 }
             }
             #[inline]
-            fn land(&self, from: &Self, rate: &mut Self::Rate) {
-                self.iter().zip(from).zip(rate).for_each(|((item, from), rate)| item.land(from, rate));
+            fn retract_rate(&self, from: &Self, rate: &mut Self::Rate) {
+                self.iter().zip(from).zip(rate).for_each(|((item, from), rate)| item.retract_rate(from, rate));
             }
             #[inline]
-            fn unroll(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
+            fn inverse_retract_acceleration(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
                 let items = self.iter().zip(from).zip(rate).zip(acceleration);
-                items.for_each(|(((item, from), rate), acceleration)| item.unroll(from, rate, acceleration));
+                items.for_each(|(((item, from), rate), acceleration)| item.inverse_retract_acceleration(from, rate, acceleration));
             }
             #[inline]
             fn displace(&mut self, step: &Self::Rate) {

@@ -52,7 +52,7 @@ pub trait Rate<T: Scalar>: Clone {
     fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool;
 }
 
-/// Positions of all joint coordinates, with rates of type `Rate`.
+/// Positions of all joint coordinates, with rates of type `Rate`. ⊕ is the retraction: it adds numbers, and turns attitudes by the step.
 pub trait Position<T: Scalar>: Clone {
     /// The rates of these coordinates.
     type Rate: Rate<T>;
@@ -100,15 +100,17 @@ pub trait Position<T: Scalar>: Clone {
     /// up and these two methods translate. Positions that are numbers need neither.
     const CURVED: bool = false;
 
-    /// Turns derivatives of the coordinates of the step that led here from `from` into rates.
+    /// Turns derivatives ṡ of the coordinates of the step that led here from `from` into rates: the differential of the retraction,
+    /// v = D(from ⊕ s) ṡ.
     #[inline(always)]
-    fn land(&self, from: &Self, rate: &mut Self::Rate) {
+    fn retract_rate(&self, from: &Self, rate: &mut Self::Rate) {
         let _ = (from, rate);
     }
 
-    /// Turns accelerations here into second derivatives of the coordinates of the step from `from`.
+    /// Turns accelerations here into second derivatives s̈ of the coordinates of the step from `from`: the inverse of what two
+    /// derivatives of the retraction do.
     #[inline(always)]
-    fn unroll(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
+    fn inverse_retract_acceleration(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
         let _ = (from, rate, acceleration);
     }
 }

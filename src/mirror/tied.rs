@@ -130,12 +130,12 @@ impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
         self.arms.normalise()
     }
     #[inline(always)]
-    fn land(&self, from: &Self, rate: &mut Self::Rate) {
-        self.arms.land(&from.arms, &mut rate.arms);
+    fn retract_rate(&self, from: &Self, rate: &mut Self::Rate) {
+        self.arms.retract_rate(&from.arms, &mut rate.arms);
     }
     #[inline(always)]
-    fn unroll(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
-        self.arms.unroll(&from.arms, &rate.arms, &mut acceleration.arms);
+    fn inverse_retract_acceleration(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
+        self.arms.inverse_retract_acceleration(&from.arms, &rate.arms, &mut acceleration.arms);
     }
 }
 

@@ -86,12 +86,12 @@ macro_rules! mirror_tuple {
                 $(self.$i.drift_2(&_from.$i, (_time, &_rate.$i), (_u, &_a.$i), (_v, &_b.$i));)*
             }
             #[inline(always)]
-            fn land(&self, _from: &Self, _rate: &mut Self::Rate) {
-                $(self.$i.land(&_from.$i, &mut _rate.$i);)*
+            fn retract_rate(&self, _from: &Self, _rate: &mut Self::Rate) {
+                $(self.$i.retract_rate(&_from.$i, &mut _rate.$i);)*
             }
             #[inline(always)]
-            fn unroll(&self, _from: &Self, _rate: &Self::Rate, _acceleration: &mut Self::Rate) {
-                $(self.$i.unroll(&_from.$i, &_rate.$i, &mut _acceleration.$i);)*
+            fn inverse_retract_acceleration(&self, _from: &Self, _rate: &Self::Rate, _acceleration: &mut Self::Rate) {
+                $(self.$i.inverse_retract_acceleration(&_from.$i, &_rate.$i, &mut _acceleration.$i);)*
             }
             #[inline(always)]
             fn displace(&mut self, _step: &Self::Rate) {

@@ -28,7 +28,7 @@ fn all<T: Copy>(into: &mut [T], visit: impl FnOnce(&mut dyn FnMut(T))) -> Result
     counted(copied(into, 0, visit), given)
 }
 
-/// Those of a joint.
+/// The numbers of a joint.
 fn part<T: Scalar, const K: usize>(
     range: Range<usize>,
     visit: impl FnOnce(&mut dyn FnMut(T)),

@@ -5,14 +5,14 @@ use crate::error::Error;
 use crate::space::FrameOf;
 use crate::walks::travel::show;
 
-/// Calls `tell` with what may be wrong with the inertia of a body, and at which station.
+/// Calls `report` with what may be wrong with the inertia of a body, and at which station.
 pub(crate) fn doubts<S: Space, E: Element<S>>(
     chain: &E,
     ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
-    tell: impl FnMut(Error),
+    report: impl FnMut(Error),
 ) {
-    let mut doubts = Doubts { entries: 0, tell };
+    let mut doubts = Doubts { entries: 0, report };
     show(chain, ground, motion, &mut doubts);
 }
 
@@ -20,7 +20,7 @@ pub(crate) fn doubts<S: Space, E: Element<S>>(
 struct Doubts<F> {
     /// Bodies and joints met; the first is the root's joint.
     entries: usize,
-    tell: F,
+    report: F,
 }
 
 impl<S: Space, F: FnMut(Error)> Visit<S> for Doubts<F> {
@@ -30,7 +30,7 @@ impl<S: Space, F: FnMut(Error)> Visit<S> for Doubts<F> {
     fn body(&mut self, body: &S::BodyMotion) {
         self.entries += 1;
         if let Some(doubt) = S::doubt(body) {
-            (self.tell)(Error::new(doubt).at_station(self.entries - 2));
+            (self.report)(Error::new(doubt).at_station(self.entries - 2));
         }
     }
     fn joint(&mut self, _: &S::JointMotion) {

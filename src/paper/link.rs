@@ -41,30 +41,30 @@ pub enum Link<T: Scalar, const N: usize, const P: usize, const A: usize> {
         matrix: TransferMatrix<T, N>,
         /// The size of the terms of u₄₃, of Ū₃₂: (J_I + m |d_C| |d_O|) χ₁.
         inertia: T::Real,
-        /// Whether a smooth joint at its inboard end has no matrix (40).
+        /// Whether a smooth joint at the body's inboard end has no matrix (40).
         percussive: bool,
     },
     /// A joint that turns: an elastic hinge, or a pin or ball where it is smooth.
     Turning {
-        /// Its torque.
+        /// Torque of the joint.
         law: Law<T, A>,
         /// Whether K_O and K_I are zero by construction.
         smooth: bool,
     },
-    /// One that turns and whose points part: an elastic hinge with linear springs.
+    /// A joint that turns and whose points part: an elastic hinge with linear springs.
     Parting {
-        /// Its torque.
+        /// Torque of the joint.
         law: Law<T, A>,
         /// Whether K_O and K_I are zero by construction.
         smooth: bool,
-        /// Its force, axis by axis of the ground.
+        /// Force of the joint, axis by axis of the ground.
         linear: [Linear<T>; P],
     },
     /// A joint that does not turn, θ_O = R θ_I + `ahead`.
     Rigid {
         /// R; none where it is one.
         turn: Option<[[T; A]; A]>,
-        /// By how much (rad) its outboard side is ahead; not at all in increments.
+        /// By how much (rad) the outboard side is ahead; not at all in increments.
         ahead: [T; A],
     },
 }
@@ -81,14 +81,14 @@ impl<T: Scalar, const N: usize, const P: usize, const A: usize> Link<T, N, P, A>
 pub struct End<T, const H: usize> {
     /// The directions of p in which motion is read.
     pub axes: [[T; H]; H],
-    /// Those in which it is written, the dual basis: p = Σ (axes · p) bases.
+    /// The directions in which motion is written, the dual basis: p = Σ (axes · p) bases.
     pub bases: [[T; H]; H],
     /// The directions of force and torque, orthonormal, in the order of p. Coordinates of attitudes are not turns about fixed axes; else all
     /// three are the same.
     pub pulls: [[T; H]; H],
-    /// Along which the motion is known.
+    /// Directions along which the motion is known.
     pub held: [bool; H],
-    /// What is known there: a component of p, or of the force and torque (q, m) at the end.
+    /// What is known at the end: along each direction a component of p, or of the force and torque (q, m).
     pub known: [T; H],
 }
 
@@ -104,7 +104,7 @@ impl<T: Scalar, const H: usize> End<T, H> {
         Self::along_axes([false; H], [T::zero(); H])
     }
 
-    /// Whether anything holds it.
+    /// Whether anything holds the end.
     pub fn is_held(&self) -> bool {
         self.held.iter().any(|held| *held)
     }

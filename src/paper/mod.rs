@@ -6,7 +6,7 @@
 //! paper, to be compared with, and to be warned of: see [what it is good for](#what-it-is-good-for).
 //!
 //! ```
-//! use catena::element::Unloaded;
+//! use catena::loading::Unloaded;
 //! use catena::paper::{At, GeneralizedAlpha, Newmark, Scheme};
 //! use catena::planar::{Free, Pin, Pinned, Rod, System};
 //!

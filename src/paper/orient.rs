@@ -34,8 +34,8 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
     ) -> (Self, [T; A]);
     /// The linearisation about increments found.
     fn again(base: &Self::Base, step: &[Linearization<T>; A], found: &[T; A]) -> Self;
-    /// By how much coordinates miss where it was taken (rad).
-    fn miss(&self, angles: &[T; A]) -> T::Real;
+    /// Residual of the linearisation: by how much coordinates miss where it was taken (rad).
+    fn residual(&self, angles: &[T; A]) -> T::Real;
     /// Refuses orientations that these coordinates cannot say.
     ///
     /// # Errors
@@ -54,11 +54,11 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
     fn arms(rigid: &Self::Rigid) -> [[T; P]; 2];
     /// The size of the terms of (32) u₄₃: J_I + m |d_C| |d_O|.
     fn inertia(rigid: &Self::Rigid) -> T::Real;
-    /// Whether a smooth joint at its inboard end has no matrix (40).
+    /// Whether a smooth joint at a body's inboard end has no matrix (40).
     fn is_percussive(rigid: &Self::Rigid) -> bool;
     /// (22): how the place of a point of the body depends on the coordinates.
     fn psi(&self, point: [T; P]) -> [[T; A]; P];
-    /// Φ r of (21): its place where they are zero.
+    /// Φ r of (21): the place of a point where coordinates are zero.
     fn phi(&self, point: [T; P]) -> [T; P];
     /// By how much a vector as expanded differs from the true one at given coordinates, to all its digits.
     fn remainder(&self, base: &Self::Base, point: [T; P], angles: &[T; A]) -> [T; P];
@@ -72,8 +72,8 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
         given: &Given<T, P, A>,
         external: &Self::External,
     ) -> TransferMatrix<T, N>;
-    /// After a step.
-    fn land<M: Copy>(base: &mut Self::Base, angles: &mut [Coordinate<T, M>; A]);
+    /// Retracts a step: the attitude reached becomes the base, and coordinates counted from it begin at zero anew.
+    fn retract<M: Copy>(base: &mut Self::Base, angles: &mut [Coordinate<T, M>; A]);
 
     /// (34) of an elastic joint. The offset holds in absolute coordinates or in increments.
     fn law(spring: &Spring<T, A>, elastic: &[T; A], sides: [&Side<T, Self, A>; 2], absolute: bool) -> Law<T, A>
@@ -120,7 +120,7 @@ impl<T: Scalar, const A: usize> Spring<T, A> {
 /// The axes of a body as a step expands them: where each points, and how that depends on the coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct Axes<T, const P: usize, const A: usize> {
-    /// Where they point if coordinates stay, or, in absolute coordinates, where these are zero.
+    /// Where the axes point if coordinates stay, or, in absolute coordinates, where these are zero.
     pub points: [[T; P]; P],
     /// (22) of each.
     pub slopes: [[[T; A]; P]; P],
@@ -129,9 +129,9 @@ pub struct Axes<T, const P: usize, const A: usize> {
 /// One side of a joint in a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Side<T: Scalar, E, const A: usize> {
-    /// Where its orientation is linearised.
+    /// Where the side's orientation is linearised.
     pub expansion: E,
-    /// (1) and (2) of its angles.
+    /// (1) and (2) of the side's angles.
     pub step: [Linearization<T>; A],
 }
 

@@ -13,7 +13,7 @@ use num_traits::Zero;
 pub struct Start<T, R, B, const P: usize, const A: usize> {
     /// Mass and shape.
     pub rigid: R,
-    /// Its orientation besides the coordinates.
+    /// Orientation of the body besides the coordinates.
     pub base: B,
     /// Of inboard end, mass centre and outboard end.
     pub points: [[[T; 3]; P]; 3],
@@ -30,15 +30,15 @@ pub enum Item<T: Scalar, E: Orient<T, N, P, A>, const N: usize, const P: usize, 
     Body(Start<T, E::Rigid, E::Base, P, A>),
     /// A joint.
     Joint {
-        /// Whether it turns.
+        /// Whether the joint turns.
         turns: bool,
-        /// The attitude of its outboard side to its inboard one.
+        /// The attitude of the joint's outboard side to its inboard one.
         ahead: E::Ahead,
-        /// Its spring and damper.
+        /// Spring and damper of the joint.
         spring: Spring<T, A>,
         /// k′(φ − φ₀) (N·m).
         elastic: [T; A],
-        /// Its linear springs, and values, rates and accelerations of r_O − r_I, if it has any.
+        /// Linear springs of the joint, and values, rates and accelerations of r_O − r_I, if it has any.
         linear: Option<(Spring<T, P>, [[T; 3]; P])>,
     },
 }
@@ -48,9 +48,9 @@ pub enum Item<T: Scalar, E: Orient<T, N, P, A>, const N: usize, const P: usize, 
 pub struct Body<T: Scalar, M, E: Orient<T, N, P, A>, const N: usize, const P: usize, const A: usize> {
     /// Mass and shape.
     pub rigid: E::Rigid,
-    /// Its orientation besides the coordinates.
+    /// Orientation of the body besides the coordinates.
     pub base: E::Base,
-    /// Whether a smooth joint at its inboard end has no matrix (40).
+    /// Whether a smooth joint at the body's inboard end has no matrix (40).
     pub percussive: bool,
     /// Inboard end, mass centre and outboard end.
     pub points: [[Coordinate<T, M>; P]; 3],
@@ -70,17 +70,17 @@ pub struct Body<T: Scalar, M, E: Orient<T, N, P, A>, const N: usize, const P: us
 /// A joint of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Joint<T, R, const A: usize> {
-    /// Whether it turns.
+    /// Whether the joint turns.
     pub turns: bool,
-    /// Its spring and damper.
+    /// Spring and damper of the joint.
     pub spring: Spring<T, A>,
     /// k′(φ − φ₀) (N·m) at t_{i−1}, carried by itself: differences of absolute angles lose digits where bodies are short.
     pub elastic: [T; A],
-    /// The attitude of its outboard side to its inboard one, if it does not turn.
+    /// The attitude of the joint's outboard side to its inboard one, if it does not turn.
     pub ahead: R,
-    /// The number of the body on its outboard side.
+    /// The number of the body on the joint's outboard side.
     pub outer: usize,
-    /// That of its linear springs, if it has any.
+    /// The number of the joint's linear springs, if it has any.
     pub springs: Option<usize>,
 }
 
@@ -94,7 +94,7 @@ pub struct Springs<T, M, const P: usize> {
 }
 
 impl<T: Scalar, R, const A: usize> Joint<T, R, A> {
-    /// The number of the body on its inboard side; none at the ground.
+    /// The number of the body on the joint's inboard side; none at the ground.
     pub fn inner(&self) -> Option<usize> {
         self.outer.checked_sub(1)
     }
@@ -135,7 +135,7 @@ pub enum Part {
 /// a step walks through must be small.
 #[derive(Clone, Debug)]
 pub struct Parts<T: Scalar, M, E: Orient<T, N, P, A>, const N: usize, const P: usize, const A: usize> {
-    /// In which order they follow each other.
+    /// In which order bodies and joints follow each other.
     pub order: Vec<Part>,
     /// The bodies.
     pub bodies: Vec<Body<T, M, E, N, P, A>>,
@@ -192,7 +192,7 @@ where
         springs.and_then(|springs| self.springs.get(springs))
     }
 
-    /// How many there are.
+    /// Number of parts.
     pub fn len(&self) -> usize {
         self.order.len()
     }
@@ -217,7 +217,7 @@ impl<T: Scalar, M: Copy, E: Orient<T, N, P, A>, const N: usize, const P: usize, 
         }
     }
 
-    /// Reads the increments of its angles from the state at its inboard end.
+    /// Reads the increments of the body's angles from the state at its inboard end.
     pub fn find(&mut self, z: &StateVector<T, N>, absolute: bool) {
         self.found = core::array::from_fn(|i| if absolute { z[P + i] - self.angles[i].value } else { z[P + i] });
     }

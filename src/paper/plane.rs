@@ -50,7 +50,7 @@ impl<T: Scalar> Orient<T, 7, 2, 1> for Expansion<T> {
     fn again((): &(), [step]: &[Linearization<T>; 1], [found]: &[T; 1]) -> Self {
         Self::about(step.past + *found)
     }
-    fn miss(&self, [angle]: &[T; 1]) -> T::Real {
+    fn residual(&self, [angle]: &[T; 1]) -> T::Real {
         (*angle - self.angle).real().abs()
     }
     fn check(&self) -> Result<(), Fault> {
@@ -97,7 +97,7 @@ impl<T: Scalar> Orient<T, 7, 2, 1> for Expansion<T> {
         let Given { inboard, centre, angles: [angle], arms: [to_centre, to_outboard], .. } = *given;
         rigid_body(rigid, self, step.chi1, &Known { inboard, centre, angle, to_outboard, to_centre }, external)
     }
-    fn land<M: Copy>((): &mut (), _: &mut [Coordinate<T, M>; 1]) {}
+    fn retract<M: Copy>((): &mut (), _: &mut [Coordinate<T, M>; 1]) {}
 
     fn law(
         spring: &Spring<T, 1>,

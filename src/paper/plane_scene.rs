@@ -50,14 +50,14 @@ where
         if P::Closures::COUNT == 0 {
             return End::free();
         }
-        // How much the tip misses is linear in place and angle.
-        let miss = |[x, y, angle]: [T; 3]| {
+        // The tip's residual is linear in place and angle.
+        let residual = |[x, y, angle]: [T; 3]| {
             let still = Frame::resting(Vector2::new(x, y));
             let frame = Frame { turn: Turn { angle, ..still.turn }, ..still };
-            list::<T, P::Closures, 3>(&self.tip_end().miss(time, &frame)[0])
+            list::<T, P::Closures, 3>(&self.tip_end().residual(time, &frame)[0])
         };
         let unit = |k: usize| core::array::from_fn(|i| if i == k { T::one() } else { T::zero() });
-        let (none, moved) = (miss([T::zero(); 3]), [0, 1, 2].map(|k| miss(unit(k))));
+        let (none, moved) = (residual([T::zero(); 3]), [0, 1, 2].map(|k| residual(unit(k))));
         let directions: [[T; 3]; 3] = core::array::from_fn(|row| core::array::from_fn(|k| moved[k][row] - none[row]));
         let count = P::Closures::COUNT;
         End::holding(&directions[..count], &none.map(|x| -x)[..count])

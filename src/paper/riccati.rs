@@ -78,7 +78,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
         }
     }
 
-    /// The same, with or without joints whose points part.
+    /// Eliminates links from the tip inward, with or without joints whose points part.
     #[inline(always)]
     fn walk_inward<const N: usize, const PARTING: bool>(
         &mut self,
@@ -130,7 +130,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
         }
     }
 
-    /// The same, with or without joints whose points part.
+    /// Finds the states of links from the root outward, with or without joints whose points part.
     #[inline(always)]
     fn walk_outward<const N: usize, const PARTING: bool>(
         &self,
@@ -141,7 +141,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
         let mut f = self.reached.force(&p);
         let (mut relations, mut slides) = (self.relations.iter(), self.slides.iter());
         let mut finite = true;
-        let mut tell = |p: &[T; H], f: &[T; H]| {
+        let mut state = |p: &[T; H], f: &[T; H]| {
             finite &= p.iter().chain(f).all(|x| x.is_finite());
             StateVector::new(core::array::from_fn(|i| match i {
                 i if i < H => p[i],
@@ -150,7 +150,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
             }))
         };
         for (outward, z) in self.outward.iter().zip(&mut *states) {
-            *z = tell(&p, &f);
+            *z = state(&p, &f);
             p = match outward {
                 Outward::Parting if PARTING => slides.next().map_or(p, |slides| slides.follow(&p)),
                 _ => outward.follow(&p),
@@ -162,7 +162,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
             }
         }
         if let Some(tip) = states.last_mut() {
-            *tip = tell(&p, &f);
+            *tip = state(&p, &f);
         }
         if finite { Ok(p) } else { Err(Error::new(Fault::NonFiniteMotion)) }
     }

@@ -59,7 +59,7 @@ impl<T: Scalar> Linearization<T> {
 
 /// A numerical integration procedure as the paper uses one: it expresses ξ̈ and ξ̇ by ξ. It has no sweeps and no stages.
 pub trait Rule<T: Scalar>: Copy + Debug {
-    /// What it remembers of a coordinate besides ξ, ξ̇ and ξ̈: of earlier values their differences, for rotation vectors are counted from
+    /// What the rule remembers of a coordinate besides ξ, ξ̇ and ξ̈: of earlier values their differences, for rotation vectors are counted from
     /// another zero in each step.
     type Memory: Copy + Debug;
 
@@ -74,7 +74,7 @@ pub trait Rule<T: Scalar>: Copy + Debug {
         1.0
     }
 
-    /// Whether it keeps what it cannot resolve, an alternating error, for ever. On rigid joints, where every coordinate of a body
+    /// Whether the rule keeps what it cannot resolve, an alternating error, for ever. On rigid joints, where every coordinate of a body
     /// is integrated by itself, that error grows, however small the step: see the [table](super#which-rule-survives-where).
     fn is_weak_on_rigid_joints(&self) -> bool {
         false

@@ -18,7 +18,7 @@ use num_traits::Zero;
 pub struct Chain<T: Scalar, E: Orient<T, N, P, A>, const N: usize, const P: usize, const A: usize> {
     /// Time (s) of the motion it was read from.
     pub time: T::Real,
-    /// Its elements, the root's joint first.
+    /// Elements of the chain, the root's joint first.
     pub items: Vec<Item<T, E, N, P, A>>,
     /// The direction, in axes of the ground, along which the root is guided in the plane, or about which it turns in space.
     pub guide: Option<[T; P]>,
@@ -27,9 +27,9 @@ pub struct Chain<T: Scalar, E: Orient<T, N, P, A>, const N: usize, const P: usiz
 /// A scene that this formulation can run: a chain whose places at the ends are held, guided or free. One implementor, the
 /// [`System`](crate::system::System) of either space, whose bounds are long.
 pub trait Scene<T: Scalar, L, const N: usize, const H: usize, const P: usize, const A: usize> {
-    /// Its motion.
+    /// Motion of the scene.
     type Motion;
-    /// Its orientations.
+    /// Orientations of the scene's bodies.
     type Orient: Orient<T, N, P, A>;
     /// Whether the ground holds the root, and where it does not guide it.
     const HELD: bool;

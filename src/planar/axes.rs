@@ -6,18 +6,18 @@ use nalgebra::Vector2;
 
 /// What a joint keeps in the stores of postures, and what it reads there.
 pub trait Axes {
-    /// Room for it.
+    /// Room for what a joint keeps.
     type Per<X: Copy>: Clone;
     /// What the walks read.
     type Offset<T: Scalar>: Copy;
 
-    /// `fill` in all of it.
+    /// `fill` in all of the room.
     fn per<X: Copy>(fill: X) -> Self::Per<X>;
     /// Turns what was stored into what the walks read.
     fn resolve<T: Scalar>(x: &mut Self::Per<T>, y: &mut Self::Per<T>, p: &mut Self::Per<T>, q: &mut Self::Per<T>);
     /// What the walks read.
     fn offset<T: Scalar>(x: &Self::Per<T>, y: &Self::Per<T>, p: &Self::Per<T>, q: &Self::Per<T>) -> Self::Offset<T>;
-    /// The same without velocities.
+    /// `offset` without velocities.
     fn at_rest<T: Scalar>(offset: Self::Offset<T>) -> Self::Offset<T>;
 }
 

@@ -73,7 +73,7 @@ impl<T: Scalar> Beam<T> {
 }
 
 impl<T: Scalar, D> Beam<T, Absent, D> {
-    /// One that stretches too, along itself, with a stiffness EA (N).
+    /// This beam as one that stretches too, along itself, with a stiffness EA (N).
     ///
     /// A straight beam that does not stretch cannot be held at both its ends: its length is given twice.
     pub fn with_extension(self, stiffness: T) -> Beam<T, T, D> {

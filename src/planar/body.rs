@@ -71,7 +71,7 @@ pub(super) fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(
 ///
 /// With these methods a type is a body; the macro `body!` in this file, which is not exported, makes it an element.
 pub trait Body<T: Scalar>: Copy + Debug + 'static {
-    /// Its inertia.
+    /// Mass, mass centre and moment of inertia of the body.
     fn inertia(&self) -> Inertia<T>;
 
     /// O (m), body axes.
@@ -80,7 +80,7 @@ pub trait Body<T: Scalar>: Copy + Debug + 'static {
     /// Takes the point mass that its outboard neighbour lumps at O, hands on its own at I.
     fn lump(&mut self, mass: T) -> T;
 
-    /// What `pose` reads of its shape.
+    /// What `pose` reads of the body's shape.
     fn size(&self) -> T;
 
     /// What the walks read of a body of a size at an angle (rad), turning with −ω² (rad²/s²).
@@ -89,13 +89,13 @@ pub trait Body<T: Scalar>: Copy + Debug + 'static {
     /// From I to O (m), inertial axes, and the centripetal acceleration of O (m/s²).
     fn arm(&self, pose: Pose<T>) -> [Vector2<T>; 2];
 
-    /// What a sweep reads of its parameters.
+    /// What a sweep reads of the body's parameters.
     fn base(&self) -> Base<T>;
 
-    /// Direction of its axes.
+    /// Direction of the body's axes.
     fn direction(&self, pose: Pose<T>) -> Vector2<T>;
 
-    /// Whether it may have a first moment: all other bodies have none.
+    /// Whether the body may have a first moment: all other bodies have none.
     const MOMENT: bool = false;
 
     /// Condenses the relation at O to one at I, without the point mass at I, with that at O.
@@ -123,9 +123,9 @@ pub struct Base<T> {
 /// itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Pose<T> {
-    /// Of a rod: x of its arm (m).
+    /// Of a rod: x of the arm (m).
     pub x: T,
-    /// Of a rod: y of its arm (m).
+    /// Of a rod: y of the arm (m).
     pub y: T,
     /// Of a rod: x of the centripetal acceleration of its outboard end (m/s²).
     pub p: T,
@@ -134,7 +134,7 @@ pub struct Pose<T> {
 }
 
 impl<T: Scalar> Pose<T> {
-    /// That of a straight link of a length (m) along the body's x axis: its arm and the centripetal acceleration −ω² d.
+    /// The pose of a straight link of a length (m) along the body's x axis: its arm d and the centripetal acceleration −ω² d.
     #[inline(always)]
     pub fn of_link(length: T, angle: T, minus_spin2: T) -> Self {
         let (sine, cosine) = angle.sin_cos();

@@ -1,7 +1,7 @@
 //! The elastic hinge: a joint with springs and dampers.
 
 use super::axes::Coincident;
-use super::spring::{Custom, SpringLaw, read};
+use super::spring::Custom;
 use super::{Acceleration, Frame, Joint, JointMotion, Linear, Planar, Spring, SpringState, Turn, release};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
 use crate::error::Fault;
@@ -10,6 +10,7 @@ use crate::relation::plane::{Full, HingeGain, Point, Rigid, Slides};
 use crate::relation::{Absent, Closures, Minus, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;
+use crate::spring::{SpringLaw, read};
 
 /// A joint with springs and dampers: rotary ones, and linear ones where there are any (see [`Linear`]). Without linear springs
 /// its points coincide.
@@ -147,7 +148,7 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
     fn is_finite<C: Closures>(kept: &HingeGain<T, C>) -> bool {
         kept.is_finite()
     }
-    fn aim(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         let angle = next(inboard);
         *position = angle - inboard.angle;
         Turn { angle, rate: T::zero() }

@@ -58,7 +58,7 @@ pub type Internal<T> = relation::Wrench<Vector2<T>, T>;
 /// A body and its motion at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyMotion<T> {
-    /// Motion of its inboard end.
+    /// Motion of the body's inboard end.
     pub inboard: Frame<T>,
     /// From the inboard to the outboard end (m), inertial axes.
     pub arm: Vector2<T>,
@@ -107,21 +107,21 @@ impl<T: Scalar> BodyMotion<T> {
 /// A joint and its motion at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointMotion<T> {
-    /// Motion of its inboard side.
+    /// Motion of the joint's inboard side.
     pub inboard: Frame<T>,
-    /// Motion of its outboard side.
+    /// Motion of the joint's outboard side.
     pub outboard: Frame<T>,
-    /// From its inboard to its outboard point (m), as far as its force has a moment about the former; zero where the points
+    /// From the joint's inboard to its outboard point (m), as far as its force has a moment about the former; zero where the points
     /// coincide.
     pub arm: Vector2<T>,
-    /// What its spring and damper do.
+    /// Torque, force and energy of the joint's spring and damper.
     pub spring: SpringState<T>,
-    /// Whether its outboard body turns relative to the inboard one.
+    /// Whether the outboard body turns relative to the inboard one.
     pub turns: bool,
-    /// How far its outboard point stands from the inboard one (m) along the axes in which it moves: of a slider the coordinate along
+    /// How far the outboard point stands from the inboard one (m) along the axes in which it moves: of a slider the coordinate along
     /// its line, of a hinge with linear springs both displacements; zero where the points coincide.
     pub slide: [T; 2],
-    /// Rates of these (m/s).
+    /// Rates of these displacements (m/s).
     pub sliding: [T; 2],
     /// Reflected inertia of the coordinate on which a drive acts (kg·m², kg), where there is any.
     pub inertia: T,
@@ -151,7 +151,7 @@ impl<T: Scalar> JointMotion<T> {
     pub fn driven(&self) -> T {
         if self.turns { self.angle() } else { self.slide[0] }
     }
-    /// Its rate (rad/s, m/s).
+    /// Rate of the driven coordinate (rad/s, m/s).
     pub fn driven_rate(&self) -> T {
         if self.turns { self.rate() } else { self.sliding[0] }
     }

@@ -2,7 +2,6 @@
 
 use super::axes::Axes;
 use super::linear::{HingeAxes, Linear};
-use super::spring::SpringLaw;
 use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
 use crate::counts::Counted;
 use crate::element::{Element, Posture, Springs};
@@ -12,6 +11,7 @@ use crate::relation::Closures;
 use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::shape::{JointPosture, Native, PerAxes, Shape};
+use crate::spring::SpringLaw;
 use core::fmt::Debug;
 use nalgebra::Vector2;
 use typenum::{U0, U1, U3};
@@ -21,20 +21,20 @@ use typenum::{U0, U1, U3};
 /// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
 /// macro `joint!` in this file, which is not exported, makes it an element.
 pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
-    /// Its coordinates.
+    /// Coordinates of the joint.
     type Position: Position<T, Rate = Self::Rate>;
-    /// Their rates and accelerations.
+    /// Rates and accelerations of the coordinates.
     type Rate: Rate<T>;
-    /// What its elimination keeps for the outward walk.
+    /// What the joint's elimination keeps for the outward walk.
     type Kept<C: Closures>: Clone;
 
-    /// What it keeps of the place of its outboard side.
+    /// What the joint stores of the place of its outboard side.
     type Axes: Axes;
 
     /// Whether the outboard body turns relative to the inboard one.
     const TURNS: bool;
 
-    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
 
     /// Whether the orientation of the outboard body does not depend on that of the inboard one.
@@ -46,14 +46,19 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     fn rate() -> Self::Rate;
     /// Room for the gains.
     fn kept<C: Closures>() -> Self::Kept<C>;
-    /// Whether its pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
+    /// Whether the joint's pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
     fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
 
     /// The gains without what velocities, loads and springs contribute.
     fn homogeneous<C: Closures>(kept: &Self::Kept<C>) -> Self::Kept<C>;
 
-    /// Coordinates that turn the outboard body to an absolute angle.
-    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T>;
+    /// Sets the rotary coordinate so that the outboard body has the angle (rad) that `next` gives, and gives that orientation.
+    fn configure(
+        &self,
+        position: &mut Self::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T>;
 
     /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide, that is
     /// as good on the other side.
@@ -64,7 +69,7 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     /// The orientation of the outboard body.
     fn turned(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> Turn<T>;
 
-    /// The same, and what it stores of the place of the outboard side.
+    /// The orientation of the outboard body, and what the joint stores of the place of its outboard side.
     #[inline(always)]
     #[allow(clippy::too_many_arguments)] // one store each
     fn orient(
@@ -89,22 +94,22 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
         acceleration: &Self::Rate,
     ) -> Frame<T>;
 
-    /// Torque of its spring and damper on the outboard body, and the energy stored.
+    /// Torque of the joint's spring and damper on the outboard body, and the energy stored.
     #[inline(always)]
     fn spring(&self, _position: &Self::Position, _rate: &Self::Rate) -> SpringState<T> {
         SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() }
     }
 
-    /// How far its points are apart along the axes in which they move (m), and the rates of that (m/s).
+    /// How far the joint's points are apart along the axes in which they move (m), and the rates of that (m/s).
     #[inline(always)]
     fn slid(&self, _position: &Self::Position, _rate: &Self::Rate) -> [[T; 2]; 2] {
         [[T::zero(); 2]; 2]
     }
 
-    /// What it lets move, and what resists it.
+    /// The coordinates that the joint lets move, and what resists them.
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<Planar<T>>;
 
-    /// Whether its points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.
+    /// Whether the joint's points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.
     const LEVER: bool = false;
 
     /// Rejects parameters that make no mechanics.
@@ -115,7 +120,7 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
         Ok(())
     }
 
-    /// Remembers for the next sweep what it needs of the inboard side's acceleration.
+    /// Remembers for the next sweep what the joint needs of the inboard side's acceleration.
     #[inline(always)]
     fn note<C: Closures>(
         &self,
@@ -135,7 +140,8 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
         rate: &mut Self::Rate,
     ) -> Acceleration<T>;
 
-    /// The same after a sweep in which springs entered by `By`, for a joint that can do with less then.
+    /// The accelerations as [`recovered`](Self::recovered) finds them, after a sweep in which springs entered by `By`: for a joint
+    /// that can do with less then.
     #[inline(always)]
     fn recovered_after<C: Closures, By: Springs<T>>(
         &self,
@@ -181,13 +187,13 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
     fn is_finite<C: Closures>(kept: &<J as Joint<T>>::Kept<C>) -> bool {
         <J as Joint<T>>::is_finite::<C>(kept)
     }
-    fn aim(
+    fn configure(
         &self,
         position: &mut <J as Joint<T>>::Position,
         inboard: Turn<T>,
         next: &mut impl FnMut(Turn<T>) -> T,
     ) -> Turn<T> {
-        Joint::aim(self, position, inboard, next)
+        Joint::configure(self, position, inboard, next)
     }
     #[inline(always)]
     fn recover<C: Closures, By: Springs<T>>(

@@ -1,12 +1,12 @@
 //! Linear springs of an elastic hinge, and the axes along which they push.
 
 use super::axes::{Axes, Fixed, Inboard, Offset, across};
-use super::spring::SpringLaw;
 use super::{Acceleration, ElasticHinge, Frame, Turn};
 use crate::lift::Lift;
 use crate::relation::plane::algebra::normal;
 use crate::relation::plane::{Full, Slides, along, back};
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use core::fmt::Debug;
 use core::marker::PhantomData;
 use nalgebra::Vector2;
@@ -72,7 +72,7 @@ impl<T: Scalar, X, Y, A> Linear<T, X, Y, A> {
 pub trait HingeAxes: Axes + Copy + Debug + 'static {
     /// Whether the force has a moment about the inboard point.
     const LEVER: bool;
-    /// Whether they turn with the inboard body, and the outboard point with them.
+    /// Whether the axes turn with the inboard body, and the outboard point with them.
     const SWINGS: bool = false;
 
     /// Stores displacement and rate.
@@ -87,7 +87,7 @@ pub trait HingeAxes: Axes + Copy + Debug + 'static {
     );
     /// A relation with its vectors along the axes.
     fn enter<T: Scalar, R: Slides<T>>(relation: R, offset: Self::Offset<T>) -> R;
-    /// The same back in inertial axes, and at the inboard point.
+    /// The relation back in inertial axes, and at the inboard point.
     fn leave<T: Scalar, R: Slides<T>>(relation: R, offset: Self::Offset<T>) -> Full<T, R::Closures>;
     /// The acceleration of the outboard point if the displacement did not accelerate.
     fn carried<T: Scalar>(inboard: Acceleration<T>, offset: Self::Offset<T>) -> Acceleration<T>;

@@ -1,7 +1,7 @@
 //! The elastic hinge with linear springs.
 
 use super::linear::{HingeAxes, Linear};
-use super::spring::{Custom, SpringLaw, read};
+use super::spring::Custom;
 use super::{
     Acceleration, ElasticHinge, Frame, HingeRule, Joint, JointMotion, Planar, Spring, SpringState, Turn, release,
 };
@@ -11,6 +11,7 @@ use crate::relation::plane::{Full, HingeGain, Point, Relation, Rigid, SlideGain,
 use crate::relation::{Absent, Closures, Coefficient, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;
+use crate::spring::{SpringLaw, read};
 use nalgebra::Vector2;
 
 /// The rotation of a hinge in a sweep whose springs enter by `K`: against a spring, or free.
@@ -117,7 +118,7 @@ where
         self.linear.lumped = mass;
         T::zero()
     }
-    fn aim(&self, position: &mut (T, T, T), inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, position: &mut (T, T, T), inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         let angle = next(inboard);
         position.2 = angle - inboard.angle;
         Turn { angle, rate: T::zero() }

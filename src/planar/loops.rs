@@ -60,7 +60,7 @@ impl<T: Scalar> Closing<Planar<T>> for Pin {
     fn internal(&self, &[x, y]: &[T; 2], _: Ends<'_, Planar<T>, Self>) -> Internal<T> {
         Internal { force: Vector2::new(-x, -y), torque: T::zero() }
     }
-    fn miss(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 2]; 2] {
+    fn residual(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 2]; 2] {
         [(side.place - main.place).into(), (side.velocity - main.velocity).into()]
     }
     fn free_compliance(&self, body: &BodyMotion<T>) -> [T; 2] {
@@ -162,7 +162,7 @@ impl<T: Scalar> Closing<Planar<T>> for Weld<T> {
     fn internal(&self, &[x, y, torque]: &[T; 3], _: Ends<'_, Planar<T>, Self>) -> Internal<T> {
         Internal { force: Vector2::new(-x, -y), torque }
     }
-    fn miss(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 3]; 2] {
+    fn residual(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 3]; 2] {
         let (place, velocity) = (side.place - main.place, side.velocity - main.velocity);
         let angle = side.turn.angle + self.angle() - main.turn.angle;
         [[place.x, place.y, angle], [velocity.x, velocity.y, side.turn.rate - main.turn.rate]]

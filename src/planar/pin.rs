@@ -44,7 +44,7 @@ impl<T: Scalar> Joint<T> for Pin {
     fn is_finite<C: Closures>(kept: &Gain<T, C>) -> bool {
         kept.is_finite()
     }
-    fn aim(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         *position = next(inboard);
         Turn { angle: *position, rate: T::zero() }
     }

@@ -1,30 +1,14 @@
 //! What joints in the plane let move, and what resists it.
 
 use super::{ElasticHinge, HingeAxes, JointMotion, Linear, Planar, Slider, SpringLaw};
-use crate::element::Implicit;
 use crate::relation::plane::algebra::normal;
-use crate::release::{Freedom, Release, Resistance, Way};
+use crate::release::{Freedom, Release, Way};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
-use num_traits::{One, Zero};
-
-/// The coordinate of a law, which turns or slides along an axis.
-fn against<T: Scalar>(
-    way: Way,
-    axis: Vector2<T>,
-    law: &impl SpringLaw<T>,
-    [position, rate]: [T; 2],
-) -> Freedom<Planar<T>> {
-    let (zero, one) = (T::Real::zero(), T::Real::one());
-    let [stiffness, damping] =
-        [(one, zero), (zero, one)].map(|(p, r)| law.pivot(position, rate, Implicit { position: p, rate: r }));
-    let resistance = Resistance { force: law.force(position, rate), stiffness, damping };
-    Freedom::smooth(way, axis).against(resistance, law.force(T::zero(), T::zero()))
-}
 
 /// A turn, which is about ẑ.
 fn turn<T: Scalar>(law: &impl SpringLaw<T>, state: [T; 2]) -> Freedom<Planar<T>> {
-    against(Way::Turn, Vector2::new(T::zero(), T::zero()), law, state)
+    Freedom::smooth(Way::Turn, Vector2::new(T::zero(), T::zero())).sprung(law, state)
 }
 
 /// Whatever the coordinate of a pin, which is an absolute angle: nothing resists.
@@ -50,12 +34,8 @@ pub(super) fn slider<T: Scalar, S: SpringLaw<T>>(
     let turn = motion.inboard.turn;
     let (sine, cosine) = (turn.angle + joint.direction).sin_cos();
     let line = Vector2::new(cosine, sine);
-    Release { linear: bias(turn.rate, line * position, line * rate), ..Release::nothing() }.with(against(
-        Way::Slide,
-        line,
-        &joint.spring,
-        [position, rate],
-    ))
+    Release { linear: bias(turn.rate, line * position, line * rate), ..Release::nothing() }
+        .with(Freedom::smooth(Way::Slide, line).sprung(&joint.spring, [position, rate]))
 }
 
 pub(super) fn elastic<T: Scalar, R: SpringLaw<T>, X: SpringLaw<T>, Y: SpringLaw<T>, A: HingeAxes>(
@@ -77,8 +57,9 @@ pub(super) fn elastic<T: Scalar, R: SpringLaw<T>, X: SpringLaw<T>, Y: SpringLaw<
         true => bias(spin, along([position.0, position.1]), along([rate.0, rate.1])),
         false => Vector2::new(T::zero(), T::zero()),
     };
+    let slide = |axis| Freedom::smooth(Way::Slide, axis).undriven();
     Release { linear, swings: A::SWINGS, balanced: A::LEVER, ..Release::nothing() }
-        .with(against(Way::Slide, axes[0], &joint.linear.x, [position.0, rate.0]).undriven())
-        .with(against(Way::Slide, axes[1], &joint.linear.y, [position.1, rate.1]).undriven())
+        .with(slide(axes[0]).sprung(&joint.linear.x, [position.0, rate.0]))
+        .with(slide(axes[1]).sprung(&joint.linear.y, [position.1, rate.1]))
         .with(turn(&joint.rotary, [position.2, rate.2]))
 }

@@ -1,7 +1,6 @@
 //! The joint that slides.
 
 use super::axes::{Inboard, Offset};
-use super::spring::{SpringLaw, read};
 use super::{Acceleration, Frame, Joint, JointMotion, Planar, Spring, SpringState, Turn, release};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
@@ -10,6 +9,7 @@ use crate::relation::plane::{Full, SlideGain, Slides, along, back};
 use crate::relation::{Absent, Closures, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;
+use crate::spring::{SpringLaw, read};
 use nalgebra::Vector2;
 
 /// A joint whose outboard point slides along a straight line of the inboard body while the bodies do not turn relative to each
@@ -74,7 +74,7 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
     fn is_finite<C: Closures>(kept: &SlideGain<T, C>) -> bool {
         kept.is_finite()
     }
-    fn aim(&self, _: &mut T, inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, _: &mut T, inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         inboard
     }
     fn lump(&mut self, mass: T) -> T {

@@ -29,7 +29,7 @@ impl<T: Scalar> Weld<T> {
         Self { angle }
     }
 
-    /// That angle (rad).
+    /// The outboard body's angle relative to the inboard one (rad).
     pub fn angle(&self) -> T {
         self.angle
     }
@@ -51,7 +51,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     fn is_finite<C: Closures>((): &()) -> bool {
         true
     }
-    fn aim(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         self.turned(&(), &(), inboard)
     }
     #[inline(always)]

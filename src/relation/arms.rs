@@ -1,10 +1,40 @@
 //! Relations with the columns of a loop, and their elimination where its arms meet.
 
 use super::{
-    Absent, Additive, Carry, Closures, Cuts, Empty, Forces, Full, Geometry, Join, Kind, LoopGain, Looped, Lump, Own,
-    Point, Settle, Symmetric, Term, Twisted, VectorSpace, Wrench, WrenchOf, Wrenches,
+    Absent, Additive, Closures, Cuts, Empty, Full, Geometry, Join, LoopGain, Looped, Lump, Own, Point, Settle,
+    Symmetric, Term, Twisted, VectorSpace, Wrench, WrenchOf,
 };
 use crate::scalar::Scalar;
+
+/// What the forces of a loop are where it is cut.
+pub trait Kind<G: Geometry> {
+    /// A column of W.
+    type Column: Copy;
+}
+
+/// Forces without torques.
+#[derive(Clone, Copy, Debug)]
+pub struct Forces;
+
+/// Forces and torques.
+#[derive(Clone, Copy, Debug)]
+pub struct Wrenches;
+
+impl<G: Geometry> Kind<G> for Forces {
+    type Column = G::Vector;
+}
+
+impl<G: Geometry> Kind<G> for Wrenches {
+    type Column = WrenchOf<G>;
+}
+
+/// A relation that can carry the columns of a loop which is cut at its station.
+pub trait Carry<G: Geometry, O: Own, K: Kind<G>> {
+    /// The relation with these columns.
+    type Out: Copy;
+    /// Adds columns.
+    fn carry(self, columns: O::Each<K::Column>) -> Self::Out;
+}
 
 impl<G: Geometry, M: Copy, C: Closures, O: Own> Carry<G, O, Forces> for Point<G, M, C> {
     type Out = Point<G, M, Looped<C, O>>;

@@ -13,7 +13,7 @@ use num_traits::Zero;
 pub trait Closures: Copy + 'static {
     /// One `X` for each closure force.
     type Each<X: Copy>: Copy;
-    /// One `T` for each pair of them.
+    /// One `T` for each pair of closure forces.
     type Pairs<T: Copy>: Copy;
     /// Number of closure forces.
     const COUNT: usize;

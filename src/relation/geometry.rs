@@ -56,7 +56,7 @@ pub trait Additive: Copy + Debug + PartialEq + Add<Output = Self> + 'static {
 
 /// What adds up and scales: a number, a vector.
 pub trait VectorSpace: Additive + Sub<Output = Self> + Neg<Output = Self> {
-    /// Its numbers.
+    /// Numbers of the space.
     type Scalar: Scalar;
 
     /// a · b.

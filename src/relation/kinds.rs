@@ -31,7 +31,7 @@ pub struct Point<G: Geometry, M = Absent, C: Closures = Open> {
 
 /// What a body can do with the relation it meets, whatever that is.
 pub trait Relation<G: Geometry>: Copy {
-    /// Closure forces it carries.
+    /// Closure forces that the relation carries.
     type Closures: Closures;
     /// The relation with a point mass added at its station.
     type WithMass: Relation<G, Closures = Self::Closures>;
@@ -131,7 +131,7 @@ impl<G: Geometry, M: Term<G::Angular>, C: Closures> Point<G, M, C> {
         }
     }
 
-    /// One that says nothing but `value`: zero, or that it is not known.
+    /// A relation that says nothing but `value`: zero, or that it is not known.
     fn blank(value: G::Scalar) -> Self {
         let vector = G::Vector::null().times(value);
         let cuts = Cuts::at_tip(C::each(|_| vector), C::each(|_| value));

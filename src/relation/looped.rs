@@ -5,8 +5,8 @@
 //! becomes a relation like any other, with S + W Λ⁻¹ Wᵀ. So a loop costs nothing outside of itself, and of many loops in a chain
 //! each is eliminated where it ends.
 
+use super::Absent;
 use super::closure::{Closures, Cut, Cuts, Solvable};
-use super::{Absent, Geometry, WrenchOf};
 use crate::scalar::Scalar;
 
 /// Closure forces of a scene, `C`, and inside a loop those of the loop, `O`.
@@ -15,7 +15,7 @@ pub struct Looped<C, O>(core::marker::PhantomData<(C, O)>);
 
 impl<C: Closures, O: Closures> Closures for Looped<C, O> {
     type Each<X: Copy> = (C::Each<X>, O::Each<X>);
-    /// Those of C, those between O and C, those of O.
+    /// Pairs of C, those between O and C, pairs of O.
     type Pairs<T: Copy> = (C::Pairs<T>, O::Each<C::Each<T>>, O::Pairs<T>);
     const COUNT: usize = C::COUNT + O::COUNT;
 
@@ -83,7 +83,7 @@ pub trait Own: Solvable {
     /// The sum of pairs.
     fn plus_pairs<T: Scalar>(a: &Self::Pairs<T>, b: &Self::Pairs<T>) -> Self::Pairs<T>;
 
-    /// Eliminates them: `absorb(w, 1/Λ, y/Λ)` adds w wᵀ/Λ to S and takes w y/Λ from e; `add(v, s, w)` is v + s w.
+    /// Eliminates the forces of the loop: `absorb(w, 1/Λ, y/Λ)` adds w wᵀ/Λ to S and takes w y/Λ from e; `add(v, s, w)` is v + s w.
     #[allow(clippy::type_complexity)] // what is left, and how it is found again
     fn eliminate<V: Copy, T: Scalar, C: Closures>(
         cuts: Cuts<V, T, Looped<C, Self>>,
@@ -232,7 +232,7 @@ impl<V: Copy, T: Scalar, C: Closures, O: Own> LoopGain<V, T, C, O> {
         &self.compliance
     }
 
-    /// Whether its pivots yield: what velocities, loads and springs contribute may overflow where they do.
+    /// Whether the pivots of the gain yield: what velocities, loads and springs contribute may overflow where they do.
     pub fn is_finite(&self) -> bool {
         let mut finite = true;
         O::map(&self.inverse, |x| finite &= x.is_finite());
@@ -265,41 +265,11 @@ impl<V: Copy, T: Scalar, C: Closures, O: Own> Cuts<V, T, Looped<C, O>> {
     }
 }
 
-/// What the forces of a loop are where it is cut.
-pub trait Kind<G: Geometry> {
-    /// A column of W.
-    type Column: Copy;
-}
-
-/// Forces without torques.
-#[derive(Clone, Copy, Debug)]
-pub struct Forces;
-
-/// Forces and torques.
-#[derive(Clone, Copy, Debug)]
-pub struct Wrenches;
-
-impl<G: Geometry> Kind<G> for Forces {
-    type Column = G::Vector;
-}
-
-impl<G: Geometry> Kind<G> for Wrenches {
-    type Column = WrenchOf<G>;
-}
-
-/// A relation that can carry the columns of a loop which is cut at its station.
-pub trait Carry<G: Geometry, O: Own, K: Kind<G>> {
-    /// The relation with these columns.
-    type Out: Copy;
-    /// Adds columns.
-    fn carry(self, columns: O::Each<K::Column>) -> Self::Out;
-}
-
 /// A relation at whose station a torque acts besides, on the outboard part.
 pub trait Twisted<N> {
-    /// The relation with it.
+    /// The relation with the torque.
     type Out: Copy;
-    /// Adds it.
+    /// Adds the torque.
     fn twisted(self, torque: N) -> Self::Out;
 }
 

@@ -1,6 +1,7 @@
 //! Condensed relations: what a chain's outboard part demands of the force at a station.
 //!
-//! Everything outboard of a station answers an acceleration p = (a, α) of that station with a force F = S p + e + Wλ. The
+//! Everything outboard of a station answers an acceleration p = (a, α) of that station with a force F = S p + e + Wλ: S is the
+//! articulated-body inertia of the field and e the bias force, W λ is what constraint forces add. The
 //! inward pass of the Riccati sweep carries such a relation from the tip to the root; each element maps the relation it
 //! meets to the one it hands on. How much of S, e and W there is depends on what lies outboard, so it is decided by
 //! *type*: after a pin, for example, no moment depends on the motion and a 2 × 2 block is all there is.
@@ -12,7 +13,7 @@ mod arms;
 mod closing;
 mod closure;
 mod full;
-pub mod geometry;
+mod geometry;
 mod join;
 mod kinds;
 mod looped;
@@ -23,12 +24,13 @@ pub mod space;
 mod way;
 mod wrench;
 
+pub use arms::{Carry, Forces, Wrenches};
 pub use closing::Close;
 pub use closure::{Closures, Cut, Cuts, Open, Solvable, largest};
 pub use full::Full;
 pub use geometry::{AccelerationOf, Additive, Angular, Geometry, Symmetric, VectorSpace, WrenchOf};
 pub use kinds::{Empty, Lump, Point, Relation};
-pub use looped::{Carry, Forces, Kind, LoopGain, Looped, Own, Settle, Twisted, Wrenches};
+pub use looped::{LoopGain, Looped, Own, Settle, Twisted};
 pub use shared::Shared;
 pub use way::Way;
 pub use wrench::{Acceleration, Wrench};
@@ -44,7 +46,7 @@ pub struct Absent;
 
 /// A value that a scene may or may not have.
 pub trait Part: Copy + Debug + 'static {
-    /// Whether it is finite; nothing is.
+    /// Whether the value is finite; nothing is.
     fn is_finite(self) -> bool;
 }
 
@@ -147,20 +149,32 @@ impl<T: Scalar> Term<T> for Minus<T> {
 }
 
 /// A coefficient that a scene may or may not have: of damping, for example.
-pub trait Coefficient<T>: Part {
+pub trait Coefficient<T: Scalar>: Part {
     /// `self · factor + sum`.
     fn times_onto(self, factor: T, sum: T) -> T;
     /// `self · factor`, or nothing.
     fn times(self, factor: T) -> Self;
+    /// −self · factor, or zero.
+    fn against(self, factor: T) -> T;
+    /// `self · factor`, or zero.
+    fn scaled(self, factor: T::Real) -> T;
 }
 
-impl<T> Coefficient<T> for Absent {
+impl<T: Scalar> Coefficient<T> for Absent {
     #[inline(always)]
     fn times_onto(self, _: T, sum: T) -> T {
         sum
     }
     fn times(self, _: T) -> Self {
         self
+    }
+    #[inline(always)]
+    fn against(self, _: T) -> T {
+        T::zero()
+    }
+    #[inline(always)]
+    fn scaled(self, _: T::Real) -> T {
+        T::zero()
     }
 }
 
@@ -171,6 +185,14 @@ impl<T: Scalar> Coefficient<T> for T {
     }
     fn times(self, factor: T) -> Self {
         self * factor
+    }
+    #[inline(always)]
+    fn against(self, factor: T) -> T {
+        -(self * factor)
+    }
+    #[inline(always)]
+    fn scaled(self, factor: T::Real) -> T {
+        self.scale(factor)
     }
 }
 
@@ -191,9 +213,9 @@ impl<R> Promote<R> for R {
 pub trait Meet<R>: Sized {
     /// What can say both.
     type Both: Copy;
-    /// That of the links.
+    /// The relation of the links.
     fn of_links(own: Self) -> Self::Both;
-    /// That of no links.
+    /// The relation outboard of no links.
     fn of_none(outer: R) -> Self::Both;
 }
 

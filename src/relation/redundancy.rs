@@ -3,8 +3,8 @@
 /// How small a pivot of Λ may be, as a share of its measure, where closures are independent: rounding leaves 1e-16 of a dependent
 /// one, and a mechanism must come within 1e-5 rad of a singular place to have 1e-10.
 const SMALLEST: f64 = 1e-10;
-/// The same for numbers that round coarsely, in roundings: straight chains of up to a thousand rods leave less of a dependent
-/// pivot, and chains that are straight but for a thousandth of a radian have more.
+/// The smallest share for numbers that round coarsely, in roundings: straight chains of up to a thousand rods leave less of a
+/// dependent pivot, and chains that are straight but for a thousandth of a radian have more.
 const ROUNDINGS: f64 = 8.0;
 
 /// How small a pivot may be, as a share of its measure, for numbers of this rounding.

@@ -178,7 +178,7 @@ impl<const L: usize> Own for Shared<L> {
         spread(&gain.factors, &sums)
     }
 
-    /// Those in which λ may change while Λ λ does not: where the diagonal of 1 − Λ Λ⁺ is not zero.
+    /// Closure forces λ that may change while Λ λ does not: where the diagonal of 1 − Λ Λ⁺ is not zero.
     fn undetermined<V: Copy, T: Scalar, C: Closures>(gain: &LoopGain<V, T, C, Self>) -> [bool; L] {
         core::array::from_fn(|i| {
             let unit = core::array::from_fn(|j| if i == j { T::one() } else { T::zero() });

@@ -43,7 +43,7 @@ use num_traits::{One, Zero};
 pub struct Jet<T, const K: usize> {
     /// The value.
     pub re: T,
-    /// Its derivatives.
+    /// The derivatives.
     pub eps: [T; K],
 }
 

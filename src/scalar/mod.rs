@@ -182,7 +182,7 @@ pub trait Real: Scalar<Real = Self> + PartialOrd + Display {
     const INFINITY: Self;
     /// The nearest number to `value`.
     fn of(value: f64) -> Self;
-    /// As `f64`, for reports.
+    /// The number as `f64`, for reports.
     fn as_f64(self) -> f64;
     /// The larger of two; the other one if one is NaN.
     fn max(self, other: Self) -> Self;

@@ -73,7 +73,7 @@ use crate::walks::travel::travel;
 pub struct ThroughGains<M>(pub M);
 
 impl<M: Explicit, R> Rule<M, R> {
-    /// The same rule for a scene over [`Jet`](crate::scalar::Jet)s, its derivatives through kept gains: the derivatives of this very rule, exact but for
+    /// This rule for a scene over [`Jet`](crate::scalar::Jet)s: the derivatives of this very rule through kept gains, exact but for
     /// rounding.
     pub fn through_gains(self) -> Rule<ThroughGains<M>, R> {
         Rule { method: ThroughGains(self.method), control: self.control }
@@ -147,7 +147,7 @@ where
 }
 
 impl<S: Varied, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// The same motion with seeds in its state: the numbers of the state are the displacements of the joint coordinates, root to tip, and
+    /// This motion with seeds in its state: the numbers of the state are the displacements of the joint coordinates, root to tip, and
     /// after these their rates; number `first` is seed 0, the one after it seed 1, as far as there are seeds. Derivatives that it had are
     /// lost.
     ///
@@ -315,7 +315,7 @@ where
 
     fn project(&self, _: &mut MotionOf<S, R, C, P>, _: &mut Self::Workspace) {}
 
-    fn draw(&self, _: &mut MotionOf<S, R, C, P>, _: RealOf<S>, _: &mut Self::Workspace) {}
+    fn assembly_step(&self, _: &mut MotionOf<S, R, C, P>, _: RealOf<S>, _: &mut Self::Workspace) {}
 
     fn independent(
         &self,

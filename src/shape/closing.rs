@@ -11,14 +11,14 @@ use crate::space::{FrameOf, Space};
     note = "in the plane `Pin` and `Weld` do, in space `Ball`, `Revolute` and `Weld`: cut the loop at one of these"
 )]
 pub trait Closing<S: Space>: Clone + 'static {
-    /// Its closure forces, ON the last body of the side arm.
+    /// Closure forces of the joint, ON the last body of the side arm.
     type Closures: Own;
-    /// What it keeps of the orientations of both ends.
+    /// What the joint keeps of the orientations of both ends.
     type PerAxes<X: Copy>: Clone;
 
-    /// Room for that.
+    /// Room for what the joint keeps.
     fn per_axes<X: Copy>(fill: X) -> Self::PerAxes<X>;
-    /// Keeps what it needs of the orientations of both ends.
+    /// Keeps what the joint needs of the orientations of both ends.
     #[allow(clippy::too_many_arguments)] // one store each
     fn orient(
         &self,
@@ -34,8 +34,8 @@ pub trait Closing<S: Space>: Clone + 'static {
     fn joint(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> S::JointMotion;
     /// The force and torque that closure forces are.
     fn internal(&self, forces: &<Self::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> WrenchOf<S>;
-    /// By how much the end of the side arm misses that of the main one, in place and in velocity.
-    fn miss(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
+    /// Residual of the closure, in place and in velocity: by how much the end of the side arm misses that of the main one.
+    fn residual(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
     /// How much the outboard end of a free body would yield to each of the forces.
     fn free_compliance(&self, body: &S::BodyMotion) -> <Self::Closures as Closures>::Each<S::Scalar>;
     /// What each of the forces holds, for messages.
@@ -45,7 +45,7 @@ pub trait Closing<S: Space>: Clone + 'static {
     /// # Errors
     /// What is wrong with them.
     fn check(&self) -> Result<(), Fault>;
-    /// The name of its type, and its own if it has one.
+    /// The name of the joint's type, and its own if it has one.
     fn label(&self) -> (&'static str, Option<&'static str>) {
         (core::any::type_name::<Self>(), None)
     }

@@ -9,22 +9,22 @@ use num_traits::Zero;
 
 /// What a store holds for each body and each joint.
 pub trait Field<S: Space>: 'static {
-    /// What it holds for a body.
+    /// What the store holds for a body.
     type InBody<B: Body<S>>: Clone;
-    /// What it holds for a joint.
+    /// What the store holds for a joint.
     type InJoint<J: Joint<S>>: Clone;
-    /// What it holds for a joint that closes a loop.
+    /// What the store holds for a joint that closes a loop.
     type InClosing<K: Closing<S>>: Clone;
     /// The field in an arm.
     type In<Y: Way>: Field<S>;
-    /// What it is filled with.
+    /// What the store is filled with.
     type Fill: Copy;
 
-    /// What it holds for a body at first.
+    /// What the store holds for a body at first.
     fn in_body<B: Body<S>>(body: &B, fill: Self::Fill) -> Self::InBody<B>;
-    /// What it holds for a joint at first.
+    /// What the store holds for a joint at first.
     fn in_joint<J: Joint<S>>(joint: &J, fill: Self::Fill) -> Self::InJoint<J>;
-    /// What it holds at first for a joint that closes a loop.
+    /// What the store holds at first for a joint that closes a loop.
     fn in_closing<K: Closing<S>>(closing: &K, fill: Self::Fill) -> Self::InClosing<K>;
     /// What the field in an arm is filled with.
     fn fill_in<Y: Way>(fill: Self::Fill) -> <Self::In<Y> as Field<S>>::Fill;

@@ -15,13 +15,13 @@ use crate::sweep::Springs;
     label = "not an element of `{S}`"
 )]
 pub trait Body<S: Space>: Copy + 'static {
-    /// What resolving its posture reads of its shape.
+    /// What resolving the body's posture reads of its shape.
     fn size(&self) -> S::Size;
-    /// The acceleration of its outboard end, from that of its inboard end.
+    /// The acceleration of the body's outboard end, from that of its inboard end.
     fn shifted(&self, inboard: AccelerationOf<S>, posture: PostureOf<'_, S>) -> AccelerationOf<S>;
     /// What [`shifted`](Self::shifted) gives without velocities.
     fn swung(&self, inboard: AccelerationOf<S>, posture: PostureOf<'_, S>) -> AccelerationOf<S>;
-    /// Its motion, if its inboard end moves like this, and that of its outboard end.
+    /// Motion of the body, if its inboard end moves like this, and motion of its outboard end.
     fn motion(&self, inboard: FrameOf<S>) -> (S::BodyMotion, FrameOf<S>);
     /// Rejects parameters that make no mechanics.
     ///
@@ -47,16 +47,16 @@ pub type JointPosture<'a, S, J> = (
     label = "not an element of `{S}`"
 )]
 pub trait Joint<S: Space>: Copy + 'static {
-    /// Its coordinates.
+    /// Coordinates of the joint.
     type Position: Position<S::Scalar, Rate = Self::Rate>;
-    /// Their rates and accelerations.
+    /// Rates and accelerations of the coordinates.
     type Rate: Rate<S::Scalar>;
-    /// What its elimination keeps for the outward walk.
+    /// What the joint's elimination keeps for the outward walk.
     type Kept<C: Closures>: Clone;
-    /// One `X` for each set of axes that it keeps.
+    /// One `X` for each set of axes that the joint keeps.
     type Per<X: Copy>: Clone;
 
-    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool;
 
     /// The position of an unturned joint.
@@ -68,17 +68,18 @@ pub trait Joint<S: Space>: Copy + 'static {
     /// `fill` for each set of axes.
     fn per<X: Copy>(fill: X) -> Self::Per<X>;
 
-    /// Whether its pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
+    /// Whether the joint's pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
     fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
-    /// Coordinates that turn the outboard body to an absolute orientation, and that orientation: one number of `next`, which is told
-    /// the orientation of the inboard body, for each rotary coordinate.
-    fn aim(
+    /// Sets the rotary coordinates of a configuration, and gives the orientation of the outboard body: one number of `next`, which is
+    /// given the orientation of the inboard body, for each. It is an angle of the outboard body or of the joint, as
+    /// [`at_rest`](crate::system::System::at_rest) takes them.
+    fn configure(
         &self,
         position: &mut Self::Position,
         inboard: S::Turn,
         next: &mut impl FnMut(S::Turn) -> S::Scalar,
     ) -> S::Turn;
-    /// The accelerations of its coordinates and of its outboard side from that of its inboard side, after a sweep in which springs
+    /// The accelerations of the joint's coordinates and of its outboard side from that of its inboard side, after a sweep in which springs
     /// entered by `By`.
     fn recover<C: Closures, By: Springs<S::Scalar>>(
         &self,
@@ -97,7 +98,7 @@ pub trait Joint<S: Space>: Copy + 'static {
         multipliers: &C::Each<S::Scalar>,
         rate: &mut Self::Rate,
     ) -> AccelerationOf<S>;
-    /// Its motion, if its inboard side moves like this, and that of its outboard side.
+    /// Motion of the joint, if its inboard side moves like this, and motion of its outboard side.
     fn motion(
         &self,
         inboard: FrameOf<S>,
@@ -105,7 +106,7 @@ pub trait Joint<S: Space>: Copy + 'static {
         rate: &Self::Rate,
         acceleration: &Self::Rate,
     ) -> (S::JointMotion, FrameOf<S>);
-    /// What it lets move.
+    /// The coordinates that the joint lets move, and what resists them.
     fn release(&self, motion: &S::JointMotion, position: &Self::Position, rate: &Self::Rate) -> Release<S>;
     /// Rejects parameters that make no mechanics.
     ///

@@ -26,9 +26,10 @@ pub type AtClosing<'a, S, W, K> = <<W as Walk<S>>::Stores as Slot<S>>::InClosing
 
 /// What a walk carries, and what it reads and writes.
 pub trait Walk<S: Space>: Sized {
-    /// What it carries from element to element. What it carries into an arm does not come back from there: totals belong into the walk.
+    /// What the walk carries from element to element. What it carries into an arm does not come back from there: totals belong into
+    /// the walk.
     type Carried: Copy;
-    /// What it reads and writes.
+    /// The stores that the walk reads and writes.
     type Stores: Slot<S>;
 }
 

@@ -248,7 +248,7 @@ where
         system.accelerate(&mut self.between, self.plan.loads, &mut system.workspace())
     }
 
-    /// The same error; closures that have become dependent where a run does not come on are named.
+    /// This error; closures that have become dependent where a run does not come on are named.
     fn named(&mut self, error: Error) -> Error {
         let Fault::StepTooSmall { step, cause: Cause::Inaccurate } = error.fault else { return error };
         let (system, mut workspace) = (self.plan.system, self.plan.system.workspace());

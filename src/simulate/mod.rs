@@ -1,4 +1,4 @@
-//! Running a scene through time: step control, dense output at requested times, events.
+//! Running a scene through time: step control, dense output at requested times, events, observers; and single steps, of a [`Stepper`].
 
 mod drive;
 mod limits;
@@ -9,13 +9,19 @@ use crate::element::{Budget, Element, Loading, RealOf, Space, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::observe::{PerBody, Stations};
-use crate::stepper::Method;
 use crate::system::Dynamics;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::time::{IntoRule, Rule};
 use core::cell::OnceCell;
 use core::fmt;
 
+#[cfg(feature = "std")]
+pub use crate::observers::Trace;
+pub use crate::observers::{EnergyDrift, Observe};
+pub use crate::stepper::{
+    AdamsMemory, AdamsStepper, ExplicitStepper, ImplicitMemory, ImplicitStepper, Method, MotionIn, SdirkStepper,
+    Stepper, StepperOf, TaylorStepper, TimeIn,
+};
 pub use drive::Running;
 pub use saved::{Progress, Saved};
 
@@ -166,7 +172,7 @@ pub struct NoEvent;
 pub trait EventFunction<N: ?Sized, T> {
     /// Whether there is one.
     const ON: bool;
-    /// Its value.
+    /// Value of the function; none where there is none.
     fn value(&mut self, now: &N) -> Option<T>;
 }
 
@@ -207,7 +213,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         method.stepper(self)
     }
 
-    /// The same, with the scene inside: for a value that keeps its scene and its stepper.
+    /// A stepper with the scene inside: for a value that keeps its scene and its stepper.
     pub fn into_stepper<M: Method<Self, L>, L: Loading<S>>(self, method: M) -> M::Stepper
     where
         Self: Dynamics<L>,

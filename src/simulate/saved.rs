@@ -14,9 +14,9 @@ use num_traits::{One, Zero};
 /// How far a run has come, besides its motion and what its stepper carries.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress<R> {
-    /// When it began (s): samples count from there.
+    /// When the run began (s): samples count from there.
     pub(super) start: R,
-    /// When it began, or began anew after an event (s), and the number of steps since: fixed steps are multiples from there.
+    /// When the run began, or began anew after an event (s), and the number of steps since: fixed steps are multiples from there.
     pub(super) mark: (R, usize),
     /// The size (s) of the step that error control wants next.
     pub(super) size: R,
@@ -24,18 +24,18 @@ pub struct Progress<R> {
     pub(super) careful: bool,
     /// What has come of trials so far.
     pub(super) trials: Trials<R>,
-    /// Whether an event has ended it.
+    /// Whether an event has ended the run.
     pub(super) stopped: bool,
     /// Number of the next sample.
     pub(super) samples: usize,
     pub(super) steps: usize,
     pub(super) rejected: usize,
-    /// Sweeps made before it was saved.
+    /// Sweeps made before the run was saved.
     pub(super) sweeps: usize,
 }
 
 impl<R: Real> Progress<R> {
-    /// That of a run which begins at a time (s), with the size of its first step (s).
+    /// The progress of a run which begins at a time (s), with the size of its first step (s).
     pub(super) fn at(start: R, size: R, trials: Trials<R>) -> Self {
         Self {
             start,
@@ -179,7 +179,7 @@ where
         Ok(())
     }
 
-    /// Where it stands.
+    /// The state of the run, to be gone on from.
     pub fn save(&self) -> SavedOf<S, R, C, P, K::Memory> {
         let progress = Progress { sweeps: self.sweeps(), ..self.progress };
         Saved { motion: self.past.clone(), memory: self.stepper.memory(), progress }

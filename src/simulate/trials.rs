@@ -32,7 +32,7 @@ pub(super) struct Trials<R> {
     cause: (Cause, Option<Place>),
     /// The longest one accepted (s).
     longest: R,
-    /// When the last window began (s), and how many there were since.
+    /// When the last window began (s), and the number of trials since.
     mark: R,
     count: usize,
     /// Of those from the present motion the most accurate: its size (s) and its error as a multiple of the tolerance.

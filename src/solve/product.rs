@@ -102,7 +102,7 @@ struct Multiply<'a, S: Space, F, const N: usize> {
     outcome: Result<(), Error>,
     /// The largest force or torque for a unit acceleration that a body has (kg, kg·m, kg·m²).
     inertia: RealOf<S>,
-    /// That of the entry met last: from the tip to the root's joint, which is number 0.
+    /// Number of the entry met last: from the tip to the root's joint, which is number 0.
     number: usize,
     each: &'a mut F,
     space: PhantomData<S>,

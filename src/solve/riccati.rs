@@ -91,7 +91,7 @@ pub struct Spring<'a, P, V, K> {
     pub rate: &'a V,
     /// Where laws that are not linear are read.
     pub reading: Reading<'a, P, V>,
-    /// How they enter.
+    /// How springs and dampers enter.
     pub springs: K,
 }
 
@@ -134,7 +134,7 @@ pub fn sweep<S: Space, E, W, R, P>(
     recover::<S, E, W::Closures, W::Springs>(chain, root, posture, kept, *multipliers, acceleration);
 }
 
-/// The correction of joint coordinates that moves the tip by −`miss` and closes loops, through the gains and the Λ of the last sweep:
+/// The correction of joint coordinates that moves the tip by −`residual` and closes loops, through the gains and the Λ of the last sweep:
 /// the least one, measured by the inertia (and the stiffness, if the sweep was implicit) that those stand for. A loop closes without moving
 /// the station where it begins.
 pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S, Closures: Solvable>>(
@@ -142,12 +142,12 @@ pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S, Closures: Solvable>>(
     ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     level: Level,
-    miss: &<W::Closures as Closures>::Each<S::Scalar>,
+    residual: &<W::Closures as Closures>::Each<S::Scalar>,
     workspace: &'w mut Workspace<S, E, W>,
 ) -> Option<&'w E::Rate> {
     let Workspace { x, y, p, q, kept, compliance, correction, .. } = workspace;
     let correction = correction.as_mut()?;
-    let force = W::Closures::solve(compliance, &W::Closures::map(miss, |miss| -miss));
+    let force = W::Closures::solve(compliance, &W::Closures::map(residual, |residual| -residual));
     let (still, posture) = (Acceleration::zero(), Posture { x, y, p, q });
     if const { E::LOOPS == 0 } {
         respond::<S, E, W::Closures>(chain, still, posture, kept, force, correction);

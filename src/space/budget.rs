@@ -18,7 +18,7 @@ pub struct Budget<S: Space> {
 }
 
 impl<S: Space> Budget<S> {
-    /// That of nothing.
+    /// The budget of nothing.
     pub fn none() -> Self {
         let (kinetic, potential) = (Additive::null(), Additive::null());
         Self { kinetic, potential, momentum: Additive::null(), angular_momentum: Additive::null() }

@@ -8,11 +8,11 @@ use core::fmt::Debug;
 pub struct Frame<V, A, O> {
     /// Place of the point (m).
     pub place: V,
-    /// Its velocity (m/s).
+    /// Velocity of the point (m/s).
     pub velocity: V,
     /// Orientation and angular velocity of the body.
     pub turn: O,
-    /// Its acceleration.
+    /// Acceleration of the point (m/s²) and angular acceleration of the body (rad/s²).
     pub acceleration: Acceleration<V, A>,
 }
 

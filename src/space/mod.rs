@@ -55,7 +55,7 @@ pub trait Space: Geometry {
     fn angles(body: &Self::BodyMotion) -> Self::Angles;
     /// The angle (rad) of a body that is too large for accurate sines, if it is.
     fn angle_out_of_range(body: &Self::BodyMotion) -> Option<f64>;
-    /// The same of an angle that a joint has turned by.
+    /// The angle (rad) that a joint has turned by and that is too large for accurate sines, if it is.
     fn turn_out_of_range(joint: &Self::JointMotion, release: &Release<Self>) -> Option<f64>;
     /// Internal force and torque as numbers.
     fn numbers(internal: WrenchOf<Self>) -> Self::Numbers;
@@ -81,7 +81,7 @@ pub trait Space: Geometry {
 
 /// A space that exists over the scalar `U` too.
 pub trait SpaceOver<U: Scalar>: Space {
-    /// The same space over `U`.
+    /// This space over `U`.
     type Over: Space<Scalar = U>;
     /// Replaces the numbers of a vector.
     fn lift_vector(

@@ -59,21 +59,21 @@ pub struct Relative<T, const K: usize> {
 
 /// A joint that turns about axes or slides along them, at most two.
 pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
-    /// Its coordinates.
+    /// Coordinates of the joint.
     type Coordinates: Listed<T, K>;
-    /// What they do, innermost first.
+    /// What the coordinates do, innermost first: turn or slide.
     const WAYS: [Way; K];
-    /// Whether its points slide apart.
+    /// Whether the joint's points slide apart.
     const SLIDES: bool;
-    /// Whether its bodies turn.
+    /// Whether the joint's bodies turn.
     const TURNS: bool;
-    /// Whether its springs and dampers are linear.
+    /// Whether the joint's springs and dampers are linear.
     const LINEAR: bool = false;
 
-    /// What its coordinates do on an inboard body that is turned like this.
+    /// What the coordinates do on an inboard body that is turned like this.
     fn relative(&self, inboard: &Turn<T>, position: [T; K], rate: [T; K]) -> Relative<T, K>;
     /// Adds the generalised force of the spring and damper of coordinate `k` to a sum.
-    fn force_onto(&self, k: usize, position: T, rate: T, sum: T) -> T;
+    fn force(&self, k: usize, position: T, rate: T) -> T;
     /// K̂ of coordinate `k` in an implicit sweep.
     fn pivot(&self, k: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T;
     /// Energy stored in springs (J).
@@ -82,7 +82,7 @@ pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
     fn lump(&mut self, mass: T) -> T {
         mass
     }
-    /// Point mass (kg) that it has not handed on.
+    /// Point mass (kg) that the joint has not handed on.
     fn lumped(&self) -> T {
         T::zero()
     }

@@ -7,7 +7,7 @@ use super::axial::{Axial, Listed, Relative};
 use super::joint::{Joint, One, Stored};
 use super::loads::Drive;
 use super::release::{self, Release};
-use super::spring::{Law, PivotRule};
+use super::spring::PivotRule;
 use super::{Acceleration, Cylindrical, Frame, JointMotion, Prismatic, Revolute, Spatial, Turn, Universal};
 use crate::element::{Condense, Given, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
@@ -15,6 +15,7 @@ use crate::relation::space::algebra::{Columns, add_scaled, centripetal, cross, c
 use crate::relation::space::{Full, Pivot, Relation, Rigid, Slides, Way};
 use crate::relation::{Closures, Coefficient, Term};
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use nalgebra::Vector3;
 
 #[inline(always)]
@@ -89,7 +90,7 @@ fn moved<T: Scalar, J: Axial<T, K>, const K: usize>(
     let padded = |list: [T; K]| core::array::from_fn(|k| if k < K { list[k] } else { T::zero() });
     let energy = joint.energy(position.list());
     let (position, rate) = (position.list(), rate.list());
-    let effort = padded(core::array::from_fn(|k| joint.force_onto(k, position[k], rate[k], T::zero())));
+    let effort = padded(core::array::from_fn(|k| joint.force(k, position[k], rate[k])));
     JointMotion {
         inboard,
         outboard,
@@ -138,7 +139,7 @@ where
     let (position, rate) = if follows { (led.position, led.rate) } else { (position, rate) };
     let (position, rate) = (position.list(), rate.list());
     let acts = |k: usize| {
-        let mut force = drive.onto(k, joint.force_onto(k, position[k], rate[k], T::zero()));
+        let mut force = drive.onto(k, joint.force(k, position[k], rate[k]));
         let stiffness = springs.stiffness(|springs| joint.pivot(k, position[k], rate[k], springs));
         if follows {
             force = stiffness.times_onto(led.acceleration.list()[k], force);
@@ -238,7 +239,7 @@ macro_rules! axial {
                 kept.iter().all(Pivot::is_finite)
             }
             /// Angles of the joint; its slides stay.
-            fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+            fn configure(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 let mut list = Listed::<T, $K>::list(position);
                 for (x, way) in list.iter_mut().zip(<Self as Axial<T, $K>>::WAYS) {
                     if way == Way::Turn {
@@ -339,8 +340,8 @@ macro_rules! axial {
         }
     };
 }
-axial!([T, L: Law] Revolute<T, L>, 1, Rigid, |outer| outer);
+axial!([T, L: SpringLaw] Revolute<T, L>, 1, Rigid, |outer| outer);
 // A ball resists no rotation, but displacement.
-axial!([T, L: Law] Prismatic<T, L>, 1, Slides, |outer| outer.whole());
-axial!([T, L: Law, M: Law] Universal<T, L, M>, 2, Rigid, |outer| outer);
-axial!([T, L: Law, M: Law] Cylindrical<T, L, M>, 2, Rigid, |outer| outer);
+axial!([T, L: SpringLaw] Prismatic<T, L>, 1, Slides, |outer| outer.whole());
+axial!([T, L: SpringLaw, M: SpringLaw] Universal<T, L, M>, 2, Rigid, |outer| outer);
+axial!([T, L: SpringLaw, M: SpringLaw] Cylindrical<T, L, M>, 2, Rigid, |outer| outer);

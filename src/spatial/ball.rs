@@ -39,7 +39,7 @@ impl<T: Scalar> Joint<T> for Ball {
         kept.is_finite()
     }
     /// Three absolute angles 1-2-3.
-    fn aim(&self, position: &mut Rotation<T>, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, position: &mut Rotation<T>, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         *position = Rotation::from_angles([(); 3].map(|()| next(inboard)));
         Turn { attitude: position.matrix(), spin: zero() }
     }

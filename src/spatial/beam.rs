@@ -71,14 +71,14 @@ impl<T: Scalar> Beam<T> {
 }
 
 impl<T: Scalar, D> Beam<T, Absent, D> {
-    /// One that stretches too, along itself, with a stiffness EA (N).
+    /// This beam as one that stretches too, along itself, with a stiffness EA (N).
     ///
     /// A straight beam that does not stretch cannot be held at both its ends: its length is given twice.
     pub fn with_extension(self, stiffness: T) -> Beam<T, T, D> {
         self.stretching(stiffness)
     }
 
-    /// One that stretches with a stiffness EA (N), and shears with stiffnesses κGA along y and z (N): Timoshenko's.
+    /// This beam as one that stretches with a stiffness EA (N), and shears with stiffnesses κGA along y and z (N): Timoshenko's.
     pub fn with_extension_and_shear(self, stiffness: T, [y, z]: [T; 2]) -> Beam<T, [T; 3], D> {
         self.stretching([stiffness, y, z])
     }
@@ -145,7 +145,7 @@ pub trait Retardation<T: Scalar>: Copy {
     type Rotary: RotaryDamper<T>;
     /// Dampers of linear springs.
     type Linear: Coefficient<T>;
-    /// Those beside rotary springs of these stiffnesses.
+    /// Dampers beside rotary springs of these stiffnesses.
     fn rotary(self, stiffness: [T; 3]) -> Self::Rotary;
     /// A spring of a stiffness with its damper.
     fn linear(self, stiffness: T) -> Spring<T, Self::Linear>;
@@ -177,7 +177,7 @@ impl<T: Scalar> Retardation<T> for T {
 pub trait Stretch<T: Scalar, D: Retardation<T>>: Copy {
     /// Springs of a segment and the rod outboard of them.
     type Link;
-    /// Makes one, from its rotary springs and what makes linear ones of stiffnesses EA or GA.
+    /// Makes a link, from its rotary springs and what makes linear ones of stiffnesses EA or GA.
     fn link(
         self,
         hinge: ElasticBall<T, D::Rotary>,

@@ -17,7 +17,7 @@ use typenum::{U0, U1};
 ///
 /// With these methods a type is a body; the macro `body!` in this file, which is not exported, makes it an element.
 pub trait Body<T: Scalar>: Copy + Debug + 'static {
-    /// Its inertia.
+    /// Mass, mass centre and inertia tensor of the body.
     fn inertia(&self) -> Inertia<T>;
 
     /// O (m), body axes.
@@ -29,7 +29,7 @@ pub trait Body<T: Scalar>: Copy + Debug + 'static {
     /// Whether [`condense`](Self::condense) reads the attitude of the pose: if not, it is not stored.
     const AXES: bool;
 
-    /// What its orientation makes of it.
+    /// What an orientation and an angular velocity make of the body.
     fn pose(&self, turn: &Turn<T>) -> Pose<T>;
 
     /// The relation at I from that at O.

@@ -1,14 +1,15 @@
 //! The cylindrical joint.
 
+use super::Turn;
 use super::axial::{Axial, Relative, check_axis, unit};
 use super::maps::about;
-use super::{Turn, spring::Law, spring::Spring};
 use crate::element::Implicit;
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::space::Way;
 use crate::relation::space::algebra::zero;
 use crate::scalar::Scalar;
+use crate::spring::{Spring, SpringLaw};
 use nalgebra::Vector3;
 
 /// Two bodies slide along an axis and turn about it.
@@ -32,12 +33,12 @@ impl<T: Scalar> Cylindrical<T> {
     }
 
     /// With springs and dampers along and about the axis.
-    pub fn with<L: Law<T>, M: Law<T>>(self, along: L, about: M) -> Cylindrical<T, L, M> {
+    pub fn with<L: SpringLaw<T>, M: SpringLaw<T>>(self, along: L, about: M) -> Cylindrical<T, L, M> {
         Cylindrical { axis: self.axis, along, about, lumped: self.lumped }
     }
 }
 
-impl<T: Scalar, L: Law<T>, M: Law<T>> Axial<T, 2> for Cylindrical<T, L, M> {
+impl<T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>> Axial<T, 2> for Cylindrical<T, L, M> {
     type Coordinates = [T; 2];
     const WAYS: [Way; 2] = [Way::Slide, Way::Turn];
     const SLIDES: bool = true;
@@ -57,8 +58,8 @@ impl<T: Scalar, L: Law<T>, M: Law<T>> Axial<T, 2> for Cylindrical<T, L, M> {
         }
     }
     #[inline(always)]
-    fn force_onto(&self, k: usize, position: T, rate: T, sum: T) -> T {
-        if k == 0 { self.along.force_onto(position, rate, sum) } else { self.about.force_onto(position, rate, sum) }
+    fn force(&self, k: usize, position: T, rate: T) -> T {
+        if k == 0 { self.along.force(position, rate) } else { self.about.force(position, rate) }
     }
     #[inline(always)]
     fn pivot(&self, k: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T {

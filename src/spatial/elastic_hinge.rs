@@ -3,7 +3,7 @@
 use super::loads::Drive;
 use super::release::{self, Release};
 use super::rotary_spring::{RotaryLaw, RotarySpring};
-use super::{Acceleration, Frame, Joint, JointMotion, Law, Linear, Rotation, Spatial, Turn};
+use super::{Acceleration, Frame, Joint, JointMotion, Linear, Rotation, Spatial, Turn};
 use super::{joint::One, joint::Stored};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
@@ -12,6 +12,7 @@ use crate::relation::space::algebra::{Columns, cross, zero};
 use crate::relation::space::{BallGain, Couple, Full, Point, Rigid, Slides};
 use crate::relation::{Absent, Closures, Symmetric, Term};
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use nalgebra::Vector3;
 
 /// A joint with springs and dampers: rotary ones, and linear ones where there are any (see [`Linear`]). Without linear springs its
@@ -64,7 +65,7 @@ impl<T: Scalar> ElasticHinge<RotarySpring<T>> {
     }
 }
 
-impl<T: Scalar, X: Law<T>, Y: Law<T>, Z: Law<T>> ElasticHinge<Absent, Linear<T, X, Y, Z>> {
+impl<T: Scalar, X: SpringLaw<T>, Y: SpringLaw<T>, Z: SpringLaw<T>> ElasticHinge<Absent, Linear<T, X, Y, Z>> {
     /// Springs along the axes of the inboard body, between bodies that turn freely.
     pub fn linear(x: X, y: Y, z: Z) -> Self {
         Self { rotary: Absent, linear: Linear::new(x, y, z) }
@@ -95,7 +96,7 @@ impl<T: Scalar, D, L> ElasticHinge<RotarySpring<T, D>, L> {
 
 impl<R> ElasticHinge<R> {
     /// With springs along the axes of the inboard body.
-    pub fn with_linear<T: Scalar, X: Law<T>, Y: Law<T>, Z: Law<T>>(
+    pub fn with_linear<T: Scalar, X: SpringLaw<T>, Y: SpringLaw<T>, Z: SpringLaw<T>>(
         self,
         x: X,
         y: Y,
@@ -112,7 +113,7 @@ pub struct Place<'a, T> {
     pub attitude: Columns<T>,
     /// Where laws are read in an explicit sweep.
     pub state: (&'a Rotation<T>, &'a [T; 3]),
-    /// Where they are read in an implicit one.
+    /// Where laws are read in an implicit sweep.
     pub reading: Reading<'a, Rotation<T>, [T; 3]>,
 }
 
@@ -192,7 +193,7 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
         kept.is_finite()
     }
     /// Three absolute angles 1-2-3.
-    fn aim(&self, position: &mut Rotation<T>, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, position: &mut Rotation<T>, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         let absolute = Rotation::from_angles([(); 3].map(|()| next(inboard)));
         *position = absolute.relative_to(&Rotation::from_matrix(&inboard.attitude)).shortest();
         Turn { attitude: absolute.matrix(), spin: zero() }

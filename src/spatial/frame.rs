@@ -47,7 +47,7 @@ pub type Internal<T> = relation::Wrench<Vector3<T>, Vector3<T>>;
 /// A body and its motion at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyMotion<T> {
-    /// Motion of its inboard end.
+    /// Motion of the body's inboard end.
     pub inboard: Frame<T>,
     /// From the inboard to the outboard end (m), inertial axes.
     pub arm: Vector3<T>,
@@ -102,20 +102,21 @@ impl<T: Scalar> BodyMotion<T> {
 /// A joint and its motion at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointMotion<T> {
-    /// Motion of its inboard side.
+    /// Motion of the joint's inboard side.
     pub inboard: Frame<T>,
-    /// Motion of its outboard side.
+    /// Motion of the joint's outboard side.
     pub outboard: Frame<T>,
     /// Coordinates of the joint: angles (rad) and slides (m), as many as it has; of an elastic hinge its rotation vector (rad), while
     /// its displacement lies between the frames; none of a ball, whose attitudes stand in the frames.
     pub position: [T; 3],
     /// Rates of the coordinates; of a ball or an elastic hinge the relative angular velocity (rad/s) in axes of the outboard body.
     pub rate: [T; 3],
-    /// What its springs and dampers exert on these coordinates (N·m, N), ON the outboard body; in a ball a torque in axes of that body.
+    /// What the joint's springs and dampers exert on its coordinates (N·m, N), ON the outboard body; in a ball a torque in axes of that
+    /// body.
     pub effort: [T; 3],
-    /// Energy stored in its springs (J).
+    /// Energy stored in the joint's springs (J).
     pub energy: T,
-    /// Reflected inertia of its coordinates (kg·m², kg), where there is any.
+    /// Reflected inertia of the joint's coordinates (kg·m², kg), where there is any.
     pub inertia: [T; 3],
 }
 
@@ -136,7 +137,7 @@ impl<T: Scalar> Space for Spatial<T> {
     type Y = [Vector3<T>; 2];
     /// Arm of a body.
     type P = Vector3<T>;
-    /// Centripetal acceleration of its outboard end.
+    /// Centripetal acceleration of a body's outboard end.
     type Q = Vector3<T>;
     type Turn = Turn<T>;
     type Station = Station<T>;

@@ -10,7 +10,7 @@ use nalgebra::{
 };
 
 impl<T: Scalar> From<UnitQuaternion<T>> for Rotation<T> {
-    /// The same four numbers, bit by bit.
+    /// The quaternion's four numbers, bit by bit.
     fn from(attitude: UnitQuaternion<T>) -> Self {
         let [x, y, z, w]: [T; 4] = attitude.into_inner().coords.into();
         Self { w, v: Vector3::new(x, y, z) }
@@ -18,7 +18,7 @@ impl<T: Scalar> From<UnitQuaternion<T>> for Rotation<T> {
 }
 
 impl<T: Scalar> From<Rotation<T>> for UnitQuaternion<T> {
-    /// The same four numbers, bit by bit.
+    /// The rotation's four numbers, bit by bit.
     fn from(attitude: Rotation<T>) -> Self {
         let [w, x, y, z] = attitude.quaternion();
         Unit::new_unchecked(Quaternion::from_vector(Vector4::new(x, y, z, w)))

@@ -4,7 +4,7 @@ use super::{
     Acceleration, Ball, Cylindrical, ElasticHinge, Floating, Frame, JointMotion, Linear, Prismatic, Revolute,
     RotaryLaw, Spatial, Turn,
 };
-use super::{Universal, Weld, release::Release, spring::Law};
+use super::{Universal, Weld, release::Release};
 use crate::counts::Counted;
 use crate::element::{Element, Springs};
 use crate::error::Fault;
@@ -13,6 +13,7 @@ use crate::relation::Closures;
 use crate::relation::space::algebra::Columns;
 use crate::scalar::Scalar;
 use crate::shape::{JointPosture, Native};
+use crate::spring::SpringLaw;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use typenum::{U0, U1, U2, U3, U6};
@@ -22,9 +23,9 @@ pub type Stored<T> = (Columns<T>, [Vector3<T>; 2]);
 
 /// How many sets of axes a joint stores.
 pub trait Sets {
-    /// One `X` for each.
+    /// One `X` for each set.
     type Per<X: Copy>: Copy;
-    /// `fill` for each.
+    /// `fill` for each set.
     fn per<X: Copy>(fill: X) -> Self::Per<X>;
 }
 
@@ -52,9 +53,9 @@ impl Sets for Two {
 
 /// Axes that a joint stores.
 pub type Axes<T, J> = <<J as Joint<T>>::Sets as Sets>::Per<Columns<T>>;
-/// Vectors that it stores beside them.
+/// Vectors that a joint stores beside its axes.
 pub type Biases<T, J> = <<J as Joint<T>>::Sets as Sets>::Per<[Vector3<T>; 2]>;
-/// Both.
+/// Axes and vectors that a joint stores.
 pub type StoredIn<T, J> = (Axes<T, J>, Biases<T, J>);
 
 /// A massless joint in space.
@@ -62,16 +63,16 @@ pub type StoredIn<T, J> = (Axes<T, J>, Biases<T, J>);
 /// With these methods and a [`Condense`](crate::element::Condense) for the relations it can take, a type is a joint; the
 /// macro `joint!` in this file, which is not exported, makes it an element.
 pub trait Joint<T: Scalar>: Copy + Debug + 'static {
-    /// Its coordinates.
+    /// Coordinates of the joint.
     type Position: Position<T, Rate = Self::Rate>;
-    /// Their rates and accelerations.
+    /// Rates and accelerations of the coordinates.
     type Rate: Rate<T>;
-    /// What its elimination keeps for the outward walk.
+    /// What the joint's elimination keeps for the outward walk.
     type Kept<C: Closures>: Clone;
-    /// How many sets of axes it stores.
+    /// How many sets of axes the joint stores.
     type Sets: Sets;
 
-    /// Whether no law of its springs and dampers has to be read where the last sweep of an implicit rule has led.
+    /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
 
     /// The position of an unturned joint.
@@ -80,11 +81,17 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
     fn rate() -> Self::Rate;
     /// Room for the gains.
     fn kept<C: Closures>() -> Self::Kept<C>;
-    /// Whether its pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
+    /// Whether the joint's pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
     fn is_finite<C: Closures>(kept: &Self::Kept<C>) -> bool;
 
-    /// Coordinates for the numbers of [`System::at_rest`](crate::system::System::at_rest).
-    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T>;
+    /// Sets the rotary coordinates from the numbers of [`System::at_rest`](crate::system::System::at_rest), and gives the orientation of the
+    /// outboard body.
+    fn configure(
+        &self,
+        position: &mut Self::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T>;
 
     /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide, that is
     /// as good on the other side.
@@ -101,7 +108,7 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
         (*x, *y) = stored;
     }
 
-    /// The motion of its outboard side.
+    /// The motion of the joint's outboard side.
     fn moved(
         &self,
         inboard: Frame<T>,
@@ -110,7 +117,7 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
         acceleration: &Self::Rate,
     ) -> JointMotion<T>;
 
-    /// What it lets move, and what resists it.
+    /// The coordinates that the joint lets move, and what resists them.
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T>;
 
     /// Rejects parameters that make no mechanics.
@@ -131,7 +138,7 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
         rate: &mut Self::Rate,
     ) -> Acceleration<T>;
 
-    /// The same without what velocities, loads and springs contribute.
+    /// The accelerations without what velocities, loads and springs contribute.
     fn responded<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -165,13 +172,13 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
     fn is_finite<C: Closures>(kept: &<J as Joint<T>>::Kept<C>) -> bool {
         <J as Joint<T>>::is_finite::<C>(kept)
     }
-    fn aim(
+    fn configure(
         &self,
         position: &mut <J as Joint<T>>::Position,
         inboard: Turn<T>,
         next: &mut impl FnMut(Turn<T>) -> T,
     ) -> Turn<T> {
-        Joint::aim(self, position, inboard, next)
+        Joint::configure(self, position, inboard, next)
     }
     #[inline(always)]
     fn recover<C: Closures, By: Springs<T>>(
@@ -266,13 +273,13 @@ macro_rules! joint {
 }
 joint!([T: Scalar] Ball, true);
 joint!([T: Scalar, R: RotaryLaw<T>] ElasticHinge<R>, false);
-joint!([T: Scalar, R: RotaryLaw<T>, L: Law<T>, M: Law<T>, N: Law<T>] ElasticHinge<R, Linear<T, L, M, N>>, false);
+joint!([T: Scalar, R: RotaryLaw<T>, L: SpringLaw<T>, M: SpringLaw<T>, N: SpringLaw<T>] ElasticHinge<R, Linear<T, L, M, N>>, false);
 joint!([T: Scalar] Floating<T>, true);
 joint!([T: Scalar] Weld<T>, false);
-joint!([T: Scalar, L: Law<T>] Revolute<T, L>, false);
-joint!([T: Scalar, L: Law<T>] Prismatic<T, L>, false);
-joint!([T: Scalar, L: Law<T>, M: Law<T>] Universal<T, L, M>, false);
-joint!([T: Scalar, L: Law<T>, M: Law<T>] Cylindrical<T, L, M>, false);
+joint!([T: Scalar, L: SpringLaw<T>] Revolute<T, L>, false);
+joint!([T: Scalar, L: SpringLaw<T>] Prismatic<T, L>, false);
+joint!([T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>] Universal<T, L, M>, false);
+joint!([T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>] Cylindrical<T, L, M>, false);
 
 /// Gives joints their counts, and says that they are of this crate.
 macro_rules! count {

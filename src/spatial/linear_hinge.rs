@@ -5,7 +5,7 @@ use super::joint::{StoredIn, Two};
 use super::loads::Drive;
 use super::release::{self, Release};
 use super::rotary_spring::{RotaryDamper, RotaryLaw, RotarySpring};
-use super::{Acceleration, ElasticHinge, Frame, Joint, JointMotion, Law, Rotation, Spatial, Turn};
+use super::{Acceleration, ElasticHinge, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
@@ -13,6 +13,7 @@ use crate::relation::space::algebra::{Columns, Symmetric3, centripetal, cross, c
 use crate::relation::space::{BallGain, Full, Point, Relation, Rigid, Slides};
 use crate::relation::{Absent, Closures, Term};
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use nalgebra::Vector3;
 
 /// Springs and dampers between the two points of a hinge, along the axes of the inboard body; [`Spring::none`](super::Spring::none) for
@@ -30,7 +31,7 @@ pub struct Linear<T, X, Y, Z> {
     lumped: T,
 }
 
-impl<T: Scalar, X: Law<T>, Y: Law<T>, Z: Law<T>> Linear<T, X, Y, Z> {
+impl<T: Scalar, X: SpringLaw<T>, Y: SpringLaw<T>, Z: SpringLaw<T>> Linear<T, X, Y, Z> {
     pub(super) fn new(x: X, y: Y, z: Z) -> Self {
         Self { x, y, z, lumped: T::zero() }
     }
@@ -38,8 +39,7 @@ impl<T: Scalar, X: Law<T>, Y: Law<T>, Z: Law<T>> Linear<T, X, Y, Z> {
     /// Forces along the axes.
     #[inline(always)]
     pub(super) fn force(&self, [x, y, z]: [T; 3], [u, v, w]: [T; 3]) -> Vector3<T> {
-        let none = T::zero();
-        Vector3::new(self.x.force_onto(x, u, none), self.y.force_onto(y, v, none), self.z.force_onto(z, w, none))
+        Vector3::new(self.x.force(x, u), self.y.force(y, v), self.z.force(z, w))
     }
 
     /// K̂ along the axes.
@@ -158,9 +158,9 @@ impl<T, R, X, Y, Z> ElasticHinge<R, Linear<T, X, Y, Z>>
 where
     T: Scalar,
     R: RotaryLaw<T>,
-    X: Law<T>,
-    Y: Law<T>,
-    Z: Law<T>,
+    X: SpringLaw<T>,
+    Y: SpringLaw<T>,
+    Z: SpringLaw<T>,
 {
     /// The accelerations of the coordinates and of the outboard side, from those of the inboard one and of what is carried with it.
     #[inline(always)]
@@ -184,9 +184,9 @@ impl<T, R, X, Y, Z> Joint<T> for ElasticHinge<R, Linear<T, X, Y, Z>>
 where
     T: Scalar,
     R: RotaryLaw<T>,
-    X: Law<T>,
-    Y: Law<T>,
-    Z: Law<T>,
+    X: SpringLaw<T>,
+    Y: SpringLaw<T>,
+    Z: SpringLaw<T>,
 {
     type Position = ([T; 3], Rotation<T>);
     type Rate = ([T; 3], [T; 3]);
@@ -212,8 +212,13 @@ where
         T::zero()
     }
     /// Three absolute angles 1-2-3; the displacement stays.
-    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-        ElasticHinge { rotary: self.rotary, linear: Absent }.aim(&mut position.1, inboard, next)
+    fn configure(
+        &self,
+        position: &mut Self::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T> {
+        ElasticHinge { rotary: self.rotary, linear: Absent }.configure(&mut position.1, inboard, next)
     }
     #[inline(always)]
     fn oriented(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> (Turn<T>, StoredIn<T, Self>) {
@@ -296,9 +301,9 @@ impl<T, S, X, Y, Z, R, W> Condense<Spatial<T>, R, W> for ElasticHinge<S, Linear<
 where
     T: Scalar,
     S: RotaryElimination<T, W::Springs>,
-    X: Law<T>,
-    Y: Law<T>,
-    Z: Law<T>,
+    X: SpringLaw<T>,
+    Y: SpringLaw<T>,
+    Z: SpringLaw<T>,
     R: Rigid<T>,
     W: Sweep<Spatial<T>, Springs: BallRule<T> + SlideRule<T>, Closures = R::Closures>,
     InJoint<Spatial<T>, W>: Drive<T>,

@@ -77,7 +77,7 @@ impl<T: Scalar> Closing<Spatial<T>> for Ball {
     fn internal(&self, forces: &[T; 3], _: Ends<'_, Spatial<T>, Self>) -> Internal<T> {
         Internal { force: -Vector3::from(*forces), torque: zero() }
     }
-    fn miss(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 3]; 2] {
+    fn residual(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 3]; 2] {
         [(side.place - main.place).into(), (side.velocity - main.velocity).into()]
     }
     fn free_compliance(&self, body: &BodyMotion<T>) -> [T; 3] {
@@ -118,7 +118,7 @@ impl<T: Scalar> Closing<Spatial<T>> for Weld<T> {
     fn internal(&self, &[a, b, c, d, e, f]: &[T; 6], _: Ends<'_, Spatial<T>, Self>) -> Internal<T> {
         Internal { force: -Vector3::new(a, b, c), torque: Vector3::new(d, e, f) }
     }
-    fn miss(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 6]; 2] {
+    fn residual(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 6]; 2] {
         let (place, velocity) = (side.place - main.place, side.velocity - main.velocity);
         // For a small turn δ of the body's axes against those demanded, Σ d_k × (d_k + δ × d_k) = 2 δ.
         let (own, held) = (side.turn.attitude.times(self.attitude()), main.turn.attitude);
@@ -198,7 +198,7 @@ impl<T: Scalar> Closing<Spatial<T>> for Revolute<T> {
     fn internal(&self, &[x, y, z, e, f]: &[T; 5], axes: Ends<'_, Spatial<T>, Self>) -> Internal<T> {
         Internal { force: -Vector3::new(x, y, z), torque: axes.y[0] * e + axes.y[1] * f }
     }
-    fn miss(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 5]; 2] {
+    fn residual(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 5]; 2] {
         let (place, velocity) = (side.place - main.place, side.velocity - main.velocity);
         let [e, f] = normals(self.axis()).map(|e| main.turn.attitude.apply(e));
         let (own, held) = (side.turn.attitude.apply(self.axis()), main.turn.attitude.apply(self.axis()));

@@ -80,7 +80,7 @@ impl<T: Scalar> Rotation<T> {
         (tangent * series.scale(T::Real::of(16.0))).into()
     }
 
-    /// The same attitude by the quaternion with w ≥ 0, of at most half a turn. It decides by the real part, of lanes by the first to
+    /// This attitude by the quaternion with w ≥ 0, of at most half a turn. It decides by the real part, of lanes by the first to
     /// stray; for input and output.
     #[must_use]
     pub fn shortest(&self) -> Self {

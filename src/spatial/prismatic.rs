@@ -1,13 +1,14 @@
 //! The prismatic joint.
 
+use super::Turn;
 use super::axial::{Axial, Relative, check_axis, unit};
-use super::{Turn, spring::Law, spring::Spring};
 use crate::element::Implicit;
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::space::Way;
 use crate::relation::space::algebra::zero;
 use crate::scalar::Scalar;
+use crate::spring::{Spring, SpringLaw};
 use nalgebra::Vector3;
 
 /// Two bodies slide along an axis without turning.
@@ -31,12 +32,12 @@ impl<T: Scalar> Prismatic<T> {
     }
 
     /// With a spring, a damper, or both.
-    pub fn with<L: Law<T>>(self, law: L) -> Prismatic<T, L> {
+    pub fn with<L: SpringLaw<T>>(self, law: L) -> Prismatic<T, L> {
         Prismatic { axis: self.axis, law, lumped: self.lumped }
     }
 }
 
-impl<T: Scalar, L: Law<T>> Axial<T, 1> for Prismatic<T, L> {
+impl<T: Scalar, L: SpringLaw<T>> Axial<T, 1> for Prismatic<T, L> {
     type Coordinates = T;
     const WAYS: [Way; 1] = [Way::Slide];
     const SLIDES: bool = true;
@@ -56,8 +57,8 @@ impl<T: Scalar, L: Law<T>> Axial<T, 1> for Prismatic<T, L> {
         }
     }
     #[inline(always)]
-    fn force_onto(&self, _: usize, position: T, rate: T, sum: T) -> T {
-        self.law.force_onto(position, rate, sum)
+    fn force(&self, _: usize, position: T, rate: T) -> T {
+        self.law.force(position, rate)
     }
     #[inline(always)]
     fn pivot(&self, _: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T {

@@ -3,23 +3,15 @@
 use super::axial::{Axial, Listed};
 use super::axial_walks::{angular_bias, linear_bias};
 use super::rotary_spring::RotaryLaw;
-use super::spring::Law;
 use super::{Ball, ElasticHinge, Floating, JointMotion, Linear, Rotation, Spatial, Weld};
-use crate::element::Implicit;
 use crate::relation::space::algebra::{Columns, centripetal, cross, cross_onto, dot};
-use crate::release::{Freedom, Resistance, Way};
+use crate::release::{Freedom, Resistance, Way, slopes};
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use nalgebra::Vector3;
-use num_traits::{One, Zero};
 
 /// What a joint in space lets move.
 pub type Release<T> = crate::release::Release<Spatial<T>>;
-
-/// The slopes of a law, by what it adds to pivots.
-fn slopes<T: Scalar, X>(pivot: impl Fn(Implicit<T::Real>) -> X) -> [X; 2] {
-    let (zero, one) = (T::Real::zero(), T::Real::one());
-    [(one, zero), (zero, one)].map(|(position, rate)| pivot(Implicit { position, rate }))
-}
 
 /// With turns about the axes of a body, against a law.
 fn turning<T: Scalar>(release: Release<T>, axes: &Columns<T>, turns: [Turning<T>; 3]) -> Release<T> {
@@ -50,16 +42,8 @@ fn resisting<T: Scalar, R: RotaryLaw<T>>(law: &R, position: &Rotation<T>, rate: 
 }
 
 /// A coordinate that slides along an axis against a law.
-fn sliding<T: Scalar>(axis: Vector3<T>, law: &impl Law<T>, position: T, rate: T) -> Freedom<Spatial<T>> {
-    let (resistance, preload) = read(law, position, rate);
-    Freedom::smooth(Way::Slide, axis).undriven().against(resistance, preload)
-}
-
-/// What a law of one coordinate does.
-fn read<T: Scalar>(law: &impl Law<T>, position: T, rate: T) -> Turning<T> {
-    let zero = T::zero();
-    let [stiffness, damping] = slopes::<T, _>(|springs| law.pivot(position, rate, springs));
-    (Resistance { force: law.force_onto(position, rate, zero), stiffness, damping }, law.force_onto(zero, zero, zero))
+fn sliding<T: Scalar>(axis: Vector3<T>, law: &impl SpringLaw<T>, position: T, rate: T) -> Freedom<Spatial<T>> {
+    Freedom::smooth(Way::Slide, axis).undriven().sprung(law, [position, rate])
 }
 
 pub(super) fn weld<T: Scalar>(_: &Weld<T>, _: &JointMotion<T>, (): &(), (): &()) -> Release<T> {
@@ -83,7 +67,7 @@ pub(super) fn rotary<T: Scalar, R: RotaryLaw<T>>(
     turning(release, &outer.attitude, resisting(&joint.rotary, position, rate))
 }
 
-pub(super) fn elastic<T: Scalar, R: RotaryLaw<T>, X: Law<T>, Y: Law<T>, Z: Law<T>>(
+pub(super) fn elastic<T: Scalar, R: RotaryLaw<T>, X: SpringLaw<T>, Y: SpringLaw<T>, Z: SpringLaw<T>>(
     joint: &ElasticHinge<R, Linear<T, X, Y, Z>>,
     motion: &JointMotion<T>,
     (place, turn): &([T; 3], Rotation<T>),
@@ -135,8 +119,8 @@ pub(super) fn axial<T: Scalar, J: Axial<T, K>, const K: usize>(
     };
     for k in 0..K {
         let [stiffness, damping] = slopes::<T, _>(|springs| joint.pivot(k, position[k], rate[k], springs));
-        let resistance = Resistance { force: joint.force_onto(k, position[k], rate[k], zero), stiffness, damping };
-        let preload = joint.force_onto(k, zero, zero, zero);
+        let resistance = Resistance { force: joint.force(k, position[k], rate[k]), stiffness, damping };
+        let preload = joint.force(k, zero, zero);
         release = release.with(Freedom::smooth(J::WAYS[k], relative.axes[k]).against(resistance, preload));
     }
     release

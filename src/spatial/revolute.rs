@@ -1,14 +1,15 @@
 //! The revolute joint.
 
+use super::Turn;
 use super::axial::{Axial, Relative, check_axis, unit};
 use super::maps::about;
-use super::{Turn, spring::Law, spring::Spring};
 use crate::element::Implicit;
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::space::Way;
 use crate::relation::space::algebra::zero;
 use crate::scalar::Scalar;
+use crate::spring::{Spring, SpringLaw};
 use nalgebra::Vector3;
 
 /// Two bodies share a point and an axis, and turn about it.
@@ -42,12 +43,12 @@ impl<T: Scalar> Revolute<T> {
     }
 
     /// With a spring, a damper, or both.
-    pub fn with<L: Law<T>>(self, law: L) -> Revolute<T, L> {
+    pub fn with<L: SpringLaw<T>>(self, law: L) -> Revolute<T, L> {
         Revolute { axis: self.axis, law }
     }
 }
 
-impl<T: Scalar, L: Law<T>> Axial<T, 1> for Revolute<T, L> {
+impl<T: Scalar, L: SpringLaw<T>> Axial<T, 1> for Revolute<T, L> {
     type Coordinates = T;
     const WAYS: [Way; 1] = [Way::Turn];
     const SLIDES: bool = false;
@@ -67,8 +68,8 @@ impl<T: Scalar, L: Law<T>> Axial<T, 1> for Revolute<T, L> {
         }
     }
     #[inline(always)]
-    fn force_onto(&self, _: usize, position: T, rate: T, sum: T) -> T {
-        self.law.force_onto(position, rate, sum)
+    fn force(&self, _: usize, position: T, rate: T) -> T {
+        self.law.force(position, rate)
     }
     #[inline(always)]
     fn pivot(&self, _: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T {

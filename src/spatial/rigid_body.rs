@@ -47,7 +47,7 @@ impl<T: Scalar> RigidBody<T> {
 }
 
 impl<T: Real> RigidBody<T> {
-    /// The same body with the nearest inertia that a body has: see [`Inertia::repaired`].
+    /// This body with the nearest inertia that a body has: see [`Inertia::repaired`].
     ///
     /// ```
     /// use catena::spatial::{Body, RigidBody};

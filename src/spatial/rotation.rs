@@ -198,7 +198,7 @@ impl<T: Scalar> Position<T> for Rotation<T> {
 
     // ω = p₀ v̇ + ¼ v (v · v̇) / p₀ − ½ v × v̇
     #[inline(always)]
-    fn land(&self, from: &Self, rate: &mut [T; 3]) {
+    fn retract_rate(&self, from: &Self, rate: &mut [T; 3]) {
         let step = self.relative_to(from);
         let derivative = Vector3::from(*rate);
         let along = dot(step.v, derivative) / step.w;
@@ -207,7 +207,7 @@ impl<T: Scalar> Position<T> for Rotation<T> {
     }
 
     #[inline(always)]
-    fn unroll(&self, from: &Self, rate: &[T; 3], acceleration: &mut [T; 3]) {
+    fn inverse_retract_acceleration(&self, from: &Self, rate: &[T; 3], acceleration: &mut [T; 3]) {
         let step = self.relative_to(from);
         let (spin, angular) = (Vector3::from(*rate), Vector3::from(*acceleration));
         let square = dot(spin, spin).scale(T::Real::of(-0.5));

@@ -13,9 +13,9 @@ const SWEEPS: usize = 8;
 
 /// Principal second moments.
 pub(super) struct SecondMoments<R> {
-    /// Their values (kg·m²).
+    /// Principal second moments (kg·m²).
     values: [R; 3],
-    /// Their axes, in columns.
+    /// Principal axes, in columns.
     axes: [[R; 3]; 3],
 }
 
@@ -35,7 +35,7 @@ impl<R: Real> SecondMoments<R> {
         Self { values: core::array::from_fn(|k| matrix[k][k]), axes }
     }
 
-    /// The least of them (kg·m²).
+    /// The least second moment (kg·m²).
     pub fn least(&self) -> R {
         self.values[1..].iter().fold(self.values[0], |least, x| x.min(least))
     }

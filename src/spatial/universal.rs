@@ -1,14 +1,15 @@
 //! The universal joint.
 
+use super::Turn;
 use super::axial::{Axial, Relative, check_axis, unit};
 use super::maps::about;
-use super::{Turn, spring::Law, spring::Spring};
 use crate::element::Implicit;
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::space::Way;
 use crate::relation::space::algebra::{cross, dot, zero};
 use crate::scalar::{Real, Scalar};
+use crate::spring::{Spring, SpringLaw};
 use nalgebra::Vector3;
 
 /// Two bodies share a point, and turn about two axes: the first fixed to the inboard body, the second to the outboard one.
@@ -28,12 +29,12 @@ impl<T: Scalar> Universal<T> {
     }
 
     /// With springs and dampers about the first and the second axis.
-    pub fn with<L: Law<T>, M: Law<T>>(self, first: L, second: M) -> Universal<T, L, M> {
+    pub fn with<L: SpringLaw<T>, M: SpringLaw<T>>(self, first: L, second: M) -> Universal<T, L, M> {
         Universal { axes: self.axes, first, second }
     }
 }
 
-impl<T: Scalar, L: Law<T>, M: Law<T>> Axial<T, 2> for Universal<T, L, M> {
+impl<T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>> Axial<T, 2> for Universal<T, L, M> {
     type Coordinates = [T; 2];
     const WAYS: [Way; 2] = [Way::Turn, Way::Turn];
     const SLIDES: bool = false;
@@ -56,8 +57,8 @@ impl<T: Scalar, L: Law<T>, M: Law<T>> Axial<T, 2> for Universal<T, L, M> {
         }
     }
     #[inline(always)]
-    fn force_onto(&self, k: usize, position: T, rate: T, sum: T) -> T {
-        if k == 0 { self.first.force_onto(position, rate, sum) } else { self.second.force_onto(position, rate, sum) }
+    fn force(&self, k: usize, position: T, rate: T) -> T {
+        if k == 0 { self.first.force(position, rate) } else { self.second.force(position, rate) }
     }
     #[inline(always)]
     fn pivot(&self, k: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T {

@@ -30,7 +30,7 @@ impl<T: Scalar> Weld<T> {
         Self { attitude: attitude.matrix() }
     }
 
-    /// That attitude: axes of the outboard body in those of the inboard one.
+    /// Attitude of the outboard body relative to the inboard one: axes of the former in those of the latter.
     pub fn attitude(&self) -> &Columns<T> {
         &self.attitude
     }
@@ -48,7 +48,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     fn is_finite<C: Closures>((): &()) -> bool {
         true
     }
-    fn aim(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+    fn configure(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         self.oriented(&(), &(), inboard).0
     }
     #[inline(always)]

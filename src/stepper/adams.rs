@@ -14,7 +14,7 @@ use num_traits::Zero;
 /// How many motions a predictor reads.
 const DEPTH: usize = 4;
 
-/// How near they may be to each other, as a share of the step.
+/// How near these motions may be to each other, as a share of the step.
 const NEAREST: f64 = 0.05;
 
 /// The weights of a step.
@@ -45,7 +45,7 @@ impl Pece {
         Self { nodes: *nodes, predictor: Weights::new(&known, 1.0), corrector, difference, growth }
     }
 
-    /// Those of these nodes. Equal steps, whose times are rounded, share theirs.
+    /// Takes the weights of these nodes. Equal steps, whose times are rounded, share theirs.
     fn update(&mut self, nodes: &[f64; DEPTH + 1]) {
         const EQUAL: [f64; DEPTH + 1] = [1.0, 0.0, -1.0, -2.0, -3.0];
         let near = |(a, b): (&f64, &f64)| (-1e-11..=1e-11).contains(&(a - b));
@@ -80,10 +80,10 @@ pub struct AdamsStepper<D: Dynamics<L>, L> {
     memory: AdamsMemory<MotionIn<D, L>>,
     /// Accelerations: predicted, and of the past motions.
     slopes: [D::Rate; DEPTH + 1],
-    /// When they were, as shares of the step.
+    /// When the accelerations were, as shares of the step.
     nodes: [f64; DEPTH + 1],
     weights: Pece,
-    /// Whether they made the last step.
+    /// Whether the weights of past accelerations made the last step.
     own: bool,
     stage: (D::Position, D::Rate),
     estimate: (D::Rate, D::Rate),
@@ -187,7 +187,7 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
         for (slope, before) in slopes[1..].iter_mut().zip(self.memory.history()) {
             slope.set(&before.acceleration);
             if D::Position::CURVED {
-                before.position.unroll(&past.position, &before.rate, slope);
+                before.position.inverse_retract_acceleration(&past.position, &before.rate, slope);
             }
         }
         next.time = past.time + dt;
@@ -196,16 +196,16 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
         let predicted = (predictor.position.as_slice(), predictor.rate.as_slice());
         displace(past, &slopes[1..], 1.0, predicted, dt, (zero, &mut estimate.0), (position, rate));
         if D::Position::CURVED {
-            position.land(&past.position, rate);
+            position.retract_rate(&past.position, rate);
         }
         start.scene.accelerations(next.time, position, rate, loads, &mut start.workspace, &mut slopes[0]);
         if D::Position::CURVED {
-            position.unroll(&past.position, rate, &mut slopes[0]);
+            position.inverse_retract_acceleration(&past.position, rate, &mut slopes[0]);
         }
         let corrected = (corrector.position.as_slice(), corrector.rate.as_slice());
         displace(past, slopes, 1.0, corrected, dt, (zero, &mut estimate.0), (&mut next.position, &mut next.rate));
         if D::Position::CURVED {
-            next.position.land(&past.position, &mut next.rate);
+            next.position.retract_rate(&past.position, &mut next.rate);
         }
         start.scene.project(next, &mut start.workspace);
         let Motion { time, position, rate, acceleration, multipliers } = next;
@@ -288,7 +288,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
         let Motion { position, rate, .. } = between;
         displace(past, slopes, theta, (&of_position, &of_rate), dt, (zero, &mut estimate.0), (position, rate));
         if D::Position::CURVED {
-            position.land(&past.position, rate);
+            position.retract_rate(&past.position, rate);
         }
         between.time = past.time + TimeIn::<D, L>::of(theta) * dt;
         start.scene.project(between, &mut start.workspace);

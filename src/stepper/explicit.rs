@@ -58,12 +58,12 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         let (weights, room) = (row_weights::<M>(row), (&self.zero, &mut self.estimate.0));
         displace(past, slopes, M::node(row), weights, dt, room, (position, rate));
         if D::Position::CURVED {
-            position.land(&past.position, rate);
+            position.retract_rate(&past.position, rate);
         }
         let time = past.time + TimeIn::<D, L>::of(M::node(row)) * dt;
         self.scene.accelerations(time, position, rate, loads, &mut self.workspace, &mut slopes[row]);
         if D::Position::CURVED {
-            position.unroll(&past.position, rate, &mut slopes[row]);
+            position.inverse_retract_acceleration(&past.position, rate, &mut slopes[row]);
         }
         self.sweeps += 1;
     }
@@ -139,7 +139,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         let (weights, room) = (row_weights::<M>(M::STAGES), (&self.zero, &mut self.estimate.0));
         displace(past, slopes, M::node(M::STAGES), weights, dt, room, (&mut next.position, &mut next.rate));
         if D::Position::CURVED {
-            next.position.land(&past.position, &mut next.rate);
+            next.position.retract_rate(&past.position, &mut next.rate);
         }
         // The gains of the last stage serve to project, so that the sweep that follows sees a closed scene.
         self.scene.project(next, &mut self.workspace);
@@ -149,7 +149,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         let last = &mut self.slopes.as_mut()[M::STAGES];
         last.set(&next.acceleration);
         if D::Position::CURVED {
-            next.position.unroll(&past.position, &next.rate, last);
+            next.position.inverse_retract_acceleration(&past.position, &next.rate, last);
         }
         match self.scene.accept(next) {
             Ok(()) => Ok(()),
@@ -240,7 +240,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         let Motion { position, rate, .. } = between;
         displace(past, self.slopes.as_ref(), theta, weights, dt, room, (position, rate));
         if D::Position::CURVED {
-            position.land(&past.position, rate);
+            position.retract_rate(&past.position, rate);
         }
         between.time = past.time + TimeIn::<D, L>::of(theta) * dt;
         self.scene.project(between, &mut self.workspace);

@@ -57,7 +57,7 @@ pub struct Trace<R, P, V> {
 }
 
 impl<R: Real, P, V> Trace<R, P, V> {
-    /// Whether it is of this motion.
+    /// Whether the trace is of this motion.
     fn is_of<T: Scalar<Real = R>, C: Closures>(&self, motion: &Motion<T, P, C>) -> bool
     where
         P: Position<T, Rate = V>,

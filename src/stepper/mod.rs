@@ -15,7 +15,7 @@ use num_traits::Zero;
 
 pub use adams::{AdamsMemory, AdamsStepper};
 pub use explicit::ExplicitStepper;
-pub use implicit::{ImplicitMemory, ImplicitStepper, Trace};
+pub use implicit::{ImplicitMemory, ImplicitStepper};
 pub use sdirk::SdirkStepper;
 pub use taylor::TaylorStepper;
 
@@ -62,7 +62,7 @@ fn of_stage(error: Error) -> Error {
     note = "`Dop853` runs all scenes"
 )]
 pub trait Method<D: Dynamics<L>, L> {
-    /// Its stepper.
+    /// Stepper of the method.
     type Stepper: Stepper<D, L>;
 
     /// A stepper for a scene, or for a reference to one.
@@ -92,7 +92,7 @@ pub trait Stepper<D: Dynamics<L>, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error>;
 
-    /// The same where `past` holds the accelerations that belong to it under these loads: one sweep less.
+    /// Advances by a step where `past` holds the accelerations that belong to it under these loads: one sweep less.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -146,11 +146,11 @@ pub trait Stepper<D: Dynamics<L>, L> {
     /// Sweeps made so far.
     fn sweeps(&self) -> usize;
 
-    /// What it carries from step to step besides the motion.
+    /// What the stepper carries from step to step besides the motion.
     type Memory: Clone;
 
-    /// A copy of what it carries. With it and the last motion, another stepper of the same method for the same scene goes on bit by bit
-    /// as this one would.
+    /// A copy of what the stepper carries. With it and the last motion, another stepper of the same method for the same scene goes on bit
+    /// by bit as this one would.
     ///
     /// ```
     /// use catena::planar::*;

@@ -87,10 +87,10 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
                 self.led.set(&self.zero);
             }
             if D::Position::CURVED {
-                self.at.0.land(&past.position, &mut self.at.1);
+                self.at.0.retract_rate(&past.position, &mut self.at.1);
             }
         } else {
-            self.aim(springs, stage - 1, past, real(node) * dt);
+            self.set_geometry(springs, stage - 1, past, real(node) * dt);
         }
         for sweep in 0..sweeps {
             // Where closures are nearly dependent, a geometry that misses them by little is led astray.
@@ -116,21 +116,27 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
             }
             if D::Position::CURVED {
                 next.acceleration.set(&self.slopes[stage]);
-                self.at.0.unroll(&past.position, &self.at.1, &mut self.slopes[stage]);
+                self.at.0.inverse_retract_acceleration(&past.position, &self.at.1, &mut self.slopes[stage]);
             }
-            self.aim(springs, stage, past, real(node) * dt);
+            self.set_geometry(springs, stage, past, real(node) * dt);
         }
     }
 
     /// Takes the geometry of the next sweep where these accelerations bring the stage under way, `time` after the start.
-    fn aim(&mut self, springs: Implicit<TimeIn<D, L>>, slope: usize, past: &MotionIn<D, L>, time: TimeIn<D, L>) {
+    fn set_geometry(
+        &mut self,
+        springs: Implicit<TimeIn<D, L>>,
+        slope: usize,
+        past: &MotionIn<D, L>,
+        time: TimeIn<D, L>,
+    ) {
         let slope = &self.slopes[slope];
         self.at.1.mix_1(&self.free.1, (springs.rate, slope));
         if D::Position::CURVED {
             // Coordinates of the step add up, positions do not.
             let (increment, own) = ((TimeIn::<D, L>::one(), &self.room), (springs.position, slope));
             self.at.0.drift_2(&past.position, (time, &past.rate), increment, own);
-            self.at.0.land(&past.position, &mut self.at.1);
+            self.at.0.retract_rate(&past.position, &mut self.at.1);
         } else {
             self.at.0.drift_1(&self.free.0, (Zero::zero(), &self.zero), (springs.position, slope));
         }

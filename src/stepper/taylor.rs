@@ -18,12 +18,12 @@ const MOST: usize = 32;
 pub struct TaylorStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
     scene: D,
     series: D::Series,
-    /// Where the series was expanded.
+    /// Motion at which the series was expanded.
     origin: MotionIn<D, L>,
     expanded: bool,
-    /// How far it reaches (s) for a tolerance.
+    /// A tolerance, and how far the series reaches for it (s).
     reached: Option<[TimeIn<D, L>; 2]>,
-    /// Where the next one has begun: at the end of the last step.
+    /// Motion at which the next series has begun: the end of the last step.
     ahead: MotionIn<D, L>,
     begun: bool,
     scratch: D::Rate,

@@ -8,7 +8,7 @@ use crate::element::{Element, Level, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
-use crate::observe::each_miss;
+use crate::observe::each_residual;
 use crate::relation::{Closures, Geometry};
 use crate::scalar::{Real, Scalar};
 use alloc::vec;
@@ -27,7 +27,7 @@ pub struct Holding<'a> {
 }
 
 impl<'a> Holding<'a> {
-    /// These coordinates stay, and their rates.
+    /// Holds the positions and the rates of these coordinates.
     pub const fn both(coordinates: &'a [usize]) -> Self {
         Self { positions: coordinates, rates: coordinates }
     }
@@ -65,8 +65,8 @@ pub type AssembledOf<S, R, C, P> = Assembled<MotionOf<S, R, C, P>, <S as Geometr
 
 /// Conditions of a motion, and how they change with its coordinates.
 struct Conditions<T> {
-    /// By how much each is missed, in place and in velocity.
-    misses: Vec<[T; 2]>,
+    /// Residuals of the conditions, in place and in velocity.
+    residuals: Vec<[T; 2]>,
     /// Changes of velocity for unit rates.
     rows: Vec<Vec<T>>,
 }
@@ -78,7 +78,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// With nothing held it is what `assembled` finds, which measures changes by the inertia of the scene.
     ///
     /// ```
-    /// use catena::element::Unloaded;
+    /// use catena::loading::Unloaded;
     /// use catena::planar::*;
     /// use catena::system::Holding;
     /// let rod = |length| Rod::uniform(length, 1.0);
@@ -124,36 +124,38 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 
     /// All conditions: of the tip, and of loops.
     fn conditions(&self, motion: &MotionOf<S, R, C, P>) -> Conditions<S::Scalar> {
-        let misses = |motion: &MotionOf<S, R, C, P>| {
-            let mut misses = vec![];
-            let [place, velocity] = self.miss(motion);
-            P::Closures::zip(&place, &velocity, |place, velocity| misses.push([place, velocity]));
-            each_miss(&self.chain, self.root.ground(motion.time), coordinates(motion), |miss| misses.push(miss));
-            misses
+        let residuals = |motion: &MotionOf<S, R, C, P>| {
+            let mut residuals = vec![];
+            let [place, velocity] = self.residual(motion);
+            P::Closures::zip(&place, &velocity, |place, velocity| residuals.push([place, velocity]));
+            each_residual(&self.chain, self.root.ground(motion.time), coordinates(motion), |residual| {
+                residuals.push(residual)
+            });
+            residuals
         };
         let mut moving = motion.clone();
         let freedoms = numbers(&motion.rate).len();
         set(&mut moving.rate, core::iter::empty());
-        let still = misses(&moving);
+        let still = residuals(&moving);
         let mut rows = vec![Vec::with_capacity(freedoms); still.len()];
         for j in 0..freedoms {
             set(&mut moving.rate, unit(freedoms, j));
-            for (row, ([_, with], [_, without])) in rows.iter_mut().zip(misses(&moving).into_iter().zip(&still)) {
+            for (row, ([_, with], [_, without])) in rows.iter_mut().zip(residuals(&moving).into_iter().zip(&still)) {
                 row.push(with - *without);
             }
         }
-        Conditions { misses: misses(motion), rows }
+        Conditions { residuals: residuals(motion), rows }
     }
 
-    /// Moves the coordinates that are not held until nothing but rounding is missed.
+    /// Moves the coordinates that are not held until residuals are nothing but rounding.
     fn close_places(&self, motion: &mut MotionOf<S, R, C, P>, held: &[bool]) -> Result<(), Error> {
         let (small, tiny) = Self::tolerances();
         let share = RealOf::<S>::of(super::hold::SHARE);
         let mut step = motion.rate.clone();
         let mut last = RealOf::<S>::INFINITY;
         for pass in 0..CORRECTIONS {
-            let Conditions { misses, rows } = self.conditions(motion);
-            let wanted: Vec<_> = misses.iter().map(|[place, _]| -*place).collect();
+            let Conditions { residuals, rows } = self.conditions(motion);
+            let wanted: Vec<_> = residuals.iter().map(|[place, _]| -*place).collect();
             let change = least_change(rows, &wanted, held);
             let most = change.iter().fold(RealOf::<S>::zero(), |most, x| most.max(x.real().abs()));
             // Too far for a correction that is linear.
@@ -169,11 +171,11 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             }
             last = length;
         }
-        let (miss, place) = self.worst_miss(motion, Level::Place);
-        if miss <= small {
+        let (residual, place) = self.largest_residual(motion, Level::Place);
+        if residual <= small {
             return Ok(());
         }
-        let fault = Fault::ImpossibleHold { what: "coordinates", miss: miss.as_f64() };
+        let fault = Fault::ImpossibleHold { what: "coordinates", residual: residual.as_f64() };
         Err(Error::new(fault).at(place).at_time(motion.time.as_f64()))
     }
 
@@ -182,18 +184,18 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let mut change = motion.rate.clone();
         // They are linear in the rates: the second time is for rounding.
         for _ in 0..2 {
-            let Conditions { misses, rows } = self.conditions(motion);
-            let wanted: Vec<_> = misses.iter().map(|[_, velocity]| -*velocity).collect();
+            let Conditions { residuals, rows } = self.conditions(motion);
+            let wanted: Vec<_> = residuals.iter().map(|[_, velocity]| -*velocity).collect();
             set(&mut change, least_change(rows, &wanted, held));
             motion.rate.add(&change);
         }
         let mut size = RealOf::<S>::one();
         motion.rate.visit(&mut |x| size = size.max(x.real().abs()));
-        let (miss, place) = self.worst_miss(motion, Level::Velocity);
-        if miss <= Self::tolerances().0 * size {
+        let (residual, place) = self.largest_residual(motion, Level::Velocity);
+        if residual <= Self::tolerances().0 * size {
             return Ok(());
         }
-        let fault = Fault::ImpossibleHold { what: "rates", miss: miss.as_f64() };
+        let fault = Fault::ImpossibleHold { what: "rates", residual: residual.as_f64() };
         Err(Error::new(fault).at(place).at_time(motion.time.as_f64()))
     }
 }

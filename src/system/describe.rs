@@ -94,19 +94,19 @@ enum Numbers {
 }
 
 /// Tells all bodies and joints of a scene with their numbers. The first is the root's joint.
-fn each<S: Space, E: Element<S>>(elements: &E, tell: &mut impl FnMut(Part, Numbers)) {
+fn each<S: Space, E: Element<S>>(elements: &E, report: &mut impl FnMut(Part, Numbers)) {
     let (mut entries, mut bodies, mut joints, mut coordinates, mut rates) = (0_usize, 0, 0, 0, 0);
     parts(elements, &mut |part| {
         let station = entries.checked_sub(1);
         entries += 1;
         match part.sort {
             Sort::Body => {
-                tell(part, Numbers::Body(BodyNumbers { body: bodies, station: station.unwrap_or(0) }));
+                report(part, Numbers::Body(BodyNumbers { body: bodies, station: station.unwrap_or(0) }));
                 bodies += 1;
             }
             Sort::Joint { coordinates: own, rates: own_rates } => {
                 let next = (coordinates + own, rates + own_rates);
-                tell(
+                report(
                     part,
                     Numbers::Joint(JointNumbers {
                         joint: joints,

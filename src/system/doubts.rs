@@ -24,8 +24,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// arm.doubts(|_| unreachable!());
     /// # Ok::<(), catena::Error>(())
     /// ```
-    pub fn doubts(&self, tell: impl FnMut(Error)) {
+    pub fn doubts(&self, report: impl FnMut(Error)) {
         let motion = self.motion();
-        doubts(&self.chain, self.root.ground(motion.time), coordinates(&motion), tell);
+        doubts(&self.chain, self.root.ground(motion.time), coordinates(&motion), report);
     }
 }

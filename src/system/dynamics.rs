@@ -20,7 +20,7 @@ pub trait Dynamics<L> {
     type Scalar: Scalar;
     /// Positions of the joint coordinates.
     type Position: Position<Self::Scalar, Rate = Self::Rate>;
-    /// Their rates.
+    /// Rates of the joint coordinates.
     type Rate: Rate<Self::Scalar>;
     /// Forces that hold the tip.
     type Closures: Closures;
@@ -61,16 +61,16 @@ pub trait Dynamics<L> {
         workspace: &mut Self::Workspace,
     );
 
-    /// Moves a motion whose loops are far from closed towards it, as [`project`](Self::project) does, but no coordinate by more than
-    /// a share (rad, m).
-    fn draw(
+    /// A Newton step of assembly, shortened: moves a motion whose loops are far from closed as [`project`](Self::project) does, but no
+    /// coordinate by more than a share (rad, m).
+    fn assembly_step(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
         share: <Self::Scalar as Scalar>::Real,
         workspace: &mut Self::Workspace,
     );
 
-    /// Whether the closures that hold the tip and close loops are independent, after a sweep at this motion; tells entries (0 is the
+    /// Whether the closures that hold the tip and close loops are independent, after a sweep at this motion; reports entries (0 is the
     /// root's joint) and names of those that need not be. Those that are all but dependent count as such, too, down to the `least` share
     /// of what a free body would yield.
     ///
@@ -82,7 +82,7 @@ pub trait Dynamics<L> {
         motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
         workspace: &Self::Workspace,
         least: f64,
-        tell: &mut impl FnMut(usize, &'static str),
+        report: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error>;
 
     /// Whether a motion may stand: finite, and no angle out of range.
@@ -111,10 +111,10 @@ pub trait StiffDynamics<L>: Dynamics<L> {
     /// What joints keep from sweep to sweep.
     type Gains: Clone;
 
-    /// That of a workspace: with it, what comes next in another workspace is the same, bit by bit.
+    /// The gains of a workspace: with them, what comes next in another workspace is the same, bit by bit.
     fn gains<'w>(&self, workspace: &'w Self::StiffWorkspace) -> &'w Self::Gains;
 
-    /// Puts it into a workspace.
+    /// Puts gains into a workspace.
     fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains);
 
     /// Room for implicit sweeps.
@@ -136,7 +136,7 @@ pub trait StiffDynamics<L>: Dynamics<L> {
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L>;
 
-    /// The same through the gains of the last implicit sweep.
+    /// Corrects positions and rates as [`project`](Dynamics::project) does, through the gains of the last implicit sweep.
     fn project_stiff(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
@@ -149,7 +149,8 @@ pub trait StiffDynamics<L>: Dynamics<L> {
 /// It suffices for explicit rules. Code that hands a generic scene to an implicit rule bounds it by [`StiffDynamics`] too.
 ///
 /// ```
-/// use catena::element::{Element, Unloaded};
+/// use catena::loading::Unloaded;
+/// use catena::system::Element;
 /// use catena::planar::*;
 /// use catena::system::Runs;
 /// use catena::{Error, Scalar};

@@ -9,7 +9,7 @@ use crate::spatial::Spatial;
 use nalgebra::{Vector2, Vector3};
 
 impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> System<Planar<T>, R, C, P> {
-    /// The same scene in a field of gravity of this magnitude (m/s²) along −y;
+    /// This scene in a field of gravity of this magnitude (m/s²) along −y;
     /// [`with_gravity_vector`](Self::with_gravity_vector) points it anywhere else.
     ///
     /// ```
@@ -32,7 +32,7 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
     note = "write `[0.0, 0.0, -9.81]` where z points up"
 )]
 pub trait Gravity<T> {
-    /// As a vector (m/s²), inertial axes.
+    /// Gravity as a vector (m/s²), inertial axes.
     fn vector(self) -> Vector3<T>;
 }
 
@@ -49,7 +49,7 @@ impl<T: Scalar> Gravity<T> for Vector3<T> {
 }
 
 impl<T: Scalar, R: Root<Spatial<T>>, C: Element<Spatial<T>>, P: Tip<Spatial<T>>> System<Spatial<T>, R, C, P> {
-    /// The same scene in a uniform field of gravity (m/s², inertial axes): no axis is down by itself.
+    /// This scene in a uniform field of gravity (m/s², inertial axes): no axis is down by itself.
     ///
     /// ```
     /// use catena::spatial::*;

@@ -4,7 +4,7 @@ use crate::element::{Element, Level, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mirror::{Position, Rate};
-use crate::observe::loops_miss;
+use crate::observe::loop_residual;
 use crate::relation::{Closures, Solvable, largest};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Dynamics, MotionOf, Runs, System, coordinates};
@@ -16,7 +16,7 @@ pub(super) const CORRECTIONS: usize = 60;
 pub(super) const SHARE: f64 = 0.3;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// The same motion with its loops closed and its tip where it is held: the least correction of positions and rates, as measured
+    /// This motion with its loops closed and its tip where it is held: the least correction of positions and rates, as measured
     /// by the inertia of the scene (of a chain without loops from afar, by the angles), and the accelerations that belong to them. A
     /// scene with neither is left as it is, but for its accelerations. What must not move is held by
     /// [`assembled_holding`](Self::assembled_holding), which also tells what did (feature `alloc`). A straight chain or loop cannot tell where to bend: bend it.
@@ -25,7 +25,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// that of the worst one.
     ///
     /// ```
-    /// use catena::element::Unloaded;
+    /// use catena::loading::Unloaded;
     /// use catena::planar::*;
     /// let rod = |length| Rod::uniform(length, 1.0);
     /// let four_bar = System::new(Pinned::origin(), (rod(0.5), Pin, rod(1.2), Pin, rod(0.9)), Pinned::at(1.0, 0.0))?;
@@ -59,14 +59,14 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         &self,
         motion: &MotionOf<S, R, C, P>,
         loads: &L,
-        mut tell: impl FnMut(usize, &'static str),
+        mut report: impl FnMut(usize, &'static str),
     ) -> Result<(), Error>
     where
         Self: Runs<L, S, R, C, P>,
     {
         let (mut motion, mut workspace) = (motion.clone(), self.workspace());
         self.accelerate(&mut motion, loads, &mut workspace)?;
-        self.independent(&motion, &workspace, 0.0, &mut |entry, name| tell(entry.saturating_sub(1), name))
+        self.independent(&motion, &workspace, 0.0, &mut |entry, name| report(entry.saturating_sub(1), name))
     }
 
     /// [`assembled`](Self::assembled) in place.
@@ -100,7 +100,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             if step <= real(SHARE) {
                 *motion = corrected;
             } else if const { Self::LOOPED } {
-                self.draw(motion, real(SHARE), workspace);
+                self.assembly_step(motion, real(SHARE), workspace);
             } else {
                 self.approach(motion);
             }
@@ -119,8 +119,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             }
             last = step;
         }
-        let (miss, place) = self.worst_miss(motion, Level::Place);
-        Err(Error::new(Fault::NotClosed { miss: miss.as_f64() }).at(place).at_time(motion.time.as_f64()))
+        let (residual, place) = self.largest_residual(motion, Level::Place);
+        Err(Error::new(Fault::NotClosed { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
     }
 
     /// Corrections (relative to coordinates) that are small enough to be the last ones when they fall no more, and those that are
@@ -129,14 +129,14 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         (RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.6)), RealOf::<S>::EPSILON)
     }
 
-    /// What misses most of all that is held (m, rad, or these a second), and where.
-    pub(super) fn worst_miss(&self, motion: &MotionOf<S, R, C, P>, level: Level) -> (RealOf<S>, Place) {
-        let [place, velocity] = self.miss(motion);
+    /// The largest residual of all that is held (m, rad, or these a second), and its place.
+    pub(super) fn largest_residual(&self, motion: &MotionOf<S, R, C, P>, level: Level) -> (RealOf<S>, Place) {
+        let [place, velocity] = self.residual(motion);
         let at_tip = largest::<S::Scalar, P::Closures>(match level {
             Level::Place => &place,
             Level::Velocity => &velocity,
         });
-        let (in_loop, station) = loops_miss(&self.chain, self.root.ground(motion.time), coordinates(motion), level);
+        let (in_loop, station) = loop_residual(&self.chain, self.root.ground(motion.time), coordinates(motion), level);
         if in_loop > at_tip { (in_loop, Place::Station(station)) } else { (at_tip, Place::Tip) }
     }
 
@@ -149,14 +149,14 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             freedoms += 1;
             S::Scalar::zero()
         });
-        let [place, drift] = self.miss(&moving);
+        let [place, drift] = self.residual(&moving);
         let mut lever = |j: usize| {
             let mut i = 0;
             moving.rate.replace(&mut |_| {
                 i += 1;
                 if i == j + 1 { S::Scalar::one() } else { S::Scalar::zero() }
             });
-            let [_, velocity] = self.miss(&moving);
+            let [_, velocity] = self.residual(&moving);
             P::Closures::zip(&velocity, &drift, |with, without| with - without)
         };
         let mut pairs = P::Closures::no_pairs();

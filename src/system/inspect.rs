@@ -16,7 +16,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// A view for short chains: the product loses all digits beyond some tens of bodies.
     ///
     /// ```
-    /// use catena::element::Unloaded;
+    /// use catena::loading::Unloaded;
     /// use catena::planar::*;
     /// let rod = Rod::uniform(1.0_f64, 1.0);
     /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);

@@ -5,7 +5,7 @@ use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, Implicit, Loading, Reading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::mirror::{Position, Rate};
-use crate::observe::{each_body, each_joint, each_miss};
+use crate::observe::{each_body, each_joint, each_residual};
 use crate::planar::{self, Planar};
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
@@ -21,7 +21,7 @@ pub trait Inertial: Space {
     /// Notes velocities of a body times the roots of what resists them, so that their squares add up to twice its kinetic
     /// energy.
     fn weighted(body: &Self::BodyMotion, note: &mut impl FnMut(RealOf<Self>));
-    /// The same of the coordinates of a joint that has reflected inertia.
+    /// Notes rates of a joint's coordinates times the roots of their reflected inertias, √I q̇, where there are any.
     fn reflected(joint: &Self::JointMotion, note: &mut impl FnMut(RealOf<Self>));
     /// The motion of the inboard end of a body.
     fn inboard(body: &Self::BodyMotion) -> FrameOf<Self>;
@@ -129,7 +129,7 @@ impl<T: Scalar> Inertial for Spatial<T> {
 /// A scene near a position, in the directions that its closures leave open. Linear maps are real; of dual numbers they hold the
 /// real part.
 pub(crate) struct Linear<R> {
-    /// Those directions.
+    /// Directions that closures leave open.
     pub tangent: Tangent<R>,
     /// Root of the mass matrix: weighted velocities of bodies for unit rates, so that M = rootᵀ root.
     pub root: Matrix<R>,
@@ -169,7 +169,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         relative
     }
 
-    /// The same of what moves with a joint coordinate alone.
+    /// Rates of joint coordinates times the roots of their reflected inertias, √I q̇.
     pub(super) fn reflected(&self, still: &MotionOf<S, R, C, P>, rate: &RateOf<S, R, C>) -> Vec<RealOf<S>> {
         let mut all = vec![];
         let moving = super::Coordinates { rate, ..coordinates(still) };
@@ -179,11 +179,11 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         all
     }
 
-    /// By how much all that is held misses its velocity: the tip, and ends of loops.
+    /// Residuals of velocity of all that is held: the tip, and ends of loops.
     fn drift(&self, motion: &MotionOf<S, R, C, P>) -> Vec<RealOf<S>> {
         let mut drift = vec![];
-        P::Closures::map(&self.miss(motion)[1], |x| drift.push(x.real()));
-        each_miss(self.elements(), self.ground(motion.time), coordinates(motion), |[_, x]| drift.push(x.real()));
+        P::Closures::map(&self.residual(motion)[1], |x| drift.push(x.real()));
+        each_residual(self.elements(), self.ground(motion.time), coordinates(motion), |[_, x]| drift.push(x.real()));
         drift
     }
 

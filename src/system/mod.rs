@@ -36,19 +36,24 @@ pub(crate) use linear::{numbers, set, unit};
 pub use series::SeriesDynamics;
 pub use turning::AngularVelocity;
 
-use crate::element::{Coordinates, Element, Loading, RealOf, Space, SpaceOver, Unloaded};
-use crate::ends::{Root, Tip};
+// What bounds of functions over scenes are made of.
+pub use crate::counts::Counted;
+pub use crate::element::Element;
+pub use crate::ends::{Root, Tip};
+pub use crate::mirror::{Position, Rate};
+pub use crate::space::{RealOf, Space};
+
+use crate::element::{Coordinates, Loading, SpaceOver, Unloaded};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::mirror::Rate;
 use crate::motion::Motion;
 use crate::relation::{Additive, Closures, Geometry};
 use crate::scalar::Scalar;
 use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
 use crate::space::FrameOf;
-use crate::walks::aim::aim;
 use crate::walks::check::check;
+use crate::walks::configure::configure;
 use crate::walks::fits::fits;
 use num_traits::Zero;
 
@@ -108,7 +113,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(Self { chain: lumped(root.joint(), chain), root, tip, gravity: Additive::null() })
     }
 
-    /// The same scene in a uniform field of gravity (m/s²).
+    /// This scene in a uniform field of gravity (m/s²).
     #[must_use]
     pub fn with_gravity_vector(self, gravity: S::Vector) -> Self {
         Self { gravity, ..self }
@@ -177,7 +182,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             expected += 1;
             orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         };
-        aim(&self.chain, &mut motion.position, ground.turn, &mut next);
+        configure(&self.chain, &mut motion.position, ground.turn, &mut next);
         if expected != orientations.len() {
             return Err(Error::new(Fault::Count { expected, given: orientations.len() }));
         }
@@ -215,7 +220,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 }
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// The same scene over another scalar, `number` replacing each of its parameters.
+    /// This scene over another scalar, `number` replacing each of its parameters.
     ///
     /// A parameter that is to have a derivative is better set when the scene is built.
     ///

@@ -54,13 +54,13 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     }
 
     #[inline]
-    fn draw(
+    fn assembly_step(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
         share: <Self::Scalar as Scalar>::Real,
         workspace: &mut Self::Workspace,
     ) {
-        D::draw(self, motion, share, workspace)
+        D::assembly_step(self, motion, share, workspace)
     }
 
     #[inline]
@@ -69,9 +69,9 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
         motion: &Motion<Self::Scalar, Self::Position, Self::Closures>,
         workspace: &Self::Workspace,
         least: f64,
-        tell: &mut impl FnMut(usize, &'static str),
+        report: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error> {
-        D::independent(self, motion, workspace, least, tell)
+        D::independent(self, motion, workspace, least, report)
     }
 
     #[inline]

@@ -7,7 +7,7 @@ use crate::mirror::Position;
 use crate::planar::{Planar, Turn};
 use crate::scalar::{Real, Scalar};
 use crate::system::{MotionOf, System};
-use crate::walks::aim::aim;
+use crate::walks::configure::configure;
 use num_traits::One;
 
 /// A planar scene's motion.
@@ -64,7 +64,7 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
         let mark = T::constant(T::Real::INFINITY);
         motion.position.replace(&mut |_| mark);
         let (mut feed, mut largest) = (Feed::of(angles), T::Real::one());
-        aim(chain, &mut motion.position, ground.turn, &mut |inboard: Turn<T>| {
+        configure(chain, &mut motion.position, ground.turn, &mut |inboard: Turn<T>| {
             let absolute = inboard.angle + feed.next();
             largest = largest.max(absolute.real().abs());
             absolute

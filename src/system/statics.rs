@@ -42,7 +42,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// equilibrium has derivatives, to 12 digits. Lanes each have an equilibrium of their own, and are not supported.
     ///
     /// ```
-    /// use catena::element::Unloaded;
+    /// use catena::loading::Unloaded;
     /// use catena::planar::*;
     /// let rod = Rod::uniform(0.1_f64, 0.1);
     /// let chain = System::new(Pinned::origin(), (rod, [(Pin, rod); 9]), Pinned::at(0.8, 0.0))?.with_gravity(9.81);
@@ -190,16 +190,16 @@ struct Fall<T: Scalar> {
 
 /// A step towards rest.
 struct Step<T: Scalar> {
-    /// Of all coordinates.
+    /// Displacements of all coordinates (rad, m).
     displacement: Vec<T>,
-    /// The largest of them.
+    /// The largest displacement (rad, m).
     size: T::Real,
-    /// Work that the forces at its start do on it (J).
+    /// Work that the forces at the step's start do on it (J).
     work: T::Real,
 }
 
 impl<T: Scalar> Step<T> {
-    /// The same step or, if that is too long, one as long as may be in its direction.
+    /// This step or, if that is too long, one as long as may be in its direction.
     fn within(mut self, longest: T::Real) -> Option<Self> {
         if self.size > longest {
             let share = longest / self.size;

@@ -70,8 +70,8 @@ where
         self.project_by(motion, workspace);
     }
 
-    fn draw(&self, motion: &mut MotionOf<S, R, C, P>, share: RealOf<S>, workspace: &mut Self::Workspace) {
-        let [place, _] = self.miss(motion);
+    fn assembly_step(&self, motion: &mut MotionOf<S, R, C, P>, share: RealOf<S>, workspace: &mut Self::Workspace) {
+        let [place, _] = self.residual(motion);
         let ground = self.root.ground(motion.time);
         if let Some(step) = correction(&self.chain, ground, coordinates(motion), Level::Place, &place, workspace) {
             let mut step = step.clone();
@@ -87,11 +87,11 @@ where
         motion: &MotionOf<S, R, C, P>,
         workspace: &Self::Workspace,
         least: f64,
-        tell: &mut impl FnMut(usize, &'static str),
+        report: &mut impl FnMut(usize, &'static str),
     ) -> Result<(), Error> {
         let ground = self.root.ground(motion.time);
         if const { <Elements<S, R, C> as Shape<S>>::LOOPS > 0 } {
-            independent::<S, _, P::Closures>(&self.chain, ground, coordinates(motion), &workspace.kept, least, tell)
+            independent::<S, _, P::Closures>(&self.chain, ground, coordinates(motion), &workspace.kept, least, report)
                 .map_err(|error| error.at_time(motion.time.as_f64()).beyond_root())?;
         }
         if P::Closures::COUNT == 0 {
@@ -256,7 +256,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             motion.position.visit(&mut |x| size = x.real().abs().max(size));
         }
         for count in 0..=most {
-            let [place, _] = self.miss(motion);
+            let [place, _] = self.residual(motion);
             let ground = self.root.ground(motion.time);
             if let Some(step) = correction(&self.chain, ground, coordinates(motion), Level::Place, &place, workspace) {
                 motion.position.displace(step);
@@ -288,7 +288,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             motion.rate.visit(&mut |x| size = x.real().abs().max(size));
         }
         for count in 1..=most {
-            let [_, velocity] = self.miss(motion);
+            let [_, velocity] = self.residual(motion);
             let ground = self.root.ground(motion.time);
             let level = Level::Velocity;
             if let Some(step) = correction(&self.chain, ground, coordinates(motion), level, &velocity, workspace) {
@@ -313,10 +313,10 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         look.0
     }
 
-    /// By how much the tip misses its place and velocity.
-    pub(super) fn miss(&self, motion: &MotionOf<S, R, C, P>) -> [<P::Closures as Closures>::Each<S::Scalar>; 2] {
+    /// Residual of the tip, in place and in velocity.
+    pub(super) fn residual(&self, motion: &MotionOf<S, R, C, P>) -> [<P::Closures as Closures>::Each<S::Scalar>; 2] {
         let frame = look(&self.chain, self.root.ground(motion.time), coordinates(motion));
-        self.tip.miss(motion.time, &frame)
+        self.tip.residual(motion.time, &frame)
     }
 }
 

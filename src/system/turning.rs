@@ -26,7 +26,7 @@ pub enum AngularVelocity<V> {
 }
 
 impl<V> AngularVelocity<V> {
-    /// As a vector in inertial axes.
+    /// The angular velocity (rad/s) as a vector in inertial axes.
     fn inertial<S: Turning<Spin = V>>(self, inboard: &S::Turn, body: &S::Turn) -> [S::Scalar; 3] {
         match self {
             Self::Inertial(spin) => S::in_inertial_axes(spin),
@@ -37,7 +37,7 @@ impl<V> AngularVelocity<V> {
 }
 
 impl<S: Turning, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// The same motion with one body turned to an absolute orientation: an angle (rad) in the plane, a
+    /// This motion with one body turned to an absolute orientation: an angle (rad) in the plane, a
     /// [`Rotation`] in space. The joint that turns the body does so: the last one that turns at all on the way
     /// from the root. All other coordinates, and all rates, stay as they are stored (see [`Motion`](crate::Motion#what-rates-are)); loops
     /// and held tips are for [`assembled`](Self::assembled) to close again.
@@ -70,7 +70,7 @@ impl<S: Turning, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(motion)
     }
 
-    /// The same motion with one body turning at an angular velocity, absolute or relative, in axes that its type names. The joint that
+    /// This motion with one body turning at an angular velocity, absolute or relative, in axes that its type names. The joint that
     /// turns the body does so: the last one that turns at all on the way from the root. All coordinates, and all other rates, stay as
     /// they are stored (see [`Motion`](crate::Motion#what-rates-are)).
     ///
@@ -102,7 +102,7 @@ impl<S: Turning, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(motion)
     }
 
-    /// The same motion with these joint rates (rad/s), one for each rotary coordinate, root to tip: the angular velocity of the
+    /// This motion with these joint rates (rad/s), one for each rotary coordinate, root to tip: the angular velocity of the
     /// body outboard of the joint relative to the one inboard of it (for the root's joint, relative to the ground). In space a joint
     /// about axes takes their rates; a ball, an elastic hinge or a root that floats three numbers, in axes of the outboard body. Rates of
     /// other coordinates are left as they are.
@@ -160,7 +160,7 @@ fn finite(is: bool, parameter: &'static str) -> Result<(), Error> {
 }
 
 impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> System<Planar<T>, R, C, P> {
-    /// The same motion with these absolute angular velocities (rad/s), one for each rotary coordinate, root to tip: that of the
+    /// This motion with these absolute angular velocities (rad/s), one for each rotary coordinate, root to tip: that of the
     /// body outboard of the joint. Rates of other coordinates are left as they are.
     ///
     /// ```
@@ -219,7 +219,7 @@ impl<T: Scalar, R: Root<Spatial<T>>, C: Element<Spatial<T>>, P: Tip<Spatial<T>>>
         Ok(motion)
     }
 
-    /// The same motion with these angular velocities (rad/s), one for each joint that turns, root to tip: that of the body outboard of it,
+    /// This motion with these angular velocities (rad/s), one for each joint that turns, root to tip: that of the body outboard of it,
     /// measured as `axes` says. Rates of other coordinates are left as they are.
     ///
     /// ```

@@ -36,9 +36,9 @@ impl<M, R> IntoRule<R> for Rule<M, R> {
 /// A choice of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Control<R> {
-    /// All of one size (s) (the last is shortened to end on time).
+    /// Steps of one size (s) (the last is shortened to end on time).
     Fixed(R),
-    /// As large as keeps the error of a step within a tolerance, absolute and relative, no less than numbers are rounded by.
+    /// Steps as large as keep the error of a step within a tolerance, absolute and relative, no less than numbers are rounded by.
     ///
     /// A step over a place where closures become dependent of each other may err by a hundred tolerances, or by the root of rounding if
     /// that is more, where shorter steps are no better; tolerances from 1e-4 on (in `f64`) are kept there too.

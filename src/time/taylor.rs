@@ -6,7 +6,7 @@ use super::{Control, Rule};
 ///
 /// Coefficients of all orders satisfy the linear equations of accelerations with other right-hand sides. So a step takes one sine, one
 /// elimination and one division a body, and then two short walks for each order; it tells how long it may be before it is made, and is
-/// never rejected. See [`series`](crate::series).
+/// never rejected.
 ///
 /// It knows rods, rigid bodies, point masses, pins, welds and rotary springs and dampers of the plane in tuples, arrays, vectors and
 /// branches, on ground that rests, with a free tip, under gravity. What it does not know does not compile, and the message says what it

@@ -36,7 +36,7 @@ struct Search<'s, X> {
     found: Option<&'s X>,
 }
 
-/// Where it is among equal items.
+/// Where the entry sought is among equal items.
 enum Where {
     Elsewhere,
     In(usize),

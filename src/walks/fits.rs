@@ -17,7 +17,7 @@ pub fn fits<S: Space, E: Shape<S>>(chain: &E, position: &E::Store<Positions>, ra
     fits.0
 }
 
-/// Whether they have so far.
+/// Whether all coordinates and rates met so far have the shape of the chain.
 struct Fits(bool);
 
 impl<S: Space> Walk<S> for Fits {

@@ -22,11 +22,11 @@ pub fn independent<S: Space, E: Shape<S>, C: Closures>(
     motion: Coordinates<'_, S, E>,
     kept: &E::Store<Kept<C>>,
     least: f64,
-    tell: &mut impl FnMut(usize, &'static str),
+    report: &mut impl FnMut(usize, &'static str),
 ) -> Result<(), Error> {
     let Coordinates { position, rate, acceleration } = motion;
     let said = Said { met: 0, outcome: Ok(()) };
-    let mut walk = Independent::<_, C> { said, least, tell: Some(tell), closures: PhantomData };
+    let mut walk = Independent::<_, C> { said, least, report: Some(report), closures: PhantomData };
     chain.outward(&mut walk, frame, (position, rate, acceleration, kept));
     walk.said.outcome
 }
@@ -43,7 +43,7 @@ struct Independent<'t, F, C> {
     said: Said,
     least: f64,
     /// Lent to the walk of an arm while that is under way.
-    tell: Option<&'t mut F>,
+    report: Option<&'t mut F>,
     closures: PhantomData<C>,
 }
 
@@ -57,9 +57,9 @@ impl<'t, S: Space, F: FnMut(usize, &'static str), C: Closures> Outward<S> for In
 
     fn enter<Y: Way, X>(&mut self, go: impl FnOnce(&mut Self::In<Y>) -> X) -> X {
         let Self { said, least, .. } = *self;
-        let mut arm = Independent { said, least, tell: self.tell.take(), closures: PhantomData };
+        let mut arm = Independent { said, least, report: self.report.take(), closures: PhantomData };
         let out = go(&mut arm);
-        (self.said, self.tell) = (arm.said, arm.tell);
+        (self.said, self.report) = (arm.said, arm.report);
         out
     }
     fn body<B: Body<S>>(&mut self, body: &B, frame: FrameOf<S>, _: AtBody<'_, S, Self, B>) -> FrameOf<S> {
@@ -88,8 +88,8 @@ impl<'t, S: Space, F: FnMut(usize, &'static str), C: Closures> Outward<S> for In
         }
         let open = OwnOf::<S, N>::undetermined(gain);
         OwnOf::<S, N>::zip(&open, &closing.names(), |open, name| {
-            if let (true, Some(tell)) = (open, &mut self.tell) {
-                tell(station, name);
+            if let (true, Some(report)) = (open, &mut self.report) {
+                report(station, name);
             }
         });
         let measure = yields(net, frame, in_main, in_side);

@@ -58,10 +58,10 @@
 //! targets without wide registers; poses; lumping of point masses, which changes elements; and the walks of derivatives
 //! ([`Sensitive`](crate::sensitive::Sensitive)), for which the plain element has to become a store.
 
-pub mod aim;
 pub mod broken;
 pub mod carrier;
 pub mod check;
+pub mod configure;
 pub mod count;
 pub mod entries;
 pub mod find;

@@ -8,11 +8,11 @@ use core::any::type_name;
 /// A body or a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Its type, without modules and parameters.
+    /// Type of the body or joint, without modules and parameters.
     pub kind: &'static str,
-    /// Its name, if it has one.
+    /// Name of the body or joint, if it has one.
     pub name: Option<&'static str>,
-    /// What it is.
+    /// Body or joint.
     pub sort: Sort,
 }
 
@@ -23,29 +23,29 @@ pub enum Sort {
     Body,
     /// A joint.
     Joint {
-        /// How many coordinates it has: those of a turn in space are four.
+        /// Number of coordinates of the joint: those of a turn in space are four.
         coordinates: usize,
-        /// How many rates.
+        /// Number of rates of the joint.
         rates: usize,
     },
 }
 
 /// Tells all bodies and joints of a chain, root to tip.
-pub fn parts<S: Space, E: Shape<S>>(chain: &E, tell: &mut impl FnMut(Part)) {
-    chain.outward(&mut Parts { name: None, tell }, (), ());
+pub fn parts<S: Space, E: Shape<S>>(chain: &E, report: &mut impl FnMut(Part)) {
+    chain.outward(&mut Parts { name: None, report }, (), ());
 }
 
-/// Tells what it meets.
+/// Reports what it meets.
 struct Parts<'t, F> {
     /// The name of the innermost that has one.
     name: Option<&'static str>,
-    tell: &'t mut F,
+    report: &'t mut F,
 }
 
 impl<F: FnMut(Part)> Parts<'_, F> {
-    fn tell(&mut self, kind: &'static str, sort: Sort) {
+    fn report(&mut self, kind: &'static str, sort: Sort) {
         let name = self.name;
-        (self.tell)(Part { kind: short(kind), name, sort });
+        (self.report)(Part { kind: short(kind), name, sort });
     }
 
     /// Goes on under a name, if there is one, and comes back.
@@ -73,17 +73,17 @@ impl<S: Space, F: FnMut(Part)> Outward<S> for Parts<'_, F> {
     alike!();
 
     fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {
-        self.tell(type_name::<B>(), Sort::Body);
+        self.report(type_name::<B>(), Sort::Body);
     }
     fn joint<J: Joint<S>>(&mut self, _: &J, (): (), _: AtJoint<'_, S, Self, J>) {
         let (mut coordinates, mut rates) = (0, 0);
         Position::visit(&J::position(), &mut |_: S::Scalar| coordinates += 1);
         Rate::visit(&J::rate(), &mut |_: S::Scalar| rates += 1);
-        self.tell(type_name::<J>(), Sort::Joint { coordinates, rates });
+        self.report(type_name::<J>(), Sort::Joint { coordinates, rates });
     }
     fn closing<K: Closing<S>>(&mut self, closing: &K, _: [(); 2], _: AtClosing<'_, S, Self, K>) {
         let (kind, own) = closing.label();
-        self.named_as(own, |parts| parts.tell(kind, Sort::Joint { coordinates: 0, rates: 0 }));
+        self.named_as(own, |parts| parts.report(kind, Sort::Joint { coordinates: 0, rates: 0 }));
     }
     fn named<X>(&mut self, name: &'static str, go: impl FnOnce(&mut Self) -> X) -> X {
         self.named_as(Some(name), go)

@@ -10,8 +10,8 @@ use crate::space::{FrameOf, Space};
 use crate::visit::{Level, look};
 use num_traits::Zero;
 
-/// [`respond`](super::respond::respond) where loops are to be closed: each finds the forces that move its ends together by what they
-/// miss each other at this motion, for which it looks ahead by a walk of its own. Walks outward with complete kinematics too.
+/// [`respond`](super::respond::respond) where loops are to be closed: each finds the forces that move its ends together by their
+/// residual at this motion, for which it looks ahead by a walk of its own. Walks outward with complete kinematics too.
 #[allow(clippy::too_many_arguments)] // two walks at once
 pub fn restore<S: Space, E: Shape<S>, C: Closures>(
     chain: &E,
@@ -85,12 +85,12 @@ impl<S: Space, C: Closures> Outward<S> for Restore<S, C> {
         let in_main = Coordinates::<S, N::Main> { position: main.0, rate: main.1, acceleration: main.2 };
         let in_side = Coordinates::<S, N::Side> { position: side.0, rate: side.1, acceleration: side.2 };
         let (main_end, side_end) = (look(net.main_arm(), frame, in_main), look(net.side_arm(), frame, in_side));
-        let [place, velocity] = net.closing_joint().miss(&side_end, &main_end);
-        let miss = match self.level {
+        let [place, velocity] = net.closing_joint().residual(&side_end, &main_end);
+        let residual = match self.level {
             Level::Place => place,
             Level::Velocity => velocity,
         };
-        let gap = OwnOf::<S, N>::reduced(gain, &miss);
+        let gap = OwnOf::<S, N>::reduced(gain, &residual);
         let forces = OwnOf::<S, N>::forces(gain, |w| w.work(&acceleration), &self.multipliers, &gap);
         let mut walk = Restore::<S, OwnOf<S, N>> { level: self.level, multipliers: forces };
         net.side_arm().outward(&mut walk, (frame, acceleration), side);

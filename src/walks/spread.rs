@@ -12,7 +12,7 @@ pub fn to_bodies<S: Space, E: Shape<S>, X: Copy + 'static>(chain: &E, values: &[
     chain.outward(&mut Bodies(exactly(values, E::BODIES)), (), (bodies,));
 }
 
-/// The same for joints.
+/// Copies values, one for each joint, root to tip, to the entries of joints.
 #[inline(always)]
 pub fn to_joints<S: Space, E: Shape<S>, X: Copy + 'static>(
     chain: &E,

@@ -11,13 +11,13 @@ use crate::turning::{Axes, Turning, length, minus, outboard, plus};
 
 /// A joint that turns its outboard body.
 pub struct Swivel<S: Space> {
-    /// Its number among joints.
+    /// Number of the joint among joints.
     pub joint: usize,
-    /// By how many coordinates it turns.
+    /// Number of coordinates by which the joint turns.
     pub freedoms: usize,
-    /// The body inboard of it.
+    /// The body inboard of the joint.
     pub inboard: S::Turn,
-    /// The body outboard of it, as it moves so far.
+    /// The body outboard of the joint, as it moves so far.
     pub outboard: S::Turn,
 }
 
@@ -27,7 +27,7 @@ pub enum Wanted<S: Turning> {
     Any,
     /// Angular velocity of the outboard body (rad/s), inertial axes.
     Spin([S::Scalar; 3]),
-    /// Rates that its turning coordinates would have on an inboard body at rest (rad/s), as many as there are.
+    /// Rates that the joint's turning coordinates would have on an inboard body at rest (rad/s), as many as there are.
     Relative([S::Scalar; 3]),
     /// Orientation of the outboard body.
     Orientation(S::Orientation),
@@ -59,9 +59,9 @@ struct Steer<'w, F> {
 }
 
 impl<F> Steer<'_, F> {
-    fn note<T: Real>(&mut self, miss: T, tolerance: T) {
-        if self.outcome.is_ok() && (miss > tolerance || miss.as_f64().is_nan()) {
-            let fault = Fault::ImpossibleTurn { miss: miss.as_f64() };
+    fn note<T: Real>(&mut self, residual: T, tolerance: T) {
+        if self.outcome.is_ok() && (residual > tolerance || residual.as_f64().is_nan()) {
+            let fault = Fault::ImpossibleTurn { residual: residual.as_f64() };
             self.outcome = Err(Error::new(fault).at_station(self.entries));
         }
     }
@@ -96,8 +96,8 @@ impl<S: Turning, F: FnMut(&Swivel<S>) -> Wanted<S>> Outward<S> for Steer<'_, F> 
                 Wanted::Any => (),
                 Wanted::Spin(spin) => {
                     let rates = axes.rates_for(&minus(spin, given()));
-                    let miss = length(&minus(plus(axes.spin_of(&rates), given()), spin));
-                    self.note(miss, small * (length(&spin) + length(&given())));
+                    let residual = length(&minus(plus(axes.spin_of(&rates), given()), spin));
+                    self.note(residual, small * (length(&spin) + length(&given())));
                     axes.put(&rates, rate);
                 }
                 Wanted::Relative(own) => {
@@ -105,8 +105,8 @@ impl<S: Turning, F: FnMut(&Swivel<S>) -> Wanted<S>> Outward<S> for Steer<'_, F> 
                     axes.put(&plus(carried, own), rate);
                 }
                 Wanted::Orientation(there) => {
-                    let miss = turn_to::<S, J>(joint, inboard, position, &there);
-                    self.note(miss, small);
+                    let residual = turn_to::<S, J>(joint, inboard, position, &there);
+                    self.note(residual, small);
                 }
             }
         }
@@ -120,7 +120,7 @@ impl<S: Turning, F: FnMut(&Swivel<S>) -> Wanted<S>> Outward<S> for Steer<'_, F> 
     }
 }
 
-/// Turns a joint until its outboard body has an orientation, by Newton's method; by how much it misses in the end (rad).
+/// Turns a joint until its outboard body has an orientation, by Newton's method; gives the residual in the end (rad).
 fn turn_to<S: Turning, J: Joint<S>>(
     joint: &J,
     inboard: S::Turn,

@@ -25,7 +25,7 @@ pub fn travel<S: Space, E: Shape<S>, V: Visit<S>>(
     chain.outward(&mut Travel(visit), frame, (position, rate, acceleration, on_bodies, in_joints))
 }
 
-/// The same with a visitor that writes nothing.
+/// Shows the motions of bodies and joints to a visitor that writes nothing.
 #[inline(always)]
 pub fn show<S: Space, E: Shape<S>, V: Visit<S, OnBody = (), InJoint = ()>>(
     chain: &E,
@@ -86,7 +86,7 @@ impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
             joint: closing.joint(&side, &main),
             internal: S::internal(*internal),
             conditions: K::Closures::COUNT,
-            miss: closing.miss(&side, &main).map(|miss| padded::<S, K::Closures>(&miss)),
+            residual: closing.residual(&side, &main).map(|residual| padded::<S, K::Closures>(&residual)),
         });
     }
     /// The side arm, with the joint that closes the loop, is an arm to the visitor; the main one is the chain.

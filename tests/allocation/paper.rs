@@ -3,7 +3,7 @@
 
 use crate::counting::{count, held};
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::{ElasticHinge, Free, Pin, Pinned, Rod, Spring, System};
 

@@ -2,13 +2,14 @@
 
 use crate::counting::allocations;
 use catena::Error;
-use catena::element::{Element, Loading, Unloaded};
-use catena::ends::Root;
-use catena::lift::Lift;
+use catena::Lift;
+use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
 use catena::scalar::{Jet, Scalar};
 use catena::sensitivity::ThroughGains;
-use catena::stepper::{Method, Stepper};
+use catena::simulate::{Method, Stepper};
+use catena::system::Element;
+use catena::system::Root;
 use catena::system::{Dynamics, Runs};
 use catena::time::Sdirk4;
 

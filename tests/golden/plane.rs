@@ -2,7 +2,7 @@
 
 use crate::record::Record;
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 
 /// Runs a scene, and records how it ends.

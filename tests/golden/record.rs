@@ -1,7 +1,7 @@
 //! Bits of motions and forces by the name of a scene, as a text.
 
-use catena::mirror::{Position, Rate};
-use catena::relation::Closures;
+use catena::internals::relation::Closures;
+use catena::system::{Position, Rate};
 use catena::{Motion, Scalar};
 use std::fmt::Write;
 

@@ -1,10 +1,10 @@
 //! The paper's matrices against the equations they stand for: Newton-Euler for bodies, springs and dampers for hinges.
 
-use crate::kit::{Noise, slope};
 use catena::paper::*;
 use catena::planar::Inertia;
 use catena::planar::index::{M, ONE, QX, QY, THETA, X, Y};
 use catena::{Fault, StateVector, TransferMatrix};
+use catena_oracle::{Noise, slope};
 
 type Matrix = TransferMatrix<f64, 7>;
 type State = StateVector<f64, 7>;

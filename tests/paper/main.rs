@@ -1,8 +1,5 @@
 //! The formulation of 2005, against the equations it stands for, other integrations and the published figures.
 
-#[path = "../it/kit.rs"]
-mod kit;
-
 mod elements;
 mod motion;
 mod numbers;

@@ -1,11 +1,11 @@
 //! The paper's scheme on a double pendulum: which rule has which order in angles and forces, what dies and what stays.
 #![cfg(feature = "std")]
 
-use crate::kit::has_order;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::{Dop853, Free, Pin, Pinned, Rod, System};
 use catena::{Error, Fault};
+use catena_oracle::has_order;
 use core::f64::consts::FRAC_PI_3;
 
 type Pendulum = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Pin, Rod<f64>), Free>;

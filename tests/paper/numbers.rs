@@ -1,7 +1,7 @@
 //! The paper's scheme with every kind of number, and derivatives through it.
 #![cfg(all(feature = "num-dual", feature = "simd"))]
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::index::{X, Y};
 use catena::planar::{ElasticHinge, Free, Pinned, Rod, System};

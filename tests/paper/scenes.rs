@@ -1,8 +1,7 @@
 //! The paper's scheme on scenes of all kinds: solvers against each other, against other integrations, against closed forms.
 #![cfg(feature = "std")]
 
-use crate::kit::slope;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::{At, GeneralizedAlpha, JointScheme, Newmark, Scheme, Solver};
 use catena::planar::index::{M, QX, QY, THETA, X, Y};
 use catena::planar::{
@@ -10,6 +9,7 @@ use catena::planar::{
     Pin, Pinned, PointMass, RigidBody, Rod, Slider, Spring, System, Turning, Weld,
 };
 use catena::{Error, Fault, Place};
+use catena_oracle::slope;
 use core::f64::consts::FRAC_PI_3;
 
 /// Errors of all angles, and of all forces relative to their largest, against order 8 at three steps: their orders.

@@ -1,14 +1,14 @@
 //! The paper's scheme in space: orders in angles and forces, solvers and slots against each other, what is refused and why.
 #![cfg(feature = "std")]
 
-use crate::kit::has_order;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::{
     At, GeneralizedAlpha, Midpoint, Multistep, Newmark, Rule, Scheme, Slots, Solver, Wilson, hht_alpha,
 };
 use catena::spatial::index::{M, Q, R};
 use catena::spatial::*;
 use catena::{Error, Fault, Place};
+use catena_oracle::has_order;
 
 /// Errors of attitudes (the largest difference of direction cosines), and of all forces relative to their largest, against order 8 at
 /// three steps: their orders.

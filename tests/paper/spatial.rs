@@ -1,13 +1,13 @@
 //! The paper's matrices in space against Newton and Euler along a given motion: how what is left falls with the step, as corrected and as
 //! printed.
 
-use crate::kit::{Noise, slope};
 use catena::paper::Linear;
 use catena::paper::spatial::{
     ANGLES, Attitude, External, FORCE, Increment, ONE, PLACE, Rigid, Rotary, Step, TORQUE, Vector, linear_hinge,
     lumped_mass, rigid_body, rotary_hinge, smooth_ball,
 };
 use catena::{Fault, StateVector, TransferMatrix};
+use catena_oracle::{Noise, slope};
 use nalgebra::{Matrix3, Vector3};
 
 type State = StateVector<f64, 13>;
@@ -372,7 +372,7 @@ fn rotation_vectors_meet_newton_and_euler_to_the_same_orders() {
 /// of F₄, ω̃₄ J ω̃₄, is printed as a matrix.)
 #[test]
 fn block_42_of_the_global_equations_as_printed_fails() -> Result<(), catena::Error> {
-    use catena::element::Unloaded;
+    use catena::loading::Unloaded;
     use catena::spatial::{Ball, Free, Pinned, RigidBody, System};
     let (mass, centre, next) = (1.0, Vector3::new(0.5, 0.03, -0.02), Vector3::new(1.0, 0.1, 0.2));
     let about_centre = Matrix3::new(0.02, 0.001, 0.002, 0.001, 0.09, 0.003, 0.002, 0.003, 0.1);

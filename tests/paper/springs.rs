@@ -1,13 +1,13 @@
 //! The paper's scheme on linear springs and dampers, (33) and (35): against order 8, a closed form and itself.
 #![cfg(feature = "std")]
 
-use crate::kit::{has_order, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::{At, GeneralizedAlpha, JointScheme, Midpoint, Newmark, Scheme, Solver, Wilson};
+use catena::planar::Absent;
 use catena::planar::index::{M, QX, QY, THETA, X, Y};
 use catena::planar::*;
-use catena::relation::Absent;
 use catena::{Error, Fault, Place};
+use catena_oracle::{has_order, near};
 
 /// Errors of angles, of the places of all stations, and of all forces relative to their largest, against order 8 at three steps.
 macro_rules! orders {

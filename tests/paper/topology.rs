@@ -3,8 +3,7 @@
 //! Matrices are formed at an instant of a motion with its accelerations, so that (1) is exact and nothing is linearised: the states that
 //! solve an overall equation must be those of the motion, its forces included.
 
-use crate::kit::{has_order, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::paper::topology::{branched, closed_loop, free, network, pinned};
 use catena::paper::{
     At, Expansion, External, GeneralizedAlpha, Known, Rigid, Rotary, Scheme, Solver, rigid_body, rotary_hinge,
@@ -13,6 +12,7 @@ use catena::paper::{
 use catena::planar::index::{M, ONE, QX, QY, THETA, X, Y};
 use catena::planar::{Branch, Free, Inertia, Pin, Pinned, Rod, System};
 use catena::{Error, StateVector, TransferMatrix};
+use catena_oracle::{has_order, near};
 use core::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 use nalgebra::{DMatrix, DVector, Vector2};
 

@@ -19,7 +19,7 @@ pub struct State {
     pub base_rates: [Vector; 2],
     /// Coordinates of the joints (rad, m).
     pub q: Vec<f64>,
-    /// Their rates.
+    /// Rates of the joint coordinates (rad/s, m/s).
     pub rates: Vec<f64>,
 }
 

@@ -24,28 +24,28 @@ pub enum Fault {
     File(String),
     /// The outermost element is not `<robot>`.
     NotARobot {
-        /// Its name.
+        /// Name of the outermost element.
         element: String,
     },
     /// An element lacks an attribute or an element inside.
     Missing {
-        /// What it lacks.
+        /// The attribute or element that is not there.
         what: &'static str,
-        /// What lacks it.
+        /// The element that lacks it.
         of: String,
     },
     /// An element stands twice where it may stand once.
     Repeated {
         /// The element.
         element: &'static str,
-        /// What it belongs to.
+        /// The element or joint that it belongs to.
         of: String,
     },
     /// Two links, or two joints, have one name.
     Duplicate {
         /// `link` or `joint`.
         kind: &'static str,
-        /// Their name.
+        /// Name that both have.
         name: String,
         /// The line of the first.
         first: usize,
@@ -54,14 +54,14 @@ pub enum Fault {
     NotANumber {
         /// The attribute.
         attribute: &'static str,
-        /// Its text.
+        /// Text of the attribute.
         text: String,
     },
     /// A number is NaN or infinite.
     NotFinite {
         /// The attribute.
         attribute: &'static str,
-        /// Its text.
+        /// Text of the attribute.
         text: String,
     },
     /// A list of numbers has the wrong length.
@@ -77,7 +77,7 @@ pub enum Fault {
     UnknownKind {
         /// The joint.
         joint: String,
-        /// Its type.
+        /// Type of the joint.
         kind: String,
     },
     /// The axis of a joint has no direction.
@@ -94,14 +94,14 @@ pub enum Fault {
     },
     /// A joint to be followed or held is not there.
     UnknownJoint {
-        /// What names it.
+        /// What names the joint.
         by: String,
         /// The joint.
         joint: String,
     },
     /// Joints follow one another in a circle.
     MimicCircle {
-        /// One of them.
+        /// One of the joints.
         joint: String,
     },
     /// A link is the child of two joints.
@@ -131,7 +131,7 @@ pub enum Fault {
     NegativeMass {
         /// The link.
         link: String,
-        /// Its mass (kg).
+        /// Mass of the link (kg).
         mass: f64,
     },
     /// A floating joint elsewhere than between the root and its only child, where scenes of catena have none.
@@ -153,7 +153,7 @@ pub enum Fault {
     NoInertiaOfBase,
     /// Numbers are so large that sums of them are not finite.
     Overflow {
-        /// Where.
+        /// The link or joint at which sums overflow.
         of: String,
     },
     /// More joints than a Rust type should have.

@@ -20,7 +20,7 @@ pub enum Frames {
     /// No turns between bodies: while all joints are at zero, all axes are those of the root. Joints' axes point anywhere, which
     /// the library's present elements do not mind.
     Parallel,
-    /// As the description has them.
+    /// Axes as the description has them.
     AsWritten,
 }
 

@@ -28,7 +28,7 @@ const ROUNDED: f64 = -1e-6;
 impl Inertia {
     pub(crate) const NONE: Self = Self { mass: 0.0, centre: ZERO, tensor: [ZERO; 3] };
 
-    /// As seen from where its axes stand at a pose.
+    /// The inertia as seen from where its axes stand at a pose.
     pub(crate) fn seen_from(&self, pose: &Pose) -> Self {
         let Self { mass, centre, tensor } = self;
         let centre = if *mass == 0.0 { ZERO } else { add(pose.place, apply(&pose.turn, *centre)) };

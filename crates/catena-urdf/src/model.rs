@@ -5,9 +5,9 @@ use crate::algebra::{IDENTITY, Matrix, Vector, ZERO, add, apply, times};
 /// Where something stands and how it is turned, seen from something else.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Its origin (m), in the other's axes.
+    /// Origin of what stands there (m), in the other's axes.
     pub place: Vector,
-    /// Its axes, as columns, in the other's axes.
+    /// Axes of what stands there, as columns, in the other's axes.
     pub turn: Matrix,
 }
 

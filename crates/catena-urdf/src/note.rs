@@ -18,21 +18,21 @@ pub struct Note {
 pub enum Remark {
     /// Elements that the module knows nothing of.
     LeftOut {
-        /// Their name.
+        /// Name of the elements.
         element: String,
-        /// The element around them.
+        /// The element around these.
         inside: String,
     },
     /// Attributes that the module knows nothing of.
     AttributeLeftOut {
-        /// Their name.
+        /// Name of the attributes.
         attribute: String,
-        /// The element that has them.
+        /// The element that has these attributes.
         of: String,
     },
     /// Numbers that the module has as constants, while the scene does not act by them.
     ConstantOnly {
-        /// What they are.
+        /// The numbers, in words.
         what: &'static str,
     },
     /// A joint that must have limits has none written, and is unlimited.
@@ -54,7 +54,7 @@ pub enum Remark {
     },
     /// A transmission that does not belong to one joint of the description.
     Transmission {
-        /// Its name.
+        /// Name of the transmission.
         name: String,
     },
     /// Masses of links that are fixed to the ground.
@@ -82,7 +82,7 @@ pub enum Remark {
         of: String,
         /// The least second moment, relative to the trace of the tensor.
         deficit: f64,
-        /// Whether it was repaired: negative second moments became zero.
+        /// Whether the inertia was repaired: negative second moments became zero.
         repaired: bool,
     },
     /// A whole body has moments of inertia that no distribution of mass has: catena refuses it where one is negative.

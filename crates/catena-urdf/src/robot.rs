@@ -20,7 +20,7 @@ pub struct Robot {
 /// A body with the joint that moves it against its parent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Its joint.
+    /// Name of the joint that moves the body.
     pub joint: String,
     /// Line of the joint in the description.
     pub line: usize,
@@ -32,7 +32,7 @@ pub struct Body {
     pub parent: Option<usize>,
     /// Where the body stands on its parent while the joint is at zero.
     pub pose: Pose,
-    /// Its inertia about the mass centre, in its own axes, whose origin is at the joint.
+    /// Inertia of the body about the mass centre, in its own axes, whose origin is at the joint.
     pub inertia: Inertia,
     /// Limits, damping, friction, reduction, mimic.
     pub furniture: Furniture,
@@ -52,16 +52,16 @@ pub enum Carrier {
 /// A link of the description as a frame of the body that carries it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// The link.
+    /// Name of the link.
     pub name: String,
-    /// What carries it.
+    /// What carries the link.
     pub carrier: Carrier,
-    /// Where, in axes of the carrier.
+    /// Where the link stands, in axes of the carrier.
     pub pose: Pose,
 }
 
 impl Robot {
-    /// Its name.
+    /// Name of the robot.
     pub fn name(&self) -> &str {
         &self.name
     }

@@ -1,7 +1,7 @@
 //! A vector has as many elements as it has when the program runs.
 //@ the number of bodies of `Vec<(Rod<f64>, Pin)>` is not known at compile time
 
-use catena::counts::Counted;
+use catena::system::Counted;
 use catena::planar::*;
 
 fn bodies_of<C: Counted>() {}

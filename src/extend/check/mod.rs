@@ -66,7 +66,7 @@ impl From<Error> for Doubt {
 
 /// One derivative.
 type Dual = Jet<f64, 1>;
-/// A scene over them.
+/// A scene over numbers with one derivative.
 type Over<X> = <X as Lift<f64, Dual>>::Over;
 /// The scene over numbers with one derivative.
 type Varied<S, R, C, P> = System<<S as SpaceOver<Dual>>::Over, Over<R>, Over<C>, Over<P>>;

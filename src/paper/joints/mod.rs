@@ -209,7 +209,7 @@ where
         Ok(())
     }
 
-    /// Where iterations start.
+    /// Sets the increments with which iterations start.
     fn guess(&mut self, span: T::Real, ground: T) {
         let half = if self.scheme.sweeps.is_some() { T::Real::of(0.5) } else { T::Real::zero() };
         let mut inner = ground;

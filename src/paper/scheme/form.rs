@@ -138,7 +138,7 @@ where
         }
     }
 
-    /// The same in increments, where r_O − r_I = (7) r_{2,O} of this step less that carried from the last one.
+    /// The last column of (32) in increments, where r_O − r_I = (7) r_{2,O} of this step less that carried from the last one.
     fn given(&self, body: &Body<T, D::Memory, S::Orient, N, P, A>) -> Given<T, P, A> {
         let [inboard, centre, _] = body.points.each_ref().map(|point| each(point, |c| self.chi(c).acceleration));
         Given {

@@ -79,7 +79,7 @@ where
             body.found = core::array::from_fn(|i| angles[i] - last[i]);
         }
         body.shown = S::Orient::shown(&body.base, &angles, &body.shown);
-        S::Orient::land(&mut body.base, &mut body.angles);
+        S::Orient::retract(&mut body.base, &mut body.angles);
     }
 
     /// Strains a joint between two bodies that have gone on.
@@ -158,7 +158,7 @@ where
         }
     }
 
-    /// By how much the forces at both ends of each body miss (32), the largest share of the terms that balance there: what rounding
+    /// Residual of (32) in the forces at both ends of each body, the largest share of the terms that balance there: what rounding
     /// did to the last solution. It tells of the Riccati transform, in whose increments it is formed. Nothing, where matrices are not
     /// [kept](super::Scheme::keeping_matrices).
     pub fn residual(&self) -> Option<T::Real> {

@@ -41,7 +41,7 @@ pub struct Scheme<D> {
 }
 
 impl<D> Scheme<D> {
-    /// As printed: linearised at t_{i−1}, solved by the plain product, with angles 1-2-3 in space.
+    /// The scheme as printed: linearised at t_{i−1}, solved by the plain product, with angles 1-2-3 in space.
     pub fn new(rule: D) -> Self {
         Self { rule, at: At::Previous, solver: Solver::Product, slots: Slots::Angles, keeps: false }
     }

@@ -34,13 +34,13 @@ where
     /// The torque applied in the root's joint.
     pub(super) drive: [T; A],
     pub(super) parts: Parts<T, D::Memory, S::Orient, N, P, A>,
-    /// Those formed last: a block of them, or all.
+    /// Links formed last: a block of them, or all.
     pub(super) links: Vec<Link<T, N, P, A>>,
     pub(super) room: Room<T, H, P, A>,
     pub(super) matrices: Vec<TransferMatrix<T, N>>,
-    /// As solved: absolute, or in increments.
+    /// States as solved: absolute, or in increments.
     pub(super) states: Vec<StateVector<T, N>>,
-    /// Absolute.
+    /// Absolute states.
     pub(super) stations: Vec<StateVector<T, N>>,
     pub(super) sweeps: usize,
 }
@@ -113,7 +113,7 @@ where
             if self.scheme.at != At::Iterated || holds {
                 break;
             }
-            holds = self.miss() <= T::Real::EPSILON.powf(T::Real::of(0.75));
+            holds = self.linearization_residual() <= T::Real::EPSILON.powf(T::Real::of(0.75));
             if !holds && sweep == 30 {
                 return Err(at_time(Error::new(Fault::NotConverged { sweeps: 30 })));
             }
@@ -179,8 +179,8 @@ where
         Ok(())
     }
 
-    /// By how much the worst body misses where it was linearised (rad).
-    fn miss(&mut self) -> T::Real {
+    /// The largest residual of a linearisation: by how much a body misses where it was taken (rad).
+    fn linearization_residual(&mut self) -> T::Real {
         let absolute = self.scheme.solver == Solver::Product;
         let Parts { order, bodies, .. } = &mut self.parts;
         let mut worst = T::Real::zero();
@@ -188,8 +188,8 @@ where
             if let Part::Body(number) = *part {
                 let body = &mut bodies[number];
                 body.find(z, absolute);
-                let miss = body.expansion.miss(&core::array::from_fn(|i| body.angles[i].value + body.found[i]));
-                worst = worst.max(miss);
+                let residual = body.expansion.residual(&core::array::from_fn(|i| body.angles[i].value + body.found[i]));
+                worst = worst.max(residual);
             }
         }
         worst
@@ -207,7 +207,7 @@ where
         self.turns().nth(k)
     }
 
-    /// The same of all bodies, root to tip.
+    /// Angles, rates and angular accelerations (rad, s) of all bodies, root to tip.
     pub fn turns(&self) -> impl Iterator<Item = [T; 3]> {
         self.parts.bodies.iter().map(|Body { angles: [angle], .. }| [angle.value, angle.rate, angle.acceleration])
     }

@@ -26,19 +26,19 @@ pub fn hinged_root<T: Scalar>(axis: Vector<T>, ground: &Frame<T>, first: &Axes<T
     end
 }
 
-/// Adds to a tip whose place is held so many conditions of its attitude. They are closures from the fourth on: by how much an attitude misses
-/// them, and the torque that each exerts.
+/// Adds to a tip whose place is held so many conditions of its attitude. They are closures from the fourth on: the residuals of an attitude,
+/// and the torque that each exerts.
 pub fn hold_attitude<T: Scalar>(
     end: &mut End<T, 6>,
     count: usize,
     last: &Axes<T, 3, 3>,
-    miss: impl Fn(Columns<T>) -> [T; 6],
+    residual: impl Fn(Columns<T>) -> [T; 6],
     pull: impl Fn(usize) -> Vector<T>,
 ) {
     let none = [T::zero(); 3];
     let columns = |place: Matrix<T>| {
         let [x, y, z] = place.map(Vector3::from);
-        miss(Columns { x, y, z })
+        residual(Columns { x, y, z })
     };
     let unit = |k: usize, v: Vector<T>| core::array::from_fn(|j| if j == k { v } else { none });
     // Conditions are linear, so what the axes add to nothing.

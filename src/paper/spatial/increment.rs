@@ -36,7 +36,7 @@ pub struct Increment<T: Scalar> {
 }
 
 impl<T: Scalar> Increment<T> {
-    /// As (7) to (12) are taken for angles: at t_{i−1}, to second order in ΔT.
+    /// The increment as (7) to (12) are taken for angles: at t_{i−1}, to second order in ΔT.
     pub fn printed(base: &Matrix<T>, spin: Vector<T>, angular: Vector<T>, dt: T::Real) -> Self {
         let half = T::Real::of(0.5);
         let advance = spin.map(|x| x.scale(dt));
@@ -140,12 +140,12 @@ impl<T: Scalar> Increment<T> {
         shape.matrix(body, step.chi1, &known, external)
     }
 
-    /// The largest component by which ψ misses where arms are expanded (rad).
-    pub(super) fn miss(&self, psi: &Vector<T>) -> T::Real {
+    /// Residual of the linearisation: the largest component by which ψ misses where arms are expanded (rad).
+    pub(super) fn residual(&self, psi: &Vector<T>) -> T::Real {
         let at = self.arms.1;
         (0..3).fold(T::Real::zero(), |worst, k| {
-            let miss = (psi[k] - at[k]).real().abs();
-            if miss <= worst { worst } else { miss }
+            let residual = (psi[k] - at[k]).real().abs();
+            if residual <= worst { worst } else { residual }
         })
     }
 }

@@ -4,7 +4,7 @@
 //! [`Slots::RotationVectors`](super::Slots), the rotation vector of the step:
 //!
 //! ```
-//! use catena::element::Unloaded;
+//! use catena::loading::Unloaded;
 //! use catena::paper::{At, GeneralizedAlpha, Scheme, Slots, Solver};
 //! use catena::spatial::{Ball, Free, Pinned, Rod, System};
 //!

@@ -134,13 +134,13 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
             }
         }
     }
-    fn miss(&self, angles: &Vector<T>) -> T::Real {
+    fn residual(&self, angles: &Vector<T>) -> T::Real {
         match self {
-            Self::Angles(at) => difference(*angles, at.angles).iter().fold(T::Real::zero(), |worst, miss| {
-                let miss = miss.real().abs();
-                if miss <= worst { worst } else { miss }
+            Self::Angles(at) => difference(*angles, at.angles).iter().fold(T::Real::zero(), |worst, residual| {
+                let residual = residual.real().abs();
+                if residual <= worst { worst } else { residual }
             }),
-            Self::Vector(at) => at.miss(angles),
+            Self::Vector(at) => at.residual(angles),
         }
     }
     fn check(&self) -> Result<(), Fault> {
@@ -213,7 +213,7 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
         let shape = Shape { psi: Self::arms(solid).map(|arm| self.psi(arm)), barred: *self.barred(), gyration };
         shape.matrix(rigid, step.chi1, given, external)
     }
-    fn land<M: Copy>(base: &mut Base<T>, angles: &mut [Coordinate<T, M>; 3]) {
+    fn retract<M: Copy>(base: &mut Base<T>, angles: &mut [Coordinate<T, M>; 3]) {
         if base.slots == Slots::RotationVectors {
             let psi = angles.each_ref().map(|angle| angle.value);
             base.attitude = orthonormal(&attitude_of(base, &psi));

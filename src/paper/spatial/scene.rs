@@ -57,9 +57,9 @@ where
             return End::free();
         }
         let still = Frame::resting(Vector3::new(T::zero(), T::zero(), T::zero()));
-        // Closures of places come first: by how much a tip at the origin misses is minus the place.
-        let miss = |frame: &Frame<T>| list::<T, P::Closures, 6>(&self.tip_end().miss(time, frame)[0]);
-        let mut end = End::along_axes(core::array::from_fn(|k| P::Pairs::MOTION[k]), miss(&still).map(|x| -x));
+        // Closures of places come first: the residual of a tip at the origin is minus the place.
+        let residual = |frame: &Frame<T>| list::<T, P::Closures, 6>(&self.tip_end().residual(time, frame)[0]);
+        let mut end = End::along_axes(core::array::from_fn(|k| P::Pairs::MOTION[k]), residual(&still).map(|x| -x));
         if let Some(last) = last {
             let pull = |k: usize| {
                 let unit = P::Closures::each(|j| if j == k { T::one() } else { T::zero() });
@@ -70,7 +70,7 @@ where
                 &mut end,
                 P::Closures::COUNT.saturating_sub(3),
                 last,
-                |attitude| miss(&turned(attitude)),
+                |attitude| residual(&turned(attitude)),
                 pull,
             );
         }

@@ -44,9 +44,9 @@ impl<T: Scalar, F: Fn(T::Real) -> [T; 3]> Attitude<T> for Turning<F> {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Clamped<G, A> {
-    /// Where.
+    /// Place of the end (m).
     pub place: G,
-    /// At which angle.
+    /// Angle of the end (rad).
     pub attitude: A,
 }
 
@@ -61,11 +61,11 @@ impl<G, A> Clamped<G, A> {
     /// The motion of the ground where it holds the end.
     pub(super) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
     where
-        G: Ground<T>,
+        G: Ground<T, 2>,
         A: Attitude<T>,
     {
         let [angle, rate, angular] = self.attitude.at(time);
-        let mut frame = self.place.at(time).frame();
+        let mut frame = self.place.at(time).frame::<Planar<T>>();
         frame.turn = Turn { angle, rate };
         frame.acceleration.angular = angular;
         frame
@@ -73,7 +73,7 @@ impl<G, A> Clamped<G, A> {
 
     pub(super) fn verify<T: Scalar>(&self) -> Result<(), Error>
     where
-        G: Ground<T>,
+        G: Ground<T, 2>,
         A: Attitude<T>,
     {
         self.place.at(T::Real::zero()).check()?;
@@ -83,7 +83,7 @@ impl<G, A> Clamped<G, A> {
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Planar<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, 2>, A: Attitude<T>> Root<Planar<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held);
     type Joint = Weld<T>;
 
@@ -98,7 +98,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Planar<T>> for Clamped<G, A> 
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Planar<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, 2>, A: Attitude<T>> Tip<Planar<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held);
     type Closures = Cut<3>;
     type Relation = Full<T, Cut<3>>;
@@ -121,7 +121,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Planar<T>> for Clamped<G, A> {
         let [x, y, torque] = *multipliers;
         Internal { force: Vector2::new(-x, -y), torque }
     }
-    fn miss(&self, time: T::Real, tip: &Frame<T>) -> [[T; 3]; 2] {
+    fn residual(&self, time: T::Real, tip: &Frame<T>) -> [[T; 3]; 2] {
         let frame = self.frame(time);
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);
         let (angle, rate) = (tip.turn.angle - frame.turn.angle, tip.turn.rate - frame.turn.rate);

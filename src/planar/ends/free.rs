@@ -44,7 +44,7 @@ impl<T: Scalar> Tip<Planar<T>> for Free {
     fn internal(&self, _: T::Real, (): &()) -> Internal<T> {
         Internal::none()
     }
-    fn miss(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
+    fn residual(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
         [(), ()]
     }
     fn free_compliance(&self, _: T::Real, _: &BodyMotion<T>) {}

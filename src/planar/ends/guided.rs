@@ -47,7 +47,7 @@ impl<G, A, T: Scalar> Guided<G, A, T> {
 
     fn verify(&self) -> Result<(), Error>
     where
-        G: Ground<T>,
+        G: Ground<T, 2>,
         A: Attitude<T>,
     {
         self.ground.verify::<T>()?;
@@ -63,7 +63,7 @@ impl<G, A, T: Scalar> Guided<G, A, T> {
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Planar<T>> for Guided<G, A, T> {
+impl<T: Scalar, G: Ground<T, 2>, A: Attitude<T>> Root<Planar<T>> for Guided<G, A, T> {
     type Pairs = (Loose, Held, Held); // along the line, across it, the angle
     type Joint = Slider<T>;
 
@@ -79,7 +79,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Planar<T>> for Guided<G, A, T
 }
 
 /// The line of a tip may move but not turn: how a tip on a turning line has to accelerate depends on where on it it is.
-impl<T: Scalar, G: Ground<T>> Tip<Planar<T>> for Guided<G, T, T> {
+impl<T: Scalar, G: Ground<T, 2>> Tip<Planar<T>> for Guided<G, T, T> {
     type Pairs = (Loose, Held, Held);
     type Closures = Cut<2>;
     type Relation = Full<T, Cut<2>>;
@@ -99,7 +99,7 @@ impl<T: Scalar, G: Ground<T>> Tip<Planar<T>> for Guided<G, T, T> {
         let [force, torque] = *multipliers;
         Internal { force: self.normal(&self.ground.frame(time)) * -force, torque }
     }
-    fn miss(&self, time: T::Real, tip: &Frame<T>) -> [[T; 2]; 2] {
+    fn residual(&self, time: T::Real, tip: &Frame<T>) -> [[T; 2]; 2] {
         let frame = self.ground.frame(time);
         let normal = self.normal(&frame);
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);

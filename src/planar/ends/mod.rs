@@ -3,13 +3,15 @@
 mod clamped;
 mod compliance;
 mod free;
-mod ground;
 mod guided;
 mod pinned;
 
+pub use crate::ends::{Ground, Moving};
 pub use clamped::{Attitude, Clamped, Turning};
 pub(super) use compliance::Compliance;
 pub use free::{Floating, Free};
-pub use ground::{Ground, GroundMotion, Moving};
 pub use guided::Guided;
 pub use pinned::Pinned;
+
+/// Motion of a point of the ground.
+pub type GroundMotion<T> = crate::ends::GroundMotion<T, 2>;

@@ -37,7 +37,7 @@ impl<T: Scalar> Pinned<[T; 2]> {
     }
 }
 
-impl<T: Scalar, G: Ground<T>> Root<Planar<T>> for Pinned<G> {
+impl<T: Scalar, G: Ground<T, 2>> Root<Planar<T>> for Pinned<G> {
     type Pairs = (Held, Held, Loose);
     type Joint = Pin;
 
@@ -45,14 +45,14 @@ impl<T: Scalar, G: Ground<T>> Root<Planar<T>> for Pinned<G> {
         Pin
     }
     fn ground(&self, time: T::Real) -> Frame<T> {
-        self.0.at(time).frame()
+        self.0.at(time).frame::<Planar<T>>()
     }
     fn check(&self) -> Result<(), Error> {
         self.0.at(T::Real::zero()).check().map_err(|error| error.at(Place::Root))
     }
 }
 
-impl<T: Scalar, G: Ground<T>> Tip<Planar<T>> for Pinned<G> {
+impl<T: Scalar, G: Ground<T, 2>> Tip<Planar<T>> for Pinned<G> {
     type Pairs = (Held, Held, Loose);
     type Closures = Cut<2>;
     type Relation = Point<T, Absent, Cut<2>>;
@@ -70,7 +70,7 @@ impl<T: Scalar, G: Ground<T>> Tip<Planar<T>> for Pinned<G> {
     fn internal(&self, _: T::Real, multipliers: &[T; 2]) -> Internal<T> {
         Internal { force: Vector2::new(-multipliers[0], -multipliers[1]), torque: T::zero() }
     }
-    fn miss(&self, time: T::Real, frame: &Frame<T>) -> [[T; 2]; 2] {
+    fn residual(&self, time: T::Real, frame: &Frame<T>) -> [[T; 2]; 2] {
         let GroundMotion { place, velocity, .. } = self.0.at(time);
         let place = frame.place - Vector2::from(place);
         let velocity = frame.velocity - Vector2::from(velocity);

@@ -34,9 +34,9 @@ pub struct BodyStore<T, const K: usize, const A: usize> {
     angular: T,
     rate: T,
     load: Wrench<Jet<T, K>>,
-    /// Whether its parameters have derivatives.
+    /// Whether the body's parameters have derivatives.
     seeded: bool,
-    /// Whether more than its angle and angular velocity has.
+    /// Whether more than the body's angle and angular velocity has derivatives.
     varied: bool,
     /// Columns of the angle.
     angle: [T; K],

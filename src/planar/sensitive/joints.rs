@@ -2,12 +2,12 @@
 
 use super::{Answering, Passing, Pulling};
 use crate::lift::Lift;
-use crate::planar::spring::{Spring, SpringLaw};
 use crate::planar::{ElasticHinge, Pin, Planar, Weld};
 use crate::relation::plane::{Full, Gain, Slides};
 use crate::relation::{Absent, Coefficient, Minus, Term};
 use crate::scalar::{Jet, Scalar, columns};
 use crate::sensitive::{At, Seeds, Sensitive};
+use crate::spring::{Spring, SpringLaw};
 
 /// What a joint that turns keeps.
 #[derive(Clone, Copy)]
@@ -34,7 +34,7 @@ impl<T: Scalar, const K: usize> TurnStore<T, K> {
         relation.full()
     }
 
-    /// Turns what is missed of no torque into angular accelerations.
+    /// Turns residuals in a joint without torque into angular accelerations.
     #[inline(always)]
     fn gather(&self, carried: &mut Pulling<T, K>, acceleration: &mut Jet<T, K>) {
         let (w, minus_inverse) = (self.gain.per_acceleration, self.minus_inverse);
@@ -46,15 +46,15 @@ impl<T: Scalar, const K: usize> TurnStore<T, K> {
         );
     }
 
-    /// The same of a torque.
+    /// Turns residuals in a joint under a torque into angular accelerations.
     #[inline(always)]
     fn gather_under(&self, applied: &[T; K], carried: &mut Pulling<T, K>, acceleration: &mut Jet<T, K>) {
         let (w, minus_inverse) = (self.gain.per_acceleration, self.minus_inverse);
         columns!(K; applied = *applied; k:
-            let missed = torque[k] - applied[k],
-            mut x = carried.x => w.x.mul_add(missed, x[k]),
-            mut y = carried.y => w.y.mul_add(missed, y[k]),
-            mut free = acceleration.eps => missed * minus_inverse,
+            let residual = torque[k] - applied[k],
+            mut x = carried.x => w.x.mul_add(residual, x[k]),
+            mut y = carried.y => w.y.mul_add(residual, y[k]),
+            mut free = acceleration.eps => residual * minus_inverse,
             mut torque = carried.torque => applied[k]
         );
     }

@@ -16,9 +16,9 @@ pub struct Passing<T, const K: usize> {
     pub(super) acceleration: Acceleration<T>,
     /// Angular velocity of that body (rad/s).
     pub(super) rate: T,
-    /// Columns of its angle.
+    /// Columns of the body's angle.
     pub(super) angle: [T; K],
-    /// Columns of its angular velocity.
+    /// Columns of the body's angular velocity.
     pub(super) spin: [T; K],
     /// Columns of the acceleration of the station.
     pub(super) x: [T; K],
@@ -34,7 +34,7 @@ pub struct Passing<T, const K: usize> {
 pub struct Pulling<T, const K: usize> {
     /// Force on the outboard part (N).
     pub(super) force: Vector2<T>,
-    /// Its columns.
+    /// Columns of the force on the outboard part.
     pub(super) x: [T; K],
     pub(super) y: [T; K],
     /// Columns of the torque on the outboard part.

@@ -41,14 +41,14 @@ pub struct BodySeries<T, const N: usize> {
     turning: [[T; 4]; N],
 }
 
-/// The number with these parts times `by`.
+/// The number with the parts `by` times `v`.
 #[inline(always)]
 fn times<T: Scalar>(by: [T; 2], v: Vector2<T>) -> Vector2<T> {
     let [x, y] = by;
     Vector2::new(x.mul_add(v.x, -(y * v.y)), x.mul_add(v.y, y * v.x))
 }
 
-/// The same with the conjugate of `by`.
+/// The number conjugate to `by` times `v`.
 #[inline(always)]
 fn back<T: Scalar>([x, y]: [T; 2], v: Vector2<T>) -> Vector2<T> {
     times([x, -y], v)

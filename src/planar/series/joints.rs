@@ -2,12 +2,12 @@
 
 use super::Articulated;
 use crate::element::Posture;
-use crate::planar::spring::{Spring, SpringLaw};
 use crate::planar::{Acceleration, ElasticHinge, Internal, Joint, Pin, Planar, Turn, Weld};
 use crate::relation::plane::algebra::{add_scaled, plus_dot};
 use crate::relation::{Absent, Coefficient, Symmetric, Term};
 use crate::scalar::Scalar;
 use crate::series::{Expand, Instant, Order, Origin};
+use crate::spring::{Spring, SpringLaw};
 use nalgebra::Vector2;
 
 /// What a joint that turns keeps.
@@ -170,7 +170,7 @@ impl<T: Scalar> AffineLaw<T> for Absent {
     }
 }
 
-impl<T: Scalar, D: Coefficient<T>, P: Term<T>> AffineLaw<T> for Spring<T, D, P> {
+impl<T: Scalar, K: Coefficient<T>, D: Coefficient<T>, P: Term<T>> AffineLaw<T> for Spring<K, D, P> {
     #[inline(always)]
     fn change(&self, position: T, rate: T) -> T {
         self.unstrained().force(position, rate)

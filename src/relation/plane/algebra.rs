@@ -1,7 +1,7 @@
 //! Vectors and symmetric matrices of the plane, with products fused where the target can.
 
 pub use crate::relation::geometry::{add_scaled, dot, zero};
-use crate::relation::{Acceleration, Additive, Angular, Symmetric, VectorSpace, Wrench};
+use crate::relation::{Additive, Symmetric};
 use crate::scalar::Scalar;
 use core::ops::Add;
 use nalgebra::Vector2;
@@ -22,60 +22,6 @@ pub fn cross<T: Scalar>(a: Vector2<T>, b: Vector2<T>) -> T {
 #[inline(always)]
 pub fn normal<T: Scalar>(d: Vector2<T>) -> Vector2<T> {
     Vector2::new(-d.y, d.x)
-}
-
-impl<T: Scalar> Additive for Vector2<T> {
-    #[inline(always)]
-    fn null() -> Self {
-        Self::new(T::zero(), T::zero())
-    }
-}
-
-impl<T: Scalar> VectorSpace for Vector2<T> {
-    type Scalar = T;
-    #[inline(always)]
-    fn dot(a: Self, b: Self) -> T {
-        a.x.mul_add(b.x, a.y * b.y)
-    }
-    #[inline(always)]
-    fn minus_dot(sum: T, a: Self, b: Self) -> T {
-        (-a.x).mul_add(b.x, (-a.y).mul_add(b.y, sum))
-    }
-    #[inline(always)]
-    fn times(self, factor: T) -> Self {
-        self * factor
-    }
-    #[inline(always)]
-    fn plus_scaled(self, factor: T, v: Self) -> Self {
-        Self::new(v.x.mul_add(factor, self.x), v.y.mul_add(factor, self.y))
-    }
-    fn all_finite(self) -> bool {
-        self.x.is_finite() && self.y.is_finite()
-    }
-}
-
-/// Moments of the plane are numbers.
-impl<T: Scalar> Angular<Vector2<T>> for T {
-    #[inline(always)]
-    fn moment(d: Vector2<T>, f: Vector2<T>) -> T {
-        dot(normal(d), f)
-    }
-    #[inline(always)]
-    fn moment_onto(d: Vector2<T>, f: Vector2<T>, sum: T) -> T {
-        plus_dot(sum, normal(d), f)
-    }
-    #[inline(always)]
-    fn swing_onto(self, d: Vector2<T>, sum: Vector2<T>) -> Vector2<T> {
-        add_scaled(sum, self, normal(d))
-    }
-    #[inline(always)]
-    fn centripetal(self, d: Vector2<T>) -> Vector2<T> {
-        d * -(self * self)
-    }
-    #[inline(always)]
-    fn work(w: Wrench<Vector2<T>, T>, p: &Acceleration<Vector2<T>, T>) -> T {
-        w.torque.mul_add(p.angular, dot(w.force, p.linear))
-    }
 }
 
 /// A symmetric 2 × 2 matrix, one triangle stored.

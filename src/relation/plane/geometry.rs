@@ -2,7 +2,7 @@
 
 use super::Full;
 use super::algebra::{Symmetric2, add_scaled, dot, normal, plus_dot};
-use crate::relation::{Cuts, Geometry, Symmetric};
+use crate::relation::{Acceleration, Additive, Angular, Cuts, Geometry, Symmetric, VectorSpace, Wrench};
 use crate::scalar::Scalar;
 use core::fmt;
 use core::marker::PhantomData;
@@ -66,5 +66,59 @@ impl<T: Scalar> Geometry for Planar<T> {
             torque: T::zero(), // only bodies meet lumps, and their centripetal force has no moment about the station: n · d = 0
             cuts: Cuts::none(),
         }
+    }
+}
+
+impl<T: Scalar> Additive for Vector2<T> {
+    #[inline(always)]
+    fn null() -> Self {
+        Self::new(T::zero(), T::zero())
+    }
+}
+
+impl<T: Scalar> VectorSpace for Vector2<T> {
+    type Scalar = T;
+    #[inline(always)]
+    fn dot(a: Self, b: Self) -> T {
+        a.x.mul_add(b.x, a.y * b.y)
+    }
+    #[inline(always)]
+    fn minus_dot(sum: T, a: Self, b: Self) -> T {
+        (-a.x).mul_add(b.x, (-a.y).mul_add(b.y, sum))
+    }
+    #[inline(always)]
+    fn times(self, factor: T) -> Self {
+        self * factor
+    }
+    #[inline(always)]
+    fn plus_scaled(self, factor: T, v: Self) -> Self {
+        Self::new(v.x.mul_add(factor, self.x), v.y.mul_add(factor, self.y))
+    }
+    fn all_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite()
+    }
+}
+
+/// Moments of the plane are numbers.
+impl<T: Scalar> Angular<Vector2<T>> for T {
+    #[inline(always)]
+    fn moment(d: Vector2<T>, f: Vector2<T>) -> T {
+        dot(normal(d), f)
+    }
+    #[inline(always)]
+    fn moment_onto(d: Vector2<T>, f: Vector2<T>, sum: T) -> T {
+        plus_dot(sum, normal(d), f)
+    }
+    #[inline(always)]
+    fn swing_onto(self, d: Vector2<T>, sum: Vector2<T>) -> Vector2<T> {
+        add_scaled(sum, self, normal(d))
+    }
+    #[inline(always)]
+    fn centripetal(self, d: Vector2<T>) -> Vector2<T> {
+        d * -(self * self)
+    }
+    #[inline(always)]
+    fn work(w: Wrench<Vector2<T>, T>, p: &Acceleration<Vector2<T>, T>) -> T {
+        w.torque.mul_add(p.angular, dot(w.force, p.linear))
     }
 }

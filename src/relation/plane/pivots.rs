@@ -71,7 +71,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
     note = "end a chain with a body, put a body between two pins, and start a chain with a body: the root `Pinned` is a pin"
 )]
 pub trait Rigid<T: Scalar>: Copy {
-    /// Closure forces it carries.
+    /// Closure forces that the relation carries.
     type Closures: Closures;
     /// The relation in full.
     fn full(self) -> Full<T, Self::Closures>;
@@ -103,7 +103,7 @@ impl<T: Scalar, C: Closures> Gain<T, C> {
         Self { per_acceleration, free: T::zero(), per_closure: C::each(|_| T::zero()) }
     }
 
-    /// Whether its pivot resists: what velocities, loads and springs contribute may overflow where it does.
+    /// Whether the pivot of the gain resists: what velocities, loads and springs contribute may overflow where it does.
     pub fn is_finite(&self) -> bool {
         self.per_acceleration.x.is_finite() && self.per_acceleration.y.is_finite()
     }
@@ -132,7 +132,7 @@ impl<T: Scalar, C: Closures> HingeGain<T, C> {
         (self.per_acceleration, self.free, self.per_closure) = (per_acceleration, free, per_closure);
     }
 
-    /// Whether its pivot resists: what velocities, loads and springs contribute may overflow where it does.
+    /// Whether the pivot of the gain resists: what velocities, loads and springs contribute may overflow where it does.
     pub fn is_finite(&self) -> bool {
         let w = self.per_acceleration;
         w.x.is_finite() && w.y.is_finite() && self.per_angular.is_finite()

@@ -13,13 +13,13 @@ use nalgebra::Vector2;
     note = "end a chain with a body, not with a joint"
 )]
 pub trait Slides<T: Scalar>: Relation<Planar<T>, WithMass = Self> {
-    /// The same relation in full.
+    /// This relation in full.
     fn full(self) -> Full<T, Self::Closures>;
 
-    /// The same relation with the components of vectors along axes in the direction (x, y) and its normal.
+    /// This relation with the components of vectors along axes in the direction (x, y) and its normal.
     fn along(self, direction: Vector2<T>) -> Self;
 
-    /// The same with x and y exchanged: what eliminates x then eliminates y.
+    /// This relation with x and y exchanged: what eliminates x then eliminates y.
     fn swapped(self) -> Self;
 
     /// Lets the station move along x against a force τ̂ − K̂ ẍ on the outboard part, ẍ relative to the inboard one: only
@@ -56,7 +56,7 @@ impl<T: Scalar, C: Closures> SlideGain<T, C> {
         Self { per_acceleration: self.per_acceleration.yx(), ..self }
     }
 
-    /// Whether its pivot resists: what velocities, loads and springs contribute may overflow where it does.
+    /// Whether the pivot of the gain resists: what velocities, loads and springs contribute may overflow where it does.
     pub fn is_finite(&self) -> bool {
         let w = self.per_acceleration;
         w.x.is_finite() && w.y.is_finite() && self.per_angular.is_finite()

@@ -2,7 +2,7 @@
 
 use crate::lift::Lift;
 pub use crate::relation::geometry::{add_scaled, dot, zero};
-use crate::relation::{Acceleration, Additive, Angular, Symmetric, VectorSpace, Wrench};
+use crate::relation::{Additive, Symmetric, VectorSpace};
 use crate::scalar::Scalar;
 use core::ops::Add;
 use nalgebra::Vector3;
@@ -44,59 +44,6 @@ pub fn vector<T: Scalar>([x, y, z]: [T; 3]) -> Vector3<T> {
 /// Whether every entry is finite.
 pub fn is_finite<T: Scalar>(v: Vector3<T>) -> bool {
     v.all_finite()
-}
-
-impl<T: Scalar> Additive for Vector3<T> {
-    #[inline(always)]
-    fn null() -> Self {
-        Self::new(T::zero(), T::zero(), T::zero())
-    }
-}
-
-impl<T: Scalar> VectorSpace for Vector3<T> {
-    type Scalar = T;
-    #[inline(always)]
-    fn dot(a: Self, b: Self) -> T {
-        a.x.mul_add(b.x, a.y.mul_add(b.y, a.z * b.z))
-    }
-    #[inline(always)]
-    fn minus_dot(sum: T, a: Self, b: Self) -> T {
-        sum - dot(a, b)
-    }
-    #[inline(always)]
-    fn times(self, factor: T) -> Self {
-        self * factor
-    }
-    #[inline(always)]
-    fn plus_scaled(self, factor: T, v: Self) -> Self {
-        Self::new(v.x.mul_add(factor, self.x), v.y.mul_add(factor, self.y), v.z.mul_add(factor, self.z))
-    }
-    fn all_finite(self) -> bool {
-        self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
-    }
-}
-
-impl<T: Scalar> Angular<Self> for Vector3<T> {
-    #[inline(always)]
-    fn moment(d: Self, f: Self) -> Self {
-        cross(d, f)
-    }
-    #[inline(always)]
-    fn moment_onto(d: Self, f: Self, sum: Self) -> Self {
-        cross_onto(d, f, sum)
-    }
-    #[inline(always)]
-    fn swing_onto(self, d: Self, sum: Self) -> Self {
-        cross_onto(self, d, sum)
-    }
-    #[inline(always)]
-    fn centripetal(self, d: Self) -> Self {
-        centripetal(self, d)
-    }
-    #[inline(always)]
-    fn work(w: Wrench<Self, Self>, p: &Acceleration<Self, Self>) -> T {
-        dot(w.force, p.linear) + dot(w.torque, p.angular)
-    }
 }
 
 /// A 3 × 3 matrix as three columns. That of an attitude holds the body's axes in inertial axes.
@@ -239,7 +186,7 @@ impl<T: Scalar> Symmetric<Vector3<T>> for Symmetric3<T> {
 }
 
 impl<T: Scalar> Symmetric3<T> {
-    /// These values on the diagonal.
+    /// The symmetric matrix with these values on its diagonal.
     #[inline(always)]
     pub fn of_diagonal(values: Vector3<T>) -> Self {
         let o = T::zero();

@@ -48,7 +48,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
         }
     }
 
-    /// The same with an angular acceleration alone.
+    /// This relation with the bias of an angular acceleration alone.
     #[inline(always)]
     pub fn turning(self, angular: Vector3<T>) -> Self {
         Self {
@@ -67,7 +67,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
     note = "end a chain with a body, put a body between two joints, and start a chain with a body: the root `Pinned` is a ball"
 )]
 pub trait Rigid<T: Scalar>: Copy {
-    /// Closure forces it carries.
+    /// Closure forces that the relation carries.
     type Closures: Closures;
     /// The relation in full.
     fn full(self) -> Full<T, Self::Closures>;

@@ -1,8 +1,8 @@
 //! The numbers of space in relations, and their products.
 
 use super::Full;
-use super::algebra::{Columns, Symmetric3, add_scaled, cross, dot};
-use crate::relation::{Additive, Cuts, Geometry, Symmetric};
+use super::algebra::{self, Columns, Symmetric3, add_scaled, cross, cross_onto, dot};
+use crate::relation::{Acceleration, Additive, Angular, Cuts, Geometry, Symmetric, VectorSpace, Wrench};
 use crate::scalar::Scalar;
 use core::fmt;
 use core::marker::PhantomData;
@@ -88,5 +88,58 @@ impl<T: Scalar> Geometry for Spatial<T> {
             torque: cross(d, force),
             cuts: Cuts::none(),
         }
+    }
+}
+
+impl<T: Scalar> Additive for Vector3<T> {
+    #[inline(always)]
+    fn null() -> Self {
+        Self::new(T::zero(), T::zero(), T::zero())
+    }
+}
+
+impl<T: Scalar> VectorSpace for Vector3<T> {
+    type Scalar = T;
+    #[inline(always)]
+    fn dot(a: Self, b: Self) -> T {
+        a.x.mul_add(b.x, a.y.mul_add(b.y, a.z * b.z))
+    }
+    #[inline(always)]
+    fn minus_dot(sum: T, a: Self, b: Self) -> T {
+        sum - dot(a, b)
+    }
+    #[inline(always)]
+    fn times(self, factor: T) -> Self {
+        self * factor
+    }
+    #[inline(always)]
+    fn plus_scaled(self, factor: T, v: Self) -> Self {
+        Self::new(v.x.mul_add(factor, self.x), v.y.mul_add(factor, self.y), v.z.mul_add(factor, self.z))
+    }
+    fn all_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+    }
+}
+
+impl<T: Scalar> Angular<Self> for Vector3<T> {
+    #[inline(always)]
+    fn moment(d: Self, f: Self) -> Self {
+        cross(d, f)
+    }
+    #[inline(always)]
+    fn moment_onto(d: Self, f: Self, sum: Self) -> Self {
+        cross_onto(d, f, sum)
+    }
+    #[inline(always)]
+    fn swing_onto(self, d: Self, sum: Self) -> Self {
+        cross_onto(self, d, sum)
+    }
+    #[inline(always)]
+    fn centripetal(self, d: Self) -> Self {
+        algebra::centripetal(self, d)
+    }
+    #[inline(always)]
+    fn work(w: Wrench<Self, Self>, p: &Acceleration<Self, Self>) -> T {
+        dot(w.force, p.linear) + dot(w.torque, p.angular)
     }
 }

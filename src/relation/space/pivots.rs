@@ -166,7 +166,7 @@ impl<T: Scalar, C: Closures> Gain<T, C> {
         Self { per_acceleration: Columns::null(), free: zero(), per_closure: C::each(|_| zero()) }
     }
 
-    /// Whether its pivots resist: what velocities, loads and springs contribute may overflow where they do.
+    /// Whether the pivots of the gain resist: what velocities, loads and springs contribute may overflow where they do.
     pub fn is_finite(&self) -> bool {
         let Columns { x, y, z } = self.per_acceleration;
         [x, y, z].into_iter().all(is_finite)
@@ -207,13 +207,13 @@ impl<T: Scalar, C: Closures> BallGain<T, C> {
         Self { absolute, per_angular: Columns { x: -x, y: -y, z: -z } }
     }
 
-    /// The same without what velocities, loads and springs contribute.
+    /// This gain without what velocities, loads and springs contribute.
     #[inline(always)]
     pub fn homogeneous(&self) -> Self {
         Self { absolute: Gain { free: zero(), ..self.absolute }, ..*self }
     }
 
-    /// Whether its pivots resist: what velocities, loads and springs contribute may overflow where they do.
+    /// Whether the pivots of the gain resist: what velocities, loads and springs contribute may overflow where they do.
     pub fn is_finite(&self) -> bool {
         let Columns { x, y, z } = self.per_angular;
         self.absolute.is_finite() && [x, y, z].into_iter().all(is_finite)
@@ -245,7 +245,7 @@ impl<T: Scalar, C: Closures> Pivot<T, C> {
         Self { per_linear: zero(), per_angular: zero(), free: T::zero(), per_closure: C::each(|_| T::zero()) }
     }
 
-    /// Whether its pivot resists: what velocities, loads and springs contribute may overflow where it does.
+    /// Whether the pivot of the gain resists: what velocities, loads and springs contribute may overflow where it does.
     pub fn is_finite(&self) -> bool {
         is_finite(self.per_linear) && is_finite(self.per_angular)
     }

@@ -25,7 +25,7 @@ pub struct AttitudeMotion<T> {
 
 /// An attitude of the ground that may change as a given function of time.
 pub trait Attitude<T: Scalar> {
-    /// Its motion at a time (s).
+    /// The attitude's motion at a time (s).
     fn at(&self, time: T::Real) -> AttitudeMotion<T>;
 }
 
@@ -56,9 +56,9 @@ impl<T: Scalar, F: Fn(T::Real) -> AttitudeMotion<T>> Attitude<T> for Turning<F> 
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Clamped<G, A> {
-    /// Where.
+    /// Place of the end (m).
     pub place: G,
-    /// At which attitude.
+    /// Attitude of the end.
     pub attitude: A,
 }
 
@@ -77,11 +77,11 @@ impl<G, A> Clamped<G, A> {
     /// The motion of the ground where it holds the end.
     pub(super) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
     where
-        G: Ground<T>,
+        G: Ground<T, 3>,
         A: Attitude<T>,
     {
         let AttitudeMotion { attitude, spin, acceleration } = self.attitude.at(time);
-        let mut frame = self.place.at(time).frame();
+        let mut frame = self.place.at(time).frame::<Spatial<T>>();
         frame.turn = Turn { attitude: attitude.matrix(), spin: Vector3::from(spin) };
         frame.acceleration.angular = Vector3::from(acceleration);
         frame
@@ -89,7 +89,7 @@ impl<G, A> Clamped<G, A> {
 
     pub(super) fn verify<T: Scalar>(&self) -> Result<(), Error>
     where
-        G: Ground<T>,
+        G: Ground<T, 3>,
         A: Attitude<T>,
     {
         self.place.at(T::Real::zero()).check()?;
@@ -100,7 +100,7 @@ impl<G, A> Clamped<G, A> {
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Spatial<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Root<Spatial<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held, Held, Held, Held);
     type Joint = Weld<T>;
 
@@ -115,7 +115,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Spatial<T>> for Clamped<G, A>
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Spatial<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Tip<Spatial<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held, Held, Held, Held);
     type Closures = Cut<6>;
     type Relation = Full<T, Cut<6>>;
@@ -140,7 +140,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Spatial<T>> for Clamped<G, A> 
         let [a, b, c, d, e, f] = *multipliers;
         Internal { force: -Vector3::new(a, b, c), torque: Vector3::new(d, e, f) }
     }
-    fn miss(&self, time: T::Real, tip: &Frame<T>) -> [[T; 6]; 2] {
+    fn residual(&self, time: T::Real, tip: &Frame<T>) -> [[T; 6]; 2] {
         let frame = self.frame(time);
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);
         // For a small turn δ of the body's axes against those demanded, Σ d_k × (d_k + δ × d_k) = 2 δ.

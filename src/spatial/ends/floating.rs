@@ -47,8 +47,13 @@ impl<T: Scalar> Joint<T> for Floating<T> {
         T::zero()
     }
     /// Three angles 1-2-3; the place stays.
-    fn aim(&self, position: &mut Self::Position, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-        Joint::aim(&Ball, &mut position.1, inboard, next)
+    fn configure(
+        &self,
+        position: &mut Self::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T> {
+        Joint::configure(&Ball, &mut position.1, inboard, next)
     }
     #[inline(always)]
     fn oriented(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> (Turn<T>, Stored<T>) {

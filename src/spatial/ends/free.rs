@@ -42,7 +42,7 @@ impl<T: Scalar> Tip<Spatial<T>> for Free {
     fn internal(&self, _: T::Real, (): &()) -> Internal<T> {
         Internal::none()
     }
-    fn miss(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
+    fn residual(&self, _: T::Real, _: &Frame<T>) -> [(); 2] {
         [(), ()]
     }
     fn free_compliance(&self, _: T::Real, _: &BodyMotion<T>) {}

@@ -20,7 +20,7 @@ use nalgebra::Vector3;
 /// five closure forces hold it: a force (N, inertial axes) and torques (N·m) about two directions across the axis, all ON the last body.
 ///
 /// ```
-/// use catena::element::Unloaded;
+/// use catena::loading::Unloaded;
 /// use catena::spatial::*;
 /// let rod = |length| Rod::uniform(length, 0.02, 1.0);
 /// // A crank about z and a rocker about y, with a coupler between a ball and a universal joint.
@@ -62,7 +62,7 @@ impl<G, A, T: Scalar> Hinged<G, A, T> {
 
     fn verify(&self) -> Result<(), Error>
     where
-        G: Ground<T>,
+        G: Ground<T, 3>,
         A: Attitude<T>,
     {
         check_axis(self.axis).map_err(Error::new)?;
@@ -76,8 +76,8 @@ impl<G, A, T: Scalar> Hinged<G, A, T> {
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Spatial<T>> for Hinged<G, A, T> {
-    /// In axes of the joint, its own the last.
+impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Root<Spatial<T>> for Hinged<G, A, T> {
+    /// Pairs in axes of the joint, its own the last.
     type Pairs = (Held, Held, Held, Held, Held, Loose);
     type Joint = Revolute<T>;
 
@@ -92,7 +92,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Root<Spatial<T>> for Hinged<G, A, 
     }
 }
 
-impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Spatial<T>> for Hinged<G, A, T> {
+impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Tip<Spatial<T>> for Hinged<G, A, T> {
     type Pairs = (Held, Held, Held, Held, Held, Loose);
     type Closures = Cut<5>;
     type Relation = Full<T, Cut<5>>;
@@ -121,7 +121,7 @@ impl<T: Scalar, G: Ground<T>, A: Attitude<T>> Tip<Spatial<T>> for Hinged<G, A, T
         let [first, second] = self.normals(&self.ground.frame(time).turn);
         Internal { force: -Vector3::new(x, y, z), torque: first * one + second * two }
     }
-    fn miss(&self, time: T::Real, tip: &Frame<T>) -> [[T; 5]; 2] {
+    fn residual(&self, time: T::Real, tip: &Frame<T>) -> [[T; 5]; 2] {
         let frame = self.ground.frame(time);
         let [first, second] = self.normals(&frame.turn);
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);

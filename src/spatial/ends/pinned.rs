@@ -37,7 +37,7 @@ impl<T: Scalar> Pinned<[T; 3]> {
     }
 }
 
-impl<T: Scalar, G: Ground<T>> Root<Spatial<T>> for Pinned<G> {
+impl<T: Scalar, G: Ground<T, 3>> Root<Spatial<T>> for Pinned<G> {
     type Pairs = (Held, Held, Held, Loose, Loose, Loose);
     type Joint = Ball;
 
@@ -45,14 +45,14 @@ impl<T: Scalar, G: Ground<T>> Root<Spatial<T>> for Pinned<G> {
         Ball
     }
     fn ground(&self, time: T::Real) -> Frame<T> {
-        self.0.at(time).frame()
+        self.0.at(time).frame::<Spatial<T>>()
     }
     fn check(&self) -> Result<(), Error> {
         self.0.at(T::Real::zero()).check().map_err(|error| error.at(Place::Root))
     }
 }
 
-impl<T: Scalar, G: Ground<T>> Tip<Spatial<T>> for Pinned<G> {
+impl<T: Scalar, G: Ground<T, 3>> Tip<Spatial<T>> for Pinned<G> {
     type Pairs = (Held, Held, Held, Loose, Loose, Loose);
     type Closures = Cut<3>;
     type Relation = Point<T, Absent, Cut<3>>;
@@ -69,7 +69,7 @@ impl<T: Scalar, G: Ground<T>> Tip<Spatial<T>> for Pinned<G> {
     fn internal(&self, _: T::Real, multipliers: &[T; 3]) -> Internal<T> {
         Internal { force: -Vector3::from(*multipliers), torque: zero() }
     }
-    fn miss(&self, time: T::Real, frame: &Frame<T>) -> [[T; 3]; 2] {
+    fn residual(&self, time: T::Real, frame: &Frame<T>) -> [[T; 3]; 2] {
         let GroundMotion { place, velocity, .. } = self.0.at(time);
         [(frame.place - Vector3::from(place)).into(), (frame.velocity - Vector3::from(velocity)).into()]
     }

@@ -10,8 +10,8 @@ use crate::scalar::{Jet, Scalar};
 use crate::sensitive::{At, Seeds, Sensitive};
 use crate::spatial::axial::{Axial, Listed, Relative};
 use crate::spatial::loads::Effort;
-use crate::spatial::spring::Law;
 use crate::spatial::{Acceleration, Revolute, Spatial, Turn, Universal};
+use crate::spring::SpringLaw;
 use nalgebra::Vector3;
 use num_traits::Zero;
 
@@ -32,7 +32,7 @@ macro_rules! axial {
     ($Joint:ident<$($Law:ident $Over:ident),*>, $D:literal) => {
         impl<T: Scalar, $($Law, $Over,)* const K: usize> Sensitive<Spatial<Jet<T, K>>> for $Joint<Jet<T, K>, $($Law),*>
         where
-            $($Law: Law<Jet<T, K>> + Lift<Jet<T, K>, T, Over = $Over>, $Over: Law<T>,)*
+            $($Law: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T, Over = $Over>, $Over: SpringLaw<T>,)*
         {
             type Plain = $Joint<T, $($Over),*>;
             type Room = AxialStore<T, K, $D>;
@@ -74,7 +74,7 @@ macro_rules! axial {
                 for i in (0..$D).rev() {
                     let axis = if i == 0 { stored.x } else { stored.y };
                     let load = if N::LOADS { store.load.0[i].re } else { T::zero() };
-                    let force = at.plain.force_onto(i, position[i].re, rate[i].re, load);
+                    let force = load + at.plain.force(i, position[i].re, rate[i].re);
                     // The same quotient as in the elimination.
                     store.minus_inverse[i] = -dot(axis, relation.angular.apply(axis)).recip();
                     (relation, store.pivots[i]) = relation.released(Way::Turn, axis, force, Absent);
@@ -152,15 +152,15 @@ macro_rules! axial {
                 let mut list = acceleration.list();
                 for i in (0..$D).rev() {
                     let load = if N::LOADS { store.load.0[i] } else { Jet::zero() };
-                    let force = self.force_onto(i, position[i], rate[i], load);
-                    let mut missed = force.eps.map(|x| -x);
-                    project(&mut missed, store.axes[i], &carried.torques);
-                    project(&mut missed, carried.torque, &store.turned[i]);
+                    let force = load + self.force(i, position[i], rate[i]);
+                    let mut residual = force.eps.map(|x| -x);
+                    project(&mut residual, store.axes[i], &carried.torques);
+                    project(&mut residual, carried.torque, &store.turned[i]);
                     let Pivot { per_linear, per_angular, .. } = store.pivots[i];
-                    add_along(&mut carried.forces, per_linear, &missed);
-                    add_along(&mut carried.torques, per_angular, &missed);
+                    add_along(&mut carried.forces, per_linear, &residual);
+                    add_along(&mut carried.torques, per_angular, &residual);
                     let minus_inverse = store.minus_inverse[i];
-                    list[i].eps = missed.map(|x| x * minus_inverse);
+                    list[i].eps = residual.map(|x| x * minus_inverse);
                 }
                 *acceleration = Listed::from_list(list);
             }

@@ -27,7 +27,7 @@ use nalgebra::Vector3;
 pub struct BodyStore<T, const K: usize> {
     motion: Passing<T, K>,
     load: Wrench<Jet<T, K>>,
-    /// Whether its parameters have derivatives.
+    /// Whether the body's parameters have derivatives.
     seeded: bool,
 }
 

@@ -126,8 +126,8 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
             let attitude = at.posture.x;
             apply(&mut applied, attitude, &parts(&torque));
             apply(&mut applied, &crossed(-attitude.apply(value(&torque))), &store.angle);
-            for (missed, applied) in carried.torques.iter_mut().zip(&applied) {
-                columns!(K; applied = *applied; k: mut missed = *missed => missed[k] - applied[k]);
+            for (residual, applied) in carried.torques.iter_mut().zip(&applied) {
+                columns!(K; applied = *applied; k: mut residual = *residual => residual[k] - applied[k]);
             }
         }
         let Columns { x, y, z } = store.gain.per_acceleration;

@@ -36,7 +36,7 @@ pub struct Pulling<T, const K: usize> {
     /// Force (N) and torque (N·m) on the outboard part.
     pub(super) force: Vector3<T>,
     pub(super) torque: Vector3<T>,
-    /// Their columns.
+    /// Columns of the force and of the torque.
     pub(super) forces: Vectors<T, K>,
     pub(super) torques: Vectors<T, K>,
 }

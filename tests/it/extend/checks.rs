@@ -2,12 +2,12 @@
 
 use super::geared::Geared;
 use super::tank::{Liquid, Tank};
+use catena::extend::Springs;
 use catena::extend::{Acting, Doubt, JointModel, Kinematics, Release, Resistance, check_element};
+use catena::internals::relation::Closures;
+use catena::internals::relation::plane::{Full, HingeGain};
+use catena::internals::shape::{self, JointPosture};
 use catena::planar::{Acceleration, Frame, Free, JointMotion, Pin, Pinned, Planar, RigidBody, Rod, System, Turn};
-use catena::relation::Closures;
-use catena::relation::plane::{Full, HingeGain};
-use catena::shape::{self, JointPosture};
-use catena::sweep::Springs;
 use catena::{Fault, Scalar, planar, spatial};
 
 /// What a joint may do wrong.
@@ -33,7 +33,7 @@ struct Stiffening<T, K> {
 
 catena::joint!([T: Scalar, K: Copy + core::fmt::Debug + 'static] Stiffening<T, K>);
 
-impl<T: Scalar, U: Scalar, K: catena::lift::Lift<T, U>> catena::lift::Lift<T, U> for Stiffening<T, K> {
+impl<T: Scalar, U: Scalar, K: catena::Lift<T, U>> catena::Lift<T, U> for Stiffening<T, K> {
     type Over = Stiffening<U, K::Over>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
         Stiffening {
@@ -46,7 +46,7 @@ impl<T: Scalar, U: Scalar, K: catena::lift::Lift<T, U>> catena::lift::Lift<T, U>
     }
 }
 
-impl<S: catena::element::Space, K: Kinematics<S>> JointModel<S> for Stiffening<S::Scalar, K> {
+impl<S: catena::system::Space, K: Kinematics<S>> JointModel<S> for Stiffening<S::Scalar, K> {
     type Kinematics = K;
     fn kinematics(&self) -> &K {
         &self.kinematics
@@ -99,8 +99,8 @@ impl<T: Scalar> shape::Joint<Planar<T>> for Mismatched<T> {
     fn is_finite<C: Closures>(kept: &HingeGain<T, C>) -> bool {
         kept.is_finite()
     }
-    fn aim(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
-        shape::Joint::aim(&self.pin, position, inboard, next)
+    fn configure(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
+        shape::Joint::configure(&self.pin, position, inboard, next)
     }
     fn recover<C: Closures, By: Springs<T>>(
         &self,
@@ -163,7 +163,7 @@ impl<T: Scalar> Kinematics<Planar<T>> for Mismatched<T> {
     ) -> Full<T, C> {
         let relation = self.pin.eliminate::<C>(outer, posture, force, resistance, kept);
         let one_more = self.off + T::literal(1.0);
-        kept.free = kept.free * one_more;
+        kept.free *= one_more;
         relation
     }
     fn under(motion: JointMotion<T>, model: Acting<T>) -> JointMotion<T> {

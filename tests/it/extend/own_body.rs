@@ -1,11 +1,11 @@
 //! A tank in which liquid sloshes, against the same thing composed in another way.
 
 use super::tank::{Liquid, Tank};
-use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::scalar::Jet;
 use catena::{Error, Scalar};
+use catena_oracle::near;
 
 const GRAVITY: f64 = 9.81;
 /// Of the tank: mass, moment of inertia, mass centre and outboard end; of the liquid: mass, place, direction, stiffness, damping.
@@ -57,13 +57,13 @@ macro_rules! moving {
         let of = |x: f64| <$T as Scalar>::literal(x);
         let mut start = $scene.motion();
         let mut numbers = PLACES.into_iter();
-        catena::mirror::Position::replace(start.position_mut(), &mut |_| of(numbers.next().unwrap_or(f64::NAN)));
+        catena::system::Position::replace(start.position_mut(), &mut |_| of(numbers.next().unwrap_or(f64::NAN)));
         $scene.with_accelerations($scene.with_rates(start, &RATES.map(of))?, &Unloaded)?
     }};
 }
 
 /// The numbers of rates or accelerations.
-fn numbers<T: Scalar>(rate: &impl catena::mirror::Rate<T>) -> Vec<T> {
+fn numbers<T: Scalar>(rate: &impl catena::system::Rate<T>) -> Vec<T> {
     let mut numbers = vec![];
     rate.visit(&mut |x| numbers.push(x));
     numbers

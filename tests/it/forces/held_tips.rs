@@ -7,10 +7,10 @@ mod long;
 mod redundant;
 mod scales;
 
-use crate::kit::{has_order, near};
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
+use catena_oracle::{has_order, near};
 
 /// Time, angles, rate of the crank, pivot force, force of the ground on the rocker.
 type Instant = (f64, [f64; 3], f64, [f64; 2], [f64; 2]);

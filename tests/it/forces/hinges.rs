@@ -1,10 +1,10 @@
 //! Hinges with springs and welds against a dense solution of all equations at once, and the orders of implicit rules on them.
 
-use crate::kit::{has_order, near};
-use crate::oracle::plane::{self as oracle, Coordinates, Ground, Scene, Tip};
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
+use catena_oracle::plane::{self as oracle, Coordinates, Ground, Scene, Tip};
+use catena_oracle::{has_order, near};
 
 /// Stiffness, damping and rest angle of the hinges.
 const SPRINGS: [[f64; 3]; 2] = [[7.0, 0.3, 0.2], [4.0, 0.0, 0.0]];

@@ -3,14 +3,15 @@
 
 mod numbers;
 
-use crate::kit::{has_order, near};
-use crate::oracle::plane::{self as oracle, Axes, Coordinates, Elastic, Scene, Tip};
 use catena::Error;
-use catena::element::{Element, Unloaded};
+use catena::loading::Unloaded;
+use catena::planar::Absent;
 use catena::planar::*;
-use catena::relation::Absent;
-use catena::stepper::Method;
+use catena::simulate::Method;
+use catena::system::Element;
 use catena::system::{Runs, StiffDynamics};
+use catena_oracle::plane::{self as oracle, Axes, Coordinates, Elastic, Scene, Tip};
+use catena_oracle::{has_order, near};
 
 /// Stiffness, damping and rest value along x, along y, and of the angle.
 const SPRINGS: [[f64; 3]; 3] = [[300.0, 1.2, 0.1], [150.0, 0.7, -0.05], [8.0, 0.2, 0.3]];

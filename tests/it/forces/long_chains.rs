@@ -1,11 +1,11 @@
 //! Chains that are hard on a sweep: links without mass, a hundred thousand bodies, chains that float, half precision.
 
-use crate::kit::Noise;
-use crate::oracle::plane::{self as oracle, Scene};
-use catena::element::Unloaded;
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
 use catena::planar::*;
+use catena::system::{Position, Rate};
 use catena::{Error, Scalar};
+use catena_oracle::Noise;
+use catena_oracle::plane::{self as oracle, Scene};
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 const G: f64 = 9.81;

@@ -5,14 +5,15 @@
 //! largest quantity of their kind in the chain, because a balance of large forces cannot give a small one to more
 //! digits.
 
-use crate::kit::{Noise, near};
-use crate::oracle::plane::{self as oracle, Answer, Load, Scene, State, Tip, add, cross, perp, rotate, scale, sub};
 use catena::Error;
-use catena::element::{Element, Loading, Unloaded};
-use catena::ends::Root;
-use catena::mirror::Rate;
+use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
+use catena::system::Element;
+use catena::system::Rate;
+use catena::system::Root;
 use catena::system::{MotionOf, Runs};
+use catena_oracle::plane::{self as oracle, Answer, Load, Scene, State, Tip, add, cross, perp, rotate, scale, sub};
+use catena_oracle::{Noise, near};
 use nalgebra::Vector2;
 
 /// Relative differences: see above.

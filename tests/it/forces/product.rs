@@ -1,6 +1,6 @@
 //! The plain product of transfer matrices against the Riccati sweep, on short chains.
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::index::{M, QX, QY, THETA, X, Y};
 use catena::planar::*;
 use catena::{Error, Fault, Place, TransferMatrix};
@@ -88,8 +88,8 @@ fn joints_that_slide_have_matrices_too() -> Result<(), Error> {
                 k += 1.0;
                 0.3 * f64::sin(7.0 * k)
             };
-            catena::mirror::Position::replace(motion.position_mut(), &mut next);
-            catena::mirror::Rate::replace(motion.rate_mut(), &mut next);
+            catena::system::Position::replace(motion.position_mut(), &mut next);
+            catena::system::Rate::replace(motion.rate_mut(), &mut next);
             let motion = scene.with_accelerations(motion, &Unloaded)?;
             let stations = scene.stations(&motion, &Unloaded)?;
             let swept = stations.get(0).unwrap().acceleration_state();

@@ -1,14 +1,14 @@
 //! Accelerations and reactions of spatial chains in general position, against a dense system of Newton-Euler equations.
 
-use crate::kit::Noise;
-use crate::oracle::space as oracle;
-use crate::oracle::space::{Answer, Vector};
 use catena::Error;
-use catena::element::Element;
-use catena::element::Loading;
-use catena::ends::{Root, Tip};
+use catena::loading::Loading;
 use catena::spatial::*;
+use catena::system::Element;
 use catena::system::Runs;
+use catena::system::{Root, Tip};
+use catena_oracle::Noise;
+use catena_oracle::space as oracle;
+use catena_oracle::space::{Answer, Vector};
 
 mod hinges;
 

@@ -1,10 +1,10 @@
 //! Chains in space held at both ends: by balls, clamps and hinges, on ground that rests, moves and turns.
 
-use crate::kit::has_order;
-use catena::element::Unloaded;
-use catena::relation::Cut;
+use catena::internals::relation::Cut;
+use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::{Error, Fault, Motion, Place, Scalar};
+use catena_oracle::has_order;
 use core::f64::consts::FRAC_PI_3;
 use nalgebra::Vector3;
 use num_dual::Dual64;
@@ -144,7 +144,7 @@ fn a_chain_told_backwards_moves_alike() -> Result<(), Error> {
 }
 
 /// A ground that moves, and turns about a fixed slanted axis.
-fn ground() -> (impl Ground<f64> + Copy, impl Attitude<f64> + Copy) {
+fn ground() -> (impl Ground<f64, 3> + Copy, impl Attitude<f64> + Copy) {
     let moving = Moving(|t: f64| GroundMotion {
         place: [0.9 + 0.1 * t.sin(), 0.1, -0.2 + 0.05 * (2.0 * t).sin()],
         velocity: [0.1 * t.cos(), 0.0, 0.1 * (2.0 * t).cos()],
@@ -196,7 +196,7 @@ fn tips_follow_ground_that_moves_and_turns() -> Result<(), Error> {
             assert!(power.len() == 401 && worst < 1e-11 && work.abs() > 0.01 && (work - gain).abs() < 1e-6, $name);
         }};
     }
-    type Axes = catena::relation::space::algebra::Columns<f64>;
+    type Axes = catena::internals::relation::space::algebra::Columns<f64>;
     follow!("ball", Pinned(moving), |_: &Axes, _: &Rotation<f64>| 0.0);
     follow!("clamp", clamp, |own: &Axes, held: &Rotation<f64>| {
         let held = held.matrix();

@@ -1,12 +1,12 @@
 //! Motions of elastic hinges in space: against the dense oracle integrated by extrapolation, energy and momentum, orders of rules,
 //! stiffness without end, forms of scenes.
 
-use crate::kit::{has_order, slope};
-use crate::oracle::extrapolation::extrapolate;
-use crate::oracle::space as oracle;
-use crate::oracle::space::elastic::Law;
 use catena::Error;
 use catena::spatial::*;
+use catena_oracle::extrapolation::extrapolate;
+use catena_oracle::space as oracle;
+use catena_oracle::space::elastic::Law;
+use catena_oracle::{has_order, slope};
 use core::f64::consts::PI;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -23,7 +23,7 @@ fn body() -> RigidBody<f64> {
 type Full3<D> = ElasticHinge<RotarySpring<f64, D>, Linear<f64, Spring<f64, D>, Spring<f64, D>, Spring<f64, D>>>;
 
 /// Undamped, all stiffnesses different.
-fn elastic(scale: f64) -> Full3<catena::relation::Absent> {
+fn elastic(scale: f64) -> Full3<catena::planar::Absent> {
     let along = |k: f64| Spring::stiffness(scale * k);
     ElasticHinge::rotary([3.0, 8.0, 5.0].map(|k| scale * k)).with_linear(along(60.0), along(90.0), along(40.0))
 }

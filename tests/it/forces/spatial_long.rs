@@ -1,6 +1,6 @@
 //! Long chains in space: half the digits against all of them.
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::{Error, Scalar};
 use nalgebra::Vector3;

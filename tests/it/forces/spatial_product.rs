@@ -1,13 +1,14 @@
 //! The plain product of transfer matrices in space against the Riccati sweep, and against the equations of Newton and Euler.
 
-use crate::kit::Noise;
-use catena::element::{Element, Loading, Unloaded};
-use catena::ends::Root;
+use catena::internals::transfer::Efforts;
+use catena::loading::{Loading, Unloaded};
 use catena::spatial::index::{M, ONE, Q, R, THETA};
 use catena::spatial::*;
+use catena::system::Element;
+use catena::system::Root;
 use catena::system::{MotionOf, Runs};
-use catena::transfer::Efforts;
 use catena::{Error, Fault, Place, StateVector, TransferMatrix};
+use catena_oracle::Noise;
 use nalgebra::Vector3;
 
 type State = StateVector<f64, 13>;
@@ -56,9 +57,9 @@ macro_rules! in_general_position {
         let mut noise = Noise::new($seed);
         let mut motion = scene.motion();
         let mut step = *motion.rate();
-        catena::mirror::Rate::replace(&mut step, &mut |_: f64| 0.8 * noise.next());
-        catena::mirror::Position::displace(motion.position_mut(), &step);
-        catena::mirror::Rate::replace(motion.rate_mut(), &mut |_: f64| 2.0 * noise.next());
+        catena::system::Rate::replace(&mut step, &mut |_: f64| 0.8 * noise.next());
+        catena::system::Position::displace(motion.position_mut(), &step);
+        catena::system::Rate::replace(motion.rate_mut(), &mut |_: f64| 2.0 * noise.next());
         let loads = Loads::none()
             .in_joints(|_, joint, _: &JointMotion<f64>| Effort([0.3 + 0.1 * joint as f64, -0.8, 0.5]))
             .on_bodies(|_, body, motion: &BodyMotion<f64>| {

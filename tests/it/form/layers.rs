@@ -13,6 +13,7 @@ const FLOORS: [&[&str]; 8] = [
         "space",
         "loading",
         "sweep",
+        "spring",
         "shape",
         "walks",
         "visit",
@@ -50,7 +51,7 @@ fn home(name: &str) -> &str {
 }
 
 /// All `.rs` files below a folder.
-fn sources(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Box<dyn Error>> {
+pub(super) fn sources(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Box<dyn Error>> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         if path.is_dir() {

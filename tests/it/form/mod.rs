@@ -1,5 +1,6 @@
 //! The form of scenes, and of the sources.
 
+mod docs;
 mod layers;
 mod names;
 mod of_scenes;

@@ -1,8 +1,8 @@
 //! Joints and bodies by number and by name, and motions as lists: against the tuples in which motions are kept.
 
-use crate::kit::Noise;
 use catena::planar::*;
 use catena::{Error, Fault, spatial};
+use catena_oracle::Noise;
 use std::collections::BTreeSet;
 
 /// One of each composite in the plane: tuples, an array, a vector, an arm, a loop within a loop, names around all of them.

@@ -1,12 +1,13 @@
 //! One scene written as a flat tuple, nested tuples, an array and a vector: the same motion bit by bit, and nothing
 //! stored that has no parameters.
 
-use catena::counts::Counted;
-use catena::element::{Element, Loading, Unloaded};
-use catena::ends::Root;
-use catena::mirror::{Position, Rate};
+use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
+use catena::system::Counted;
+use catena::system::Element;
+use catena::system::Root;
 use catena::system::{Elements, Runs};
+use catena::system::{Position, Rate};
 use catena::time::{Explicit, Rule};
 use catena::{Error, Motion};
 use core::f64::consts::PI;

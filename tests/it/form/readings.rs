@@ -1,9 +1,11 @@
 //! Readings of all bodies and stations of a scene meet each element a bounded number of times, however many there are.
 
-use catena::element::{Condense, Element, Given, Posture, Space, Sweep, Unloaded};
+use catena::internals::element::{Condense, Given, Posture, Sweep};
+use catena::internals::shape::{Field, Inward, Kept, Member, Of, Outward, PerAxes, Shape, Slot};
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::shape::{Field, Inward, Kept, Member, Of, Outward, PerAxes, Shape, Slot};
-use catena::{Error, mirror};
+use catena::system::{Element, Space};
+use catena::{Error, system};
 use std::cell::Cell;
 
 thread_local! {
@@ -179,7 +181,7 @@ fn arms_and_loops_are_read_in_order() -> Result<(), Error> {
     assert!(these.iter().eq(those.iter()));
     assert!(fixed.angles(&one)?.iter().eq(grown.angles(&two)?.iter()));
     let mut count = 0;
-    mirror::Position::visit(one.position(), &mut |_: f64| count += 1);
+    system::Position::visit(one.position(), &mut |_: f64| count += 1);
     assert_eq!(count, 8);
     Ok(())
 }

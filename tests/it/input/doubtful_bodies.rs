@@ -1,9 +1,9 @@
 //! Bodies whose moments of inertia no distribution of mass has, as robot description files do: taken, listed, and repaired on request.
 
-use crate::kit::{Noise, near};
+use catena::internals::walks::check::check;
 use catena::spatial::*;
-use catena::walks::check::check;
 use catena::{Error, Fault, Place};
+use catena_oracle::{Noise, near};
 use nalgebra::{Matrix3, Vector3};
 
 /// Mass (kg), mass centre (m), and moments and products xx, xy, xz, yy, yz, zz about it (kg·m²) of links as an identification printed

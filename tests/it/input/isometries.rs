@@ -1,13 +1,13 @@
 //! Attitudes and places from nalgebra's types and back: bits of quaternions, points seen through frames, derivatives.
 
 use catena::Scalar;
+use catena::internals::relation::space::algebra::Columns;
 use catena::nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use catena::num_dual::Dual64;
-use catena::relation::space::algebra::Columns;
 use catena::spatial::*;
 use std::error::Error;
 
-use crate::kit::Noise;
+use catena_oracle::Noise;
 
 fn quaternion(noise: &mut Noise) -> UnitQuaternion<f64> {
     UnitQuaternion::from_scaled_axis(Vector3::from_fn(|_, _| 3.0 * noise.next()))

@@ -1,14 +1,15 @@
 //! Loads handed in as lists: refused where a list has not one value for each body or joint, and spread over the scene without a walk,
 //! whatever its form.
 
-use crate::kit;
-use catena::element::{Element, Loading, Unloaded};
-use catena::mirror::Rate;
+use catena::loading::{Loading, Unloaded};
 use catena::planar::{Pin, Planar, Rod};
+use catena::simulate::Stepper;
 use catena::spatial::{Effort, Revolute};
-use catena::stepper::Stepper;
+use catena::system::Element;
+use catena::system::Rate;
 use catena::system::{Dynamics, MotionOf, Runs};
 use catena::{Error, Fault, planar, spatial};
+use catena_oracle;
 use core::cell::Cell;
 
 fn refused<X: core::fmt::Debug>(outcome: Result<X, Error>, expected: usize, given: usize) {
@@ -136,7 +137,7 @@ fn in_the_plane<C>(chain: C) -> Result<Vec<f64>, Error>
 where
     C: Element<Planar<f64>>,
     planar::System<f64, planar::Pinned<[f64; 2]>, C, planar::Free>: Runs<
-            planar::Loads<catena::relation::Absent, planar::Values<Asked<f64, 5>>>,
+            planar::Loads<catena::planar::Absent, planar::Values<Asked<f64, 5>>>,
             Planar<f64>,
             planar::Pinned<[f64; 2]>,
             C,
@@ -160,7 +161,7 @@ where
 }
 
 /// How often a list of torques has been asked for.
-fn calls(loads: &planar::Loads<catena::relation::Absent, planar::Values<Asked<f64, 5>>>) -> usize {
+fn calls(loads: &planar::Loads<catena::planar::Absent, planar::Values<Asked<f64, 5>>>) -> usize {
     loads.joints().0.1.get()
 }
 
@@ -185,7 +186,7 @@ fn a_list_is_spread_without_a_walk_in_every_form() -> Result<(), Error> {
     let size = want.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
     for found in forms {
         assert_eq!(found.len(), want.len());
-        found.iter().zip(&want).for_each(|(found, want)| kit::near(*found, *want, 1e-12 * size));
+        found.iter().zip(&want).for_each(|(found, want)| catena_oracle::near(*found, *want, 1e-12 * size));
     }
     Ok(())
 }

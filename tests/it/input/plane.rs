@@ -2,13 +2,14 @@
 
 mod joints;
 
-use catena::element::{Element, Loading, Unloaded};
-use catena::ends::Root;
-use catena::mirror::{Position, Rate};
+use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
 use catena::simulate::Interrupted;
-use catena::stepper::{Method, Stepper};
+use catena::simulate::{Method, Stepper};
+use catena::system::Element;
+use catena::system::Root;
 use catena::system::{MotionOf, Runs};
+use catena::system::{Position, Rate};
 use catena::time::{Explicit, Rule, Sdirk4};
 use catena::{Cause, Error, Fault, Motion, Place, Scalar};
 use core::fmt::Debug;

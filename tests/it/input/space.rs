@@ -1,7 +1,7 @@
 //! What makes no mechanics in space is refused, with what and where.
 
-use catena::element::Element;
 use catena::spatial::*;
+use catena::system::Element;
 use catena::system::Runs;
 use catena::{Error, Fault, Place, Scalar};
 

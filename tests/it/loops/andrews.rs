@@ -22,7 +22,7 @@ fn error(scene: &squeezer::Squeezer, motion: &Motion) -> f64 {
 
 /// By how much the arms miss the point where they meet (m).
 fn miss(scene: &squeezer::Squeezer, motion: &Motion) -> f64 {
-    let stations = scene.stations(motion, &catena::element::Unloaded).unwrap();
+    let stations = scene.stations(motion, &catena::loading::Unloaded).unwrap();
     let end = stations.tip().frame.place;
     CLOSING.iter().filter_map(|k| stations.get(*k)).fold(0.0, |worst, side| (side.frame.place - end).norm().max(worst))
 }

@@ -1,10 +1,11 @@
 //! Loops brought to closure, and those that cannot be: what does not hold independently is named.
 
-use catena::element::{Element, Unloaded};
-use catena::ends::Root;
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
 use catena::planar::*;
+use catena::system::Element;
+use catena::system::Root;
 use catena::system::{MotionOf, Runs};
+use catena::system::{Position, Rate};
 use catena::{Error, Fault, Place};
 use core::f64::consts::{FRAC_PI_3, PI};
 
@@ -100,8 +101,8 @@ fn loops_that_cannot_close_say_by_how_much_they_miss() -> Result<(), Error> {
     let scene = linkage([0.5, 0.6, 0.9, 3.0])?;
     let error = scene.assembled(scene.at_rest(&[0.4, -0.3, 2.9])?, &Unloaded).unwrap_err();
     println!("{error}");
-    let Fault::NotClosed { miss } = error.fault else { panic!("{error}") };
-    assert!((1.0 - 1e-9..4.2).contains(&miss), "{miss}");
+    let Fault::NotClosed { residual } = error.fault else { panic!("{error}") };
+    assert!((1.0 - 1e-9..4.2).contains(&residual), "{residual}");
     assert_eq!((error.place, error.time), (Some(Place::Station(CLOSING.0)), Some(0.0)));
 
     // The same beside a tip that can be held: it is the loop that misses most.
@@ -110,7 +111,7 @@ fn loops_that_cannot_close_say_by_how_much_they_miss() -> Result<(), Error> {
     let chain = (Branch(Network::new(main, side, Pin)), Pin, rod(0.5), Pin, rod(0.6));
     let scene = System::new(Clamped::at(0.0, 0.0, 0.0), chain, Pinned::at(0.8, 0.1))?;
     let error = scene.assembled(scene.at_rest(&[0.4, -0.3, 2.9, 0.7, -0.4])?, &Unloaded).unwrap_err();
-    assert!(matches!(error.fault, Fault::NotClosed { miss } if miss > 1.0 - 1e-9), "{error}");
+    assert!(matches!(error.fault, Fault::NotClosed { residual } if residual > 1.0 - 1e-9), "{error}");
     assert_eq!(error.place, Some(Place::Station(CLOSING.0)));
 
     // And where it is the tip that is out of reach.
@@ -119,7 +120,7 @@ fn loops_that_cannot_close_say_by_how_much_they_miss() -> Result<(), Error> {
     let chain = (Branch(Network::new(main, side, Pin)), Pin, rod(0.5), Pin, rod(0.6));
     let scene = System::new(Clamped::at(0.0, 0.0, 0.0), chain, Pinned::at(2.8, 0.1))?;
     let error = scene.assembled(scene.at_rest(&[0.9, 0.2, 1.0, 0.7, -0.4])?, &Unloaded).unwrap_err();
-    assert!(matches!(error.fault, Fault::NotClosed { miss } if miss > 1.7 - 1e-9), "{error}");
+    assert!(matches!(error.fault, Fault::NotClosed { residual } if residual > 1.7 - 1e-9), "{error}");
     assert_eq!(error.place, Some(Place::Tip));
     Ok(())
 }

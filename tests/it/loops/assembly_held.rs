@@ -1,10 +1,10 @@
 //! Motions assembled with some coordinates and rates held: against the closed forms of linkages.
 
-use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::system::Holding;
 use catena::{Error, Fault, Place, Scalar};
+use catena_oracle::near;
 use core::f64::consts::PI;
 
 /// Crank, coupler, rocker, and the distance of their ground pins (m).
@@ -86,13 +86,13 @@ fn a_crank_stays_where_it_is_put() -> Result<(), Error> {
     Ok(())
 }
 
-fn numbers<V: catena::mirror::Rate<f64>>(rate: &V) -> Vec<f64> {
+fn numbers<V: catena::system::Rate<f64>>(rate: &V) -> Vec<f64> {
     let mut numbers = vec![];
     rate.visit(&mut |x| numbers.push(x));
     numbers
 }
 
-fn places<P: catena::mirror::Position<f64>>(position: &P) -> Vec<f64> {
+fn places<P: catena::system::Position<f64>>(position: &P) -> Vec<f64> {
     let mut numbers = vec![];
     position.visit(&mut |x| numbers.push(x));
     numbers
@@ -163,15 +163,15 @@ fn holds_that_nothing_closes_with_are_refused() -> Result<(), Error> {
     };
     // Crank and rocker point away from each other: 1.2 m do not reach.
     let error = refused([PI, 0.1, 0.0], [0.0; 3], Holding::both(&[0, 2]))?;
-    let Fault::ImpossibleHold { what: "coordinates", miss } = error.fault else { panic!("{error}") };
+    let Fault::ImpossibleHold { what: "coordinates", residual } = error.fault else { panic!("{error}") };
     // Along one line 0.5 + 1.0 + 0.9 m less 1.2 m are missing, whichever way the coupler turns at least so much in x or y.
-    assert!(miss > 1.2 / 2.0_f64.sqrt() - 1e-9 && miss <= 3.6, "{miss}");
+    assert!(residual > 1.2 / 2.0_f64.sqrt() - 1e-9 && residual <= 3.6, "{residual}");
     assert_eq!((error.place, error.time), (closing, Some(0.5)));
     // Two rates of a linkage with one freedom.
     let [[coupler, rocker], [_, of_rocker]] = closed_form(CRANK);
     let closed = [CRANK[0], coupler, rocker + PI];
     let error = refused(closed, [CRANK[1], 0.0, of_rocker + 0.5], Holding { positions: &[0], rates: &[0, 2] })?;
-    assert!(matches!(error.fault, Fault::ImpossibleHold { what: "rates", miss } if miss > 1e-3), "{error}");
+    assert!(matches!(error.fault, Fault::ImpossibleHold { what: "rates", residual } if residual > 1e-3), "{error}");
     assert_eq!(error.place, closing);
     // The same rates that fit are no contradiction.
     let guess = scene.with_rates(scene.at_rest(&closed)?, &[CRANK[1], 0.0, of_rocker])?;
@@ -294,7 +294,7 @@ fn every_number_is_assembled() -> Result<(), Error> {
     let rate = |by: f64| closed_form([CRANK[0] + by, CRANK[1]])[1][1];
     let slope = (8.0 * (rate(h) - rate(-h)) - (rate(2.0 * h) - rate(-2.0 * h))) / (12.0 * h);
     let mut rates = vec![];
-    catena::mirror::Rate::visit(start.motion.rate(), &mut |x: Dual64| rates.push(x));
+    catena::system::Rate::visit(start.motion.rate(), &mut |x: Dual64| rates.push(x));
     near(rates[2].eps, slope, 1e-9);
 
     let lanes = held_tip!(WideF64x4);

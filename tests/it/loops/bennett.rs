@@ -5,10 +5,10 @@
 //! and half tangents t the x component of where z goes says (t₂ cos q + t₁ cos p)(sin p + t₁ t₂ sin q) = 0: the linkage moves by the
 //! second factor.
 
-use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::spatial::{self, *};
 use catena::{Error, Fault};
+use catena_oracle::near;
 use nalgebra::{Rotation3, Vector3};
 
 const LENGTHS: [f64; 2] = [0.4, 0.7];
@@ -127,11 +127,11 @@ fn bennetts_linkage_turns() -> Result<(), Error> {
         let (mut related, mut lost, mut open) = (0.0_f64, 0.0_f64, 0.0_f64);
         let run = scene.simulation(Dop853::tolerance(tolerance)).run(start, END, |now| {
             let mut found = vec![];
-            catena::mirror::Position::visit(now.motion().position(), &mut |x: f64| found.push(x));
+            catena::system::Position::visit(now.motion().position(), &mut |x: f64| found.push(x));
             let [angle, slope] = second(found[0]);
             let apart = |x: f64| (0.5 * (x - angle)).sin().abs();
             let mut rates = vec![];
-            catena::mirror::Rate::visit(now.motion().rate(), &mut |x: f64| rates.push(x));
+            catena::system::Rate::visit(now.motion().rate(), &mut |x: f64| rates.push(x));
             related = related.max(apart(found[1])).max(apart(found[2])).max((rates[1] - slope * rates[0]).abs());
             lost = lost.max((now.energy() - energy).abs());
             let bodies = now.bodies();
@@ -139,8 +139,8 @@ fn bennetts_linkage_turns() -> Result<(), Error> {
             open = open.max((ends[0] - ends[1]).norm());
         })?;
         let (mut angle, mut rate) = (None, None);
-        catena::mirror::Position::visit(run.motion.position(), &mut |x: f64| angle = angle.or(Some(x)));
-        catena::mirror::Rate::visit(run.motion.rate(), &mut |x: f64| rate = rate.or(Some(x)));
+        catena::system::Position::visit(run.motion.position(), &mut |x: f64| angle = angle.or(Some(x)));
+        catena::system::Rate::visit(run.motion.rate(), &mut |x: f64| rate = rate.or(Some(x)));
         let missed = [angle.unwrap() - expected[0], rate.unwrap() - expected[1]];
         println!("{tolerance:e}: {} steps, misses {missed:?}", run.steps + run.rejected);
         println!("  relation {related:.1e}, energy {lost:.1e}, closure {open:.1e}");

@@ -2,8 +2,8 @@
 //! against the compiler, whose time must not double with each.
 
 use catena::Error;
-use catena::element::Unloaded;
-use catena::mirror::Rate;
+use catena::loading::Unloaded;
+use catena::system::Rate;
 use catena::system::{Dynamics, StiffDynamics};
 
 /// A scene that explicit and implicit rules can step. The compiler proves it; nothing is left to run.

@@ -1,10 +1,10 @@
 //! Loops with every kind of number, and their derivatives against differences.
 #![cfg(all(feature = "num-dual", feature = "simd"))]
 
-use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Real, Scalar};
+use catena_oracle::near;
 use num_dual::Dual64;
 use simba::simd::WideF64x4;
 
@@ -125,10 +125,10 @@ fn networks_are_lifted() -> Result<(), Error> {
     for (found, expected) in found.iter().zip(expected.iter()) {
         near(f64::from(*found), *expected, 1e-5);
     }
-    let lift = catena::lift::Lift::<f64, Dual64>::lift;
+    let lift = catena::Lift::<f64, Dual64>::lift;
     let dual = lift(exact.position(), &mut |x| Dual64::new(x, 1.0));
     let mut count = 0;
-    catena::mirror::Position::visit(&dual, &mut |x: Dual64| count += usize::from(x.eps == 1.0));
+    catena::system::Position::visit(&dual, &mut |x: Dual64| count += usize::from(x.eps == 1.0));
     assert_eq!(count, 6);
     Ok(())
 }

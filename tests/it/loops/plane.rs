@@ -1,9 +1,9 @@
 //! Closed loops and networks in the plane. Accelerations of loops at random are compared in `loops_at_random`.
 
-use crate::kit::near;
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
+use catena_oracle::near;
 use core::f64::consts::{FRAC_PI_3, FRAC_PI_6, PI};
 
 /// Time (s), angles (rad), force of the ground (N): an integration of order 8 at 1e-13 of the equations of all bodies with

@@ -3,14 +3,15 @@
 
 mod grow;
 
-use crate::oracle::space as oracle;
-use crate::oracle::space::{Answer, Vector};
 use catena::Error;
-use catena::element::{Element, Unloaded};
-use catena::ends::{Root, Tip};
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
 use catena::planar::*;
+use catena::system::Element;
 use catena::system::{MotionOf, Runs};
+use catena::system::{Position, Rate};
+use catena::system::{Root, Tip};
+use catena_oracle::space as oracle;
+use catena_oracle::space::{Answer, Vector};
 use grow::*;
 
 /// Relative to the largest acceleration or reaction: a hundred times what rounding leaves in the dense system.
@@ -121,7 +122,7 @@ impl Case {
         motion.position().visit(&mut |x| position.push(x));
         motion.rate().visit(&mut |x| rate.push(x));
         let answer = self.answer(&position, &rate);
-        assert!(answer.miss < CLOSED, "loops miss by {:.1e}", answer.miss);
+        assert!(answer.residual < CLOSED, "loops miss by {:.1e}", answer.residual);
         let all = answer.linear.iter().chain(&answer.angular).chain(&answer.forces).chain(&answer.torques);
         let size = all.fold(1.0_f64, |size, v| size.max(v.amax()));
 

@@ -1,12 +1,13 @@
 //! Loops in space that are held more often than they can move, one inside the other, while the body that carries them tumbles: against
 //! the same mechanism without redundant closures, and reactions against the least norm of a dense solution.
 
-use crate::kit::near;
-use catena::element::{Element, Unloaded};
-use catena::ends::Root;
+use catena::loading::Unloaded;
 use catena::spatial::{self, *};
+use catena::system::Element;
 use catena::system::MotionOf;
+use catena::system::Root;
 use catena::{Error, Scalar};
+use catena_oracle::near;
 use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
 
 /// Places of the joints in the plane of the linkages (m), from the end of the base: crank A-B, coupler B-C-E, rocker D-C, and F-G-E.

@@ -1,11 +1,12 @@
 //! Closed loops in space: one mechanism, cut in different places. Accelerations of loops at random are compared in `loops_at_random`.
 
-use crate::kit::near;
-use catena::element::{Element, Unloaded};
-use catena::ends::{Root, Tip};
+use catena::loading::Unloaded;
 use catena::spatial::{self, *};
+use catena::system::Element;
 use catena::system::MotionOf;
+use catena::system::{Root, Tip};
 use catena::{Error, Fault, Place};
+use catena_oracle::near;
 use nalgebra::Vector3;
 
 /// Place of the rocker's hinge (m), its axis, and lengths (m).

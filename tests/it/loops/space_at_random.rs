@@ -1,13 +1,14 @@
 //! Accelerations, reactions and closure forces of loops in space, of random parameters, against a dense system of Newton-Euler
 //! equations with multipliers in which loops are nothing special.
 
-use crate::kit::Noise;
-use crate::oracle::space as oracle;
-use crate::oracle::space::{Closing, Matrix, Vector};
-use catena::element::{Element, Unloaded};
-use catena::mirror::Rate;
+use catena::loading::Unloaded;
 use catena::spatial::*;
+use catena::system::Element;
+use catena::system::Rate;
 use catena::{Error, Fault};
+use catena_oracle::Noise;
+use catena_oracle::space as oracle;
+use catena_oracle::space::{Closing, Matrix, Vector};
 
 /// Relative to the largest acceleration or reaction: a hundred times what rounding leaves in the dense system.
 const TOLERANCE: f64 = 1e-12;
@@ -80,7 +81,7 @@ where
     let mut guess = system.motion();
     let mut turn = guess.rate().clone();
     turn.replace(&mut |_| 0.9 * noise.next());
-    catena::mirror::Position::displace(guess.position_mut(), &turn);
+    catena::system::Position::displace(guess.position_mut(), &turn);
     guess.rate_mut().replace(&mut |_| 2.0 * noise.next());
     let motion = match system.assembled(guess, &Unloaded) {
         Err(Error { fault: Fault::NotClosed { .. }, .. }) => return Ok(None), // it does not reach
@@ -127,7 +128,7 @@ where
     let closings: Vec<_> = plan.closings.iter().map(closing).collect();
     let free = (twins.len() - 1, oracle::Tip::Free);
     let answer = oracle::solve_closed(oracle::Frame::still(), gravity, &plan.parents, &twins, &joints, free, &closings);
-    assert!(answer.miss < 1e-13, "loops miss by {:.1e}", answer.miss);
+    assert!(answer.residual < 1e-13, "loops miss by {:.1e}", answer.residual);
 
     let size = [&answer.linear, &answer.angular, &answer.forces, &answer.torques];
     let size = size.into_iter().flatten().fold(1.0_f64, |size, v| size.max(v.amax()));

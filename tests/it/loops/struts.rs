@@ -1,7 +1,7 @@
 //! Springs and dampers between points of a scene.
 
-use crate::kit::{has_order, near};
 use catena::{Error, Fault, planar, spatial};
+use catena_oracle::{has_order, near};
 use num_dual::Dual64;
 
 /// Two point masses on strings so long that gravity does nothing: a spring between them, along x.

@@ -1,13 +1,14 @@
 //! Trees: chains that arms leave. Accelerations of trees at random are compared in `trees_at_random`.
 
-use crate::kit::{has_order, near};
-use catena::element::{Element, Loading, Unloaded};
-use catena::mirror::Position;
+use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
-use catena::stepper::Method;
+use catena::simulate::Method;
+use catena::system::Element;
+use catena::system::Position;
 use catena::system::Runs;
 use catena::time::Rule;
 use catena::{Error, Fault, Place, Scalar};
+use catena_oracle::{has_order, near};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6};
 use num_dual::Dual64;
 
@@ -62,7 +63,7 @@ where
     let motion = scene.with_rates(scene.at_rest(angles)?, rates)?;
     let motion = scene.with_accelerations(motion, &Unloaded)?;
     let mut found = vec![];
-    catena::mirror::Rate::visit(motion.acceleration(), &mut |x: f64| found.push(x));
+    catena::system::Rate::visit(motion.acceleration(), &mut |x: f64| found.push(x));
     Ok(found)
 }
 

@@ -4,10 +4,10 @@
 mod plane;
 mod space;
 
-use crate::kit::Noise;
-use crate::oracle::space as oracle;
-use crate::oracle::space::{Answer, Vector};
-use catena::chain::Branch;
+use catena::planar::Branch;
+use catena_oracle::Noise;
+use catena_oracle::space as oracle;
+use catena_oracle::space::{Answer, Vector};
 
 /// Relative to the largest acceleration or reaction: a hundred times what rounding leaves in dense systems of 400 equations.
 const TOLERANCE: f64 = 1e-12;

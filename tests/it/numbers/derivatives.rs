@@ -2,10 +2,10 @@
 //! compared by themselves: `==` and `near` see only the value of a dual number.
 #![cfg(feature = "num-dual")]
 
-use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Real, Scalar};
+use catena_oracle::near;
 use nalgebra::{Const, U1, Vector2};
 use num_dual::{Dual64, DualSVec64, HyperDual64};
 

@@ -2,9 +2,9 @@
 
 #![allow(unused_macros)]
 
-use catena::mirror::{Position, Rate};
-use catena::relation::Closures;
+use catena::internals::relation::Closures;
 use catena::scalar::Jet;
+use catena::system::{Position, Rate};
 use catena::{Motion, Scalar};
 use nalgebra::{Const, U1};
 use num_dual::DualSVec64;

@@ -132,9 +132,9 @@ fn lifted_scenes_move_alike() -> Result<(), Error> {
     let start = system.with_accelerations(system.at_rest(&angles)?, &Unloaded)?;
     let dual = lifted.with_accelerations(start.lift(|x| Dual64::new(x, 0.0)), &Unloaded)?;
     let mut expected = vec![];
-    catena::mirror::Rate::visit(start.acceleration(), &mut |x: f64| expected.push(x));
+    catena::system::Rate::visit(start.acceleration(), &mut |x: f64| expected.push(x));
     let mut found = vec![];
-    catena::mirror::Rate::visit(dual.acceleration(), &mut |x: Dual64| found.push(x.re));
+    catena::system::Rate::visit(dual.acceleration(), &mut |x: Dual64| found.push(x.re));
     assert_eq!(found.len(), 10);
     assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-12 * (1.0 + b.abs())));
     Ok(())

@@ -1,10 +1,10 @@
 //! Beams of segments against closed forms: frequencies of Euler and Bernoulli and of bars, deflections, circles.
 
-use crate::kit::{has_order, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::modes::Modes;
 use catena::planar::*;
 use catena::{Error, Fault, Real, Scalar};
+use catena_oracle::{has_order, near};
 use core::f64::consts::{PI, TAU};
 
 /// Numbers of segments.
@@ -196,7 +196,7 @@ fn arrays_vectors_and_lifted_beams_are_the_same_chain() -> Result<(), Error> {
     let (first, links) = beam.segments::<5>();
     let (same, vector) = beam.segments_in_vec(5);
     assert_eq!((first, &links[..]), (same, &vector[..]));
-    use catena::lift::Lift;
+    use catena::Lift;
     assert_eq!(beam.lift(&mut |x: f64| x).segments::<5>(), (first, links));
     // None make a rigid rod.
     assert_eq!(beam.segments::<0>(), (Rod::uniform(L, RHO_A * L), []));

@@ -2,7 +2,6 @@
 
 mod beam;
 mod modes;
-mod ropes_at_rest;
 mod spatial_beam;
 mod spatial_rest;
 mod statics;

@@ -1,9 +1,9 @@
 //! Natural frequencies and modes against closed forms, polynomials, beams and dense solutions in absolute angles.
 
-use crate::kit::{Noise, has_order, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Fault};
+use catena_oracle::{Noise, has_order, near};
 use core::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 

@@ -3,9 +3,9 @@
 mod shapes;
 mod sweeps;
 
-use crate::kit::{has_order, near};
 use catena::spatial::*;
 use catena::{Error, Fault, Real, Scalar};
+use catena_oracle::{has_order, near};
 use core::f64::consts::PI;
 use sweeps::frequencies;
 
@@ -102,7 +102,7 @@ fn parameters_that_make_no_mechanics_are_refused() {
 
 #[test]
 fn arrays_vectors_and_lifted_beams_are_the_same_chain() {
-    use catena::lift::Lift;
+    use catena::Lift;
     macro_rules! compare {
         ($beam:expr) => {
             let beam = $beam;

@@ -1,9 +1,9 @@
 //! Static equilibrium and natural frequencies in space, against closed forms and dense systems that share nothing with the crate.
 
-use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::{Error, Fault, planar};
+use catena_oracle::near;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, SymmetricEigen, Vector3};
 use num_dual::{Dual64, DualNum};
@@ -306,13 +306,13 @@ fn a_small_swing_takes_the_period_of_its_mode() -> Result<(), Error> {
             let mut start = rest;
             let mut shape = start.rate().to_owned();
             let mut numbers = mode.shape().iter();
-            catena::mirror::Rate::replace(&mut shape, &mut |_: f64| size * numbers.next().copied().unwrap_or(0.0));
-            catena::mirror::Position::displace(start.position_mut(), &shape);
+            catena::system::Rate::replace(&mut shape, &mut |_: f64| size * numbers.next().copied().unwrap_or(0.0));
+            catena::system::Position::displace(start.position_mut(), &shape);
             let run = scene.simulate(start, Dop853::tolerance(1e-13), TAU / mode.frequency(), |_| ())?;
             let mut off = shape;
-            catena::mirror::Position::apart(run.motion.position(), start.position(), &mut off);
+            catena::system::Position::apart(run.motion.position(), start.position(), &mut off);
             let mut most = 0.0_f64;
-            catena::mirror::Rate::visit(&off, &mut |x: f64| most = most.max(x.abs()));
+            catena::system::Rate::visit(&off, &mut |x: f64| most = most.max(x.abs()));
             errors.push(most / size);
         }
         Ok(errors)

@@ -1,10 +1,10 @@
 //! Static equilibrium against independent solutions: dense Newton iterations on energies in absolute angles, the elastica, the
 //! catenary.
 
-use crate::kit::{Noise, has_order, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Fault};
+use catena_oracle::{Noise, has_order, near};
 use core::cell::Cell;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 use nalgebra::{DMatrix, DVector};
@@ -411,6 +411,6 @@ fn what_has_no_equilibrium_says_so() -> Result<(), Error> {
     let short = System::new(Pinned::origin(), (rod, Pin, rod), Pinned::at(1.0, 0.0))?.with_gravity(G);
     let error = short.equilibrium(short.at_rest(&[0.5, -0.5])?, &Unloaded).map(|_| ()).unwrap_err();
     println!("{error}");
-    assert!(matches!(error.fault, Fault::NotClosed { miss } if miss > 0.4 - 1e-9)); // 0.6 m of rods, 1 m away
+    assert!(matches!(error.fault, Fault::NotClosed { residual } if residual > 0.4 - 1e-9)); // 0.6 m of rods, 1 m away
     Ok(())
 }

@@ -1,10 +1,10 @@
 //! The predictor and corrector of Adams, Bashforth and Moulton: order, steps of any size, restarts, error control.
 
-use crate::kit::{Noise, has_order, near};
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::stepper::Stepper;
+use catena::simulate::Stepper;
+use catena_oracle::{Noise, has_order, near};
 use core::f64::consts::FRAC_PI_3;
 use num_dual::Dual64;
 

@@ -1,11 +1,11 @@
 //! The double pendulum of two uniform rods (1 m, 1 kg) released at −π/3: values of an order-8 integration at 1e-13,
 //! checked against a Taylor series of 30 digits.
 
-use crate::kit::{has_order, near};
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::time::{Explicit, Rule};
+use catena_oracle::{has_order, near};
 use core::f64::consts::FRAC_PI_3;
 
 const ANGLES: [f64; 2] = [-1.3564198519106136, -1.1306522396578225];

@@ -1,9 +1,9 @@
 //! Sliders in the plane under loads in joints: a drive pushes along the line, and a law sees how far and how fast it has slid.
 
-use crate::kit::near;
 use catena::Error;
-use catena::element::{Loading, Unloaded};
+use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
+use catena_oracle::near;
 
 /// Rounding of a few products.
 const ROUNDING: f64 = 1e-13;

@@ -1,9 +1,9 @@
 //! A flyball governor: two masses on arms that a spindle turns, and a sleeve that stiff struts with dampers hang from them.
 
-use crate::kit::near;
+use catena::planar::{Strut, Struts};
 use catena::spatial::*;
-use catena::struts::{Strut, Struts};
 use catena::{Error, spatial};
+use catena_oracle::near;
 use core::f64::consts::{FRAC_PI_3, PI};
 
 /// Mass (kg) and moments of inertia (kg·m²: along the arm, about its hinge, across both) of an arm; from its hinge to the mass centre
@@ -76,7 +76,7 @@ fn run(fine: bool, tolerance: f64) -> Result<(Found, f64, usize), Error> {
         scene.simulation(Dopri5::tolerance(tolerance)).loads(&loads).run(start, END, |_| ())?
     };
     let mut found = vec![];
-    catena::mirror::Position::visit(run.motion.position(), &mut |x| found.push(x));
+    catena::system::Position::visit(run.motion.position(), &mut |x| found.push(x));
     let [turn, one, other, sleeve] = found[..] else { panic!("{found:?}") };
     Ok(([turn, one, sleeve], (one - other).abs(), run.steps + run.rejected))
 }

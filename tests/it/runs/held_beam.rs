@@ -1,12 +1,12 @@
 //! A straight beam that stretches, clamped at both ends and struck: implicit rules with forces that hold the tip.
 
-use crate::kit::{has_order, near};
 use catena::Error;
-use catena::element::Loading;
+use catena::loading::Loading;
 use catena::planar::*;
-use catena::stepper::Method;
+use catena::simulate::Method;
 use catena::system::Runs;
 use catena::time::Rule;
+use catena_oracle::{has_order, near};
 use core::f64::consts::PI;
 
 const K: usize = 6;

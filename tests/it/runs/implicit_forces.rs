@@ -1,11 +1,11 @@
 //! Forces after steps by implicit rules: a smooth pin bears no torque, forces keep their order, and reading them changes no step.
 
-use crate::kit::has_order;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::stepper::Stepper;
+use catena::simulate::Stepper;
 use catena::time::Sdirk4;
 use catena::{Error, spatial};
+use catena_oracle::has_order;
 use core::f64::consts::FRAC_PI_2;
 
 const G: f64 = 9.81;

@@ -4,14 +4,15 @@
 mod by_lagrange;
 mod laws;
 
-use crate::kit::{has_order, near};
 use by_lagrange::{GRAVITY, LENGTH, MASS, cart_and_rod, integrate, integrate_to_stops, two_rods};
-use catena::element::{Element, Unloaded};
-use catena::ends::{Root, Tip};
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
+use catena::system::Element;
 use catena::system::{Dynamics, MotionOf, Runs, StiffDynamics, System};
+use catena::system::{Position, Rate};
+use catena::system::{Root, Tip};
 use catena::time::{GeneralizedAlpha, Sdirk4};
 use catena::{Error, planar, spatial};
+use catena_oracle::{has_order, near};
 use laws::{Cubic, Stop};
 
 const RK4: f64 = 2e-5; // (s): the truth, to 1e-12
@@ -34,7 +35,7 @@ fn errors<S, R, C, P, const N: usize>(
     error: impl Fn(&[f64], &[f64]) -> f64,
 ) -> Result<Vec<(f64, f64)>, Error>
 where
-    S: catena::element::Space<Scalar = f64>,
+    S: catena::system::Space<Scalar = f64>,
     R: Root<S>,
     C: Element<S>,
     P: Tip<S>,
@@ -239,5 +240,28 @@ fn a_linear_law_is_a_spring() -> Result<(), Error> {
         near(a, c, 1e-11);
         near(b, d, 1e-11);
     }
+    Ok(())
+}
+
+/// A damper alone, the same in the plane and in space, lets a cart run out as x = v₀ m/c (1 − e^(−c t/m)).
+#[test]
+fn a_damper_alone_lets_a_cart_run_out() -> Result<(), Error> {
+    let (damping, speed, end) = (0.8_f64, 1.5, 1.0);
+    let decay = (-damping * end / MASS).exp();
+    let truth = [speed * MASS / damping * (1.0 - decay), speed * decay];
+    let error = |p: &[f64], r: &[f64]| (p[0] - truth[0]).abs().max((r[0] - truth[1]).abs());
+    let damper = planar::Spring::damping(damping);
+
+    let chain = (planar::Slider::along(0.0).with(damper), rod());
+    let scene = planar::System::new(planar::Clamped::at(0.0, 0.0, 0.0), chain, planar::Free)?;
+    let start = scene.with_rates(scene.motion(), &[speed])?;
+    let found = errors(&scene, start, end, [200], "sdirk", error)?;
+    near(found[0].1, 0.0, 1e-12);
+
+    let chain = (spatial::Prismatic::along([1.0, 0.0, 0.0]).with(damper), rod_in_space());
+    let scene = spatial::System::new(spatial::Clamped::origin(), chain, spatial::Free)?;
+    let start = scene.with_rates(scene.motion(), &[speed])?;
+    let found = errors(&scene, start, end, [200], "sdirk", error)?;
+    near(found[0].1, 0.0, 1e-12);
     Ok(())
 }

@@ -1,8 +1,8 @@
 //! Scenes whose motion is known from elsewhere to many digits, and one that is known exactly.
 
-use crate::kit::near;
 use catena::Error;
 use catena::planar::*;
+use catena_oracle::near;
 use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
 const G: f64 = 9.81;

@@ -1,11 +1,12 @@
 //! A run that is saved and resumed goes on bit by bit: what steppers carry from step to step, for every rule and kind of scene.
 
 use catena::Error;
-use catena::element::{Element, Space, Unloaded};
-use catena::ends::{Root, Tip};
+use catena::loading::Unloaded;
+use catena::simulate::Method;
 use catena::simulate::{Now, Run};
-use catena::stepper::Method;
+use catena::system::{Element, Space};
 use catena::system::{MotionOf, Runs, System as Scene};
+use catena::system::{Root, Tip};
 use catena::time::Rule;
 use std::fmt::Debug;
 

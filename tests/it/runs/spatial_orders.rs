@@ -1,10 +1,10 @@
 //! Explicit rules keep their order on rotations: in attitudes, in rates and in forces, at the end of a step and within it.
 
-use crate::kit::slope;
+use catena::simulate::Method;
 use catena::spatial::*;
-use catena::stepper::Method;
 use catena::time::Rule;
 use catena::{Error, Motion};
+use catena_oracle::slope;
 use nalgebra::Vector3;
 
 type Chain = (RigidBody<f64>, Ball, RigidBody<f64>);

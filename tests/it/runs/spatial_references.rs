@@ -1,6 +1,5 @@
 //! Examples 4 and 5 of the paper and the heavy top, against numbers from other codes.
 
-use crate::kit;
 use catena::Error;
 use catena::spatial::*;
 
@@ -13,7 +12,7 @@ fn body() -> RigidBody<f64> {
 fn near(found: &[f64], expected: &[f64], tolerance: f64) {
     assert_eq!(found.len(), expected.len());
     for (found, expected) in found.iter().zip(expected) {
-        kit::near(*found, *expected, tolerance);
+        catena_oracle::near(*found, *expected, tolerance);
     }
 }
 
@@ -66,7 +65,7 @@ fn example_4_one_body_on_a_ball() -> Result<(), Error> {
     let force = system.stations(&start, &Unloaded)?.root().internal.force;
     near(force.as_slice(), &[-4.142261155190138, 4.164154527632018, 1.0052920493580655], 1e-13);
     let budget = system.budget(&start)?;
-    kit::near(budget.energy(), -0.7861716562812122, 1e-14);
+    catena_oracle::near(budget.energy(), -0.7861716562812122, 1e-14);
     near(budget.angular_momentum.as_slice(), &[-0.234602333902, -0.677433151884, -0.042932763201], 1e-12);
     for (time, (quaternion, rate, angles, force)) in EXAMPLE_4 {
         let run = system.simulate(start, Dop853::tolerance(1e-13), time, |_| ())?;
@@ -172,7 +171,7 @@ fn example_5_three_bodies_on_balls() -> Result<(), Error> {
         let found = stations.get(2 * k).map(|station| station.internal.force).unwrap_or_default();
         near(found.as_slice(), force, 1e-12);
     }
-    kit::near(system.budget(&start)?.energy(), 0.884602, 1e-6);
+    catena_oracle::near(system.budget(&start)?.energy(), 0.884602, 1e-6);
     for (time, rows) in EXAMPLE_5 {
         let run = system.simulate(start, Dop853::tolerance(1e-13), time, |_| ())?;
         println!("t = {time}: {} sweeps", run.sweeps);

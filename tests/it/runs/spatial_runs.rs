@@ -1,8 +1,8 @@
 //! Conservation on long runs, chains of any length, tips that are held, what a sweep allocates and costs.
 
-use crate::kit::Noise;
 use catena::Error;
 use catena::spatial::*;
+use catena_oracle::Noise;
 use nalgebra::Vector3;
 
 fn body() -> RigidBody<f64> {
@@ -119,7 +119,7 @@ fn forms_of_a_scene_are_bit_identical() -> Result<(), Error> {
     let h = Revolute::about([0.0, 1.0, 1.0]);
     macro_rules! run {
         ($chain:expr) => {{
-            use catena::mirror::Position;
+            use catena::system::Position;
             let system = System::new(Pinned::origin(), $chain, Free)?.with_gravity([0.0, -9.81, 0.0]);
             let start = system.at_rest(&[0.3, 0.2, -0.4, 1.0, 0.5, 0.1, -0.2, 0.7])?;
             let end = system.simulate(start, Rk4::step(1e-2), 0.5, |_| ())?.motion;

@@ -1,10 +1,10 @@
 //! Implicit rules on spatial joints with springs: orders, stiffness without end, floating chains.
 
-use crate::kit::has_order;
+use catena::simulate::Method;
 use catena::spatial::*;
-use catena::stepper::Method;
 use catena::time::Rule;
 use catena::{Error, Motion};
+use catena_oracle::has_order;
 use nalgebra::Vector3;
 
 type Hinge = Revolute<f64, Spring<f64, f64>>;

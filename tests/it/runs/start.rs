@@ -1,9 +1,9 @@
 //! Initial motions from angles and rates of joints or of bodies.
 
-use crate::kit::{Noise, near};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::{Error, Fault};
+use catena_oracle::{Noise, near};
 
 const WELD: f64 = -0.7;
 
@@ -53,7 +53,7 @@ fn hinges_get_their_angles_to_the_last_digit() -> Result<(), Error> {
     let given: Vec<f64> = (0..n).map(|_| 0.01 * noise.next()).collect();
     let motion = blade.at_joint_angles(&given)?;
     let mut found = vec![];
-    catena::mirror::Position::visit(motion.position(), &mut |x: f64| found.push(x));
+    catena::system::Position::visit(motion.position(), &mut |x: f64| found.push(x));
     assert_eq!(found, given);
     Ok(())
 }
@@ -130,7 +130,7 @@ fn tips_are_brought_to_where_they_are_held() -> Result<(), Error> {
     // Out of reach: 2.6 m of rods, 5 m away.
     let far = System::new(Pinned::origin(), chain, Pinned::at(5.0, 0.0))?.with_gravity(9.81);
     match far.assembled(far.at_rest(&[1.0, 0.4, -1.8])?, &Unloaded) {
-        Err(Error { fault: Fault::NotClosed { miss }, .. }) => assert!(miss > 2.4 - 1e-9, "{miss}"),
+        Err(Error { fault: Fault::NotClosed { residual }, .. }) => assert!(residual > 2.4 - 1e-9, "{residual}"),
         other => panic!("no motion can reach there: {other:?}"),
     }
     Ok(())

@@ -3,13 +3,13 @@
 mod numbers;
 mod steps;
 
-use crate::kit::{has_order, near};
 use catena::Error;
-use catena::element::{Loading, Unloaded};
+use catena::loading::{Loading, Unloaded};
 use catena::planar::*;
-use catena::stepper::Method;
+use catena::simulate::Method;
 use catena::system::Runs;
 use catena::time::{Rule, Sdirk4};
+use catena_oracle::{has_order, near};
 use core::f64::consts::FRAC_PI_2;
 
 /// A first angle (rad) and a pivot force (N).
@@ -23,7 +23,7 @@ fn distance(a: Reading, b: Reading) -> [f64; 2] {
 /// What a scene that starts at rest reads at the end of a run.
 fn reading<C, L, M>(scene: &Scene<C>, loads: &L, angles: &[f64], rule: Rule<M, f64>, end: f64) -> Result<Reading, Error>
 where
-    C: catena::element::Element<Planar<f64>>,
+    C: catena::system::Element<Planar<f64>>,
     L: Loading<Planar<f64>>,
     M: for<'s> Method<&'s Scene<C>, L>,
     Scene<C>: Runs<L, Planar<f64>, Pinned<[f64; 2]>, C, Free>,

@@ -1,8 +1,8 @@
 //! Runs under error control into one-sided stops: a trial step that leads nowhere is refused, and the run goes on.
 
-use crate::kit::near;
 use catena::simulate::Interrupted;
 use catena::{Cause, Error, Fault, Place, planar, spatial};
+use catena_oracle::near;
 
 /// Length (m) and mass (kg) of both rods, the start (rad), and where the stop begins (rad).
 const LENGTH: f64 = 0.5;
@@ -38,7 +38,7 @@ fn in_the_plane(stiffness: f64, tolerance: f64, fine: bool, end: f64) -> Outcome
         scene.simulation(Dopri5::tolerance(tolerance)).loads(&loads).run(start, end, |_| ())?.motion
     };
     let mut angles = vec![];
-    catena::mirror::Position::visit(motion.position(), &mut |x| angles.push(x));
+    catena::system::Position::visit(motion.position(), &mut |x| angles.push(x));
     Ok([angles[0], angles[1]])
 }
 
@@ -59,7 +59,7 @@ fn in_space(stiffness: f64, tolerance: f64, fine: bool, end: f64) -> Outcome {
         scene.simulation(Dopri5::tolerance(tolerance)).loads(&loads).run(start, end, |_| ())?.motion
     };
     let mut angles = vec![];
-    catena::mirror::Position::visit(motion.position(), &mut |x| angles.push(x));
+    catena::system::Position::visit(motion.position(), &mut |x| angles.push(x));
     Ok([angles[0], angles[0] + angles[1]])
 }
 

@@ -1,15 +1,15 @@
 //! Runs through time: samples, events, step control, steps on their own, energy and momentum.
 
-use crate::kit::{Noise, has_order, near};
-use crate::oracle::plane as oracle;
-use catena::element::Unloaded;
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
+use catena::planar::Absent;
 use catena::planar::*;
-use catena::relation::Absent;
-use catena::stepper::{Method, Stepper};
+use catena::simulate::{Method, Stepper};
 use catena::system::MotionOf;
+use catena::system::{Position, Rate};
 use catena::time::{Explicit, Rule, Sdirk4};
 use catena::{Error, Motion, Real};
+use catena_oracle::plane as oracle;
+use catena_oracle::{Noise, has_order, near};
 use core::f64::consts::{FRAC_PI_3, PI};
 
 type Chain = (Rod<f64>, Pin, Rod<f64>);

@@ -1,10 +1,10 @@
 //! Motions set by orientations and angular velocities of bodies, against what readings show of the bodies.
 
-use crate::kit::{Noise, near};
 use catena::scalar::Jet;
 use catena::spatial::*;
 use catena::system::AngularVelocity::{self, Body, Inertial, Relative};
 use catena::{Error, Fault, Place, planar};
+use catena_oracle::{Noise, near};
 use nalgebra::Vector3;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
@@ -106,14 +106,14 @@ fn axes_let_bodies_turn_as_far_as_they_go() -> Result<(), Error> {
     // Not about another axis: at the station of the joint.
     let station = Some(Place::Station(joint.station.unwrap_or(0)));
     let failed = scene.with_body_spin(motion, "flap", Relative([0.1, 1.5, 0.0])).err();
-    let Some(Error { place, fault: Fault::ImpossibleTurn { miss }, .. }) = failed else {
+    let Some(Error { place, fault: Fault::ImpossibleTurn { residual }, .. }) = failed else {
         panic!("{failed:?}");
     };
     assert_eq!(place, station);
-    near(miss, 0.1, 1e-15);
+    near(residual, 0.1, 1e-15);
     let failed = scene.with_body_orientation(motion, "flap", flap.after(&Rotation::exp([0.0, 0.0, 0.2]))).err();
     assert!(
-        matches!(failed, Some(Error { place, fault: Fault::ImpossibleTurn { miss }, .. }) if place == station && miss > 0.1)
+        matches!(failed, Some(Error { place, fault: Fault::ImpossibleTurn { residual }, .. }) if place == station && residual > 0.1)
     );
 
     // Two axes reach what they reach; what slides is carried along.

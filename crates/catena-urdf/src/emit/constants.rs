@@ -70,10 +70,10 @@ fn mimics(robot: &Robot) -> String {
 /// Constants of frames.
 pub fn frames(robot: &Robot, plan: &Plan) -> String {
     let mut text = "/// A link of the description: where it stands on the body that carries it.\n\
-                    #[derive(Clone, Copy, Debug, PartialEq)]\npub struct Frame {\n    /// Its name.\n    pub name: &'static str,\n    \
+                    #[derive(Clone, Copy, Debug, PartialEq)]\npub struct Frame {\n    /// Name of the link.\n    pub name: &'static str,\n    \
                     /// The body that carries it, among the bodies of the scene; none for the ground.\n    \
-                    pub body: Option<usize>,\n    /// Its origin (m), in axes of the body.\n    pub place: [f64; 3],\n    \
-                    /// Its axes as columns (row by row), in axes of the body.\n    pub turn: [[f64; 3]; 3],\n}\n\n\
+                    pub body: Option<usize>,\n    /// Origin of the link (m), in axes of the body.\n    pub place: [f64; 3],\n    \
+                    /// Axes of the link as columns (row by row), in axes of the body.\n    pub turn: [[f64; 3]; 3],\n}\n\n\
                     /// Links of the description by name.\npub mod frame {\n    use super::Frame;\n"
         .to_owned();
     let mut scope = Scope::new();

@@ -31,7 +31,7 @@ pub enum Part {
 /// A chain: the arm of a branch, or what goes on.
 pub struct Arm {
     pub parts: Vec<Part>,
-    /// Its first joint; none if it has none, as the base alone.
+    /// First joint of the chain; none if it has none, as the base alone.
     pub first: Option<usize>,
 }
 

@@ -24,7 +24,7 @@ pub fn module(robot: &Robot) -> String {
     positions.extend(&state.q);
     rates.extend(&state.rates);
 
-    let mut text = "#[cfg(test)]\nmod tests {\n    use catena::mirror::{Position, Rate};\n".to_owned();
+    let mut text = "#[cfg(test)]\nmod tests {\n    use catena::system::{Position, Rate};\n".to_owned();
     text += if offset == 6 {
         "    use catena::spatial::{Loads, Rotation, Wrench};\n\n    \
          /// Place, attitude (a quaternion) and joints.\n"

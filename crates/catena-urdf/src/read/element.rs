@@ -30,7 +30,7 @@ impl<'a> Element<'a> {
         Self { node, lines }
     }
 
-    /// Its name; with a space before it where it comes from another vocabulary, so that it is none of ours.
+    /// Name of the element; with a space before it where it comes from another vocabulary, so that it is none of ours.
     pub fn tag(&self) -> String {
         let tag = self.node.tag_name();
         match tag.namespace().and_then(|space| self.node.lookup_prefix(space)) {
@@ -43,7 +43,7 @@ impl<'a> Element<'a> {
         self.node.tag_name().name() == name && self.node.tag_name().namespace().is_none()
     }
 
-    /// The line where it begins.
+    /// The line where the element begins.
     pub fn line(&self) -> usize {
         self.lines.at(self.node.range().start)
     }

@@ -3,7 +3,7 @@
 
 use catena::Error;
 use catena::planar::*;
-use catena::stepper::Stepper;
+use catena::simulate::Stepper;
 use core::panic::PanicInfo;
 
 /// Angles (rad) of two uniform rods (1 m, 1 kg) after `steps` steps of size `dt` (s), released at rest at `angle` (rad).

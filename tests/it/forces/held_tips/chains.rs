@@ -80,7 +80,7 @@ pub fn drifting() -> Moving<fn(f64) -> GroundMotion<f64>> {
 macro_rules! between {
     ($ends:expr, $links:expr, |$scene:ident, $motion:ident| $what:expr) => {{
         use super::chains::{End, ON_LINE, angles, drifting, rates, rods};
-        use catena::element::Unloaded;
+        use catena::loading::Unloaded;
         let (links, last) = ($links, $links[$links.len() - 1].angle);
         let first = links[0].angle;
         let (chain, angles, rates) = (rods(links), angles(links), rates(links));

@@ -1,9 +1,9 @@
 //! Chains between two ends against the dense system.
 
 use super::chains::{DRIFT, End, Link, ON_LINE, between, held};
-use crate::oracle::plane::{self as oracle, Coordinates};
 use catena::Error;
 use catena::planar::*;
+use catena_oracle::plane::{self as oracle, Coordinates};
 
 /// The same scene for the oracle, and its state.
 fn scene(links: &[Link], [root, tip]: [End; 2]) -> (oracle::Scene, oracle::State) {

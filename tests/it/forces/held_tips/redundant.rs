@@ -1,12 +1,13 @@
 //! Tips held twice in the same way are refused, with what is held twice; those that are nearly so are not.
 
-use catena::element::{Element, Unloaded};
-use catena::ends::{Root, Tip};
-use catena::mirror::{Position, Rate};
+use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::scalar::{Real, Scalar};
 use catena::simulate::Interrupted;
+use catena::system::Element;
 use catena::system::{Dynamics, MotionOf, Runs};
+use catena::system::{Position, Rate};
+use catena::system::{Root, Tip};
 use catena::{Error, Fault, Place};
 use core::f64::consts::{FRAC_PI_2, PI};
 

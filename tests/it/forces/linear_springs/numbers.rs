@@ -2,13 +2,13 @@
 //! `near` see only the value of a dual number.
 #![cfg(all(feature = "num-dual", feature = "simd"))]
 
-use crate::kit::near;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
+use catena::planar::Absent;
 use catena::planar::*;
-use catena::relation::Absent;
-use catena::stepper::Method;
+use catena::simulate::Method;
 use catena::time::{Control, Rule, Sdirk4};
 use catena::{Error, Real, Scalar};
+use catena_oracle::near;
 use nalgebra::{Const, U1};
 use num_dual::{Dual64, DualSVec64, HyperDual64};
 use simba::simd::WideF64x4;

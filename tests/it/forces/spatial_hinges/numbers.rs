@@ -107,7 +107,7 @@ fn lanes_do_not_see_each_other() -> Result<(), Error> {
 /// A hinge lifted to another number is the hinge built of it.
 #[test]
 fn lifted_hinges_are_the_same() {
-    use catena::lift::Lift;
+    use catena::Lift;
     let make = |scale: f64| {
         let along = Spring::stiffness(10.0 * scale).damped(0.1 * scale).resting_at(0.2 * scale);
         let rotary = ElasticHinge::rotary([1.0, 2.0, 3.0].map(|x| x * scale)).resting_at([0.1 * scale; 3]);

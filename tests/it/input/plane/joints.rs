@@ -1,8 +1,8 @@
 //! Joints and ends with springs and lines: what makes no mechanics is refused, with its station.
 
 use super::{INFINITY, NAN, rod};
+use catena::planar::Absent;
 use catena::planar::*;
-use catena::relation::Absent;
 use catena::{Error, Fault, Place};
 
 /// What comes of a joint between two rods: its station is 1.
@@ -96,7 +96,7 @@ fn directions_that_are_no_numbers_are_refused() {
 fn a_slider_that_nothing_resists_is_named() -> Result<(), Error> {
     let massless = PointMass::new(1.0, 0.0);
     let scene = System::new(Pinned::origin(), (rod(), Slider::along(0.3), massless), Free)?.with_gravity(9.81);
-    let found = scene.with_accelerations(scene.at_rest(&[0.1])?, &catena::element::Unloaded);
+    let found = scene.with_accelerations(scene.at_rest(&[0.1])?, &catena::loading::Unloaded);
     assert_eq!(
         found.err().map(|error| (error.fault, error.place)),
         Some((Fault::SingularJoint, Some(Place::Station(1))))

@@ -1,8 +1,8 @@
 //! Scenes of random parameters from shapes that are types, and their twins for the oracle.
 
-use crate::kit::Noise;
-use crate::oracle::space as oracle;
 use catena::planar::*;
+use catena_oracle::Noise;
+use catena_oracle::space as oracle;
 use core::marker::PhantomData;
 use oracle::Vector;
 

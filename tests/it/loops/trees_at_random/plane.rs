@@ -2,10 +2,10 @@
 
 use super::*;
 use catena::Error;
-use catena::element::Loading;
-use catena::ends::{Root, Tip};
+use catena::loading::Loading;
 use catena::planar::{self, *};
 use catena::system::MotionOf;
+use catena::system::{Root, Tip};
 
 /// A body in general position, and its twin: in the plane nothing depends on its other moments of inertia.
 fn body(noise: &mut Noise) -> (RigidBody<f64>, oracle::Body) {
@@ -37,7 +37,7 @@ fn pin(angle: f64, rate: f64, torque: f64) -> oracle::Joint {
 fn read<R, C, P, L>(system: &planar::System<f64, R, C, P>, motion: &MotionOf<Planar<f64>, R, C, P>, loads: &L) -> Found
 where
     R: Root<Planar<f64>>,
-    C: catena::element::Element<Planar<f64>>,
+    C: catena::system::Element<Planar<f64>>,
     P: Tip<Planar<f64>>,
     L: Loading<Planar<f64>>,
 {

@@ -2,10 +2,10 @@
 
 use super::*;
 use catena::Error;
-use catena::element::Loading;
-use catena::ends::{Root, Tip};
+use catena::loading::Loading;
 use catena::spatial::{self, *};
 use catena::system::MotionOf;
+use catena::system::{Root, Tip};
 
 /// A body in general position, and its twin.
 fn body(noise: &mut Noise) -> (RigidBody<f64>, oracle::Body) {
@@ -30,7 +30,7 @@ fn read<R, C, P, L>(
 ) -> Found
 where
     R: Root<Spatial<f64>>,
-    C: catena::element::Element<Spatial<f64>>,
+    C: catena::system::Element<Spatial<f64>>,
     P: Tip<Spatial<f64>>,
     L: Loading<Spatial<f64>>,
 {

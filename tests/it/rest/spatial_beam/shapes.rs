@@ -2,9 +2,10 @@
 
 use super::sweeps::{accelerations, displaced, response};
 use super::*;
-use catena::element::{Element, Loading};
-use catena::ends::{Root, Tip};
+use catena::loading::Loading;
+use catena::system::Element;
 use catena::system::{MotionOf, Runs};
+use catena::system::{Root, Tip};
 use core::f64::consts::FRAC_PI_2;
 use nalgebra::{DVector, Vector3};
 

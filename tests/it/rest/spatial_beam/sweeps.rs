@@ -1,10 +1,11 @@
 //! Stiffness and inertia of a scene as dense matrices, from its accelerations alone: differences of sweeps about a motion at rest.
 
-use catena::element::{Element, Loading};
-use catena::ends::{Root, Tip};
-use catena::mirror::{Position, Rate};
+use catena::loading::Loading;
 use catena::spatial::*;
+use catena::system::Element;
 use catena::system::{MotionOf, Runs};
+use catena::system::{Position, Rate};
+use catena::system::{Root, Tip};
 use catena::{Error, Scalar};
 use nalgebra::DMatrix;
 

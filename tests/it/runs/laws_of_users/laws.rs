@@ -1,10 +1,8 @@
 //! Laws as a user writes them, for joints in the plane and in space alike.
 
 use catena::Fault;
-use catena::element::{Implicit, Springs};
+use catena::extend::Springs;
 use catena::planar::SpringLaw;
-use catena::relation::Part;
-use catena::spatial::Law;
 
 /// −k q − k₃ q³ − c q̇ − c₃ q̇³.
 #[derive(Clone, Copy, Debug)]
@@ -59,11 +57,6 @@ impl Stop {
 
 macro_rules! laws {
     ($($Law:ident),*) => {$(
-        impl Part for $Law {
-            fn is_finite(self) -> bool {
-                self.finite()
-            }
-        }
         impl SpringLaw<f64> for $Law {
             fn force(&self, position: f64, rate: f64) -> f64 {
                 self.of(position, rate)
@@ -74,21 +67,6 @@ macro_rules! laws {
             fn pivot(&self, position: f64, rate: f64, springs: impl Springs<f64>) -> f64 {
                 let [stiffness, damping] = self.slopes(position, rate);
                 springs.pivot(stiffness, damping)
-            }
-            fn check(&self) -> Result<(), Fault> {
-                if self.finite() { Ok(()) } else { Err(Fault::NotFinite { parameter: "law" }) }
-            }
-        }
-        impl Law<f64> for $Law {
-            fn force_onto(&self, position: f64, rate: f64, sum: f64) -> f64 {
-                sum + self.of(position, rate)
-            }
-            fn energy(&self, position: f64) -> f64 {
-                self.stored(position)
-            }
-            fn pivot(&self, position: f64, rate: f64, springs: Implicit<f64>) -> f64 {
-                let [stiffness, damping] = self.slopes(position, rate);
-                Springs::<f64>::pivot(springs, stiffness, damping)
             }
             fn check(&self) -> Result<(), Fault> {
                 if self.finite() { Ok(()) } else { Err(Fault::NotFinite { parameter: "law" }) }

@@ -1,11 +1,11 @@
 //! Steps of changing size, steps chosen by error control, and steps and rules that are none.
 
-use crate::kit::{Noise, has_order};
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::stepper::{Method, Stepper};
+use catena::simulate::{Method, Stepper};
 use catena::time::{Rule, Sdirk4};
 use catena::{Error, Fault};
+use catena_oracle::{Noise, has_order};
 
 type Hinge = ElasticHinge<Spring<f64, f64, f64>>;
 type Scene = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Hinge, Rod<f64>, Hinge, Rod<f64>), Free>;

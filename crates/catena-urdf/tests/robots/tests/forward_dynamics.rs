@@ -1,8 +1,8 @@
 //! Accelerations of the scenes that the modules make, against M⁻¹ (τ − bias) of the description's own plain dynamics, at random states
 //! under random torques.
 
-use catena::mirror::{Position, Rate};
 use catena::spatial::{Loads, Wrench};
+use catena::system::{Position, Rate};
 use catena_urdf::{Base, Options, Robot, State, solve};
 use catena_urdf_robots::{arm7, cart, humanoid, names, quadruped};
 use std::error::Error;

@@ -1,6 +1,6 @@
 //! Frames of the modules stand in the scenes where the description puts their links, at joints that are not at zero.
 
-use catena::mirror::Position;
+use catena::system::Position;
 use catena_urdf::{Carrier, Frames, Options, Robot};
 use catena_urdf_robots::{arm7, humanoid, quadruped};
 use std::error::Error;

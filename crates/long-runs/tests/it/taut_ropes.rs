@@ -2,9 +2,9 @@
 //!
 //! Beads of mass ρA l on links of length l under a tension T swing with up to 2 √(T / ρA) / l, uniform rods with √3 as much.
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::stepper::{Method, Stepper};
+use catena::simulate::{Method, Stepper};
 use catena::time::Sdirk4;
 use core::f64::consts::FRAC_PI_2;
 

@@ -1,7 +1,7 @@
 //! Heavy loads on ropes in space come to rest from afar, in few steps: counted by sweeps, against dense Newton iterations in the plane and
 //! the balance of torques in space.
 
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::{Error, Fault};
 use core::cell::Cell;

@@ -4,6 +4,10 @@
 //! entries are known: [`Root::Pairs`] and [`Tip::Pairs`] list one [`Choice`] for each pair, and an end that fixes both or
 //! neither cannot be written.
 
+mod ground;
+
+pub use ground::{Ground, GroundMotion, Moving};
+
 use crate::element::{Element, RealOf, Space};
 use crate::error::Error;
 use crate::relation::{Closures, Solvable, WrenchOf};
@@ -11,7 +15,7 @@ use crate::space::FrameOf;
 
 /// Which of a conjugate pair an end makes known.
 pub trait Choice {
-    /// Whether it is the motion (and the force is unknown), or the force (and the motion is unknown).
+    /// Whether the end makes known the motion (and the force is unknown), or the force (and the motion is unknown).
     const MOTION: bool;
 }
 
@@ -73,17 +77,17 @@ pub trait Root<S: Space> {
 pub trait Tip<S: Space> {
     /// What is known of each conjugate pair.
     type Pairs: Pairs;
-    /// Forces that hold it.
+    /// Forces that hold the tip.
     type Closures: Solvable;
-    /// The relation it hands on.
+    /// The relation that the tip hands on.
     type Relation: Copy;
 
-    /// The relation it hands on, with the motion it demands (in a frame that falls freely) of a tip that turns like this.
+    /// The relation that the tip hands on, with the motion that it demands (in a frame that falls freely) of a body that turns like this.
     fn relation(&self, time: RealOf<S>, gravity: S::Vector, turn: &S::Turn) -> Self::Relation;
     /// Internal force and torque at the tip where it is held by these forces.
     fn internal(&self, time: RealOf<S>, multipliers: &<Self::Closures as Closures>::Each<S::Scalar>) -> WrenchOf<S>;
-    /// By how much a tip that moves with `frame` misses the place demanded at a time, and the velocity.
-    fn miss(&self, time: RealOf<S>, frame: &FrameOf<S>) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
+    /// Residual of the closure: by how much a tip that moves with `frame` misses the place demanded at a time, and the velocity.
+    fn residual(&self, time: RealOf<S>, frame: &FrameOf<S>) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
     /// How much the last body would yield to each of the forces if it were free: the measure of Λ, which tells closures that
     /// say the same twice.
     fn free_compliance(&self, time: RealOf<S>, body: &S::BodyMotion) -> <Self::Closures as Closures>::Each<S::Scalar>;

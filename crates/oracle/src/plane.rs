@@ -15,8 +15,6 @@
 //! Section loads: on a body act the force `+q_inboard` at I and `-q_outboard` at O, the torque `-m_inboard` at I and
 //! `+m_outboard` at O.
 
-#![allow(dead_code)] // every test binary uses its own part of this module
-
 use nalgebra::{DMatrix, DVector};
 
 pub use super::extrapolation::extrapolate;

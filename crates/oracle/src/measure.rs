@@ -1,7 +1,5 @@
 //! What several tests share: numbers without a pattern, and orders of convergence.
 
-#![allow(dead_code)] // every test binary uses its own part of this module
-
 /// Numbers in −1 .. 1 without any pattern (a 64 bit linear congruential generator, upper bits).
 pub struct Noise(u64);
 

@@ -1,9 +1,9 @@
 //! The flexible pendulum: 20 rods with rotary springs between them, under every kind of rule.
 
 use catena::Error;
-use catena::element::Unloaded;
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::stepper::Method;
+use catena::simulate::Method;
 use catena::time::{Rule, Sdirk4};
 use core::f64::consts::FRAC_PI_3;
 

@@ -1,4 +1,4 @@
-//! By how much loops miss.
+//! Residuals of loops: by how much their ends miss each other.
 
 use crate::element::{Closed, Coordinates, Element, Level, RealOf, Space, Visit};
 use crate::mirror::Rate;
@@ -7,9 +7,8 @@ use crate::space::FrameOf;
 use crate::walks::travel::show;
 use num_traits::Zero;
 
-/// By how much the ends of a loop miss each other: the largest (m, rad, or these a second), and the station of the joint that should
-/// close it.
-pub(crate) fn loops_miss<S: Space, E: Element<S>>(
+/// The largest residual of a loop (m, rad, or these a second), and the station of the joint that should close it.
+pub(crate) fn loop_residual<S: Space, E: Element<S>>(
     chain: &E,
     ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
@@ -20,30 +19,30 @@ pub(crate) fn loops_miss<S: Space, E: Element<S>>(
     open.worst
 }
 
-/// Calls `note` with what each condition that closes a loop is missed by: in place (m, rad) and in velocity.
+/// Calls `note` with the residual of each condition that closes a loop: in place (m, rad) and in velocity.
 #[cfg(feature = "alloc")] // for statics and assembly
-pub(crate) fn each_miss<S: Space, E: Element<S>>(
+pub(crate) fn each_residual<S: Space, E: Element<S>>(
     chain: &E,
     ground: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     note: impl FnMut([S::Scalar; 2]),
 ) {
-    show(chain, ground, motion, &mut Misses(note));
+    show(chain, ground, motion, &mut Residuals(note));
 }
 
-/// Shows by how much loops miss.
+/// Shows the residuals of loops.
 #[cfg(feature = "alloc")]
-struct Misses<F>(F);
+struct Residuals<F>(F);
 
 #[cfg(feature = "alloc")]
-impl<S: Space, F: FnMut([S::Scalar; 2])> Visit<S> for Misses<F> {
+impl<S: Space, F: FnMut([S::Scalar; 2])> Visit<S> for Residuals<F> {
     type OnBody = ();
     type InJoint = ();
 
     fn body(&mut self, _: &S::BodyMotion) {}
     fn joint(&mut self, _: &S::JointMotion) {}
     fn closing(&mut self, closed: &Closed<S>) {
-        let [place, velocity] = &closed.miss;
+        let [place, velocity] = &closed.residual;
         let mut count = 0;
         place.all(velocity, &mut |place, velocity| {
             if count < closed.conditions {
@@ -55,7 +54,7 @@ impl<S: Space, F: FnMut([S::Scalar; 2])> Visit<S> for Misses<F> {
     }
 }
 
-/// Keeps the loop that misses most.
+/// Keeps the loop with the largest residual.
 struct OpenLoop<S: Space> {
     level: Level,
     /// Bodies and joints met; the first is the root's joint.
@@ -75,9 +74,9 @@ impl<S: Space> Visit<S> for OpenLoop<S> {
     }
     fn closing(&mut self, closed: &Closed<S>) {
         self.entries += 1;
-        let [place, velocity] = &closed.miss;
-        let miss = if self.level == Level::Place { place } else { velocity };
-        miss.visit(&mut |x| {
+        let [place, velocity] = &closed.residual;
+        let residual = if self.level == Level::Place { place } else { velocity };
+        residual.visit(&mut |x| {
             if x.real().abs() > self.worst.0 {
                 self.worst = (x.real().abs(), self.entries - 2);
             }

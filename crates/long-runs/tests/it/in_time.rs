@@ -1,13 +1,14 @@
 //! Closed loops and networks in time: what is conserved, what stays closed, and orders of rules with projection.
 
-use crate::kit::slope;
 use catena::Error;
-use catena::element::{Element, Unloaded};
-use catena::ends::{Root, Tip};
+use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::stepper::Method;
+use catena::simulate::Method;
+use catena::system::Element;
 use catena::system::{MotionOf, Runs};
+use catena::system::{Root, Tip};
 use catena::time::Rule;
+use catena_oracle::slope;
 
 type Scene<R, C> = System<f64, R, C, Free>;
 type Motion<R, C> = MotionOf<Planar<f64>, R, C, Free>;
@@ -57,7 +58,7 @@ where
     let mut guess = scene.at_rest(&[0.0; 8])?;
     let mut angles = NEAR.iter().copied();
     // A hinge has the angle relative to the body inboard of it: all near enough to be closed.
-    catena::mirror::Position::replace(guess.position_mut(), &mut |_| angles.next().unwrap_or(0.0));
+    catena::system::Position::replace(guess.position_mut(), &mut |_| angles.next().unwrap_or(0.0));
     let start = scene.assembled(guess, &Unloaded)?;
     Ok((scene, start))
 }
@@ -189,7 +190,7 @@ fn momentum_of_networks_is_conserved() -> Result<(), Error> {
     let mut guess = scene.motion();
     let numbers = |head: [f64; 2]| head.into_iter().chain(NEAR);
     let mut places = numbers([0.3, -0.2]);
-    catena::mirror::Position::replace(guess.position_mut(), &mut |_| places.next().unwrap_or(0.0));
+    catena::system::Position::replace(guess.position_mut(), &mut |_| places.next().unwrap_or(0.0));
     let rates: Vec<f64> = numbers([0.4, 0.1]).map(|x| 1.3 * x + 0.2).collect();
     let start = scene.assembled(scene.with_rates(guess, &rates)?, &Unloaded)?;
     let first = scene.budget(&start)?;

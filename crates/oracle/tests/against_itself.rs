@@ -1,6 +1,6 @@
 //! The dense oracle against closed forms: nothing here touches the crate.
 
-use crate::oracle::plane::{
+use catena_oracle::plane::{
     Answer, Axes, Body, Coordinates, Elastic, Ground, Joint, Load, Scene, State, Tip, Vector, add, cross, dot,
     extrapolate, perp, rotate, scale, sub,
 };

@@ -13,8 +13,6 @@
 //! velocity in inertial axes. Joint k lies between body k and its parent, which is the ground or a body of lower number: a chain is the
 //! tree in which each body has the one before as its parent.
 
-#![allow(dead_code)] // every test binary uses its own part of this module
-
 pub mod elastic;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
@@ -136,8 +134,8 @@ pub struct Answer {
     pub tip: [Vector; 2],
     /// Force and torque ON the main body at each closing.
     pub closings: Vec<[Vector; 2]>,
-    /// By how much the ends of loops miss each other, in place and velocity along what is held.
-    pub miss: f64,
+    /// The largest residual of loops: by how much their ends miss each other, in place and velocity along what is held.
+    pub residual: f64,
 }
 
 /// A condition row: Σ linear·a + angular·α over bodies (None is the ground) = value.
@@ -370,7 +368,7 @@ pub fn solve_closed(
         let row = |t: Vector| Row { terms: vec![(Some(last), Vector::zeros(), t)], value: t.dot(&angular) };
         rows.extend(unit.map(|t| (n, row(t))));
     }
-    let mut miss = 0.0_f64;
+    let mut residual = 0.0_f64;
     for (number, Closing { main, side, along, about, torque: own }) in closings.iter().enumerate() {
         let end = |k: usize| {
             let (frame, arm) = (&frames[k], frames[k].attitude * bodies[k].outboard);
@@ -379,13 +377,13 @@ pub fn solve_closed(
         };
         let (outer, inner) = (end(*main), end(*side));
         for t in along {
-            miss = miss.max(t.dot(&(outer.0 - inner.0)).abs()).max(t.dot(&(outer.1 - inner.1)).abs());
+            residual = residual.max(t.dot(&(outer.0 - inner.0)).abs()).max(t.dot(&(outer.1 - inner.1)).abs());
             let (a, b) = (to_outboard[*main].cross(t), to_outboard[*side].cross(t));
             let terms = vec![(Some(*main), *t, a), (Some(*side), -t, -b)];
             rows.push((n + 1 + number, Row { terms, value: -t.dot(&(outer.2 - inner.2)) }));
         }
         for t in about {
-            miss = miss.max(t.dot(&(frames[*main].spin - frames[*side].spin)).abs());
+            residual = residual.max(t.dot(&(frames[*main].spin - frames[*side].spin)).abs());
             let none = Vector::zeros();
             // t · (ω_m − ω_s) = 0, differentiated, for t that turn with the main body.
             let (spin, relative) = (frames[*main].spin, frames[*main].spin - frames[*side].spin);
@@ -459,5 +457,5 @@ pub fn solve_closed(
             torques[*joint] += (angular - to_inboard[*joint].cross(&linear)) * multiplier;
         }
     }
-    Answer { linear, angular, forces, torques, tip: at_tip, closings: at_closings, miss }
+    Answer { linear, angular, forces, torques, tip: at_tip, closings: at_closings, residual }
 }

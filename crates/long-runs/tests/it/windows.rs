@@ -1,12 +1,12 @@
 //! Motions through places where closures become dependent: a ladder of windows, all of whose bars come to lie on one line.
 
-use crate::kit::Noise;
 use catena::Error;
-use catena::element::Element;
 use catena::planar::*;
-use catena::stepper::Method;
+use catena::simulate::Method;
+use catena::system::Element;
 use catena::system::{MotionOf, Runs};
 use catena::time::Rule;
+use catena_oracle::Noise;
 use core::f64::consts::FRAC_PI_2;
 
 /// A crank that begins at the ground.
@@ -74,15 +74,15 @@ fn start<C: Element<Planar<f64>>>(
 fn run<C, M>(chain: C, (windows, rate): (usize, f64), rule: Rule<M, f64>) -> Result<(usize, [f64; 2]), Error>
 where
     C: Element<Planar<f64>>,
-    M: for<'s> Method<&'s Scene<C>, catena::element::Unloaded>,
-    Scene<C>: Runs<catena::element::Unloaded, Planar<f64>, Ground, C, Free>,
+    M: for<'s> Method<&'s Scene<C>, catena::loading::Unloaded>,
+    Scene<C>: Runs<catena::loading::Unloaded, Planar<f64>, Ground, C, Free>,
 {
     let scene = System::new(Clamped::at(0.0, 0.0, 0.0), chain, Free)?.with_gravity(9.81);
     let run = scene.simulate(start(&scene, windows, rate)?, rule, 2.0, |_| ())?;
     let [angle, spin] = alone(windows, rate, 2.0);
     let mut first = (None, None);
-    catena::mirror::Position::visit(run.motion.position(), &mut |x: f64| first.0 = first.0.or(Some(x)));
-    catena::mirror::Rate::visit(run.motion.rate(), &mut |x: f64| first.1 = first.1.or(Some(x)));
+    catena::system::Position::visit(run.motion.position(), &mut |x: f64| first.0 = first.0.or(Some(x)));
+    catena::system::Rate::visit(run.motion.rate(), &mut |x: f64| first.1 = first.1.or(Some(x)));
     let (found, turning) = (first.0.unwrap_or(f64::NAN), first.1.unwrap_or(f64::NAN));
     Ok((run.steps + run.rejected, [(found - angle).abs(), (turning - spin).abs()]))
 }

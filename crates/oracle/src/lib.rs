@@ -1,0 +1,9 @@
+//! Second opinions for tests: the Newton-Euler equations of all bodies as one dense system, in the plane and in space, and what several
+//! tests measure by. Nothing here depends on the library under test.
+
+pub mod extrapolation;
+mod measure;
+pub mod plane;
+pub mod space;
+
+pub use measure::{Noise, has_order, near, slope};

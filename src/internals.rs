@@ -1,0 +1,27 @@
+//! What exported macros expand to, and what tests and benchmarks look into. No promise is made about any of it: users find what they need
+//! in the other modules.
+
+pub mod counts {
+    pub use crate::counts::Counted;
+}
+pub mod element {
+    pub use crate::element::{Condense, Element, Given, InJoint, Posture, Space, Springs, Sweep};
+    pub use crate::sweep::{Implicit, Reading};
+}
+pub mod relation {
+    pub use crate::relation::{AccelerationOf, Closures, Cut, Full, plane, space};
+}
+pub mod shape {
+    pub use crate::shape::{
+        AsJoint, Field, Inward, Joint, JointPosture, Kept, Member, Of, Outward, PerAxes, Shape, Slot,
+    };
+}
+pub mod space {
+    pub use crate::space::FrameOf;
+}
+pub mod transfer {
+    pub use crate::transfer::Efforts;
+}
+pub mod walks {
+    pub use crate::walks::check;
+}
