@@ -52,7 +52,7 @@ pub struct Order<R> {
 }
 
 impl<R: Real> Order<R> {
-    /// That of number `k`.
+    /// Order number `k`.
     #[inline(always)]
     pub fn of(k: usize) -> Self {
         let (one, next) = (R::one(), R::of((k + 1) as f64));

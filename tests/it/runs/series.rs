@@ -140,7 +140,6 @@ fn energy_stays() -> Result<(), Error> {
 
 #[test]
 fn orders_are_those_of_the_series() -> Result<(), Error> {
-    use catena::stepper::Stepper;
     let (scene, start) = pendulum!();
     let (mut few, mut many) = (scene.stepper(Taylor::<8>), scene.stepper(Taylor::<30>));
     let (mut next, mut exact, mut end) = (start, start, start);
