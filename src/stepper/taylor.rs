@@ -1,6 +1,6 @@
 //! Steps by Taylor series.
 
-use super::{Method, MotionIn, Stepper, TimeIn, of_stage};
+use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::element::Element;
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
@@ -209,13 +209,12 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         self.begin();
         next.acceleration.set(&self.ahead.acceleration);
         match self.scene.accept(next) {
-            Ok(()) => Ok(()),
             Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => {
+                // Of a step that was too long the motion before it has nothing to say.
                 let found = self.scene.diagnose(past, loads, &mut self.workspace);
-                let singular = matches!(found.fault, Fault::SingularJoint | Fault::AngleOutOfRange { .. });
-                Err(if singular { found } else { error })
+                Err(if matches!(found.fault, Fault::NonFiniteMotion) { error } else { found })
             }
-            Err(error) => Err(of_stage(error)),
+            outcome => outcome,
         }
     }
 

@@ -6,11 +6,11 @@ use super::{Control, Rule};
 ///
 /// Coefficients of all orders satisfy the linear equations of accelerations with other right-hand sides. So a step takes one sine, one
 /// elimination and one division a body, and then two short walks for each order; it tells how long it may be before it is made, and is
-/// never rejected.
+/// hardly ever rejected. A series counts as one sweep.
 ///
 /// It knows rods, rigid bodies, point masses, pins, welds and rotary springs and dampers of the plane in tuples, arrays, vectors and
-/// branches, on ground that rests, with a free tip, under gravity. What it does not know does not compile, and the message says what it
-/// is: loops, held tips, sliders, linear springs, laws of users, loads, motion in space.
+/// branches, on ground that rests, with a free tip, under gravity. What it does not know does not compile: loops, held tips, sliders,
+/// linear springs, laws of users, loads, motion in space. [`Taylor::knows`] makes the compiler say which of these it is.
 ///
 /// Positions within a step are polynomials of order `P` + 1, and so is what is sampled.
 ///
@@ -18,7 +18,18 @@ use super::{Control, Rule};
 /// |---|---|---|---|---|
 /// | `P` | 8 | 12 | 16 | 20 |
 ///
-/// An order that is wrong by four costs at most a fifth. Steps of a given size that are longer than the series reaches diverge.
+/// An order that is wrong by four costs a fifth at most. Steps of a given size that are longer than the series reaches diverge.
+///
+/// How many times the time and the instructions of a run by [`Dop853`](super::Dop853) are those of one by this rule, for the same error
+/// of the last angle of rods on pins that are released from the horizontal (x86-64-v3, best of the orders above; a tuple of two for two
+/// seconds, an array of twenty for half a second):
+///
+/// | error (rad) | 1e-3 | 1e-6 | 1e-9 | 1e-12 |
+/// |---|---|---|---|---|
+/// | two rods, time | 2.0 | 2.4 | 3.4 | 4.8 |
+/// | two rods, instructions | 1.2 | 1.2 | 1.7 | 2.3 |
+/// | twenty rods, time | 1.7 | 1.8 | 2.2 | 3.1 |
+/// | twenty rods, instructions | 0.7 | 0.9 | 0.9 | 1.3 |
 ///
 /// ```
 /// use catena::planar::*;

@@ -208,3 +208,20 @@ fn what_does_not_move_takes_one_step() -> Result<(), Error> {
     assert_eq!((run.steps, run.motion.position().1.1), (1, 0.4));
     Ok(())
 }
+
+#[test]
+fn faults_are_those_of_other_rules() -> Result<(), Error> {
+    let (rod, link) = (Rod::uniform(0.5, 0.5), RigidBody::massless([0.5, 0.0]));
+    let scene = System::new(Pinned::origin(), (rod, Pin, link), Free)?.with_gravity(G);
+    let start = scene.at_rest(&[0.3, 0.4])?;
+    let mut next = start;
+    let by_series = scene.stepper(Taylor::<12>).step(&start, &Unloaded, 0.01, &mut next);
+    let by_sweeps = scene.stepper(Dop853).step(&start, &Unloaded, 0.01, &mut next);
+    assert!(by_series.is_err() && by_series == by_sweeps, "{by_series:?}, {by_sweeps:?}");
+    // A wheel that nothing holds back turns farther than angles are known.
+    let wheel = System::new(Pinned::origin(), rod, Free)?;
+    let start = wheel.with_rates(wheel.motion(), &[1.0])?;
+    let by_series = wheel.simulate(start, Taylor::<12>::tolerance(1e-9), 1e12, |_| ()).unwrap_err().error;
+    assert!(matches!(by_series.fault, catena::Fault::AngleOutOfRange { .. }), "{by_series:?}");
+    Ok(())
+}
