@@ -33,7 +33,7 @@ use super::{Control, Rule};
 ///
 /// ```
 /// use catena::planar::*;
-/// let rod = Rod::uniform(1.0, 1.0);
+/// let rod = Rod::uniform(1.0_f64, 1.0);
 /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
 /// let start = pendulum.at_rest(&[-1.0, -0.5])?;
 /// let series = pendulum.simulate(start, Taylor::<16>::tolerance(1e-11), 1.0, |_| ())?;
