@@ -17,6 +17,7 @@ mod parallel;
 mod poses;
 mod selective;
 mod sensitive;
+mod series;
 mod tuple;
 
 pub use crate::shape::{Closing, Ends};

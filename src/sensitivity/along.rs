@@ -4,10 +4,10 @@ use super::Gradient;
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::planar::{Base, Body, Pin, Planar, PointMass, RigidBody, Rod, System, Weld};
+use crate::mechanics::planar::{Base, Body, Pin, Planar, PointMass, RigidBody, Rod, Weld};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk};
-use crate::system::Elements;
+use crate::system::{Elements, System};
 
 /// Sums up what derivatives of parameters do to a cost.
 pub struct Along<T, const K: usize> {
@@ -109,7 +109,7 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
     ///
     /// # Errors
     /// [`Fault::Shape`] for another scene.
-    pub fn along<R, C, P, const K: usize>(&self, scene: &System<Jet<T, K>, R, C, P>) -> Result<[T; K], Error>
+    pub fn along<R, C, P, const K: usize>(&self, scene: &System<Planar<Jet<T, K>>, R, C, P>) -> Result<[T; K], Error>
     where
         R: Root<Planar<Jet<T, K>>>,
         C: Element<Planar<Jet<T, K>>>,
