@@ -127,7 +127,7 @@ pub enum Fault {
         /// Residual of the turn at least (rad, or rad/s).
         residual: f64,
     },
-    /// A list of coordinates, rates or loads has the wrong length.
+    /// A list of coordinates, rates, loads or states has the wrong length.
     Count {
         /// Values needed.
         expected: usize,

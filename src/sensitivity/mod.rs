@@ -31,6 +31,13 @@
 //! rotary spring; in space all bodies, `Ball`, `Weld`, `Revolute` and `Universal` with springs; roots of these. Loads may depend on seeds
 //! and on the motion. Explicit rules, with error control (of the values) and dense output.
 //!
+//! # Backward
+//!
+//! One number, the cost, by all that a run depends on, lengths, masses, gravity, initial values, torques of every step, is cheaper backward:
+//! [`System::backward`] and [`Backward`], some 2.8 plain runs in the plane however many derivatives there are.
+//!
+//! # What it does not know
+//!
 //! What it does not know is an error of the compiler: held tips, loops, `Free` roots, joints that slide, springs of balls, and implicit
 //! rules. Such scenes are differentiated by the rule itself.
 //!
@@ -45,8 +52,13 @@
 //! # Ok::<(), catena::Error>(())
 //! ```
 
+mod along;
+mod backward;
+mod gradient;
 mod stepper;
 
+pub use backward::Backward;
+pub use gradient::{Costate, Gradient};
 pub use stepper::SensitiveStepper;
 
 use crate::element::{Coordinates, Element, Load, Loading, Posture, RealOf, Space, Visit};

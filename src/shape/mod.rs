@@ -11,6 +11,7 @@ mod closing;
 mod field;
 mod leaf;
 mod part;
+mod selective;
 mod slot;
 mod walk;
 
@@ -19,6 +20,8 @@ pub use field::{Arm, Field, Kept, Main, PerAxes, PerBody, PerJoint, Positions, R
 pub(crate) use leaf::leaf;
 pub use leaf::{AsBody, AsJoint, Body, Joint, JointPosture, Native, PostureOf};
 pub use part::{Aside, ClosingEntry, Items, MainStore, Member, Nth, OwnOf, Parallel, SideStore};
+pub(crate) use selective::{SameInArms, take_items};
+pub use selective::{Selective, Takes};
 pub use slot::{Held, Mut, Ref, Slot};
 pub(crate) use walk::alike;
 pub use walk::{

@@ -9,7 +9,7 @@ use num_traits::{One, Zero};
 /// `sum = base + scale · Σ weights[j] · slopes[j]`, four terms at a time: one function of moderate size for all rows, however
 /// many coordinates a tuple unrolls. What is no multiple of four comes first, where the base is read.
 #[inline(never)]
-pub(super) fn gather<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Real, weights: &[f64], slopes: &[R]) {
+pub(crate) fn gather<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Real, weights: &[f64], slopes: &[R]) {
     let count = weights.len().min(slopes.len());
     let (few, fours) = weights[..count].as_rchunks::<4>();
     let (few_slopes, fours_of_slopes) = slopes[..count].as_rchunks::<4>();
@@ -26,7 +26,7 @@ pub(super) fn gather<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Rea
 }
 
 /// The past motion displaced by accelerations with these weights (in position, in rate): at a share `node` of the step.
-pub(super) fn displace<T: Scalar, P: Position<T>, C: Closures>(
+pub(crate) fn displace<T: Scalar, P: Position<T>, C: Closures>(
     past: &Motion<T, P, C>,
     slopes: &[P::Rate],
     node: f64,

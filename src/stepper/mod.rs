@@ -1,7 +1,7 @@
 //! Steppers: what a rule needs for one scene, and the step itself.
 
 mod adams;
-mod displace;
+pub(crate) mod displace;
 mod explicit;
 mod implicit;
 mod sdirk;

@@ -7,6 +7,9 @@
 //!   [`Outward::parallel`](crate::shape::Outward::parallel), finds the forces there, and sends walks of its own into both arms
 //!   ([`respond`], [`restore`], [`recover`]).
 //!
+//! Walks that ask of bodies and joints more than all of them have to say are [selective](crate::shape::Selective): [`factor`], [`reach`],
+//! [`meet`], [`stir`] and [`pull_back`], the [costate sweep](crate::adjoint). A chain with an element that does not know them does not compile.
+//!
 //! Not yet walks: the condensation, whose arguments could be a bundle once it is known why chains in space would then cost more on
 //! targets without wide registers; poses; lumping of point masses, which changes elements; and the walks of derivatives
 //! ([`Sensitive`](crate::sensitive::Sensitive)), for which the plain element has to become a store.
@@ -14,20 +17,27 @@
 pub mod broken;
 pub mod carrier;
 pub mod check;
+pub mod complete;
 pub mod configure;
 pub mod count;
 pub mod entries;
+pub mod factor;
 pub mod find;
 pub mod fits;
 pub mod gather;
 pub mod independent;
 pub mod look;
 pub mod measure;
+pub mod meet;
 pub mod parts;
+pub mod pull_back;
+pub mod reach;
 pub mod recover;
 pub mod respond;
 pub mod restore;
 pub mod size;
 pub mod spread;
 pub mod steer;
+pub mod stir;
 pub mod travel;
+pub mod unspread;

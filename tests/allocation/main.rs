@@ -2,6 +2,7 @@
 
 #![allow(unsafe_code)] // an allocator cannot be written otherwise
 
+mod backward;
 mod counting;
 mod paper;
 mod steps;

@@ -1,5 +1,6 @@
 //! Mechanics in the plane: bodies, joints, ends and motions, as the front page [`planar`](crate::planar) shows them.
 
+mod adjoint;
 pub mod axes;
 mod beam;
 mod body;
@@ -29,7 +30,7 @@ mod weld;
 pub use crate::relation::planar::Planar;
 pub use crate::spring::{Spring, SpringLaw};
 pub use beam::{Beam, Segments};
-pub use body::{Body, Inertia, Pose};
+pub use body::{Base, Body, Inertia, Pose};
 pub use elastic_hinge::{ElasticHinge, HingeRule, Revolute};
 pub use ends::{Attitude, Clamped, Floating, Free, Ground, GroundMotion, Guided, Moving, Pinned, Turning};
 pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, SpringState, Turn};

@@ -24,6 +24,7 @@ const FLOORS: [&[&str]; 9] = [
         "motion",
         "sensitive",
         "series",
+        "adjoint",
         "release",
         "kinematics",
     ],

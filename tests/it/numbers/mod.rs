@@ -1,5 +1,6 @@
 //! Every kind of number, and derivatives.
 
+mod backward;
 mod derivatives;
 mod jets;
 mod scalars;

@@ -1,0 +1,13 @@
+//! The costate sweep does not know roots that move: parameters in their motion would be lost.
+//@ no gradient of a run goes backward through the root `Pinned<
+//@ not a root that the costate sweep knows
+
+use catena::planar::*;
+
+fn main() -> Result<(), catena::Error> {
+    let rod = Rod::uniform(1.0, 1.0);
+    let shaken = |t: f64| GroundMotion { place: [t.sin(), 0.0], velocity: [t.cos(), 0.0], acceleration: [-t.sin(), 0.0] };
+    let pendulum = System::new(Pinned(Moving(shaken)), (rod, Pin, rod), Free)?;
+    let _ = pendulum.backward(Rk4);
+    Ok(())
+}

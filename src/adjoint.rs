@@ -1,0 +1,99 @@
+//! The contract of the costate sweep: the gradient of one number, computed from a whole run, by everything at once.
+//!
+//! A *costate* x̄ of a quantity x is the derivative of that number, the cost, by x. Accelerations solve R(q, v, a, p) = M a + c − τ = 0.
+//! Given the costate λ of accelerations, M w = λ is solved by the elimination that found them, with another right-hand side; w is a
+//! *virtual velocity*, and P = w · R the virtual power of all forces, inertial ones included, over it. With a and w held fixed
+//!
+//! ```text
+//! q̄ = −∂P/∂q        v̄ = −∂P/∂v        p̄ = −∂P/∂p        τ̄ = +w
+//! ```
+//!
+//! P is a sum over bodies. Two vectors carried inward say all that outboard bodies have to do with a body: F = ∂P/∂W, the force of plain
+//! inverse dynamics, and G = ∂P/∂A, the momentum of the virtual motion, where W and A are the virtual velocity and the acceleration of the
+//! station. So there is no division, no sine and no inertia in
+//!
+//! ```text
+//! factor       tip → root   S and e, gains and inverse pivots                       walks::factor
+//! reach        root → tip   accelerations                                           walks::reach
+//! meet         tip → root   λ through the gains                                     walks::meet
+//! stir         root → tip   W; w of each joint; costates of torques                 walks::stir
+//! pull back    tip → root   G and F; costates of positions, rates, parameters       walks::pull_back
+//! ```
+//!
+//! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics (`planar/adjoint/`).
+
+use crate::element::{Element, Space};
+use crate::ends::{Root, Tip};
+use crate::relation::{Additive, Open};
+use crate::shape::Takes;
+use crate::space::FrameOf;
+use crate::walks::factor::Factor;
+use crate::walks::meet::Meet;
+use crate::walks::pull_back::PullBack;
+use crate::walks::reach::Reach;
+use crate::walks::stir::Stir;
+
+/// A space whose elements know the costate sweep.
+pub trait Reversed: Space {
+    /// What lies outboard, S and e.
+    type Outboard: Copy;
+    /// The inverse of the pivot of a joint.
+    type Pivot: Copy + 'static;
+    /// What is carried outward: virtual velocity, and what turns the body on the inboard side.
+    type Stirred: Copy;
+    /// What that walk keeps of a body.
+    type OnBody: Copy + 'static;
+    /// What that walk keeps of a joint without coordinates.
+    type InJoint: Copy + 'static;
+    /// What is carried inward: G and F, and what turning all that has been met does to P.
+    type Pulled: Additive;
+    /// Costates of the base parameters of a body.
+    type OfBody: Copy + 'static;
+    /// Costates of the parameters of a joint.
+    type OfJoint: Additive;
+
+    /// Nothing, beyond a free tip.
+    fn nothing() -> Self::Outboard;
+    /// What lies beyond a station of which an arm leaves.
+    fn join(chain: Self::Outboard, arm: Self::Outboard) -> Self::Outboard;
+    /// No pivot yet.
+    fn no_pivot() -> Self::Pivot;
+    /// Where the outward walk begins: a ground that does not move virtually.
+    fn at_ground(frame: &FrameOf<Self>) -> Self::Stirred;
+    /// Nothing has been kept.
+    fn untouched() -> (Self::OnBody, Self::InJoint);
+    /// No derivatives yet.
+    fn of_no_body() -> Self::OfBody;
+    /// The costate of gravity, after what is left at the ground.
+    fn of_gravity(pulled: &Self::Pulled) -> Self::Vector;
+    /// Costates of the base parameters as they are, from sums that left out what depends on the size of the body alone.
+    fn complete(size: &Self::Size, sums: &mut Self::OfBody);
+}
+
+/// Elements that take all walks of the costate sweep.
+pub trait Reversible<S: Reversed>:
+    Element<S> + Takes<S, Factor> + Takes<S, Reach> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
+{
+}
+
+impl<S: Reversed, E> Reversible<S> for E where
+    E: Element<S> + Takes<S, Factor> + Takes<S, Reach> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
+{
+}
+
+/// A root whose ground does not move, so that its parameters are those of a place.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run goes backward through the root `{Self}`",
+    label = "not a root that the costate sweep knows",
+    note = "it knows `Pinned` and `Clamped` of the plane, at a place that does not move",
+    note = "run the same scene over jets or dual numbers instead"
+)]
+pub trait ReversibleRoot<S: Reversed>: Root<S> {}
+
+/// A tip that nothing holds.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run goes backward through the tip `{Self}`",
+    label = "not a free tip",
+    note = "run the same scene over jets or dual numbers instead"
+)]
+pub trait ReversibleTip<S: Reversed>: Tip<S, Closures = Open> {}

@@ -1,0 +1,136 @@
+//! The costate sweep in the plane: what joints do.
+
+use super::{Outboard, Pulled, Stirred, Turning};
+use crate::mechanics::planar::{Acceleration, Pin, Planar, Weld, Wrench};
+use crate::relation::planar::algebra::{add_scaled, plus_dot};
+use crate::scalar::Scalar;
+use crate::shape::{Of, Takes};
+use crate::walks::factor::Factor;
+use crate::walks::meet::Meet;
+use crate::walks::pull_back::PullBack;
+use crate::walks::reach::Reach;
+use crate::walks::stir::Stir;
+
+impl<T: Scalar> Takes<Planar<T>, Factor> for Pin {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Factor,
+        outer: Outboard<T>,
+        (.., torque, gain, pivot): Of<'_, Planar<T>, Factor, Self>,
+    ) -> Outboard<T> {
+        // The same quotient as in the elimination: it is formed once.
+        *pivot = outer.relation.angular.recip();
+        let (relation, found) = outer.relation.pinned(*torque);
+        *gain = found;
+        Outboard::of_pin(relation)
+    }
+}
+
+impl<T: Scalar> Takes<Planar<T>, Reach> for Pin {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Reach,
+        inner: Acceleration<T>,
+        (.., gain, acceleration, ()): Of<'_, Planar<T>, Reach, Self>,
+    ) -> Acceleration<T> {
+        *acceleration = gain.angular(inner.linear, &());
+        Acceleration { angular: *acceleration, ..inner }
+    }
+}
+
+impl<T: Scalar> Takes<Planar<T>, Meet> for Pin {
+    /// D w + u · W + m = λ, with w = free + gain · W.
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Meet,
+        outer: Wrench<T>,
+        (.., gain, pivot, costate): Of<'_, Planar<T>, Meet, Self>,
+    ) -> Wrench<T> {
+        let left = *costate - outer.torque;
+        *costate = left * *pivot;
+        Wrench { force: add_scaled(outer.force, -left, gain.per_acceleration), torque: T::zero() }
+    }
+}
+
+impl<T: Scalar> Takes<Planar<T>, Stir> for Pin {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Stir,
+        inner: Stirred<T>,
+        (.., gain, (rate, acceleration, free), _, torque): Of<'_, Planar<T>, Stir, Self>,
+    ) -> Stirred<T> {
+        let linear = inner.velocity.linear;
+        let w = plus_dot(*free, gain.per_acceleration, linear);
+        // A torque acts on the outboard body and against the inboard one.
+        *torque += w - inner.velocity.angular;
+        *free = w;
+        let turning = Turning { rate: *rate, acceleration: *acceleration, stirring: w };
+        Stirred { velocity: Acceleration { linear, angular: w }, turning }
+    }
+}
+
+impl<T: Scalar> Takes<Planar<T>, PullBack> for Pin {
+    /// The coordinate is the absolute angle of what the pin turns: nothing of that is left for what lies inboard.
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut PullBack,
+        outer: Pulled<T>,
+        (.., (&rate, &acceleration, &stirring), _, _, (of_position, of_rate)): Of<'_, Planar<T>, PullBack, Self>,
+    ) -> Pulled<T> {
+        [*of_position, *of_rate] = outer.turned(Turning { rate, acceleration, stirring });
+        Pulled { along: T::zero(), across: T::zero(), lever: T::zero(), ..outer }
+    }
+}
+
+impl<T: Scalar> Takes<Planar<T>, Factor> for Weld<T> {
+    #[inline(always)]
+    fn take(&self, _: &mut Factor, outer: Outboard<T>, _: Of<'_, Planar<T>, Factor, Self>) -> Outboard<T> {
+        outer
+    }
+}
+
+impl<T: Scalar> Takes<Planar<T>, Reach> for Weld<T> {
+    #[inline(always)]
+    fn take(&self, _: &mut Reach, inner: Acceleration<T>, _: Of<'_, Planar<T>, Reach, Self>) -> Acceleration<T> {
+        inner
+    }
+}
+
+impl<T: Scalar> Takes<Planar<T>, Meet> for Weld<T> {
+    #[inline(always)]
+    fn take(&self, _: &mut Meet, outer: Wrench<T>, _: Of<'_, Planar<T>, Meet, Self>) -> Wrench<T> {
+        outer
+    }
+}
+
+impl<T: Scalar> Takes<Planar<T>, Stir> for Weld<T> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Stir,
+        inner: Stirred<T>,
+        (.., ((), turning), _): Of<'_, Planar<T>, Stir, Self>,
+    ) -> Stirred<T> {
+        *turning = inner.turning;
+        inner
+    }
+}
+
+impl<T: Scalar> Takes<Planar<T>, PullBack> for Weld<T> {
+    /// The angle of a weld turns all that has been met since the last pin.
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut PullBack,
+        outer: Pulled<T>,
+        (.., (_, _, turning), (_, sum), _): Of<'_, Planar<T>, PullBack, Self>,
+    ) -> Pulled<T> {
+        *sum += outer.turned(*turning)[0];
+        outer
+    }
+}

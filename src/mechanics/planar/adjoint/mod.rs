@@ -1,0 +1,175 @@
+//! The costate sweep in the plane: what is carried and kept.
+
+mod bodies;
+mod ends;
+mod joints;
+
+use super::body::Base;
+use crate::adjoint::Reversed;
+use crate::mechanics::planar::{Acceleration, Frame, Planar};
+use crate::relation::Additive;
+use crate::relation::planar::{Full, Point};
+use crate::scalar::Scalar;
+use core::ops::Add;
+use nalgebra::Vector2;
+
+/// What lies outboard of a station, with a kind: bodies save what a pin or a free tip leaves out.
+#[derive(Clone, Copy)]
+pub struct Outboard<T: Scalar> {
+    kind: Kind,
+    relation: Full<T>,
+}
+
+/// What there is of a relation.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    /// A free tip: nothing.
+    Nothing,
+    /// A pin: the moment does not depend on the motion.
+    Pin,
+    /// All of it.
+    Rigid,
+}
+
+impl<T: Scalar> Outboard<T> {
+    /// Of a pin with a torque in it.
+    #[inline(always)]
+    fn of_pin(Point { mass, offset, torque, .. }: Point<T, T>) -> Self {
+        let relation = Full { linear: mass, force: offset, torque, ..Full::massless() };
+        Self { kind: Kind::Pin, relation }
+    }
+    /// The relation of a pin.
+    #[inline(always)]
+    fn pin(&self) -> Point<T, T> {
+        let Full { linear, force, torque, cuts, .. } = self.relation;
+        Point { mass: linear, offset: force, torque, cuts: cuts.mapped(|w| w.force) }
+    }
+}
+
+/// A virtual velocity on the way outward, and what turns the body on the inboard side.
+#[derive(Clone, Copy, Debug)]
+pub struct Stirred<T> {
+    /// W and w.
+    velocity: Acceleration<T>,
+    turning: Turning<T>,
+}
+
+/// How a body turns.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning<T> {
+    /// ω (rad/s).
+    rate: T,
+    /// α (rad/s²).
+    acceleration: T,
+    /// w.
+    stirring: T,
+}
+
+/// What the outward walk keeps of a body.
+#[derive(Clone, Copy, Debug)]
+pub struct OnBody<T> {
+    /// Virtual velocity of its outboard end.
+    velocity: Vector2<T>,
+    /// α and w.
+    acceleration: T,
+    stirring: T,
+}
+
+/// What is carried inward.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pulled<T> {
+    /// G, the momentum of the virtual motion.
+    momentum: Vector2<T>,
+    /// F, the force of inverse dynamics.
+    force: Vector2<T>,
+    /// What α, ω² and w multiply in the costate of the angle of all that has been met since the last pin.
+    along: T,
+    across: T,
+    lever: T,
+}
+
+impl<T: Scalar> Pulled<T> {
+    /// The costates of the angle and the angular velocity that turn what has been met.
+    #[inline(always)]
+    fn turned(&self, Turning { rate, acceleration, stirring }: Turning<T>) -> [T; 2] {
+        let angle = acceleration.mul_add(self.along, (rate * rate).mul_add(self.across, stirring * self.lever));
+        [angle, (rate + rate) * self.along]
+    }
+}
+
+impl<T: Scalar> Add for Pulled<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self {
+            momentum: self.momentum + other.momentum,
+            force: self.force + other.force,
+            along: self.along + other.along,
+            across: self.across + other.across,
+            lever: self.lever + other.lever,
+        }
+    }
+}
+
+impl<T: Scalar> Additive for Pulled<T> {
+    #[inline(always)]
+    fn null() -> Self {
+        let (zero, none) = (T::zero(), Vector2::null());
+        Self { momentum: none, force: none, along: zero, across: zero, lever: zero }
+    }
+}
+
+impl<T: Scalar> Reversed for Planar<T> {
+    type Outboard = Outboard<T>;
+    type Pivot = T;
+    type Stirred = Stirred<T>;
+    type OnBody = OnBody<T>;
+    type InJoint = Turning<T>;
+    type Pulled = Pulled<T>;
+    type OfBody = Base<T>;
+    /// By the angle of a weld.
+    type OfJoint = T;
+
+    #[inline(always)]
+    fn nothing() -> Outboard<T> {
+        Outboard { kind: Kind::Nothing, relation: Full::massless() }
+    }
+    #[inline(always)]
+    fn join(chain: Outboard<T>, arm: Outboard<T>) -> Outboard<T> {
+        use crate::relation::Join;
+        let kind = match (chain.kind, arm.kind) {
+            (Kind::Nothing, kind) | (kind, Kind::Nothing) => kind,
+            (Kind::Pin, Kind::Pin) => Kind::Pin,
+            _ => Kind::Rigid,
+        };
+        Outboard { kind, relation: chain.relation.join(arm.relation) }
+    }
+    fn no_pivot() -> T {
+        T::zero()
+    }
+    #[inline(always)]
+    fn at_ground(frame: &Frame<T>) -> Stirred<T> {
+        let zero = T::zero();
+        let turning = Turning { rate: frame.turn.rate, acceleration: frame.acceleration.angular, stirring: zero };
+        Stirred { velocity: Acceleration { linear: Vector2::null(), angular: zero }, turning }
+    }
+    fn untouched() -> (OnBody<T>, Turning<T>) {
+        let zero = T::zero();
+        let turning = Turning { rate: zero, acceleration: zero, stirring: zero };
+        (OnBody { velocity: Vector2::null(), acceleration: zero, stirring: zero }, turning)
+    }
+    fn of_no_body() -> Base<T> {
+        let zero = T::zero();
+        Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero }
+    }
+    #[inline(always)]
+    fn of_gravity(pulled: &Pulled<T>) -> Vector2<T> {
+        pulled.momentum
+    }
+    /// Links in the direction of their axes sum up d · d̄: their length l is constant, and d̄ along d is that over l.
+    fn complete(size: &T, sums: &mut Base<T>) {
+        if size.real() != num_traits::Zero::zero() {
+            sums.outboard[0] *= size.recip();
+        }
+    }
+}

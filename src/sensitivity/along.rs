@@ -1,0 +1,134 @@
+//! Gradients of runs in the plane, along whatever parameters a scene is made of.
+
+use super::Gradient;
+use crate::element::Element;
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::mechanics::planar::{Base, Body, Pin, Planar, PointMass, RigidBody, Rod, Weld};
+use crate::scalar::{Jet, Scalar};
+use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk};
+use crate::system::{Elements, System};
+
+/// Sums up what derivatives of parameters do to a cost.
+pub struct Along<T, const K: usize> {
+    sum: [T; K],
+    /// How many bodies and joints have been met.
+    met: usize,
+}
+
+impl<T: Scalar, const K: usize> Along<T, K> {
+    #[inline]
+    fn add(&mut self, costate: T, parameter: Jet<T, K>) {
+        for (sum, part) in self.sum.iter_mut().zip(parameter.eps) {
+            *sum += costate * part;
+        }
+    }
+}
+
+impl<T: Scalar, const K: usize> Walk<Planar<Jet<T, K>>> for Along<T, K> {
+    type Carried = ();
+    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerJoint<T>>);
+}
+
+impl<T: Scalar, const K: usize> Selective<Planar<Jet<T, K>>> for Along<T, K> {
+    const OUTWARD: bool = true;
+
+    fn branch(&mut self, (): (), go: impl FnOnce(&mut Self, ())) {
+        go(self, ());
+    }
+}
+
+macro_rules! bodies {
+    ($($Body:ident),*) => {$(
+        impl<T: Scalar, const K: usize> Takes<Planar<Jet<T, K>>, Along<T, K>> for $Body<Jet<T, K>> {
+            fn take(
+                &self,
+                walk: &mut Along<T, K>,
+                (): (),
+                (by, ()): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>,
+            ) {
+                let Base { outboard, moment, inertia, lumped } = self.base();
+                for i in 0..2 {
+                    walk.add(by.outboard[i], outboard[i]);
+                    walk.add(by.moment[i], moment[i]);
+                }
+                walk.add(by.inertia, inertia);
+                walk.add(by.lumped, lumped);
+                walk.met += 1;
+            }
+        }
+    )*};
+}
+bodies!(Rod, RigidBody, PointMass);
+
+impl<T: Scalar, const K: usize> Takes<Planar<Jet<T, K>>, Along<T, K>> for Pin {
+    fn take(&self, walk: &mut Along<T, K>, (): (), _: Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
+        walk.met += 1;
+    }
+}
+
+impl<T: Scalar, const K: usize> Takes<Planar<Jet<T, K>>, Along<T, K>> for Weld<Jet<T, K>> {
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
+        walk.add(*by, self.angle());
+        walk.met += 1;
+    }
+}
+
+impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
+    /// The gradient along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them, lengths,
+    /// masses, gravity, one thickness in sixty rods. The scene is built over jets once, whatever the length of the run.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// use catena::scalar::{Jet, Scalar};
+    /// /// Two rods of a length, in a field of gravity: over plain numbers, and over jets.
+    /// macro_rules! pendulum {
+    ///     ($length:expr, $mass:expr, $gravity:expr) => {{
+    ///         let rod = Rod::uniform($length, $mass);
+    ///         System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity($gravity)
+    ///     }};
+    /// }
+    /// # let end_of = |length: f64| -> Result<f64, catena::Error> {
+    /// #     let plain = pendulum!(length, 1.0, 9.81);
+    /// #     let start = plain.at_rest(&[-1.0, -0.5])?;
+    /// #     Ok(plain.simulate(start, Rk4::step(0.01), 1.0, |_| ())?.motion.coordinates()[1])
+    /// # };
+    /// let plain = pendulum!(1.0, 1.0, 9.81);
+    /// let start = plain.at_rest(&[-1.0, -0.5])?;
+    /// let (mut backward, mut states) = (plain.backward(Rk4), [start; 101]);
+    /// backward.run(&start, 0.01, 100, &[], &mut states)?;
+    /// let gradient = backward.gradient(0.01, &[], &states, &mut [], |step, _, by| {
+    ///     if step == 100 { by.add(&[0.0, 1.0], &[0.0, 0.0]) } else { Ok(()) }
+    /// })?;
+    /// let seeded = pendulum!(Jet::<f64, 2>::seed(1.0, 0), Jet::of(1.0), Jet::seed(9.81, 1));
+    /// let [by_length, by_gravity] = gradient.along(&seeded)?;
+    /// # assert!((by_length - (end_of(1.0 + 1e-5)? - end_of(1.0 - 1e-5)?) / 2e-5).abs() < 1e-7);
+    /// # assert!((by_gravity + gradient.by_gravity().y).abs() < 1e-14);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] for another scene.
+    pub fn along<R, C, P, const K: usize>(&self, scene: &System<Planar<Jet<T, K>>, R, C, P>) -> Result<[T; K], Error>
+    where
+        R: Root<Planar<Jet<T, K>>>,
+        C: Element<Planar<Jet<T, K>>>,
+        P: Tip<Planar<Jet<T, K>>>,
+        Elements<Planar<Jet<T, K>>, R, C>: Takes<Planar<Jet<T, K>>, Along<T, K>>
+            + Shape<
+                Planar<Jet<T, K>>,
+                Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>,
+                Store<PerJoint<T>> = E::Store<PerJoint<T>>,
+            >,
+    {
+        let mut walk = Along { sum: [T::zero(); K], met: 0 };
+        let elements = scene.elements();
+        elements.take(&mut walk, (), (&self.bodies, &self.joints));
+        if walk.met != self.entries || walk.met != scene.bodies() + scene.joints() {
+            return Err(Error::new(Fault::Shape));
+        }
+        walk.add(self.gravity.x, scene.gravity().x);
+        walk.add(self.gravity.y, scene.gravity().y);
+        Ok(walk.sum)
+    }
+}

@@ -1,0 +1,89 @@
+//! The gradient of a run.
+
+use crate::adjoint::Reversed;
+use crate::element::Element;
+use crate::error::{Error, Fault};
+use crate::mirror::Rate;
+use crate::relation::Additive;
+use crate::scalar::Scalar;
+use crate::shape::{PerBody, PerJoint};
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+
+/// Derivatives of a cost by the positions and rates of a motion, in the shape of the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Costate<R> {
+    /// By displacements of positions.
+    pub position: R,
+    /// By rates.
+    pub rate: R,
+}
+
+impl<R> Costate<R> {
+    /// Adds derivatives by positions and rates, plain lists of all joints from the root on.
+    ///
+    /// # Errors
+    /// [`Fault::Count`] for lists of another length.
+    pub fn add<T: Scalar>(&mut self, by_position: &[T], by_rate: &[T]) -> Result<(), Error>
+    where
+        R: Rate<T>,
+    {
+        for (costate, list) in [(&mut self.position, by_position), (&mut self.rate, by_rate)] {
+            let mut expected = 0;
+            costate.visit(&mut |_| expected += 1);
+            if list.len() != expected {
+                return Err(Error::new(Fault::Count { expected, given: list.len() }));
+            }
+            let mut list = list.iter();
+            costate.replace(&mut |x| list.next().map_or(x, |more| x + *more));
+        }
+        Ok(())
+    }
+}
+
+/// The gradient of a cost by all that a run depends on.
+pub struct Gradient<S: Reversed, E: Element<S>> {
+    /// By initial positions and rates.
+    pub start: Costate<E::Rate>,
+    pub(crate) gravity: S::Vector,
+    /// By base parameters of bodies.
+    pub(crate) bodies: E::Store<PerBody<S::OfBody>>,
+    /// By parameters of joints.
+    pub(crate) joints: E::Store<PerJoint<S::OfJoint>>,
+    /// Number of bodies and joints.
+    pub(crate) entries: usize,
+}
+
+impl<S: Reversed, E: Element<S>> Gradient<S, E> {
+    /// Nothing yet.
+    pub(super) fn none(elements: &E, zero: &E::Rate) -> Self {
+        Self {
+            start: Costate { position: zero.clone(), rate: zero.clone() },
+            gravity: S::Vector::null(),
+            bodies: elements.store::<PerBody<_>>(S::of_no_body()),
+            joints: elements.store::<PerJoint<_>>(S::OfJoint::null()),
+            entries: elements.bodies() + elements.joints(),
+        }
+    }
+
+    /// By gravity (m/s²), component by component.
+    pub fn by_gravity(&self) -> S::Vector {
+        self.gravity
+    }
+
+    /// By the initial positions of all joints, root to tip, as a list.
+    #[cfg(feature = "alloc")]
+    pub fn by_position(&self) -> Vec<S::Scalar> {
+        let mut list = Vec::new();
+        self.start.position.visit(&mut |x| list.push(x));
+        list
+    }
+
+    /// By their initial rates.
+    #[cfg(feature = "alloc")]
+    pub fn by_rate(&self) -> Vec<S::Scalar> {
+        let mut list = Vec::new();
+        self.start.rate.visit(&mut |x| list.push(x));
+        list
+    }
+}

@@ -1,0 +1,70 @@
+//! Walks that not every element can take: they meet bodies and joints by their types.
+//!
+//! A walk of [`Outward`](super::Outward) or [`Inward`](super::Inward) meets any body and any joint, and asks of them what all have to
+//! say. A selective walk asks more: what it does at a body or a joint is an implementation of [`Takes`] for that type, composites hand it
+//! on, and a chain with an element that has none does not compile.
+
+use super::field::Arm;
+use super::slot::Slot;
+use super::walk::{Of, Walk};
+use super::{Items, Shape};
+use crate::space::Space;
+
+/// A walk that meets elements by their types.
+pub trait Selective<S: Space>: Walk<S> {
+    /// Whether the walk goes from the root to the tips, or from them to the root.
+    const OUTWARD: bool;
+
+    /// What goes on where an arm leaves the chain; `go` is the way through the arm.
+    fn branch(
+        &mut self,
+        carried: Self::Carried,
+        go: impl FnOnce(&mut Self, Self::Carried) -> Self::Carried,
+    ) -> Self::Carried;
+}
+
+/// An element that takes a selective walk.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run goes backward through `{Self}`",
+    label = "not known to the costate sweep",
+    note = "it knows `Rod`, `RigidBody`, `PointMass`, `Pin` and `Weld` of the plane, in tuples, arrays, vectors and branches, with names or without",
+    note = "run the same scene over jets or dual numbers instead"
+)]
+pub trait Takes<S: Space, W: Walk<S>>: Shape<S> {
+    /// Meets all bodies and joints inside.
+    fn take(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried;
+}
+
+/// Items one after the other.
+#[inline(always)]
+pub(crate) fn take_items<S: Space, W: Selective<S>, E: Items<S>>(
+    items: &[E::Item],
+    walk: &mut W,
+    carried: W::Carried,
+    stores: Of<'_, S, W, E>,
+) -> W::Carried
+where
+    E::Item: Takes<S, W>,
+{
+    let (n, mut slices, mut carried) = (items.len(), W::Stores::all::<E>(stores), carried);
+    if !W::Stores::fit::<E::Item>(&slices, n) {
+        return carried;
+    }
+    // Two loops, for a compiler knows of both that they stay within.
+    if W::OUTWARD {
+        #[allow(clippy::needless_range_loop)] // one counter for items and stores
+        for i in 0..n {
+            carried = items[i].take(walk, carried, W::Stores::at::<E::Item>(&mut slices, i));
+        }
+    } else {
+        for i in (0..n).rev() {
+            carried = items[i].take(walk, carried, W::Stores::at::<E::Item>(&mut slices, i));
+        }
+    }
+    carried
+}
+
+/// The stores of a walk in an arm are those outside: no closure forces make a difference.
+pub(crate) trait SameInArms<S: Space>: Slot<S, In<Arm> = Self> {}
+
+impl<S: Space, X: Slot<S, In<Arm> = X>> SameInArms<S> for X {}

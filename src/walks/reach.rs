@@ -1,0 +1,35 @@
+//! Accelerations of joint coordinates from that of the root, those of bodies kept.
+
+use crate::adjoint::Reversed;
+use crate::relation::{AccelerationOf, Open};
+use crate::shape::{Kept, Mut, PerAxes, PerBody, Rates, Ref, Selective, Walk};
+
+/// Recovers accelerations through gains, as [`recover`](super::recover) does, and keeps those of the outboard ends of bodies.
+pub struct Reach;
+
+impl<S: Reversed> Walk<S> for Reach {
+    type Carried = AccelerationOf<S>;
+    type Stores = (
+        Ref<PerAxes<S::X>>,
+        Ref<PerAxes<S::Y>>,
+        Ref<PerAxes<S::P>>,
+        Ref<PerAxes<S::Q>>,
+        Ref<Kept<Open>>,
+        Mut<Rates>,
+        Mut<PerBody<S::Vector>>,
+    );
+}
+
+impl<S: Reversed> Selective<S> for Reach {
+    const OUTWARD: bool = true;
+
+    #[inline(always)]
+    fn branch(
+        &mut self,
+        chain: AccelerationOf<S>,
+        go: impl FnOnce(&mut Self, AccelerationOf<S>) -> AccelerationOf<S>,
+    ) -> AccelerationOf<S> {
+        go(self, chain);
+        chain
+    }
+}

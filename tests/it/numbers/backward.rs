@@ -1,0 +1,312 @@
+//! Gradients of runs that go backward: against jets through the same steps, kind by kind, and against central differences.
+
+use catena::planar::*;
+use catena::scalar::Jet;
+use catena::sensitivity::Costate;
+use catena::{Error, Fault, Scalar};
+use catena_oracle::{Noise, near};
+
+/// Some thousand roundings.
+const ROUNDING: f64 = 1e-12;
+
+/// Numbers of one kind: what they are called, and how many there are.
+type Kinds<'k> = &'k [(&'k str, usize)];
+
+/// Each number agrees to a share of the largest of its kind.
+#[track_caller]
+fn alike(name: &str, kinds: Kinds, found: &[f64], expected: &[f64], tolerance: f64) {
+    assert_eq!(found.len(), kinds.iter().map(|kind| kind.1).sum::<usize>());
+    assert_eq!(found.len(), expected.len());
+    let mut first = 0;
+    for &(kind, count) in kinds {
+        let (found, expected) = (&found[first..][..count], &expected[first..][..count]);
+        let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        assert!(size > 0.0, "{name}: {kind} do nothing");
+        let worst = found.iter().zip(expected).fold(0.0_f64, |worst, (f, e)| worst.max((f - e).abs() / size));
+        println!("{name}, {kind}: largest deviation {worst:.1e}");
+        assert!(worst <= tolerance, "{name}, {kind}: {found:?} not {expected:?}");
+        first += count;
+    }
+}
+
+/// What a cost reads of one coordinate and its rate at a step: it is quadratic, and unlike for each of them.
+fn share<T: Scalar<Real = f64>>(step: usize, last: usize, i: usize, q: T, v: T) -> T {
+    let weight = 1.0 + 0.1 * i as f64;
+    if step == last { q.scale(weight) + (v * v).scale(0.5) } else { (q * v).scale(0.01 * weight / (1.0 + step as f64)) }
+}
+
+/// A scene from numbers, run by fixed steps, as plain numbers backward and over jets by the rule itself: the gradient of a cost by all
+/// numbers. The scene's constructor takes each from `$number`, by its place in the list: parameters, then angles, rates, and torques.
+macro_rules! gradients {
+    ($name:expr, $kinds:expr, $numbers:expr, [$angles:expr, $joints:expr], $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block) => {{
+        let (numbers, steps, h, n, joints): (Vec<f64>, usize, f64, usize, usize) =
+            ($numbers, $steps, $h, $angles, $joints);
+        let parameters = numbers.len() - 2 * n - steps * joints;
+        // Over numbers: the cost of the run.
+        macro_rules! cost {
+            ($N:ty, $number:expr) => {{
+                let $x = $number;
+                let of: Vec<$N> = (0..numbers.len()).map(&$x).collect();
+                let system = {
+                    type N = $N;
+                    $scene
+                };
+                let start = system.at_rest(&of[parameters..][..n]).unwrap();
+                let mut now = system.with_rates(start, &of[parameters + n..][..n]).unwrap();
+                let (mut next, mut stepper, mut sum) = (now.clone(), system.stepper($method), <$N>::constant(0.0));
+                for step in 0..=steps {
+                    let (positions, rates) = (now.coordinates(), now.rates());
+                    for i in 0..n {
+                        sum += share(step, steps, i, positions[i], rates[i]);
+                    }
+                    if step < steps {
+                        let torques = &of[parameters + 2 * n + step * joints..][..joints];
+                        stepper.step(&now, &Loads::none().torques(torques.to_vec()), h, &mut next).unwrap();
+                        core::mem::swap(&mut now, &mut next);
+                    }
+                }
+                sum
+            }};
+        }
+        // Backward.
+        let system = {
+            type N = f64;
+            let $x = |k: usize| -> N { numbers[k] };
+            $scene
+        };
+        let start = system.at_rest(&numbers[parameters..][..n]).unwrap();
+        let start = system.with_rates(start, &numbers[parameters + n..][..n]).unwrap();
+        let (mut states, torques) = (vec![start.clone(); steps + 1], &numbers[parameters + 2 * n..]);
+        let mut by_torques = vec![0.0; torques.len()];
+        let mut backward = system.backward($method);
+        backward.run(&start, h, steps, torques, &mut states).unwrap();
+        let mut total = 0.0;
+        let gradient = backward
+            .gradient(h, torques, &states, &mut by_torques, |step, state, by| {
+                let (q, v) = (state.coordinates(), state.rates());
+                let parts = |k: usize| -> Vec<f64> {
+                    (0..n)
+                        .map(|i| share(step, steps, i, Jet::<f64, 2>::seed(q[i], 0), Jet::seed(v[i], 1)).eps[k])
+                        .collect()
+                };
+                total += (0..n).map(|i| share(step, steps, i, q[i], v[i])).sum::<f64>();
+                by.add(&parts(0), &parts(1))
+            })
+            .unwrap();
+        // The number itself is that of the rule, but for the order in which shares are added up.
+        let plain = cost!(f64, |k: usize| -> f64 { numbers[k] });
+        near(total, plain, 1e-12 * (1.0 + plain.abs()));
+        let mut found = vec![];
+        let mut expected = vec![];
+        for first in (0..numbers.len()).step_by(8) {
+            type J = Jet<f64, 8>;
+            let number = |k: usize| -> J { J::seed(numbers[k], usize::wrapping_sub(k, first)) };
+            expected.extend(cost!(J, number).eps);
+            let system = {
+                type N = J;
+                let $x = number;
+                $scene
+            };
+            found.extend(gradient.along(&system).unwrap());
+        }
+        expected.truncate(numbers.len());
+        found.truncate(parameters);
+        found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()).chain(by_torques));
+        alike($name, $kinds, &found, &expected, ROUNDING);
+        // Central differences of order 4.
+        let differences: Vec<f64> = (0..numbers.len())
+            .map(|j| {
+                let e = 2e-4 * numbers[j].abs().max(0.1);
+                let at = |e: f64| cost!(f64, |k: usize| -> f64 { numbers[k] + if k == j { e } else { 0.0 } });
+                (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
+            })
+            .collect();
+        alike($name, $kinds, &found, &differences, 1e-6);
+    }};
+}
+
+/// Numbers of a chain of rods: lengths, masses, centres, inertias, gravity, angles, rates, torques.
+fn rods(n: usize, steps: usize, quiet: bool) -> Vec<f64> {
+    let mut noise = Noise::new(n as u64);
+    let mut list = vec![];
+    list.extend((0..n).map(|_| noise.between(0.5, 1.5)));
+    list.extend((0..n).map(|_| noise.between(0.5, 1.5)));
+    (0..n).for_each(|i| list.push(list[i] * 0.4));
+    list.extend((0..n).map(|_| noise.between(0.05, 0.1)));
+    list.push(9.81);
+    list.extend((0..n).map(|_| if quiet { -0.5 * core::f64::consts::PI } else { noise.between(-1.5, 0.5) }));
+    list.extend((0..n).map(|_| if quiet { 0.0 } else { noise.between(-1.0, 1.0) }));
+    list.extend((0..n * steps).map(|_| if quiet { 0.0 } else { noise.between(-0.5, 0.5) }));
+    list
+}
+
+macro_rules! chain_of_rods {
+    ($n:expr, $method:expr, $steps:expr, $h:expr) => {{
+        let (n, steps) = ($n, $steps);
+        let kinds = [
+            ("lengths", n),
+            ("masses", n),
+            ("centres", n),
+            ("inertias", n),
+            ("gravity", 1),
+            ("angles", n),
+            ("rates", n),
+            ("torques", n * steps),
+        ];
+        gradients!(
+            &format!("{n} rods, {:?}", $method),
+            &kinds,
+            rods(n, steps, false),
+            [n, n],
+            $method,
+            steps,
+            $h,
+            |x| {
+                let rod = |i: usize| Rod::<N>::new(x(i), x(n + i), x(2 * n + i), x(3 * n + i));
+                let links: Vec<(Pin, Rod<N>)> = (1..n).map(|i| (Pin, rod(i))).collect();
+                System::new(Pinned::origin(), (rod(0), links), Free).unwrap().with_gravity(x(4 * n))
+            }
+        )
+    }};
+}
+
+#[test]
+fn chains_of_rods_have_the_gradients_of_jets() {
+    chain_of_rods!(2, Rk4, 25, 0.02);
+    chain_of_rods!(5, Rk4, 10, 0.02);
+    chain_of_rods!(20, Rk4, 4, 0.01);
+    chain_of_rods!(2, Dop853, 6, 0.06);
+    chain_of_rods!(5, Dop853, 3, 0.05);
+}
+
+/// Bodies with first moments, point masses, welds with angles, arms at a station and arms on arms, a clamped root that is turned.
+#[test]
+fn trees_have_the_gradients_of_jets() {
+    let (steps, angles, joints) = (8, 6, 9);
+    let mut noise = Noise::new(14);
+    let mut list: Vec<f64> = (0..3).flat_map(|_| [1.3, 0.2, 0.4, 0.1, 0.8, -0.2]).collect(); // three rigid bodies
+    list.iter_mut().for_each(|x| *x *= 1.0 + 0.1 * noise.next());
+    list.extend([0.7, 1.1, 0.3, 0.08, 0.9, 0.6]); // a rod, a bob
+    list.extend([0.3, -0.2, 0.1]); // two welds, the root
+    list.push(9.81);
+    let parameters = list.len();
+    list.extend((0..angles).map(|_| noise.between(-1.5, 0.5)));
+    list.extend((0..angles).map(|_| noise.next()));
+    list.extend((0..steps * joints).map(|_| 0.5 * noise.next()));
+    let kinds = [
+        ("bodies", 24),
+        ("angles of welds", 3),
+        ("gravity", 1),
+        ("angles", angles),
+        ("rates", angles),
+        ("torques", steps * joints),
+    ];
+    assert_eq!(parameters, 28);
+    gradients!("a tree", &kinds, list, [angles, joints], Rk4, steps, 0.02, |x| {
+        let rigid = |i: usize| RigidBody::<N>::new(x(i), x(i + 1), [x(i + 2), x(i + 3)], [x(i + 4), x(i + 5)]);
+        let rod = Rod::<N>::new(x(18), x(19), x(20), x(21));
+        let bob = PointMass::<N>::new(x(22), x(23));
+        let arm = (Pin, rigid(6), Branch((Pin, rod)), Weld::at(x(25)), bob);
+        let chain = (
+            rigid(0),
+            Pin,
+            rod,
+            Weld::at(x(24)),
+            rigid(12),
+            Branch(arm),
+            Branch([(Pin, rod); 1]),
+            Pin,
+            bob,
+            Pin,
+            rigid(0),
+        );
+        System::new(Clamped::at(N::constant(0.2), N::constant(0.1), x(26)), chain, Free).unwrap().with_gravity(x(27))
+    });
+}
+
+/// At rest and straight, hanging and without gravity: finite, and right.
+#[test]
+fn a_straight_chain_at_rest_has_a_gradient() {
+    for gravity in [9.81, 0.0] {
+        let rod = |_| (Pin, Rod::uniform(1.0_f64, 1.0));
+        let chain = (Rod::uniform(1.0_f64, 1.0), (0..3).map(rod).collect::<Vec<_>>());
+        let system = System::new(Pinned::origin(), chain, Free).unwrap().with_gravity(gravity);
+        let start = system.at_rest(&[-0.5 * core::f64::consts::PI; 4]).unwrap();
+        let mut states = vec![start.clone(); 11];
+        let mut backward = system.backward(Rk4);
+        backward.run(&start, 0.02, 10, &[], &mut states).unwrap();
+        let cost = |step: usize, _: &_, by: &mut Costate<_>| {
+            if step == 10 { by.add(&[0.0, 0.0, 0.0, 1.0], &[0.0; 4]) } else { Ok(()) }
+        };
+        let found = backward.gradient(0.02, &[], &states, &mut [], cost).unwrap();
+        let lifted = system.lift(Jet::<f64, 4>::of);
+        let jets = lifted.with_seeds(lifted.at_rest(&[Jet::of(-0.5 * core::f64::consts::PI); 4]).unwrap(), 0);
+        let end = lifted.simulation(Rk4::step(0.02)).run(jets, 0.2, |_| ()).unwrap().motion;
+        let expected = end.coordinates()[3].eps;
+        found.by_position().iter().zip(expected).for_each(|(found, expected)| near(*found, expected, ROUNDING));
+        assert!(found.by_rate().iter().all(|x| x.is_finite()) && found.by_gravity().y.is_finite());
+    }
+}
+
+/// Two uniform rods with torques in both joints, a cost of the tip: the numbers are of a dense system, differentiated by complex steps.
+#[test]
+fn yardstick() {
+    let rod = Rod::uniform(1.0_f64, 1.0);
+    let system = System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap().with_gravity(9.81);
+    let start = system.at_rest(&[-1.0, -0.5]).unwrap();
+    let (steps, h) = (100, 0.01);
+    let torques: Vec<f64> =
+        (0..steps).flat_map(|k| [0.3 * (0.1 * k as f64).sin(), -0.2 * (0.1 * k as f64).cos()]).collect();
+    let mut states = vec![start; steps + 1];
+    let mut by_torques = vec![0.0; 2 * steps];
+    let mut backward = system.backward(Rk4);
+    backward.run(&start, h, steps, &torques, &mut states).unwrap();
+    let mut miss = [0.0; 2];
+    let gradient = backward
+        .gradient(h, &torques, &states, &mut by_torques, |step, state, by| {
+            if step < steps {
+                return Ok(());
+            }
+            let q = state.coordinates();
+            miss = [q[0].cos() + q[1].cos() - 0.4, q[0].sin() + q[1].sin() + 0.7];
+            let each = [0, 1].map(|i| 2.0 * (miss[1] * q[i].cos() - miss[0] * q[i].sin()));
+            by.add(&each, &[0.0; 2])
+        })
+        .unwrap();
+    let effort = 0.025 * h * torques.iter().map(|u| u * u).sum::<f64>();
+    near(miss[0] * miss[0] + miss[1] * miss[1] + effort, 3.3385302285409, 1e-12);
+    let [q, v] = [gradient.by_position(), gradient.by_rate()];
+    for (found, expected) in [
+        (q[0], 1.7838074488877),
+        (q[1], 0.4237652625968),
+        (v[0], -0.3158755958008),
+        (v[1], -0.2685975292274),
+        (-gradient.by_gravity().y, 0.1695725944126),
+        (by_torques[0] + 0.05 * h * torques[0], 0.0004173649125),
+        (by_torques[1] + 0.05 * h * torques[1], -0.0091869796423),
+        (by_torques[100] + 0.05 * h * torques[100], -0.0054226313817),
+        (by_torques[101] + 0.05 * h * torques[101], 0.0033965026247),
+    ] {
+        near(found, expected, 2e-12);
+    }
+}
+
+/// A slice that is too short says how many states are needed.
+#[test]
+fn lists_have_the_length_they_need() {
+    let rod = Rod::uniform(1.0_f64, 1.0);
+    let system = System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap();
+    let start = system.at_rest(&[-1.0, -0.5]).unwrap();
+    let mut backward = system.backward(Rk4);
+    let fault = |result: Result<(), Error>| result.unwrap_err().fault;
+    let found = fault(backward.run(&start, 0.01, 10, &[], &mut [start; 10]));
+    assert!(matches!(found, Fault::Count { expected: 11, given: 10 }), "{found:?}");
+    let found = fault(backward.run(&start, 0.01, 10, &[0.0; 19], &mut [start; 11]));
+    assert!(matches!(found, Fault::Count { expected: 20, given: 19 }), "{found:?}");
+    let found = fault(backward.run(&start, f64::NAN, 10, &[], &mut [start; 11]));
+    assert!(matches!(found, Fault::NonFiniteMotion), "{found:?}");
+    let found = fault(backward.gradient(0.01, &[], &[start; 3], &mut [0.0; 3], |_, _, _| Ok(())).map(|_| ()));
+    assert!(matches!(found, Fault::Count { expected: 4, given: 3 }), "{found:?}");
+    let found = fault(backward.gradient(0.01, &[], &[start; 3], &mut [], |_, _, by| by.add(&[1.0], &[])).map(|_| ()));
+    assert!(matches!(found, Fault::Count { expected: 2, given: 1 }), "{found:?}");
+}
