@@ -68,6 +68,14 @@ impl<T: Scalar, D: Coefficient<T>> Spring<T, D> {
     }
 }
 
+impl<K: Copy, D: Copy, P> Spring<K, D, P> {
+    /// The spring with its rest value zero: how its force changes.
+    #[inline(always)]
+    pub(crate) fn unstrained(&self) -> Spring<K, D> {
+        Spring { stiffness: self.stiffness, damping: self.damping, rest: Absent }
+    }
+}
+
 /// What acts along a coordinate of a joint: a [`Spring`], nothing, or a law of the user's own.
 ///
 /// Explicit rules read its force. Implicit ones take it linearly implicitly, from its force and slopes where the last sweep has led: a

@@ -16,6 +16,7 @@ mod network;
 mod parallel;
 mod poses;
 mod sensitive;
+mod series;
 mod tuple;
 
 pub use crate::shape::{Closing, Ends};

@@ -129,8 +129,13 @@ where
                     let (mark, count) = self.progress.mark;
                     mark + dt * RealOf::<S>::of((count + 1) as f64) - self.past.time
                 }
-                Control::Tolerance(_) => {
-                    let wanted = self.progress.size;
+                Control::Tolerance(tolerance) => {
+                    // What a method proposes it has found wanting, if a step was rejected.
+                    let proposed = match self.progress.careful {
+                        true => None,
+                        false => self.stepper.propose(&self.past, self.plan.loads, tolerance),
+                    };
+                    let wanted = proposed.unwrap_or(self.progress.size);
                     self.plan.longest.map_or(wanted, |longest| wanted.min(longest))
                 }
             };

@@ -20,7 +20,7 @@ pub use crate::observers::Trace;
 pub use crate::observers::{EnergyDrift, Observe};
 pub use crate::stepper::{
     AdamsMemory, AdamsStepper, ExplicitStepper, ImplicitMemory, ImplicitStepper, Method, MotionIn, SdirkStepper,
-    Stepper, StepperOf, TimeIn,
+    Stepper, StepperOf, TaylorStepper, TimeIn,
 };
 pub use drive::Running;
 pub use saved::{Progress, Saved};

@@ -5,6 +5,7 @@ mod displace;
 mod explicit;
 mod implicit;
 mod sdirk;
+mod taylor;
 
 use crate::error::{Error, Fault};
 use crate::motion::Motion;
@@ -16,6 +17,7 @@ pub use adams::{AdamsMemory, AdamsStepper};
 pub use explicit::ExplicitStepper;
 pub use implicit::{ImplicitMemory, ImplicitStepper};
 pub use sdirk::SdirkStepper;
+pub use taylor::TaylorStepper;
 
 /// The motion of a scene described by `D`.
 pub type MotionIn<D, L> =
@@ -53,6 +55,12 @@ fn of_stage(error: Error) -> Error {
 
 /// A method that can make steppers for scenes `D` with loads `L`: `Rk4`, which is told the size of every step, rather than the rule
 /// `Rk4::step(0.001)` of a run.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` makes no steps of `{D}` under loads `{L}`",
+    label = "not a method for this scene",
+    note = "as for `Taylor`: it knows rods, rigid bodies, point masses, pins, welds and rotary springs and dampers of the plane, in chains and trees on ground that rests, with a free tip, under gravity alone: `Taylor::<12>::knows(&scene)` names what it does not know",
+    note = "`Dop853` runs all scenes"
+)]
 pub trait Method<D: Dynamics<L>, L> {
     /// Stepper of the method.
     type Stepper: Stepper<D, L>;
@@ -95,6 +103,12 @@ pub trait Stepper<D: Dynamics<L>, L> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error>;
+
+    /// The size (s) of a step from `past` that errs by `tolerance`, of a method that knows before it steps; none of one that has to try.
+    fn propose(&mut self, past: &MotionIn<D, L>, loads: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
+        let _ = (past, loads, tolerance);
+        None
+    }
 
     /// Estimated error of the last step as a multiple of `tolerance` (absolute and relative), root of the mean square over
     /// positions and rates; `None` for a method without an estimate.

@@ -17,6 +17,7 @@ mod least_change;
 mod linear;
 mod readings;
 mod reference;
+mod series;
 mod start;
 #[cfg(feature = "alloc")]
 mod statics;
@@ -32,6 +33,7 @@ pub use gravity::Gravity;
 pub use linear::{Carried, Inertial};
 #[cfg(feature = "std")]
 pub(crate) use linear::{numbers, set, unit};
+pub use series::SeriesDynamics;
 pub use turning::AngularVelocity;
 
 // What bounds of functions over scenes are made of.

@@ -9,6 +9,7 @@ mod generalized_alpha;
 mod rk4;
 pub(crate) mod sdirk4;
 mod tableau;
+mod taylor;
 
 pub use adams::Adams;
 pub(crate) use adams::Weights;
@@ -20,3 +21,4 @@ pub(crate) use generalized_alpha::feeding;
 pub use rk4::Rk4;
 pub use sdirk4::Sdirk4;
 pub use tableau::{ErrorWeights, Explicit, Tableau};
+pub use taylor::Taylor;

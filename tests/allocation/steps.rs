@@ -84,6 +84,16 @@ fn steps_of_every_rule_allocate_nothing() -> Result<(), Error> {
 }
 
 #[test]
+fn steps_by_series_allocate_nothing() -> Result<(), Error> {
+    let (rod, plate) = (Rod::uniform(0.5, 1.0), RigidBody::new(1.0, 0.1, [0.2, 0.1], [0.5, 0.1]));
+    let (root, hinge) = (Pinned::<[f64; 2]>::origin(), ElasticHinge::rotary(20.0));
+    assert_eq!(in_steps(root, (rod, [(Pin, plate); 5]), &Unloaded, Taylor::<12>)?, [0; 3], "array");
+    let tree = (rod, vec![(Branch(vec![(hinge, rod); 2]), Pin, plate); 2]);
+    assert_eq!(in_steps(root, tree, &Unloaded, Taylor::<12>)?, [0; 3], "tree");
+    Ok(())
+}
+
+#[test]
 fn steps_with_derivatives_through_gains_allocate_nothing() -> Result<(), Error> {
     type Number = Jet<f64, 6>;
     let (rod, hinge) =

@@ -18,6 +18,7 @@ mod release;
 mod rigid_body;
 mod rod;
 mod sensitive;
+mod series;
 mod slider;
 mod spring;
 mod station;

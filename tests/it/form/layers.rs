@@ -23,6 +23,7 @@ const FLOORS: [&[&str]; 9] = [
         "turning",
         "motion",
         "sensitive",
+        "series",
         "release",
         "kinematics",
     ],

@@ -11,6 +11,7 @@ mod laws_of_users;
 mod named_runs;
 mod references;
 mod resumed;
+mod series;
 mod spatial_orders;
 mod spatial_references;
 mod spatial_runs;

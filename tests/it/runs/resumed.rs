@@ -132,6 +132,17 @@ mod plane {
     use catena::planar::*;
 
     #[test]
+    fn series_go_on() -> Result<(), Error> {
+        let rod = Rod::uniform(0.5, 1.0);
+        let arm = Branch((ElasticHinge::rotary(20.0).damped(0.1), rod));
+        let scene = System::new(Pinned::origin(), (rod, arm, Pin, rod), Free)?.with_gravity(9.81);
+        let start = scene.at_rest(&[-1.0, 0.3, 0.2])?;
+        assert!(!saved_and_resumed!("series", scene, start, Taylor::<12>, 0.02));
+        run_in_parts("series", &scene, &start, Taylor::<12>::step(0.02))?;
+        run_in_parts("series", &scene, &start, Taylor::<12>::tolerance(1e-9))
+    }
+
+    #[test]
     fn steppers_go_on_in_open_chains() -> Result<(), Error> {
         let rod = Rod::uniform(0.5, 1.0);
         let hinge = ElasticHinge::rotary(20.0).damped(0.1);

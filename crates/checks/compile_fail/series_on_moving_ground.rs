@@ -1,0 +1,13 @@
+//! No Taylor series of a ground that is a function of time is known.
+//@ knows no series of the ground of `Pinned<Moving<
+//@ a ground that may move
+
+use catena::planar::*;
+
+fn main() -> Result<(), catena::Error> {
+    let rod = Rod::uniform(1.0, 1.0);
+    let still = GroundMotion { place: [0.0_f64; 2], velocity: [0.0; 2], acceleration: [0.0; 2] };
+    let scene = System::new(Pinned(Moving(move |_: f64| still)), (rod, Pin, rod), Free)?;
+    Taylor::<12>::knows(&scene);
+    Ok(())
+}

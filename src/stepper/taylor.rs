@@ -1,0 +1,267 @@
+//! Steps by Taylor series.
+
+use super::{Method, MotionIn, Stepper, TimeIn};
+use crate::element::Element;
+use crate::error::{Error, Fault};
+use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
+use crate::scalar::{Real, Scalar};
+use crate::series::{AtRest, Expand, Expandable, Instant, Unheld};
+use crate::system::{Elements, SeriesDynamics, System};
+use crate::time::Taylor;
+use num_traits::{One, Zero};
+
+/// The largest order, and two more: as many coefficients has a position.
+const MOST: usize = 32;
+
+/// Steps by [`Taylor`].
+pub struct TaylorStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
+    scene: D,
+    series: D::Series,
+    /// Motion at which the series was expanded.
+    origin: MotionIn<D, L>,
+    expanded: bool,
+    /// A tolerance, and how far the series reaches for it (s).
+    reached: Option<[TimeIn<D, L>; 2]>,
+    /// Motion at which the next series has begun: the end of the last step.
+    ahead: MotionIn<D, L>,
+    begun: bool,
+    scratch: D::Rate,
+    shares: [TimeIn<D, L>; MOST],
+    /// For readings within a step.
+    workspace: D::Workspace,
+    sweeps: usize,
+}
+
+impl<D: SeriesDynamics<L, P>, L, const P: usize> Method<D, L> for Taylor<P> {
+    type Stepper = TaylorStepper<D, L, P>;
+
+    fn stepper(&self, scene: D) -> TaylorStepper<D, L, P> {
+        let still = scene.still();
+        TaylorStepper {
+            series: scene.series(),
+            workspace: scene.workspace(),
+            scratch: still.rate.clone(),
+            origin: still.clone(),
+            ahead: still,
+            scene,
+            expanded: false,
+            reached: None,
+            begun: false,
+            shares: core::array::from_fn(|k| TimeIn::<D, L>::of(1.0 / (k + 1) as f64)),
+            sweeps: 0,
+        }
+    }
+}
+
+impl<const P: usize> Taylor<P> {
+    /// Says nothing of a scene whose motion has a series of this order. Of any other the compiler says which element, end or space is to
+    /// blame, where a run by this rule would only say that there is something.
+    ///
+    /// ```compile_fail,E0277
+    /// use catena::planar::*;
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let scene = System::new(Pinned::origin(), (rod, Slider::along(0.0), rod), Free)?;
+    /// Taylor::<12>::knows(&scene); // no series of the motion of `Slider<f64>`
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    pub fn knows<S, R, C, E>(_: &System<S, R, C, E>)
+    where
+        S: Expandable,
+        R: AtRest<S>,
+        C: Element<S>,
+        E: Unheld<S>,
+        Elements<S, R, C>: Expand<S, P>,
+    {
+    }
+}
+
+impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
+    /// Shows the coefficients of each rate of the last step, root to tip, from that of the second power of time (s) on: those before are
+    /// rate and acceleration of the motion from which it set out.
+    pub fn coefficients(&self, each: &mut impl FnMut(&[D::Scalar])) {
+        self.scene.coefficients(&self.series, each);
+    }
+
+    /// Whether two motions are the same: then their accelerations are, but for rounding.
+    fn same(a: &MotionIn<D, L>, b: &MotionIn<D, L>) -> bool {
+        let mut same = Scalar::is_identical;
+        a.time == b.time && a.position.all(&b.position, &mut same) && a.rate.all(&b.rate, &mut same)
+    }
+
+    /// Copies a motion but for its accelerations; allocates nothing.
+    fn copy(to: &mut MotionIn<D, L>, from: &MotionIn<D, L>, zero: &D::Rate) {
+        to.time = from.time;
+        to.position.drift_0(&from.position, (TimeIn::<D, L>::zero(), zero));
+        to.rate.set(&from.rate);
+    }
+
+    /// Begins the series at the motion ahead.
+    fn begin(&mut self) {
+        let Motion { time, position, rate, acceleration, .. } = &mut self.ahead;
+        self.scene.begin(*time, position, rate, &mut self.series, acceleration);
+        self.begun = true;
+    }
+
+    /// Makes the series that of a motion.
+    fn expand(&mut self, past: &MotionIn<D, L>) -> Result<(), Error> {
+        if self.expanded && Self::same(&self.origin, past) {
+            return Ok(());
+        }
+        if !(self.begun && Self::same(&self.ahead, past)) {
+            if !past.fits(&self.ahead) {
+                return Err(Error::new(Fault::Shape));
+            }
+            Self::copy(&mut self.ahead, past, &past.rate);
+            self.begin();
+        }
+        core::mem::swap(&mut self.origin, &mut self.ahead);
+        self.scene.expand(&mut self.series, &mut self.scratch);
+        (self.begun, self.expanded, self.reached) = (false, true, None);
+        self.sweeps += 1;
+        Ok(())
+    }
+
+    /// Positions and rates at a time (s) after the origin of the series.
+    fn sum(&mut self, time: TimeIn<D, L>, to: &mut MotionIn<D, L>) {
+        let Motion { position, rate, acceleration, .. } = &self.origin;
+        let at = Instant { time, shares: &self.shares };
+        self.scene.sum(&self.series, at, (position, rate, acceleration), &mut to.position, &mut to.rate);
+    }
+
+    /// How long a step may be (s): as far as the last term of the series is a tolerance, by the radius of convergence that two last terms
+    /// tell. Where they tell a radius of more than twice that of the two before, all four are asked: a motion from rest may have only
+    /// every fourth term.
+    fn reach(&mut self, tolerance: TimeIn<D, L>) -> TimeIn<D, L> {
+        if let Some([known, size]) = self.reached
+            && known == tolerance
+        {
+            return size;
+        }
+        let mut size = TimeIn::<D, L>::zero();
+        self.origin.rate.visit(&mut |rate| size = size.max(rate.real().abs()));
+        let mut last = [TimeIn::<D, L>::zero(); 4];
+        self.scene.coefficients(&self.series, &mut |rates| {
+            if let Some(terms) = rates.last_chunk::<4>() {
+                for (most, term) in last.iter_mut().zip(terms) {
+                    *most = most.max(term.real().abs());
+                }
+            }
+        });
+        let size = log2((TimeIn::<D, L>::one() + size).as_f64());
+        let mut inverse = last.map(|most| log2(most.as_f64()) - size);
+        for (i, inverse) in inverse.iter_mut().enumerate() {
+            *inverse *= 1.0 / (P + i - 3) as f64;
+        }
+        let larger = |a: f64, b: f64| if a > b { a } else { b };
+        let (before, newest) = (larger(inverse[0], inverse[1]), larger(inverse[2], inverse[3]));
+        let inverse = if before > newest + 1.0 { before } else { newest };
+        let size = TimeIn::<D, L>::of(exp2(log2(tolerance.as_f64()) / P as f64 - inverse));
+        self.reached = Some([tolerance, size]);
+        size
+    }
+}
+
+/// The logarithm to base 2 of a positive number, to a hundredth: a parabola between powers of two.
+#[inline]
+fn log2(x: f64) -> f64 {
+    let bits = x.to_bits();
+    let power = (bits >> 52) as f64 - 1023.0;
+    let share = f64::from_bits((bits & ((1 << 52) - 1)) | (1023 << 52));
+    power + (2.0 - share / 3.0) * share - 5.0 / 3.0
+}
+
+/// Two to the power `x`, to three thousandths, likewise; as large as numbers are where it overflows.
+#[inline]
+fn exp2(x: f64) -> f64 {
+    let x = x.clamp(-1000.0, 1000.0) + 1023.0;
+    let power = x as u64;
+    let share = x - power as f64;
+    f64::from_bits(power << 52) * (1.0 + share * (0.6565 + 0.3435 * share))
+}
+
+impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper<D, L, P> {
+    fn step(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.advance(past, loads, dt, next)
+    }
+
+    fn advance(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.scene.admits(loads)?;
+        self.expand(past)?;
+        if !past.fits(next) {
+            return Err(Error::new(Fault::Shape));
+        }
+        next.time = past.time + dt;
+        self.sum(dt, next);
+        Self::copy(&mut self.ahead, next, &self.scratch);
+        self.begin();
+        next.acceleration.set(&self.ahead.acceleration);
+        match self.scene.accept(next) {
+            Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => {
+                // Of a step that was too long the motion before it has nothing to say.
+                let found = self.scene.diagnose(past, loads, &mut self.workspace);
+                Err(if matches!(found.fault, Fault::NonFiniteMotion) { error } else { found })
+            }
+            outcome => outcome,
+        }
+    }
+
+    fn propose(&mut self, past: &MotionIn<D, L>, _: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
+        self.expand(past).ok()?;
+        Some(self.reach(tolerance))
+    }
+
+    fn error(
+        &mut self,
+        _: &MotionIn<D, L>,
+        dt: TimeIn<D, L>,
+        _: &MotionIn<D, L>,
+        tolerance: TimeIn<D, L>,
+    ) -> Option<TimeIn<D, L>> {
+        Some((dt / self.reach(tolerance)).powi(P as i32))
+    }
+
+    fn error_order(&self) -> f64 {
+        P as f64
+    }
+
+    fn interpolate(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        _: &MotionIn<D, L>,
+        theta: f64,
+        between: &mut MotionIn<D, L>,
+    ) {
+        let time = TimeIn::<D, L>::of(theta) * dt;
+        between.time = past.time + time;
+        self.sum(time, between);
+        let Motion { time, position, rate, acceleration, multipliers } = between;
+        *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+        self.sweeps += 1;
+    }
+
+    fn sweeps(&self) -> usize {
+        self.sweeps
+    }
+
+    /// Nothing: a series is found from its motion alone.
+    type Memory = ();
+
+    fn memory(&self) {}
+
+    fn restore(&mut self, (): &()) {}
+}
