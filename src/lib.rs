@@ -107,6 +107,7 @@ pub mod planar;
 mod relation;
 mod release;
 pub mod scalar;
+mod sealed;
 mod sensitive;
 pub mod sensitivity;
 mod series;
