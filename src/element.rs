@@ -25,13 +25,6 @@
 //! * Poses, because of arguments alone a compiler knows that they do not overlap: stores in a bundle, as walks have them, keep sines of
 //!   long tuples from vectorising.
 //!
-//! # Signs
-//!
-//! On a body the force +q acts at its inboard end I and −q at its outboard end O, the torque −m at I and +m at O. A
-//! massless joint passes q and, if its two points coincide, m. So q at the root is the force of the ground on the first
-//! body. The relation uses F = (q, −m), the force and torque *on the outboard part*. A torque in a joint acts on the
-//! outboard body, and its opposite on the inboard one. Angles are absolute, counter-clockwise from +x, never wrapped.
-//!
 //! # Why this shape
 //!
 //! The contract was tried on paper against what is to come, and the choices follow from that.
@@ -75,13 +68,9 @@ use crate::walks::count;
 
 /// A body, a joint, or a chain of them, as a sweep sees it: a [`Shape`] with coordinates that time rules can move, and poses.
 ///
-/// Composition ([`chain`](crate::chain)) implements it for tuples, arrays and vectors of elements, arms and networks. For the bodies and
-/// joints of this crate a macro of their space does, from a trait that holds their physics: parameters and their check, posture and
-/// condensation of a body ([`planar::Body`](crate::planar::Body), [`spatial::Body`](crate::spatial::Body)); coordinates, gains, springs
-/// and the outward walk of a joint ([`planar::Joint`](crate::planar::Joint), [`spatial::Joint`](crate::spatial::Joint)), which implements
-/// [`Condense`] by hand for the relations that it can take. These macros are not exported: a type of another crate that is to be an
-/// element implements this trait, [`Shape`] (with [`AsBody`](crate::shape::AsBody) or [`AsJoint`](crate::shape::AsJoint), which say where
-/// its entry of a store is) and [`Condense`] itself; that of these traits of physics alone does not make it one.
+/// Bodies and joints of both spaces are elements, and tuples, arrays and vectors of elements, arms and networks. Users make elements by
+/// the macros of [`extend`](crate::extend); by hand it takes, beside this trait, [`Shape`], [`AsBody`](crate::extend::walks::AsBody) or
+/// [`AsJoint`](crate::extend::walks::AsJoint), which say where its entry of a store is, and `Condense`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an element of the chain's space `{S}`",
     label = "not an element of `{S}`",

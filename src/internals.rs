@@ -8,8 +8,11 @@ pub mod element {
     pub use crate::element::{Condense, Element, Given, InJoint, Posture, Space, Springs, Sweep};
     pub use crate::sweep::{Implicit, Reading};
 }
+pub mod planar {
+    pub use crate::mechanics::planar::{Body, Joint};
+}
 pub mod relation {
-    pub use crate::relation::{AccelerationOf, Closures, Cut, Full, plane, space};
+    pub use crate::relation::{AccelerationOf, Closures, Cut, Full, planar, spatial};
 }
 pub mod shape {
     pub use crate::shape::{
@@ -18,6 +21,9 @@ pub mod shape {
 }
 pub mod space {
     pub use crate::space::FrameOf;
+}
+pub mod spatial {
+    pub use crate::mechanics::spatial::{Body, Joint};
 }
 pub mod transfer {
     pub use crate::transfer::Efforts;

@@ -28,23 +28,44 @@
 //!
 //! # Conventions
 //!
-//! SI units throughout. A planar angle is measured from +x, counter-clockwise, and never wrapped. Signs of internal forces stand
-//! in [`element`]. Errors are values that say when, where and what: [`Error`].
+//! SI units throughout. A planar angle is measured from +x, counter-clockwise, and never wrapped. Errors are values
+//! that say when, where and what: [`Error`].
+//!
+//! On a body the force +q acts at its inboard end I and −q at its outboard end O, the torque −m at I and +m at O. A
+//! massless joint passes q and, if its two points coincide, m. So q at the root is the force of the ground on the first
+//! body. The relation uses F = (q, −m), the force and torque *on the outboard part*. A torque in a joint acts on the
+//! outboard body, and its opposite on the inboard one.
+//!
+//! # Where things are
+//!
+//! | module | what a user finds there |
+//! |---|---|
+//! | [`planar`], [`spatial`] | all that a scene in the plane or in space is made of: bodies, joints, springs, ends, loads, rules of time |
+//! | [`system`] | a scene and what can be asked of it; bounds for functions over scenes of any kind |
+//! | [`loading`] | what acts on a scene |
+//! | [`time`] | rules that step it, their coefficients and tolerances |
+//! | [`simulate`] | runs: output, events, observers, saved runs, single steps |
+//! | [`observe`] | what is read from a motion |
+//! | [`modes`], [`sensitivity`] | frequencies and modes of vibration; derivatives of runs |
+//! | [`scalar`] | the numbers: real, dual, lanes, jets |
+//! | [`extend`] | elements, laws and walks of one's own |
+//! | [`paper`] | the formulation of 2005, apart from all others |
 //!
 //! # Floors
 //!
-//! A file imports from lower floors only.
+//! A file imports from its own floor or lower ones. Modules that are not public hold what users need not name.
 //!
 //! | floor | modules |
 //! |---|---|
-//! | 0 | [`scalar`], errors, names and numbers, [`StateVector`] and [`TransferMatrix`] |
-//! | 1 | [`mod@lift`], [`mirror`], [`relation`] (the kernels), [`time`] (coefficients of the rules), dense algebra in the small |
-//! | 2 | [`space`], [`loading`], [`sweep`], laws of springs, [`shape`] (what a chain is), [`walks`] (what is done along it), [`visit`], [`element`] (the contract: read this first), [`ends`], [`transfer`], turning, motions, [`sensitive`], [`series`], [`release`] and [`kinematics`] (what a joint says of itself, and how it moves) |
-//! | 3 | [`chain`] (composition: tuples, arrays, vectors, branches, networks), [`counts`], [`struts`] |
-//! | 4 | [`planar`], [`spatial`] |
-//! | 5 | [`solve`], [`observe`] |
-//! | 6 | [`system`] |
-//! | 7 | [`stepper`], [`simulate`], [`observers`], [`modes`], [`sensitivity`]; [`paper`] (the formulation of 2005, apart from all others), [`extend`] (the builder's door) |
+//! | 0 | `scalar`, errors, names and numbers, [`StateVector`] and [`TransferMatrix`] |
+//! | 1 | [`Lift`], `mirror`, `relation` (the kernels), `time` (coefficients of the rules), dense algebra in the small |
+//! | 2 | `space`, `loading`, `sweep`, laws of springs, `shape` (what a chain is), `walks` (what is done along it), `visit`, `element` (the contract: read this first), `ends`, `transfer`, turning, motions, `sensitive`, `series`, `release` and `kinematics` (what a joint says of itself, and how it moves) |
+//! | 3 | `chain` (composition: tuples, arrays, vectors, branches, networks), `counts`, `struts` |
+//! | 4 | `mechanics` (bodies, joints and ends in the plane and in space) |
+//! | 5 | `solve`, `observe` |
+//! | 6 | `system` |
+//! | 7 | `stepper`, `simulate`, `observers`, `modes`, `sensitivity`, `paper`, `extend` |
+//! | 8 | `planar`, `spatial`: front pages, which nothing below reads |
 //!
 //! # Features
 //!
@@ -72,6 +93,7 @@ pub mod internals;
 mod kinematics;
 mod lift;
 pub mod loading;
+mod mechanics;
 mod mirror;
 #[cfg(feature = "std")]
 pub mod modes;
@@ -108,8 +130,8 @@ pub use nalgebra;
 #[cfg(feature = "num-dual")]
 pub use num_dual;
 
-pub use crate::lift::Lift;
 pub use error::{Cause, Error, Fault, Place};
+pub use lift::Lift;
 pub use motion::Motion;
 pub use names::{BodyNumbers, JointNumbers, Label, Which};
 pub use scalar::{Real, Scalar};

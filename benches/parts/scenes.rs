@@ -2,6 +2,7 @@
 
 use crate::by_hand;
 use crate::system_sine::SystemSine;
+use catena::internals::planar::Body;
 use catena::loading::Unloaded;
 use catena::planar::*;
 use catena::scalar::Scalar;

@@ -2,6 +2,7 @@
 
 use crate::inverse::{self, Joint};
 use crate::scenes::{Case, GRAVITY, Library, Row};
+use catena::internals::spatial::Body;
 use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::system::Dynamics;

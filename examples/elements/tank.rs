@@ -29,7 +29,7 @@ impl<T: Scalar> Tank<T> {
     pub fn new((mass, inertia, centre): (T, T, [T; 2]), liquid: Liquid<T>, outboard: [T; 2]) -> Self {
         let (zero, [x, y]) = (T::zero(), liquid.place);
         let rigid = RigidBody::new(mass, inertia, centre, liquid.place);
-        let line = Slider::along(liquid.direction).sprung(liquid.spring);
+        let line = Slider::along(liquid.direction).with(liquid.spring);
         let drop = RigidBody::new(liquid.mass, zero, [zero; 2], [zero; 2]);
         Self { parts: (rigid, Branch((line, drop)), RigidBody::massless([outboard[0] - x, outboard[1] - y])) }
     }

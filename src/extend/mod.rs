@@ -5,11 +5,12 @@
 //!
 //! | of one's own | how | example |
 //! |---|---|---|
-//! | a law along a coordinate | [`SpringLaw`](crate::spring::SpringLaw), in a joint of this crate, or read by [`Resistance::of`] | a stop, a stiffening spring: there |
+//! | a law along a coordinate | [`SpringLaw`](crate::planar::SpringLaw), and [`spatial::RotaryLaw`](crate::spatial::RotaryLaw), in a joint of this crate, or read by [`Resistance::of`] | a stop, a stiffening spring: there |
 //! | a joint | [`JointModel`]: [`Kinematics`] and what acts along their coordinate; [`joint!`](crate::joint) | `examples/own_joint.rs`: a geared motor, 37 lines |
 //! | a joint that moves in a way of its own | [`Kinematics`]: its motion, and the elimination of its coordinate | |
 //! | a body | a struct of bodies, joints and arms; [`compound!`](crate::compound) | `examples/own_body.rs`: a tank in which liquid sloshes, 36 lines |
 //! | an end | [`Ground`](crate::planar::Ground): how its ground moves | below |
+//! | a walk | [`walks`]: what is done at a body and at a joint | there |
 //! | a load | [`LoadLaw`](crate::loading::LoadLaw) | there |
 //!
 //! [`lift!`](crate::lift!) makes a struct one over dual numbers, jets and lanes as well. [`check_element`] is a test for all of them: it
@@ -92,16 +93,17 @@
 //! }
 //!
 //! let table = Shaker { amplitude: 0.02, frequency: 20.0 };
-//! let scene = System::new(Pinned(table), (Rod::uniform(0.5, 1.0), Pin, Rod::uniform(0.5, 1.0)), Free)?;
+//! let scene = System::new(Pinned::on(table), (Rod::uniform(0.5, 1.0), Pin, Rod::uniform(0.5, 1.0)), Free)?;
 //! # Ok::<(), catena::Error>(())
 //! ```
 //!
-//! An end that holds in another way implements [`Root`](crate::ends::Root) or [`Tip`](crate::ends::Tip).
+//! An end that holds in another way implements [`Root`](crate::system::Root) or [`Tip`](crate::system::Tip).
 
 #[cfg(feature = "std")]
 mod check;
 mod compound;
 mod leaf;
+pub mod walks;
 
 #[cfg(feature = "std")]
 pub use check::{Disagreement, Doubt, check_element};
@@ -113,6 +115,6 @@ pub mod model {
 pub use crate::kinematics::{Acting, Driving, JointModel, Kinematics, Outboard, Resistance};
 pub use crate::relation::Geometry;
 pub use crate::release::{Freedom, Release, Way};
-pub use crate::sweep::Springs;
+pub use crate::sweep::{Implicit, Springs};
 #[doc(hidden)]
 pub use typenum::{U0 as None, U1 as One};

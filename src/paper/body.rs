@@ -1,8 +1,8 @@
 //! The rigid body in the plane, (18) to (32).
 
 use super::expansion::Expansion;
-use crate::planar::Inertia;
-use crate::planar::index::{M, ONE, QX, QY, THETA, X, Y};
+use crate::mechanics::planar::Inertia;
+use crate::mechanics::planar::index::{M, ONE, QX, QY, THETA, X, Y};
 use crate::scalar::Scalar;
 use crate::state::TransferMatrix;
 

@@ -1,6 +1,6 @@
 //! Elastic hinges and damper hinges in the plane, (33) to (35).
 
-use crate::planar::index::{M, ONE, QX, QY, THETA, X, Y};
+use crate::mechanics::planar::index::{M, ONE, QX, QY, THETA, X, Y};
 use crate::scalar::Scalar;
 use crate::state::TransferMatrix;
 

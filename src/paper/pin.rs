@@ -1,7 +1,7 @@
 //! The smooth pin, (36) to (40) in the plane.
 
 use crate::error::{Error, Fault};
-use crate::planar::index::{M, ONE, QX, QY, THETA, X, Y};
+use crate::mechanics::planar::index::{M, ONE, QX, QY, THETA, X, Y};
 use crate::scalar::{Real, Scalar};
 use crate::state::TransferMatrix;
 

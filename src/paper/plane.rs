@@ -9,7 +9,7 @@ use super::pin::{is_percussive, smooth_pin};
 use super::product::Hinges;
 use super::rule::{Coordinate, Linearization};
 use crate::error::{Error, Fault};
-use crate::planar::{BodyMotion, Frame, Turn};
+use crate::mechanics::planar::{BodyMotion, Frame, Turn};
 use crate::scalar::{Real, Scalar};
 use crate::state::TransferMatrix;
 use nalgebra::Vector2;

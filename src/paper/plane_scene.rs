@@ -9,7 +9,7 @@ use super::scene::{Chain, Met, Scene, Slots, refuse_inertia, trace};
 use crate::element::{Element, Load, Loading};
 use crate::ends::{Pairs, Root, Tip};
 use crate::error::{Error, Fault, Place};
-use crate::planar::{BodyMotion, Frame, JointMotion, Planar, SpringState, Turn};
+use crate::mechanics::planar::{BodyMotion, Frame, JointMotion, Planar, SpringState, Turn};
 use crate::relation::{Closures, Term};
 use crate::release::{Freedom, Release, Resistance, Way};
 use crate::scalar::Scalar;

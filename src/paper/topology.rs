@@ -8,7 +8,7 @@
 //! (55) does not exist where branch II has a smooth pin inside; (60) has a sign wrong in its first row and lacks an equation.
 
 use crate::error::{Error, Fault};
-use crate::planar::index::{M, ONE, QX, QY, THETA, X, Y};
+use crate::mechanics::planar::index::{M, ONE, QX, QY, THETA, X, Y};
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};
 use crate::transfer::solve_dense;

@@ -40,8 +40,8 @@ impl<G: Geometry, M: Copy, C: Closures, O: Own> Carry<G, O, Forces> for Point<G,
     type Out = Point<G, M, Looped<C, O>>;
     #[inline(always)]
     fn carry(self, columns: O::Each<G::Vector>) -> Self::Out {
-        let Self { stiffness, offset, torque, cuts } = self;
-        Point { stiffness, offset, torque, cuts: cuts.around(columns) }
+        let Self { mass, offset, torque, cuts } = self;
+        Point { mass, offset, torque, cuts: cuts.around(columns) }
     }
 }
 
@@ -71,7 +71,7 @@ impl<G: Geometry, M: Term<G::Angular>, C: Closures, O: Own> Carry<G, O, Wrenches
 }
 
 fn lump<G: Geometry>(mass: G::Scalar) -> Point<G> {
-    Point { stiffness: G::Mass::diagonal(mass), offset: G::Vector::null(), torque: Absent, cuts: Cuts::none() }
+    Point { mass: G::Mass::diagonal(mass), offset: G::Vector::null(), torque: Absent, cuts: Cuts::none() }
 }
 
 impl<G: Geometry, O: Own, K: Kind<G>> Carry<G, O, K> for Empty
@@ -107,7 +107,7 @@ where
     type Out = Point<G, M::Out, C>;
     #[inline(always)]
     fn settle(self, side: Point<G, N, O>, measure: O::Measure<G::Scalar>) -> (Self::Out, Gain<G, C, O>) {
-        let mut stiffness = self.stiffness + side.stiffness;
+        let mut mass = self.mass + side.mass;
         let mut offset = self.offset + side.offset;
         let torque = self.torque.join(side.torque);
         let (cuts, gain) = O::eliminate(
@@ -115,11 +115,11 @@ where
             measure,
             |v: G::Vector, factor, w| v.plus_scaled(factor, w),
             |w: G::Vector, inverse, gap: G::Scalar| {
-                stiffness = stiffness.plus_outer(w, w.times(inverse));
+                mass = mass.plus_outer(w, w.times(inverse));
                 offset = offset.plus_scaled(-gap, w);
             },
         );
-        (Point { stiffness, offset, torque, cuts }, gain.mapped(Wrench::of_force))
+        (Point { mass, offset, torque, cuts }, gain.mapped(Wrench::of_force))
     }
 }
 
@@ -176,8 +176,8 @@ where
     type Out = Point<G, M::Out, C>;
     #[inline(always)]
     fn twisted(self, torque: N) -> Self::Out {
-        let Self { stiffness, offset, torque: own, cuts } = self;
-        Point { stiffness, offset, torque: own.join(torque), cuts }
+        let Self { mass, offset, torque: own, cuts } = self;
+        Point { mass, offset, torque: own.join(torque), cuts }
     }
 }
 

@@ -30,7 +30,7 @@ impl<G: Geometry, M: Term<G::Angular>, C: Closures> Join<Point<G, M>> for Full<G
     #[inline(always)]
     fn join(self, arm: Point<G, M>) -> Self {
         Self {
-            linear: self.linear + arm.stiffness,
+            linear: self.linear + arm.mass,
             force: self.force + arm.offset,
             torque: arm.torque.add_to(self.torque),
             ..self
@@ -51,7 +51,7 @@ impl<G: Geometry, M: Join<N>, N: Copy, C: Closures> Join<Point<G, N>> for Point<
     #[inline(always)]
     fn join(self, arm: Point<G, N>) -> Self::Out {
         Point {
-            stiffness: self.stiffness + arm.stiffness,
+            mass: self.mass + arm.mass,
             offset: self.offset + arm.offset,
             torque: self.torque.join(arm.torque),
             cuts: self.cuts,

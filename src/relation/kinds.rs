@@ -20,7 +20,7 @@ pub struct Lump<T> {
 #[derive(Clone, Copy)]
 pub struct Point<G: Geometry, M = Absent, C: Closures = Open> {
     /// S (kg).
-    pub stiffness: G::Mass,
+    pub mass: G::Mass,
     /// e (N).
     pub offset: G::Vector,
     /// Torque on the outboard part (N·m).
@@ -91,15 +91,15 @@ impl<G: Geometry, M: Term<G::Angular>, C: Closures> Relation<G> for Point<G, M, 
 
     #[inline(always)]
     fn with_mass(self, mass: G::Scalar) -> Self {
-        Self { stiffness: self.stiffness.plus_diagonal(mass), ..self }
+        Self { mass: self.mass.plus_diagonal(mass), ..self }
     }
     #[inline(always)]
     fn carried(self, d: G::Vector, centripetal: G::Vector) -> Full<G, C> {
-        let coupling = G::levered(self.stiffness, d);
+        let coupling = G::levered(self.mass, d);
         let angular = G::swung(d, &coupling);
-        let force = self.stiffness.apply_onto(centripetal, self.offset);
+        let force = self.mass.apply_onto(centripetal, self.offset);
         Full {
-            linear: self.stiffness,
+            linear: self.mass,
             coupling,
             angular,
             force,
@@ -122,7 +122,7 @@ impl<G: Geometry, M: Term<G::Angular>, C: Closures> Point<G, M, C> {
     #[inline(always)]
     pub fn whole(self) -> Full<G, C> {
         Full {
-            linear: self.stiffness,
+            linear: self.mass,
             coupling: G::Coupling::null(),
             angular: G::Inertia::null(),
             force: self.offset,
@@ -135,7 +135,7 @@ impl<G: Geometry, M: Term<G::Angular>, C: Closures> Point<G, M, C> {
     fn blank(value: G::Scalar) -> Self {
         let vector = G::Vector::null().times(value);
         let cuts = Cuts::at_tip(C::each(|_| vector), C::each(|_| value));
-        Self { stiffness: G::Mass::diagonal(value), offset: vector, torque: M::none(), cuts }
+        Self { mass: G::Mass::diagonal(value), offset: vector, torque: M::none(), cuts }
     }
 }
 

@@ -1,10 +1,10 @@
 //! Condensed relations: what a chain's outboard part demands of the force at a station.
 //!
 //! Everything outboard of a station answers an acceleration p = (a, α) of that station with a force F = S p + e + Wλ: S is the
-//! articulated-body inertia of the field and e the bias force, W λ is what constraint forces add. The
-//! inward pass of the Riccati sweep carries such a relation from the tip to the root; each element maps the relation it
-//! meets to the one it hands on. How much of S, e and W there is depends on what lies outboard, so it is decided by
-//! *type*: after a pin, for example, no moment depends on the motion and a 2 × 2 block is all there is.
+//! articulated-body inertia of the field and e the bias force, W λ is what constraint forces add. The inward pass of the Riccati
+//! sweep carries such a relation from the tip to the root; each element maps the relation it meets to the one it hands on. How much
+//! of S, e and W there is depends on what lies outboard, so it is decided by *type*: after a pin, for example, no
+//! moment depends on the motion and a 2 × 2 block is all there is.
 //!
 //! S is symmetric positive semidefinite and only one triangle is stored. Stored full and merely assumed symmetric, its
 //! antisymmetric rounding doubles with every body (a chain of 60 is lost); stored as a triangle it holds at 100 000.
@@ -17,10 +17,10 @@ mod geometry;
 mod join;
 mod kinds;
 mod looped;
-pub mod plane;
+pub mod planar;
 mod redundancy;
 mod shared;
-pub mod space;
+pub mod spatial;
 mod way;
 mod wrench;
 

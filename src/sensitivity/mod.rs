@@ -1,7 +1,7 @@
 //! Derivatives of a run for a few operations a body and derivative: through gains that a sweep keeps.
 //!
 //! A scene over [`Jet`](crate::scalar::Jet)s is differentiated under any rule. Under one that goes [`through_gains`](Rule::through_gains) the same
-//! derivatives cost a fraction, because only values are eliminated: see [`sensitive`](crate::sensitive) for the method.
+//! derivatives cost a fraction, because only values are eliminated: `src/sensitive.rs` says how.
 //!
 //! ```
 //! use catena::planar::*;

@@ -3,9 +3,9 @@
 use super::System;
 use crate::element::Element;
 use crate::ends::{Root, Tip};
-use crate::planar::Planar;
+use crate::mechanics::planar::Planar;
+use crate::mechanics::spatial::Spatial;
 use crate::scalar::Scalar;
-use crate::spatial::Spatial;
 use nalgebra::{Vector2, Vector3};
 
 impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> System<Planar<T>, R, C, P> {

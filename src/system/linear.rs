@@ -4,13 +4,13 @@ use super::{MotionOf, PositionOf, RateOf, Runs, StiffDynamics, System, coordinat
 use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, Implicit, Loading, Reading, RealOf, Space};
 use crate::ends::{Root, Tip};
+use crate::mechanics::planar::{self, Planar};
+use crate::mechanics::spatial::{self, Spatial};
 use crate::mirror::{Position, Rate};
 use crate::observe::{each_body, each_joint, each_residual};
-use crate::planar::{self, Planar};
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
 use crate::space::FrameOf;
-use crate::spatial::{self, Spatial};
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::Vector3;

@@ -3,8 +3,8 @@
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::mechanics::planar::{Planar, Turn};
 use crate::mirror::Position;
-use crate::planar::{Planar, Turn};
 use crate::scalar::{Real, Scalar};
 use crate::system::{MotionOf, System};
 use crate::walks::configure::configure;

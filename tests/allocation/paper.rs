@@ -44,7 +44,7 @@ fn steps_allocate_nothing() -> Result<(), Error> {
     use catena::spatial;
     let rod = spatial::Rod::uniform(0.2, 0.01, 0.3);
     let chain = (rod, spatial::Ball, rod, spatial::ElasticBall::rotary([5.0; 3]).damped(0.1), rod);
-    let tip = spatial::Pinned::at(0.5, 0.0, 0.1);
+    let tip = spatial::Pinned::at([0.5, 0.0, 0.1]);
     let scene = spatial::System::new(spatial::Pinned::origin(), chain, tip)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.assembled(scene.at_rest(&[0.1, 0.2, -0.5, 0.0, -0.1, 0.3, 0.1, 0.2, 0.4])?, &Unloaded)?;
     for slots in [Slots::Angles, Slots::RotationVectors] {

@@ -56,7 +56,7 @@ fn open(record: &mut Record) -> Result<(), Error> {
     golden!(record, "rods in f32, RK4", scene, scene.at_rest(&[-1.0, -0.5, 0.2, 0.1])?, Rk4::step(2e-3), 0.2);
     let moving =
         |t: f64| GroundMotion { place: [0.1 * t, -t * t], velocity: [0.1, -2.0 * t], acceleration: [0.0, -2.0] };
-    let scene = System::new(Pinned(Moving(moving)), (rod(), Pin, rod()), Free)?.with_gravity(9.81);
+    let scene = System::new(Pinned::on(Moving(moving)), (rod(), Pin, rod()), Free)?.with_gravity(9.81);
     golden!(record, "root that moves, RK4", scene, scene.at_rest(&[-1.0, -0.5])?, Rk4::step(2e-3), 0.2);
     Ok(())
 }
@@ -71,7 +71,7 @@ fn stiff(record: &mut Record) -> Result<(), Error> {
     golden!(record, "rotary springs, generalised-alpha", scene, start()?, GeneralizedAlpha::new(0.8).step(5e-3), 0.2);
     golden!(record, "rotary springs, SDIRK4", scene, start()?, Sdirk4::new().step(1e-2), 0.2);
     let spring = Spring::new(80.0).damped(0.3);
-    let slider = Slider::along(0.2).sprung(spring);
+    let slider = Slider::along(0.2).with(spring);
     let chain = (rod(), ElasticHinge::rotary(20.0).with_linear(spring, spring), rod(), slider, plate(), Pin, rod());
     let scene = System::new(Pinned::origin(), chain, Free)?.with_gravity(9.81);
     let start = || scene.at_rest(&[-1.0, -0.8, -1.2]);

@@ -104,7 +104,7 @@ fn stiff(record: &mut Record) -> Result<(), Error> {
 
 /// Held tips and loops.
 fn closed(record: &mut Record) -> Result<(), Error> {
-    let tip = Pinned::at(1.5, 0.2, -0.3);
+    let tip = Pinned::at([1.5, 0.2, -0.3]);
     let scene = System::new(Pinned::origin(), (rod(), Ball, body(), Ball, rod()), tip)?.with_gravity(gravity());
     let start = scene.assembled(scene.at_rest(&[0.1, 0.5, -0.3, 0.0, 0.2, 0.3, 0.1, -0.6, 0.4])?, &Unloaded)?;
     golden!(record, "held by balls, DOP853", scene, start, Dop853::tolerance(1e-8), 0.2);

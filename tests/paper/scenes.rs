@@ -96,7 +96,7 @@ fn general_scene_has_order_two() -> Result<(), Error> {
         acceleration: [-0.1 * t.sin(), 0.0],
     });
     let scene =
-        System::new(Pinned(ground), (plate, Pin, rod, Weld::at(0.5), plate, hinge, rod), Free)?.with_gravity(9.81);
+        System::new(Pinned::on(ground), (plate, Pin, rod, Weld::at(0.5), plate, hinge, rod), Free)?.with_gravity(9.81);
     let start = scene.with_rates(scene.at_rest(&[-0.3, 0.2, 0.9])?, &[1.0, -0.5, 0.3])?;
     let loads = Loads::none()
         .in_joints(|t, joint, motion: &JointMotion<f64>| 0.3 * f64::sin(t + joint as f64) - 0.05 * motion.rate())

@@ -72,7 +72,7 @@ fn plate() -> RigidBody<f64> {
 #[test]
 fn chains_on_balls_have_order_two() -> Result<(), Error> {
     let rod = Rod::uniform(0.6, 0.05, 0.8);
-    let ground = Pinned(Moving(|t: f64| GroundMotion {
+    let ground = Pinned::on(Moving(|t: f64| GroundMotion {
         place: [0.1 * t.sin(), 0.0, 0.0],
         velocity: [0.1 * t.cos(), 0.0, 0.0],
         acceleration: [-0.1 * t.sin(), 0.0, 0.0],
@@ -100,7 +100,7 @@ fn floating_chains_and_held_tips_have_order_two() -> Result<(), Error> {
     let start = scene.with_rates(start, &[0.1, 0.2, -0.1, 1.0, -2.0, 0.5, 0.3, 0.5, 1.0])?;
     all_orders!(scene, start, Unloaded, 0.3);
 
-    let tip = Pinned::at(1.5, 0.0, 0.3);
+    let tip = Pinned::at([1.5, 0.0, 0.3]);
     let scene = System::new(Pinned::origin(), (plate(), Ball, rod, Ball, rod), tip)?.with_gravity([0.0, -9.81, 0.0]);
     let start = scene.at_rest(&[0.3, 0.2, -0.4, -0.2, 0.1, 0.3, 0.1, -0.2, 0.5])?;
     let start = scene.assembled(start, &Unloaded)?;

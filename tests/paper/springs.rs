@@ -312,7 +312,7 @@ fn derivatives_by_stiffness_agree_with_differences() -> Result<(), Error> {
             let rod = Rod::uniform(of(0.5), of(0.8));
             let spring = Spring::new($k).damped(of(0.4)).resting_at(of(0.05));
             let hinge = ElasticHinge::rotary(of(3.0)).with_linear(spring, spring).in_unbalanced_axes();
-            let scene = System::new(Pinned([of(0.0); 2]), (rod, hinge, rod), Free)?.with_gravity(of(9.81));
+            let scene = System::new(Pinned::on([of(0.0); 2]), (rod, hinge, rod), Free)?.with_gravity(of(9.81));
             let start = scene.at_rest(&[of(-0.5), of(0.3)])?;
             let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).linearized(At::Predictor).solved_by($solver);
             let mut run = scheme.start(&scene, &start, &Unloaded, 0.01)?;

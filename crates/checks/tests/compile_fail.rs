@@ -29,7 +29,9 @@ fn complaint(folder: &Path, program: &str) -> Result<Option<String>, Box<dyn Err
 fn first_error(complaint: &str) -> String {
     let from_error = complaint.find("error").map_or(complaint, |start| &complaint[start..]);
     let first = from_error.split("\n\n").next().unwrap_or_default();
-    ["catena::planar::", "catena::relation::plane::"].iter().fold(first.to_owned(), |text, path| text.replace(path, ""))
+    ["catena::planar::", "catena::relation::planar::"]
+        .iter()
+        .fold(first.to_owned(), |text, path| text.replace(path, ""))
 }
 
 #[test]

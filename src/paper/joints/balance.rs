@@ -1,8 +1,8 @@
 //! Newton and Euler for a body in an iterate, and their derivatives.
 
+use crate::mechanics::planar::BodyMotion;
+use crate::mechanics::planar::index::{M, ONE, QX, QY, THETA, X, Y};
 use crate::paper::body::{External, Rigid};
-use crate::planar::BodyMotion;
-use crate::planar::index::{M, ONE, QX, QY, THETA, X, Y};
 use crate::scalar::Scalar;
 use crate::state::TransferMatrix;
 

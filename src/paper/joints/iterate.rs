@@ -3,6 +3,7 @@
 use super::JointRun;
 use super::balance::Balance;
 use crate::error::Error;
+use crate::mechanics::planar::{Frame, Turn};
 use crate::paper::expansion::Expansion;
 use crate::paper::hinge::Rotary;
 use crate::paper::link::{End, Link};
@@ -10,7 +11,6 @@ use crate::paper::parts::Part;
 use crate::paper::riccati::BLOCK;
 use crate::paper::rule::Rule;
 use crate::paper::scene::Scene;
-use crate::planar::{Frame, Turn};
 use crate::scalar::Scalar;
 use crate::state::StateVector;
 use num_traits::Zero;

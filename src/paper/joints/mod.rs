@@ -8,6 +8,8 @@ mod balance;
 mod iterate;
 
 use crate::error::{Error, Fault, Place};
+use crate::mechanics::planar::index::{M, QX, QY, THETA, X, Y};
+use crate::mechanics::planar::{BodyMotion, Frame};
 use crate::paper::expansion::Expansion;
 use crate::paper::link::{End, Link};
 use crate::paper::parts::{Part, Parts};
@@ -15,8 +17,6 @@ use crate::paper::riccati::{BLOCK, Room};
 use crate::paper::rule::Rule;
 use crate::paper::scene::{Chain, Scene, Slots};
 use crate::paper::scheme::positive_step;
-use crate::planar::index::{M, QX, QY, THETA, X, Y};
-use crate::planar::{BodyMotion, Frame};
 use crate::scalar::{Real, Scalar};
 use crate::state::StateVector;
 use alloc::{vec, vec::Vec};

@@ -1,8 +1,8 @@
 //! Three by three: products without tests for zero, which would lose derivatives.
 
-use crate::relation::space::algebra::Columns;
+use crate::mechanics::spatial::{Rotation, maps};
+use crate::relation::spatial::algebra::Columns;
 use crate::scalar::{Real, Scalar};
-use crate::spatial::{Rotation, maps};
 use nalgebra::Vector3;
 use num_traits::Zero;
 

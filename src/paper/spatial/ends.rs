@@ -3,11 +3,11 @@
 //! The conditions are linear in its axes, and these, as a step expands them, in the coordinates; so no coordinates need be those of the end.
 
 use super::algebra::{Matrix, Vector, apply, cross, from_fn, transposed};
+use crate::mechanics::spatial::Frame;
 use crate::paper::link::{End, dot, inverse};
 use crate::paper::orient::Axes;
-use crate::relation::space::algebra::Columns;
+use crate::relation::spatial::algebra::Columns;
 use crate::scalar::{Real, Scalar};
-use crate::spatial::Frame;
 use nalgebra::Vector3;
 
 /// A root that turns about an axis of the ground, with a torque about it applied on the first body.

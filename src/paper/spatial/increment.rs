@@ -8,9 +8,9 @@ use super::algebra::{
     times,
 };
 use super::body::{External, Rigid, Shape, Step};
+use crate::mechanics::spatial::maps::alternating;
 use crate::paper::link::Given;
 use crate::scalar::{Real, Scalar};
-use crate::spatial::maps::alternating;
 use crate::state::TransferMatrix;
 use num_traits::Zero;
 

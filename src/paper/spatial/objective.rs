@@ -2,11 +2,11 @@
 
 use super::algebra::{Vector, apply, axes, difference, from_fn, logarithm, rows, sum, tilde, times, transposed};
 use super::increment::Increment;
+use crate::mechanics::spatial::maps::{spring_couple, spring_slope};
 use crate::paper::link::Law;
 use crate::paper::orient::Spring;
 use crate::paper::rule::Linearization;
 use crate::scalar::Scalar;
-use crate::spatial::maps::{spring_couple, spring_slope};
 use nalgebra::Vector3;
 
 /// A spring that stores V = ½ φᵀ K φ, φ̃ = log A_IᵀA_O, in axes of the inboard body, and a damper, linear in ψ_O and ψ_I. (34) is neither

@@ -5,7 +5,7 @@ use super::tank::{Liquid, Tank};
 use catena::extend::Springs;
 use catena::extend::{Acting, Doubt, JointModel, Kinematics, Release, Resistance, check_element};
 use catena::internals::relation::Closures;
-use catena::internals::relation::plane::{Full, HingeGain};
+use catena::internals::relation::planar::{Full, HingeGain};
 use catena::internals::shape::{self, JointPosture};
 use catena::planar::{Acceleration, Frame, Free, JointMotion, Pin, Pinned, Planar, RigidBody, Rod, System, Turn};
 use catena::{Fault, Scalar, planar, spatial};

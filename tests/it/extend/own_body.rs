@@ -35,7 +35,7 @@ macro_rules! composed {
         const LINK: f64 = 0.3;
         let spring = Spring::new(of(STIFFNESS)).damped(of($damping));
         let begin = [PLACE[0] - LINK, PLACE[1]];
-        let arm = (Slider::along(of(DIRECTION)).sprung(spring), PointMass::new(of(LINK), $mass));
+        let arm = (Slider::along(of(DIRECTION)).with(spring), PointMass::new(of(LINK), $mass));
         let [centre, end] = [RIGID.2, END].map(|at| [0, 1].map(|k| of(at[k] - begin[k])));
         let rest = RigidBody::new(of(RIGID.0), of(RIGID.1), centre, end);
         let rod = Rod::uniform(of(0.7), of(1.1));

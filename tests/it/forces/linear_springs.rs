@@ -97,7 +97,7 @@ fn dense(joint: oracle::Joint, displaced: bool) -> (Scene, oracle::State) {
 /// A plate on a guided root, the hinge, a rod, a slider with a spring, a plate, a pin, a rod, beside the oracle.
 macro_rules! compare {
     ($name:literal, $hinge:expr, $joint:expr, |$coordinates:ident| $set:expr, $displaced:expr) => {{
-        let track = Slider::along(SLIDER.0).sprung(spring(SLIDER.1));
+        let track = Slider::along(SLIDER.0).with(spring(SLIDER.1));
         let chain = (plate(), $hinge, rod(), track, plate(), Pin, rod());
         let scene = System::new(Guided::on(moving(), LINE), chain, Free)?.with_gravity(9.81);
         let mut motion = scene.motion();
@@ -203,7 +203,7 @@ type MotionOf<C> = catena::system::MotionOf<Planar<f64>, Pinned<[f64; 2]>, C, Fr
 /// A pinned plate, the hinge, a rod, a slider with a spring, a rod: in place and force, by these rules.
 macro_rules! orders {
     ($name:literal, $hinge:expr, $stage:expr) => {{
-        let track = Slider::along(SLIDER.0).sprung(spring(SLIDER.1));
+        let track = Slider::along(SLIDER.0).with(spring(SLIDER.1));
         let scene = System::new(Pinned::origin(), (plate(), $hinge, rod(), track, rod()), Free)?.with_gravity(9.81);
         let mut start = scene.motion();
         *start.position_mut() = (-0.5, ((), (0.1, -0.05, 0.3), (), 0.2, ()));

@@ -301,7 +301,7 @@ fn check<C: Element<Plane>, L: Loading<Plane>>(
 where
     System<f64, Shaken, C, Free>: Runs<L, Plane, Shaken, C, Free> + Runs<Unloaded, Plane, Shaken, C, Free>,
 {
-    let root: Shaken = Pinned(Moving(shaken));
+    let root: Shaken = Pinned::on(Moving(shaken));
     let system = System::new(root, chain, Free)?.with_gravity_vector(Vector2::from(inputs.gravity));
     assert_eq!((system.bodies(), system.joints()), (bodies.len(), bodies.len()));
     let mut scene = Scene::pinned(bodies);
@@ -364,7 +364,7 @@ fn adjacent_bodies_without_a_joint_are_welded() -> Result<(), Error> {
         let [a, d] = core::array::from_fn(|_| rod(noise));
         let [b, c] = core::array::from_fn(|_| rigid(noise));
         let e = point(noise);
-        let root: Shaken = Pinned(Moving(shaken));
+        let root: Shaken = Pinned::on(Moving(shaken));
         let inputs = Inputs::random(5, noise);
         let gravity = Vector2::from(inputs.gravity);
         let system = System::new(root, ((a.0, b.0), Pin, c.0, (d.0, e.0)), Free)?.with_gravity_vector(gravity);
@@ -437,7 +437,7 @@ fn torques_found_by_inverse_dynamics_cause_the_accelerations_that_were_asked_for
         let noise = &mut Noise::new(seed);
         let inputs = Inputs::random(n, noise);
         let (chain, bodies) = alike(n, noise, rigid);
-        let root: Shaken = Pinned(Moving(shaken));
+        let root: Shaken = Pinned::on(Moving(shaken));
         let system = System::new(root, chain, Free)?.with_gravity_vector(Vector2::from(inputs.gravity));
         let mut motion = system.with_rates(system.at_rest(&inputs.angles)?, &inputs.rates)?.at_time(inputs.time);
         let wanted: Vec<f64> = (0..n).map(|_| 20.0 * noise.next()).collect();

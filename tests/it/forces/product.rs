@@ -11,7 +11,7 @@ macro_rules! scene {
         let rod = Rod::new(0.8, 1.3, 0.3, 0.07);
         let plate = RigidBody::new(0.9, 0.05, [0.3, 0.1], [0.7, -0.2]);
         let ground = Moving(|t: f64| GroundMotion { place: [t, 0.0], velocity: [1.0, 0.0], acceleration: [0.3, -0.7] });
-        System::new(Pinned(ground), (rod, Pin, plate, rod, Pin, plate), Free)
+        System::new(Pinned::on(ground), (rod, Pin, plate, rod, Pin, plate), Free)
     }};
 }
 
@@ -79,7 +79,7 @@ fn joints_that_slide_have_matrices_too() -> Result<(), Error> {
     let (rod, plate) = (Rod::new(0.8, 1.3, 0.3, 0.07), RigidBody::new(0.9, 0.05, [0.3, 0.1], [0.7, -0.2]));
     let spring = Spring::new(60.0).damped(0.8).resting_at(0.1);
     let hinge = ElasticHinge::rotary(3.0).damped(0.2).with_linear(spring, spring);
-    let slider = Slider::along(0.3).sprung(spring);
+    let slider = Slider::along(0.3).with(spring);
     macro_rules! agree {
         ($root:expr, $chain:expr) => {{
             let scene = System::new($root, $chain, Free)?.with_gravity(9.81);

@@ -106,7 +106,7 @@ fn every_joint_in_general_position() -> Result<(), Error> {
             b[7],
         );
         let gravity = Vector::new(0.3, -9.81, 0.7);
-        let system = System::new(Pinned::at(0.1, -0.2, 0.3), chain, Free)?.with_gravity_vector(gravity);
+        let system = System::new(Pinned::at([0.1, -0.2, 0.3]), chain, Free)?.with_gravity_vector(gravity);
         let mut motion = system.motion();
         let root = [noise.next(), noise.next(), noise.next()];
         let ball = [noise.next(), noise.next(), noise.next()];
@@ -257,7 +257,7 @@ fn every_end_in_general_position() -> Result<(), Error> {
         let weld = oracle::Joint::Weld { attitude: oracle::Matrix::identity() };
         let first = Rotation::from_angles(three);
         let rate: [f64; 3] = root_spin.into();
-        compare!(0, System::new(Pinned(moving), chain, Free), first, rate, shaken, root_ball, oracle::Tip::Free);
+        compare!(0, System::new(Pinned::on(moving), chain, Free), first, rate, shaken, root_ball, oracle::Tip::Free);
         compare!(1, System::new(clamp, chain, Free), (), (), turned, weld, oracle::Tip::Free);
         let hinge = oracle::Joint::Revolute { axis: axes[0], angle: 0.7, rate: -0.4, torque: 0.0 };
         let hinged = System::new(Hinged::at([0.0; 3], axes[0].into()), chain, Free);
@@ -266,7 +266,7 @@ fn every_end_in_general_position() -> Result<(), Error> {
             oracle::Joint::Free { place: axes[1], velocity: axes[2], attitude: oracle::angles(three), spin: root_spin };
         let (place, velocity) = ((axes[1].into(), first), (axes[2].into(), rate));
         compare!(3, System::new(Free, chain, Free), place, velocity, still, free, oracle::Tip::Free);
-        let pinned = System::new(Pinned::origin(), chain, Pinned(moving));
+        let pinned = System::new(Pinned::origin(), chain, Pinned::on(moving));
         compare!(4, pinned, first, rate, still, root_ball, oracle::Tip::Pinned(linear));
         let clamped = System::new(Pinned::origin(), chain, clamp);
         compare!(5, clamped, first, rate, still, root_ball, oracle::Tip::Clamped(linear, angular));

@@ -110,7 +110,7 @@ fn a_chain_told_backwards_moves_alike() -> Result<(), Error> {
     let [[a, a_back], [b, b_back], [c, c_back]] = [body(0.5), body(0.7), body(0.6)];
     // Attitudes that close, found in one of them.
     let hinge = Hinged::at([0.0; 3], axis);
-    let ball = Pinned::at(1.0, 0.3, -0.2);
+    let ball = Pinned::at([1.0, 0.3, -0.2]);
     let forward = System::new(hinge, (a, Ball, b, Ball, c), ball)?.with_gravity([0.0, -9.81, 0.0]);
     let guess = forward.at_rest(&[0.5, 0.1, 0.2, -0.9, 0.4, -0.3, 0.8])?;
     let start = forward.assembled(guess, &Unloaded)?;
@@ -196,8 +196,8 @@ fn tips_follow_ground_that_moves_and_turns() -> Result<(), Error> {
             assert!(power.len() == 401 && worst < 1e-11 && work.abs() > 0.01 && (work - gain).abs() < 1e-6, $name);
         }};
     }
-    type Axes = catena::internals::relation::space::algebra::Columns<f64>;
-    follow!("ball", Pinned(moving), |_: &Axes, _: &Rotation<f64>| 0.0);
+    type Axes = catena::spatial::Columns<f64>;
+    follow!("ball", Pinned::on(moving), |_: &Axes, _: &Rotation<f64>| 0.0);
     follow!("clamp", clamp, |own: &Axes, held: &Rotation<f64>| {
         let held = held.matrix();
         (own.x - held.x).amax().max((own.y - held.y).amax())

@@ -259,7 +259,7 @@ fn stiff_hinges_are_welds() -> Result<(), Error> {
 fn tips_are_held_beyond_hinges() -> Result<(), Error> {
     let along = Spring::stiffness(300.0).damped(2.0);
     let hinge = ElasticHinge::rotary([20.0, 30.0, 25.0]).damped(0.3).with_linear(along, along, along);
-    let system = System::new(Pinned::origin(), (body(), hinge, body(), hinge, body()), Pinned::at(3.0, 0.3, -0.15))?;
+    let system = System::new(Pinned::origin(), (body(), hinge, body(), hinge, body()), Pinned::at([3.0, 0.3, -0.15]))?;
     let system = system.with_gravity([0.0, -9.81, 0.0]);
     let start = system.motion();
     let end = 0.4;

@@ -100,7 +100,7 @@ where
 #[test]
 fn matrices_of_all_elements_transfer_the_states_of_a_sweep() -> Result<(), Error> {
     for seed in 0..10 {
-        let (scene, motion, loads) = in_general_position!(Pinned::at(0.1, -0.2, 0.3), seed);
+        let (scene, motion, loads) = in_general_position!(Pinned::at([0.1, -0.2, 0.3]), seed);
         check("ball", &scene, &motion, &loads)?;
     }
     let ground = Clamped {

@@ -21,7 +21,7 @@ fn names_no_subject(line: &str) -> bool {
         let rest = line.strip_prefix(*words).map(str::trim_start);
         rest.is_some_and(|rest| ["it", "they", "its", "their"].iter().any(|word| starts_with_words(rest, word)))
     };
-    BARE.iter().any(|words| starts_with_words(line, words)) || QUESTIONS.iter().any(|words| asks(words))
+    BARE.iter().any(|words| starts_with_words(line, words)) || QUESTIONS.iter().any(asks)
 }
 
 /// First lines of doc comments, with their numbers, counted from 1.

@@ -1,9 +1,9 @@
 //! Attitudes and places from nalgebra's types and back: bits of quaternions, points seen through frames, derivatives.
 
 use catena::Scalar;
-use catena::internals::relation::space::algebra::Columns;
 use catena::nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use catena::num_dual::Dual64;
+use catena::spatial::Columns;
 use catena::spatial::*;
 use std::error::Error;
 

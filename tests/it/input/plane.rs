@@ -522,7 +522,7 @@ fn ground_whose_motion_is_no_number_is_named() -> Result<(), Error> {
         velocity: [0.0; 2],
         acceleration: [if t > 0.5 { NAN } else { 0.0 }, 0.0],
     });
-    let system = System::new(Pinned(ground), rod(), Free)?;
+    let system = System::new(Pinned::on(ground), rod(), Free)?;
     let error = system.with_accelerations(system.at_rest(&[0.1])?.at_time(0.75), &Unloaded).unwrap_err();
     assert_eq!(error.fault, Fault::NotFinite { parameter: "motion of the ground" });
     assert_eq!((error.place, error.time), (Some(Place::Root), Some(0.75)));

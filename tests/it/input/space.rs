@@ -153,9 +153,9 @@ fn quaternions_without_length_are_refused() {
 #[test]
 fn ends_that_are_nowhere_are_refused() {
     let ground = Fault::NotFinite { parameter: "motion of the ground" };
-    let pinned = System::new(Pinned::at(0.0, NAN, 0.0), rod(), Free).map(|_| ());
+    let pinned = System::new(Pinned::at([0.0, NAN, 0.0]), rod(), Free).map(|_| ());
     assert_eq!(pinned, Err(Error::new(ground).at(Place::Root)));
-    let held = System::new(Pinned::origin(), rod(), Pinned::at(0.0, 0.0, NAN)).map(|_| ());
+    let held = System::new(Pinned::origin(), rod(), Pinned::at([0.0, 0.0, NAN])).map(|_| ());
     assert_eq!(held, Err(Error::new(ground).at(Place::Tip)));
     let hinged = System::new(Hinged::at([0.0; 3], [0.0; 3]), rod(), Free).map(|_| ());
     let none = Fault::NotPositive { parameter: "length of the axis", value: 0.0 };

@@ -257,7 +257,7 @@ fn loops_in_space_close_around_a_crank_that_is_held() -> Result<(), Error> {
 
     // A tip that is held: a ball keeps its attitude, the others reach.
     let chain = (rod(0.5), Ball, rod(0.6), Ball, rod(0.7));
-    let scene = System::new(Pinned::<[f64; 3]>::origin(), chain, Pinned::at(0.9, 0.4, -0.3))?;
+    let scene = System::new(Pinned::<[f64; 3]>::origin(), chain, Pinned::at([0.9, 0.4, -0.3]))?;
     let guess = scene.at_rest(&[0.1, -0.6, 0.8, 0.0, 0.2, -0.3, 0.0, 0.3, 0.1])?;
     let guess = scene.with_rates(guess, &[1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])?;
     let before = scene.body_motions(&guess)?.get(0).map(|body| body.outboard());

@@ -333,7 +333,7 @@ macro_rules! held {
                 let (acceleration, angular) = (case.plan.noise.pair(), case.plan.noise.next());
                 let moving = Moving(move |_: f64| GroundMotion { place, velocity, acceleration });
                 case.tip = oracle::Tip::Pinned(flat(acceleration));
-                let scene = System::new(Pinned::origin(), chain.clone(), Pinned(moving));
+                let scene = System::new(Pinned::origin(), chain.clone(), Pinned::on(moving));
                 pinned.count(compare(&mut case, scene, Some(&near)));
                 let turning = Turning(move |_: f64| [tip.turn.angle, tip.turn.rate, angular]);
                 case.tip = oracle::Tip::Clamped(flat(acceleration), axial(angular));

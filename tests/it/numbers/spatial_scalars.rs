@@ -126,7 +126,7 @@ fn lifted_scenes_move_alike() -> Result<(), Error> {
     let chain =
         (rod, Ball, rod, hinge, rod, ElasticBall::rotary([1.0, 2.0, 3.0]).damped(0.1), PointMass::new(0.3, 0.2));
     let chain = (chain, Weld::at(Rotation::from_angles([0.1, 0.2, 0.3])), rod);
-    let system = System::new(Pinned::at(0.1, 0.2, 0.3), chain, Free)?.with_gravity([0.0, -9.81, 0.0]);
+    let system = System::new(Pinned::at([0.1, 0.2, 0.3]), chain, Free)?.with_gravity([0.0, -9.81, 0.0]);
     let lifted = system.lift(|x| Dual64::new(x, 0.0));
     let angles = [0.3, 0.2, -0.4, 0.5, -0.3, 0.7, 0.4, 0.1, -0.2, 0.6];
     let start = system.with_accelerations(system.at_rest(&angles)?, &Unloaded)?;

@@ -19,7 +19,7 @@ fn balls_and_bodies_have_the_derivatives_of_dual_numbers() -> Result<(), Error> 
         let body = RigidBody::new(x(1.3, 6), tensor, centre, [x(0.9, 7), x(-0.2, 8), x(0.1, 9)]);
         let rod = Rod::uniform(x(0.7, 10), x(0.3, 11), x(0.8, 12));
         let bob = PointMass::new(x(0.4, 13), x(0.3, 14));
-        let root = Pinned::at(x(0.0, FIXED), x(0.0, FIXED), x(0.0, FIXED));
+        let root = Pinned::at([x(0.0, FIXED), x(0.0, FIXED), x(0.0, FIXED)]);
         let system = System::new(root, (body, Ball, rod, bob), Free)?.with_gravity([x(0.0, FIXED), -x(9.81, 15), x(0.0, FIXED)]);
         let angles = [x(0.3, 16), x(-0.4, 17), x(0.9, 18), x(0.1, FIXED), x(0.5, 19), x(-0.6, 20)];
         let rates = [x(0.3, 22), x(-0.4, 23), x(0.9, 24), x(0.1, 21), x(0.5, 25), x(-0.6, FIXED)];

@@ -255,7 +255,7 @@ fn a_hanging_chain_stays_in_the_plane_of_its_ends() -> Result<(), Error> {
     };
     let rod = Rod::uniform(l, 0.01, m);
     let chain =
-        System::new(Pinned::origin(), (rod, [(Ball, rod); N - 1]), Pinned::at(x, y, z))?.with_gravity([0.0, -G, 0.0]);
+        System::new(Pinned::origin(), (rod, [(Ball, rod); N - 1]), Pinned::at([x, y, z]))?.with_gravity([0.0, -G, 0.0]);
     let heading = (-z).atan2(x); // about y
     let mut guess = vec![];
     for (k, slope) in slopes.iter().enumerate() {

@@ -146,7 +146,7 @@ mod plane {
     fn steppers_go_on_in_open_chains() -> Result<(), Error> {
         let rod = Rod::uniform(0.5, 1.0);
         let hinge = ElasticHinge::rotary(20.0).damped(0.1);
-        let slider = Slider::along(0.2).sprung(Spring::new(100.0));
+        let slider = Slider::along(0.2).with(Spring::new(100.0));
         let scene = System::new(Pinned::origin(), (rod, Pin, rod, hinge, rod, slider, rod), Free)?.with_gravity(9.81);
         let start = scene.at_rest(&[-1.0, 0.3, 0.2])?;
         by_every_rule!("open, plane", scene, start, 0.005);
@@ -216,7 +216,7 @@ mod space {
     fn steppers_go_on_where_tips_are_held() -> Result<(), Error> {
         let rod = |length| Rod::uniform(length, 0.02, 1.0);
         let hinge = Hinged::at([0.0; 3], [0.0, 1.0, 0.2]);
-        let scene = System::new(hinge, (rod(0.5), Ball, rod(0.8), Ball, rod(0.6)), Pinned::at(0.9, 0.1, -0.2))?;
+        let scene = System::new(hinge, (rod(0.5), Ball, rod(0.8), Ball, rod(0.6)), Pinned::at([0.9, 0.1, -0.2]))?;
         let scene = scene.with_gravity([0.0, 0.0, -9.81]);
         let start = scene.assembled(scene.at_rest(&[1.2, 0.0, -0.64, -0.22, 2.2, 0.1, 0.2])?, &Unloaded)?;
         by_every_rule!("held, space", scene, start, 0.002);

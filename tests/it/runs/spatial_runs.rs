@@ -144,7 +144,7 @@ fn held_tips_stay_where_they_are() -> Result<(), Error> {
     let start = free.at_rest(&[0.0, 0.3, 0.8, 0.0, -0.2, -0.4, 0.3, -0.6])?;
     let place = free.stations(&start, &Unloaded)?.tip().frame.place;
     let system =
-        System::new(Pinned::origin(), chain, Pinned::at(place.x, place.y, place.z))?.with_gravity([0.0, -9.81, 0.0]);
+        System::new(Pinned::origin(), chain, Pinned::at([place.x, place.y, place.z]))?.with_gravity([0.0, -9.81, 0.0]);
     let start = system.at_rest(&[0.0, 0.3, 0.8, 0.0, -0.2, -0.4, 0.3, -0.6])?;
     let energy = system.budget(&start)?.energy();
     let (mut gap, mut drift) = (0.0_f64, 0.0_f64);

@@ -136,7 +136,7 @@ fn held_chains_stay_closed_under_implicit_rules() -> Result<(), Error> {
     let angles = [0.0, 0.3, 0.8, -0.2, -0.4, 0.3, -0.6, 0.2, -0.1, -0.9];
     let place = free.stations(&free.at_rest(&angles)?, &Unloaded)?.tip().frame.place;
     let system =
-        System::new(Pinned::origin(), chain, Pinned::at(place.x, place.y, place.z))?.with_gravity([0.0, -9.81, 0.0]);
+        System::new(Pinned::origin(), chain, Pinned::at([place.x, place.y, place.z]))?.with_gravity([0.0, -9.81, 0.0]);
     let start = system.at_rest(&angles)?;
     let exact = system.simulate(start, Dop853::tolerance(1e-12), END, |_| ())?.motion;
     let mut gap = 0.0_f64;

@@ -455,7 +455,7 @@ fn energy_and_momentum_are_those_of_the_oracle() -> Result<(), Error> {
         let place = noise.pair();
         let gravity = [3.0, -8.0];
         let chain = (rigid(0), (1..5).map(|k| (Pin, rigid(k))).collect::<Vec<_>>());
-        let system = System::new(Pinned(place), chain, Free)?.with_gravity_vector(gravity.into());
+        let system = System::new(Pinned::on(place), chain, Free)?.with_gravity_vector(gravity.into());
         let angles: Vec<f64> = (0..5).map(|_| noise.between(-3.0, 3.0)).collect();
         let rates: Vec<f64> = (0..5).map(|_| noise.between(-2.0, 2.0)).collect();
         let budget = system.budget(&system.with_rates(system.at_rest(&angles)?, &rates)?)?;
@@ -483,7 +483,7 @@ fn work_becomes_energy_and_impulse_momentum() -> Result<(), Error> {
         GroundMotion { place: [0.2 * s, 0.1 * c], velocity: [c, -0.5 * s], acceleration: [-5.0 * s, -2.5 * c] }
     };
     let torque = |t: f64, joint: usize| (3.0 * t + joint as f64).sin();
-    let system = System::new(Pinned(Moving(shaken)), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    let system = System::new(Pinned::on(Moving(shaken)), (rod, Pin, rod), Free)?.with_gravity(9.81);
     let start = system.at_rest(&[-1.0, -0.5])?;
     let loads = Loads::none().in_joints(|t, joint, _: &JointMotion<f64>| torque(t, joint));
     let before = system.budget(&start)?;

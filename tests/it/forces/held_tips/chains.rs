@@ -97,7 +97,7 @@ macro_rules! between {
                     }};
                 }
                 match $ends[1] {
-                    End::Pinned => run!(Pinned(drifting())),
+                    End::Pinned => run!(Pinned::on(drifting())),
                     End::Clamped => run!(Clamped { place: drifting(), attitude: last }),
                     End::Guided(line) => run!(Guided::on(Clamped { place: drifting(), attitude: last }, line)),
                 }

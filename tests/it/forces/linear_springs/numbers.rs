@@ -49,7 +49,7 @@ fn chain<T: Scalar>(p: [T; 9]) -> Chain<T> {
     let rod = |length| Rod::uniform(number(length), number(0.8));
     let plate = RigidBody::new(number(0.9), number(0.05), [0.3, 0.1].map(number), [0.7, -0.2].map(number));
     let spring = |i: usize| Spring::new(p[i]).damped(p[i + 1]).resting_at(p[i + 2]);
-    let slider = Slider::along(number(0.6)).sprung(spring(6));
+    let slider = Slider::along(number(0.6)).with(spring(6));
     (rod(0.5), ElasticHinge::linear(spring(0), spring(3)), rod(0.7), slider, plate, Pin, rod(0.6), Pin, rod(0.4))
 }
 

@@ -135,7 +135,7 @@ fn every_part_of_a_hinge_alone_and_together() -> Result<(), Error> {
                     }};
                 }
                 compare!(Free, oracle::Tip::Free);
-                compare!(Pinned(moving), oracle::Tip::Pinned(linear));
+                compare!(Pinned::on(moving), oracle::Tip::Pinned(linear));
                 compare!(clamp, oracle::Tip::Clamped(linear, angular));
             }};
         }

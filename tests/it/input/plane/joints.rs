@@ -48,14 +48,14 @@ fn springs_without_mechanics_are_refused_wherever_they_are() {
     let good = Spring::new(3.0).damped(0.0).resting_at(-0.1);
     assert_eq!(between!(ElasticHinge::linear(good, good)), Ok(()));
     assert_eq!(between!(ElasticHinge::linear(Spring::new(0.0), Absent)), Ok(()));
-    assert_eq!(between!(Slider::along(0.3).sprung(good)), Ok(()));
+    assert_eq!(between!(Slider::along(0.3).with(good)), Ok(()));
     for (bad, refused) in bad_springs() {
         assert_eq!(between!(ElasticHinge::linear(bad, good)), refused);
         assert_eq!(between!(ElasticHinge::linear(good, bad)), refused);
         assert_eq!(between!(ElasticHinge::linear(bad, Absent)), refused);
         assert_eq!(between!(ElasticHinge::linear(Absent, bad).in_fixed_axes()), refused);
         assert_eq!(between!(ElasticHinge::rotary(1.0).with_linear(good, bad).in_unbalanced_axes()), refused);
-        assert_eq!(between!(Slider::along(0.3).sprung(bad)), refused);
+        assert_eq!(between!(Slider::along(0.3).with(bad)), refused);
     }
     // Of a rotary spring, too.
     for bad in [NAN, INFINITY] {
@@ -72,7 +72,7 @@ fn directions_that_are_no_numbers_are_refused() {
     let refused = |place, parameter| Some(Error::new(Fault::NotFinite { parameter }).at(place));
     for bad in [NAN, INFINITY] {
         assert_eq!(between!(Slider::along(bad)), not_finite("direction"));
-        assert_eq!(between!(Slider::along(bad).sprung(Spring::new(1.0))), not_finite("direction"));
+        assert_eq!(between!(Slider::along(bad).with(Spring::new(1.0))), not_finite("direction"));
         let clamp = |angle| Clamped::at(0.0, 0.0, angle);
         let (line, angle) = (Guided::on(clamp(0.2), bad), Guided::at(0.0, 0.0, bad));
         assert_eq!(

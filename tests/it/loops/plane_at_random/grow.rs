@@ -157,7 +157,7 @@ impl Grow for Slid {
         let law = [noise.next(), noise.between(20.0, 50.0), noise.between(1.0, 3.0), 0.1 * noise.next()];
         let (body, end) = plan.body(at, Kind::Slider(law));
         let spring = Spring::new(law[1]).damped(law[2]).resting_at(law[3]);
-        ((Slider::along(law[0]).sprung(spring), body), end)
+        ((Slider::along(law[0]).with(spring), body), end)
     }
 }
 

@@ -92,7 +92,7 @@ fn of_random_shape() -> Result<(), Error> {
         compare!(Free, oracle::Tip::Free);
         let acceleration = [noise.next(), noise.next()];
         let moving = Moving(move |_: f64| GroundMotion { place: [0.0; 2], velocity: [0.0; 2], acceleration });
-        compare!(Pinned(moving), oracle::Tip::Pinned(flat(acceleration)));
+        compare!(Pinned::on(moving), oracle::Tip::Pinned(flat(acceleration)));
     }
     assert!(most > 30, "at most {most} bodies");
     conclude(worst);
@@ -114,7 +114,7 @@ fn with_every_joint() -> Result<(), Error> {
         let bob = PointMass::new(0.3, 0.4);
         let bob_twin = twin(0.4, 0.0, [0.3, 0.0], [0.3, 0.0]);
         let hinge = ElasticHinge::rotary(7.0).damped(0.3).resting_at(0.2);
-        let slider = Slider::along(0.6).sprung(Spring::new(40.0).damped(2.0).resting_at(0.1));
+        let slider = Slider::along(0.6).with(Spring::new(40.0).damped(2.0).resting_at(0.1));
         let chain = (
             rod,
             Branch((hinge, rod, Branch((Pin, bob)), slider, plates[0])),

@@ -97,7 +97,7 @@ fn of_random_shape() -> Result<(), Error> {
             velocity: [0.0; 3],
             acceleration: acceleration.into(),
         });
-        compare!(Pinned(moving), oracle::Tip::Pinned(acceleration));
+        compare!(Pinned::on(moving), oracle::Tip::Pinned(acceleration));
     }
     assert!(most > 30, "at most {most} bodies");
     conclude(worst);
@@ -199,7 +199,7 @@ fn with_every_joint() -> Result<(), Error> {
             }};
         }
         compare!(Free, oracle::Tip::Free);
-        compare!(Pinned::at(0.0, 0.0, 0.0), oracle::Tip::Pinned(Vector::zeros()));
+        compare!(Pinned::at([0.0, 0.0, 0.0]), oracle::Tip::Pinned(Vector::zeros()));
     }
     conclude(worst);
     Ok(())

@@ -1,0 +1,47 @@
+//! Mechanics in the plane: bodies, joints, ends and motions, as the front page [`planar`](crate::planar) shows them.
+
+pub mod axes;
+mod beam;
+mod body;
+mod elastic_hinge;
+mod ends;
+mod frame;
+mod joint;
+mod kinematics;
+mod linear;
+mod linear_hinge;
+mod loads;
+mod loops;
+mod pin;
+mod point_mass;
+mod release;
+mod rigid_body;
+mod rod;
+mod sensitive;
+mod series;
+mod slider;
+mod spring;
+mod station;
+mod transfer;
+mod turning;
+mod weld;
+
+pub use crate::relation::planar::Planar;
+pub use crate::spring::{Spring, SpringLaw};
+pub use beam::{Beam, Segments};
+pub use body::{Body, Inertia, Pose};
+pub use elastic_hinge::{ElasticHinge, HingeRule, Revolute};
+pub use ends::{Attitude, Clamped, Floating, Free, Ground, GroundMotion, Guided, Moving, Pinned, Turning};
+pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, SpringState, Turn};
+pub use joint::Joint;
+pub use linear::{HingeAxes, Linear, Unbalanced};
+pub use loads::Wrench;
+pub use loops::ClosedLoop;
+pub use pin::Pin;
+pub use point_mass::PointMass;
+pub use rigid_body::RigidBody;
+pub use rod::Rod;
+pub use slider::Slider;
+pub use spring::Custom;
+pub use station::{Station, index};
+pub use weld::Weld;

@@ -1,0 +1,96 @@
+//! The cylindrical joint.
+
+use super::Turn;
+use super::axial::{Axial, Relative, check_axis, unit};
+use super::maps::about;
+use crate::element::Implicit;
+use crate::error::Fault;
+use crate::lift::Lift;
+use crate::relation::spatial::Way;
+use crate::relation::spatial::algebra::zero;
+use crate::scalar::Scalar;
+use crate::spring::{Spring, SpringLaw};
+use nalgebra::Vector3;
+
+/// Two bodies slide along an axis and turn about it.
+///
+/// Its coordinates are how far (m) the outboard point has moved along the axis, and the angle (rad) of the outboard body.
+/// [`System::at_rest`](crate::system::System::at_rest) takes the angle; [`Motion::set_coordinates_of`](crate::Motion::set_coordinates_of)
+/// sets both.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cylindrical<T, L = Spring, M = Spring> {
+    axis: Vector3<T>,
+    along: L,
+    about: M,
+    /// In a scene, the point mass that its outboard neighbour lumps at the outboard point.
+    lumped: T,
+}
+
+impl<T: Scalar> Cylindrical<T> {
+    /// On an axis in body axes, of any length.
+    pub fn on(axis: [T; 3]) -> Self {
+        Self { axis: unit(axis), along: Spring::none(), about: Spring::none(), lumped: T::zero() }
+    }
+
+    /// With springs and dampers along and about the axis.
+    pub fn with<L: SpringLaw<T>, M: SpringLaw<T>>(self, along: L, about: M) -> Cylindrical<T, L, M> {
+        Cylindrical { axis: self.axis, along, about, lumped: self.lumped }
+    }
+}
+
+impl<T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>> Axial<T, 2> for Cylindrical<T, L, M> {
+    type Coordinates = [T; 2];
+    const WAYS: [Way; 2] = [Way::Slide, Way::Turn];
+    const SLIDES: bool = true;
+    const TURNS: bool = true;
+    const LINEAR: bool = L::LINEAR && M::LINEAR;
+
+    #[inline(always)]
+    fn relative(&self, inboard: &Turn<T>, [slide, angle]: [T; 2], [sliding, turning]: [T; 2]) -> Relative<T, 2> {
+        let n = inboard.attitude.apply(self.axis);
+        Relative {
+            attitude: inboard.attitude.times(&about(self.axis, angle)),
+            axes: [n, n],
+            spin: n * turning,
+            arm: n * slide,
+            sliding: n * sliding,
+            extra: zero(),
+        }
+    }
+    #[inline(always)]
+    fn force(&self, k: usize, position: T, rate: T) -> T {
+        if k == 0 { self.along.force(position, rate) } else { self.about.force(position, rate) }
+    }
+    #[inline(always)]
+    fn pivot(&self, k: usize, position: T, rate: T, springs: Implicit<T::Real>) -> T {
+        if k == 0 { self.along.pivot(position, rate, springs) } else { self.about.pivot(position, rate, springs) }
+    }
+    fn energy(&self, [slide, angle]: [T; 2]) -> T {
+        self.along.energy(slide) + self.about.energy(angle)
+    }
+    fn lump(&mut self, mass: T) -> T {
+        self.lumped = mass;
+        T::zero()
+    }
+    #[inline(always)]
+    fn lumped(&self) -> T {
+        self.lumped
+    }
+    fn verify(&self) -> Result<(), Fault> {
+        check_axis(self.axis)?;
+        self.along.check()?;
+        self.about.check()
+    }
+}
+
+impl<T: Scalar, U: Scalar, L: Lift<T, U>, M: Lift<T, U>> Lift<T, U> for Cylindrical<T, L, M> {
+    type Over = Cylindrical<U, L::Over, M::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Cylindrical {
+            axis: self.axis.map(&mut *number),
+            along: self.along.lift(number),
+            about: self.about.lift(number),
+            lumped: number(self.lumped),
+        }
+    }
+}

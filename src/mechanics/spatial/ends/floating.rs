@@ -1,0 +1,124 @@
+//! The joint of a chain that floats.
+
+use crate::element::{Condense, Given, Posture, Sweep};
+use crate::mechanics::spatial::joint::{One, Stored};
+use crate::mechanics::spatial::release::{self, Release};
+use crate::mechanics::spatial::{Acceleration, Ball, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
+use crate::relation::spatial::algebra::{Columns, is_finite, zero};
+use crate::relation::spatial::{Empty, Relation, Rigid};
+use crate::relation::{Closures, Open};
+use crate::scalar::Scalar;
+use nalgebra::Vector3;
+
+/// The joint of a chain that floats: place and attitude of its first body, whose rates are the velocity in inertial and the angular
+/// velocity in body axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Floating<T> {
+    /// Point mass that the first body lumps at its inboard end.
+    lumped: T,
+}
+
+impl<T: Scalar> Floating<T> {
+    pub(super) fn new() -> Self {
+        Self { lumped: T::zero() }
+    }
+}
+
+impl<T: Scalar> Joint<T> for Floating<T> {
+    type Position = ([T; 3], Rotation<T>);
+    type Rate = ([T; 3], [T; 3]);
+    type Kept<C: Closures> = Acceleration<T>;
+    type Sets = One;
+
+    fn position() -> Self::Position {
+        ([T::zero(); 3], Rotation::identity())
+    }
+    fn rate() -> Self::Rate {
+        ([T::zero(); 3], [T::zero(); 3])
+    }
+    fn kept<C: Closures>() -> Acceleration<T> {
+        Acceleration::zero()
+    }
+    fn is_finite<C: Closures>(kept: &Acceleration<T>) -> bool {
+        is_finite(kept.linear) && is_finite(kept.angular)
+    }
+    fn lump(&mut self, mass: T) -> T {
+        self.lumped = mass;
+        T::zero()
+    }
+    /// Three angles 1-2-3; the place stays.
+    fn configure(
+        &self,
+        position: &mut Self::Position,
+        inboard: Turn<T>,
+        next: &mut impl FnMut(Turn<T>) -> T,
+    ) -> Turn<T> {
+        Joint::configure(&Ball, &mut position.1, inboard, next)
+    }
+    #[inline(always)]
+    fn oriented(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> (Turn<T>, Stored<T>) {
+        Joint::oriented(&Ball, &position.1, &rate.1, inboard)
+    }
+    #[inline(always)]
+    fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
+        release::floating(self, motion, position, rate)
+    }
+    #[inline(always)]
+    fn moved(
+        &self,
+        inboard: Frame<T>,
+        position: &Self::Position,
+        rate: &Self::Rate,
+        acceleration: &Self::Rate,
+    ) -> JointMotion<T> {
+        let mut motion = Joint::moved(&Ball, inboard, &position.1, &rate.1, &acceleration.1);
+        motion.outboard.place += Vector3::from(position.0);
+        motion.outboard.velocity += Vector3::from(rate.0);
+        motion.outboard.acceleration.linear += Vector3::from(acceleration.0);
+        motion
+    }
+    #[inline(always)]
+    fn recovered<C: Closures>(
+        &self,
+        inboard: Acceleration<T>,
+        (attitude, _): (&Columns<T>, &[Vector3<T>; 2]),
+        kept: &Acceleration<T>,
+        _: &C::Each<T>,
+        rate: &mut Self::Rate,
+    ) -> Acceleration<T> {
+        // The sweep's ground falls upward by gravity; coordinates are relative to the ground.
+        *rate = ((kept.linear - inboard.linear).into(), attitude.transposed(kept.angular).into());
+        *kept
+    }
+    /// A chain without closures responds to none.
+    fn responded<C: Closures>(
+        &self,
+        _: Acceleration<T>,
+        _: (&Columns<T>, &[Vector3<T>; 2]),
+        _: &Acceleration<T>,
+        _: &C::Each<T>,
+        rate: &mut Self::Rate,
+    ) -> Acceleration<T> {
+        *rate = Self::rate();
+        Acceleration { linear: zero(), angular: zero() }
+    }
+}
+
+impl<T: Scalar, R: Rigid<T, Closures = Open>, W: Sweep<Spatial<T>, Closures = Open>> Condense<Spatial<T>, R, W>
+    for Floating<T>
+{
+    type Out = Empty;
+
+    #[inline(always)]
+    fn condense(
+        &self,
+        outer: R,
+        _: Posture<'_, Spatial<T>, Self>,
+        _: Given<'_, Spatial<T>, Self, W>,
+        kept: &mut Acceleration<T>,
+    ) -> Empty {
+        let (linear, angular) = outer.full().with_mass(self.lumped).free();
+        *kept = Acceleration { linear, angular };
+        Empty
+    }
+}

@@ -1,0 +1,88 @@
+//! Mass, mass centre and moments of inertia of a body.
+
+use super::second_moments::SecondMoments;
+use crate::error::Fault;
+use crate::lift::lift;
+use crate::relation::Symmetric;
+use crate::relation::spatial::algebra::{Columns, Symmetric3, dot};
+use crate::scalar::{Real, Scalar};
+use nalgebra::Vector3;
+use num_traits::Zero;
+
+/// Mass, mass centre and moments of inertia of a body in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inertia<T> {
+    /// Mass (kg).
+    pub mass: T,
+    /// Mass centre from the inboard end (m), body axes.
+    pub centre: [T; 3],
+    /// Inertia tensor about the mass centre (kg·m²), body axes: moments on the diagonal, minus the products beside it.
+    pub about_centre: [[T; 3]; 3],
+}
+
+impl<T: Scalar> Inertia<T> {
+    /// The tensor about the mass centre as columns.
+    #[inline(always)]
+    pub fn matrix(&self) -> Columns<T> {
+        let [x, y, z] = self.about_centre.map(Vector3::from);
+        Columns { x, y, z }
+    }
+
+    /// The tensor about the inboard end, J_I = J_C + m (|r|² 1 − r rᵀ): that of (20).
+    pub fn about_inboard(&self) -> Symmetric3<T> {
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = self.about_centre;
+        let r = Vector3::from(self.centre);
+        let moment = r * self.mass;
+        Symmetric3 { xx, xy, xz, yy, yz, zz }.plus_diagonal(dot(r, moment)).plus_outer(-r, moment)
+    }
+
+    /// Rejects values with which there is no mechanics: a negative mass, or a negative moment of inertia about some axis, so that a
+    /// body would gain energy by being braked. A body without mass is allowed: its joint tells if it is needed.
+    ///
+    /// Moments of which one exceeds the sum of the others are allowed, too. No body has them, but published robot descriptions do, most
+    /// of them identified from motions or rounded, and every pivot of a sweep is positive with them. [`doubt`](Self::doubt) says so,
+    /// [`System::doubts`](crate::system::System::doubts) lists them, and [`repaired`](Self::repaired) finds the nearest that a body has,
+    /// also where a moment is negative.
+    ///
+    /// # Errors
+    /// [`Fault::NotFinite`], [`Fault::Negative`] or [`Fault::NotSymmetric`].
+    pub fn check(&self) -> Result<(), Fault> {
+        not_negative("mass", self.mass)?;
+        finite("mass centre", &self.centre)?;
+        self.about_centre.iter().try_for_each(|row| finite("inertia tensor", row))?;
+        let (j, slack) = (self.about_centre.map(|row| row.map(T::real)), self.slack());
+        if [(0, 1), (0, 2), (1, 2)].iter().any(|(a, b)| (j[*a][*b] - j[*b][*a]).abs() > slack) {
+            return Err(Fault::NotSymmetric { parameter: "inertia tensor" });
+        }
+        let least = SecondMoments::of(self).least_moment();
+        if least < -slack {
+            return Err(Fault::Negative { parameter: "principal moment of inertia", value: least.as_f64() });
+        }
+        Ok(())
+    }
+}
+
+/// Fails where a value is NaN or infinite.
+pub(super) fn finite<T: Scalar>(parameter: &'static str, values: &[T]) -> Result<(), Fault> {
+    if values.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(Fault::NotFinite { parameter }) }
+}
+
+/// Fails where a value is NaN, infinite or negative.
+pub(super) fn not_negative<T: Scalar>(parameter: &'static str, value: T) -> Result<(), Fault> {
+    finite(parameter, &[value])?;
+    if value.real() < T::Real::zero() {
+        return Err(Fault::Negative { parameter, value: value.real().as_f64() });
+    }
+    Ok(())
+}
+
+/// Fails where a value is NaN, infinite, zero or negative.
+pub(super) fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(), Fault> {
+    finite(parameter, &[value])?;
+    if value.real() <= T::Real::zero() {
+        return Err(Fault::NotPositive { parameter, value: value.real().as_f64() });
+    }
+    Ok(())
+}
+
+lift!(Inertia { mass, centre, about_centre });

@@ -1,0 +1,64 @@
+//! Mechanics in space: bodies, joints, ends and motions, as the front page [`spatial`](crate::spatial) shows them.
+
+mod angles;
+mod axial;
+mod axial_walks;
+mod ball;
+mod beam;
+mod body;
+mod cylindrical;
+mod elastic_hinge;
+mod ends;
+mod frame;
+mod inertia;
+mod isometry;
+mod joint;
+mod kinematics;
+mod linear_hinge;
+mod loads;
+mod loops;
+pub mod maps;
+mod point_mass;
+mod prismatic;
+mod release;
+mod revolute;
+mod rigid_body;
+mod rod;
+mod rotary_spring;
+mod rotation;
+mod second_moments;
+mod sensitive;
+mod spring;
+mod station;
+mod transfer;
+mod turning;
+mod universal;
+mod weld;
+
+pub use crate::relation::spatial::Spatial;
+pub use crate::spring::Spring;
+pub use ball::Ball;
+pub use beam::{Beam, Segments};
+pub use body::{Body, Pose};
+pub use cylindrical::Cylindrical;
+pub use elastic_hinge::{ElasticBall, ElasticHinge};
+pub use ends::{
+    Attitude, AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning,
+};
+pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Turn};
+pub use inertia::Inertia;
+pub use joint::Joint;
+pub use linear_hinge::Linear;
+pub use loads::{Drive, Effort, Wrench};
+pub use loops::ClosedLoop;
+pub use point_mass::PointMass;
+pub use prismatic::Prismatic;
+pub use release::Release;
+pub use revolute::Revolute;
+pub use rigid_body::RigidBody;
+pub use rod::Rod;
+pub use rotary_spring::{RotaryLaw, RotarySpring};
+pub use rotation::Rotation;
+pub use station::{Station, index};
+pub use universal::Universal;
+pub use weld::Weld;

@@ -1,0 +1,74 @@
+//! A point mass on a massless link.
+
+use super::inertia::{not_negative, positive};
+use super::{Body, Inertia, Pose, Spatial, Turn};
+use crate::error::Fault;
+use crate::lift::lift;
+use crate::relation::spatial::{Full, Relation};
+use crate::scalar::Scalar;
+
+/// A point mass at the outboard end of a massless rigid link along the x axis: the bob of a mathematical pendulum.
+///
+/// Nothing resists its spin about the link, so it hangs from joints that do not let it spin: a [`Universal`](super::Universal) or a
+/// [`Revolute`](super::Revolute), not a ball.
+///
+/// ```
+/// use catena::spatial::{Body, PointMass};
+/// let bob = PointMass::new(1.5, 0.2); // length (m), mass (kg)
+/// assert_eq!(bob.inertia().centre, [1.5, 0.0, 0.0]);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct PointMass<T> {
+    length: T,
+    mass: T,
+    /// In a scene the mass together with what its outboard neighbour lumps there.
+    lumped: T,
+}
+
+impl<T: Scalar> PointMass<T> {
+    /// A point mass (kg) at the end of a massless link with a length (m).
+    pub fn new(length: T, mass: T) -> Self {
+        Self { length, mass, lumped: mass }
+    }
+}
+
+impl<T: Scalar> Body<T> for PointMass<T> {
+    fn inertia(&self) -> Inertia<T> {
+        let about_centre = [[T::zero(); 3]; 3];
+        Inertia { mass: self.mass, centre: self.outboard(), about_centre }
+    }
+
+    fn outboard(&self) -> [T; 3] {
+        [self.length, T::zero(), T::zero()]
+    }
+
+    fn lump(&mut self, mass: T) -> T {
+        self.lumped = self.mass + mass;
+        T::zero()
+    }
+
+    const AXES: bool = false;
+
+    #[inline(always)]
+    fn pose(&self, turn: &Turn<T>) -> Pose<T> {
+        Pose::with_arm(turn, turn.attitude.x * self.length)
+    }
+
+    #[inline(always)]
+    fn condense<R: Relation<Spatial<T>>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures> {
+        outer.with_mass(self.lumped).carried(pose.arm, pose.centripetal)
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        positive("length", self.length)?;
+        not_negative("mass", self.mass)
+    }
+}
+
+impl<T: PartialEq> PartialEq for PointMass<T> {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.length, &self.mass) == (&other.length, &other.mass)
+    }
+}
+
+lift!(PointMass { length, mass, lumped });

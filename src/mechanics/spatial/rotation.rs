@@ -1,0 +1,224 @@
+//! Attitudes as unit quaternions.
+//!
+//! # Steps
+//!
+//! A rule steps an attitude R in coordinates of the step: R = R₀ ∘ p with p = (√(1 − v²/4), v/2), so that v points along the axis
+//! and has length 2 sin(φ/2) for an angle φ. At the start v = 0, v̇ = ω and v̈ = ω̇ (body axes); later
+//!
+//! ```text
+//! v̇ = p₀ ω + ½ v × ω        v̈ = p₀ ω̇ + ½ v × ω̇ − ¼ ω² v
+//! ```
+//!
+//! which is the vector part of the quaternion's own linear equation. Smooth coordinates keep the order of any rule, and these cost
+//! one root and no sine; a steady spin is an entire function in them. They end at half a turn in one step, where the root is not a
+//! number and the step is refused.
+
+use crate::error::{Error, Fault};
+use crate::lift::Lift;
+use crate::mirror::{Position, Term};
+use crate::relation::spatial::algebra::{Columns, add_scaled, cross, cross_onto, dot};
+use crate::scalar::{Real, Scalar};
+use nalgebra::Vector3;
+use num_traits::{One, Zero};
+
+/// An attitude: a unit quaternion that turns body axes into inertial (or inboard) axes.
+///
+/// ```
+/// use catena::spatial::Rotation;
+/// let tilted = Rotation::from_angles([0.1, 0.2, -0.3]); // angles 1-2-3 (rad)
+/// assert!((tilted.angles()[1] - 0.2_f64).abs() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotation<T> {
+    pub(super) w: T,
+    pub(super) v: Vector3<T>,
+}
+
+impl<T: Scalar> Default for Rotation<T> {
+    fn default() -> Self {
+        Self::identity()
+    }
+}
+
+impl<T: Scalar> Rotation<T> {
+    /// Unturned.
+    pub fn identity() -> Self {
+        Self { w: T::one(), v: Vector3::new(T::zero(), T::zero(), T::zero()) }
+    }
+
+    /// From a quaternion `[w, x, y, z]` of any length.
+    ///
+    /// # Errors
+    /// [`Fault::NotFinite`], or [`Fault::NotPositive`] for a quaternion without length.
+    pub fn from_quaternion([w, x, y, z]: [T; 4]) -> Result<Self, Error> {
+        let v = Vector3::new(x, y, z);
+        let square = w * w + dot(v, v);
+        if !square.is_finite() {
+            return Err(Error::new(Fault::NotFinite { parameter: "quaternion" }));
+        }
+        if square.real() <= T::Real::zero() {
+            return Err(Error::new(Fault::NotPositive { parameter: "length of the quaternion", value: 0.0 }));
+        }
+        let inverse = square.sqrt().recip();
+        Ok(Self { w: w * inverse, v: v * inverse })
+    }
+
+    /// The quaternion `[w, x, y, z]`, of length one.
+    pub fn quaternion(&self) -> [T; 4] {
+        [self.w, self.v.x, self.v.y, self.v.z]
+    }
+
+    /// This rotation after `inner`: R(self) R(inner).
+    #[inline(always)]
+    #[must_use]
+    pub fn after(&self, inner: &Self) -> Self {
+        let (a, b) = (self, inner);
+        Self { w: a.w.mul_add(b.w, -dot(a.v, b.v)), v: cross_onto(a.v, b.v, add_scaled(a.v * b.w, a.w, b.v)) }
+    }
+
+    /// The rotation back.
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        Self { w: self.w, v: -self.v }
+    }
+
+    /// The rotation of `self` as seen from `base`: R(base)ᵀ R(self).
+    #[inline(always)]
+    #[must_use]
+    pub fn relative_to(&self, base: &Self) -> Self {
+        base.inverse().after(self)
+    }
+
+    /// Body axes in inertial axes, as columns: the matrix A.
+    #[inline(always)]
+    pub fn matrix(&self) -> Columns<T> {
+        let (w, x, y, z) = (self.w, self.v.x, self.v.y, self.v.z);
+        let one = T::one();
+        let (x2, y2, z2) = (x + x, y + y, z + z);
+        let (xx, yy, zz) = (x2 * x, y2 * y, z2 * z);
+        let (xy, xz, yz) = (x2 * y, x2 * z, y2 * z);
+        let (wx, wy, wz) = (x2 * w, y2 * w, z2 * w);
+        Columns {
+            x: Vector3::new(one - yy - zz, xy + wz, xz - wy),
+            y: Vector3::new(xy - wz, one - xx - zz, yz + wx),
+            z: Vector3::new(xz + wy, yz - wx, one - xx - yy),
+        }
+    }
+
+    /// A vector of body axes in inertial axes.
+    pub fn turned(&self, vector: [T; 3]) -> [T; 3] {
+        self.matrix().apply(Vector3::from(vector)).into()
+    }
+
+    /// The length brought back to one, where it is one but for rounding: a step of Newton's, without root or branch. Derivatives
+    /// along the quaternion vanish.
+    #[inline(always)]
+    fn normalised(self) -> Self {
+        let square = self.w.mul_add(self.w, dot(self.v, self.v));
+        let factor = T::literal(1.5) - square.scale(T::Real::of(0.5));
+        Self { w: self.w * factor, v: self.v * factor }
+    }
+
+    /// The rotation that coordinates v of a step stand for.
+    #[inline(always)]
+    fn of_step(v: Vector3<T>) -> Self {
+        let half = v * T::literal(0.5);
+        Self { w: (T::one() - dot(half, half)).sqrt(), v: half }
+    }
+
+    #[inline(always)]
+    fn stepped(&self, step: Vector3<T>) -> Self {
+        self.after(&Self::of_step(step))
+    }
+}
+
+impl<T: Scalar> Position<T> for Rotation<T> {
+    type Rate = [T; 3];
+
+    #[inline(always)]
+    fn drift_0(&mut self, from: &Self, (time, rate): Term<'_, T, [T; 3]>) {
+        // Not normalised: for no time this is a copy, which must be one to the last bit.
+        *self = from.stepped(Vector3::from(*rate).map(|x| x.scale(time)));
+    }
+    #[inline(always)]
+    fn drift_1(&mut self, from: &Self, (time, rate): Term<'_, T, [T; 3]>, (u, a): Term<'_, T, [T; 3]>) {
+        let step = core::array::from_fn(|i| rate[i].scale(time).add_scaled(u, a[i]));
+        *self = from.stepped(Vector3::from(step)).normalised();
+    }
+    #[inline(always)]
+    fn drift_2(
+        &mut self,
+        from: &Self,
+        (time, rate): Term<'_, T, [T; 3]>,
+        (u, a): Term<'_, T, [T; 3]>,
+        (v, b): Term<'_, T, [T; 3]>,
+    ) {
+        let step = core::array::from_fn(|i| rate[i].scale(time).add_scaled(u, a[i]).add_scaled(v, b[i]));
+        *self = from.stepped(Vector3::from(step)).normalised();
+    }
+    #[inline(always)]
+    fn measure(&self, displacement: &[T; 3], note: &mut impl FnMut(T, T::Real)) {
+        displacement.iter().for_each(|x| note(*x, T::Real::zero()));
+    }
+    #[inline(always)]
+    fn apart(&self, from: &Self, displacement: &mut [T; 3]) {
+        let step = self.relative_to(from).shortest();
+        *displacement = (step.v + step.v).into();
+    }
+    #[inline(always)]
+    fn displace(&mut self, step: &[T; 3]) {
+        *self = self.stepped(Vector3::from(*step)).normalised();
+    }
+    #[inline(always)]
+    fn visit(&self, visit: &mut impl FnMut(T)) {
+        self.quaternion().into_iter().for_each(visit);
+    }
+    #[inline(always)]
+    fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
+        *self = Self { w: make(self.w), v: self.v.map(make) };
+    }
+    #[inline(always)]
+    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
+        self.quaternion().iter().zip(other.quaternion()).all(|(a, b)| test(*a, b))
+    }
+    /// A quaternion whose length is one but for rounding stays as it is, to the last bit.
+    fn normalise(&mut self) -> bool {
+        let square = self.w.mul_add(self.w, dot(self.v, self.v)).real();
+        if (square - T::Real::one()).abs() <= T::Real::EPSILON * T::Real::of(64.0) {
+            return true;
+        }
+        Self::from_quaternion(self.quaternion()).is_ok_and(|unit| {
+            *self = unit;
+            true
+        })
+    }
+
+    const CURVED: bool = true;
+
+    // ω = p₀ v̇ + ¼ v (v · v̇) / p₀ − ½ v × v̇
+    #[inline(always)]
+    fn retract_rate(&self, from: &Self, rate: &mut [T; 3]) {
+        let step = self.relative_to(from);
+        let derivative = Vector3::from(*rate);
+        let along = dot(step.v, derivative) / step.w;
+        let turned = cross_onto(derivative, step.v, derivative * step.w);
+        *rate = add_scaled(turned, along, step.v).into();
+    }
+
+    #[inline(always)]
+    fn inverse_retract_acceleration(&self, from: &Self, rate: &[T; 3], acceleration: &mut [T; 3]) {
+        let step = self.relative_to(from);
+        let (spin, angular) = (Vector3::from(*rate), Vector3::from(*acceleration));
+        let square = dot(spin, spin).scale(T::Real::of(-0.5));
+        let second = add_scaled(angular * step.w, square, step.v);
+        *acceleration = (second + cross(step.v, angular)).into();
+    }
+}
+
+impl<T: Scalar, U: Scalar> Lift<T, U> for Rotation<T> {
+    type Over = Rotation<U>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Rotation<U> {
+        Rotation { w: number(self.w), v: Vector3::new(number(self.v.x), number(self.v.y), number(self.v.z)) }
+    }
+}

@@ -1,0 +1,56 @@
+//! Space: thirteen-state vectors `[r, θ, m, q, 1]`, rigid bodies, joints and ends.
+//!
+//! Names are those of [`planar`](crate::planar). Attitudes are unit quaternions and have no singular place; the paper's angles 1-2-3
+//! serve for input and output.
+//!
+//! ```
+//! use catena::spatial::*;
+//!
+//! let rod = Rod::uniform(1.0, 0.05, 1.0); // length, radius (m), mass (kg)
+//! let pendulum = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity([0.0, -9.81, 0.0]);
+//! let start = pendulum.at_rest(&[0.0, 0.0, -1.0, 0.0, 0.3, -0.5])?; // absolute angles 1-2-3 of both bodies (rad)
+//! let run = pendulum.simulate(start, Dop853::tolerance(1e-10), 1.0, |now| println!("{:?}", now.angles()))?;
+//! # Ok::<(), catena::Error>(())
+//! ```
+//!
+//! Attitudes and places come from nalgebra and go there by `from` and `into`:
+//!
+//! ```
+//! use catena::nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
+//! use catena::spatial::*;
+//!
+//! // A wall bracket 2 m up, turned by 30 degrees about z, and on it a flap on a hinge.
+//! let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 30_f64.to_radians());
+//! let wall = Isometry3::from_parts(Translation3::new(0.0, 0.0, 2.0), turned);
+//! let flap = Rod::uniform(0.5, 0.02, 1.0);
+//! let hinge = Revolute::about([0.0, 1.0, 0.0]);
+//! let scene = System::new(Clamped::from(wall), (flap, hinge, flap), Free)?.with_gravity([0.0, 0.0, -9.81]);
+//! let start = scene.motion();
+//!
+//! let bodies = scene.body_motions(&start)?;
+//! if let Some(outer) = bodies.get(1) {
+//!     let tip = Isometry3::from(*outer) * Point3::new(0.5, 0.0, 0.0); // from axes of the body to inertial ones
+//!     assert!((tip - Point3::new(0.75_f64.sqrt(), 0.5, 2.0)).norm() < 1e-15);
+//! }
+//! # Ok::<(), catena::Error>(())
+//! ```
+
+pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
+pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
+pub use crate::mechanics::spatial::{
+    Acceleration, Attitude, AttitudeMotion, Ball, Beam, BodyMotion, Clamped, ClosedLoop, Cylindrical, Effort,
+    ElasticBall, ElasticHinge, Floating, Frame, Free, Ground, GroundMotion, Hinged, Inertia, Internal, JointMotion,
+    Linear, Moving, Pinned, PointMass, Prismatic, Revolute, RigidBody, Rod, RotaryLaw, RotarySpring, Rotation,
+    Segments, Station, Turn, Turning, Universal, Weld, Wrench, index, maps,
+};
+pub use crate::relation::Absent;
+pub use crate::relation::spatial::Spatial;
+pub use crate::relation::spatial::algebra::{Columns, Symmetric3};
+pub use crate::spring::{Spring, SpringLaw};
+pub use crate::stepper::Stepper;
+pub use crate::struts::{Strut, Struts};
+pub use crate::sweep::Springs;
+pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4};
+
+/// A spatial scene.
+pub type System<T, R, C, P> = crate::system::System<Spatial<T>, R, C, P>;
