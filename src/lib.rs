@@ -59,7 +59,7 @@
 //! |---|---|
 //! | 0 | `scalar`, errors, names and numbers, [`StateVector`] and [`TransferMatrix`] |
 //! | 1 | [`Lift`], `mirror`, `relation` (the kernels), `time` (coefficients of the rules), dense algebra in the small |
-//! | 2 | `space`, `loading`, `sweep`, laws of springs, `shape` (what a chain is), `walks` (what is done along it), `visit`, `element` (the contract: read this first), `ends`, `transfer`, turning, motions, `sensitive` and `adjoint` (contracts of derivatives), `series`, `release` and `kinematics` (what a joint says of itself, and how it moves) |
+//! | 2 | `space`, `loading`, `sweep`, laws of springs, `shape` (what a chain is), `walks` (what is done along it), `visit`, `element` (the contract: read this first), `ends`, `transfer`, turning, motions, `sensitive` and `adjoint` (the contracts of derivatives), `series`, `release` and `kinematics` (what a joint says of itself, and how it moves) |
 //! | 3 | `chain` (composition: tuples, arrays, vectors, branches, networks), `counts`, `struts` |
 //! | 4 | `mechanics` (bodies, joints and ends in the plane and in space) |
 //! | 5 | `solve`, `observe` |
@@ -107,6 +107,7 @@ pub mod planar;
 mod relation;
 mod release;
 pub mod scalar;
+mod sealed;
 mod sensitive;
 pub mod sensitivity;
 mod series;

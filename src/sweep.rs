@@ -3,6 +3,7 @@
 use crate::loading::Loading;
 use crate::relation::{Closures, Coefficient, Open};
 use crate::scalar::Scalar;
+use crate::sealed::Sealed;
 use crate::space::Space;
 use core::marker::PhantomData;
 
@@ -26,7 +27,7 @@ impl<S: Space, L: Loading<S>, K: Springs<S::Scalar>, C: Closures> Sweep<S> for C
 }
 
 /// How springs enter a sweep.
-pub trait Springs<T: Scalar>: Copy {
+pub trait Springs<T: Scalar>: Sealed + Copy {
     /// Whether springs add to pivots. Where they are torques given instead, gains are those of absolute angles.
     const STIFF: bool;
 
@@ -37,6 +38,8 @@ pub trait Springs<T: Scalar>: Copy {
 /// Springs as torques of the state given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Explicit;
+
+impl Sealed for Explicit {}
 
 impl<T: Scalar> Springs<T> for Explicit {
     const STIFF: bool = false;
@@ -78,6 +81,8 @@ impl<P, V> Clone for Reading<'_, P, V> {
     }
 }
 impl<P, V> Copy for Reading<'_, P, V> {}
+
+impl<R> Sealed for Implicit<R> {}
 
 impl<T: Scalar> Springs<T> for Implicit<T::Real> {
     const STIFF: bool = true;

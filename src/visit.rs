@@ -78,6 +78,7 @@ pub struct Closed<S: Space> {
     /// The force and torque that the joint passes on.
     pub internal: WrenchOf<S>,
     /// Number of conditions that the joint imposes.
+    #[cfg_attr(not(feature = "alloc"), allow(dead_code))] // read where there is an allocator
     pub conditions: usize,
     /// Residuals of these conditions, in place and in velocity; the numbers after them are zero.
     pub residual: [S::Numbers; 2],

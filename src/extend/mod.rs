@@ -97,7 +97,8 @@
 //! # Ok::<(), catena::Error>(())
 //! ```
 //!
-//! An end that holds in another way implements [`Root`](crate::system::Root) or [`Tip`](crate::system::Tip).
+//! A root that holds in another way implements [`Root`](crate::system::Root): a joint, and a ground. A tip
+//! ([`Tip`](crate::system::Tip)) has the relation of one of this crate, `<Pinned<[f64; 2]> as Tip<_>>::Relation`.
 
 #[cfg(feature = "std")]
 mod check;
@@ -110,6 +111,7 @@ pub use check::{Disagreement, Doubt, check_element};
 
 /// What [`joint!`](crate::joint) calls.
 pub mod model {
+    pub use crate::ends::{Held, Loose};
     pub use crate::kinematics::{check, condense, motion, recover, release};
 }
 pub use crate::kinematics::{Acting, Driving, JointModel, Kinematics, Outboard, Resistance};

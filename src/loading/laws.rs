@@ -3,10 +3,11 @@
 use super::count;
 use crate::error::Fault;
 use crate::relation::{Absent, Additive, Part};
+use crate::sealed::Sealed;
 use crate::space::{RealOf, Space};
 
 /// The motion of a body or joint at an instant, which tells the space that it belongs to and what can act there.
-pub trait Seen: Copy {
+pub trait Seen: Sealed + Copy {
     /// The space.
     type Space: Space;
     /// What acts: on a body a wrench, in a joint an effort.

@@ -5,13 +5,14 @@
 
 use super::{Absent, Acceleration, Full, Wrench};
 use crate::scalar::Scalar;
+use crate::sealed::Sealed;
 use core::fmt::Debug;
 use core::ops::{Add, Neg, Sub};
 
 /// The numbers of a space, and their products. All else of a relation is written in these words.
 ///
 /// Implemented by `Planar<T>` and `Spatial<T>`: no type of a user's does.
-pub trait Geometry: Copy + Debug + PartialEq + 'static {
+pub trait Geometry: Sealed + Copy + Debug + PartialEq + 'static {
     /// The numbers of the scene.
     type Scalar: Scalar;
     /// Places, velocities, forces.

@@ -6,6 +6,7 @@ use crate::ends::{Root, Tip};
 use crate::mechanics::planar::Planar;
 use crate::mechanics::spatial::Spatial;
 use crate::scalar::Scalar;
+use crate::sealed::Sealed;
 use nalgebra::{Vector2, Vector3};
 
 impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> System<Planar<T>, R, C, P> {
@@ -31,16 +32,20 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
     label = "along which axis?",
     note = "write `[0.0, 0.0, -9.81]` where z points up"
 )]
-pub trait Gravity<T> {
+pub trait Gravity<T>: Sealed {
     /// Gravity as a vector (m/s²), inertial axes.
     fn vector(self) -> Vector3<T>;
 }
+
+impl<T> Sealed for [T; 3] {}
 
 impl<T: Scalar> Gravity<T> for [T; 3] {
     fn vector(self) -> Vector3<T> {
         Vector3::from(self)
     }
 }
+
+impl<T> Sealed for Vector3<T> {}
 
 impl<T: Scalar> Gravity<T> for Vector3<T> {
     fn vector(self) -> Self {

@@ -1,5 +1,7 @@
 //! How a rule chooses its steps.
 
+use crate::sealed::Sealed;
+
 /// A method and its choice of steps, for example `Dop853::tolerance(1e-12)` or `Rk4::step(1e-3)`: what a run is made by.
 ///
 /// A [`Stepper`](crate::stepper::Stepper) takes the method alone, `Dop853` or `Rk4`: it is told the size of every step.
@@ -17,13 +19,15 @@ pub struct Rule<M, R> {
     label = "a method alone",
     note = "a run takes a rule: `Rk4::step(0.001)` for steps of one size (s), `Dop853::tolerance(1e-9)` for error control"
 )]
-pub trait IntoRule<R> {
+pub trait IntoRule<R>: Sealed {
     /// The method.
     type Method;
 
     /// The rule.
     fn into_rule(self) -> Rule<Self::Method, R>;
 }
+
+impl<M, R> Sealed for Rule<M, R> {}
 
 impl<M, R> IntoRule<R> for Rule<M, R> {
     type Method = M;

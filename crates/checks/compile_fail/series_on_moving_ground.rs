@@ -7,7 +7,7 @@ use catena::planar::*;
 fn main() -> Result<(), catena::Error> {
     let rod = Rod::uniform(1.0, 1.0);
     let still = GroundMotion { place: [0.0_f64; 2], velocity: [0.0; 2], acceleration: [0.0; 2] };
-    let scene = System::new(Pinned(Moving(move |_: f64| still)), (rod, Pin, rod), Free)?;
+    let scene = System::new(Pinned::on(Moving(move |_: f64| still)), (rod, Pin, rod), Free)?;
     Taylor::<12>::knows(&scene);
     Ok(())
 }

@@ -26,6 +26,8 @@ impl<T: Scalar> BodyMotion<T> {
     }
 }
 
+impl<T> crate::sealed::Sealed for BodyMotion<T> {}
+
 impl<T: Scalar> Seen for BodyMotion<T> {
     type Space = Planar<T>;
     type Load = Wrench<T>;
@@ -34,6 +36,8 @@ impl<T: Scalar> Seen for BodyMotion<T> {
         Self { inboard: self.inboard.without_acceleration(), ..*self }
     }
 }
+
+impl<T> crate::sealed::Sealed for JointMotion<T> {}
 
 impl<T: Scalar> Seen for JointMotion<T> {
     type Space = Planar<T>;

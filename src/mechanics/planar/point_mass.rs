@@ -15,7 +15,7 @@ use num_traits::Zero;
 /// the pivot Ū₄₃ vanishes. A condensed relation has the pivot n·S n > 0 instead.
 ///
 /// ```
-/// use catena::planar::{Body, PointMass};
+/// use catena::planar::PointMass;
 /// let bob = PointMass::new(1.5, 0.2); // length (m), mass (kg)
 /// assert_eq!(bob.inertia().centre, [1.5, 0.0]);
 /// ```

@@ -12,7 +12,7 @@ use nalgebra::Vector2;
 /// (a flywheel). A body whose mass centre lies on the line between its ends is cheaper as a [`Rod`](super::Rod).
 ///
 /// ```
-/// use catena::planar::{Body, RigidBody};
+/// use catena::planar::RigidBody;
 /// // A plate: mass (kg), moment of inertia about the mass centre (kg·m²), mass centre and outboard end (m).
 /// let plate = RigidBody::new(2.0, 0.3, [0.4, 0.1], [0.8, -0.2]);
 /// assert_eq!(plate.inertia().mass, 2.0);

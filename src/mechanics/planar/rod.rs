@@ -14,7 +14,7 @@ use nalgebra::Vector2;
 /// and the length are all that a sweep reads.
 ///
 /// ```
-/// use catena::planar::{Body, Rod};
+/// use catena::planar::Rod;
 /// let rod = Rod::uniform(2.0, 3.0);
 /// assert_eq!(rod.inertia().about_centre, 1.0); // m l² / 12
 /// ```

@@ -13,7 +13,7 @@ use crate::scalar::Scalar;
 /// [`Revolute`](super::Revolute), not a ball.
 ///
 /// ```
-/// use catena::spatial::{Body, PointMass};
+/// use catena::spatial::PointMass;
 /// let bob = PointMass::new(1.5, 0.2); // length (m), mass (kg)
 /// assert_eq!(bob.inertia().centre, [1.5, 0.0, 0.0]);
 /// ```

@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 /// that is alike around the line between its ends, its mass centre on that line, is cheaper as a [`Rod`](super::Rod).
 ///
 /// ```
-/// use catena::spatial::{Body, RigidBody};
+/// use catena::spatial::RigidBody;
 /// // Mass (kg), inertia tensor about the mass centre (kg·m²), mass centre and outboard end (m).
 /// let tensor = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]];
 /// let body = RigidBody::new(1.0, tensor, [0.5, 0.03, -0.02], [1.0, 0.0, 0.0]);
@@ -50,7 +50,7 @@ impl<T: Real> RigidBody<T> {
     /// This body with the nearest inertia that a body has: see [`Inertia::repaired`].
     ///
     /// ```
-    /// use catena::spatial::{Body, RigidBody};
+    /// use catena::spatial::RigidBody;
     /// // From a robot description file, rounded: 0.012 and 0.004 are less than 0.0161.
     /// let tensor = [[0.0161, 0.0, 0.0], [0.0, 0.012, 0.0], [0.0, 0.0, 0.004]];
     /// let link = RigidBody::new(0.8, tensor, [0.05, 0.0, 0.0], [0.1, 0.0, 0.0]);

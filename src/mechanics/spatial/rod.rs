@@ -15,7 +15,7 @@ use crate::scalar::{Real, Scalar};
 /// uniform rod. A rod on a [`Ball`](super::Ball) needs a moment of inertia along its axis, for nothing else resists the spin.
 ///
 /// ```
-/// use catena::spatial::{Body, Rod};
+/// use catena::spatial::Rod;
 /// let rod = Rod::uniform(2.0, 0.5, 3.0); // length, radius (m), mass (kg)
 /// assert_eq!(rod.inertia().about_centre[0][0], 0.375); // m r² / 2
 /// ```

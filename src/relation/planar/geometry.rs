@@ -18,6 +18,8 @@ impl<T> fmt::Debug for Planar<T> {
     }
 }
 
+impl<T> crate::sealed::Sealed for Planar<T> {}
+
 impl<T: Scalar> Geometry for Planar<T> {
     type Scalar = T;
     type Vector = Vector2<T>;

@@ -18,6 +18,8 @@ impl<T> fmt::Debug for Spatial<T> {
     }
 }
 
+impl<T> crate::sealed::Sealed for Spatial<T> {}
+
 impl<T: Scalar> Geometry for Spatial<T> {
     type Scalar = T;
     type Vector = Vector3<T>;

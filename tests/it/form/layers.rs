@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// Modules from the ground up. What they are is said in the crate's own page.
 const FLOORS: [&[&str]; 9] = [
-    &["scalar", "error", "names", "state", "tuples"],
+    &["scalar", "sealed", "error", "names", "state", "tuples"],
     &["mirror", "relation", "time", "lift", "dense"],
     &[
         "space",
@@ -23,8 +23,8 @@ const FLOORS: [&[&str]; 9] = [
         "turning",
         "motion",
         "sensitive",
-        "adjoint",
         "series",
+        "adjoint",
         "release",
         "kinematics",
     ],
