@@ -100,7 +100,7 @@ struct Stage<S: Reversed, E: Element<S>> {
 /// | DOP853, 20 | 2.8 | 3.4 | 3.3 | 94 | 2.5 | 3.0 | 2.9 | 175 |
 /// | DOP853, 100 | 2.7 | 3.4 | 3.3 | 78 | 2.4 | 3.0 | 2.9 | 168 |
 ///
-/// However many derivatives there are, and however long the run. (Two cores shared with other work: times are the least of 400.)
+/// One costate serves any number of derivatives; how the cost depends on their number and on the length of runs was not measured. (Two cores shared with other work: times are the least of 400.)
 pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P, M: Explicit> {
     scene: &'s System<S, R, C, P>,
     sizes: <Elements<S, R, C> as Shape<S>>::Store<PerAxes<S::Size>>,

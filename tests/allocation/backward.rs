@@ -3,7 +3,7 @@
 use crate::counting::allocations;
 use catena::Error;
 use catena::planar::*;
-use catena::scalar::{Jet, Scalar};
+use catena::scalar::Jet;
 
 #[test]
 fn gradients_allocate_nothing() -> Result<(), Error> {

@@ -8,6 +8,7 @@ impl Noise {
         Self(seed)
     }
 
+    #[allow(clippy::should_implement_trait)] // it never ends
     pub fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
