@@ -9,7 +9,6 @@ use catena::system::Element;
 use catena::system::Rate;
 use catena::system::{Dynamics, MotionOf, Runs};
 use catena::{Error, Fault, planar, spatial};
-use catena_oracle;
 use core::cell::Cell;
 
 fn refused<X: core::fmt::Debug>(outcome: Result<X, Error>, expected: usize, given: usize) {
