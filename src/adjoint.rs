@@ -20,7 +20,8 @@
 //! pull back    tip → root   G and F; costates of positions, rates, parameters       walks::pull_back
 //! ```
 //!
-//! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics (`planar/adjoint/`).
+//! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics
+//! (`mechanics/planar/adjoint/`).
 
 use crate::element::{Element, Space};
 use crate::ends::{Root, Tip};

@@ -1,6 +1,6 @@
 //! Chains of rods with other joints and ends than those of the main table: beside the pin chain with a free tip.
 
-use crate::scenes::{Case, GRAVITY, Library, Link, Row, state};
+use crate::scenes::{Case, Evaluated, GRAVITY, Link, Row, state};
 use catena::internals::element::{Implicit, Reading};
 use catena::loading::Unloaded;
 use catena::planar::*;
@@ -82,7 +82,7 @@ macro_rules! row {
         }
     };
     (explicit $scene:ident) => {
-        Library::new($scene, Unloaded)
+        Evaluated::new($scene, Unloaded)
     };
     (implicit $scene:ident) => {
         Stiff::new($scene)

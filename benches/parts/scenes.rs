@@ -62,7 +62,8 @@ pub fn state(i: usize) -> (f64, f64) {
     (-0.3 + 0.5 * i.sin(), 0.5 * i.cos())
 }
 
-pub struct Library<D: Dynamics<L>, L> {
+/// A scene at one motion, evaluated by the library.
+pub struct Evaluated<D: Dynamics<L>, L> {
     scene: D,
     loads: L,
     pub position: D::Position,
@@ -71,7 +72,7 @@ pub struct Library<D: Dynamics<L>, L> {
     acceleration: D::Rate,
 }
 
-impl<T: Scalar<Real = f64>, L, D: Dynamics<L, Scalar = T>> Library<D, L> {
+impl<T: Scalar<Real = f64>, L, D: Dynamics<L, Scalar = T>> Evaluated<D, L> {
     pub fn new(scene: D, loads: L) -> Self {
         Self::of(scene, loads, (0..).map(|i| state(i).0), (0..).map(|i| state(i).1))
     }
@@ -107,7 +108,7 @@ fn sweep_once<D: Dynamics<L, Scalar: Scalar<Real = f64>>, L>(
     scene.accelerations(time, position, rate, loads, workspace, acceleration);
 }
 
-impl<T: Scalar<Real = f64>, L, D: Dynamics<L, Scalar = T>> Case for Library<D, L> {
+impl<T: Scalar<Real = f64>, L, D: Dynamics<L, Scalar = T>> Case for Evaluated<D, L> {
     fn sweep(&mut self, times: usize) {
         for _ in 0..times {
             let Self { scene, loads, position, rate, workspace, acceleration } = black_box(&mut *self);
@@ -243,7 +244,7 @@ macro_rules! row {
             make: || {
                 let $link = <$Body<$T> as Link<$T>>::link($n);
                 let scene = System::new($root, $chain, Free).unwrap();
-                Box::new(Library::new(scene.with_gravity($T::constant(GRAVITY)), loads!($loads, $n)))
+                Box::new(Evaluated::new(scene.with_gravity($T::constant(GRAVITY)), loads!($loads, $n)))
             },
         }
     };

@@ -1,33 +1,33 @@
 //! The scenes in space: chains of one kind of body and one kind of joint, bent and moving. What checks them is inverse dynamics.
 
 use crate::inverse::{self, Joint};
-use crate::scenes::{Case, GRAVITY, Library, Row};
+use crate::scenes::{Case, Evaluated, GRAVITY, Row};
 use catena::internals::spatial::Body;
 use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::system::Dynamics;
 use catena::system::{Position, Rate};
 
-/// A scene of the library with its accelerations checked.
+/// A scene with its accelerations checked.
 struct Checked<D: Dynamics<Unloaded>> {
-    library: Library<D, Unloaded>,
+    scene: Evaluated<D, Unloaded>,
     body: inverse::Body,
     joints: Vec<Joint>,
 }
 
 impl<D: Dynamics<Unloaded, Scalar = f64>> Case for Checked<D> {
     fn sweep(&mut self, times: usize) {
-        self.library.sweep(times);
+        self.scene.sweep(times);
     }
     fn accelerations(&self) -> Vec<f64> {
-        self.library.accelerations()
+        self.scene.accelerations()
     }
     fn residual(&self) -> Option<f64> {
         let (mut position, mut rate) = (Vec::new(), Vec::new());
-        self.library.position.visit(&mut |x| position.push(x));
-        self.library.rate.visit(&mut |x| rate.push(x));
+        self.scene.position.visit(&mut |x| position.push(x));
+        self.scene.rate.visit(&mut |x| rate.push(x));
         let moments = |second: &[f64]| inverse::moments(&self.body, &self.joints, GRAVITY, &position, &rate, second);
-        let found = self.library.accelerations();
+        let found = self.scene.accelerations();
         let rounded = |(i, x): (usize, &f64)| x * (1.0 + f64::EPSILON * (12.9898 * i as f64).sin());
         let rounded: Vec<f64> = found.iter().enumerate().map(rounded).collect();
         let (left, rounded) = (moments(&found), moments(&rounded));
@@ -79,8 +79,8 @@ fn case<D: Dynamics<Unloaded, Scalar = f64> + 'static>(
     let of = |state: fn(Joint, usize) -> Vec<f64>| {
         joints.iter().enumerate().flat_map(move |(i, joint)| state(*joint, i)).collect::<Vec<f64>>()
     };
-    let library = Library::at(scene, Unloaded, &of(position), &of(rate));
-    Box::new(Checked { library, body, joints })
+    let scene = Evaluated::at(scene, Unloaded, &of(position), &of(rate));
+    Box::new(Checked { scene, body, joints })
 }
 
 /// Link i of n, its share of a chain of length 1 m and mass 1 kg.

@@ -1,7 +1,7 @@
 //! Trees, loops and networks of rods: beside the pin chain with a free tip. What a sweep costs does not depend on whether loops are
 //! closed where it takes place.
 
-use crate::scenes::{GRAVITY, Library, Link, Row};
+use crate::scenes::{Evaluated, GRAVITY, Link, Row};
 use catena::loading::Unloaded;
 use catena::planar::*;
 
@@ -15,7 +15,7 @@ macro_rules! row {
             make: || {
                 let $link = <Rod<f64> as Link<f64>>::link($n);
                 let scene = System::new(Clamped::at(0.0, 0.0, 0.0), $chain, Free).unwrap().with_gravity(GRAVITY);
-                Box::new(Library::new(scene, Unloaded))
+                Box::new(Evaluated::new(scene, Unloaded))
             },
         }
     };

@@ -1,7 +1,7 @@
 //! Motions as plain lists of numbers, and by joint.
 
 use super::Motion;
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, counted, finite};
 use crate::mirror::{Position, Rate};
 use crate::names::JointNumbers;
 use crate::relation::Closures;
@@ -52,13 +52,8 @@ fn replaced<T: Copy>(by: &[T], first: usize, replace: impl FnOnce(&mut dyn FnMut
     k
 }
 
-fn counted(expected: usize, given: usize) -> Result<(), Error> {
-    if expected == given { Ok(()) } else { Err(Error::new(Fault::Count { expected, given })) }
-}
-
-fn finite<T: Scalar>(numbers: &[T], parameter: &'static str) -> Result<(), Error> {
-    let finite = numbers.iter().all(|x| x.is_finite());
-    if finite { Ok(()) } else { Err(Error::new(Fault::NotFinite { parameter })) }
+fn all_finite<T: Scalar>(numbers: &[T], parameter: &'static str) -> Result<(), Error> {
+    finite(numbers.iter().all(|x| x.is_finite()), parameter)
 }
 
 /// Reading and setting of one kind of rates.
@@ -93,7 +88,7 @@ macro_rules! rates {
         /// # Errors
         /// [`Fault::Count`] for a list of another length, [`Fault::NotFinite`]; the motion is then as before.
         pub fn $set_all(&mut self, list: &[T]) -> Result<(), Error> {
-            finite(list, $lower)?;
+            all_finite(list, $lower)?;
             counted(self.rate_count(), list.len())?;
             replaced(list, 0, |make| self.$field.replace(&mut |x| make(x)));
             Ok(())
@@ -106,7 +101,7 @@ macro_rules! rates {
         /// scene; the motion is then as before.
         pub fn $set_of(&mut self, joint: JointNumbers, list: &[T]) -> Result<(), Error> {
             counted(joint.rates().len(), list.len())?;
-            finite(list, $lower)?;
+            all_finite(list, $lower)?;
             if self.rate_count() < joint.rates[1] {
                 return Err(Error::new(Fault::Shape));
             }
@@ -203,7 +198,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
 
     /// Sets coordinates from place `first` on.
     fn place(&mut self, list: &[T], first: usize) -> Result<(), Error> {
-        finite(list, "coordinate")?;
+        all_finite(list, "coordinate")?;
         let mut position = self.position.clone();
         replaced(list, first, |make| position.replace(&mut |x| make(x)));
         if !position.normalise() {

@@ -12,7 +12,7 @@ use super::gradient::{Costate, Gradient};
 use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, counted};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Additive, Open, Wrench};
@@ -266,11 +266,9 @@ where
             self.take_torques(torques, k);
             self.evaluate(state, step);
             self.pull_back_step(state, step, &mut gradient);
-            if !by_torques.is_empty() {
-                let joints = self.scene.joints();
-                let list = &mut by_torques[k * joints..][..joints];
-                unspread::from_joints(elements, &mut self.of_torques, EffortOf::<S>::null(), list);
-            }
+            let joints = self.scene.joints();
+            let list = by_torques.get_mut(k * joints..(k + 1) * joints).unwrap_or_default();
+            unspread::from_joints(elements, &mut self.of_torques, EffortOf::<S>::null(), list);
             cost(k, state, &mut gradient.start)?;
         }
         complete::<S, _>(elements, &mut gradient.bodies);
@@ -285,14 +283,15 @@ where
     /// Refuses lists of torques of another length.
     fn admits(&self, steps: usize, given: usize) -> Result<(), Error> {
         let expected = steps * self.scene.joints();
-        if given == 0 || given == expected { Ok(()) } else { Err(Error::new(Fault::Count { expected, given })) }
+        if given == 0 { Ok(()) } else { counted(expected, given) }
     }
 
-    /// Takes the torques of a step, if there are any.
+    /// Takes the torques of a step: none where none are given, whatever an earlier run was given.
     fn take_torques(&mut self, torques: &[EffortOf<S>], step: usize) {
-        let joints = self.scene.joints();
-        if let Some(torques) = torques.get(step * joints..(step + 1) * joints) {
-            spread::to_joints(self.scene.elements(), torques, &mut self.torques);
+        let (elements, joints) = (self.scene.elements(), self.scene.joints());
+        match torques.get(step * joints..(step + 1) * joints) {
+            Some(torques) => spread::to_joints(elements, torques, &mut self.torques),
+            None => unspread::from_joints(elements, &mut self.torques, EffortOf::<S>::null(), &mut []),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::adjoint::Reversed;
 use crate::element::Element;
-use crate::error::{Error, Fault};
+use crate::error::{Error, counted};
 use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::scalar::Scalar;
@@ -23,7 +23,7 @@ impl<R> Costate<R> {
     /// Adds derivatives by positions and rates, plain lists of all joints from the root on.
     ///
     /// # Errors
-    /// [`Fault::Count`] for lists of another length.
+    /// [`Fault::Count`](crate::Fault::Count) for lists of another length.
     pub fn add<T: Scalar>(&mut self, by_position: &[T], by_rate: &[T]) -> Result<(), Error>
     where
         R: Rate<T>,
@@ -31,9 +31,7 @@ impl<R> Costate<R> {
         for (costate, list) in [(&mut self.position, by_position), (&mut self.rate, by_rate)] {
             let mut expected = 0;
             costate.visit(&mut |_| expected += 1);
-            if list.len() != expected {
-                return Err(Error::new(Fault::Count { expected, given: list.len() }));
-            }
+            counted(expected, list.len())?;
             let mut list = list.iter();
             costate.replace(&mut |x| list.next().map_or(x, |more| x + *more));
         }

@@ -44,7 +44,7 @@ pub use crate::mirror::{Position, Rate};
 pub use crate::space::{RealOf, Space};
 
 use crate::element::{Coordinates, Loading, SpaceOver, Unloaded};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, counted, finite};
 use crate::lift::Lift;
 use crate::motion::Motion;
 use crate::relation::{Additive, Closures, Geometry};
@@ -183,12 +183,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         };
         configure(&self.chain, &mut motion.position, ground.turn, &mut next);
-        if expected != orientations.len() {
-            return Err(Error::new(Fault::Count { expected, given: orientations.len() }));
-        }
-        if !orientations.iter().all(|x| x.is_finite()) {
-            return Err(Error::new(Fault::NotFinite { parameter: "orientation" }));
-        }
+        counted(expected, orientations.len())?;
+        finite(orientations.iter().all(|x| x.is_finite()), "orientation")?;
         Ok(motion)
     }
 
@@ -209,12 +205,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             expected += 1;
             rates.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         });
-        if expected != rates.len() {
-            return Err(Error::new(Fault::Count { expected, given: rates.len() }));
-        }
-        if !rates.iter().all(|x| x.is_finite()) {
-            return Err(Error::new(Fault::NotFinite { parameter: "rate" }));
-        }
+        counted(expected, rates.len())?;
+        finite(rates.iter().all(|x| x.is_finite()), "rate")?;
         Ok(motion)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::element::Element;
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Error, counted, finite};
 use crate::mechanics::planar::{Planar, Turn};
 use crate::mirror::Position;
 use crate::scalar::{Real, Scalar};
@@ -30,12 +30,8 @@ impl<'a, T: Scalar> Feed<'a, T> {
     }
 
     pub(super) fn check(&self, parameter: &'static str) -> Result<(), Error> {
-        let given = self.numbers.len();
-        if self.asked != given {
-            return Err(Error::new(Fault::Count { expected: self.asked, given }));
-        }
-        let finite = self.numbers.iter().all(|x| x.is_finite());
-        if finite { Ok(()) } else { Err(Error::new(Fault::NotFinite { parameter })) }
+        counted(self.asked, self.numbers.len())?;
+        finite(self.numbers.iter().all(|x| x.is_finite()), parameter)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::start::Feed;
 use crate::element::{Element, Turning};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, counted, finite};
 use crate::mechanics::planar::Planar;
 use crate::mechanics::spatial::{Rotation, Spatial};
 use crate::names::Which;
@@ -155,10 +155,6 @@ impl<S: Turning, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 }
 
-fn finite(is: bool, parameter: &'static str) -> Result<(), Error> {
-    if is { Ok(()) } else { Err(Error::new(Fault::NotFinite { parameter })) }
-}
-
 impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> System<Planar<T>, R, C, P> {
     /// This motion with these absolute angular velocities (rad/s), one for each rotary coordinate, root to tip: that of the
     /// body outboard of the joint. Rates of other coordinates are left as they are.
@@ -256,8 +252,4 @@ impl<T: Scalar, R: Root<Spatial<T>>, C: Element<Spatial<T>>, P: Tip<Spatial<T>>>
         outcome?;
         Ok(motion)
     }
-}
-
-fn counted(expected: usize, given: usize) -> Result<(), Error> {
-    if expected == given { Ok(()) } else { Err(Error::new(Fault::Count { expected, given })) }
 }

@@ -310,3 +310,25 @@ fn lists_have_the_length_they_need() {
     let found = fault(backward.gradient(0.01, &[], &[start; 3], &mut [], |_, _, by| by.add(&[1.0], &[])).map(|_| ()));
     assert!(matches!(found, Fault::Count { expected: 2, given: 1 }), "{found:?}");
 }
+
+/// Room that has served under torques serves without them as if it were new.
+#[test]
+fn torques_of_an_earlier_run_are_forgotten() {
+    let rod = Rod::uniform(1.0_f64, 1.0);
+    let system = System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap().with_gravity(9.81);
+    let start = system.at_rest(&[-1.0, -0.5]).unwrap();
+    let mut states = [start; 11];
+    let cost =
+        |step: usize, _: &_, by: &mut Costate<_>| if step == 10 { by.add(&[0.0, 1.0], &[0.5, 0.0]) } else { Ok(()) };
+    let mut backward = system.backward(Rk4);
+    let mut gradient = |under: &[f64], wanted: usize| {
+        let mut by_torques = [0.0; 20];
+        backward.run(&start, 0.05, 10, under, &mut states).unwrap();
+        let found = backward.gradient(0.05, under, &states, &mut by_torques[..wanted], cost).unwrap();
+        (states[10].coordinates(), found.by_position(), found.by_rate(), found.by_gravity().y, by_torques)
+    };
+    let fresh = gradient(&[], 20);
+    let driven = gradient(&[3.0; 20], 0);
+    assert!(driven.0 != fresh.0 && driven.1 != fresh.1);
+    assert!(gradient(&[], 20) == fresh);
+}

@@ -1,0 +1,109 @@
+//! What errors say.
+
+use super::{Cause, Error, Fault, Place};
+use core::fmt;
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Fault::NotPositive { parameter, value } => write!(f, "{parameter} must be positive, but is {value}"),
+            Fault::Negative { parameter, value } => write!(f, "{parameter} must not be negative, but is {value}"),
+            Fault::OutOfRange { parameter, value, least, most, outside } if most.is_finite() => {
+                write!(f, "{parameter} must lie between {least} and {most}, but is {value}: {outside}")
+            }
+            Fault::OutOfRange { parameter, value, least, outside, .. } => {
+                write!(f, "{parameter} must be finite and at least {least}, but is {value}: {outside}")
+            }
+            Fault::NotFinite { parameter } => write!(f, "{parameter} must be finite"),
+            Fault::NotSymmetric { parameter } => write!(f, "{parameter} must be symmetric"),
+            Fault::ImpossibleInertia { excess } => {
+                write!(f, "no body has these moments of inertia: one exceeds the sum of the others by {excess} kg m2")
+            }
+            Fault::ParallelAxes => write!(f, "the axes of the joint are parallel"),
+            Fault::SingularJoint => write!(f, "nothing resists the rotation in this joint (no inertia outboard of it)"),
+            Fault::NonFiniteLoad => write!(f, "a load is not finite"),
+            Fault::NonFiniteMotion => write!(f, "the motion is no longer finite"),
+            Fault::AngleOutOfRange { angle } => write!(f, "the angle {angle} rad is out of range"),
+            Fault::StepTooSmall { step, cause } => write!(f, "a step of {step} s no longer advances time: {cause}"),
+            Fault::NoSuchBody { body, bodies } => {
+                write!(f, "there is no body {body}: the scene has {bodies}, from 0 on")
+            }
+            Fault::NoSuchJoint { joint, joints } => {
+                write!(f, "there is no joint {joint}: the scene has {joints}, from 0 on")
+            }
+            Fault::NoSuchName { what, name } => write!(f, "there is no {what} named {name}"),
+            Fault::AmbiguousName { what, name, count } => {
+                write!(f, "{name} names {count} of kind {what}: reach them by number")
+            }
+            Fault::ImpossibleTurn { residual } => {
+                write!(f, "this joint cannot turn its body so: it misses by {residual} (rad, or rad/s)")
+            }
+            Fault::Count { expected, given } => write!(f, "{expected} values needed, {given} given"),
+            Fault::NoBodies => write!(f, "the chain has no body"),
+            Fault::Shape => write!(f, "the motion belongs to a scene of another shape"),
+            Fault::RedundantClosures { closure, independent, of } => {
+                write!(
+                    f,
+                    "closures are redundant: {independent} of {of} are independent, one that is not holds {closure}"
+                )
+            }
+            Fault::SingularTransfer => write!(
+                f,
+                "no transfer matrix exists: the joint is the centre of percussion of what lies outboard; sweep instead"
+            ),
+            Fault::NotClosed { residual } => {
+                write!(f, "what is held together cannot be brought there from this guess: it misses by {residual}")
+            }
+            Fault::ImpossibleHold { what, residual } => {
+                write!(f, "nothing closes from this guess with the {what} that are to stay: it misses by {residual}")
+            }
+            Fault::NoEquilibrium { residual } => {
+                write!(
+                    f,
+                    "no equilibrium found from this guess: an acceleration of {residual} is left; guess nearer, or let a run with dampers come to rest and begin there"
+                )
+            }
+            Fault::NotAtRest { distance } => write!(f, "the motion is not at rest: rest is about {distance} away"),
+            Fault::NotConservative { asymmetry } => {
+                write!(f, "forces have no potential: the stiffness is asymmetric by {asymmetry}")
+            }
+            Fault::CentreOfPercussion => write!(
+                f,
+                "this pin has no transfer matrix (40), for the outboard end of its body is the centre of percussion; solve by Riccati"
+            ),
+            Fault::SingularAngles { angle } => write!(
+                f,
+                "the angles 1-2-3 are singular where theta2 = {angle} rad is a right angle; let rotation vectors stand in their slot"
+            ),
+            Fault::NotConverged { sweeps } => {
+                write!(f, "the equations of a step are not met after {sweeps} sweeps: take smaller steps")
+            }
+            Fault::Unsupported { what } => write!(f, "this formulation does not know {what}"),
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.fault.fmt(f)?;
+        match self.place {
+            Some(Place::Station(station)) => write!(f, ", at station {station}")?,
+            Some(Place::Root) => write!(f, ", at the root")?,
+            Some(Place::Tip) => write!(f, ", at the tip")?,
+            None => (),
+        }
+        match self.time {
+            Some(time) => write!(f, ", at t = {time} s"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.fault() {
+            Some(fault) => fault.fmt(f),
+            None => write!(f, "its estimated error exceeds the tolerance"),
+        }
+    }
+}
