@@ -28,7 +28,7 @@ use crate::walks::reach::Reach;
 use crate::walks::size::sizes;
 use crate::walks::stir::Stir;
 use crate::walks::{spread, unspread};
-use num_traits::One;
+use num_traits::{One, Zero};
 
 /// Most rows that an explicit method has.
 const ROWS: usize = 16;
@@ -146,15 +146,19 @@ where
     /// Takes the torques of a step: none where none are given, whatever an earlier run was given.
     pub(super) fn take_torques(&mut self, torques: &[EffortOf<S>], step: usize) {
         let (elements, joints) = (self.scene.elements(), self.scene.joints());
-        match torques.get(step * joints..(step + 1) * joints) {
+        let first = if torques.len() == joints { 0 } else { step * joints };
+        match torques.get(first..first + joints) {
             Some(torques) => spread::to_joints(elements, torques, &mut self.torques),
             None => unspread::from_joints(elements, &mut self.torques, EffortOf::<S>::null(), &mut []),
         }
     }
 
-    /// Gives the costates of the torques of a step, and forgets them.
+    /// Gives the costates of the torques of a step, and forgets them; if they are held over all steps, once they are complete.
     pub(super) fn give_torques(&mut self, by_torques: &mut [EffortOf<S>], step: usize) {
         let joints = self.scene.joints();
+        if by_torques.len() == joints && step > 0 {
+            return;
+        }
         let list = by_torques.get_mut(step * joints..(step + 1) * joints).unwrap_or_default();
         unspread::from_joints(self.scene.elements(), &mut self.of_torques, EffortOf::<S>::null(), list);
     }
@@ -234,6 +238,31 @@ where
         gather(&mut gradient.start.position, &self.zero, one, &[1.0; ROWS], of_position);
         gather(&mut self.sum, &self.zero, one, &[1.0; ROWS], of_rate);
         gather(&mut gradient.start.rate, &self.sum, step, &self.nodes, of_position);
+    }
+
+    /// The costate of the size of a step through which costates were pulled back.
+    pub(super) fn of_size(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        record: &Record<S, Elements<S, R, C>, M>,
+    ) -> S::Scalar {
+        let (one, slopes) = (RealOf::<S>::one(), record.accelerations.as_ref());
+        let mut sum = S::Scalar::zero();
+        for row in 0..=M::STAGES {
+            let (position, rate) = row_weights::<M>(row);
+            let (of_position, of_rate) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
+            let mut add = |costate: S::Scalar, slope| {
+                sum += costate * slope;
+                true
+            };
+            self.of_acceleration.mix_1(&self.zero, (RealOf::<S>::of(M::node(row)), &past.rate));
+            gather(&mut self.sum, &self.of_acceleration, step + step, position, slopes);
+            of_position.all(&self.sum, &mut add);
+            gather(&mut self.sum, &self.zero, one, rate, slopes);
+            of_rate.all(&self.sum, &mut add);
+        }
+        sum
     }
 
     /// From the costates of the accelerations of a stage to those of its positions and rates.
