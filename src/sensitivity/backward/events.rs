@@ -54,7 +54,7 @@ where
                 let size = next.time - past.time;
                 self.steps.take_torques(torques, k - 1);
                 let mut cut = |theta: f64| {
-                    self.step_to(past.time + size * RealOf::<S>::of(theta), past, next);
+                    self.steps.step_to(past.time + size * RealOf::<S>::of(theta), past, &mut self.record, next);
                     value(next)
                 };
                 let share = crossing([before, after], |theta| Ok::<_, Error>(cut(theta)))?;

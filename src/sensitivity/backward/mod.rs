@@ -1,6 +1,7 @@
 //! Gradients of runs: one number, computed from a whole run, by everything at once.
 
 mod adaptive;
+mod checkpoints;
 mod events;
 mod steps;
 
@@ -17,6 +18,7 @@ use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 use crate::time::Explicit;
 use crate::walks::complete::complete;
 use crate::walks::fits::fits;
+pub use checkpoints::{Checkpoints, Tape};
 use steps::{Record, Steps};
 
 /// Runs of a scene by an explicit method, and their gradients.
@@ -45,7 +47,8 @@ use steps::{Record, Steps};
 /// The steps are those of the rule itself with loads held over each step, and the gradient is theirs, exact but for rounding at any size of
 /// step. A run goes forward once and keeps its states; the gradient makes each step once more, from the last to the first, and pulls
 /// costates back through the gains of its stages. Room for one step is all that is needed besides the states, and nothing is allocated but
-/// what the vectors of a scene take: room, once, and the gradient.
+/// what the vectors of a scene take: room, once, and the gradient. Of long runs few states are kept:
+/// [`gradient_between`](Self::gradient_between).
 ///
 /// Steps lie between the times of the states: of one size ([`run`](Self::run)), as error control has chosen them
 /// ([`run_adaptive`](Self::run_adaptive)), the last one [cut](Self::cut) at an event ([`gradient_to_event`](Self::gradient_to_event)).
@@ -76,9 +79,10 @@ use steps::{Record, Steps};
 /// | DOP853, 100 | 2.7 | 3.4 | 3.3 | 78 | 2.4 | 3.0 | 2.9 | 168 |
 ///
 /// One costate serves any number of derivatives; how the cost depends on their number and on the length of runs was not measured. (Two cores shared with other work: times are the least of 400.)
-pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P, M: Explicit> {
+pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> {
     steps: Steps<'s, S, R, C, P, M>,
     record: Record<S, Elements<S, R, C>, M>,
+    spare: MotionOf<S, R, C, P>,
     method: M,
 }
 
@@ -113,7 +117,7 @@ where
 {
     fn new(scene: &'s System<S, R, C, P>, method: M) -> Self {
         let steps = Steps::new(scene);
-        Self { record: steps.record(), steps, method }
+        Self { record: steps.record(), steps, spare: scene.motion(), method }
     }
 
     /// Runs `steps` steps of a size (s), and keeps the state before each of them and after the last, with the accelerations in which a
@@ -146,7 +150,8 @@ where
         for k in 0..steps {
             let [past, next, ..] = &mut states[k..] else { break };
             self.steps.take_torques(torques, k);
-            self.step_to(start.time + step * RealOf::<S>::of((k + 1) as f64), past, next);
+            let time = start.time + step * RealOf::<S>::of((k + 1) as f64);
+            self.steps.step_to(time, past, &mut self.record, next);
             past.acceleration.set(self.record.first());
             Dynamics::<Unloaded>::accept(self.steps.scene, next)?;
         }
@@ -176,14 +181,6 @@ where
         cost(states.len() - 1, last, &mut gradient.start)?;
         self.pull_back(torques, states, by_torques, &mut gradient, cost)?;
         Ok(gradient)
-    }
-
-    /// The step to a time, from the past motion to the next.
-    fn step_to(&mut self, time: RealOf<S>, past: &MotionOf<S, R, C, P>, next: &mut MotionOf<S, R, C, P>) {
-        let size = time - past.time;
-        self.steps.evaluate(past, size, &mut self.record);
-        self.steps.finish(past, size, &self.record, next);
-        next.time = time;
     }
 
     /// Pulls the costate of the last state back to the first.

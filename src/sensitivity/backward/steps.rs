@@ -55,6 +55,16 @@ pub(super) struct Record<S: Reversed, E: Element<S>, M: Explicit> {
     accelerations: M::Rows<E::Rate>,
 }
 
+impl<S: Reversed, E: Element<S>, M: Explicit> Clone for Record<S, E, M> {
+    fn clone(&self) -> Self {
+        let (mut stages, mut accelerations) =
+            (M::rows(&self.stages.as_ref()[0]), M::rows(&self.accelerations.as_ref()[0]));
+        stages.as_mut().clone_from_slice(self.stages.as_ref());
+        accelerations.as_mut().clone_from_slice(self.accelerations.as_ref());
+        Self { stages, accelerations }
+    }
+}
+
 impl<S: Reversed, E: Element<S>, M: Explicit> Record<S, E, M> {
     /// Accelerations in which the step begins.
     pub(super) fn first(&self) -> &E::Rate {
@@ -181,18 +191,21 @@ where
         }
     }
 
-    /// The motion after a step whose stages are evaluated, but for its time; it has no accelerations.
-    pub(super) fn finish(
+    /// The step to a time, from the past motion to the next, which has no accelerations.
+    pub(super) fn step_to(
         &mut self,
+        time: RealOf<S>,
         past: &MotionOf<S, R, C, P>,
-        step: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M>,
+        record: &mut Record<S, Elements<S, R, C>, M>,
         next: &mut MotionOf<S, R, C, P>,
     ) {
+        let step = time - past.time;
+        self.evaluate(past, step, record);
         let (row, room) = (M::STAGES, (&self.zero, &mut self.sum));
         let into = (&mut next.position, &mut next.rate);
         displace(past, record.accelerations.as_ref(), M::node(row), row_weights::<M>(row), step, room, into);
         next.acceleration.set(&self.zero);
+        next.time = time;
     }
 
     /// The sweep of a stage.

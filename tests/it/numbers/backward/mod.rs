@@ -136,4 +136,5 @@ pub(crate) use gradients;
 // Behind the macro, which they use.
 mod chains;
 mod joints;
+mod long;
 mod times;
