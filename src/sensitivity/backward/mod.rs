@@ -3,6 +3,7 @@
 mod adaptive;
 mod checkpoints;
 mod events;
+mod linear;
 mod steps;
 
 use super::gradient::{Costate, Gradient};
@@ -83,6 +84,8 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Ex
     steps: Steps<'s, S, R, C, P, M>,
     record: Record<S, Elements<S, R, C>, M>,
     spare: MotionOf<S, R, C, P>,
+    /// For gradients of which no parameters are asked.
+    scratch: Gradient<S, Elements<S, R, C>>,
     method: M,
 }
 
@@ -117,7 +120,8 @@ where
 {
     fn new(scene: &'s System<S, R, C, P>, method: M) -> Self {
         let steps = Steps::new(scene);
-        Self { record: steps.record(), steps, spare: scene.motion(), method }
+        let scratch = Gradient::none(scene.elements(), &steps.zero);
+        Self { record: steps.record(), steps, spare: scene.motion(), scratch, method }
     }
 
     /// Runs `steps` steps of a size (s), and keeps the state before each of them and after the last, with the accelerations in which a

@@ -136,5 +136,6 @@ pub(crate) use gradients;
 // Behind the macro, which they use.
 mod chains;
 mod joints;
+mod linear;
 mod long;
 mod times;
