@@ -5,7 +5,7 @@
 
 use crate::element::{
     Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, Reading, RealOf, Space,
-    Sweep, Visit,
+    Sweep, Visit, Watch,
 };
 use crate::ends::{Root, Tip};
 use crate::relation::{Acceleration, Closures, Part, Solvable};
@@ -215,10 +215,7 @@ impl<S: Space, L: Loading<S>> LoadCheck<'_, S, L> {
     }
 }
 
-impl<S: Space, L: Loading<S>> Visit<S> for LoadCheck<'_, S, L> {
-    type OnBody = ();
-    type InJoint = ();
-
+impl<S: Space, L: Loading<S>> Watch<S> for LoadCheck<'_, S, L> {
     fn body(&mut self, motion: &S::BodyMotion) {
         let load = self.pass.body(motion);
         self.note(load.is_finite());
