@@ -115,7 +115,7 @@ pub trait Joint<S: Space>: Copy + 'static {
     fn check(&self) -> Result<(), Fault>;
 }
 
-/// A joint of this crate, which says of its space what all spaces ask of it. Types of other crates are none, and no crate can make them
+/// A joint or body of this crate, which says of its space what all spaces ask of it. Types of other crates are none, and no crate can make them
 /// one: a trait without parameters is what tells the compiler so.
 pub trait Native {}
 
