@@ -36,6 +36,7 @@ pub mod recover;
 pub mod respond;
 pub mod restore;
 pub mod size;
+pub mod sines;
 pub mod spread;
 pub mod steer;
 pub mod stir;

@@ -337,6 +337,16 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     type Per<X: Copy> = X;
 
     const LINEAR: bool = L::LINEAR;
+    const SINES: usize = M::TURNS as usize;
+
+    #[inline(always)]
+    fn angle(&self, position: &T) -> T {
+        *position
+    }
+    #[inline(always)]
+    fn set_sine(&self, x: &mut Columns<T>, [sine, cosine]: [T; 2]) {
+        (x.x.x, x.x.y) = (sine, cosine);
+    }
 
     fn position() -> T {
         T::zero()
@@ -456,14 +466,13 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     ) -> Acceleration<T> {
         let (a, angular) = (values(p[0]), values(p[1]));
         let (la, ga) = (kept.linear, kept.angular);
-        let minus = |sum: T, gain: T, x: T| (-gain).mul_add(x, sum);
         let mut total = free;
         for k in 0..3 {
             if M::TURNS || k < 2 || stiffened {
-                total = minus(total, la[k], a[k]);
+                total = (-la[k]).mul_add(a[k], total);
             }
             if !M::TURNS || k < 2 || stiffened {
-                total = minus(total, ga[k], angular[k]);
+                total = (-ga[k]).mul_add(angular[k], total);
             }
         }
         let own = if M::TURNS { angular[2] } else { a[2] };
@@ -502,13 +511,19 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         _: &mut Vector3<T>,
         _: &mut Vector3<T>,
     ) -> Turn<T> {
-        let stand = self.stand(*position);
-        [x.x.x, x.x.y] = stand;
+        if const { !M::TURNS } {
+            [x.x.x, x.x.y] = self.stand(*position);
+        }
+        let stand = [x.x.x, x.x.y];
         if const { PLACE & 7 != 0 } {
             y[0] = Vector3::from(values(self.swung(turn.spin.into())));
         }
         let spin = self.spun(stand, *rate, turn.spin.into());
-        y[1] = Vector3::from(self.bias(stand, *rate, spin));
+        let bias = self.bias(stand, *rate, spin);
+        (y[1].x, y[1].y) = (bias[0], bias[1]);
+        if const { !M::TURNS } {
+            y[1].z = bias[2];
+        }
         Turn { spin: Vector3::from(spin), ..turn }
     }
     #[inline(always)]
@@ -558,15 +573,16 @@ where
             }
             more = more.plus(Number::of(stiffness));
         }
+        let stiffened = const { A::ON || <W::Springs as Springs<T>>::STIFF };
         let (stand, [swung, bias]) = Self::posture(posture.x, posture.y);
         let relation = outer.sparse();
         let relation = if const { M::TURNS } {
             let (relation, gains) = relation.hinged(effort, more, [bias[0].value(), bias[1].value()]);
-            *kept = gains;
+            kept.set(gains, true, stiffened);
             relation.turned_about_z(stand[0], stand[1])
         } else {
             let (relation, gains) = relation.slid(effort, more, values(bias));
-            *kept = gains;
+            kept.set(gains, false, stiffened);
             let o = Number::zero();
             relation.shifted([o, o, Number::of(stand[1])], [o; 3])
         };

@@ -1,6 +1,6 @@
 //! A rigid body in its own axes.
 
-use super::number::{Number, Triple, apply_onto, cross_onto, dot_onto, masked, rows, triple, values};
+use super::number::{Number, Triple, apply_onto, cross_onto, dot_onto, masked, more, rows, triangle, triple, values};
 use super::relation::{Alone, Local};
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Loading, Posture, Sweep};
@@ -70,8 +70,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     /// J about the origin (kg·m²), with what is known.
     #[inline(always)]
     pub(crate) fn tensor(&self) -> [Number<T>; 6] {
-        let of = |bit: usize| Number::masked(TENSOR, bit, self.tensor[bit]);
-        [of(0), of(1), of(2), of(3), of(4), of(5)]
+        triangle(TENSOR, self.tensor)
     }
 
     /// Force ω × (ω × σ) (N) and torque ω × J ω (N·m) about the origin that the angular velocity takes.
@@ -84,15 +83,10 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
         let force = apply_onto(&swirl(spin), self.first_moment(), o);
         let [jxx, jyy, jzz, jyz, jxz, jxy] = self.tensor();
         // (ω × J ω)_x = (J_zz − J_yy) yz + J_yz (yy − zz) + J_xz xy − J_xy xz, and so on around.
-        let of = |moments: Number<T>, own: Number<T>, [a, b]: [T; 2], [other, theirs]: [Number<T>; 2], [c, d]: [Number<T>; 2], e| {
-            let product = moments.times(e);
-            let product = own.times_onto(Number::of(a - b), product);
-            d.times_off(theirs, c.times_onto(other, product))
-        };
         let torque = [
-            of(jzz.minus(jyy), jyz, [yy, zz], [xy, xz], [jxz, jxy], yz),
-            of(jxx.minus(jzz), jxz, [zz, xx], [yz, xy], [jxy, jyz], xz),
-            of(jyy.minus(jxx), jxy, [xx, yy], [xz, yz], [jyz, jxz], xy),
+            around(jzz.minus(jyy), yz, jyz, yy - zz, [jxz, xy], [jxy, xz]),
+            around(jxx.minus(jzz), xz, jxz, zz - xx, [jxy, yz], [jyz, xy]),
+            around(jyy.minus(jxx), xy, jxy, xx - yy, [jyz, xz], [jxz, yz]),
         ];
         [values(force), values(torque)]
     }
@@ -113,8 +107,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     #[inline(always)]
     pub(crate) fn resisted(&self, a: Triple<T>, angular: Triple<T>, [force, torque]: [Triple<T>; 2]) -> [Triple<T>; 2] {
         let (moment, mass) = (self.first_moment(), Number::of(self.inertia.mass));
-        let push = |k: usize| mass.times_onto(a[k], force[k]);
-        let force = cross_onto(angular, moment, [push(0), push(1), push(2)]);
+        let force = cross_onto(angular, moment, more(force, mass, a));
         [force, cross_onto(moment, a, apply_onto(&rows(&self.tensor()), angular, torque))]
     }
 
@@ -127,13 +120,26 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     }
 }
 
+/// One component of ω × J ω.
+#[inline(always)]
+fn around<T: Scalar>(
+    moments: Number<T>,
+    product: Number<T>,
+    own: Number<T>,
+    squares: T,
+    [plus, with]: [Number<T>; 2],
+    [minus, by]: [Number<T>; 2],
+) -> Number<T> {
+    let sum = own.times_onto(Number::of(squares), moments.times(product));
+    minus.times_off(by, plus.times_onto(with, sum))
+}
+
 /// ω ωᵀ − ω² 1: what takes a place on a body to its centripetal acceleration.
 #[inline(always)]
 pub(crate) fn swirl<T: Scalar>([x, y, z]: [T; 3]) -> super::number::Rows<T> {
     let (xx, yy, zz) = (x * x, y * y, z * z);
     let (yz, xz, xy) = (Number::of(y * z), Number::of(x * z), Number::of(x * y));
-    let diagonal = |a: T, b: T| Number::of(-(a + b));
-    [[diagonal(yy, zz), xy, xz], [xy, diagonal(xx, zz), yz], [xz, yz, diagonal(xx, yy)]]
+    [[Number::of(-(yy + zz)), xy, xz], [xy, Number::of(-(xx + zz)), yz], [xz, yz, Number::of(-(xx + yy))]]
 }
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> crate::shape::Body<Spatial<T>> for Link<T, MOMENT, TENSOR> {

@@ -122,6 +122,62 @@ pub fn triple<T: Scalar>([x, y, z]: [T; 3]) -> Triple<T> {
     [Number::of(x), Number::of(y), Number::of(z)]
 }
 
+/// One triangle, those numbers zero that a mask does not name.
+#[inline(always)]
+pub fn triangle<T: Scalar>(mask: u8, [a, b, c, d, e, f]: [T; 6]) -> Triangle<T> {
+    [
+        Number::masked(mask, 0, a),
+        Number::masked(mask, 1, b),
+        Number::masked(mask, 2, c),
+        Number::masked(mask, 3, d),
+        Number::masked(mask, 4, e),
+        Number::masked(mask, 5, f),
+    ]
+}
+
+/// The values of a triangle.
+#[inline(always)]
+pub fn triangle_values<T: Scalar>([a, b, c, d, e, f]: Triangle<T>) -> [T; 6] {
+    [a.value, b.value, c.value, d.value, e.value, f.value]
+}
+
+/// The sum of two triangles.
+#[inline(always)]
+pub fn triangle_sum<T: Scalar>(a: &Triangle<T>, b: &Triangle<T>) -> Triangle<T> {
+    [a[0].plus(b[0]), a[1].plus(b[1]), a[2].plus(b[2]), a[3].plus(b[3]), a[4].plus(b[4]), a[5].plus(b[5])]
+}
+
+/// A triangle less the product of a column and a row, of which it is known to be symmetric.
+#[inline(always)]
+pub fn triangle_less<T: Scalar>(s: &Triangle<T>, u: Triple<T>, g: Triple<T>) -> Triangle<T> {
+    [
+        u[0].times_off(g[0], s[0]),
+        u[1].times_off(g[1], s[1]),
+        u[2].times_off(g[2], s[2]),
+        u[1].times_off(g[2], s[3]),
+        u[0].times_off(g[2], s[4]),
+        u[0].times_off(g[1], s[5]),
+    ]
+}
+
+/// Three numbers times a factor.
+#[inline(always)]
+pub fn scaled<T: Scalar>(a: Triple<T>, factor: Number<T>) -> Triple<T> {
+    [a[0].times(factor), a[1].times(factor), a[2].times(factor)]
+}
+
+/// `start` − factor · a.
+#[inline(always)]
+pub fn less<T: Scalar>(start: Triple<T>, factor: Number<T>, a: Triple<T>) -> Triple<T> {
+    [factor.times_off(a[0], start[0]), factor.times_off(a[1], start[1]), factor.times_off(a[2], start[2])]
+}
+
+/// `start` + factor · a.
+#[inline(always)]
+pub fn more<T: Scalar>(start: Triple<T>, factor: Number<T>, a: Triple<T>) -> Triple<T> {
+    [factor.times_onto(a[0], start[0]), factor.times_onto(a[1], start[1]), factor.times_onto(a[2], start[2])]
+}
+
 /// Three numbers, those zero that a mask does not name.
 #[inline(always)]
 pub fn masked<T: Scalar>(mask: u8, [x, y, z]: [T; 3]) -> Triple<T> {
@@ -172,8 +228,8 @@ pub fn apply<T: Scalar>(rows: &Rows<T>, v: Triple<T>) -> Triple<T> {
 /// Rᵀ.
 #[inline(always)]
 pub fn transposed<T: Scalar>(rows: &Rows<T>) -> Rows<T> {
-    let column = |j: usize| [rows[0][j], rows[1][j], rows[2][j]];
-    [column(0), column(1), column(2)]
+    let [a, b, c] = rows;
+    [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]]
 }
 
 /// A B.
@@ -192,9 +248,15 @@ pub fn rows<T: Scalar>(s: &Triangle<T>) -> Rows<T> {
 /// R S Rᵀ.
 #[inline(always)]
 pub fn congruent<T: Scalar>(turn: &Rows<T>, s: &Triangle<T>) -> Triangle<T> {
-    let half = product(turn, &rows(s));
-    let of = |i: usize, j: usize| dot_onto(half[i], turn[j], Number::zero());
-    [of(0, 0), of(1, 1), of(2, 2), of(1, 2), of(0, 2), of(0, 1)]
+    let (half, o) = (product(turn, &rows(s)), Number::zero());
+    [
+        dot_onto(half[0], turn[0], o),
+        dot_onto(half[1], turn[1], o),
+        dot_onto(half[2], turn[2], o),
+        dot_onto(half[1], turn[2], o),
+        dot_onto(half[0], turn[2], o),
+        dot_onto(half[0], turn[1], o),
+    ]
 }
 
 /// The matrix of a × .

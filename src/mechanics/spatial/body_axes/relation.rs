@@ -4,8 +4,9 @@
 //! the z row of H are zero; after a slide along z, the z row of L and of K. A free link has a constant S with zeros of its own.
 
 use super::number::{
-    Number, Rows, Triangle, Triple, apply, apply_onto, congruent, cross_onto, dot_onto, entry, masked, product, rows, sum as added, tilde,
-    transposed, triple, values,
+    Number, Rows, Triangle, Triple, apply, apply_onto, congruent, cross_onto, dot_onto, less, masked, more as more_of,
+    product, rows, scaled, sum as added, tilde, transposed, triangle, triangle_less, triangle_sum, triangle_values, triple,
+    values,
 };
 use crate::relation::spatial::algebra::{Columns, Symmetric3};
 use crate::relation::spatial::{Empty, Full};
@@ -63,20 +64,33 @@ pub struct Gains<T> {
     pub angular: [T; 3],
     /// Without any.
     pub free: T,
-    /// 1 / D, of the pivot.
-    pub inverse: T,
 }
 
 impl<T: Scalar> Gains<T> {
     /// No gain yet.
     pub fn blank() -> Self {
         let o = T::zero();
-        Self { linear: [o; 3], angular: [o; 3], free: o, inverse: o }
+        Self { linear: [o; 3], angular: [o; 3], free: o }
+    }
+
+    /// Stores what is read of gains: that for the coordinate's own axis is one unless something else than inertia outboard adds to the
+    /// pivot.
+    #[inline(always)]
+    pub fn set(&mut self, Self { linear, angular, free }: Self, turns: bool, stiffened: bool) {
+        for k in 0..3 {
+            if k < 2 || !turns || stiffened {
+                self.angular[k] = angular[k];
+            }
+            if k < 2 || turns || stiffened {
+                self.linear[k] = linear[k];
+            }
+        }
+        self.free = free;
     }
 
     /// Whether the pivot resists.
     pub fn is_finite(&self) -> bool {
-        self.inverse.is_finite() && self.linear.iter().chain(&self.angular).all(|x| x.is_finite())
+        self.linear.iter().chain(&self.angular).all(|x| x.is_finite())
     }
 }
 
@@ -92,10 +106,7 @@ fn own<T: Scalar>(mass: T, moment: Triple<T>, tensor: Triangle<T>, force: Triple
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Alone<T, MOMENT, TENSOR> {
     #[inline(always)]
     fn parts(self) -> Sparse<T> {
-        let [a, b, c, d, e, f] = self.tensor;
-        let of = |bit: usize, value: T| Number::masked(TENSOR, bit, value);
-        let tensor = [of(0, a), of(1, b), of(2, c), of(3, d), of(4, e), of(5, f)];
-        let moment = masked(MOMENT, self.moment);
+        let (moment, tensor) = (masked(MOMENT, self.moment), triangle(TENSOR, self.tensor));
         let force = if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(self.force) };
         own(self.mass, moment, tensor, force, triple(self.torque))
     }
@@ -112,13 +123,10 @@ impl<T: Scalar> Outboard<T> for Local<T> {
     #[inline(always)]
     fn sparse(self) -> Sparse<T> {
         let Self { linear, coupling: [x, y, z], angular, force, torque } = self;
-        let triangle = |[a, b, c, d, e, f]: [T; 6]| {
-            [Number::of(a), Number::of(b), Number::of(c), Number::of(d), Number::of(e), Number::of(f)]
-        };
         Sparse {
-            linear: triangle(linear),
+            linear: triangle(63, linear),
             coupling: [triple(x), triple(y), triple(z)],
-            angular: triangle(angular),
+            angular: triangle(63, angular),
             force: triple(force),
             torque: triple(torque),
         }
@@ -136,11 +144,8 @@ impl<T: Scalar> Local<T> {
     #[inline(always)]
     pub fn turned(self, attitude: &Rows<T>) -> Full<T> {
         let Sparse { linear, coupling, angular, force, torque } = self.sparse().turned(attitude);
-        let symmetric = |s: Triangle<T>| {
-            let [xx, yy, zz, yz, xz, xy] = s.map(Number::value);
-            Symmetric3 { xx, xy, xz, yy, yz, zz }
-        };
-        let [x, y, z] = transposed(&coupling).map(|column| Vector3::from(values(column)));
+        let [x, y, z] = transposed(&coupling);
+        let (x, y, z) = (Vector3::from(values(x)), Vector3::from(values(y)), Vector3::from(values(z)));
         Full {
             linear: symmetric(linear),
             coupling: Columns { x, y, z },
@@ -155,15 +160,11 @@ impl<T: Scalar> Local<T> {
 impl<T: Scalar> Sparse<T> {
     #[inline(always)]
     fn plus(&self, other: &Self) -> Self {
-        let add = |a: &Triangle<T>, b: &Triangle<T>| {
-            let of = |i: usize| a[i].plus(b[i]);
-            [of(0), of(1), of(2), of(3), of(4), of(5)]
-        };
-        let row = |i: usize| added(self.coupling[i], other.coupling[i]);
+        let ([a, b, c], [d, e, f]) = (self.coupling, other.coupling);
         Self {
-            linear: add(&self.linear, &other.linear),
-            coupling: [row(0), row(1), row(2)],
-            angular: add(&self.angular, &other.angular),
+            linear: triangle_sum(&self.linear, &other.linear),
+            coupling: [added(a, d), added(b, e), added(c, f)],
+            angular: triangle_sum(&self.angular, &other.angular),
             force: added(self.force, other.force),
             torque: added(self.torque, other.torque),
         }
@@ -173,13 +174,10 @@ impl<T: Scalar> Sparse<T> {
     #[inline(always)]
     pub fn dense(self) -> Local<T> {
         let [x, y, z] = self.coupling;
-        let triangle = |[a, b, c, d, e, f]: Triangle<T>| {
-            [a.value(), b.value(), c.value(), d.value(), e.value(), f.value()]
-        };
         Local {
-            linear: triangle(self.linear),
+            linear: triangle_values(self.linear),
             coupling: [values(x), values(y), values(z)],
-            angular: triangle(self.angular),
+            angular: triangle_values(self.angular),
             force: values(self.force),
             torque: values(self.torque),
         }
@@ -188,105 +186,84 @@ impl<T: Scalar> Sparse<T> {
     /// Lets the body turn about z under a torque, with what else adds to the pivot; the other side of the hinge accelerates by (0, c)
     /// besides, c_z = 0. What is left of S about z is the share of that addition in the pivot: nothing without.
     #[inline(always)]
-    pub fn hinged(mut self, effort: T, more: Number<T>, [cx, cy]: [T; 2]) -> (Self, Gains<T>) {
-        let u = [self.coupling[0][2], self.coupling[1][2], self.coupling[2][2]];
-        let (w, own) = ([self.angular[entry(0, 2)], self.angular[entry(1, 2)]], self.angular[2]);
+    pub fn hinged(self, effort: T, more: Number<T>, [cx, cy]: [T; 2]) -> (Self, Gains<T>) {
+        let Self { linear, coupling: [kx, ky, kz], angular, force, torque } = self;
+        // U = S z, without its own row; G = U / D.
+        let (u, w, own) = ([kx[2], ky[2], kz[2]], [angular[4], angular[3]], angular[2]);
         let inverse = own.plus(more).value().recip();
-        let free = (effort - self.torque[2].value()) * inverse;
-        let one = Number::of(inverse);
+        let free = (effort - torque[2].value()) * inverse;
+        let (one, o) = (Number::of(inverse), Number::zero());
         let share = more.times(one);
-        let (g, b) = ([u[0].times(one), u[1].times(one), u[2].times(one)], [w[0].times(one), w[1].times(one)]);
-        for (i, j) in [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)] {
-            let at = entry(i, j);
-            self.linear[at] = u[i].times_off(g[j], self.linear[at]);
-        }
-        let [left_x, left_y] = [w[0].times(share), w[1].times(share)];
-        let [xx, yy, xy] = [(0, 0), (1, 1), (0, 1)].map(|(i, j)| w[i].times_off(b[j], self.angular[entry(i, j)]));
-        self.angular = [xx, yy, own.times(share), left_y, left_x, xy];
-        let (released, c) = (Number::of(free), [Number::of(cx), Number::of(cy)]);
-        for i in 0..3 {
-            let row = &mut self.coupling[i];
-            *row = [u[i].times_off(b[0], row[0]), u[i].times_off(b[1], row[1]), u[i].times(share)];
-            let force = u[i].times_onto(released, self.force[i]);
-            self.force[i] = row[0].times_onto(c[0], row[1].times_onto(c[1], force));
-        }
-        let torque = [
-            w[0].times_onto(released, self.torque[0]),
-            w[1].times_onto(released, self.torque[1]),
-            more.times_off(released, Number::of(effort)),
-        ];
-        self.torque = [
-            xx.times_onto(c[0], xy.times_onto(c[1], torque[0])),
-            xy.times_onto(c[0], yy.times_onto(c[1], torque[1])),
-            left_x.times_onto(c[0], left_y.times_onto(c[1], torque[2])),
-        ];
-        let last = Number::one().minus(share).value();
-        (self, Gains { linear: values(g), angular: [b[0].value(), b[1].value(), last], free, inverse })
+        let (g, b) = (scaled(u, one), [w[0].times(one), w[1].times(one)]);
+        // S − U Gᵀ.
+        let linear = triangle_less(&linear, u, g);
+        let kx = [u[0].times_off(b[0], kx[0]), u[0].times_off(b[1], kx[1]), u[0].times(share)];
+        let ky = [u[1].times_off(b[0], ky[0]), u[1].times_off(b[1], ky[1]), u[1].times(share)];
+        let kz = [u[2].times_off(b[0], kz[0]), u[2].times_off(b[1], kz[1]), u[2].times(share)];
+        let left = [w[0].times(share), w[1].times(share), own.times(share)];
+        let reduced = triangle_less(&[angular[0], angular[1], o, o, o, angular[5]], [w[0], w[1], o], [b[0], b[1], o]);
+        let angular = [reduced[0], reduced[1], left[2], left[1], left[0], reduced[5]];
+        // e + U free + S c.
+        let (c, released) = ([Number::of(cx), Number::of(cy), o], Number::of(free));
+        let force = apply_onto(&[kx, ky, kz], c, more_of(force, released, u));
+        let torque = more_of([torque[0], torque[1], more.times_off(released, Number::of(effort))], released, [w[0], w[1], o]);
+        let torque = apply_onto(&rows(&angular), c, torque);
+        let gains = Gains {
+            linear: values(g),
+            angular: [b[0].value(), b[1].value(), Number::one().minus(share).value()],
+            free,
+        };
+        (Self { linear, coupling: [kx, ky, kz], angular, force, torque }, gains)
     }
 
     /// Lets the body slide along z under a force, with what else adds to the pivot; the other side accelerates by (c, 0) besides.
     #[inline(always)]
-    pub fn slid(mut self, effort: T, more: Number<T>, c: [T; 3]) -> (Self, Gains<T>) {
-        let (u, own) = ([self.linear[entry(0, 2)], self.linear[entry(1, 2)]], self.linear[2]);
-        let w = self.coupling[2];
+    pub fn slid(self, effort: T, more: Number<T>, c: [T; 3]) -> (Self, Gains<T>) {
+        let Self { linear, coupling: [kx, ky, kz], angular, force, torque } = self;
+        let (u, w, own) = ([linear[4], linear[3]], kz, linear[2]);
         let inverse = own.plus(more).value().recip();
-        let free = (effort - self.force[2].value()) * inverse;
-        let one = Number::of(inverse);
+        let free = (effort - force[2].value()) * inverse;
+        let (one, o) = (Number::of(inverse), Number::zero());
         let share = more.times(one);
-        let (g, b) = ([u[0].times(one), u[1].times(one)], [w[0].times(one), w[1].times(one), w[2].times(one)]);
-        let [xx, yy, xy] = [(0, 0), (1, 1), (0, 1)].map(|(i, j)| u[i].times_off(g[j], self.linear[entry(i, j)]));
-        self.linear = [xx, yy, own.times(share), u[1].times(share), u[0].times(share), xy];
-        for (i, j) in [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)] {
-            let at = entry(i, j);
-            self.angular[at] = w[i].times_off(b[j], self.angular[at]);
-        }
-        let released = Number::of(free);
-        for j in 0..3 {
-            for i in 0..2 {
-                self.coupling[i][j] = u[i].times_off(b[j], self.coupling[i][j]);
-            }
-            self.coupling[2][j] = w[j].times(share);
-            self.torque[j] = w[j].times_onto(released, self.torque[j]);
-        }
-        let force = [
-            u[0].times_onto(released, self.force[0]),
-            u[1].times_onto(released, self.force[1]),
-            more.times_off(released, Number::of(effort)),
-        ];
-        let c = triple(c);
-        self.force = apply_onto(&rows(&self.linear), c, force);
-        self.torque = apply_onto(&transposed(&self.coupling), c, self.torque);
-        let last = Number::one().minus(share).value();
-        (self, Gains { linear: [g[0].value(), g[1].value(), last], angular: values(b), free, inverse })
+        let (g, b) = ([u[0].times(one), u[1].times(one)], scaled(w, one));
+        let left = [u[0].times(share), u[1].times(share), own.times(share)];
+        let reduced = triangle_less(&[linear[0], linear[1], o, o, o, linear[5]], [u[0], u[1], o], [g[0], g[1], o]);
+        let linear = [reduced[0], reduced[1], left[2], left[1], left[0], reduced[5]];
+        let coupling = [less(kx, u[0], b), less(ky, u[1], b), scaled(kz, share)];
+        let angular = triangle_less(&angular, w, b);
+        let (c, released) = (triple(c), Number::of(free));
+        let force = more_of([force[0], force[1], more.times_off(released, Number::of(effort))], released, [u[0], u[1], o]);
+        let torque = apply_onto(&transposed(&coupling), c, more_of(torque, released, w));
+        let force = apply_onto(&rows(&linear), c, force);
+        let gains = Gains {
+            linear: [g[0].value(), g[1].value(), Number::one().minus(share).value()],
+            angular: values(b),
+            free,
+        };
+        (Self { linear, coupling, angular, force, torque }, gains)
     }
 
     /// Turned about z by an angle of this sine and cosine: 8 operations for a symmetric pair.
     #[inline(always)]
-    pub fn turned_about_z(mut self, sine: T, cosine: T) -> Self {
+    pub fn turned_about_z(self, sine: T, cosine: T) -> Self {
         let (s, c) = (Number::of(sine), Number::of(cosine));
-        let (ss, sc) = (s.times(s), s.times(c));
-        let plane = |[x, y]: [Number<T>; 2]| {
-            [s.times_off(y, c.times(x)), s.times_onto(x, c.times(y))]
-        };
-        let pair = |a: Number<T>, d: Number<T>, twice: Number<T>| {
-            let difference = a.minus(d);
-            // What xx loses and yy gains, and what both off-diagonal entries gain.
-            [ss.times_onto(difference, sc.times(twice)), ss.times_off(twice, sc.times(difference))]
-        };
-        for s in [&mut self.linear, &mut self.angular] {
-            let [w, more] = pair(s[0], s[1], s[5].plus(s[5]));
-            (s[0], s[1], s[5]) = (s[0].minus(w), s[1].plus(w), s[5].plus(more));
-            [s[4], s[3]] = plane([s[4], s[3]]);
+        let squares = [s.times(s), s.times(c)];
+        let [kx, ky, kz] = self.coupling;
+        let [w, more] = exchanged(squares, kx[0], ky[1], kx[1].plus(ky[0]));
+        let ([kzx, kzy], [kxz, kyz]) = (in_plane(s, c, kz[0], kz[1]), in_plane(s, c, kx[2], ky[2]));
+        let ([fx, fy], [tx, ty]) =
+            (in_plane(s, c, self.force[0], self.force[1]), in_plane(s, c, self.torque[0], self.torque[1]));
+        Self {
+            linear: triangle_about_z(squares, s, c, self.linear),
+            coupling: [
+                [kx[0].minus(w), kx[1].plus(more), kxz],
+                [ky[0].plus(more), ky[1].plus(w), kyz],
+                [kzx, kzy, kz[2]],
+            ],
+            angular: triangle_about_z(squares, s, c, self.angular),
+            force: [fx, fy, self.force[2]],
+            torque: [tx, ty, self.torque[2]],
         }
-        let k = &mut self.coupling;
-        let [w, more] = pair(k[0][0], k[1][1], k[0][1].plus(k[1][0]));
-        (k[0][0], k[1][1]) = (k[0][0].minus(w), k[1][1].plus(w));
-        (k[0][1], k[1][0]) = (k[0][1].plus(more), k[1][0].plus(more));
-        [k[2][0], k[2][1]] = plane([k[2][0], k[2][1]]);
-        [k[0][2], k[1][2]] = plane([k[0][2], k[1][2]]);
-        [self.force[0], self.force[1]] = plane([self.force[0], self.force[1]]);
-        [self.torque[0], self.torque[1]] = plane([self.torque[0], self.torque[1]]);
-        self
     }
 
     /// In other axes, of which the matrix holds the present ones.
@@ -306,26 +283,56 @@ impl<T: Scalar> Sparse<T> {
     pub fn shifted(self, d: Triple<T>, k: Triple<T>) -> Self {
         let Self { linear, coupling, angular, force, torque } = self;
         let (arm, mass) = (tilde(d), rows(&linear));
-        let columns = transposed(&arm);
-        let moved = |i: usize, j: usize| {
-            let of = |m: usize, sum: Number<T>| mass[i][m].times_off(columns[j][m], sum);
-            of(2, of(1, of(0, coupling[i][j])))
-        };
-        let row = |i: usize| [moved(i, 0), moved(i, 1), moved(i, 2)];
-        let shifted = [row(0), row(1), row(2)];
-        let (before, after) = (transposed(&coupling), transposed(&shifted));
-        let about = |i: usize, j: usize| {
-            dot_onto(arm[i], after[j], dot_onto(arm[j], before[i], angular[entry(i, j)]))
-        };
+        let [kx, ky, kz] = coupling;
+        // K − L d~: a row of L d~ is that of L times the columns of d~, and −d × it.
+        let shifted = [cross_onto(d, mass[0], kx), cross_onto(d, mass[1], ky), cross_onto(d, mass[2], kz)];
+        // H + d~ K' + (d~ K)ᵀ.
+        let (k0, k1) = (transposed(&coupling), transposed(&shifted));
+        let angular = [
+            dot_onto(arm[0], k1[0], dot_onto(arm[0], k0[0], angular[0])),
+            dot_onto(arm[1], k1[1], dot_onto(arm[1], k0[1], angular[1])),
+            dot_onto(arm[2], k1[2], dot_onto(arm[2], k0[2], angular[2])),
+            dot_onto(arm[1], k1[2], dot_onto(arm[2], k0[1], angular[3])),
+            dot_onto(arm[0], k1[2], dot_onto(arm[2], k0[0], angular[4])),
+            dot_onto(arm[0], k1[1], dot_onto(arm[1], k0[0], angular[5])),
+        ];
         let force = apply_onto(&mass, k, force);
-        Self {
-            linear,
-            coupling: shifted,
-            angular: [about(0, 0), about(1, 1), about(2, 2), about(1, 2), about(0, 2), about(0, 1)],
-            force,
-            torque: cross_onto(d, force, apply_onto(&before, k, torque)),
-        }
+        let torque = cross_onto(d, force, apply_onto(&k0, k, torque));
+        Self { linear, coupling: shifted, angular, force, torque }
     }
+}
+
+/// What xx loses and yy gains by a turn about z, and what both entries beside the diagonal gain.
+#[inline(always)]
+fn exchanged<T: Scalar>([ss, sc]: [Number<T>; 2], xx: Number<T>, yy: Number<T>, both: Number<T>) -> [Number<T>; 2] {
+    let difference = xx.minus(yy);
+    [ss.times_onto(difference, sc.times(both)), ss.times_off(both, sc.times(difference))]
+}
+
+/// A vector of the xy plane, turned.
+#[inline(always)]
+fn in_plane<T: Scalar>(s: Number<T>, c: Number<T>, x: Number<T>, y: Number<T>) -> [Number<T>; 2] {
+    [s.times_off(y, c.times(x)), s.times_onto(x, c.times(y))]
+}
+
+/// A symmetric matrix, turned about z.
+#[inline(always)]
+fn triangle_about_z<T: Scalar>(
+    squares: [Number<T>; 2],
+    s: Number<T>,
+    c: Number<T>,
+    [xx, yy, zz, yz, xz, xy]: Triangle<T>,
+) -> Triangle<T> {
+    let [w, more] = exchanged(squares, xx, yy, xy.plus(xy));
+    let [xz, yz] = in_plane(s, c, xz, yz);
+    [xx.minus(w), yy.plus(w), zz, yz, xz, xy.plus(more)]
+}
+
+/// A triangle as the type that relations in inertial axes have.
+#[inline(always)]
+fn symmetric<T: Scalar>(s: Triangle<T>) -> Symmetric3<T> {
+    let [xx, yy, zz, yz, xz, xy] = triangle_values(s);
+    Symmetric3 { xx, xy, xz, yy, yz, zz }
 }
 
 impl<T: Scalar> Join<Local<T>> for Local<T> {

@@ -99,19 +99,27 @@ impl<T: Scalar> Offset<T> for Level {
     }
 }
 
+/// A component of a direction.
+#[inline(always)]
+fn along<T: Scalar>(direction: u8, axis: u8) -> Number<T> {
+    if direction == axis {
+        Number::one()
+    } else if direction == axis + 3 {
+        Number::one().negated()
+    } else {
+        Number::zero()
+    }
+}
+
 impl<T: Scalar, const CODE: u8> Offset<T> for Quarter<CODE> {
     #[inline(always)]
     fn rows(&self) -> Rows<T> {
-        let entry = |row: u8, column: usize| {
-            let direction = const { Self::DIRECTIONS }[column];
-            match (direction % 3 == row, direction < 3) {
-                (false, _) => Number::zero(),
-                (true, true) => Number::one(),
-                (true, false) => Number::one().negated(),
-            }
-        };
-        let row = |row: u8| [entry(row, 0), entry(row, 1), entry(row, 2)];
-        [row(0), row(1), row(2)]
+        let [x, y, z] = const { Self::DIRECTIONS };
+        [
+            [along(x, 0), along(y, 0), along(z, 0)],
+            [along(x, 1), along(y, 1), along(z, 1)],
+            [along(x, 2), along(y, 2), along(z, 2)],
+        ]
     }
 }
 
