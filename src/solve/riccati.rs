@@ -119,7 +119,11 @@ pub fn sweep<S: Space, E, W, R, P>(
     let turn = chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
     if const { W::Loads::ON && !W::Loads::READS } {
         spread::to_bodies(chain, loads.on_bodies_listed(), on_bodies);
-        spread::to_joints(chain, loads.in_joints_listed(), in_joints);
+        if const { W::Loads::BY_COORDINATE } {
+            spread::to_coordinates(chain, loads.in_joints_listed(), in_joints);
+        } else {
+            spread::to_joints(chain, loads.in_joints_listed(), in_joints);
+        }
     } else if W::Loads::ON {
         let motion = Coordinates { position, rate, acceleration };
         let seen = survey(chain, *ground, motion, *loads);

@@ -124,10 +124,10 @@ impl<T: Scalar, M: Mode, C, const PLACE: u8, L, A> Axis<T, M, C, PLACE, L, A> {
 }
 
 /// What a coordinate makes of a joint: sine and cosine of an angle, or zero and the way.
-pub(crate) type Stand<T> = [T; 2];
+pub type Stand<T> = [T; 2];
 
 /// All that a joint has besides: what its methods need.
-pub(crate) trait Standing<T: Scalar>: Copy {
+pub trait Standing<T: Scalar>: Copy {
     /// Whether the coordinate turns.
     const TURNS: bool;
     /// Where it sits.

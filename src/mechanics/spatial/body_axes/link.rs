@@ -1,7 +1,10 @@
 //! A rigid body in its own axes.
 
-use super::number::{Number, Triple, apply_onto, cross_onto, dot_onto, masked, more, rows, triangle, triple, values};
+use super::number::{
+    Number, Triangle, Triple, apply_onto, cross_onto, masked, more, rows, triangle, triple, values,
+};
 use super::relation::{Alone, Local};
+use super::through::Solid;
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Loading, Posture, Sweep};
 use crate::error::Fault;
@@ -63,25 +66,25 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
 
     /// m r_C (kg·m), with what is known.
     #[inline(always)]
-    pub(crate) fn first_moment(&self) -> Triple<T> {
+    fn first_moment(&self) -> Triple<T> {
         masked(MOMENT, self.moment)
     }
 
     /// J about the origin (kg·m²), with what is known.
     #[inline(always)]
-    pub(crate) fn tensor(&self) -> [Number<T>; 6] {
+    fn about_origin(&self) -> Triangle<T> {
         triangle(TENSOR, self.tensor)
     }
 
     /// Force ω × (ω × σ) (N) and torque ω × J ω (N·m) about the origin that the angular velocity takes.
     #[inline(always)]
-    pub(crate) fn gyroscopic(&self, spin: [T; 3]) -> [[T; 3]; 2] {
+    fn stirred(&self, spin: [T; 3]) -> [[T; 3]; 2] {
         let [x, y, z] = spin;
         let (xx, yy, zz) = (x * x, y * y, z * z);
         let (yz, xz, xy) = (Number::of(y * z), Number::of(x * z), Number::of(x * y));
         let o = [Number::zero(); 3];
         let force = apply_onto(&swirl(spin), self.first_moment(), o);
-        let [jxx, jyy, jzz, jyz, jxz, jxy] = self.tensor();
+        let [jxx, jyy, jzz, jyz, jxz, jxy] = self.about_origin();
         // (ω × J ω)_x = (J_zz − J_yy) yz + J_yz (yy − zz) + J_xz xy − J_xy xz, and so on around.
         let torque = [
             around(jzz.minus(jyy), yz, jyz, yy - zz, [jxz, xy], [jxy, xz]),
@@ -94,29 +97,6 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     #[inline(always)]
     fn alone(&self, [force, torque]: [[T; 3]; 2]) -> Alone<T, MOMENT, TENSOR> {
         Alone { mass: self.inertia.mass, moment: self.moment, tensor: self.tensor, force, torque }
-    }
-
-    /// Force (N), and torque about the origin (N·m), that accelerations take of the body.
-    #[inline(always)]
-    pub(crate) fn load(&self, spin: [T; 3], linear: [T; 3], angular: [T; 3]) -> [Triple<T>; 2] {
-        let [force, torque] = self.gyroscopic(spin).map(triple);
-        self.resisted(triple(linear), triple(angular), [force, torque])
-    }
-
-    /// F + S p.
-    #[inline(always)]
-    pub(crate) fn resisted(&self, a: Triple<T>, angular: Triple<T>, [force, torque]: [Triple<T>; 2]) -> [Triple<T>; 2] {
-        let (moment, mass) = (self.first_moment(), Number::of(self.inertia.mass));
-        let force = cross_onto(angular, moment, more(force, mass, a));
-        [force, cross_onto(moment, a, apply_onto(&rows(&self.tensor()), angular, torque))]
-    }
-
-    /// Twice the kinetic energy (J).
-    #[inline(always)]
-    pub(crate) fn twice_kinetic(&self, velocity: Triple<T>, spin: Triple<T>) -> T {
-        let zero = [Number::zero(); 3];
-        let [momentum, angular] = self.resisted(velocity, spin, [zero; 2]);
-        dot_onto(velocity, momentum, dot_onto(spin, angular, Number::zero())).value()
     }
 }
 
@@ -140,6 +120,32 @@ pub(crate) fn swirl<T: Scalar>([x, y, z]: [T; 3]) -> super::number::Rows<T> {
     let (xx, yy, zz) = (x * x, y * y, z * z);
     let (yz, xz, xy) = (Number::of(y * z), Number::of(x * z), Number::of(x * y));
     [[Number::of(-(yy + zz)), xy, xz], [xy, Number::of(-(xx + zz)), yz], [xz, yz, Number::of(-(xx + yy))]]
+}
+
+impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Solid<T> for Link<T, MOMENT, TENSOR> {
+    #[inline(always)]
+    fn mass(&self) -> T {
+        self.inertia.mass
+    }
+    #[inline(always)]
+    fn moment(&self) -> Triple<T> {
+        self.first_moment()
+    }
+    #[inline(always)]
+    fn tensor(&self) -> Triangle<T> {
+        self.about_origin()
+    }
+    #[inline(always)]
+    fn gyroscopic(&self, spin: [T; 3]) -> [Triple<T>; 2] {
+        let [force, torque] = self.stirred(spin);
+        [if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(force) }, triple(torque)]
+    }
+    #[inline(always)]
+    fn resisted(&self, [a, angular]: [Triple<T>; 2], [force, torque]: [Triple<T>; 2]) -> [Triple<T>; 2] {
+        let (moment, mass) = (self.first_moment(), Number::of(self.inertia.mass));
+        let force = cross_onto(angular, moment, more(force, mass, a));
+        [force, cross_onto(moment, a, apply_onto(&rows(&self.about_origin()), angular, torque))]
+    }
 }
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> crate::shape::Body<Spatial<T>> for Link<T, MOMENT, TENSOR> {
@@ -197,7 +203,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Element<Spatial<T>> for Link
         _: &mut Vector3<T>,
         _: &mut Vector3<T>,
     ) -> Turn<T> {
-        let [force, torque] = self.gyroscopic(turn.spin.into());
+        let [force, torque] = self.stirred(turn.spin.into());
         y[1] = Vector3::from(torque);
         if const { MOMENT & 7 != 0 } {
             y[0] = Vector3::from(force);

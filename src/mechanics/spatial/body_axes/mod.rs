@@ -7,13 +7,23 @@
 //! Robotics and Automation 11, 1995), with the zeros of a description taken out at compile time.
 
 mod axis;
+pub mod composite;
+pub mod factor;
+pub mod inverse;
 mod link;
 mod mount;
 mod number;
+pub mod places;
 mod relation;
+mod through;
+mod torques;
 mod turns;
 
 pub use axis::{AboutZ, AlongZ, Armature, Axis, Hinge, Slide};
 pub use link::Link;
+pub use places::Place;
+pub use torques::Torques;
+pub use axis::Stand;
+pub use relation::{Gains, Local};
 pub use mount::BodyAxes;
 pub use turns::{Leaning, Level, Offset, Quarter, Turned};

@@ -28,11 +28,6 @@ pub type Rows<T> = [Triple<T>; 3];
 /// One triangle of a symmetric matrix: xx, yy, zz, yz, xz, xy.
 pub type Triangle<T> = [Number<T>; 6];
 
-/// The place of an entry of a symmetric matrix in its triangle.
-pub const fn entry(i: usize, j: usize) -> usize {
-    if i == j { i } else { 6 - i - j }
-}
-
 impl<T: Scalar> Number<T> {
     /// Zero. Its value is −0, which compilers do fold in sums.
     #[inline(always)]

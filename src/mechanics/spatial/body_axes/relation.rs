@@ -140,6 +140,13 @@ impl<T: Scalar> Local<T> {
         self.sparse().plus(&body.parts()).dense()
     }
 
+    /// With the inertia of a body at rest.
+    #[inline(always)]
+    pub fn with_body(self, mass: T, moment: Triple<T>, tensor: Triangle<T>) -> Self {
+        let none = [Number::zero(); 3];
+        self.sparse().plus(&own(mass, moment, tensor, none, none)).dense()
+    }
+
     /// In inertial axes, of which `attitude` holds those of the body.
     #[inline(always)]
     pub fn turned(self, attitude: &Rows<T>) -> Full<T> {
