@@ -26,8 +26,20 @@ use num_traits::Zero;
 
 /// The space of a robot's scene.
 type S<T> = Spatial<T>;
-/// A sweep under torques.
-type Driven<T, const N: usize> = Carrying<Torques<[T; N]>, Explicit, Open>;
+/// A sweep under torques: one of its own, so that it is the only caller of what it calls, which is then inlined, so that a compiler drops
+/// what nobody reads: what is left of the relation at the root, a sixth of the sweep of an arm.
+type Driven<T, const N: usize> = Carrying<Torques<Own<T, N>>, Explicit, Open>;
+
+/// A list that no load of a user has.
+#[derive(Clone, Copy, Debug)]
+pub struct Own<T, const N: usize>([T; N]);
+
+impl<T, const N: usize> AsRef<[T]> for Own<T, N> {
+    #[inline(always)]
+    fn as_ref(&self) -> &[T] {
+        &self.0
+    }
+}
 
 /// A chain that functions of lists know: [`BodyAxes`](super::BodyAxes), hinges, slides and links, in tuples, arrays, vectors and branches,
 /// with names or without, `N` joints in all.
@@ -156,7 +168,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     }
 
     /// A sweep whose stores live no longer than itself.
-    #[inline(always)]
+    #[inline(never)]
     fn swept<const N: usize>(&self, q: &[T; N], v: &[T; N], torques: &[T; N]) -> [T; N]
     where
         C: Tasks<T, N>,
