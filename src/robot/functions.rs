@@ -1,7 +1,7 @@
 //! Functions of lists in the order of the joints.
 
-use crate::ends::{Root, Tip};
 use crate::element::{Carrying, Condense, Element, Explicit, Given, Posture, Reading};
+use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, counted};
 use crate::mechanics::spatial::body_axes::composite::{Composite, Whole};
 use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
@@ -97,7 +97,8 @@ fn stands<T: Scalar, const N: usize>(q: &[T; N]) -> [Stand<T>; N] {
 #[inline(always)]
 fn resisting<T: Scalar, const N: usize, C: Tasks<T, N>>(chain: &C, q: &[T; N], v: &[T; N]) -> Resisting<T, N> {
     let none = [T::zero(); N];
-    let mut walk = Resisting { positions: *q, rates: *v, stands: stands(q), laws: none, inertias: none, energies: none, next: 0 };
+    let mut walk =
+        Resisting { positions: *q, rates: *v, stands: stands(q), laws: none, inertias: none, energies: none, next: 0 };
     Takes::<S<T>, Resisting<T, N>>::take(chain, &mut walk, (), ());
     walk
 }
@@ -386,8 +387,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         let mut next = joint;
         while let (Some(place), Some(column)) = (places.get(next), columns.get_mut(next)) {
             let axis = place.attitude.z;
-            let [velocity, spin] =
-                if slides[next] { [axis, zero()] } else { [cross(axis, point - place.place), axis] };
+            let [velocity, spin] = if slides[next] { [axis, zero()] } else { [cross(axis, point - place.place), axis] };
             *column = [velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z];
             next = parents[next];
         }

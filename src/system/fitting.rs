@@ -1,10 +1,10 @@
 //! Motions and loads of other scenes of the same type, told apart.
 
-use crate::walks::count::coordinates as coordinates_of;
 use crate::element::{Element, Loading, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::system::{MotionOf, System};
+use crate::walks::count::coordinates as coordinates_of;
 use crate::walks::fits::fits;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {

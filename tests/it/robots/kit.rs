@@ -91,16 +91,21 @@ pub fn floating() -> Result<Floating, catena::Error> {
 /// The bodies beyond the first, whose number is `first`, as a list.
 fn parts(first: Option<usize>) -> Vec<plain::Part> {
     let start = first.map_or(0, |first| first + 1);
-    let part = |parent: Option<usize>, place: [f64; 3], turn: Matrix, (mass, centre, tensor): (f64, [f64; 3], _)| plain::Part {
-        parent,
-        slides: false,
-        place: Vector::from(place),
-        turn,
-        mass,
-        centre: Vector::from(centre),
-        tensor: Matrix::from_fn(|i, j| { let tensor: [[f64; 3]; 3] = tensor; tensor[i][j] }),
-        armature: 0.0,
-        damping: 0.0,
+    let part = |parent: Option<usize>, place: [f64; 3], turn: Matrix, (mass, centre, tensor): (f64, [f64; 3], _)| {
+        plain::Part {
+            parent,
+            slides: false,
+            place: Vector::from(place),
+            turn,
+            mass,
+            centre: Vector::from(centre),
+            tensor: Matrix::from_fn(|i, j| {
+                let tensor: [[f64; 3]; 3] = tensor;
+                tensor[i][j]
+            }),
+            armature: 0.0,
+            damping: 0.0,
+        }
     };
     // Quarter<8>: x along +z, y along +y, so that z points along −x... of 2 + 6·1. Quarter<30>: x along +x, y along −z, z along +y.
     let (x, y, z) = (Vector::x(), Vector::y(), Vector::z());

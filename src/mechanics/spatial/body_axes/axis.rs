@@ -1,9 +1,7 @@
 //! Joints of one coordinate, about or along the z axis of the body that they carry.
 
 use super::link::swirl;
-use super::number::{
-    Number, Rows, Triple, apply, cross_onto, masked, sum, transposed, triple, values,
-};
+use super::number::{Number, Rows, Triple, apply, cross_onto, masked, sum, transposed, triple, values};
 use super::relation::{Gains, Local, Outboard};
 use super::turns::{Level, Offset};
 use crate::counts::Counted;
@@ -204,7 +202,12 @@ pub trait Standing<T: Scalar>: Copy {
 
     /// Acceleration of the body's origin but for the coordinate, and of the body, from that of the parent.
     #[inline(always)]
-    fn accelerated(&self, stand: Stand<T>, [swung, bias]: [Triple<T>; 2], [a, angular]: [Triple<T>; 2]) -> [Triple<T>; 2] {
+    fn accelerated(
+        &self,
+        stand: Stand<T>,
+        [swung, bias]: [Triple<T>; 2],
+        [a, angular]: [Triple<T>; 2],
+    ) -> [Triple<T>; 2] {
         let at_joint = cross_onto(angular, self.arm(), sum(a, swung));
         let (a, angular) = (self.inward(stand, at_joint), self.inward(stand, angular));
         if const { Self::TURNS } {
@@ -456,14 +459,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
 impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Armature<T>> Axis<T, M, C, PLACE, L, A> {
     /// The coordinate's acceleration, and that of the body: where nothing adds to the pivot, the share of its own axis is one.
     #[inline(always)]
-    fn released(
-        &self,
-        p: [Triple<T>; 2],
-        kept: &Gains<T>,
-        free: T,
-        stiffened: bool,
-        rate: &mut T,
-    ) -> Acceleration<T> {
+    fn released(&self, p: [Triple<T>; 2], kept: &Gains<T>, free: T, stiffened: bool, rate: &mut T) -> Acceleration<T> {
         let (a, angular) = (values(p[0]), values(p[1]));
         let (la, ga) = (kept.linear, kept.angular);
         let mut total = free;
@@ -480,7 +476,11 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         let (second, whole) = if stiffened { (total, total + own) } else { (total - own, total) };
         *rate = second;
         let (mut linear, mut angular) = (Vector3::from(a), Vector3::from(angular));
-        if M::TURNS { angular.z = whole } else { linear.z = whole }
+        if M::TURNS {
+            angular.z = whole
+        } else {
+            linear.z = whole
+        }
         Acceleration { linear, angular }
     }
 }

@@ -2,8 +2,8 @@
 
 use super::axis::{Stand, Standing};
 use super::number::{
-    Number, Rows, Triangle, Triple, congruent, dot_onto, more, product, sum, triangle, triangle_sum, triangle_values,
-    triple, values,
+    Number, Rows, Triangle, Triple, congruent, dot_onto, more, product, scaled, sum, triangle, triangle_less,
+    triangle_sum, triangle_values, triple, values,
 };
 use super::through::{Solid, Through, through};
 use crate::scalar::Scalar;
@@ -51,22 +51,19 @@ through!([const N: usize] Composite<T, N>, Whole<T>, outward false, |walk, chain
 
 /// First moment and tensor about the point at −d.
 #[inline(always)]
-fn shifted<T: Scalar>(mass: Number<T>, moment: Triple<T>, tensor: Triangle<T>, d: Triple<T>) -> (Triple<T>, Triangle<T>) {
-    // J + 2 d·σ 1 − d σᵀ − σ dᵀ + m (d² 1 − d dᵀ) with s = 2 σ + m d: d·s 1 − ½ (d sᵀ + s dᵀ).
+fn shifted<T: Scalar>(
+    mass: Number<T>,
+    moment: Triple<T>,
+    tensor: Triangle<T>,
+    d: Triple<T>,
+) -> (Triple<T>, Triangle<T>) {
+    // J + 2 d·σ 1 − d σᵀ − σ dᵀ + m (d² 1 − d dᵀ) with s = 2 σ + m d: J + d·s 1 − ½ d sᵀ − ½ s dᵀ.
     let s = more(sum(moment, moment), mass, d);
-    let half = [Number::of(T::literal(0.5)); 3];
-    let halves = [half[0].times(d[0]), half[1].times(d[1]), half[2].times(d[2])];
+    let half = scaled(d, Number::of(T::literal(0.5)));
     let trace = dot_onto(d, s, Number::zero());
     let [xx, yy, zz, yz, xz, xy] = tensor;
-    let less = |sum: Number<T>, a: usize, b: usize| halves[a].times_off(s[b], halves[b].times_off(s[a], sum));
-    let tensor = [
-        less(xx.plus(trace), 0, 0),
-        less(yy.plus(trace), 1, 1),
-        less(zz.plus(trace), 2, 2),
-        less(yz, 1, 2),
-        less(xz, 0, 2),
-        less(xy, 0, 1),
-    ];
+    let tensor = [xx.plus(trace), yy.plus(trace), zz.plus(trace), yz, xz, xy];
+    let tensor = triangle_less(&triangle_less(&tensor, half, s), s, half);
     (more(moment, mass, d), tensor)
 }
 

@@ -68,10 +68,7 @@ impl<T: Scalar, const N: usize> Through<T> for Inward<T, N> {
         // U free = G (τ − F along the axis), but along the axis itself τ − I free.
         let left = self.free[self.next] - axis.along(whole);
         let add = super::number::more;
-        whole = [
-            add(whole[0], Number::of(left), triple(linear)),
-            add(whole[1], Number::of(left), triple(angular)),
-        ];
+        whole = [add(whole[0], Number::of(left), triple(linear)), add(whole[1], Number::of(left), triple(angular))];
         self.free[self.next] = left * inverse;
         let [force, torque] = axis.carried(self.stands[self.next], whole);
         [values(force), values(torque)]

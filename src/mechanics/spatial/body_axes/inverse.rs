@@ -41,11 +41,8 @@ impl<T: Scalar, const N: usize, const RATES: bool, const SECONDS: bool> Through<
         let (stand, rate) = (self.stands[own], self.rates[own]);
         let none = [Number::zero(); 3];
         let turning = if const { RATES } { axis.spun(stand, rate, spin) } else { spin };
-        let besides = if const { RATES } {
-            [axis.swung(spin), triple(axis.bias(stand, rate, turning))]
-        } else {
-            [none; 2]
-        };
+        let besides =
+            if const { RATES } { [axis.swung(spin), triple(axis.bias(stand, rate, turning))] } else { [none; 2] };
         let mut p = axis.accelerated(stand, besides, [triple(linear), Self::angular(angular)]);
         if const { SECONDS } {
             p = axis.moved(self.seconds[own], p);

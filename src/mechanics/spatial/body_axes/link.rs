@@ -1,8 +1,6 @@
 //! A rigid body in its own axes.
 
-use super::number::{
-    Number, Triangle, Triple, apply_onto, cross_onto, masked, more, rows, triangle, triple, values,
-};
+use super::number::{Number, Triangle, Triple, apply_onto, cross_onto, masked, more, rows, triangle, triple, values};
 use super::relation::{Alone, Local};
 use super::through::Solid;
 use crate::counts::Counted;

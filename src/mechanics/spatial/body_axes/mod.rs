@@ -19,11 +19,11 @@ mod through;
 mod torques;
 mod turns;
 
+pub use axis::Stand;
 pub use axis::{AboutZ, AlongZ, Armature, Axis, Hinge, Slide};
 pub use link::Link;
-pub use places::Place;
-pub use torques::Torques;
-pub use axis::Stand;
-pub use relation::{Gains, Local};
 pub use mount::BodyAxes;
+pub use places::Place;
+pub use relation::{Gains, Local};
+pub use torques::Torques;
 pub use turns::{Leaning, Level, Offset, Quarter, Turned};

@@ -207,7 +207,6 @@ pub fn cross_onto<T: Scalar>(a: Triple<T>, b: Triple<T>, start: Triple<T>) -> Tr
     ]
 }
 
-
 /// `start` + R v.
 #[inline(always)]
 pub fn apply_onto<T: Scalar>(rows: &Rows<T>, v: Triple<T>, start: Triple<T>) -> Triple<T> {

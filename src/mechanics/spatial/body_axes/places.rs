@@ -34,9 +34,13 @@ impl<T: Scalar> Place<T> {
         let o = Number::zero();
         let out = if const { A::TURNS } { [o; 3] } else { axis.outward(stand, [o, o, Number::of(stand[1])]) };
         let arm = super::number::sum(axis.arm(), out);
-        let (i, unit) = (Number::one(), |[x, y, z]: [Number<T>; 3]| Vector3::from(values(axis.outward(stand, [x, y, z]))));
+        let (i, unit) =
+            (Number::one(), |[x, y, z]: [Number<T>; 3]| Vector3::from(values(axis.outward(stand, [x, y, z]))));
         let axes = Columns { x: unit([i, o, o]), y: unit([o, i, o]), z: unit([o, o, i]) };
-        Self { place: self.attitude.apply_onto(Vector3::from(values(arm)), self.place), attitude: self.attitude.times(&axes) }
+        Self {
+            place: self.attitude.apply_onto(Vector3::from(values(arm)), self.place),
+            attitude: self.attitude.times(&axes),
+        }
     }
 }
 

@@ -5,8 +5,8 @@
 
 use super::number::{
     Number, Rows, Triangle, Triple, apply, apply_onto, congruent, cross_onto, dot_onto, less, masked, more as more_of,
-    product, rows, scaled, sum as added, tilde, transposed, triangle, triangle_less, triangle_sum, triangle_values, triple,
-    values,
+    product, rows, scaled, sum as added, tilde, transposed, triangle, triangle_less, triangle_sum, triangle_values,
+    triple, values,
 };
 use crate::relation::spatial::algebra::{Columns, Symmetric3};
 use crate::relation::spatial::{Empty, Full};
@@ -213,7 +213,8 @@ impl<T: Scalar> Sparse<T> {
         // e + U free + S c.
         let (c, released) = ([Number::of(cx), Number::of(cy), o], Number::of(free));
         let force = apply_onto(&[kx, ky, kz], c, more_of(force, released, u));
-        let torque = more_of([torque[0], torque[1], more.times_off(released, Number::of(effort))], released, [w[0], w[1], o]);
+        let torque =
+            more_of([torque[0], torque[1], more.times_off(released, Number::of(effort))], released, [w[0], w[1], o]);
         let torque = apply_onto(&rows(&angular), c, torque);
         let gains = Gains {
             linear: values(g),
@@ -239,7 +240,8 @@ impl<T: Scalar> Sparse<T> {
         let coupling = [less(kx, u[0], b), less(ky, u[1], b), scaled(kz, share)];
         let angular = triangle_less(&angular, w, b);
         let (c, released) = (triple(c), Number::of(free));
-        let force = more_of([force[0], force[1], more.times_off(released, Number::of(effort))], released, [u[0], u[1], o]);
+        let force =
+            more_of([force[0], force[1], more.times_off(released, Number::of(effort))], released, [u[0], u[1], o]);
         let torque = apply_onto(&transposed(&coupling), c, more_of(torque, released, w));
         let force = apply_onto(&rows(&linear), c, force);
         let gains = Gains {

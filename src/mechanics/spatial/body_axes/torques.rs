@@ -1,10 +1,10 @@
 //! Torques in joints, one number each.
 
-use crate::error::Fault;
 use crate::element::Loading;
+use crate::error::Fault;
 use crate::mechanics::spatial::{BodyMotion, Drive, JointMotion, Spatial};
-use crate::relation::spatial::algebra::Columns;
 use crate::relation::Absent;
+use crate::relation::spatial::algebra::Columns;
 use crate::scalar::Scalar;
 
 /// Torques (N·m) of hinges and forces (N) of slides, ON the outboard body: values handed in for all joints of one coordinate, in their
