@@ -16,6 +16,7 @@ use crate::walks::measure::gains;
 use crate::walks::recover::recover;
 use crate::walks::respond::respond;
 use crate::walks::restore::restore;
+use crate::walks::sines::sines;
 use crate::walks::size::sizes;
 use crate::walks::spread;
 use crate::walks::travel::{show, travel};
@@ -114,10 +115,15 @@ pub fn sweep<S: Space, E, W, R, P>(
     let Site { root, gravity, tip, loads, time } = site;
     let ground = &root.ground(*time);
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
+    sines(chain, position, x);
     let turn = chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
     if const { W::Loads::ON && !W::Loads::READS } {
         spread::to_bodies(chain, loads.on_bodies_listed(), on_bodies);
-        spread::to_joints(chain, loads.in_joints_listed(), in_joints);
+        if const { W::Loads::BY_COORDINATE } {
+            spread::to_coordinates(chain, loads.in_joints_listed(), in_joints);
+        } else {
+            spread::to_joints(chain, loads.in_joints_listed(), in_joints);
+        }
     } else if W::Loads::ON {
         let motion = Coordinates { position, rate, acceleration };
         let seen = survey(chain, *ground, motion, *loads);
