@@ -18,7 +18,7 @@ fn steps_have_the_jacobians_of_jets() {
     let lifted = system.lift(J::of);
     let start = lifted.with_seeds(now.lift(J::of), 0);
     let seeded: Vec<J> = (0..3).map(|i| J::seed(torques[i], 6 + i)).collect();
-    let mut end = start.clone();
+    let mut end = start;
     lifted.stepper(Dopri5).step(&start, &Loads::none().torques(seeded), h, &mut end).unwrap();
     let rows: Vec<J> = end.coordinates().into_iter().chain(end.rates()).collect();
     let (values, found): (Vec<f64>, Vec<f64>) =
