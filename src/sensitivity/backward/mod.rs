@@ -130,7 +130,7 @@ where
         Self { record: steps.record(), steps, spare: scene.motion(), scratch, method }
     }
 
-    /// The same under loads on bodies, forces of a medium or of springs to fixed points: a law that is generic over the scalar and
+    /// Runs and gradients under loads on bodies, forces of a medium or of springs to fixed points: a law that is generic over the scalar and
     /// [`lift!`](crate::lift!)ed, which goes backward by itself, by jets of what a body tells it and of its own numbers, six or less.
     ///
     /// ```
