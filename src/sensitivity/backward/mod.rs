@@ -82,9 +82,10 @@ use steps::{Record, Steps};
 /// | DOP853, 20 | 2.8 | 3.4 | 3.3 | 94 | 2.5 | 3.0 | 2.9 | 175 |
 /// | DOP853, 100 | 2.7 | 3.4 | 3.3 | 78 | 2.4 | 3.0 | 2.9 | 168 |
 ///
-/// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs on a tape take 1.8 plain runs
-/// with their gradient (RK4, n = 2, 7; 3000 steps in pieces of 55 that stay in a cache), and with few states kept 2.8 where all states took
-/// 2.7. (Two cores shared with other work: times are the least of 400, of 15.)
+/// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs
+/// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which
+/// [few states](Self::gradient_between) are kept 2.7 (RK4, n = 20, a million steps). (Two cores shared with other work: times are the least
+/// of 400, of 2000 and of one.)
 pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit, L = Absent> {
     steps: Steps<'s, S, R, C, P, M, L>,
     record: Record<S, Elements<S, R, C>, M>,
