@@ -44,8 +44,8 @@
 mod functions;
 
 pub use crate::mechanics::spatial::body_axes::{
-    AboutZ, AlongZ, Armature, Axis, BodyAxes, Hinge, Leaning, Level, Link, Offset, Place, Quarter, Slide, Torques,
-    Turned,
+    AboutZ, AlongZ, Armature, Axis, Bearing, BodyAxes, Hinge, Leaning, Level, Link, Offset, OnBody, OnGround, Place,
+    Quarter, Slide, Torques, Turned,
 };
 pub use crate::spatial::*;
 pub use functions::Tasks;

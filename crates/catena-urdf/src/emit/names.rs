@@ -3,7 +3,10 @@
 use std::collections::HashSet;
 
 /// What the module itself uses.
-const RESERVED: [&str; 41] = [
+const RESERVED: [&str; 44] = [
+    "Absent",
+    "OnGround",
+    "Spring",
     "BodyAxes",
     "Hinge",
     "Slide",

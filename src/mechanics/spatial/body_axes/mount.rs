@@ -1,7 +1,7 @@
 //! The way from inertial axes to those of bodies.
 
 use super::number::{Rows, triple};
-use super::relation::Local;
+use super::relation::{Borne, Local};
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Posture, Springs, Sweep};
 use crate::error::Fault;
@@ -143,6 +143,21 @@ impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T>, W> for Body
         (): &mut (),
     ) -> Full<T> {
         outer.turned(&rows(posture.x))
+    }
+}
+
+impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Borne, W> for BodyAxes {
+    type Out = Borne;
+
+    #[inline(always)]
+    fn condense(
+        &self,
+        outer: Borne,
+        _: Posture<'_, Spatial<T>, Self>,
+        _: Given<'_, Spatial<T>, Self, W>,
+        (): &mut (),
+    ) -> Borne {
+        outer
     }
 }
 
