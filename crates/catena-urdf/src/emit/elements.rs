@@ -62,9 +62,9 @@ fn local_imports(robot: &Robot, plan: &Plan) -> String {
     let [any, quarter, level] = structure::kinds(robot, robot.is_general());
     let used = [
         ("Absent", robot.base.is_none()),
-        ("BodyAxes", true),
+        ("Base", robot.base.is_none()),
+        ("BodyAxes", robot.base.is_some()),
         ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
-        ("Clamped", robot.base.is_none()),
         ("Effort", true),
         ("Free", true),
         ("Hinge", slides(false)),
@@ -72,7 +72,6 @@ fn local_imports(robot: &Robot, plan: &Plan) -> String {
         ("Link", true),
         ("OnGround", robot.base.is_none()),
         ("Quarter", quarter),
-        ("Rotation", robot.base.is_none()),
         ("Slide", slides(true)),
         ("Spring", robot.base.is_none()),
         ("System", true),
@@ -135,7 +134,11 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
         }
         text += ");\n\n";
     }
-    let root = if robot.base.is_some() { "Free" } else { "Clamped<[T; 3], Rotation<T>>" };
+    let root = match robot.base {
+        Some(_) => "Free",
+        None if robot.elements == Elements::Inertial => "Clamped<[T; 3], Rotation<T>>",
+        None => "Base<T>",
+    };
     let _ = writeln!(text, "/// The robot.\npub type Scene<T> = System<T, {root}, Chain<T>, Free>;\n");
     text
 }
@@ -146,7 +149,10 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
     let mut text = String::new();
     let root = match robot.base {
         Some(_) => "Free".to_owned(),
-        None => format!("Clamped::at({}, Rotation::identity())", vector(plan.root)),
+        None if robot.elements == Elements::Inertial => {
+            format!("Clamped::at({}, Rotation::identity())", vector(plan.root))
+        }
+        None => "Base::origin()".to_owned(),
     };
     let fails = plan.arms.iter().any(|arm| arm.parts.iter().any(|part| matches!(part, Part::Weld(_))));
     let [x, y, z] = robot.gravity;

@@ -3,7 +3,8 @@
 use std::collections::HashSet;
 
 /// What the module itself uses.
-const RESERVED: [&str; 44] = [
+const RESERVED: [&str; 45] = [
+    "Base",
     "Absent",
     "OnGround",
     "Spring",

@@ -25,7 +25,7 @@ mod turns;
 
 pub use axis::{AboutZ, AlongZ, Armature, Axis, Bearing, Hinge, OnBody, OnGround, Slide};
 pub use link::Link;
-pub use mount::BodyAxes;
+pub use mount::{Base, BodyAxes, Upright};
 pub use places::Place;
 pub use relation::{Gains, Local};
 pub use standing::Stand;

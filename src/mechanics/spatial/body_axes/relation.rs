@@ -184,7 +184,11 @@ impl Promote<Empty> for Borne {
     }
 }
 
-impl<T: Scalar> Close<Spatial<T>, Open> for Borne {
+/// What a base makes of all that it bears.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Settled;
+
+impl<T: Scalar> Close<Spatial<T>, Open> for Settled {
     #[inline(always)]
     fn multipliers(&self, _: &AccelerationOf<Spatial<T>>) {}
     #[inline(always)]
