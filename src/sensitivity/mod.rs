@@ -53,6 +53,7 @@
 //! ```
 
 mod along;
+mod along_in_space;
 mod backward;
 mod gradient;
 mod stepper;

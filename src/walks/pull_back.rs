@@ -1,6 +1,7 @@
 //! Costates of positions, rates and parameters, from the virtual power of each body.
 
 use crate::adjoint::Reversed;
+use crate::loading::EffortOf;
 use crate::relation::Additive;
 use crate::shape::{Mut, PerAxes, PerBody, PerJoint, Rates, Ref, Selective, Walk};
 
@@ -9,15 +10,15 @@ pub struct PullBack;
 
 impl<S: Reversed> Walk<S> for PullBack {
     type Carried = S::Pulled;
-    /// Posture; rates, accelerations and w; accelerations of bodies, and what [`Stir`](super::stir::Stir) has kept; costates of parameters,
-    /// positions and rates.
+    /// Posture; rates, accelerations and w; accelerations of bodies, what [`Stir`](super::stir::Stir) has kept, and torques in joints;
+    /// costates of parameters, positions and rates.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
         Ref<PerAxes<S::P>>,
         Ref<PerAxes<S::Q>>,
         (Ref<Rates>, Ref<Rates>, Ref<Rates>),
-        (Ref<PerBody<S::Vector>>, Ref<PerBody<S::OnBody>>, Ref<PerJoint<S::InJoint>>),
+        (Ref<PerBody<S::Vector>>, Ref<PerBody<S::OnBody>>, Ref<PerJoint<S::InJoint>>, Ref<PerJoint<EffortOf<S>>>),
         (Mut<PerBody<S::OfBody>>, Mut<PerJoint<S::OfJoint>>),
         (Mut<Rates>, Mut<Rates>),
     );

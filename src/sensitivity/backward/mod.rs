@@ -173,7 +173,7 @@ where
         for (k, state) in states.iter().enumerate().take(steps).rev() {
             self.steps.take_torques(torques, k);
             self.steps.evaluate(state, step, &mut self.record);
-            self.steps.pull_back(state, step, &self.record, &mut gradient);
+            self.steps.pull_back([state, &states[k + 1]], step, &self.record, &mut gradient);
             self.steps.give_torques(by_torques, k);
             cost(k, state, &mut gradient.start)?;
         }

@@ -7,11 +7,14 @@
 //! ```text
 //! λ_j = Σ_{i>j} (h² (A·A)_ij Q_i + h A_ij V_i)      (Q_j, V_j) = pull back λ_j      Q = Σ Q_i      V = Σ V_i + h Σ c_i Q_i
 //! ```
+//!
+//! Where positions are curved, rules sum up coordinates of the step: then Q, V and λ are the costates of these, of their first and of their
+//! second derivatives, from and to which [`Position`] translates, and positions before the step get their share from each row.
 
 use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Element, RealOf};
 use crate::loading::EffortOf;
-use crate::mirror::Rate;
+use crate::mirror::{Position, Rate};
 use crate::relation::{Additive, Open, Wrench};
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
@@ -46,6 +49,8 @@ struct Stage<S: Reversed, E: Element<S>> {
     reached: E::Store<PerBody<S::Vector>>,
     position: E::Position,
     rate: E::Rate,
+    /// Accelerations, where those of the step's coordinates are others.
+    acceleration: E::Rate,
 }
 
 /// A step with what its stages keep.
@@ -74,6 +79,8 @@ pub(super) struct Steps<'s, S: Reversed, R: crate::ends::Root<S>, C: Element<S>,
     of_rate: M::Rows<<Elements<S, R, C> as Element<S>>::Rate>,
     /// Costates of accelerations, and room for sums.
     of_acceleration: <Elements<S, R, C> as Element<S>>::Rate,
+    /// Costates of second derivatives of the step's coordinates, where positions are curved.
+    of_second: <Elements<S, R, C> as Element<S>>::Rate,
     sum: <Elements<S, R, C> as Element<S>>::Rate,
     pub(super) zero: <Elements<S, R, C> as Element<S>>::Rate,
     on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
@@ -93,6 +100,8 @@ where
     Elements<S, R, C>: Reversible<S>,
     EffortOf<S>: Additive,
 {
+    const CURVED: bool = <<Elements<S, R, C> as Element<S>>::Position as Position<S::Scalar>>::CURVED;
+
     pub(super) fn new(scene: &'s System<S, R, C, P>) -> Self {
         let elements = scene.elements();
         let zero = elements.store::<Rates>(());
@@ -114,6 +123,7 @@ where
             of_position: M::rows(&zero),
             of_rate: M::rows(&zero),
             of_acceleration: zero.clone(),
+            of_second: zero.clone(),
             sum: zero.clone(),
             zero,
             on_bodies: elements.store::<PerBody<_>>(on_body),
@@ -137,6 +147,7 @@ where
             reached: elements.store::<PerBody<_>>(S::Vector::null()),
             position: elements.store::<Positions>(()),
             rate: self.zero.clone(),
+            acceleration: self.zero.clone(),
         };
         Record { stages: M::rows(&stage), accelerations: M::rows(&self.zero) }
     }
@@ -169,9 +180,18 @@ where
                 let Stage { position, rate, .. } = &mut record.stages.as_mut()[row];
                 let room = (&self.zero, &mut self.sum);
                 let slopes = record.accelerations.as_ref();
-                displace(past, slopes, M::node(row), row_weights::<M>(row), step, room, (position, rate));
+                displace(past, slopes, M::node(row), row_weights::<M>(row), step, room, (&mut *position, &mut *rate));
+                if Self::CURVED {
+                    position.retract_rate(&past.position, rate);
+                }
             }
             self.sweep(row, past, past.time + RealOf::<S>::of(M::node(row)) * step, record);
+            if Self::CURVED && row > 0 {
+                let Stage { position, rate, acceleration, .. } = &mut record.stages.as_mut()[row];
+                let slope = &mut record.accelerations.as_mut()[row];
+                acceleration.set(slope);
+                position.inverse_retract_acceleration(&past.position, rate, slope);
+            }
         }
     }
 
@@ -186,6 +206,9 @@ where
         let (row, room) = (M::STAGES, (&self.zero, &mut self.sum));
         let into = (&mut next.position, &mut next.rate);
         displace(past, record.accelerations.as_ref(), M::node(row), row_weights::<M>(row), step, room, into);
+        if Self::CURVED {
+            next.position.retract_rate(&past.position, &mut next.rate);
+        }
         next.acceleration.set(&self.zero);
     }
 
@@ -199,7 +222,7 @@ where
         record: &mut Record<S, Elements<S, R, C>, M>,
     ) {
         let (elements, ground) = (self.scene.elements(), self.scene.ground(time));
-        let Stage { x, y, p, q, kept, pivots, reached, position, rate } = &mut record.stages.as_mut()[row];
+        let Stage { x, y, p, q, kept, pivots, reached, position, rate, .. } = &mut record.stages.as_mut()[row];
         let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (&*position, &*rate) };
         elements.pose(position, rate, ground.turn, &self.sizes, x, y, p, q);
         elements.take(&mut Factor, S::nothing(), (x, y, p, q, &self.torques, kept, pivots));
@@ -210,7 +233,7 @@ where
     /// From the costates after a step to those before it: the columns of the tableau, from the last to the first.
     pub(super) fn pull_back(
         &mut self,
-        past: &MotionOf<S, R, C, P>,
+        [past, next]: [&MotionOf<S, R, C, P>; 2],
         step: RealOf<S>,
         record: &Record<S, Elements<S, R, C>, M>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
@@ -218,6 +241,14 @@ where
         let (last, one) = (M::STAGES, RealOf::<S>::one());
         self.of_position.as_mut()[last].set(&gradient.start.position);
         self.of_rate.as_mut()[last].set(&gradient.start.rate);
+        if Self::CURVED {
+            gradient.start.position.set(&self.zero);
+            self.of_second.set(&self.zero);
+            let here = (&next.position, &next.rate, &self.zero);
+            let of_here = (&mut self.of_position.as_mut()[last], &mut self.of_rate.as_mut()[last]);
+            let of_second = &self.of_second;
+            here.0.transposed_step(&past.position, (here.1, here.2), of_second, of_here, &mut gradient.start.position);
+        }
         for row in (0..last).rev() {
             let [position, rate] = &self.weights.as_ref()[row];
             let later = row + 1..last + 1;
@@ -225,10 +256,26 @@ where
             gather(&mut self.sum, &self.zero, step * step, &position[later.clone()], of_position);
             let of_rate = &self.of_rate.as_ref()[later.clone()];
             gather(&mut self.of_acceleration, &self.sum, step, &rate[later], of_rate);
+            let Stage { position, rate, acceleration, .. } = &record.stages.as_ref()[row];
+            let curved = Self::CURVED && row > 0; // the first stage has turned by nothing
+            if curved {
+                self.of_second.set(&self.of_acceleration);
+                position.transposed_acceleration(&past.position, &mut self.of_acceleration);
+            }
             self.pull_back_stage(row, past, past.time + RealOf::<S>::of(M::node(row)) * step, record, gradient);
+            let (of_position, of_rate) = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
+            let of_past = &mut gradient.start.position;
+            if curved {
+                let (here, of_here) = ((rate, acceleration), (of_position, of_rate));
+                position.transposed_step(&past.position, here, &self.of_second, of_here, of_past);
+            } else if Self::CURVED {
+                of_past.add(of_position);
+            }
         }
         let (of_position, of_rate) = (&self.of_position.as_ref()[..=last], &self.of_rate.as_ref()[..=last]);
-        gather(&mut gradient.start.position, &self.zero, one, &[1.0; ROWS], of_position);
+        if !Self::CURVED {
+            gather(&mut gradient.start.position, &self.zero, one, &[1.0; ROWS], of_position);
+        }
         gather(&mut self.sum, &self.zero, one, &[1.0; ROWS], of_rate);
         gather(&mut gradient.start.rate, &self.sum, step, &self.nodes, of_position);
     }
@@ -244,9 +291,11 @@ where
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let elements = self.scene.elements();
-        let Stage { x, y, p, q, kept, pivots, reached, rate, .. } = &record.stages.as_ref()[row];
+        let Stage { x, y, p, q, kept, pivots, reached, rate, acceleration, .. } = &record.stages.as_ref()[row];
         let rate = if row == 0 { &past.rate } else { rate };
-        let (acceleration, free) = (&record.accelerations.as_ref()[row], &mut self.of_acceleration);
+        let slope = &record.accelerations.as_ref()[row];
+        let acceleration = if Self::CURVED && row > 0 { acceleration } else { slope };
+        let free = &mut self.of_acceleration;
         elements.take(&mut Meet, Wrench::none(), (x, y, p, q, kept, pivots, free));
         let ground = S::at_ground(&self.scene.ground(time));
         let kept_of_them = (&mut self.on_bodies, &mut self.in_joints);
@@ -254,7 +303,7 @@ where
         elements.take(&mut Stir, ground, stores);
         let Gradient { bodies, joints, .. } = gradient;
         let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-        let kept_of_them = (reached, &self.on_bodies, &self.in_joints);
+        let kept_of_them = (reached, &self.on_bodies, &self.in_joints, &self.torques);
         let stores = (x, y, p, q, (rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
         let left = elements.take(&mut PullBack, S::Pulled::null(), stores);
         gradient.gravity = gradient.gravity + S::of_gravity(&left);

@@ -7,14 +7,14 @@ use catena::{Error, Fault, Scalar};
 use catena_oracle::{Noise, near};
 
 /// Some thousand roundings.
-const ROUNDING: f64 = 1e-12;
+pub(super) const ROUNDING: f64 = 1e-12;
 
 /// Numbers of one kind: what they are called, and how many there are.
-type Kinds<'k> = &'k [(&'k str, usize)];
+pub(super) type Kinds<'k> = &'k [(&'k str, usize)];
 
 /// Each number agrees to a share of the largest of its kind.
 #[track_caller]
-fn alike(name: &str, kinds: Kinds, found: &[f64], expected: &[f64], tolerance: f64) {
+pub(super) fn alike(name: &str, kinds: Kinds, found: &[f64], expected: &[f64], tolerance: f64) {
     assert_eq!(found.len(), kinds.iter().map(|kind| kind.1).sum::<usize>());
     assert_eq!(found.len(), expected.len());
     let mut first = 0;

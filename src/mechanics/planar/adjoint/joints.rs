@@ -128,7 +128,7 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Weld<T> {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (.., (_, _, turning), (_, sum), _): Of<'_, Planar<T>, PullBack, Self>,
+        (.., (_, _, turning, _), (_, sum), _): Of<'_, Planar<T>, PullBack, Self>,
     ) -> Pulled<T> {
         *sum += outer.turned(*turning)[0];
         outer

@@ -1,0 +1,183 @@
+//! Gradients of runs in space that go backward: against jets through the same steps, kind by kind, and against central differences.
+
+use super::backward::{Kinds, ROUNDING, alike};
+use catena::Scalar;
+use catena::scalar::Jet;
+use catena::spatial::*;
+use catena::system::{Position, Rate};
+use catena_oracle::{Noise, near};
+
+/// What a cost reads of coordinates and rates at a step: unlike for each of them.
+fn share<T: Scalar<Real = f64>>(step: usize, last: usize, positions: &[T], rates: &[T]) -> T {
+    let mut sum = T::constant(0.0);
+    for (i, (&q, weight)) in positions.iter().zip(weights(step, last)).enumerate() {
+        sum += (q + (q * q).scale(0.1 * i as f64)).scale(weight);
+    }
+    for (&v, weight) in rates.iter().zip(weights(step, last)) {
+        sum += (v + (v * v).scale(0.5)).scale(weight);
+    }
+    sum
+}
+
+/// Its derivatives by displacements and rates: a ball's quaternion p changes by half of p ∘ (0, ψ) with a rotation vector in body axes.
+fn slopes(step: usize, last: usize, balls: &[bool], positions: &[f64], rates: &[f64]) -> [Vec<f64>; 2] {
+    let by = |i: usize, q: f64| (1.0 + 0.2 * i as f64 * q) * weights(step, last).nth(i).unwrap();
+    let (mut i, mut by_position) = (0, vec![]);
+    for &ball in balls {
+        let own: Vec<f64> = (i..i + if ball { 4 } else { 1 }).map(|i| by(i, positions[i])).collect();
+        if let ([a, b, c, d], [w, x, y, z, ..]) = (&own[..], &positions[i..]) {
+            by_position.extend([-a * x + b * w + c * z - d * y, -a * y - b * z + c * w + d * x, -a * z + b * y - c * x + d * w].map(|sum| 0.5 * sum));
+        } else {
+            by_position.push(own[0]);
+        }
+        i += own.len();
+    }
+    [by_position, rates.iter().zip(weights(step, last)).map(|(v, weight)| (1.0 + v) * weight).collect()]
+}
+
+/// Weights of coordinates: all of them at the end, less on the way.
+fn weights(step: usize, last: usize) -> impl Iterator<Item = f64> {
+    let all = if step == last { 1.0 } else { 0.02 / (1.0 + step as f64) };
+    (0..).map(move |i| all * (1.0 + 0.1 * i as f64))
+}
+
+/// A scene from numbers, run by fixed steps, as plain numbers backward and over jets by the rule itself: the gradient of a cost by all
+/// numbers. The scene's constructor takes each from `$number`, by its place in the list: parameters, then displacements from angles, rates,
+/// and torques, three a joint.
+macro_rules! gradients {
+    ($name:expr, $kinds:expr, $parameters:expr, $balls:expr, $joints:expr, $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block) => {{
+        let (mut numbers, steps, h, joints): (Vec<f64>, usize, f64, usize) = ($parameters, $steps, $h, $joints);
+        let balls: &[bool] = &$balls;
+        let (parameters, n) = (numbers.len(), balls.iter().map(|ball| if *ball { 3 } else { 1 }).sum::<usize>());
+        let mut noise = Noise::new(5);
+        let angles: Vec<f64> = (0..n).map(|_| noise.next()).collect();
+        numbers.extend((0..n).map(|_| 0.0));
+        numbers.extend((0..n).map(|_| noise.next()));
+        numbers.extend((0..3 * steps * joints).map(|_| noise.next()));
+        let mut kinds = $kinds.to_vec();
+        kinds.extend([("attitudes", n), ("rates", n), ("torques", 3 * steps * joints)]);
+        // The motion in which a run begins, and torques.
+        macro_rules! start {
+            ($N:ty, $system:expr, $of:expr) => {{
+                let at: Vec<$N> = angles.iter().map(|angle| <$N>::constant(*angle)).collect();
+                let still = $system.at_rest(&at).unwrap();
+                let mut start = $system.with_rates(still, &$of[parameters + n..][..n]).unwrap();
+                let (mut step, mut displacements) = (start.rate().clone(), $of[parameters..].iter());
+                Rate::<$N>::replace(&mut step, &mut |_| *displacements.next().unwrap());
+                Position::<$N>::displace(start.position_mut(), &step);
+                let torques = $of[parameters + 2 * n..].chunks(3).map(|t| Effort([t[0], t[1], t[2]])).collect::<Vec<_>>();
+                (start, torques)
+            }};
+        }
+        // Over numbers: the cost of the run.
+        macro_rules! cost {
+            ($N:ty, $number:expr) => {{
+                let $x = $number;
+                let of: Vec<$N> = (0..numbers.len()).map(&$x).collect();
+                let system = {
+                    type N = $N;
+                    $scene
+                };
+                let (mut now, torques) = start!($N, system, of);
+                let (mut next, mut stepper, mut sum) = (now.clone(), system.stepper($method), <$N>::constant(0.0));
+                for step in 0..=steps {
+                    sum += share(step, steps, &now.coordinates(), &now.rates());
+                    if step < steps {
+                        let loads = Loads::none().efforts(torques[step * joints..][..joints].to_vec());
+                        stepper.step(&now, &loads, h, &mut next).unwrap();
+                        core::mem::swap(&mut now, &mut next);
+                    }
+                }
+                sum
+            }};
+        }
+        // Backward.
+        let system = {
+            type N = f64;
+            let $x = |k: usize| -> N { numbers[k] };
+            $scene
+        };
+        let (start, torques) = start!(f64, system, numbers);
+        let mut states = vec![start.clone(); steps + 1];
+        let mut by_torques = vec![Effort([0.0; 3]); torques.len()];
+        let mut backward = system.backward($method);
+        backward.run(&start, h, steps, &torques, &mut states).unwrap();
+        let mut total = 0.0;
+        let gradient = backward
+            .gradient(h, &torques, &states, &mut by_torques, |step, state, by| {
+                let (q, v) = (state.coordinates(), state.rates());
+                total += share(step, steps, &q, &v);
+                let [by_position, by_rate] = slopes(step, steps, balls, &q, &v);
+                by.add(&by_position, &by_rate)
+            })
+            .unwrap();
+        // The number itself is that of the rule, but for the order in which shares are added up.
+        let plain = cost!(f64, |k: usize| -> f64 { numbers[k] });
+        near(total, plain, 1e-12 * (1.0 + plain.abs()));
+        let (mut found, mut expected) = (vec![], vec![]);
+        for first in (0..numbers.len()).step_by(8) {
+            type J = Jet<f64, 8>;
+            let number = |k: usize| -> J { J::seed(numbers[k], usize::wrapping_sub(k, first)) };
+            expected.extend(cost!(J, number).eps);
+            let system = {
+                type N = J;
+                let $x = number;
+                $scene
+            };
+            found.extend(gradient.along(&system).unwrap());
+        }
+        expected.truncate(numbers.len());
+        found.truncate(parameters);
+        found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()));
+        found.extend(by_torques.iter().flat_map(|torque| torque.0));
+        alike($name, &kinds, &found, &expected, ROUNDING);
+        // Central differences of order 4.
+        let differences: Vec<f64> = (0..numbers.len())
+            .map(|j| {
+                let e = 2e-4 * numbers[j].abs().max(0.1);
+                let at = |e: f64| cost!(f64, |k: usize| -> f64 { numbers[k] + if k == j { e } else { 0.0 } });
+                (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
+            })
+            .collect();
+        alike($name, &kinds, &found, &differences, 1e-6);
+    }};
+}
+
+/// A body with mass, tensor, mass centre and outboard end anywhere, from thirteen numbers.
+fn body<N: Scalar>(of: [N; 13]) -> RigidBody<N> {
+    let [m, xx, yy, zz, xy, xz, yz, a, b, c, d, e, f] = of;
+    RigidBody::new(m, [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]], [a, b, c], [d, e, f])
+}
+
+/// Numbers of bodies, and gravity.
+fn bodies(n: usize) -> Vec<f64> {
+    let mut noise = Noise::new(n as u64);
+    let mut list = vec![];
+    for _ in 0..n {
+        let typical = [1.2, 0.2, 0.25, 0.3, 0.02, -0.03, 0.01, 0.3, 0.1, -0.05, 0.7, -0.2, 0.15];
+        list.extend(typical.map(|x| x * (1.0 + 0.2 * noise.next())));
+    }
+    list.extend([0.5, -9.0, 1.0]);
+    list
+}
+
+macro_rules! balls {
+    ($n:expr, $method:expr, $steps:expr, $h:expr) => {{
+        let n = $n;
+        let kinds: Kinds = &[("bodies", 13 * n), ("gravity", 3)];
+        let name = format!("{n} balls, {:?}", $method);
+        gradients!(&name, kinds, bodies(n), vec![true; n], n, $method, $steps, $h, |x| {
+            let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+            let others: Vec<(Ball, RigidBody<N>)> = (1..n).map(|i| (Ball, of(i))).collect();
+            let root = Pinned::on([0.0; 3].map(N::constant));
+            System::new(root, (of(0), others), Free).unwrap().with_gravity([0, 1, 2].map(|k| x(13 * n + k)))
+        })
+    }};
+}
+
+#[test]
+fn chains_on_balls_have_the_gradients_of_jets() {
+    balls!(1, Rk4, 6, 0.05);
+    balls!(2, Rk4, 6, 0.05);
+    balls!(2, Dop853, 3, 0.1);
+}
