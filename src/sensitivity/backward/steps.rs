@@ -291,15 +291,15 @@ where
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let elements = self.scene.elements();
-        let Stage { x, y, p, q, kept, pivots, reached, rate, acceleration, .. } = &record.stages.as_ref()[row];
-        let rate = if row == 0 { &past.rate } else { rate };
+        let Stage { x, y, p, q, kept, pivots, reached, position, rate, acceleration } = &record.stages.as_ref()[row];
+        let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (position, rate) };
         let slope = &record.accelerations.as_ref()[row];
         let acceleration = if Self::CURVED && row > 0 { acceleration } else { slope };
         let free = &mut self.of_acceleration;
         elements.take(&mut Meet, Wrench::none(), (x, y, p, q, kept, pivots, free));
         let ground = S::at_ground(&self.scene.ground(time));
         let kept_of_them = (&mut self.on_bodies, &mut self.in_joints);
-        let stores = (x, y, p, q, kept, (rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
+        let stores = (x, y, p, q, kept, (position, rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
         elements.take(&mut Stir, ground, stores);
         let Gradient { bodies, joints, .. } = gradient;
         let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);

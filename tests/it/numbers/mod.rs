@@ -7,5 +7,6 @@ mod scalars;
 mod sensitivities;
 mod sensitivity;
 mod sine;
+mod spatial_backward;
 mod spatial_scalars;
 mod spatial_sensitivity;

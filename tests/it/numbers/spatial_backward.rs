@@ -26,7 +26,10 @@ fn slopes(step: usize, last: usize, balls: &[bool], positions: &[f64], rates: &[
     for &ball in balls {
         let own: Vec<f64> = (i..i + if ball { 4 } else { 1 }).map(|i| by(i, positions[i])).collect();
         if let ([a, b, c, d], [w, x, y, z, ..]) = (&own[..], &positions[i..]) {
-            by_position.extend([-a * x + b * w + c * z - d * y, -a * y - b * z + c * w + d * x, -a * z + b * y - c * x + d * w].map(|sum| 0.5 * sum));
+            by_position.extend(
+                [-a * x + b * w + c * z - d * y, -a * y - b * z + c * w + d * x, -a * z + b * y - c * x + d * w]
+                    .map(|sum| 0.5 * sum),
+            );
         } else {
             by_position.push(own[0]);
         }
@@ -65,7 +68,8 @@ macro_rules! gradients {
                 let (mut step, mut displacements) = (start.rate().clone(), $of[parameters..].iter());
                 Rate::<$N>::replace(&mut step, &mut |_| *displacements.next().unwrap());
                 Position::<$N>::displace(start.position_mut(), &step);
-                let torques = $of[parameters + 2 * n..].chunks(3).map(|t| Effort([t[0], t[1], t[2]])).collect::<Vec<_>>();
+                let torques =
+                    $of[parameters + 2 * n..].chunks(3).map(|t| Effort([t[0], t[1], t[2]])).collect::<Vec<_>>();
                 (start, torques)
             }};
         }
@@ -180,4 +184,112 @@ fn chains_on_balls_have_the_gradients_of_jets() {
     balls!(1, Rk4, 6, 0.05);
     balls!(2, Rk4, 6, 0.05);
     balls!(2, Dop853, 3, 0.1);
+}
+
+macro_rules! revolutes {
+    ($n:expr, $method:expr, $steps:expr, $h:expr) => {{
+        let n = $n;
+        let kinds: Kinds = &[("bodies", 13 * n), ("gravity", 3), ("axes", 3 * n), ("attitude of the root", 3)];
+        let mut parameters = bodies(n);
+        parameters.extend((0..n).flat_map(|i| [0.4, 0.3 * i as f64, 1.0]).chain([0.3, -0.5, 0.2]));
+        let name = format!("{n} revolutes, {:?}", $method);
+        gradients!(&name, kinds, parameters, vec![false; n], n + 1, $method, $steps, $h, |x| {
+            let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+            let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
+            let link = |i: usize| (Revolute::about(vector(13 * n + 3 + 3 * i)), of(i));
+            let links: Vec<(Revolute<N>, RigidBody<N>)> = (0..n).map(link).collect();
+            let root = Clamped::at([0.0; 3].map(N::constant), Rotation::from_angles(vector(16 * n + 3)));
+            System::new(root, links, Free).unwrap().with_gravity(vector(13 * n))
+        })
+    }};
+}
+
+#[test]
+fn chains_on_revolutes_have_the_gradients_of_jets() {
+    revolutes!(1, Rk4, 6, 0.05);
+    revolutes!(2, Rk4, 6, 0.05);
+    revolutes!(2, Dop853, 3, 0.1);
+}
+
+/// A revolute between balls, with a rod, a bob, a weld and an arm.
+#[test]
+fn trees_have_the_gradients_of_jets() {
+    let mut parameters = bodies(2);
+    parameters.extend([0.3, 1.0, -0.5, 0.2, 0.1, -0.4]); // an axis, a weld
+    parameters.extend([0.7, 0.8, 0.3, 0.02, 0.05, 0.4, 0.3]); // a rod, a bob
+    let kinds: Kinds = &[("bodies", 26), ("gravity", 3), ("axis", 3), ("weld", 3), ("rod", 5), ("bob", 2)];
+    let balls = [true, true, false, false, true];
+    gradients!("a tree", kinds, parameters, balls, 6, Rk4, 5, 0.05, |x| {
+        let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+        let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
+        let (hinge, weld) = (Revolute::about(vector(29)), Weld::at(Rotation::from_angles(vector(32))));
+        let rod = Rod::new(x(35), x(36), x(37), x(38), x(39));
+        let bob = PointMass::new(x(40), x(41));
+        let arm = (Ball, rod, hinge, bob);
+        let chain = (of(0), Branch(arm), weld, hinge, rod, Ball, of(1));
+        System::new(Pinned::on([0.0; 3].map(N::constant)), chain, Free).unwrap().with_gravity(vector(26))
+    });
+}
+
+/// Revolute, ball, revolute, revolute, on a hinge that is turned.
+macro_rules! mixed {
+    ($method:expr, $steps:expr, $h:expr) => {{
+        let mut parameters = bodies(4);
+        parameters.extend([0.3, 1.0, -0.5, 0.2, 0.1, -0.4, 0.0, 0.3, 0.9]);
+        let kinds: Kinds = &[("bodies", 52), ("gravity", 3), ("axes", 9)];
+        let name = format!("revolutes about a ball, {:?}", $method);
+        gradients!(&name, kinds, parameters, [false, true, false, false], 4, $method, $steps, $h, |x| {
+            let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+            let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
+            let hinge = |i: usize| Revolute::about(vector(55 + 3 * i));
+            let ground = Clamped::at([0.0; 3].map(N::constant), Rotation::from_angles(vector(55)));
+            let root = Hinged::on(ground, vector(55));
+            let chain = (of(0), Ball, of(1), [(hinge(1), of(2)), (hinge(2), of(3))]);
+            System::new(root, chain, Free).unwrap().with_gravity(vector(52))
+        })
+    }};
+}
+
+#[test]
+fn revolutes_about_a_ball_have_the_gradients_of_jets() {
+    mixed!(Rk4, 5, 0.05);
+    mixed!(Dop853, 2, 0.1);
+}
+
+/// At rest and straight, where angles 1-2-3 are singular, with gravity along the chain and without: finite, and right.
+#[test]
+fn straight_chains_at_rest_have_a_gradient() {
+    let right = 0.5 * core::f64::consts::PI;
+    for gravity in [9.81, 0.0] {
+        let rod = Rod::uniform(0.5_f64, 0.02, 1.0);
+        let hinge = Revolute::about([0.0, 0.0, 1.0]);
+        let system = System::new(Pinned::origin(), (rod, Ball, rod, hinge, rod), Free).unwrap();
+        let system = system.with_gravity([0.0, 0.0, -gravity]);
+        let start = system.at_rest(&[0.0, right, 0.0, 0.0, right, 0.0, 0.0]).unwrap();
+        let mut states = vec![start; 11];
+        let mut backward = system.backward(Rk4);
+        backward.run(&start, 0.02, 10, &[], &mut states).unwrap();
+        let weights = [0.3, 0.2, -0.4, 0.5, 0.1, 0.6, 0.8];
+        let found = backward
+            .gradient(
+                0.02,
+                &[],
+                &states,
+                &mut [],
+                |step, _, by| {
+                    if step == 10 { by.add(&[0.0; 7], &weights) } else { Ok(()) }
+                },
+            )
+            .unwrap();
+        let lifted = system.lift(Jet::<f64, 7>::of);
+        let mut jets = lifted.at_rest(&[0.0, right, 0.0, 0.0, right, 0.0, 0.0].map(Jet::of)).unwrap();
+        let (mut step, mut k) = (*jets.rate(), 0..);
+        Rate::replace(&mut step, &mut |_| Jet::<f64, 7>::seed(0.0, k.next().unwrap()));
+        Position::displace(jets.position_mut(), &step);
+        let end = lifted.simulation(Rk4::step(0.02)).run(jets, 0.2, |_| ()).unwrap().motion;
+        let sum = |k: usize| end.rates().iter().zip(weights).map(|(v, weight)| v.eps[k] * weight).sum::<f64>();
+        found.by_position().iter().enumerate().for_each(|(k, found)| near(*found, sum(k), ROUNDING));
+        let (rates, [_, _, down]) = (found.by_rate(), <[f64; 3]>::from(found.by_gravity()));
+        assert!(rates.iter().all(|x| x.is_finite()) && down.abs() < ROUNDING, "{rates:?}, {down}");
+    }
 }

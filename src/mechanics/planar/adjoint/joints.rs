@@ -61,7 +61,7 @@ impl<T: Scalar> Takes<Planar<T>, Stir> for Pin {
         &self,
         _: &mut Stir,
         inner: Stirred<T>,
-        (.., gain, (rate, acceleration, free), _, torque): Of<'_, Planar<T>, Stir, Self>,
+        (.., gain, (_, rate, acceleration, free), _, torque): Of<'_, Planar<T>, Stir, Self>,
     ) -> Stirred<T> {
         let linear = inner.velocity.linear;
         let w = plus_dot(*free, gain.per_acceleration, linear);

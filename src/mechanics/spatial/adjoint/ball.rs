@@ -71,14 +71,14 @@ impl<T: Scalar> Takes<Spatial<T>, Stir> for Ball {
     fn take(
         &self,
         _: &mut Stir,
-        Stirred { velocity, turning: inner }: Stirred<T>,
-        (attitude, .., gain, (rate, acceleration, free), ((), kept), torque): Of<'_, Spatial<T>, Stir, Self>,
+        Stirred { velocity, turning: inner, .. }: Stirred<T>,
+        (attitude, .., gain, (_, rate, acceleration, free), ((), kept), torque): Of<'_, Spatial<T>, Stir, Self>,
     ) -> Stirred<T> {
         let stirring = gain.per_acceleration.apply_onto(velocity, Vector3::from(*free));
         torque.0 = attitude.transposed_onto(stirring - inner.stirring, Vector3::from(torque.0)).into();
-        *kept = inner;
+        kept.turning = inner;
         let [spin, acceleration] = [rate, acceleration].map(|list| attitude.apply(Vector3::from(*list)));
-        Stirred { velocity, turning: Turning { spin, acceleration, stirring } }
+        Stirred { velocity, turning: Turning { spin, acceleration, stirring }, attitude: *attitude }
     }
 }
 
@@ -91,7 +91,7 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Ball {
         (attitude, .., (_, _, inner, effort), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
         let torque = attitude.apply(Vector3::from(effort.0));
-        let turn = cross(torque, inner.stirring);
+        let turn = cross(torque, inner.turning.stirring);
         *of_position = attitude.transposed(outer.turn - turn).into();
         *of_rate = attitude.transposed(-outer.spin).into();
         Pulled { turn, torque, angular: zero(), spin: zero(), ..outer }

@@ -108,12 +108,13 @@ macro_rules! bodies {
             fn take(
                 &self,
                 _: &mut Stir,
-                Stirred { velocity, turning }: Stirred<T>,
+                inner: Stirred<T>,
                 (_, _, &arm, .., (met, ()), _): Of<'_, Spatial<T>, Stir, Self>,
             ) -> Stirred<T> {
-                let velocity = cross_onto(turning.stirring, arm, velocity);
+                let turning = inner.turning;
+                let velocity = cross_onto(turning.stirring, arm, inner.velocity);
                 *met = OnBody { velocity, turning };
-                Stirred { velocity, turning }
+                Stirred { velocity, ..inner }
             }
         }
 

@@ -61,8 +61,14 @@ pub trait Inertial<T: Scalar>: Body<T> {
     fn lumped(&self) -> T;
 
     /// Adds what the body has besides its point mass to what is carried, which has reached I, and to costates of parameters.
-    fn pull_back(&self, pose: &Pose<T>, arm: Arm<T>, met: &OnBody<T>, carried: Pulled<T>, sums: &mut Base<T>)
-    -> Pulled<T>;
+    fn pull_back(
+        &self,
+        pose: &Pose<T>,
+        arm: Arm<T>,
+        met: &OnBody<T>,
+        carried: Pulled<T>,
+        sums: &mut Base<T>,
+    ) -> Pulled<T>;
 }
 
 /// Adds ∂/∂ω of p · (ω × (ω × d)): d (ω·p) + p (ω·d) − 2 ω (d·p).
@@ -136,14 +142,7 @@ impl<T: Scalar> Inertial<T> for PointMass<T> {
         self.lumped
     }
     #[inline(always)]
-    fn pull_back(
-        &self,
-        _: &Pose<T>,
-        arm: Arm<T>,
-        _: &OnBody<T>,
-        carried: Pulled<T>,
-        sums: &mut Base<T>,
-    ) -> Pulled<T> {
+    fn pull_back(&self, _: &Pose<T>, arm: Arm<T>, _: &OnBody<T>, carried: Pulled<T>, sums: &mut Base<T>) -> Pulled<T> {
         sums.outboard[0] -= along_arm(&arm) * self.length.recip();
         carried
     }

@@ -11,7 +11,7 @@ pub use inertial::{Base, Inertial};
 
 use crate::adjoint::Reversed;
 use crate::mechanics::spatial::{Acceleration, Frame, Spatial};
-use crate::relation::spatial::algebra::{Factor3, cross, cross_onto, zero};
+use crate::relation::spatial::algebra::{Columns, Factor3, cross, cross_onto, zero};
 use crate::relation::spatial::{Couple, Full, Point};
 use crate::relation::{Additive, Join};
 use crate::scalar::Scalar;
@@ -62,6 +62,8 @@ pub struct Stirred<T> {
     /// W, the virtual velocity of the station.
     velocity: Vector3<T>,
     turning: Turning<T>,
+    /// Attitude of that body.
+    attitude: Columns<T>,
 }
 
 /// How a body turns, in inertial axes.
@@ -88,6 +90,16 @@ pub struct OnBody<T> {
     /// Virtual velocity of its outboard end.
     velocity: Vector3<T>,
     turning: Turning<T>,
+}
+
+/// What the outward walk keeps of a joint.
+#[derive(Clone, Copy, Debug)]
+pub struct InJoint<T> {
+    /// How the body on its outboard side turns, of a ball that on its inboard side.
+    turning: Turning<T>,
+    /// Of a revolute joint: how the body on its inboard side turns, and the attitudes of both.
+    inner: Turning<T>,
+    attitudes: [Columns<T>; 2],
 }
 
 /// What is carried inward: what P changes by with the motion of the station, and with attitudes.
@@ -167,7 +179,7 @@ impl<T: Scalar> Reversed for Spatial<T> {
     type Pivot = Factor3<T>;
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
-    type InJoint = Turning<T>;
+    type InJoint = InJoint<T>;
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
     type OfJoint = OfJoint<T>;
@@ -192,10 +204,12 @@ impl<T: Scalar> Reversed for Spatial<T> {
     fn at_ground(frame: &Frame<T>) -> Stirred<T> {
         let Acceleration { angular, .. } = frame.acceleration;
         let turning = Turning { spin: frame.turn.spin, acceleration: angular, stirring: zero() };
-        Stirred { velocity: zero(), turning }
+        Stirred { velocity: zero(), turning, attitude: frame.turn.attitude }
     }
-    fn untouched() -> (OnBody<T>, Turning<T>) {
-        (OnBody { velocity: zero(), turning: Turning::none() }, Turning::none())
+    fn untouched() -> (OnBody<T>, InJoint<T>) {
+        let turning = Turning::none();
+        let in_joint = InJoint { turning, inner: turning, attitudes: [Columns::identity(); 2] };
+        (OnBody { velocity: zero(), turning }, in_joint)
     }
     fn of_no_body() -> Base<T> {
         Base::null()

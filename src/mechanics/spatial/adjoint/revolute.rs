@@ -5,8 +5,12 @@
 //! ```text
 //! q̄ = s·(Θ + w × M + α × H + ω × Ω)        q̇⁻ = −[s·Ω + (ω × s)·H]        τ̄ = q̇_w        then Ω ← Ω + (s q̇) × H
 //! ```
+//!
+//! An axis that is turned in the inboard body turns all that lies outboard with it, and beyond the joint back: the costates of these two
+//! turns, each in axes of its body, are summed up over the stages of a run.
 
-use super::{Outboard, Pulled, Stirred, Turning};
+use super::{InJoint, Outboard, Pulled, Stirred, Turning};
+use crate::mechanics::spatial::maps::about;
 use crate::mechanics::spatial::{Acceleration, Revolute, Spatial, Wrench};
 use crate::relation::Absent;
 use crate::relation::spatial::Way;
@@ -73,8 +77,8 @@ impl<T: Scalar> Takes<Spatial<T>, Stir> for Revolute<T> {
     fn take(
         &self,
         _: &mut Stir,
-        Stirred { velocity, turning: inner }: Stirred<T>,
-        (axes, bias, .., [gain], (rate, acceleration, free), ((), kept), torque): Of<'_, Spatial<T>, Stir, Self>,
+        Stirred { velocity, turning: inner, attitude: inboard }: Stirred<T>,
+        (axes, bias, .., [gain], (angle, rate, acceleration, free), ((), kept), torque): Of<'_, Spatial<T>, Stir, Self>,
     ) -> Stirred<T> {
         let axis = axes.x;
         let own = dot_onto(gain.per_linear, velocity, dot_onto(gain.per_angular, inner.stirring, *free));
@@ -85,8 +89,9 @@ impl<T: Scalar> Takes<Spatial<T>, Stir> for Revolute<T> {
             acceleration: add_scaled(inner.acceleration + bias[1], *acceleration, axis),
             stirring: add_scaled(inner.stirring, own, axis),
         };
-        *kept = turning;
-        Stirred { velocity, turning }
+        let attitude = inboard.times(&about(self.axis(), *angle));
+        *kept = InJoint { turning, inner, attitudes: [inboard, attitude] };
+        Stirred { velocity, turning, attitude }
     }
 }
 
@@ -96,12 +101,22 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Revolute<T> {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (axes, .., (rate, _, _), (_, _, turning, _), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullBack, Self>,
+        (axes, .., (rate, _, _), (_, _, kept, _), (_, sums), (of_position, of_rate)): Of<
+            '_,
+            Spatial<T>,
+            PullBack,
+            Self,
+        >,
     ) -> Pulled<T> {
         let axis = axes.x;
-        *of_position = dot(axis, outer.turned(*turning));
+        let InJoint { turning, inner, attitudes: [inboard, outboard] } = kept;
+        let turned = outer.turned(*turning);
+        *of_position = dot(axis, turned);
+        sums.outboard = outboard.transposed_onto(turned, sums.outboard);
         let swept = dot_onto(axis, outer.spin, dot(cross(turning.spin, axis), outer.angular));
         *of_rate = -swept;
-        Pulled { spin: cross_onto(axis * *rate, outer.angular, outer.spin), ..outer }
+        let pulled = Pulled { spin: cross_onto(axis * *rate, outer.angular, outer.spin), ..outer };
+        sums.inboard = inboard.transposed_onto(pulled.turned(*inner), sums.inboard);
+        pulled
     }
 }

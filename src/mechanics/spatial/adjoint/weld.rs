@@ -37,10 +37,10 @@ impl<T: Scalar> Takes<Spatial<T>, Stir> for Weld<T> {
         &self,
         _: &mut Stir,
         inner: Stirred<T>,
-        (.., ((), kept), _): Of<'_, Spatial<T>, Stir, Self>,
+        (attitude, .., ((), kept), _): Of<'_, Spatial<T>, Stir, Self>,
     ) -> Stirred<T> {
-        *kept = inner.turning;
-        inner
+        kept.turning = inner.turning;
+        Stirred { attitude: *attitude, ..inner }
     }
 }
 
@@ -51,9 +51,9 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Weld<T> {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (attitude, .., (_, _, turning, _), (_, sums), _): Of<'_, Spatial<T>, PullBack, Self>,
+        (attitude, .., (_, _, kept, _), (_, sums), _): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
-        sums.outboard = attitude.transposed_onto(outer.turned(*turning), sums.outboard);
+        sums.outboard = attitude.transposed_onto(outer.turned(kept.turning), sums.outboard);
         outer
     }
 }
