@@ -44,14 +44,14 @@ pub trait Reversed: Space {
     type Stirred: Copy;
     /// What that walk keeps of a body.
     type OnBody: Copy + 'static;
-    /// What that walk keeps of a joint without coordinates.
+    /// What that walk keeps of a joint.
     type InJoint: Copy + 'static;
     /// What is carried inward: G and F, and what turning all that has been met does to P.
     type Pulled: Additive;
     /// Costates of the base parameters of a body.
     type OfBody: Copy + 'static;
-    /// Costates of the parameters of a joint.
-    type OfJoint: Additive;
+    /// Costates of the numbers of a joint, in the order in which [`Lift`](crate::lift::Lift) meets them.
+    type OfJoint: Copy + 'static;
 
     /// Nothing, beyond a free tip.
     fn nothing() -> Self::Outboard;
@@ -64,9 +64,9 @@ pub trait Reversed: Space {
     /// Nothing has been kept.
     fn untouched() -> (Self::OnBody, Self::InJoint);
     /// No derivatives yet.
-    fn of_no_body() -> Self::OfBody;
-    /// The costate of gravity, after what is left at the ground.
-    fn of_gravity(pulled: &Self::Pulled) -> Self::Vector;
+    fn of_nothing() -> (Self::OfBody, Self::OfJoint);
+    /// The costates of gravity and of the orientation of the ground, from what is left there.
+    fn of_ground(pulled: &Self::Pulled, frame: &FrameOf<Self>) -> (Self::Vector, Self::Angular);
     /// Costates of the base parameters as they are, from sums that left out what depends on the size of the body alone.
     fn complete(size: &Self::Size, sums: &mut Self::OfBody);
 }

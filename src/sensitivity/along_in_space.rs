@@ -5,23 +5,15 @@ use super::along::Along;
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::lift::Lift;
 use crate::mechanics::spatial::{Ball, Base, Inertial, OfJoint, PointMass, Revolute, RigidBody, Rod, Spatial, Weld};
-use crate::relation::spatial::algebra::{Columns, cross, dot, zero};
+use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk};
+use crate::spring::SpringLaw;
 use crate::system::{Elements, System};
 use nalgebra::Vector3;
-
-/// The attitude of the ground, before the joint on it has been met.
-#[derive(Clone, Copy)]
-pub struct Before<T>(Option<Columns<T>>);
-
-impl<T: Scalar, const K: usize> Before<Jet<T, K>> {
-    /// How the ground turns with the seeds, as far as there is ground: a rotation vector in its own axes, of which the values are zero.
-    fn turn(self) -> Vector3<Jet<T, K>> {
-        self.0.map_or_else(zero, |attitude| turn(&attitude))
-    }
-}
+use num_traits::Zero;
 
 /// How an attitude turns with the seeds: a rotation vector in its own axes.
 fn turn<T: Scalar, const K: usize>(attitude: &Columns<Jet<T, K>>) -> Vector3<Jet<T, K>> {
@@ -37,20 +29,15 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 }
 
 impl<T: Scalar, const K: usize> Walk<Spatial<Jet<T, K>>> for Along<T, K> {
-    type Carried = Before<Jet<T, K>>;
+    type Carried = ();
     type Stores = (Ref<PerBody<Base<T>>>, Ref<PerJoint<OfJoint<T>>>);
 }
 
 impl<T: Scalar, const K: usize> Selective<Spatial<Jet<T, K>>> for Along<T, K> {
     const OUTWARD: bool = true;
 
-    fn branch(
-        &mut self,
-        chain: Before<Jet<T, K>>,
-        go: impl FnOnce(&mut Self, Before<Jet<T, K>>) -> Before<Jet<T, K>>,
-    ) -> Before<Jet<T, K>> {
-        go(self, chain);
-        chain
+    fn branch(&mut self, (): (), go: impl FnOnce(&mut Self, ())) {
+        go(self, ());
     }
 }
 
@@ -60,16 +47,15 @@ macro_rules! bodies {
             fn take(
                 &self,
                 walk: &mut Along<T, K>,
-                ground: Before<Jet<T, K>>,
+                (): (),
                 (by, ()): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>,
-            ) -> Before<Jet<T, K>> {
+            ) {
                 let Base { outboard, moment, inertia, lumped } = self.base();
                 by.outboard.iter().zip(outboard).for_each(|(by, x)| walk.add(*by, x));
                 by.moment.iter().zip(moment).for_each(|(by, x)| walk.add(*by, x));
                 by.inertia.iter().zip(inertia).for_each(|(by, x)| walk.add(*by, x));
                 walk.add(by.lumped, lumped);
                 walk.met += 1;
-                ground
             }
         }
     )*};
@@ -77,46 +63,32 @@ macro_rules! bodies {
 bodies!(Rod, RigidBody, PointMass);
 
 impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Ball {
-    /// Its coordinate is absolute, and does not turn with the ground.
-    fn take(
-        &self,
-        walk: &mut Along<T, K>,
-        _: Before<Jet<T, K>>,
-        _: Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>,
-    ) -> Before<Jet<T, K>> {
+    fn take(&self, walk: &mut Along<T, K>, (): (), _: Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
         walk.met += 1;
-        Before(None)
     }
 }
 
 impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Weld<Jet<T, K>> {
-    fn take(
-        &self,
-        walk: &mut Along<T, K>,
-        Before(ground): Before<Jet<T, K>>,
-        ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>,
-    ) -> Before<Jet<T, K>> {
-        let attitude = ground.map_or(*self.attitude(), |ground| ground.times(self.attitude()));
-        walk.add_vector(by.outboard, turn(&attitude));
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+        walk.add_vector(by.outboard, turn(self.attitude()));
         walk.met += 1;
-        Before(None)
     }
 }
 
-impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Revolute<Jet<T, K>> {
+impl<T: Scalar, const K: usize, L> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Revolute<Jet<T, K>, L>
+where
+    L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+{
     /// An axis that turns takes what lies outboard with it, but for the turn about it: there and, on the other side, back.
-    fn take(
-        &self,
-        walk: &mut Along<T, K>,
-        ground: Before<Jet<T, K>>,
-        ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>,
-    ) -> Before<Jet<T, K>> {
-        let axis = self.axis();
-        let turned = cross(axis.map(|x| Jet::of(x.re)), axis);
-        walk.add_vector(by.inboard, ground.turn() + turned);
-        walk.add_vector(-by.outboard, turned);
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+        let (axis, law) = self.parts();
+        walk.add_vector(by.inboard - by.outboard, cross(axis.map(|x| Jet::of(x.re)), axis));
+        let mut costates = by.law.iter();
+        law.lift(&mut |number: Jet<T, K>| {
+            costates.next().into_iter().for_each(|costate| walk.add(*costate, number));
+            number.re
+        });
         walk.met += 1;
-        Before(None)
     }
 }
 
@@ -166,12 +138,12 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
                 Store<PerJoint<OfJoint<T>>> = E::Store<PerJoint<OfJoint<T>>>,
             >,
     {
-        let mut walk = Along { sum: [T::zero(); K], met: 0 };
-        let ground = Before(Some(scene.ground(crate::scalar::Real::of(0.0)).turn.attitude));
-        scene.elements().take(&mut walk, ground, (&self.bodies, &self.joints));
+        let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
+        scene.elements().take(&mut walk, (), (&self.bodies, &self.joints));
         if walk.met != self.entries || walk.met != scene.bodies() + scene.joints() {
             return Err(Error::new(Fault::Shape));
         }
+        walk.add_vector(self.ground, turn(&scene.ground(Zero::zero()).turn.attitude));
         walk.add_vector(self.gravity, scene.gravity());
         Ok(walk.sum)
     }

@@ -44,6 +44,8 @@ pub struct Gradient<S: Reversed, E: Element<S>> {
     /// By initial positions and rates.
     pub start: Costate<E::Rate>,
     pub(crate) gravity: S::Vector,
+    /// By the orientation of the ground.
+    pub(crate) ground: S::Angular,
     /// By base parameters of bodies.
     pub(crate) bodies: E::Store<PerBody<S::OfBody>>,
     /// By parameters of joints.
@@ -55,11 +57,13 @@ pub struct Gradient<S: Reversed, E: Element<S>> {
 impl<S: Reversed, E: Element<S>> Gradient<S, E> {
     /// Nothing yet.
     pub(super) fn none(elements: &E, zero: &E::Rate) -> Self {
+        let (of_body, of_joint) = S::of_nothing();
         Self {
             start: Costate { position: zero.clone(), rate: zero.clone() },
             gravity: S::Vector::null(),
-            bodies: elements.store::<PerBody<_>>(S::of_no_body()),
-            joints: elements.store::<PerJoint<_>>(S::OfJoint::null()),
+            ground: S::Angular::null(),
+            bodies: elements.store::<PerBody<_>>(of_body),
+            joints: elements.store::<PerJoint<_>>(of_joint),
             entries: elements.bodies() + elements.joints(),
         }
     }

@@ -27,8 +27,8 @@ use nalgebra::Vector3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Revolute<T, L = Spring> {
-    axis: Vector3<T>,
-    law: L,
+    pub(super) axis: Vector3<T>,
+    pub(super) law: L,
 }
 
 impl<T: Scalar> Revolute<T> {
@@ -45,6 +45,13 @@ impl<T: Scalar> Revolute<T> {
     /// With a spring, a damper, or both.
     pub fn with<L: SpringLaw<T>>(self, law: L) -> Revolute<T, L> {
         Revolute { axis: self.axis, law }
+    }
+}
+
+impl<T: Copy, L> Revolute<T, L> {
+    /// The axis, and the spring or damper.
+    pub(crate) fn parts(&self) -> (Vector3<T>, &L) {
+        (self.axis, &self.law)
     }
 }
 

@@ -48,8 +48,11 @@ use steps::{Record, Steps};
 ///
 /// # What it knows
 ///
-/// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin` and `Weld`, in tuples, arrays, vectors and branches, named or not, from a `Pinned` or
-/// `Clamped` root that does not move to free tips. All else is an error of the compiler that names it.
+/// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs, in tuples, arrays, vectors
+/// and branches, named or not, from a `Pinned` or `Clamped` root that does not move to free tips. Springs may have dampers and rest values;
+/// a law of the user's own in a hinge ([`ElasticHinge::with`](crate::planar::ElasticHinge::with)) goes backward by itself where it is
+/// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less. All else is an error
+/// of the compiler that names it.
 ///
 /// # What it costs
 ///

@@ -45,8 +45,9 @@ struct Stage<S: Reversed, E: Element<S>> {
     q: E::Store<PerAxes<S::Q>>,
     kept: E::Store<Kept<Open>>,
     pivots: E::Store<PerJoint<S::Pivot>>,
-    /// Accelerations of the outboard ends of bodies.
-    reached: E::Store<PerBody<S::Vector>>,
+    /// Accelerations of the outboard ends of bodies and joints.
+    at_bodies: E::Store<PerBody<S::Vector>>,
+    at_joints: E::Store<PerJoint<S::Vector>>,
     position: E::Position,
     rate: E::Rate,
     /// Accelerations, where those of the step's coordinates are others.
@@ -144,7 +145,8 @@ where
             q: elements.store::<PerAxes<_>>(q),
             kept: gains(elements),
             pivots: elements.store::<PerJoint<_>>(S::no_pivot()),
-            reached: elements.store::<PerBody<_>>(S::Vector::null()),
+            at_bodies: elements.store::<PerBody<_>>(S::Vector::null()),
+            at_joints: elements.store::<PerJoint<_>>(S::Vector::null()),
             position: elements.store::<Positions>(()),
             rate: self.zero.clone(),
             acceleration: self.zero.clone(),
@@ -222,12 +224,14 @@ where
         record: &mut Record<S, Elements<S, R, C>, M>,
     ) {
         let (elements, ground) = (self.scene.elements(), self.scene.ground(time));
-        let Stage { x, y, p, q, kept, pivots, reached, position, rate, .. } = &mut record.stages.as_mut()[row];
+        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, .. } =
+            &mut record.stages.as_mut()[row];
         let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (&*position, &*rate) };
         elements.pose(position, rate, ground.turn, &self.sizes, x, y, p, q);
-        elements.take(&mut Factor, S::nothing(), (x, y, p, q, &self.torques, kept, pivots));
+        elements.take(&mut Factor, S::nothing(), (x, y, p, q, (position, rate), &self.torques, kept, pivots));
         let acceleration = &mut record.accelerations.as_mut()[row];
-        elements.take(&mut Reach, ground.falling(self.scene.gravity()), (x, y, p, q, kept, acceleration, reached));
+        let falling = ground.falling(self.scene.gravity());
+        elements.take(&mut Reach, falling, (x, y, p, q, kept, acceleration, (at_bodies, at_joints)));
     }
 
     /// From the costates after a step to those before it: the columns of the tableau, from the last to the first.
@@ -291,21 +295,23 @@ where
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let elements = self.scene.elements();
-        let Stage { x, y, p, q, kept, pivots, reached, position, rate, acceleration } = &record.stages.as_ref()[row];
+        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, acceleration } =
+            &record.stages.as_ref()[row];
         let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (position, rate) };
         let slope = &record.accelerations.as_ref()[row];
         let acceleration = if Self::CURVED && row > 0 { acceleration } else { slope };
         let free = &mut self.of_acceleration;
         elements.take(&mut Meet, Wrench::none(), (x, y, p, q, kept, pivots, free));
-        let ground = S::at_ground(&self.scene.ground(time));
+        let frame = self.scene.ground(time);
         let kept_of_them = (&mut self.on_bodies, &mut self.in_joints);
         let stores = (x, y, p, q, kept, (position, rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
-        elements.take(&mut Stir, ground, stores);
+        elements.take(&mut Stir, S::at_ground(&frame), stores);
         let Gradient { bodies, joints, .. } = gradient;
         let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-        let kept_of_them = (reached, &self.on_bodies, &self.in_joints, &self.torques);
-        let stores = (x, y, p, q, (rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
+        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, &self.torques);
+        let stores = (x, y, p, q, (position, rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
         let left = elements.take(&mut PullBack, S::Pulled::null(), stores);
-        gradient.gravity = gradient.gravity + S::of_gravity(&left);
+        let (gravity, turn) = S::of_ground(&left, &frame);
+        (gradient.gravity, gradient.ground) = (gradient.gravity + gravity, gradient.ground + turn);
     }
 }

@@ -7,6 +7,5 @@ mod scalars;
 mod sensitivities;
 mod sensitivity;
 mod sine;
-mod spatial_backward;
 mod spatial_scalars;
 mod spatial_sensitivity;

@@ -43,7 +43,7 @@ impl<T: Scalar> Takes<Spatial<T>, Reach> for Ball {
         &self,
         _: &mut Reach,
         inner: Acceleration<T>,
-        (attitude, .., gain, acceleration, ()): Of<'_, Spatial<T>, Reach, Self>,
+        (attitude, .., gain, acceleration, _): Of<'_, Spatial<T>, Reach, Self>,
     ) -> Acceleration<T> {
         let angular = gain.angular(inner.linear, &());
         *acceleration = attitude.transposed(angular).into();
@@ -88,7 +88,7 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Ball {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (attitude, .., (_, _, inner, effort), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullBack, Self>,
+        (attitude, .., (.., inner, effort), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
         let torque = attitude.apply(Vector3::from(effort.0));
         let turn = cross(torque, inner.turning.stirring);

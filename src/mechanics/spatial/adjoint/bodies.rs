@@ -83,7 +83,7 @@ macro_rules! bodies {
                 &self,
                 _: &mut Reach,
                 inner: Acceleration<T>,
-                (_, _, &arm, &centripetal, .., reached): Of<'_, Spatial<T>, Reach, Self>,
+                (_, _, &arm, &centripetal, .., (reached, ())): Of<'_, Spatial<T>, Reach, Self>,
             ) -> Acceleration<T> {
                 let outer = inner.shifted(arm, centripetal);
                 *reached = outer.linear;
@@ -124,7 +124,7 @@ macro_rules! bodies {
                 &self,
                 _: &mut PullBack,
                 outer: Pulled<T>,
-                (&attitude, &[turning, _], &arm, &centripetal, _, (a, met, ..), (sums, ()), _):
+                (&attitude, &[turning, _], &arm, &centripetal, _, (a, (), met, ..), (sums, ()), _):
                     Of<'_, Spatial<T>, PullBack, Self>,
             ) -> Pulled<T> {
                 pull_back(self, &Pose { attitude, turning, arm, centripetal }, (*a, met), outer, sums)

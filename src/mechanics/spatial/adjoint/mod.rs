@@ -152,26 +152,18 @@ impl<T: Scalar> Additive for Pulled<T> {
     }
 }
 
-/// Costates of turns of a joint's own axes, against the body on either side.
+/// Most numbers of a spring and damper.
+const LAW: usize = 3;
+
+/// Costates of turns of a joint's own axes, against the body on either side, and of its spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OfJoint<T> {
     /// A turn of all that lies outboard of the joint, the joint's axes with it, in axes of the body on its inboard side.
     pub(crate) inboard: Vector3<T>,
     /// A turn of all that lies outboard without the joint's axes, in axes of the body on its outboard side.
     pub(crate) outboard: Vector3<T>,
-}
-
-impl<T: Scalar> Add for OfJoint<T> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self { inboard: self.inboard + other.inboard, outboard: self.outboard + other.outboard }
-    }
-}
-
-impl<T: Scalar> Additive for OfJoint<T> {
-    fn null() -> Self {
-        Self { inboard: zero(), outboard: zero() }
-    }
+    /// The numbers of a spring and damper.
+    pub(crate) law: [T; LAW],
 }
 
 impl<T: Scalar> Reversed for Spatial<T> {
@@ -211,12 +203,13 @@ impl<T: Scalar> Reversed for Spatial<T> {
         let in_joint = InJoint { turning, inner: turning, attitudes: [Columns::identity(); 2] };
         (OnBody { velocity: zero(), turning }, in_joint)
     }
-    fn of_no_body() -> Base<T> {
-        Base::null()
+    fn of_nothing() -> (Base<T>, OfJoint<T>) {
+        (Base::null(), OfJoint { inboard: zero(), outboard: zero(), law: [T::zero(); LAW] })
     }
     #[inline(always)]
-    fn of_gravity(pulled: &Pulled<T>) -> Vector3<T> {
-        pulled.momentum
+    fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector3<T>, Vector3<T>) {
+        let turn = pulled.turned(Self::at_ground(frame).turning);
+        (pulled.momentum, frame.turn.attitude.transposed(turn))
     }
     /// Sums are complete.
     fn complete(_: &(), _: &mut Base<T>) {}

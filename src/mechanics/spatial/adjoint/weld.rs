@@ -51,7 +51,7 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Weld<T> {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (attitude, .., (_, _, kept, _), (_, sums), _): Of<'_, Spatial<T>, PullBack, Self>,
+        (attitude, .., (.., kept, _), (_, sums), _): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
         sums.outboard = attitude.transposed_onto(outer.turned(kept.turning), sums.outboard);
         outer

@@ -1,6 +1,6 @@
 //! Gradients of runs in space that go backward: against jets through the same steps, kind by kind, and against central differences.
 
-use super::backward::{Kinds, ROUNDING, alike};
+use super::{Kinds, ROUNDING, alike};
 use catena::Scalar;
 use catena::scalar::Jet;
 use catena::spatial::*;
@@ -217,12 +217,15 @@ fn trees_have_the_gradients_of_jets() {
     let mut parameters = bodies(2);
     parameters.extend([0.3, 1.0, -0.5, 0.2, 0.1, -0.4]); // an axis, a weld
     parameters.extend([0.7, 0.8, 0.3, 0.02, 0.05, 0.4, 0.3]); // a rod, a bob
-    let kinds: Kinds = &[("bodies", 26), ("gravity", 3), ("axis", 3), ("weld", 3), ("rod", 5), ("bob", 2)];
+    parameters.extend([3.0, 0.4, 0.2]); // a spring
+    let kinds: Kinds =
+        &[("bodies", 26), ("gravity", 3), ("axis", 3), ("weld", 3), ("rod", 5), ("bob", 2), ("springs", 3)];
     let balls = [true, true, false, false, true];
     gradients!("a tree", kinds, parameters, balls, 6, Rk4, 5, 0.05, |x| {
         let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
         let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
-        let (hinge, weld) = (Revolute::about(vector(29)), Weld::at(Rotation::from_angles(vector(32))));
+        let spring = Spring::new(x(42)).damped(x(43)).resting_at(x(44));
+        let (hinge, weld) = (Revolute::about(vector(29)).with(spring), Weld::at(Rotation::from_angles(vector(32))));
         let rod = Rod::new(x(35), x(36), x(37), x(38), x(39));
         let bob = PointMass::new(x(40), x(41));
         let arm = (Ball, rod, hinge, bob);
