@@ -63,7 +63,7 @@ macro_rules! row {
                     }
                     _ => {
                         backward.run(&start, $dt, STEPS, torques, &mut states).unwrap();
-                        let gradient = backward.gradient($dt, torques, &states, &mut by_torques, |step, _, by| {
+                        let gradient = backward.gradient(torques, &states, &mut by_torques, |step, _, by| {
                             if step == STEPS { by.add(&weights, &weights) } else { Ok(()) }
                         });
                         gradient.unwrap().by_position()[0]

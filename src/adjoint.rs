@@ -26,7 +26,7 @@
 use crate::element::{Element, Space};
 use crate::ends::{Root, Tip};
 use crate::relation::{Additive, Open};
-use crate::shape::Takes;
+use crate::shape::{PerAxes, Selective, Takes};
 use crate::space::FrameOf;
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
@@ -52,7 +52,22 @@ pub trait Reversed: Space {
     type OfBody: Copy + 'static;
     /// Costates of the numbers of a joint, in the order in which [`Lift`](crate::lift::Lift) meets them.
     type OfJoint: Copy + 'static;
+    /// The walk by which [`pose`](Self::pose) goes, if it goes by one of its own.
+    type Poses: Selective<Self>;
 
+    /// Poses all elements as sweeps do, and stores what only costates read.
+    #[allow(clippy::too_many_arguments)] // one store each
+    fn pose<E: Element<Self> + Takes<Self, Self::Poses>>(
+        elements: &E,
+        position: &E::Position,
+        rate: &E::Rate,
+        turn: Self::Turn,
+        sizes: &E::Store<PerAxes<Self::Size>>,
+        x: &mut E::Store<PerAxes<Self::X>>,
+        y: &mut E::Store<PerAxes<Self::Y>>,
+        p: &mut E::Store<PerAxes<Self::P>>,
+        q: &mut E::Store<PerAxes<Self::Q>>,
+    );
     /// Nothing, beyond a free tip.
     fn nothing() -> Self::Outboard;
     /// What lies beyond a station of which an arm leaves.
@@ -73,12 +88,24 @@ pub trait Reversed: Space {
 
 /// Elements that take all walks of the costate sweep.
 pub trait Reversible<S: Reversed>:
-    Element<S> + Takes<S, Factor> + Takes<S, Reach> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
+    Element<S>
+    + Takes<S, S::Poses>
+    + Takes<S, Factor>
+    + Takes<S, Reach>
+    + Takes<S, Meet>
+    + Takes<S, Stir>
+    + Takes<S, PullBack>
 {
 }
 
 impl<S: Reversed, E> Reversible<S> for E where
-    E: Element<S> + Takes<S, Factor> + Takes<S, Reach> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
+    E: Element<S>
+        + Takes<S, S::Poses>
+        + Takes<S, Factor>
+        + Takes<S, Reach>
+        + Takes<S, Meet>
+        + Takes<S, Stir>
+        + Takes<S, PullBack>
 {
 }
 

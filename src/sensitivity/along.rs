@@ -112,7 +112,7 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
     /// let start = plain.at_rest(&[-1.0, -0.5])?;
     /// let (mut backward, mut states) = (plain.backward(Rk4), [start; 101]);
     /// backward.run(&start, 0.01, 100, &[], &mut states)?;
-    /// let gradient = backward.gradient(0.01, &[], &states, &mut [], |step, _, by| {
+    /// let gradient = backward.gradient(&[], &states, &mut [], |step, _, by| {
     ///     if step == 100 { by.add(&[0.0, 1.0], &[0.0, 0.0]) } else { Ok(()) }
     /// })?;
     /// let seeded = pendulum!(Jet::<f64, 2>::seed(1.0, 0), Jet::of(1.0), Jet::seed(9.81, 1));

@@ -70,7 +70,7 @@ impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Ball 
 
 impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Weld<Jet<T, K>> {
     fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
-        walk.add_vector(by.outboard, turn(self.attitude()));
+        walk.add_vector(by.turn, turn(self.attitude()));
         walk.met += 1;
     }
 }
@@ -82,7 +82,11 @@ where
     /// An axis that turns takes what lies outboard with it, but for the turn about it: there and, on the other side, back.
     fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
         let (axis, law) = self.parts();
-        walk.add_vector(by.inboard - by.outboard, cross(axis.map(|x| Jet::of(x.re)), axis));
+        let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
+        let (axis_at_rest, across) = (still(axis), still(self.across()));
+        let turned = cross(axis_at_rest, axis) * dot(across, across).recip();
+        walk.add(by.turn.x, dot(turned, across));
+        walk.add(by.turn.y, dot(turned, cross(axis_at_rest, across)));
         let mut costates = by.law.iter();
         law.lift(&mut |number: Jet<T, K>| {
             costates.next().into_iter().for_each(|costate| walk.add(*costate, number));
@@ -116,7 +120,7 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
     /// let (mut backward, mut states) = (plain.backward(Rk4), [start; 51]);
     /// backward.run(&start, 0.01, 50, &[], &mut states)?;
     /// // Of a rate of the second ball at the end: attitudes have three derivatives each, by rotation vectors in axes of the body.
-    /// let gradient = backward.gradient(0.01, &[], &states, &mut [], |step, _, by| {
+    /// let gradient = backward.gradient(&[], &states, &mut [], |step, _, by| {
     ///     if step == 50 { by.add(&[0.0; 6], &[0.0, 0.0, 0.0, 0.0, 1.0, 0.0]) } else { Ok(()) }
     /// })?;
     /// let [by_length] = gradient.along(&pendulum!(Jet::<f64, 1>::seed(1.0, 0), Jet::of))?;

@@ -10,21 +10,23 @@ use crate::shape::{PerBody, PerJoint};
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 
-/// Derivatives of a cost by the positions and rates of a motion, in the shape of the scene.
+/// Derivatives of a cost by the positions and rates of a motion, in the shape of the scene, and by its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Costate<R> {
+pub struct Costate<R, T = f64> {
     /// By displacements of positions.
     pub position: R,
     /// By rates.
     pub rate: R,
+    /// By the time (s) that the cost itself reads: it matters where a run ends at an event.
+    pub time: T,
 }
 
-impl<R> Costate<R> {
+impl<R, T: Scalar> Costate<R, T> {
     /// Adds derivatives by positions and rates, plain lists of all joints from the root on.
     ///
     /// # Errors
     /// [`Fault::Count`](crate::Fault::Count) for lists of another length.
-    pub fn add<T: Scalar>(&mut self, by_position: &[T], by_rate: &[T]) -> Result<(), Error>
+    pub fn add(&mut self, by_position: &[T], by_rate: &[T]) -> Result<(), Error>
     where
         R: Rate<T>,
     {
@@ -41,8 +43,8 @@ impl<R> Costate<R> {
 
 /// The gradient of a cost by all that a run depends on.
 pub struct Gradient<S: Reversed, E: Element<S>> {
-    /// By initial positions and rates.
-    pub start: Costate<E::Rate>,
+    /// By initial positions and rates; by the time of all motions at once.
+    pub start: Costate<E::Rate, S::Scalar>,
     pub(crate) gravity: S::Vector,
     /// By the orientation of the ground.
     pub(crate) ground: S::Angular,
@@ -59,7 +61,7 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
     pub(super) fn none(elements: &E, zero: &E::Rate) -> Self {
         let (of_body, of_joint) = S::of_nothing();
         Self {
-            start: Costate { position: zero.clone(), rate: zero.clone() },
+            start: Costate { position: zero.clone(), rate: zero.clone(), time: Additive::null() },
             gravity: S::Vector::null(),
             ground: S::Angular::null(),
             bodies: elements.store::<PerBody<_>>(of_body),

@@ -58,7 +58,7 @@ mod backward;
 mod gradient;
 mod stepper;
 
-pub use backward::Backward;
+pub use backward::{Backward, Checkpoints, Tape};
 pub use gradient::{Costate, Gradient};
 pub use stepper::SensitiveStepper;
 

@@ -9,14 +9,8 @@ pub struct Orient;
 impl<S: Reversed> Walk<S> for Orient {
     type Carried = S::Turn;
     /// Positions and rates; the posture.
-    type Stores = (
-        Ref<Positions>,
-        Ref<Rates>,
-        Mut<PerAxes<S::X>>,
-        Mut<PerAxes<S::Y>>,
-        Mut<PerAxes<S::P>>,
-        Mut<PerAxes<S::Q>>,
-    );
+    type Stores =
+        (Ref<Positions>, Ref<Rates>, Mut<PerAxes<S::X>>, Mut<PerAxes<S::Y>>, Mut<PerAxes<S::P>>, Mut<PerAxes<S::Q>>);
 }
 
 impl<S: Reversed> Selective<S> for Orient {

@@ -1,7 +1,6 @@
 //! Costates of positions, rates and parameters, from the virtual power of each body.
 
 use crate::adjoint::Reversed;
-use crate::loading::EffortOf;
 use crate::relation::Additive;
 use crate::shape::{Mut, PerAxes, PerBody, PerJoint, Positions, Rates, Ref, Selective, Walk};
 
@@ -10,8 +9,8 @@ pub struct PullBack;
 
 impl<S: Reversed> Walk<S> for PullBack {
     type Carried = S::Pulled;
-    /// Posture; positions, rates, accelerations and w; accelerations of the outboard ends of bodies and joints, what
-    /// [`Stir`](super::stir::Stir) has kept, and torques in joints; costates of parameters, positions and rates.
+    /// Posture; positions, rates, accelerations and w; accelerations of the outboard ends of bodies and joints, and what
+    /// [`Stir`](super::stir::Stir) and [`Factor`](super::factor::Factor) have kept; costates of parameters, positions and rates.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
@@ -23,7 +22,7 @@ impl<S: Reversed> Walk<S> for PullBack {
             Ref<PerJoint<S::Vector>>,
             Ref<PerBody<S::OnBody>>,
             Ref<PerJoint<S::InJoint>>,
-            Ref<PerJoint<EffortOf<S>>>,
+            Ref<PerJoint<S::Pivot>>,
         ),
         (Mut<PerBody<S::OfBody>>, Mut<PerJoint<S::OfJoint>>),
         (Mut<Rates>, Mut<Rates>),

@@ -21,7 +21,7 @@ fn gradients_allocate_nothing() -> Result<(), Error> {
             20 => by.add(&[1.0; 5], &[0.0; 5]),
             _ => Ok(()),
         };
-        let gradient = backward.gradient(0.01, &torques, &states, &mut by_torques, end)?;
+        let gradient = backward.gradient(&torques, &states, &mut by_torques, end)?;
         gradient.along(&lifted)
     });
     let [by_gravity, by_nothing] = outcome?;

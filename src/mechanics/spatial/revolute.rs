@@ -8,7 +8,7 @@ use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::zero;
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::spring::{Spring, SpringLaw};
 use nalgebra::Vector3;
 
@@ -48,7 +48,15 @@ impl<T: Scalar> Revolute<T> {
     }
 }
 
-impl<T: Copy, L> Revolute<T, L> {
+impl<T: Scalar, L> Revolute<T, L> {
+    /// A direction across the axis, in body axes: of any length that is not small.
+    #[inline(always)]
+    pub(crate) fn across(&self) -> Vector3<T> {
+        let [x, y, z] = self.axis.into();
+        // Not along the axis.
+        if x.real().abs() < T::Real::of(0.6) { Vector3::new(T::zero(), z, -y) } else { Vector3::new(-z, T::zero(), x) }
+    }
+
     /// The axis, and the spring or damper.
     pub(crate) fn parts(&self) -> (Vector3<T>, &L) {
         (self.axis, &self.law)

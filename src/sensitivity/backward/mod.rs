@@ -1,5 +1,8 @@
 //! Gradients of runs: one number, computed from a whole run, by everything at once.
 
+mod adaptive;
+mod checkpoints;
+mod events;
 mod steps;
 
 use super::gradient::{Costate, Gradient};
@@ -9,14 +12,16 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, counted};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
-use crate::relation::Additive;
+use crate::relation::{Additive, Geometry};
+use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 use crate::time::Explicit;
 use crate::walks::complete::complete;
 use crate::walks::fits::fits;
+pub use checkpoints::{Checkpoints, Tape};
 use steps::{Record, Steps};
 
-/// Runs of a scene by fixed steps of an explicit method, and their gradients.
+/// Runs of a scene by an explicit method, and their gradients.
 ///
 /// ```
 /// use catena::planar::*;
@@ -32,7 +37,7 @@ use steps::{Record, Steps};
 ///     200 => by.add(&[0.0, 1.0], &[0.0, 0.0]), // by positions and rates
 ///     _ => Ok(()),
 /// };
-/// let gradient = backward.gradient(0.01, &torques, &states, &mut by_torques, cost)?;
+/// let gradient = backward.gradient(&torques, &states, &mut by_torques, cost)?;
 /// println!("{:?} {} {}", gradient.by_position(), gradient.by_gravity().y, by_torques[17]);
 /// # Ok::<(), catena::Error>(())
 /// ```
@@ -42,7 +47,11 @@ use steps::{Record, Steps};
 /// The steps are those of the rule itself with loads held over each step, and the gradient is theirs, exact but for rounding at any size of
 /// step. A run goes forward once and keeps its states; the gradient makes each step once more, from the last to the first, and pulls
 /// costates back through the gains of its stages. Room for one step is all that is needed besides the states, and nothing is allocated but
-/// what the vectors of a scene take: room, once, and the gradient.
+/// what the vectors of a scene take: room, once, and the gradient. Of long runs few states are kept:
+/// [`gradient_between`](Self::gradient_between).
+///
+/// Steps lie between the times of the states: of one size ([`run`](Self::run)), as error control has chosen them
+/// ([`run_adaptive`](Self::run_adaptive)), the last one [cut](Self::cut) at an event ([`gradient_to_event`](Self::gradient_to_event)).
 ///
 /// Gradients over many times that it takes a perturbation to grow are exact, and as large as perturbations grow.
 ///
@@ -70,13 +79,17 @@ use steps::{Record, Steps};
 /// | DOP853, 100 | 2.7 | 3.4 | 3.3 | 78 | 2.4 | 3.0 | 2.9 | 168 |
 ///
 /// One costate serves any number of derivatives; how the cost depends on their number and on the length of runs was not measured. (Two cores shared with other work: times are the least of 400.)
-pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P, M: Explicit> {
+pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> {
     steps: Steps<'s, S, R, C, P, M>,
     record: Record<S, Elements<S, R, C>, M>,
+    spare: MotionOf<S, R, C, P>,
+    method: M,
 }
 
+/// Costates of a motion of a scene.
+type CostateOf<S, R, C> = Costate<RateOf<S, R, C>, <S as Geometry>::Scalar>;
 impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Runs by fixed steps of an explicit method, whose gradients go backward.
+    /// Runs by an explicit method, whose gradients go backward.
     ///
     /// See [`sensitivity::Backward`](crate::sensitivity::Backward).
     pub fn backward<M: Explicit>(&self, method: M) -> Backward<'_, S, R, C, P, M>
@@ -102,14 +115,17 @@ where
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
-    fn new(scene: &'s System<S, R, C, P>, _: M) -> Self {
+    fn new(scene: &'s System<S, R, C, P>, method: M) -> Self {
         let steps = Steps::new(scene);
-        Self { record: steps.record(), steps }
+        Self { record: steps.record(), steps, spare: scene.motion(), method }
     }
 
     /// Runs `steps` steps of a size (s), and keeps the state before each of them and after the last, with the accelerations in which a
     /// step begins. `torques` are those in all joints (the root's first), held over the first step, then those over the second, and so on;
-    /// or none.
+    /// or those of one step, held over all; or none.
+    ///
+    /// A step ends at a multiple of its size after the start, without the rounding of a running sum, as in
+    /// [`simulate`](System::simulate).
     ///
     /// # Errors
     /// [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of another scene;
@@ -134,18 +150,19 @@ where
         for k in 0..steps {
             let [past, next, ..] = &mut states[k..] else { break };
             self.steps.take_torques(torques, k);
-            self.steps.evaluate(past, step, &mut self.record);
+            let time = start.time + step * RealOf::<S>::of((k + 1) as f64);
+            self.steps.step_to(time, past, &mut self.record, next);
             past.acceleration.set(self.record.first());
-            self.steps.finish(past, step, &self.record, next);
-            next.time = past.time + step;
             Dynamics::<Unloaded>::accept(self.steps.scene, next)?;
         }
         Ok(())
     }
 
     /// The gradient of a cost by everything, for a run whose states are `states`, from the last to the first: `cost` is told the number of
-    /// each of them, and adds the derivatives of the cost by its position and rate. `by_torques`, as long as `torques`, becomes the gradient
-    /// by these; it may be empty.
+    /// each of them, and adds the derivatives of the cost by its position and rate. `by_torques` becomes the gradient by torques, of
+    /// each step or of all; it may be empty.
+    ///
+    /// The steps are those of this method from one state to the next, as long as their times are apart: whatever run they are of.
     ///
     /// What a cost reads besides positions and rates, a length for the place of the tip, is not in this gradient.
     ///
@@ -153,35 +170,58 @@ where
     /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; those of the cost.
     pub fn gradient(
         &mut self,
-        step: RealOf<S>,
         torques: &[EffortOf<S>],
         states: &[MotionOf<S, R, C, P>],
         by_torques: &mut [EffortOf<S>],
-        mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut Costate<RateOf<S, R, C>>) -> Result<(), Error>,
+        mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
     ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
-        let elements = self.steps.scene.elements();
-        let steps = states.len().saturating_sub(1);
+        let last = self.check(torques, states)?;
+        self.admits(states.len() - 1, by_torques.len())?;
+        let mut gradient = self.none();
+        cost(states.len() - 1, last, &mut gradient.start)?;
+        self.pull_back(torques, states, by_torques, &mut gradient, cost)?;
+        Ok(gradient)
+    }
+
+    /// Pulls the costate of the last state back to the first.
+    fn pull_back(
+        &mut self,
+        torques: &[EffortOf<S>],
+        states: &[MotionOf<S, R, C, P>],
+        by_torques: &mut [EffortOf<S>],
+        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        for (k, pair) in states.windows(2).enumerate().rev() {
+            let [past, next] = pair else { continue };
+            let size = next.time - past.time;
+            self.steps.take_torques(torques, k);
+            self.steps.evaluate(past, size, &mut self.record);
+            self.steps.pull_back([past, next], size, &self.record, gradient);
+            self.steps.give_torques(by_torques, k);
+            cost(k, past, &mut gradient.start)?;
+        }
+        complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
+        Ok(())
+    }
+
+    /// No gradient yet.
+    fn none(&self) -> Gradient<S, Elements<S, R, C>> {
+        Gradient::none(self.steps.scene.elements(), &self.steps.zero)
+    }
+
+    /// Refuses states of another scene and torques of another number; gives the last state.
+    fn check<'a>(
+        &self,
+        torques: &[EffortOf<S>],
+        states: &'a [MotionOf<S, R, C, P>],
+    ) -> Result<&'a MotionOf<S, R, C, P>, Error> {
         let Some(last) = states.last() else {
             return Err(Error::new(Fault::Count { expected: 1, given: 0 }));
         };
-        self.admits(steps, torques.len())?;
-        if !by_torques.is_empty() {
-            self.admits(steps, by_torques.len())?;
-        }
-        if !(self.fits(last) && states.iter().all(|state| state.fits(last))) {
-            return Err(Error::new(Fault::Shape));
-        }
-        let mut gradient = Gradient::none(elements, &self.steps.zero);
-        cost(steps, last, &mut gradient.start)?;
-        for (k, state) in states.iter().enumerate().take(steps).rev() {
-            self.steps.take_torques(torques, k);
-            self.steps.evaluate(state, step, &mut self.record);
-            self.steps.pull_back([state, &states[k + 1]], step, &self.record, &mut gradient);
-            self.steps.give_torques(by_torques, k);
-            cost(k, state, &mut gradient.start)?;
-        }
-        complete::<S, _>(elements, &mut gradient.bodies);
-        Ok(gradient)
+        self.admits(states.len() - 1, torques.len())?;
+        let fit = self.fits(last) && states.iter().all(|state| state.fits(last));
+        if fit { Ok(last) } else { Err(Error::new(Fault::Shape)) }
     }
 
     /// Whether a motion is one of this scene.
@@ -191,7 +231,7 @@ where
 
     /// Refuses lists of torques of another length.
     fn admits(&self, steps: usize, given: usize) -> Result<(), Error> {
-        let expected = steps * self.steps.scene.joints();
-        if given == 0 { Ok(()) } else { counted(expected, given) }
+        let joints = self.steps.scene.joints();
+        if given == 0 || given == joints { Ok(()) } else { counted(steps * joints, given) }
     }
 }

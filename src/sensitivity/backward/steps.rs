@@ -31,7 +31,7 @@ use crate::walks::reach::Reach;
 use crate::walks::size::sizes;
 use crate::walks::stir::Stir;
 use crate::walks::{spread, unspread};
-use num_traits::One;
+use num_traits::{One, Zero};
 
 /// Most rows that an explicit method has.
 const ROWS: usize = 16;
@@ -58,6 +58,16 @@ struct Stage<S: Reversed, E: Element<S>> {
 pub(super) struct Record<S: Reversed, E: Element<S>, M: Explicit> {
     stages: M::Rows<Stage<S, E>>,
     accelerations: M::Rows<E::Rate>,
+}
+
+impl<S: Reversed, E: Element<S>, M: Explicit> Clone for Record<S, E, M> {
+    fn clone(&self) -> Self {
+        let (mut stages, mut accelerations) =
+            (M::rows(&self.stages.as_ref()[0]), M::rows(&self.accelerations.as_ref()[0]));
+        stages.as_mut().clone_from_slice(self.stages.as_ref());
+        accelerations.as_mut().clone_from_slice(self.accelerations.as_ref());
+        Self { stages, accelerations }
+    }
 }
 
 impl<S: Reversed, E: Element<S>, M: Explicit> Record<S, E, M> {
@@ -157,15 +167,19 @@ where
     /// Takes the torques of a step: none where none are given, whatever an earlier run was given.
     pub(super) fn take_torques(&mut self, torques: &[EffortOf<S>], step: usize) {
         let (elements, joints) = (self.scene.elements(), self.scene.joints());
-        match torques.get(step * joints..(step + 1) * joints) {
+        let first = if torques.len() == joints { 0 } else { step * joints };
+        match torques.get(first..first + joints) {
             Some(torques) => spread::to_joints(elements, torques, &mut self.torques),
             None => unspread::from_joints(elements, &mut self.torques, EffortOf::<S>::null(), &mut []),
         }
     }
 
-    /// Gives the costates of the torques of a step, and forgets them.
+    /// Gives the costates of the torques of a step, and forgets them; if they are held over all steps, once they are complete.
     pub(super) fn give_torques(&mut self, by_torques: &mut [EffortOf<S>], step: usize) {
         let joints = self.scene.joints();
+        if by_torques.len() == joints && step > 0 {
+            return;
+        }
         let list = by_torques.get_mut(step * joints..(step + 1) * joints).unwrap_or_default();
         unspread::from_joints(self.scene.elements(), &mut self.of_torques, EffortOf::<S>::null(), list);
     }
@@ -197,14 +211,16 @@ where
         }
     }
 
-    /// The motion after a step whose stages are evaluated, but for its time; it has no accelerations.
-    pub(super) fn finish(
+    /// The step to a time, from the past motion to the next, which has no accelerations.
+    pub(super) fn step_to(
         &mut self,
+        time: RealOf<S>,
         past: &MotionOf<S, R, C, P>,
-        step: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M>,
+        record: &mut Record<S, Elements<S, R, C>, M>,
         next: &mut MotionOf<S, R, C, P>,
     ) {
+        let step = time - past.time;
+        self.evaluate(past, step, record);
         let (row, room) = (M::STAGES, (&self.zero, &mut self.sum));
         let into = (&mut next.position, &mut next.rate);
         displace(past, record.accelerations.as_ref(), M::node(row), row_weights::<M>(row), step, room, into);
@@ -212,6 +228,7 @@ where
             next.position.retract_rate(&past.position, &mut next.rate);
         }
         next.acceleration.set(&self.zero);
+        next.time = time;
     }
 
     /// The sweep of a stage.
@@ -227,7 +244,7 @@ where
         let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, .. } =
             &mut record.stages.as_mut()[row];
         let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (&*position, &*rate) };
-        elements.pose(position, rate, ground.turn, &self.sizes, x, y, p, q);
+        S::pose(elements, position, rate, ground.turn, &self.sizes, x, y, p, q);
         elements.take(&mut Factor, S::nothing(), (x, y, p, q, (position, rate), &self.torques, kept, pivots));
         let acceleration = &mut record.accelerations.as_mut()[row];
         let falling = ground.falling(self.scene.gravity());
@@ -284,6 +301,31 @@ where
         gather(&mut gradient.start.rate, &self.sum, step, &self.nodes, of_position);
     }
 
+    /// The costate of the size of a step through which costates were pulled back.
+    pub(super) fn of_size(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        record: &Record<S, Elements<S, R, C>, M>,
+    ) -> S::Scalar {
+        let (one, slopes) = (RealOf::<S>::one(), record.accelerations.as_ref());
+        let mut sum = S::Scalar::zero();
+        for row in 0..=M::STAGES {
+            let (position, rate) = row_weights::<M>(row);
+            let (of_position, of_rate) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
+            let mut add = |costate: S::Scalar, slope| {
+                sum += costate * slope;
+                true
+            };
+            self.of_acceleration.mix_1(&self.zero, (RealOf::<S>::of(M::node(row)), &past.rate));
+            gather(&mut self.sum, &self.of_acceleration, step + step, position, slopes);
+            of_position.all(&self.sum, &mut add);
+            gather(&mut self.sum, &self.zero, one, rate, slopes);
+            of_rate.all(&self.sum, &mut add);
+        }
+        sum
+    }
+
     /// From the costates of the accelerations of a stage to those of its positions and rates.
     #[inline(never)]
     fn pull_back_stage(
@@ -304,11 +346,11 @@ where
         elements.take(&mut Meet, Wrench::none(), (x, y, p, q, kept, pivots, free));
         let frame = self.scene.ground(time);
         let kept_of_them = (&mut self.on_bodies, &mut self.in_joints);
-        let stores = (x, y, p, q, kept, (position, rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
+        let stores = (x, y, p, q, kept, (rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
         elements.take(&mut Stir, S::at_ground(&frame), stores);
         let Gradient { bodies, joints, .. } = gradient;
         let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, &self.torques);
+        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots);
         let stores = (x, y, p, q, (position, rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
         let left = elements.take(&mut PullBack, S::Pulled::null(), stores);
         let (gravity, turn) = S::of_ground(&left, &frame);

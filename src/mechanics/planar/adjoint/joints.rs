@@ -62,7 +62,7 @@ impl<T: Scalar> Takes<Planar<T>, Stir> for Pin {
         &self,
         _: &mut Stir,
         inner: Stirred<T>,
-        (.., gain, (_, rate, acceleration, free), _, torque): Of<'_, Planar<T>, Stir, Self>,
+        (.., gain, (rate, acceleration, free), _, torque): Of<'_, Planar<T>, Stir, Self>,
     ) -> Stirred<T> {
         let linear = inner.velocity.linear;
         let w = plus_dot(*free, gain.per_acceleration, linear);
@@ -182,7 +182,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Stir> for ElasticHinge<L> 
         &self,
         _: &mut Stir,
         inner: Stirred<T>,
-        (.., gain, (_, rate, acceleration, free), (_, kept), torque): Of<'_, Planar<T>, Stir, Self>,
+        (.., gain, (rate, acceleration, free), (_, kept), torque): Of<'_, Planar<T>, Stir, Self>,
     ) -> Stirred<T> {
         let Acceleration { linear, angular } = inner.velocity;
         let w = plus_dot(*free, gain.per_acceleration, linear);

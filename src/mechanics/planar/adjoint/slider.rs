@@ -85,7 +85,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Stir> for Slider<T, L> {
         &self,
         _: &mut Stir,
         inner: Stirred<T>,
-        (x, y, p, q, gain, (.., free), (_, kept), force): Of<'_, Planar<T>, Stir, Self>,
+        (x, y, p, q, gain, (_, _, free), (_, kept), force): Of<'_, Planar<T>, Stir, Self>,
     ) -> Stirred<T> {
         let offset = Inboard::offset(x, y, p, q);
         let carried = inner.velocity.swung(offset.arm);

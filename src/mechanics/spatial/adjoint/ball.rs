@@ -8,18 +8,32 @@
 //! Ψ̄ = Aᵀ(Θ + w_I × A τ)        ω̄ = −AᵀΩ        τ̄ = Aᵀ(w − w_I)        then Θ = A τ × w_I, M = A τ, H = Ω = 0
 //! ```
 
-use super::{Outboard, Pulled, Stirred, Turning};
-use crate::mechanics::spatial::{Acceleration, Ball, Spatial, Wrench};
+use super::{Outboard, Pivot, Pulled, Stirred, Turning};
+use crate::element::Element;
+use crate::mechanics::spatial::{Acceleration, Ball, Spatial, Turn, Wrench};
 use crate::relation::spatial::Couple;
 use crate::relation::spatial::algebra::{cross, zero};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
+use crate::walks::orient::Orient;
 use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 use nalgebra::Vector3;
+
+impl<T: Scalar> Takes<Spatial<T>, Orient> for Ball {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Orient,
+        turn: Turn<T>,
+        (position, rate, x, y, p, q): Of<'_, Spatial<T>, Orient, Self>,
+    ) -> Turn<T> {
+        self.orient(position, rate, turn, x, y, p, q)
+    }
+}
 
 impl<T: Scalar> Takes<Spatial<T>, Factor> for Ball {
     #[inline(always)]
@@ -30,8 +44,8 @@ impl<T: Scalar> Takes<Spatial<T>, Factor> for Ball {
         (attitude, .., torque, gain, pivot): Of<'_, Spatial<T>, Factor, Self>,
     ) -> Outboard<T> {
         // The same factors as in the elimination: they are formed once.
-        *pivot = outer.relation.angular.factor();
-        let (relation, found) = outer.relation.balled(Couple(attitude.apply(Vector3::from(torque.0))));
+        *pivot = Pivot { factor: outer.relation.angular.factor(), torque: attitude.apply(Vector3::from(torque.0)) };
+        let (relation, found) = outer.relation.balled(Couple(pivot.torque));
         *gain = found;
         Outboard::of_ball(relation)
     }
@@ -61,7 +75,7 @@ impl<T: Scalar> Takes<Spatial<T>, Meet> for Ball {
         (attitude, .., gain, pivot, costate): Of<'_, Spatial<T>, Meet, Self>,
     ) -> Wrench<T> {
         let left = attitude.apply(Vector3::from(*costate)) - outer.torque;
-        *costate = pivot.solve(left).into();
+        *costate = pivot.factor.solve(left).into();
         Wrench { force: outer.force - gain.per_acceleration.transposed(left), torque: zero() }
     }
 }
@@ -71,14 +85,14 @@ impl<T: Scalar> Takes<Spatial<T>, Stir> for Ball {
     fn take(
         &self,
         _: &mut Stir,
-        Stirred { velocity, turning: inner, .. }: Stirred<T>,
-        (attitude, .., gain, (_, rate, acceleration, free), ((), kept), torque): Of<'_, Spatial<T>, Stir, Self>,
+        Stirred { velocity, turning: inner }: Stirred<T>,
+        (attitude, .., gain, (rate, acceleration, free), ((), kept), torque): Of<'_, Spatial<T>, Stir, Self>,
     ) -> Stirred<T> {
         let stirring = gain.per_acceleration.apply_onto(velocity, Vector3::from(*free));
         torque.0 = attitude.transposed_onto(stirring - inner.stirring, Vector3::from(torque.0)).into();
-        kept.turning = inner;
+        *kept = inner;
         let [spin, acceleration] = [rate, acceleration].map(|list| attitude.apply(Vector3::from(*list)));
-        Stirred { velocity, turning: Turning { spin, acceleration, stirring }, attitude: *attitude }
+        Stirred { velocity, turning: Turning { spin, acceleration, stirring } }
     }
 }
 
@@ -88,10 +102,10 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Ball {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (attitude, .., (.., inner, effort), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullBack, Self>,
+        (attitude, .., (.., inner, pivot), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
-        let torque = attitude.apply(Vector3::from(effort.0));
-        let turn = cross(torque, inner.turning.stirring);
+        let torque = pivot.torque;
+        let turn = cross(torque, inner.stirring);
         *of_position = attitude.transposed(outer.turn - turn).into();
         *of_rate = attitude.transposed(-outer.spin).into();
         Pulled { turn, torque, angular: zero(), spin: zero(), ..outer }

@@ -10,14 +10,16 @@
 
 use super::inertial::{Arm, Base, Inertial, swept};
 use super::{Kind, OnBody, Outboard, Pulled, Stirred};
+use crate::element::Element;
 use crate::mechanics::spatial::body::{Body, Pose};
-use crate::mechanics::spatial::{Acceleration, PointMass, RigidBody, Rod, Spatial, Wrench};
+use crate::mechanics::spatial::{Acceleration, PointMass, RigidBody, Rod, Spatial, Turn, Wrench};
 use crate::relation::Empty;
 use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
+use crate::walks::orient::Orient;
 use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
@@ -65,6 +67,18 @@ fn pull_back<T: Scalar>(
 
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
+        impl<T: Scalar> Takes<Spatial<T>, Orient> for $Body<T> {
+            #[inline(always)]
+            fn take(
+                &self,
+                _: &mut Orient,
+                turn: Turn<T>,
+                (position, rate, x, y, p, q): Of<'_, Spatial<T>, Orient, Self>,
+            ) -> Turn<T> {
+                self.orient(position, rate, turn, x, y, p, q)
+            }
+        }
+
         impl<T: Scalar> Takes<Spatial<T>, Factor> for $Body<T> {
             #[inline(always)]
             fn take(

@@ -10,11 +10,14 @@ mod weld;
 pub use inertial::{Base, Inertial};
 
 use crate::adjoint::Reversed;
-use crate::mechanics::spatial::{Acceleration, Frame, Spatial};
+use crate::element::Element;
+use crate::mechanics::spatial::{Acceleration, Frame, Spatial, Turn};
 use crate::relation::spatial::algebra::{Columns, Factor3, cross, cross_onto, zero};
 use crate::relation::spatial::{Couple, Full, Point};
 use crate::relation::{Additive, Join};
 use crate::scalar::Scalar;
+use crate::shape::{PerAxes, Takes};
+use crate::walks::orient::Orient;
 use core::ops::Add;
 use nalgebra::Vector3;
 
@@ -62,8 +65,6 @@ pub struct Stirred<T> {
     /// W, the virtual velocity of the station.
     velocity: Vector3<T>,
     turning: Turning<T>,
-    /// Attitude of that body.
-    attitude: Columns<T>,
 }
 
 /// How a body turns, in inertial axes.
@@ -90,16 +91,6 @@ pub struct OnBody<T> {
     /// Virtual velocity of its outboard end.
     velocity: Vector3<T>,
     turning: Turning<T>,
-}
-
-/// What the outward walk keeps of a joint.
-#[derive(Clone, Copy, Debug)]
-pub struct InJoint<T> {
-    /// How the body on its outboard side turns, of a ball that on its inboard side.
-    turning: Turning<T>,
-    /// Of a revolute joint: how the body on its inboard side turns, and the attitudes of both.
-    inner: Turning<T>,
-    attitudes: [Columns<T>; 2],
 }
 
 /// What is carried inward: what P changes by with the motion of the station, and with attitudes.
@@ -155,26 +146,50 @@ impl<T: Scalar> Additive for Pulled<T> {
 /// Most numbers of a spring and damper.
 const LAW: usize = 3;
 
-/// Costates of turns of a joint's own axes, against the body on either side, and of its spring.
+/// What a sweep keeps of an elimination for costates.
+#[derive(Clone, Copy, Debug)]
+pub struct Pivot<T> {
+    /// The inverse of a ball's pivot; of a revolute joint's as a number.
+    factor: Factor3<T>,
+    /// The torque in a ball (N·m), inertial axes.
+    torque: Vector3<T>,
+}
+
+/// Costates of the parameters of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OfJoint<T> {
-    /// A turn of all that lies outboard of the joint, the joint's axes with it, in axes of the body on its inboard side.
-    pub(crate) inboard: Vector3<T>,
-    /// A turn of all that lies outboard without the joint's axes, in axes of the body on its outboard side.
-    pub(crate) outboard: Vector3<T>,
+    /// By turns of the joint's axes: of a weld the rotation vector in axes of the outboard body, of a revolute joint two numbers, see
+    /// [`Revolute::across`](crate::mechanics::spatial::Revolute::across).
+    pub(crate) turn: Vector3<T>,
     /// The numbers of a spring and damper.
     pub(crate) law: [T; LAW],
 }
 
 impl<T: Scalar> Reversed for Spatial<T> {
     type Outboard = Outboard<T>;
-    type Pivot = Factor3<T>;
+    type Pivot = Pivot<T>;
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
-    type InJoint = InJoint<T>;
+    type InJoint = Turning<T>;
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
     type OfJoint = OfJoint<T>;
+    type Poses = Orient;
+
+    #[inline(always)]
+    fn pose<E: Element<Self> + Takes<Self, Orient>>(
+        elements: &E,
+        position: &E::Position,
+        rate: &E::Rate,
+        turn: Turn<T>,
+        _: &E::Store<PerAxes<()>>,
+        x: &mut E::Store<PerAxes<Columns<T>>>,
+        y: &mut E::Store<PerAxes<[Vector3<T>; 2]>>,
+        p: &mut E::Store<PerAxes<Vector3<T>>>,
+        q: &mut E::Store<PerAxes<Vector3<T>>>,
+    ) {
+        elements.take(&mut Orient, turn, (position, rate, x, y, p, q));
+    }
 
     #[inline(always)]
     fn nothing() -> Outboard<T> {
@@ -189,22 +204,20 @@ impl<T: Scalar> Reversed for Spatial<T> {
         };
         Outboard { kind, relation: chain.relation.join(arm.relation) }
     }
-    fn no_pivot() -> Factor3<T> {
-        Factor3::of_number(T::one())
+    fn no_pivot() -> Pivot<T> {
+        Pivot { factor: Factor3::of_number(T::one()), torque: zero() }
     }
     #[inline(always)]
     fn at_ground(frame: &Frame<T>) -> Stirred<T> {
         let Acceleration { angular, .. } = frame.acceleration;
         let turning = Turning { spin: frame.turn.spin, acceleration: angular, stirring: zero() };
-        Stirred { velocity: zero(), turning, attitude: frame.turn.attitude }
+        Stirred { velocity: zero(), turning }
     }
-    fn untouched() -> (OnBody<T>, InJoint<T>) {
-        let turning = Turning::none();
-        let in_joint = InJoint { turning, inner: turning, attitudes: [Columns::identity(); 2] };
-        (OnBody { velocity: zero(), turning }, in_joint)
+    fn untouched() -> (OnBody<T>, Turning<T>) {
+        (OnBody { velocity: zero(), turning: Turning::none() }, Turning::none())
     }
     fn of_nothing() -> (Base<T>, OfJoint<T>) {
-        (Base::null(), OfJoint { inboard: zero(), outboard: zero(), law: [T::zero(); LAW] })
+        (Base::null(), OfJoint { turn: zero(), law: [T::zero(); LAW] })
     }
     #[inline(always)]
     fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector3<T>, Vector3<T>) {

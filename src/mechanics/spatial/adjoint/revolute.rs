@@ -8,20 +8,28 @@
 //!
 //! and what a spring or damper does is that of a torque.
 //!
-//! An axis that is turned in the inboard body turns all that lies outboard with it, and beyond the joint back: the costates of these two
-//! turns, each in axes of its body, are summed up over the stages of a run.
+//! An axis that turns by θ in the inboard body turns all that lies outboard with it, and beyond the joint back by the same numbers in axes of
+//! the outboard body. With Θ_O the bracket above and Θ_I what it is inboard of the joint, where motions are ω_I, α_I and w_I,
+//!
+//! ```text
+//! Θ_I = Θ_O − s × X        X = q̇_w M + q̈ H + q̇ (Ω − ω_I × H)
+//! ```
+//!
+//! Let e lie across the axis, the same numbers in axes of both bodies, which makes e_I and e_O of it, u = e_I − e_O: θ along e costs
+//! e_I·Θ_I − e_O·Θ_O = u·Θ_O + e_I·(X × s), and along s × e it costs u·(Θ_O × s) − e_I·X.
 
-use super::{InJoint, Outboard, Pulled, Stirred, Turning};
+use super::{Outboard, Pulled, Stirred, Turning};
+use crate::element::Element;
 use crate::mechanics::planar::adjoint::ReversibleLaw;
-use crate::mechanics::spatial::maps::about;
-use crate::mechanics::spatial::{Acceleration, Revolute, Spatial, Wrench};
+use crate::mechanics::spatial::{Acceleration, Revolute, Spatial, Turn, Wrench};
 use crate::relation::Absent;
 use crate::relation::spatial::Way;
-use crate::relation::spatial::algebra::{Factor3, add_scaled, cross, cross_onto, dot, dot_onto};
+use crate::relation::spatial::algebra::{Factor3, add_scaled, cross, dot, dot_onto};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
+use crate::walks::orient::Orient;
 use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
@@ -36,7 +44,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Factor> for Revolute<T, L
     ) -> Outboard<T> {
         let axis = axes.x;
         // The same quotient as in the elimination: it is formed once.
-        *pivot = Factor3::of_number(dot(axis, outer.relation.angular.apply(axis)).recip());
+        pivot.factor = Factor3::of_number(dot(axis, outer.relation.angular.apply(axis)).recip());
         let (relation, found) =
             outer.relation.released(Way::Turn, axis, torque.0[0] + self.law.force(*angle, *rate), Absent);
         *gain = found;
@@ -68,7 +76,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Meet> for Revolute<T, L> 
         (axes, .., [gain], pivot, costate): Of<'_, Spatial<T>, Meet, Self>,
     ) -> Wrench<T> {
         let left = *costate - dot(axes.x, outer.torque);
-        *costate = left * pivot.number();
+        *costate = left * pivot.factor.number();
         Wrench {
             force: add_scaled(outer.force, -left, gain.per_linear),
             torque: add_scaled(outer.torque, -left, gain.per_angular),
@@ -81,8 +89,8 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Stir> for Revolute<T, L> 
     fn take(
         &self,
         _: &mut Stir,
-        Stirred { velocity, turning: inner, attitude: inboard }: Stirred<T>,
-        (axes, bias, .., [gain], (angle, rate, acceleration, free), ((), kept), torque): Of<'_, Spatial<T>, Stir, Self>,
+        Stirred { velocity, turning: inner }: Stirred<T>,
+        (axes, bias, .., [gain], (rate, acceleration, free), ((), kept), torque): Of<'_, Spatial<T>, Stir, Self>,
     ) -> Stirred<T> {
         let axis = axes.x;
         let own = dot_onto(gain.per_linear, velocity, dot_onto(gain.per_angular, inner.stirring, *free));
@@ -93,9 +101,8 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Stir> for Revolute<T, L> 
             acceleration: add_scaled(inner.acceleration + bias[1], *acceleration, axis),
             stirring: add_scaled(inner.stirring, own, axis),
         };
-        let attitude = inboard.times(&about(self.axis, *angle));
-        *kept = InJoint { turning, inner, attitudes: [inboard, attitude] };
-        Stirred { velocity, turning, attitude }
+        *kept = turning;
+        Stirred { velocity, turning }
     }
 }
 
@@ -105,7 +112,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T,
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (axes, .., (angle, rate, _, own), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
+        (axes, .., (angle, rate, acceleration, own), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
             '_,
             Spatial<T>,
             PullBack,
@@ -113,15 +120,34 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T,
         >,
     ) -> Pulled<T> {
         let axis = axes.x;
-        let InJoint { turning, inner, attitudes: [inboard, outboard] } = kept;
-        let turned = outer.turned(*turning);
+        let (turning, turned) = (*kept, outer.turned(*kept));
         let [of_angle, of_speed] = self.law.pull_back(*angle, *rate, *own, &mut sums.law);
         *of_position = of_angle + dot(axis, turned);
-        sums.outboard = outboard.transposed_onto(turned, sums.outboard);
-        let swept = dot_onto(axis, outer.spin, dot(cross(turning.spin, axis), outer.angular));
-        *of_rate = of_speed - swept;
-        let pulled = Pulled { spin: cross_onto(axis * *rate, outer.angular, outer.spin), ..outer };
-        sums.inboard = inboard.transposed_onto(pulled.turned(*inner), sums.inboard);
-        pulled
+        let beside = cross(axis, outer.angular);
+        *of_rate = of_speed - dot_onto(axis, outer.spin, dot(turning.spin, beside));
+        let spin = add_scaled(outer.spin, *rate, beside);
+        // Turns of the axis: Ω − ω_I × H = Ω + q̇ s × H − ω × H.
+        let x = add_scaled(outer.torque * *own, *acceleration, outer.angular);
+        let x = add_scaled(x, *rate, spin - cross(turning.spin, outer.angular));
+        let (inboard, apart) = (axes.y, axes.y - axes.z);
+        sums.turn.x += dot_onto(apart, turned, dot(inboard, cross(x, axis)));
+        sums.turn.y += dot_onto(apart, cross(turned, axis), -dot(inboard, x));
+        Pulled { spin, ..outer }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Orient> for Revolute<T, L> {
+    /// Stores e in inertial axes as well, as both bodies turn it.
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Orient,
+        turn: Turn<T>,
+        (position, rate, x, y, p, q): Of<'_, Spatial<T>, Orient, Self>,
+    ) -> Turn<T> {
+        let outboard = self.orient(position, rate, turn, x, y, p, q);
+        let across = self.across();
+        (x.y, x.z) = (turn.attitude.apply(across), outboard.attitude.apply(across));
+        outboard
     }
 }

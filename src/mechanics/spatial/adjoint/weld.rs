@@ -1,14 +1,28 @@
 //! The costate sweep in space: what welds do.
 
 use super::{Outboard, Pulled, Stirred};
-use crate::mechanics::spatial::{Acceleration, Spatial, Weld, Wrench};
+use crate::element::Element;
+use crate::mechanics::spatial::{Acceleration, Spatial, Turn, Weld, Wrench};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
+use crate::walks::orient::Orient;
 use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
+
+impl<T: Scalar> Takes<Spatial<T>, Orient> for Weld<T> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Orient,
+        turn: Turn<T>,
+        (position, rate, x, y, p, q): Of<'_, Spatial<T>, Orient, Self>,
+    ) -> Turn<T> {
+        self.orient(position, rate, turn, x, y, p, q)
+    }
+}
 
 impl<T: Scalar> Takes<Spatial<T>, Factor> for Weld<T> {
     #[inline(always)]
@@ -33,14 +47,9 @@ impl<T: Scalar> Takes<Spatial<T>, Meet> for Weld<T> {
 
 impl<T: Scalar> Takes<Spatial<T>, Stir> for Weld<T> {
     #[inline(always)]
-    fn take(
-        &self,
-        _: &mut Stir,
-        inner: Stirred<T>,
-        (attitude, .., ((), kept), _): Of<'_, Spatial<T>, Stir, Self>,
-    ) -> Stirred<T> {
-        kept.turning = inner.turning;
-        Stirred { attitude: *attitude, ..inner }
+    fn take(&self, _: &mut Stir, inner: Stirred<T>, (.., ((), kept), _): Of<'_, Spatial<T>, Stir, Self>) -> Stirred<T> {
+        *kept = inner.turning;
+        inner
     }
 }
 
@@ -53,7 +62,7 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Weld<T> {
         outer: Pulled<T>,
         (attitude, .., (.., kept, _), (_, sums), _): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
-        sums.outboard = attitude.transposed_onto(outer.turned(kept.turning), sums.outboard);
+        sums.turn = attitude.transposed_onto(outer.turned(*kept), sums.turn);
         outer
     }
 }

@@ -117,7 +117,7 @@ fn a_straight_chain_at_rest_has_a_gradient() {
         let cost = |step: usize, _: &_, by: &mut Costate<_>| {
             if step == 10 { by.add(&[0.0, 0.0, 0.0, 1.0], &[0.0; 4]) } else { Ok(()) }
         };
-        let found = backward.gradient(0.02, &[], &states, &mut [], cost).unwrap();
+        let found = backward.gradient(&[], &states, &mut [], cost).unwrap();
         let lifted = system.lift(Jet::<f64, 4>::of);
         let jets = lifted.with_seeds(lifted.at_rest(&[Jet::of(-0.5 * core::f64::consts::PI); 4]).unwrap(), 0);
         let end = lifted.simulation(Rk4::step(0.02)).run(jets, 0.2, |_| ()).unwrap().motion;
@@ -128,46 +128,88 @@ fn a_straight_chain_at_rest_has_a_gradient() {
 }
 
 /// Two uniform rods with torques in both joints, a cost of the tip: the numbers are of a dense system, differentiated by complex steps.
+macro_rules! yardstick {
+    ($method:expr, $h:expr, $steps:expr, $cost:expr, $numbers:expr) => {{
+        let (h, steps): (f64, usize) = ($h, $steps);
+        let rod = Rod::uniform(1.0_f64, 1.0);
+        let system = System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap().with_gravity(9.81);
+        let start = system.at_rest(&[-1.0, -0.5]).unwrap();
+        let torques: Vec<f64> =
+            (0..steps).flat_map(|k| [0.3 * (0.1 * k as f64).sin(), -0.2 * (0.1 * k as f64).cos()]).collect();
+        let mut states = vec![start; steps + 1];
+        let mut by_torques = vec![0.0; 2 * steps];
+        let mut backward = system.backward($method);
+        backward.run(&start, h, steps, &torques, &mut states).unwrap();
+        let q: [f64; 2] = states[steps].coordinates().try_into().unwrap();
+        let miss = [q[0].cos() + q[1].cos() - 0.4, q[0].sin() + q[1].sin() + 0.7];
+        let end = |step: usize, _: &_, by: &mut Costate<_>| match step {
+            k if k < steps => Ok(()),
+            _ => by.add(&q.map(|q| 2.0 * (miss[1] * q.cos() - miss[0] * q.sin())), &[0.0; 2]),
+        };
+        let gradient = backward.gradient(&torques, &states, &mut by_torques, end).unwrap();
+        let effort = 0.025 * h * torques.iter().map(|u| u * u).sum::<f64>();
+        near(miss[0] * miss[0] + miss[1] * miss[1] + effort, $cost, 1e-12);
+        // Lengths, of which the cost itself reads the tip, and masses.
+        let of = |x: f64, k: usize| Jet::<f64, 4>::seed(x, k);
+        let [first, second] = [0, 1].map(|i| Rod::uniform(of(1.0, i), of(1.0, 2 + i)));
+        let seeded = System::new(Pinned::origin(), (first, Pin, second), Free).unwrap().with_gravity(Jet::of(9.81));
+        let by = gradient.along(&seeded).unwrap();
+        let of_tip = q.map(|q| 2.0 * (miss[0] * q.cos() + miss[1] * q.sin()));
+        let [by_first, by_half] = [0, steps / 2]
+            .map(|k| [0, 1].map(|i| 2 * k + i))
+            .map(|places| places.map(|place| by_torques[place] + 0.05 * h * torques[place]));
+        let mut found = vec![by[0] + of_tip[0], by[1] + of_tip[1], by[2], by[3], -gradient.by_gravity().y];
+        found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()).chain(by_first).chain(by_half));
+        let expected: [f64; 13] = $numbers;
+        found.iter().zip(expected).for_each(|(found, expected)| near(*found, expected, 2e-12));
+    }};
+}
+
 #[test]
 fn yardstick() {
-    let rod = Rod::uniform(1.0_f64, 1.0);
-    let system = System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap().with_gravity(9.81);
-    let start = system.at_rest(&[-1.0, -0.5]).unwrap();
-    let (steps, h) = (100, 0.01);
-    let torques: Vec<f64> =
-        (0..steps).flat_map(|k| [0.3 * (0.1 * k as f64).sin(), -0.2 * (0.1 * k as f64).cos()]).collect();
-    let mut states = vec![start; steps + 1];
-    let mut by_torques = vec![0.0; 2 * steps];
-    let mut backward = system.backward(Rk4);
-    backward.run(&start, h, steps, &torques, &mut states).unwrap();
-    let mut miss = [0.0; 2];
-    let gradient = backward
-        .gradient(h, &torques, &states, &mut by_torques, |step, state, by| {
-            if step < steps {
-                return Ok(());
-            }
-            let q = state.coordinates();
-            miss = [q[0].cos() + q[1].cos() - 0.4, q[0].sin() + q[1].sin() + 0.7];
-            let each = [0, 1].map(|i| 2.0 * (miss[1] * q[i].cos() - miss[0] * q[i].sin()));
-            by.add(&each, &[0.0; 2])
-        })
-        .unwrap();
-    let effort = 0.025 * h * torques.iter().map(|u| u * u).sum::<f64>();
-    near(miss[0] * miss[0] + miss[1] * miss[1] + effort, 3.3385302285409, 1e-12);
-    let [q, v] = [gradient.by_position(), gradient.by_rate()];
-    for (found, expected) in [
-        (q[0], 1.7838074488877),
-        (q[1], 0.4237652625968),
-        (v[0], -0.3158755958008),
-        (v[1], -0.2685975292274),
-        (-gradient.by_gravity().y, 0.1695725944126),
-        (by_torques[0] + 0.05 * h * torques[0], 0.0004173649125),
-        (by_torques[1] + 0.05 * h * torques[1], -0.0091869796423),
-        (by_torques[100] + 0.05 * h * torques[100], -0.0054226313817),
-        (by_torques[101] + 0.05 * h * torques[101], 0.0033965026247),
-    ] {
-        near(found, expected, 2e-12);
-    }
+    // Lengths (masses held), masses, gravity, angles, rates, torques of the first step and of that in the middle.
+    yardstick!(
+        Rk4,
+        0.01,
+        100,
+        3.3385302285409,
+        [
+            2.0588091449144,
+            2.8744716760431,
+            0.0877470237123,
+            -0.1239878480174,
+            0.1695725944126,
+            1.7838074488877,
+            0.4237652625968,
+            -0.3158755958008,
+            -0.2685975292274,
+            0.0004173649125,
+            -0.0091869796423,
+            -0.0054226313817,
+            0.0033965026247,
+        ]
+    );
+    yardstick!(
+        Dop853,
+        0.05,
+        20,
+        3.2516923331141,
+        [
+            1.9910285040875,
+            2.7881245079814,
+            0.0427648487492,
+            0.000491581652,
+            0.1944274539793,
+            1.9856603043112,
+            0.3133128067504,
+            -0.2732404447306,
+            -0.3032228799833,
+            0.0056422726519,
+            -0.060022431497,
+            -0.0277705352333,
+            0.0233027034237,
+        ]
+    );
 }
 
 /// A slice that is too short says how many states are needed.
@@ -184,9 +226,9 @@ fn lists_have_the_length_they_need() {
     assert!(matches!(found, Fault::Count { expected: 20, given: 19 }), "{found:?}");
     let found = fault(backward.run(&start, f64::NAN, 10, &[], &mut [start; 11]));
     assert!(matches!(found, Fault::NonFiniteMotion), "{found:?}");
-    let found = fault(backward.gradient(0.01, &[], &[start; 3], &mut [0.0; 3], |_, _, _| Ok(())).map(|_| ()));
+    let found = fault(backward.gradient(&[], &[start; 3], &mut [0.0; 3], |_, _, _| Ok(())).map(|_| ()));
     assert!(matches!(found, Fault::Count { expected: 4, given: 3 }), "{found:?}");
-    let found = fault(backward.gradient(0.01, &[], &[start; 3], &mut [], |_, _, by| by.add(&[1.0], &[])).map(|_| ()));
+    let found = fault(backward.gradient(&[], &[start; 3], &mut [], |_, _, by| by.add(&[1.0], &[])).map(|_| ()));
     assert!(matches!(found, Fault::Count { expected: 2, given: 1 }), "{found:?}");
 }
 
@@ -203,7 +245,7 @@ fn torques_of_an_earlier_run_are_forgotten() {
     let mut gradient = |under: &[f64], wanted: usize| {
         let mut by_torques = [0.0; 20];
         backward.run(&start, 0.05, 10, under, &mut states).unwrap();
-        let found = backward.gradient(0.05, under, &states, &mut by_torques[..wanted], cost).unwrap();
+        let found = backward.gradient(under, &states, &mut by_torques[..wanted], cost).unwrap();
         (states[10].coordinates(), found.by_position(), found.by_rate(), found.by_gravity().y, by_torques)
     };
     let fresh = gradient(&[], 20);

@@ -89,7 +89,7 @@ macro_rules! gradients {
         backward.run(&start, h, steps, torques, &mut states).unwrap();
         let mut total = 0.0;
         let gradient = backward
-            .gradient(h, torques, &states, &mut by_torques, |step, state, by| {
+            .gradient(torques, &states, &mut by_torques, |step, state, by| {
                 let (q, v) = (state.coordinates(), state.rates());
                 let parts = |k: usize| -> Vec<f64> {
                     (0..n)
@@ -136,4 +136,6 @@ pub(crate) use gradients;
 // Behind the macro, which they use.
 mod chains;
 mod joints;
+mod long;
 mod space;
+mod times;

@@ -108,7 +108,7 @@ macro_rules! gradients {
         backward.run(&start, h, steps, &torques, &mut states).unwrap();
         let mut total = 0.0;
         let gradient = backward
-            .gradient(h, &torques, &states, &mut by_torques, |step, state, by| {
+            .gradient(&torques, &states, &mut by_torques, |step, state, by| {
                 let (q, v) = (state.coordinates(), state.rates());
                 total += share(step, steps, &q, &v);
                 let [by_position, by_rate] = slopes(step, steps, balls, &q, &v);
@@ -275,7 +275,6 @@ fn straight_chains_at_rest_have_a_gradient() {
         let weights = [0.3, 0.2, -0.4, 0.5, 0.1, 0.6, 0.8];
         let found = backward
             .gradient(
-                0.02,
                 &[],
                 &states,
                 &mut [],

@@ -1,0 +1,193 @@
+//! Gradients of long runs: few states kept, and what the steps between two of them need while costates pass.
+
+use super::steps::Record;
+use super::{Backward, CostateOf};
+use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::element::{Element, RealOf, Unloaded};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::loading::EffortOf;
+use crate::mirror::Rate;
+use crate::relation::Additive;
+use crate::scalar::Real;
+use crate::sensitivity::Gradient;
+use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
+use crate::time::Explicit;
+use crate::walks::complete::complete;
+
+/// A run of fixed steps of which few states are kept.
+///
+/// Memory is least where states and tape take as much: at √(`steps` / r), where a step of the tape takes r times as much as a state, some
+/// 20 with RK4 and 60 with DOP853.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Checkpoints<T> {
+    /// Size of a step (s).
+    pub step: T,
+    /// Number of steps.
+    pub steps: usize,
+    /// A state is kept before every so many of them, one or more; as many steps has the tape.
+    pub every: usize,
+}
+
+impl<T> Checkpoints<T> {
+    /// How many states are kept: before the first step and every so many of the others, and after the last.
+    pub fn states(&self) -> usize {
+        self.steps.div_ceil(self.every.max(1)) + 1
+    }
+
+    /// The numbers of the steps between a state that is kept and the next one.
+    fn between(&self, state: usize) -> core::ops::Range<usize> {
+        let first = (state * self.every.max(1)).min(self.steps);
+        first..(first + self.every.max(1)).min(self.steps)
+    }
+}
+
+/// Room for a step of a tape: its motion, and all that its stages keep.
+pub struct Tape<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> {
+    before: MotionOf<S, R, C, P>,
+    record: Record<S, Elements<S, R, C>, M>,
+}
+
+impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> Clone for Tape<S, R, C, P, M> {
+    fn clone(&self) -> Self {
+        Self { before: self.before.clone(), record: self.record.clone() }
+    }
+}
+
+impl<S, R, C, P, M> Backward<'_, S, R, C, P, M>
+where
+    S: Reversed,
+    R: ReversibleRoot<S>,
+    C: Element<S>,
+    P: ReversibleTip<S>,
+    M: Explicit,
+    Elements<S, R, C>: Reversible<S>,
+    System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
+    EffortOf<S>: Additive,
+{
+    /// Room for a step of a tape: a slice of them is what [`gradient_between`](Self::gradient_between) needs.
+    pub fn tape(&self) -> Tape<S, R, C, P, M> {
+        Tape { before: self.steps.scene.motion(), record: self.steps.record() }
+    }
+
+    /// As [`run`](Self::run), keeping few states.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_between(
+        &mut self,
+        start: &MotionOf<S, R, C, P>,
+        plan: Checkpoints<RealOf<S>>,
+        torques: &[EffortOf<S>],
+        states: &mut [MotionOf<S, R, C, P>],
+    ) -> Result<(), Error> {
+        self.planned(plan, torques.len(), states.len())?;
+        let states = &mut states[..plan.states()];
+        if !(self.fits(start) && states.iter().all(|state| state.fits(start))) {
+            return Err(Error::new(Fault::Shape));
+        }
+        states[0].copy_state(start);
+        for k in 1..states.len() {
+            let [past, next, ..] = &mut states[k - 1..] else { break };
+            next.copy_state(past);
+            let between = plan.between(k - 1);
+            for step in between.clone() {
+                let time = start.time + plan.step * RealOf::<S>::of((step + 1) as f64);
+                self.steps.take_torques(torques, step);
+                self.steps.step_to(time, next, &mut self.record, &mut self.spare);
+                if step == between.start {
+                    past.acceleration.set(self.record.first());
+                }
+                core::mem::swap(next, &mut self.spare);
+                Dynamics::<Unloaded>::accept(self.steps.scene, next)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// As [`gradient`](Self::gradient), for a run of which few states were kept, and equal to it to the last bit: from each of them the
+    /// steps up to the next one are made once more, onto the tape, and costates pulled back through it. That is a run more at most,
+    /// however long the run is.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// use catena::sensitivity::Checkpoints;
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    /// let start = pendulum.at_rest(&[-1.0, -0.5])?;
+    /// let mut backward = pendulum.backward(Rk4);
+    /// let plan = Checkpoints { step: 1e-3, steps: 10_000, every: 50 };
+    /// let (mut states, mut tape) = (vec![start; plan.states()], vec![backward.tape(); plan.every]); // 201 and 50
+    /// backward.run_between(&start, plan, &[], &mut states)?;
+    /// let end = |step: usize, _: &_, by: &mut catena::sensitivity::Costate<_>| match step {
+    ///     10_000 => by.add(&[0.0, 1.0], &[0.0, 0.0]),
+    ///     _ => Ok(()),
+    /// };
+    /// let gradient = backward.gradient_between(plan, &[], &states, &mut tape, &mut [], end)?;
+    /// # assert!(gradient.by_gravity().y.is_finite());
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`gradient`](Self::gradient); [`Fault::Count`], which says how many states or steps of the tape are needed.
+    pub fn gradient_between(
+        &mut self,
+        plan: Checkpoints<RealOf<S>>,
+        torques: &[EffortOf<S>],
+        states: &[MotionOf<S, R, C, P>],
+        tape: &mut [Tape<S, R, C, P, M>],
+        by_torques: &mut [EffortOf<S>],
+        mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
+    ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
+        self.planned(plan, torques.len(), states.len())?;
+        self.admits(plan.steps, by_torques.len())?;
+        let (longest, given) = (plan.every.max(1).min(plan.steps), tape.len());
+        if given < longest {
+            return Err(Error::new(Fault::Count { expected: longest, given }));
+        }
+        let states = &states[..plan.states()];
+        let mut rooms = tape.iter().map(|room| &room.before);
+        if !(states.iter().all(|state| self.fits(state)) && rooms.all(|room| self.fits(room))) {
+            return Err(Error::new(Fault::Shape));
+        }
+        let mut gradient = self.none();
+        let ([start, ..], [.., last]) = (states, states) else { return Ok(gradient) };
+        let time_of = |step: usize| start.time + plan.step * RealOf::<S>::of(step as f64);
+        cost(plan.steps, last, &mut gradient.start)?;
+        for (k, state) in states[..states.len() - 1].iter().enumerate().rev() {
+            let between = plan.between(k);
+            // Once more, onto the tape.
+            let mut before = Some(state);
+            for step in between.clone() {
+                let [room, rest @ ..] = &mut tape[step - between.start..] else { break };
+                if let Some(state) = before.take() {
+                    room.before.copy_state(state);
+                }
+                self.steps.take_torques(torques, step);
+                let next = rest.first_mut().map_or(&mut self.spare, |room| &mut room.before);
+                self.steps.step_to(time_of(step + 1), &room.before, &mut room.record, next);
+                room.before.acceleration.set(room.record.first());
+            }
+            for step in between.clone().rev() {
+                let room = &tape[step - between.start];
+                let size = time_of(step + 1) - room.before.time;
+                let next =
+                    tape[..between.len()].get(step + 1 - between.start).map_or(&states[k + 1], |room| &room.before);
+                self.steps.pull_back([&room.before, next], size, &room.record, &mut gradient);
+                self.steps.give_torques(by_torques, step);
+                cost(step, &room.before, &mut gradient.start)?;
+            }
+        }
+        complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
+        Ok(gradient)
+    }
+
+    /// Refuses lists of torques and states that a plan has no use for.
+    fn planned(&self, plan: Checkpoints<RealOf<S>>, torques: usize, given: usize) -> Result<(), Error> {
+        let expected = plan.states();
+        if given < expected {
+            return Err(Error::new(Fault::Count { expected, given }));
+        }
+        self.admits(plan.steps, torques)
+    }
+}
