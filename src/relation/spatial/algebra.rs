@@ -271,6 +271,12 @@ impl<T: Scalar> Factor3<T> {
         Self { yx: o, zx: o, zy: o, inverse: Vector3::new(inverse, o, o) }
     }
 
+    /// Sets the inverse of that number.
+    #[inline(always)]
+    pub fn set_number(&mut self, inverse: T) {
+        self.inverse.x = inverse;
+    }
+
     /// The inverse of that number.
     #[inline(always)]
     pub fn number(&self) -> T {

@@ -24,7 +24,7 @@ use crate::mechanics::planar::adjoint::ReversibleLaw;
 use crate::mechanics::spatial::{Acceleration, Revolute, Spatial, Turn, Wrench};
 use crate::relation::Absent;
 use crate::relation::spatial::Way;
-use crate::relation::spatial::algebra::{Factor3, add_scaled, cross, dot, dot_onto};
+use crate::relation::spatial::algebra::{add_scaled, cross, dot, dot_onto};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::factor::Factor;
@@ -44,7 +44,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Factor> for Revolute<T, L
     ) -> Outboard<T> {
         let axis = axes.x;
         // The same quotient as in the elimination: it is formed once.
-        pivot.factor = Factor3::of_number(dot(axis, outer.relation.angular.apply(axis)).recip());
+        pivot.factor.set_number(dot(axis, outer.relation.angular.apply(axis)).recip());
         let (relation, found) =
             outer.relation.released(Way::Turn, axis, torque.0[0] + self.law.force(*angle, *rate), Absent);
         *gain = found;
