@@ -5,7 +5,7 @@
 
 use crate::element::{
     Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, Reading, RealOf, Space,
-    Sweep, Visit,
+    Sweep, Visit, Watch,
 };
 use crate::ends::{Root, Tip};
 use crate::relation::{Acceleration, Closures, Part, Solvable};
@@ -16,6 +16,7 @@ use crate::walks::measure::gains;
 use crate::walks::recover::recover;
 use crate::walks::respond::respond;
 use crate::walks::restore::restore;
+use crate::walks::sines::sines;
 use crate::walks::size::sizes;
 use crate::walks::spread;
 use crate::walks::travel::{show, travel};
@@ -114,10 +115,15 @@ pub fn sweep<S: Space, E, W, R, P>(
     let Site { root, gravity, tip, loads, time } = site;
     let ground = &root.ground(*time);
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
+    sines(chain, position, x);
     let turn = chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
     if const { W::Loads::ON && !W::Loads::READS } {
         spread::to_bodies(chain, loads.on_bodies_listed(), on_bodies);
-        spread::to_joints(chain, loads.in_joints_listed(), in_joints);
+        if const { W::Loads::BY_COORDINATE } {
+            spread::to_coordinates(chain, loads.in_joints_listed(), in_joints);
+        } else {
+            spread::to_joints(chain, loads.in_joints_listed(), in_joints);
+        }
     } else if W::Loads::ON {
         let motion = Coordinates { position, rate, acceleration };
         let seen = survey(chain, *ground, motion, *loads);
@@ -215,10 +221,7 @@ impl<S: Space, L: Loading<S>> LoadCheck<'_, S, L> {
     }
 }
 
-impl<S: Space, L: Loading<S>> Visit<S> for LoadCheck<'_, S, L> {
-    type OnBody = ();
-    type InJoint = ();
-
+impl<S: Space, L: Loading<S>> Watch<S> for LoadCheck<'_, S, L> {
     fn body(&mut self, motion: &S::BodyMotion) {
         let load = self.pass.body(motion);
         self.note(load.is_finite());

@@ -36,6 +36,7 @@ pub mod reach;
 pub mod recover;
 pub mod respond;
 pub mod restore;
+pub mod sines;
 pub mod size;
 pub mod spread;
 pub mod steer;

@@ -7,4 +7,5 @@ mod input;
 mod loops;
 mod numbers;
 mod rest;
+mod robots;
 mod runs;

@@ -7,6 +7,7 @@ mod axial_walks;
 mod ball;
 mod beam;
 mod body;
+pub mod body_axes;
 mod cylindrical;
 mod elastic_hinge;
 mod ends;

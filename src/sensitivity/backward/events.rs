@@ -110,7 +110,9 @@ where
         let [.., past, _] = states else {
             return Err(Error::new(Fault::Count { expected: 2, given: states.len() }));
         };
-        let (mut gradient, mut scratch) = (self.none(), self.none());
+        let mut gradient = self.none();
+        let scratch = &mut self.scratch;
+        scratch.start = gradient.start.clone();
         cost(states.len() - 1, last, &mut gradient.start)?;
         event(last, &mut scratch.start)?;
         let of_event = scratch.start.clone();
@@ -122,7 +124,7 @@ where
         for (start, by_size) in [(&gradient.start, &mut by_cost), (&of_event, &mut by_event)] {
             scratch.start.position.set(&start.position);
             scratch.start.rate.set(&start.rate);
-            self.steps.pull_back([past, last], size, &self.record, &mut scratch);
+            self.steps.pull_back(past, size, &self.record, scratch);
             *by_size += self.steps.of_size(past, size, &self.record);
         }
         self.steps.give_torques(&mut [], 0);

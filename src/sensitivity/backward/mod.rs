@@ -3,6 +3,7 @@
 mod adaptive;
 mod checkpoints;
 mod events;
+mod linear;
 mod steps;
 
 use super::gradient::{Costate, Gradient};
@@ -47,8 +48,9 @@ use steps::{Record, Steps};
 /// The steps are those of the rule itself with loads held over each step, and the gradient is theirs, exact but for rounding at any size of
 /// step. A run goes forward once and keeps its states; the gradient makes each step once more, from the last to the first, and pulls
 /// costates back through the gains of its stages. Room for one step is all that is needed besides the states, and nothing is allocated but
-/// what the vectors of a scene take: room, once, and the gradient. Of long runs few states are kept:
-/// [`gradient_between`](Self::gradient_between).
+/// what the vectors of a scene take: room, once, and the gradient. Of long runs few states are kept
+/// ([`gradient_between`](Self::gradient_between)); of short ones all that their stages know, on a tape
+/// ([`gradient_on_tape`](Self::gradient_on_tape)).
 ///
 /// Steps lie between the times of the states: of one size ([`run`](Self::run)), as error control has chosen them
 /// ([`run_adaptive`](Self::run_adaptive)), the last one [cut](Self::cut) at an event ([`gradient_to_event`](Self::gradient_to_event)).
@@ -78,11 +80,15 @@ use steps::{Record, Steps};
 /// | DOP853, 20 | 2.8 | 3.4 | 3.3 | 94 | 2.5 | 3.0 | 2.9 | 175 |
 /// | DOP853, 100 | 2.7 | 3.4 | 3.3 | 78 | 2.4 | 3.0 | 2.9 | 168 |
 ///
-/// One costate serves any number of derivatives; how the cost depends on their number and on the length of runs was not measured. (Two cores shared with other work: times are the least of 400.)
+/// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs on a tape take 1.8 plain runs
+/// with their gradient (RK4, n = 2, 7; 3000 steps in pieces of 55 that stay in a cache), and with few states kept 2.8 where all states took
+/// 2.7. (Two cores shared with other work: times are the least of 400, of 15.)
 pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> {
     steps: Steps<'s, S, R, C, P, M>,
     record: Record<S, Elements<S, R, C>, M>,
     spare: MotionOf<S, R, C, P>,
+    /// For gradients of which no parameters are asked.
+    scratch: Gradient<S, Elements<S, R, C>>,
     method: M,
 }
 
@@ -117,7 +123,8 @@ where
 {
     fn new(scene: &'s System<S, R, C, P>, method: M) -> Self {
         let steps = Steps::new(scene);
-        Self { record: steps.record(), steps, spare: scene.motion(), method }
+        let scratch = Gradient::none(scene.elements(), &steps.zero);
+        Self { record: steps.record(), steps, spare: scene.motion(), scratch, method }
     }
 
     /// Runs `steps` steps of a size (s), and keeps the state before each of them and after the last, with the accelerations in which a
@@ -197,7 +204,7 @@ where
             let size = next.time - past.time;
             self.steps.take_torques(torques, k);
             self.steps.evaluate(past, size, &mut self.record);
-            self.steps.pull_back([past, next], size, &self.record, gradient);
+            self.steps.pull_back(past, size, &self.record, gradient);
             self.steps.give_torques(by_torques, k);
             cost(k, past, &mut gradient.start)?;
         }

@@ -93,6 +93,8 @@ pub(super) struct Steps<'s, S: Reversed, R: crate::ends::Root<S>, C: Element<S>,
     /// Costates of second derivatives of the step's coordinates, where positions are curved.
     of_second: <Elements<S, R, C> as Element<S>>::Rate,
     sum: <Elements<S, R, C> as Element<S>>::Rate,
+    /// Where the step leads, where positions are curved.
+    end: (<Elements<S, R, C> as Element<S>>::Position, <Elements<S, R, C> as Element<S>>::Rate),
     pub(super) zero: <Elements<S, R, C> as Element<S>>::Rate,
     on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
     in_joints: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<S::InJoint>>,
@@ -136,6 +138,7 @@ where
             of_acceleration: zero.clone(),
             of_second: zero.clone(),
             sum: zero.clone(),
+            end: (elements.store::<Positions>(()), zero.clone()),
             zero,
             on_bodies: elements.store::<PerBody<_>>(on_body),
             in_joints: elements.store::<PerJoint<_>>(in_joint),
@@ -254,7 +257,7 @@ where
     /// From the costates after a step to those before it: the columns of the tableau, from the last to the first.
     pub(super) fn pull_back(
         &mut self,
-        [past, next]: [&MotionOf<S, R, C, P>; 2],
+        past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
         record: &Record<S, Elements<S, R, C>, M>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
@@ -263,12 +266,14 @@ where
         self.of_position.as_mut()[last].set(&gradient.start.position);
         self.of_rate.as_mut()[last].set(&gradient.start.rate);
         if Self::CURVED {
+            let (room, (position, rate)) = ((&self.zero, &mut self.sum), &mut self.end);
+            let slopes = record.accelerations.as_ref();
+            displace(past, slopes, M::node(last), row_weights::<M>(last), step, room, (&mut *position, &mut *rate));
+            position.retract_rate(&past.position, rate);
             gradient.start.position.set(&self.zero);
-            self.of_second.set(&self.zero);
-            let here = (&next.position, &next.rate, &self.zero);
-            let of_here = (&mut self.of_position.as_mut()[last], &mut self.of_rate.as_mut()[last]);
-            let of_second = &self.of_second;
-            here.0.transposed_step(&past.position, (here.1, here.2), of_second, of_here, &mut gradient.start.position);
+            let of_end = (&mut self.of_position.as_mut()[last], &mut self.of_rate.as_mut()[last]);
+            let of_past = &mut gradient.start.position;
+            position.transposed_step(&past.position, (rate, &self.zero), &self.zero, of_end, of_past);
         }
         for row in (0..last).rev() {
             let [position, rate] = &self.weights.as_ref()[row];

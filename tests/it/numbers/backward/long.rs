@@ -50,6 +50,12 @@ fn few_states_have_the_gradient_of_all_bit_for_bit() {
         let found = backward.gradient_between(plan, &torques, &few, &mut tape, &mut by_torques, cost!()).unwrap();
         assert_eq!(list(&found, &by_torques), expected, "every {every}");
     }
+    // All on the tape, which has room to spare.
+    let (mut tape, mut last, mut by_torques) = (vec![backward.tape(); 30], start, vec![0.0; 3 * steps]);
+    backward.run_on_tape(&start, h, steps, &torques, &mut tape, &mut last).unwrap();
+    assert_eq!(bits(last.coordinates()), bits(end));
+    let found = backward.gradient_on_tape(steps, &tape, &last, &mut by_torques, cost!()).unwrap();
+    assert_eq!(list(&found, &by_torques), expected);
 }
 
 /// Lists that are too short say how long they must be.
@@ -69,4 +75,9 @@ fn checkpoints_and_tape_say_how_many_are_needed() {
     let gradient = backward.gradient_between(plan, &[], &[start; 16], &mut tape, &mut [], |_, _, _| Ok(()));
     let found = gradient.map(|_| ()).unwrap_err().fault;
     assert!(matches!(found, Fault::Count { expected: 7, given: 6 }), "{found:?}");
+    let mut end = start;
+    let found = backward.run_on_tape(&start, 0.01, 7, &[], &mut tape, &mut end).unwrap_err().fault;
+    assert!(matches!(found, Fault::Count { expected: 7, given: 6 }), "{found:?}");
+    let found = backward.run_on_tape(&start, f64::NAN, 6, &[], &mut tape, &mut end).unwrap_err().fault;
+    assert!(matches!(found, Fault::NonFiniteMotion), "{found:?}");
 }

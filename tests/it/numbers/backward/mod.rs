@@ -136,6 +136,7 @@ pub(crate) use gradients;
 // Behind the macro, which they use.
 mod chains;
 mod joints;
+mod linear;
 mod long;
 mod space;
 mod times;
