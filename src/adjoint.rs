@@ -21,7 +21,9 @@
 //! ```
 //!
 //! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics
-//! (`mechanics/planar/adjoint/`).
+//! (`mechanics/planar/adjoint/`, `mechanics/spatial/adjoint/`).
+
+pub mod laws;
 
 use crate::element::{Element, Space};
 use crate::ends::{Root, Tip};
@@ -113,7 +115,7 @@ impl<S: Reversed, E> Reversible<S> for E where
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward through the root `{Self}`",
     label = "not a root that the costate sweep knows",
-    note = "it knows `Pinned` and `Clamped` of the plane, at a place that does not move",
+    note = "it knows `Pinned` and `Clamped`, and `Hinged` of space, at a place that does not move",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait ReversibleRoot<S: Reversed>: Root<S> {}

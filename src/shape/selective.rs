@@ -30,7 +30,7 @@ pub trait Selective<S: Space>: Walk<S> {
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward through `{Self}`",
     label = "not known to the costate sweep",
-    note = "it knows `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs of the plane, in tuples, arrays, vectors and branches, with names or without",
+    note = "it knows `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld` and `Revolute`, in tuples, arrays, vectors and branches, with names or without",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait Takes<S: Space, W: Walk<S>>: Shape<S> {

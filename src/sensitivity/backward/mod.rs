@@ -62,8 +62,16 @@ use steps::{Record, Steps};
 /// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs, in tuples, arrays, vectors
 /// and branches, named or not, from a `Pinned` or `Clamped` root that does not move to free tips. Springs may have dampers and rest values;
 /// a law of the user's own in a hinge ([`ElasticHinge::with`](crate::planar::ElasticHinge::with)) goes backward by itself where it is
-/// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less. All else is an error
-/// of the compiler that names it.
+/// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less.
+///
+/// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`
+/// with or without a `Spring`, composed in the same ways, from a `Pinned`, `Clamped` or `Hinged` root that does not move. An attitude has
+/// three derivatives, by a rotation vector (rad) in axes of its body: costs add theirs in the same numbers, and steps linearised have their
+/// rows and columns so. Rates of balls are angular velocities in axes of the body (rad/s). Torques are [`Effort`](crate::spatial::Effort)s,
+/// in a ball a vector in these axes, in a revolute joint the first number. Directions of axes, attitudes of welds and of the ground are
+/// parameters like all others.
+///
+/// All else is an error of the compiler that names it.
 ///
 /// # What it costs
 ///

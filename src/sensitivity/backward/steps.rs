@@ -21,7 +21,7 @@ use crate::sensitivity::Gradient;
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape, Takes};
 use crate::stepper::displace::{displace, gather};
 use crate::stepper::explicit::row_weights;
-use crate::system::{Elements, MotionOf, System};
+use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
 use crate::time::Explicit;
 use crate::walks::factor::Factor;
 use crate::walks::measure::gains;
@@ -94,7 +94,7 @@ pub(super) struct Steps<'s, S: Reversed, R: crate::ends::Root<S>, C: Element<S>,
     of_second: <Elements<S, R, C> as Element<S>>::Rate,
     sum: <Elements<S, R, C> as Element<S>>::Rate,
     /// Where the step leads, where positions are curved.
-    end: (<Elements<S, R, C> as Element<S>>::Position, <Elements<S, R, C> as Element<S>>::Rate),
+    end: (PositionOf<S, R, C>, RateOf<S, R, C>),
     pub(super) zero: <Elements<S, R, C> as Element<S>>::Rate,
     on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
     in_joints: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<S::InJoint>>,

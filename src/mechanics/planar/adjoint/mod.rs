@@ -6,7 +6,7 @@ mod joints;
 mod laws;
 mod slider;
 
-pub(crate) use laws::{NUMBERS, ReversibleLaw};
+pub(crate) use laws::NUMBERS;
 
 use super::body::Base;
 use crate::adjoint::Reversed;

@@ -19,8 +19,8 @@
 //! e_I·Θ_I − e_O·Θ_O = u·Θ_O + e_I·(X × s), and along s × e it costs u·(Θ_O × s) − e_I·X.
 
 use super::{Outboard, Pulled, Stirred, Turning};
+use crate::adjoint::laws::ReversibleLaw;
 use crate::element::Element;
-use crate::mechanics::planar::adjoint::ReversibleLaw;
 use crate::mechanics::spatial::{Acceleration, Revolute, Spatial, Turn, Wrench};
 use crate::relation::Absent;
 use crate::relation::spatial::Way;
