@@ -83,10 +83,12 @@ where
     fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
         let (axis, law) = self.parts();
         let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
-        let (axis_at_rest, across) = (still(axis), still(self.across()));
-        let turned = cross(axis_at_rest, axis) * dot(across, across).recip();
-        walk.add(by.turn.x, dot(turned, across));
-        walk.add(by.turn.y, dot(turned, cross(axis_at_rest, across)));
+        let (own, Columns { x, y, .. }) = (still(axis), Columns::identity());
+        let aside = self.aside(x, y);
+        let across = cross(own, aside);
+        let turned = cross(own, axis) * dot(across, across).recip();
+        walk.add(by.turn.x, dot(turned, aside));
+        walk.add(by.turn.y, dot(turned, across));
         let mut costates = by.law.iter();
         law.lift(&mut |number: Jet<T, K>| {
             costates.next().into_iter().for_each(|costate| walk.add(*costate, number));

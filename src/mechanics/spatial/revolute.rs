@@ -49,12 +49,10 @@ impl<T: Scalar> Revolute<T> {
 }
 
 impl<T: Scalar, L> Revolute<T, L> {
-    /// A direction across the axis, in body axes: of any length that is not small.
+    /// Which of the body's own axes is not along that of the joint: the first one, or the second.
     #[inline(always)]
-    pub(crate) fn across(&self) -> Vector3<T> {
-        let [x, y, z] = self.axis.into();
-        // Not along the axis.
-        if x.real().abs() < T::Real::of(0.6) { Vector3::new(T::zero(), z, -y) } else { Vector3::new(-z, T::zero(), x) }
+    pub(crate) fn aside<X>(&self, first: X, second: X) -> X {
+        if self.axis.x.real().abs() < T::Real::of(0.6) { first } else { second }
     }
 
     /// The axis, and the spring or damper.

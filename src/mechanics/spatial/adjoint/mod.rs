@@ -159,7 +159,7 @@ pub struct Pivot<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OfJoint<T> {
     /// By turns of the joint's axes: of a weld the rotation vector in axes of the outboard body, of a revolute joint two numbers, see
-    /// [`Revolute::across`](crate::mechanics::spatial::Revolute::across).
+    /// [`revolute`].
     pub(crate) turn: Vector3<T>,
     /// The numbers of a spring and damper.
     pub(crate) law: [T; LAW],

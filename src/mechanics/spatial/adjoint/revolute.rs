@@ -15,8 +15,12 @@
 //! Θ_I = Θ_O − s × X        X = q̇_w M + q̈ H + q̇ (Ω − ω_I × H)
 //! ```
 //!
-//! Let e lie across the axis, the same numbers in axes of both bodies, which makes e_I and e_O of it, u = e_I − e_O: θ along e costs
-//! e_I·Θ_I − e_O·Θ_O = u·Θ_O + e_I·(X × s), and along s × e it costs u·(Θ_O × s) − e_I·X.
+//! The difference v of both, each in axes of its body, is across the axis. With a column e of the bodies' axes that is not along s, e_I and
+//! e_O in inertial axes, u = e_I − e_O, and Y = X × s,
+//!
+//! ```text
+//! v·e = e_I·Θ_I − e_O·Θ_O = u·Θ_O + e_I·Y        v·(s × e) = u·(Θ_O × s) + e_I·(Y × s)
+//! ```
 
 use super::{Outboard, Pulled, Stirred, Turning};
 use crate::adjoint::laws::ReversibleLaw;
@@ -130,14 +134,15 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T,
         let x = add_scaled(outer.torque * *own, *acceleration, outer.angular);
         let x = add_scaled(x, *rate, spin - cross(turning.spin, outer.angular));
         let (inboard, apart) = (axes.y, axes.y - axes.z);
-        sums.turn.x += dot_onto(apart, turned, dot(inboard, cross(x, axis)));
-        sums.turn.y += dot_onto(apart, cross(turned, axis), -dot(inboard, x));
+        let y = cross(x, axis);
+        sums.turn.x += dot_onto(apart, turned, dot(inboard, y));
+        sums.turn.y += dot_onto(apart, cross(turned, axis), dot(inboard, cross(y, axis)));
         Pulled { spin, ..outer }
     }
 }
 
 impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Orient> for Revolute<T, L> {
-    /// Stores e in inertial axes as well, as both bodies turn it.
+    /// Stores e in inertial axes as well, as either body turns it.
     #[inline(always)]
     fn take(
         &self,
@@ -146,8 +151,8 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Orient> for Revolute<T, L
         (position, rate, x, y, p, q): Of<'_, Spatial<T>, Orient, Self>,
     ) -> Turn<T> {
         let outboard = self.orient(position, rate, turn, x, y, p, q);
-        let across = self.across();
-        (x.y, x.z) = (turn.attitude.apply(across), outboard.attitude.apply(across));
+        let (inner, outer) = (&turn.attitude, &outboard.attitude);
+        (x.y, x.z) = self.aside((inner.x, outer.x), (inner.y, outer.y));
         outboard
     }
 }
