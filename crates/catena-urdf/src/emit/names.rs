@@ -3,7 +3,14 @@
 use std::collections::HashSet;
 
 /// What the module itself uses.
-const RESERVED: [&str; 34] = [
+const RESERVED: [&str; 41] = [
+    "BodyAxes",
+    "Hinge",
+    "Slide",
+    "Link",
+    "Level",
+    "Quarter",
+    "Turned",
     "Branch",
     "Clamped",
     "Effort",

@@ -38,6 +38,7 @@ impl<T: Scalar, V: AsRef<[T]>> Loading<Spatial<T>> for Torques<V> {
     type Seen = ();
     const ON: bool = true;
     const READS: bool = false;
+    const BY_COORDINATE: bool = true;
 
     fn unseen() {}
     fn nothing() -> (Absent, T) {
