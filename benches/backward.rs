@@ -7,8 +7,7 @@
 #[path = "parts/clock.rs"]
 mod clock;
 
-use catena::simulate::Stepper;
-use clock::progress;
+use clock::{median, progress};
 use std::hint::black_box;
 use std::path::Path;
 use std::process::Command;
@@ -163,18 +162,21 @@ fn instructions(program: &Path, row: usize, way: usize) -> Option<f64> {
     Some((count(4)? - count(1)?) / 3.0)
 }
 
-/// Nanoseconds of a run by each way, the least of many; ways take turns.
-fn wall(row: &Row) -> [f64; 3] {
+/// Nanoseconds of a run by each way, the least of many; ways take turns. Beside it the middle one of the ratios of gradient and plain run.
+fn wall(row: &Row) -> ([f64; 3], f64) {
     let mut case = (row.make)();
-    let mut least = [f64::INFINITY; 3];
+    let (mut least, mut ratios) = ([f64::INFINITY; 3], vec![]);
     for _ in 0..400 {
-        for (way, least) in least.iter_mut().enumerate() {
+        let mut round = [0.0; 3];
+        for (way, time) in round.iter_mut().enumerate() {
             let start = Instant::now();
             black_box(case(way));
-            *least = least.min(start.elapsed().as_nanos() as f64);
+            *time = start.elapsed().as_nanos() as f64;
+            least[way] = least[way].min(*time);
         }
+        ratios.push(round[2] / round[0]);
     }
-    least
+    (least, median(&mut ratios))
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -190,15 +192,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         return Ok(());
     }
     let program = std::env::current_exe()?;
-    println!("| {STEPS} steps | gradient : plain, time | instructions | : under torques | plain, a body and stage |");
-    println!("|---|---:|---:|---:|---:|");
+    println!(
+        "| {STEPS} steps | gradient : plain, time | middle | instructions | : under torques | plain, a body and stage |"
+    );
+    println!("|---|---:|---:|---:|---:|---:|");
     for (number, row) in rows.iter().enumerate() {
         progress(row.name);
         let counts = [0, 1, 2].map(|way| instructions(&program, number, way).unwrap_or(f64::NAN));
-        let times = wall(row);
+        let (times, middle) = wall(row);
         progress("");
         println!(
-            "| {} | {:.2} | {:.2} | {:.2} | {:.0} |",
+            "| {} | {:.2} | {middle:.2} | {:.2} | {:.2} | {:.0} |",
             row.name,
             times[2] / times[0],
             counts[2] / counts[0],
