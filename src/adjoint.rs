@@ -14,10 +14,12 @@
 //!
 //! ```text
 //! factor       tip → root   S and e, gains and inverse pivots                       walks::factor
+//! burden       tip → root   what loads on bodies add to gains, if there are any     walks::burden
 //! reach        root → tip   accelerations                                           walks::reach
 //! meet         tip → root   λ through the gains                                     walks::meet
 //! stir         root → tip   W; w of each joint; costates of torques                 walks::stir
 //! pull back    tip → root   G and F; costates of positions, rates, parameters       walks::pull_back
+//! pull loads   tip → root   the same of what loads read, if there are any           walks::pull_loads
 //! ```
 //!
 //! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics
@@ -27,12 +29,15 @@ pub mod laws;
 
 use crate::element::{Element, Space};
 use crate::ends::{Root, Tip};
+use crate::loading::{Load, LoadLaw};
 use crate::relation::{Additive, Open};
 use crate::shape::{PerAxes, Selective, Takes};
 use crate::space::FrameOf;
+use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
+use crate::walks::pull_loads::PullLoads;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 
@@ -57,6 +62,11 @@ pub trait Reversed: Space {
     /// The walk by which [`pose`](Self::pose) goes, if it goes by one of its own.
     type Poses: Selective<Self>;
 
+    /// What loads on bodies carry inward: costates of a station, by what lies outboard.
+    type Felt: Additive;
+    /// Costates of the numbers of a body that loads read.
+    type OfNumbers: Copy + 'static;
+
     /// Poses all elements as sweeps do, and stores what only costates read.
     #[allow(clippy::too_many_arguments)] // one store each
     fn pose<E: Element<Self> + Takes<Self, Self::Poses>>(
@@ -70,6 +80,7 @@ pub trait Reversed: Space {
         p: &mut E::Store<PerAxes<Self::P>>,
         q: &mut E::Store<PerAxes<Self::Q>>,
     );
+
     /// Nothing, beyond a free tip.
     fn nothing() -> Self::Outboard;
     /// What lies beyond a station of which an arm leaves.
@@ -81,7 +92,11 @@ pub trait Reversed: Space {
     /// Nothing has been kept.
     fn untouched() -> (Self::OnBody, Self::InJoint);
     /// No derivatives yet.
-    fn of_nothing() -> (Self::OfBody, Self::OfJoint);
+    fn of_nothing() -> (Self::OfBody, Self::OfNumbers, Self::OfJoint);
+    /// Motion of the inboard end of a body.
+    fn inboard(motion: &Self::BodyMotion) -> FrameOf<Self>;
+    /// The costates of place and orientation of the ground, from what loads have carried there.
+    fn of_place(felt: &Self::Felt) -> (Self::Vector, Self::Angular);
     /// The costates of gravity and of the orientation of the ground, from what is left there.
     fn of_ground(pulled: &Self::Pulled, frame: &FrameOf<Self>) -> (Self::Vector, Self::Angular);
     /// Costates of the base parameters as they are, from sums that left out what depends on the size of the body alone.
@@ -110,6 +125,16 @@ impl<S: Reversed, E> Reversible<S> for E where
         + Takes<S, PullBack>
 {
 }
+
+/// What acts on bodies: a law of time, number and motion.
+pub trait BodyLaw<S: Space>: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy {}
+
+impl<S: Space, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> for L {}
+
+/// Elements through which costates go backward under loads on bodies.
+pub trait Burdened<S: Reversed, L>: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>> {}
+
+impl<S: Reversed, L, E: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>>> Burdened<S, L> for E {}
 
 /// A root whose ground does not move, so that its parameters are those of a place.
 #[diagnostic::on_unimplemented(

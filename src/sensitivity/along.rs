@@ -5,7 +5,7 @@ use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::mechanics::planar::adjoint::NUMBERS;
+use crate::mechanics::planar::adjoint::{BODY, NUMBERS};
 use crate::mechanics::planar::{Base, Body, ElasticHinge, Pin, Planar, PointMass, RigidBody, Rod, Slider, Weld};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk};
@@ -33,7 +33,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 
 impl<T: Scalar, const K: usize> Walk<Planar<Jet<T, K>>> for Along<T, K> {
     type Carried = ();
-    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerJoint<[T; NUMBERS]>>);
+    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; BODY]>>, Ref<PerJoint<[T; NUMBERS]>>);
 }
 
 impl<T: Scalar, const K: usize> Selective<Planar<Jet<T, K>>> for Along<T, K> {
@@ -51,7 +51,7 @@ macro_rules! bodies {
                 &self,
                 walk: &mut Along<T, K>,
                 (): (),
-                (by, ()): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>,
+                (by, by_numbers, ()): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>,
             ) {
                 let Base { outboard, moment, inertia, lumped } = self.base();
                 for i in 0..2 {
@@ -60,6 +60,11 @@ macro_rules! bodies {
                 }
                 walk.add(by.inertia, inertia);
                 walk.add(by.lumped, lumped);
+                let mut list = by_numbers.iter();
+                self.lift(&mut |number: Jet<T, K>| {
+                    list.next().into_iter().for_each(|costate| walk.add(*costate, number));
+                    number.re
+                });
                 walk.met += 1;
             }
         }
@@ -74,7 +79,7 @@ macro_rules! joints {
         where
             $($L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,)?
         {
-            fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
+            fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
                 let mut numbers = 0;
                 self.lift(&mut |number: Jet<T, K>| {
                     by.get(numbers).into_iter().for_each(|costate| walk.add(*costate, number));
@@ -133,19 +138,23 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
             + Shape<
                 Planar<Jet<T, K>>,
                 Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>,
+                Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>,
                 Store<PerJoint<[T; NUMBERS]>> = E::Store<PerJoint<[T; NUMBERS]>>,
             >,
     {
         let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
         let elements = scene.elements();
-        elements.take(&mut walk, (), (&self.bodies, &self.joints));
+        elements.take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         if walk.met != self.entries || walk.met != scene.bodies() + scene.joints() {
             return Err(Error::new(Fault::Shape));
         }
         if walk.most > NUMBERS {
             return Err(Error::new(Fault::Count { expected: NUMBERS, given: walk.most }));
         }
-        walk.add(self.ground, scene.ground(Zero::zero()).turn.angle);
+        let ground = scene.ground(Zero::zero());
+        walk.add(self.ground, ground.turn.angle);
+        walk.add(self.place.x, ground.place.x);
+        walk.add(self.place.y, ground.place.y);
         walk.add(self.gravity.x, scene.gravity().x);
         walk.add(self.gravity.y, scene.gravity().y);
         Ok(walk.sum)

@@ -2,11 +2,12 @@
 
 use crate::adjoint::Reversed;
 use crate::element::Element;
-use crate::error::{Error, counted};
+use crate::error::{Error, Fault, counted};
 use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::scalar::Scalar;
 use crate::shape::{PerBody, PerJoint};
+use crate::walks::pull_loads::LAW;
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 
@@ -46,10 +47,15 @@ pub struct Gradient<S: Reversed, E: Element<S>> {
     /// By initial positions and rates; by the time of all motions at once.
     pub start: Costate<E::Rate, S::Scalar>,
     pub(crate) gravity: S::Vector,
-    /// By the orientation of the ground.
+    /// By the place and the orientation of the ground.
+    pub(crate) place: S::Vector,
     pub(crate) ground: S::Angular,
     /// By base parameters of bodies.
     pub(crate) bodies: E::Store<PerBody<S::OfBody>>,
+    /// By numbers of bodies that loads read.
+    pub(crate) numbers: E::Store<PerBody<S::OfNumbers>>,
+    /// By numbers of the law of loads, and how many it has.
+    pub(crate) law: ([S::Scalar; LAW], usize),
     /// By parameters of joints.
     pub(crate) joints: E::Store<PerJoint<S::OfJoint>>,
     /// Number of bodies and joints.
@@ -59,12 +65,15 @@ pub struct Gradient<S: Reversed, E: Element<S>> {
 impl<S: Reversed, E: Element<S>> Gradient<S, E> {
     /// Nothing yet.
     pub(super) fn none(elements: &E, zero: &E::Rate) -> Self {
-        let (of_body, of_joint) = S::of_nothing();
+        let (of_body, of_number, of_joint) = S::of_nothing();
         Self {
             start: Costate { position: zero.clone(), rate: zero.clone(), time: Additive::null() },
             gravity: S::Vector::null(),
+            place: S::Vector::null(),
             ground: S::Angular::null(),
+            law: ([Additive::null(); LAW], 0),
             bodies: elements.store::<PerBody<_>>(of_body),
+            numbers: elements.store::<PerBody<_>>(of_number),
             joints: elements.store::<PerJoint<_>>(of_joint),
             entries: elements.bodies() + elements.joints(),
         }
@@ -73,6 +82,15 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
     /// By gravity (m/s²), component by component.
     pub fn by_gravity(&self) -> S::Vector {
         self.gravity
+    }
+
+    /// By the numbers of the law of loads on bodies, in the order in which [`Lift`](crate::Lift) meets them.
+    ///
+    /// # Errors
+    /// [`Fault::Count`](crate::Fault::Count) for a law of more than six.
+    pub fn by_loads(&self) -> Result<&[S::Scalar], Error> {
+        let (list, given) = &self.law;
+        list.get(..*given).ok_or(Error::new(Fault::Count { expected: LAW, given: *given }))
     }
 
     /// By the initial positions of all joints, root to tip, as a list.

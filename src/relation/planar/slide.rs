@@ -37,7 +37,7 @@ pub struct SlideGain<T: Copy, C: Closures> {
     /// w_α (m).
     pub per_angular: T,
     /// Acceleration at a station that does not accelerate (m/s²).
-    free: T,
+    pub free: T,
     /// Acceleration for each closure force.
     per_closure: C::Each<T>,
 }

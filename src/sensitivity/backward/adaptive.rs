@@ -1,17 +1,17 @@
 //! Runs under error control, their accepted steps kept for gradients.
 
 use super::Backward;
-use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::error::{Error, Fault};
 use crate::loading::{EffortOf, LoadLaw, Loads, Seen};
 use crate::mirror::Rate;
-use crate::relation::{Absent, Additive};
+use crate::relation::Additive;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::time::{Control, Explicit, Rule};
 
-/// Loads of torques that are held over a run.
-type UnderHeld<'t, S> = Loads<Absent, Held<'t, EffortOf<S>>>;
+/// Loads on bodies, and torques that are held over a run.
+type UnderHeld<'t, S, L> = Loads<L, Held<'t, EffortOf<S>>>;
 
 /// Efforts in all joints, or in none.
 #[derive(Clone, Copy, Debug)]
@@ -31,14 +31,15 @@ impl<M: Seen> LoadLaw<M> for Held<'_, M::Load> {
     }
 }
 
-impl<S, R, C, P, M> Backward<'_, S, R, C, P, M>
+impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
     R: ReversibleRoot<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,
-    Elements<S, R, C>: Reversible<S>,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
@@ -59,14 +60,14 @@ where
         states: &mut [MotionOf<S, R, C, P>],
     ) -> Result<usize, Error>
     where
-        System<S, R, C, P>: Runs<UnderHeld<'t, S>, S, R, C, P>,
+        System<S, R, C, P>: Runs<UnderHeld<'t, S, L>, S, R, C, P>,
     {
         self.admits(1, torques.len())?;
         if !(self.fits(start) && states.iter().all(|state| state.fits(start))) {
             return Err(Error::new(Fault::Shape));
         }
         let rule = Rule { method: self.method, control: Control::Tolerance(tolerance) };
-        let loads = Loads::none().in_joints_by(Held(torques));
+        let loads = Loads::none().on_bodies_by(self.steps.loads.law).in_joints_by(Held(torques));
         let (mut count, mut list) = (0, states.iter_mut());
         let simulation = self.steps.scene.simulation(rule).loads(&loads);
         simulation.run(start.clone(), end, |now| {

@@ -2,7 +2,7 @@
 
 use super::steps::Record;
 use super::{Backward, CostateOf};
-use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -58,14 +58,15 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> Clone for T
     }
 }
 
-impl<S, R, C, P, M> Backward<'_, S, R, C, P, M>
+impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
     R: ReversibleRoot<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,
-    Elements<S, R, C>: Reversible<S>,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {

@@ -9,7 +9,7 @@
 //! with Φ_h, g_h the derivatives by the size of the last step, by which time ends later.
 
 use super::{Backward, CostateOf};
-use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
@@ -21,14 +21,15 @@ use crate::simulate::crossing::crossing;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::time::Explicit;
 
-impl<S, R, C, P, M> Backward<'_, S, R, C, P, M>
+impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
     R: ReversibleRoot<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,
-    Elements<S, R, C>: Reversible<S>,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {

@@ -1,7 +1,7 @@
 //! Steps with their Jacobians.
 
 use super::Backward;
-use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::error::{Error, Fault, counted};
 use crate::loading::EffortOf;
@@ -11,14 +11,15 @@ use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
 use crate::time::Explicit;
 use num_traits::{One, Zero};
 
-impl<S, R, C, P, M> Backward<'_, S, R, C, P, M>
+impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
     R: ReversibleRoot<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,
-    Elements<S, R, C>: Reversible<S>,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {

@@ -2,18 +2,20 @@
 
 mod adaptive;
 mod checkpoints;
+mod costates;
 mod events;
 mod linear;
+mod loads;
 mod steps;
 
 use super::gradient::{Costate, Gradient};
-use crate::adjoint::{Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, counted};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
-use crate::relation::{Additive, Geometry};
+use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 use crate::time::Explicit;
@@ -62,7 +64,8 @@ use steps::{Record, Steps};
 /// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs, in tuples, arrays, vectors
 /// and branches, named or not, from a `Pinned` or `Clamped` root that does not move to free tips. Springs may have dampers and rest values;
 /// a law of the user's own in a hinge ([`ElasticHinge::with`](crate::planar::ElasticHinge::with)) goes backward by itself where it is
-/// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less.
+/// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
+/// ([`under`](Self::under)).
 ///
 /// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`
 /// with or without a `Spring`, composed in the same ways, from a `Pinned`, `Clamped` or `Hinged` root that does not move. An attitude has
@@ -88,11 +91,26 @@ use steps::{Record, Steps};
 /// | DOP853, 20 | 2.8 | 3.4 | 3.3 | 94 | 2.5 | 3.0 | 2.9 | 175 |
 /// | DOP853, 100 | 2.7 | 3.4 | 3.3 | 78 | 2.4 | 3.0 | 2.9 | 168 |
 ///
+/// In space:
+///
+/// | chain | x86-64-v3: time | instructions | under torques | plain | x86-64: time | instructions | under torques | plain |
+/// |---|---:|---:|---:|---:|---:|---:|---:|---:|
+/// | 3 rods on balls, RK4 | 3.0 | 3.3 | 3.1 | 655 | 3.0 | 3.3 | 3.1 | 987 |
+/// | 3 rods on balls, DOP853 | 3.1 | 3.3 | 3.1 | 677 | 3.1 | 3.3 | 3.1 | 1033 |
+/// | 20 rods on balls, RK4 | 3.0 | 3.2 | 3.0 | 526 | 3.0 | 3.4 | 3.2 | 805 |
+/// | 20 rods on balls, DOP853 | 3.0 | 3.2 | 3.0 | 566 | 3.0 | 3.4 | 3.2 | 856 |
+/// | 3 rigid bodies on balls, RK4 | 2.9 | 3.3 | 3.2 | 817 | 3.2 | 3.3 | 3.2 | 1225 |
+/// | 20 rigid bodies on balls, RK4 | 3.2 | 3.3 | 3.2 | 721 | 3.0 | 3.4 | 3.2 | 1106 |
+/// | 7 rigid bodies on revolutes, RK4 | 3.6 | 3.7 | 3.6 | 713 | 3.4 | 3.6 | 3.6 | 1122 |
+/// | 7 rigid bodies on revolutes, DOP853 | 3.7 | 3.7 | 3.6 | 722 | 3.4 | 3.6 | 3.6 | 1136 |
+///
+/// A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not.
+///
 /// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs on a tape take 1.8 plain runs
 /// with their gradient (RK4, n = 2, 7; 3000 steps in pieces of 55 that stay in a cache), and with few states kept 2.8 where all states took
 /// 2.7. (Two cores shared with other work: times are the least of 400, of 15.)
-pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> {
-    steps: Steps<'s, S, R, C, P, M>,
+pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit, L = Absent> {
+    steps: Steps<'s, S, R, C, P, M, L>,
     record: Record<S, Elements<S, R, C>, M>,
     spare: MotionOf<S, R, C, P>,
     /// For gradients of which no parameters are asked.
@@ -110,29 +128,78 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         R: ReversibleRoot<S>,
         P: ReversibleTip<S>,
-        Elements<S, R, C>: Reversible<S>,
+        Elements<S, R, C>: Reversible<S> + Burdened<S, Absent>,
         Self: Runs<Unloaded, S, R, C, P>,
         EffortOf<S>: Additive,
     {
-        Backward::new(self, method)
+        Backward::new(self, method, Absent)
     }
 }
 
-impl<'s, S, R, C, P, M> Backward<'s, S, R, C, P, M>
+impl<'s, S, R, C, P, M, L> Backward<'s, S, R, C, P, M, L>
 where
     S: Reversed,
     R: ReversibleRoot<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,
-    Elements<S, R, C>: Reversible<S>,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
-    fn new(scene: &'s System<S, R, C, P>, method: M) -> Self {
-        let steps = Steps::new(scene);
+    fn new(scene: &'s System<S, R, C, P>, method: M, law: L) -> Self {
+        let steps = Steps::new(scene, law);
         let scratch = Gradient::none(scene.elements(), &steps.zero);
         Self { record: steps.record(), steps, spare: scene.motion(), scratch, method }
+    }
+
+    /// Runs and gradients under loads on bodies, forces of a medium or of springs to fixed points: a law that is generic over the scalar and
+    /// [`lift!`](crate::lift!)ed, which goes backward by itself, by jets of what a body tells it and of its own numbers, six or less.
+    ///
+    /// ```
+    /// use catena::loading::LoadLaw;
+    /// use catena::planar::*;
+    /// use catena::{Scalar, sensitivity::Costate};
+    /// /// Drag in proportion to the velocity of the outboard end (N·s/m).
+    /// #[derive(Clone, Copy)]
+    /// struct Drag<T> {
+    ///     drag: T,
+    /// }
+    /// catena::lift!(Drag { drag });
+    /// impl<T: Scalar> LoadLaw<BodyMotion<T>> for Drag<T> {
+    ///     type Value = Wrench<T>;
+    ///     fn at(&self, _time: T::Real, _body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+    ///         let force = motion.outboard().velocity * -self.drag;
+    ///         Wrench { force, torque: motion.arm.perp(&force) } // about the inboard end
+    ///     }
+    /// }
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    /// let mut states = [pendulum.at_rest(&[-1.0, -0.5])?; 101];
+    /// let (start, mut backward) = (states[0], pendulum.backward(Rk4).under(Drag { drag: 0.2 }));
+    /// backward.run(&start, 0.01, 100, &[], &mut states)?;
+    /// let end = |step: usize, _: &_, by: &mut Costate<_>| match step {
+    ///     100 => by.add(&[0.0; 2], &[0.0, 1.0]),
+    ///     _ => Ok(()),
+    /// };
+    /// let gradient = backward.gradient(&[], &states, &mut [], end)?;
+    /// let [by_drag] = *gradient.by_loads()? else { unreachable!() };
+    /// # let speed = |drag: f64| -> Result<f64, catena::Error> {
+    /// #     let law = Drag { drag };
+    /// #     let run = pendulum.simulation(Rk4::step(0.01)).loads(&Loads::none().on_bodies_by(law)).run(start, 1.0, |_| ())?;
+    /// #     Ok(run.motion.rates()[1])
+    /// # };
+    /// # assert!((by_drag - (speed(0.2001)? - speed(0.1999)?) / 2e-4).abs() < 1e-6 * by_drag.abs());
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// What a law reads of a body, the place of its mass centre, say, is in [`Gradient::along`]. Room is made anew.
+    pub fn under<N: BodyLaw<S>>(self, law: N) -> Backward<'s, S, R, C, P, M, N>
+    where
+        Elements<S, R, C>: Burdened<S, N>,
+    {
+        Backward::new(self.steps.scene, self.method, law)
     }
 
     /// Runs `steps` steps of a size (s), and keeps the state before each of them and after the last, with the accelerations in which a

@@ -41,9 +41,24 @@ fn share<T: Scalar<Real = f64>>(step: usize, last: usize, i: usize, q: T, v: T) 
 }
 
 /// A scene from numbers, run by fixed steps, as plain numbers backward and over jets by the rule itself: the gradient of a cost by all
-/// numbers. The scene's constructor takes each from `$number`, by its place in the list: parameters, then coordinates, rates, and torques.
+/// numbers. The scene's constructor takes each from `$number`, by its place in the list: parameters, the last of them those of a law of
+/// loads if there is one, then coordinates, rates, and torques.
 macro_rules! gradients {
-    ($name:expr, $kinds:expr, $numbers:expr, [$angles:expr, $joints:expr], $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block) => {{
+    ($name:expr, $kinds:expr, $numbers:expr, [$angles:expr, $joints:expr], $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block) => {
+        gradients!(
+            $name,
+            $kinds,
+            $numbers,
+            [$angles, $joints],
+            $method,
+            $steps,
+            $h,
+            |$x| $scene,
+            under(0, |$x| { Absent })
+        )
+    };
+    ($name:expr, $kinds:expr, $numbers:expr, [$angles:expr, $joints:expr], $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block,
+     under ($of_law:expr, |$y:ident| $law:block)) => {{
         let (numbers, steps, h, n, joints): (Vec<f64>, usize, f64, usize, usize) =
             ($numbers, $steps, $h, $angles, $joints);
         let parameters = numbers.len() - 2 * n - steps * joints;
@@ -56,6 +71,11 @@ macro_rules! gradients {
                     type N = $N;
                     $scene
                 };
+                let law = {
+                    type N = $N;
+                    let $y = |k: usize| -> N { of[k] };
+                    $law
+                };
                 let mut now = system.motion();
                 now.set_coordinates(&of[parameters..][..n]).unwrap();
                 now.set_rates(&of[parameters + n..][..n]).unwrap();
@@ -67,7 +87,9 @@ macro_rules! gradients {
                     }
                     if step < steps {
                         let torques = &of[parameters + 2 * n + step * joints..][..joints];
-                        stepper.step(&now, &Loads::none().torques(torques.to_vec()), h, &mut next).unwrap();
+                        stepper
+                            .step(&now, &Loads::none().torques(torques.to_vec()).on_bodies_by(law), h, &mut next)
+                            .unwrap();
                         core::mem::swap(&mut now, &mut next);
                     }
                 }
@@ -85,7 +107,12 @@ macro_rules! gradients {
         start.set_rates(&numbers[parameters + n..][..n]).unwrap();
         let (mut states, torques) = (vec![start.clone(); steps + 1], &numbers[parameters + 2 * n..]);
         let mut by_torques = vec![0.0; torques.len()];
-        let mut backward = system.backward($method);
+        let law = {
+            type N = f64;
+            let $y = |k: usize| -> N { numbers[k] };
+            $law
+        };
+        let mut backward = system.backward($method).under(law);
         backward.run(&start, h, steps, torques, &mut states).unwrap();
         let mut total = 0.0;
         let gradient = backward
@@ -117,7 +144,8 @@ macro_rules! gradients {
             found.extend(gradient.along(&system).unwrap());
         }
         expected.truncate(numbers.len());
-        found.truncate(parameters);
+        found.truncate(parameters - $of_law);
+        found.extend(gradient.by_loads().unwrap());
         found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()).chain(by_torques));
         alike($name, $kinds, &found, &expected, ROUNDING);
         // Central differences of order 4.
@@ -137,6 +165,7 @@ pub(crate) use gradients;
 mod chains;
 mod joints;
 mod linear;
+mod loads;
 mod long;
 mod space;
 mod times;

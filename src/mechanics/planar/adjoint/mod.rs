@@ -4,14 +4,17 @@ mod bodies;
 mod ends;
 mod joints;
 mod laws;
+mod loads;
 mod slider;
 
 pub(crate) use laws::NUMBERS;
+pub(crate) use loads::BODY;
+use loads::Felt;
 
 use super::body::Base;
 use crate::adjoint::Reversed;
 use crate::element::Element;
-use crate::mechanics::planar::{Acceleration, Frame, Planar, Turn};
+use crate::mechanics::planar::{Acceleration, BodyMotion, Frame, Planar, Turn};
 use crate::relation::Additive;
 use crate::relation::planar::{Full, Point};
 use crate::scalar::Scalar;
@@ -171,6 +174,8 @@ impl<T: Scalar> Reversed for Planar<T> {
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
     type OfJoint = [T; NUMBERS];
+    type Felt = Felt<T>;
+    type OfNumbers = [T; BODY];
     /// None of its own: costates read what sweeps do.
     type Poses = Factor;
 
@@ -217,13 +222,19 @@ impl<T: Scalar> Reversed for Planar<T> {
         let turning = Turning { rate: zero, acceleration: zero, stirring: zero };
         (OnBody { velocity, acceleration: zero, stirring: zero }, AtJoint { turning, velocity })
     }
-    fn of_nothing() -> (Base<T>, [T; NUMBERS]) {
+    fn of_nothing() -> (Base<T>, [T; BODY], [T; NUMBERS]) {
         let zero = T::zero();
-        (Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero }, [zero; NUMBERS])
+        (Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero }, [zero; BODY], [zero; NUMBERS])
     }
     #[inline(always)]
     fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector2<T>, T) {
         (pulled.momentum, pulled.turned(Self::at_ground(frame).turning)[0])
+    }
+    fn inboard(motion: &BodyMotion<T>) -> Frame<T> {
+        motion.inboard
+    }
+    fn of_place(felt: &Felt<T>) -> (Vector2<T>, T) {
+        (felt.place, felt.turn[0])
     }
     /// Links in the direction of their axes sum up d · d̄: their length l is constant, and d̄ along d is that over l.
     fn complete(size: &T, sums: &mut Base<T>) {

@@ -4,6 +4,7 @@ mod ball;
 mod bodies;
 mod ends;
 mod inertial;
+mod loads;
 mod revolute;
 mod weld;
 
@@ -11,10 +12,10 @@ pub use inertial::{Base, Inertial};
 
 use crate::adjoint::Reversed;
 use crate::element::Element;
-use crate::mechanics::spatial::{Acceleration, Frame, Spatial, Turn};
+use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Spatial, Turn};
 use crate::relation::spatial::algebra::{Columns, Factor3, cross, cross_onto, zero};
 use crate::relation::spatial::{Couple, Full, Point};
-use crate::relation::{Additive, Join};
+use crate::relation::{Absent, Additive, Join};
 use crate::scalar::Scalar;
 use crate::shape::{PerAxes, Takes};
 use crate::walks::orient::Orient;
@@ -174,6 +175,9 @@ impl<T: Scalar> Reversed for Spatial<T> {
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
     type OfJoint = OfJoint<T>;
+    /// Loads on bodies are not known.
+    type Felt = Absent;
+    type OfNumbers = ();
     type Poses = Orient;
 
     #[inline(always)]
@@ -216,8 +220,14 @@ impl<T: Scalar> Reversed for Spatial<T> {
     fn untouched() -> (OnBody<T>, Turning<T>) {
         (OnBody { velocity: zero(), turning: Turning::none() }, Turning::none())
     }
-    fn of_nothing() -> (Base<T>, OfJoint<T>) {
-        (Base::null(), OfJoint { turn: zero(), law: [T::zero(); LAW] })
+    fn inboard(motion: &BodyMotion<T>) -> Frame<T> {
+        motion.inboard
+    }
+    fn of_place(_: &Absent) -> (Vector3<T>, Vector3<T>) {
+        (zero(), zero())
+    }
+    fn of_nothing() -> (Base<T>, (), OfJoint<T>) {
+        (Base::null(), (), OfJoint { turn: zero(), law: [T::zero(); LAW] })
     }
     #[inline(always)]
     fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector3<T>, Vector3<T>) {
