@@ -17,7 +17,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// The mass matrix M (kg·m², kg·m, kg), reflected inertias on its diagonal.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
+    /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
     pub fn mass_matrix<const N: usize>(&self, q: &[T; N]) -> Result<[[T; N]; N], Error>
     where
         C: Tasks<T, N>,
@@ -59,7 +59,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// M⁻¹ times a list, without M: in time proportional to the number of joints.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
+    /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
     pub fn mass_solved<const N: usize>(&self, q: &[T; N], right: &[T; N]) -> Result<[T; N], Error>
     where
         C: Tasks<T, N>,
@@ -71,7 +71,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// M⁻¹, its columns through the same factors.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
+    /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
     pub fn mass_inverse<const N: usize>(&self, q: &[T; N]) -> Result<[[T; N]; N], Error>
     where
         C: Tasks<T, N>,

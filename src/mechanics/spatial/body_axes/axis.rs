@@ -15,7 +15,7 @@ use typenum::{U0, U1};
 
 /// How a coordinate moves a body.
 pub trait Mode: Copy + Debug + 'static {
-    /// Whether it turns the body; else it slides it.
+    /// Whether the coordinate turns the body; else the body slides.
     const TURNS: bool;
 }
 

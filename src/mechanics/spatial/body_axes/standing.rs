@@ -14,7 +14,7 @@ pub type Stand<T> = [T; 2];
 pub trait Standing<T: Scalar>: Copy {
     /// Whether the coordinate turns.
     const TURNS: bool;
-    /// Where it sits.
+    /// Where the joint sits, in axes of the parent.
     fn arm(&self) -> Triple<T>;
     /// Axes of the body, while the coordinate is zero, in those of the parent.
     fn offset(&self) -> Rows<T>;

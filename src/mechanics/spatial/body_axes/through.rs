@@ -71,6 +71,7 @@ macro_rules! through {
             type Stores = ();
         }
 
+        #[allow(clippy::unused_unit)] // a walk that carries nothing
         impl<T: Scalar, $($generics)*> $crate::shape::Selective<$crate::mechanics::spatial::Spatial<T>> for $Walk {
             const OUTWARD: bool = $outward;
 
