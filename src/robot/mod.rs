@@ -10,10 +10,11 @@
 //! // Mass (kg), mass centre (m), inertia tensor about it (kg·m²); of centre and tensor what the masks name.
 //! let upper = Link::<f64, 0b100, 0b111>::new(4.0, [0.0, 0.0, 0.2], [[0.06, 0.0, 0.0], [0.0, 0.06, 0.0], [0.0, 0.0, 0.01]]);
 //! // A hinge about z of its body; where it sits on the parent (m, only z is there), and how it is turned there.
+//! let waist = Hinge::level().grounded(); // on the base
 //! let shoulder = Hinge::at::<0b100>([0.0, 0.0, 0.3]).turned(Quarter::<30>);
 //! let elbow = Hinge::at::<0b100>([0.0, 0.0, 0.4]).with(Spring::damping(0.1));
-//! let chain = (BodyAxes, Hinge::level(), upper, shoulder, upper, elbow, upper);
-//! let arm = System::new(Clamped::origin(), chain, Free)?.with_gravity([0.0, 0.0, -9.81]);
+//! let chain = (waist, upper, shoulder, upper, elbow, upper);
+//! let arm = System::new(Base::origin(), chain, Free)?.with_gravity([0.0, 0.0, -9.81]);
 //!
 //! // Functions of lists in the order of the joints.
 //! let (q, v) = ([0.1, 0.7, -0.4], [0.2, 0.0, 1.0]);
@@ -26,8 +27,8 @@
 //! # Ok::<(), catena::Error>(())
 //! ```
 //!
-//! A scene is in body axes from [`BodyAxes`] on outward; inboard of it elements of [`spatial`](crate::spatial) may come, a root that moves
-//! among them, and the root [`Free`] makes a floating base of a [`Link`] that follows. Arms are [`Branch`]es: each sits where its first
+//! On a [`Base`] a scene is in body axes; else from [`BodyAxes`] on outward: inboard of it elements of [`spatial`](crate::spatial) may come,
+//! a root that moves among them, and the root [`Free`] makes a floating base of a [`Link`] that follows. Arms are [`Branch`]es: each sits where its first
 //! joint says, and takes no body of its own.
 //!
 //! | function of lists | what it gives |
@@ -44,8 +45,8 @@
 mod functions;
 
 pub use crate::mechanics::spatial::body_axes::{
-    AboutZ, AlongZ, Armature, Axis, BodyAxes, Hinge, Leaning, Level, Link, Offset, Place, Quarter, Slide, Torques,
-    Turned,
+    AboutZ, AlongZ, Armature, Axis, Base, Bearing, BodyAxes, Hinge, Leaning, Level, Link, Offset, OnBody, OnGround,
+    Place, Quarter, Slide, Torques, Turned, Upright,
 };
 pub use crate::spatial::*;
 pub use functions::Tasks;

@@ -106,9 +106,10 @@ use steps::{Record, Steps};
 ///
 /// A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not.
 ///
-/// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs on a tape take 1.8 plain runs
-/// with their gradient (RK4, n = 2, 7; 3000 steps in pieces of 55 that stay in a cache), and with few states kept 2.8 where all states took
-/// 2.7. (Two cores shared with other work: times are the least of 400, of 15.)
+/// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs
+/// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which
+/// [few states](Self::gradient_between) are kept 2.7 (RK4, n = 20, a million steps); in space 1.8 and 2.8 (7 rigid bodies on revolutes, 3000
+/// steps). (Two cores shared with other work: times are the least of 400, of 2000, of one and of 15.)
 pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit, L = Absent> {
     steps: Steps<'s, S, R, C, P, M, L>,
     record: Record<S, Elements<S, R, C>, M>,
@@ -120,6 +121,7 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Ex
 
 /// Costates of a motion of a scene.
 type CostateOf<S, R, C> = Costate<RateOf<S, R, C>, <S as Geometry>::Scalar>;
+
 impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Runs by an explicit method, whose gradients go backward.
     ///

@@ -53,7 +53,8 @@ type Tail = (
 );
 /// Six joints: hinges and slides, all turns, an arm of two, damping and reflected inertia.
 pub type Tree = (Link<f64>, Side<Bar>, Tail);
-pub type Fixed = System<f64, Clamped<[f64; 3], Rotation<f64>>, (BodyAxes, Hinge<f64>, Tree), Free>;
+pub type Fixed = System<f64, Base<f64>, (Grounded, Tree), Free>;
+type Grounded = Hinge<f64, Level, 0, Spring, Absent, OnGround>;
 pub type Floating = System<f64, Free, (BodyAxes, Tree), Free>;
 
 fn bar(k: usize) -> Bar {
@@ -81,7 +82,7 @@ fn tree() -> Tree {
 }
 
 pub fn fixed() -> Result<Fixed, catena::Error> {
-    Ok(System::new(Clamped::origin(), (BodyAxes, Hinge::level(), tree()), Free)?.with_gravity(GRAVITY))
+    Ok(System::new(Base::origin(), (Hinge::level().grounded(), tree()), Free)?.with_gravity(GRAVITY))
 }
 
 pub fn floating() -> Result<Floating, catena::Error> {

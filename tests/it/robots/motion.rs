@@ -18,7 +18,7 @@ fn accelerations_of_a_tree_on_the_ground() -> Result<(), catena::Error> {
         let mut start = scene.motion();
         start.set_coordinates(&q)?;
         let start = scene.with_rates(start, &v)?;
-        let moving = scene.with_accelerations(start, &Loads::none().efforts(efforts::<8>(&torques)))?;
+        let moving = scene.with_accelerations(start, &Torques(torques))?;
         let (mut found, now) = (vec![], plain.at(&q, &v));
         moving.acceleration().visit(&mut |x: f64| found.push(x));
         agree(&found, plain.forward_dynamics(&q, &v, &torques).as_slice(), 1e-12);

@@ -61,17 +61,19 @@ fn local_imports(robot: &Robot, plan: &Plan) -> String {
     let slides = |slides: bool| robot.bodies.iter().any(|body| body.slides == slides);
     let [any, quarter, level] = structure::kinds(robot, robot.is_general());
     let used = [
-        ("BodyAxes", true),
+        ("Absent", robot.base.is_none()),
+        ("Base", robot.base.is_none()),
+        ("BodyAxes", robot.base.is_some()),
         ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
-        ("Clamped", robot.base.is_none()),
         ("Effort", true),
         ("Free", true),
         ("Hinge", slides(false)),
         ("Level", level),
         ("Link", true),
+        ("OnGround", robot.base.is_none()),
         ("Quarter", quarter),
-        ("Rotation", robot.base.is_none()),
         ("Slide", slides(true)),
+        ("Spring", robot.base.is_none()),
         ("System", true),
         ("Turned", any),
     ];
@@ -111,7 +113,9 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
                     let body = &robot.bodies[*joint];
                     let structure::Joint { mask, offset, .. } = structure::joint(body, robot.is_general());
                     let kind = if body.slides { "Slide" } else { "Hinge" };
-                    (format!("{kind}<T, {offset}, 0b{mask:03b}>"), format!("joint {}", comment(&body.joint)))
+                    let ground =
+                        if robot.base.is_none() && body.parent.is_none() { ", Spring, Absent, OnGround" } else { "" };
+                    (format!("{kind}<T, {offset}, 0b{mask:03b}{ground}>"), format!("joint {}", comment(&body.joint)))
                 }
                 Part::Base(_) => ("RigidBody<T>".to_owned(), title_of(robot, Carrier::Base)),
                 Part::Body(body, _) => ("RigidBody<T>".to_owned(), title_of(robot, Carrier::Body(*body))),
@@ -130,7 +134,11 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
         }
         text += ");\n\n";
     }
-    let root = if robot.base.is_some() { "Free" } else { "Clamped<[T; 3], Rotation<T>>" };
+    let root = match robot.base {
+        Some(_) => "Free",
+        None if robot.elements == Elements::Inertial => "Clamped<[T; 3], Rotation<T>>",
+        None => "Base<T>",
+    };
     let _ = writeln!(text, "/// The robot.\npub type Scene<T> = System<T, {root}, Chain<T>, Free>;\n");
     text
 }
@@ -141,7 +149,10 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
     let mut text = String::new();
     let root = match robot.base {
         Some(_) => "Free".to_owned(),
-        None => format!("Clamped::at({}, Rotation::identity())", vector(plan.root)),
+        None if robot.elements == Elements::Inertial => {
+            format!("Clamped::at({}, Rotation::identity())", vector(plan.root))
+        }
+        None => "Base::origin()".to_owned(),
     };
     let fails = plan.arms.iter().any(|arm| arm.parts.iter().any(|part| matches!(part, Part::Weld(_))));
     let [x, y, z] = robot.gravity;
@@ -185,7 +196,12 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
                     let structure::Joint { mask, place, turned, .. } = structure::joint(body, robot.is_general());
                     let kind = if body.slides { "Slide" } else { "Hinge" };
                     let turned = turned.map_or(String::new(), |turned| format!(".turned({turned})"));
-                    format!("{kind}::at::<0b{mask:03b}>({}){turned}, // {}", vector(place), comment(&body.joint))
+                    let ground = if robot.base.is_none() && body.parent.is_none() { ".grounded()" } else { "" };
+                    format!(
+                        "{kind}::at::<0b{mask:03b}>({}){turned}{ground}, // {}",
+                        vector(place),
+                        comment(&body.joint)
+                    )
                 }
                 Part::Base(end) => body(&robot.base.unwrap_or(Inertia::NONE), *end),
                 Part::Body(number, end) => body(&robot.bodies[*number].inertia, *end),

@@ -3,7 +3,11 @@
 use std::collections::HashSet;
 
 /// What the module itself uses.
-const RESERVED: [&str; 41] = [
+const RESERVED: [&str; 45] = [
+    "Base",
+    "Absent",
+    "OnGround",
+    "Spring",
     "BodyAxes",
     "Hinge",
     "Slide",

@@ -69,8 +69,11 @@ impl Plan {
         let mut plan = Self { arms, root: end(count), bodies, joints, slots: 1, given: 0, local };
         let mut parts = Vec::new();
         if local {
-            (plan.slots, plan.root) = (2, ZERO);
-            parts.push(Part::Axes);
+            plan.root = ZERO;
+            if robot.base.is_some() {
+                plan.slots = 2;
+                parts.push(Part::Axes);
+            }
         }
         if robot.base.is_some() {
             plan.given = 1;

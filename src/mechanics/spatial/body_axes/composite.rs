@@ -1,10 +1,10 @@
 //! The mass matrix, by composite inertias.
 
-use super::axis::{Stand, Standing};
 use super::number::{
     Number, Rows, Triangle, Triple, congruent, dot_onto, more, product, scaled, sum, triangle, triangle_less,
     triangle_sum, triangle_values, triple, values,
 };
+use super::standing::{Stand, Standing};
 use super::through::{Solid, Through, through};
 use crate::scalar::Scalar;
 

@@ -1,8 +1,8 @@
 //! The mass matrix factored, M = L D Lᵀ, by eliminations of joints from the tips on: solutions for any forces take two walks through it.
 
-use super::axis::{Stand, Standing};
 use super::number::{Number, sum, triple, values};
 use super::relation::{Gains, Local, Outboard};
+use super::standing::{Stand, Standing};
 use super::through::{Solid, Through, through};
 use crate::relation::spatial::Empty;
 use crate::relation::{Join, Promote};

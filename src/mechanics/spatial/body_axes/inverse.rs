@@ -1,7 +1,7 @@
 //! Inverse dynamics: forces of joints for given accelerations, in one walk outward and one inward.
 
-use super::axis::{Stand, Standing};
 use super::number::{Number, Triple, sum, triple, values};
+use super::standing::{Stand, Standing};
 use super::through::{Solid, Through, through};
 use crate::scalar::Scalar;
 

@@ -7,6 +7,8 @@
 //! Robotics and Automation 11, 1995), with the zeros of a description taken out at compile time.
 
 mod axis;
+mod axis_joint;
+mod axis_sweep;
 pub mod composite;
 pub mod factor;
 pub mod inverse;
@@ -15,15 +17,17 @@ mod mount;
 mod number;
 pub mod places;
 mod relation;
+mod sparse;
+mod standing;
 mod through;
 mod torques;
 mod turns;
 
-pub use axis::Stand;
-pub use axis::{AboutZ, AlongZ, Armature, Axis, Hinge, Slide};
+pub use axis::{AboutZ, AlongZ, Armature, Axis, Bearing, Hinge, OnBody, OnGround, Slide};
 pub use link::Link;
-pub use mount::BodyAxes;
+pub use mount::{Base, BodyAxes, Upright};
 pub use places::Place;
 pub use relation::{Gains, Local};
+pub use standing::Stand;
 pub use torques::Torques;
 pub use turns::{Leaning, Level, Offset, Quarter, Turned};

@@ -1,7 +1,7 @@
 //! Where bodies are and how they move: places, Jacobians, mass centre, energy.
 
-use super::axis::{Stand, Standing};
 use super::number::{Number, Triple, dot_onto, triple, values};
+use super::standing::{Stand, Standing};
 use super::through::{Solid, Through, through};
 use crate::relation::spatial::algebra::Columns;
 use crate::scalar::Scalar;

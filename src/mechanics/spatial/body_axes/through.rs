@@ -1,9 +1,10 @@
 //! Walks through robots that carry numbers from joint to joint and keep what they find in lists, in the order of the joints.
 
-use super::axis::{Armature, Axis, Mode, Standing};
+use super::axis::{Armature, Axis, Bearing, Mode};
 use super::link::Link;
 use super::mount::BodyAxes;
 use super::number::{Triangle, Triple};
+use super::standing::Standing;
 use super::turns::Offset;
 use crate::mechanics::spatial::Spatial;
 use crate::scalar::Scalar;
@@ -32,13 +33,14 @@ pub trait Through<T: Scalar>: Selective<Spatial<T>, Stores = ()> {
     fn link<B: Solid<T>>(&mut self, link: &B, carried: Self::Carried) -> Self::Carried;
 }
 
-impl<T, M, C, const PLACE: u8, L, A, W> Takes<Spatial<T>, W> for Axis<T, M, C, PLACE, L, A>
+impl<T, M, C, const PLACE: u8, L, A, B, W> Takes<Spatial<T>, W> for Axis<T, M, C, PLACE, L, A, B>
 where
     T: Scalar,
     M: Mode,
     C: Offset<T>,
     L: SpringLaw<T>,
     A: Armature<T>,
+    B: Bearing,
     W: Through<T>,
 {
     #[inline(always)]
@@ -69,6 +71,7 @@ macro_rules! through {
             type Stores = ();
         }
 
+        #[allow(clippy::unused_unit)] // a walk that carries nothing
         impl<T: Scalar, $($generics)*> $crate::shape::Selective<$crate::mechanics::spatial::Spatial<T>> for $Walk {
             const OUTWARD: bool = $outward;
 

@@ -1,19 +1,21 @@
-//! Functions of lists in the order of the joints.
+//! Functions of lists in the order of the joints: dynamics.
+
+mod mass;
+mod places;
 
 use crate::element::{Carrying, Condense, Element, Explicit, Given, Posture, Reading};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, counted};
-use crate::mechanics::spatial::body_axes::composite::{Composite, Whole};
+use crate::mechanics::spatial::body_axes::composite::Composite;
 use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
 use crate::mechanics::spatial::body_axes::inverse::{Carried, Carrying as Load, Loaded, Resisting};
 use crate::mechanics::spatial::body_axes::places::{Places, Tally};
-use crate::mechanics::spatial::body_axes::{Gains, Local, Place, Stand, Torques};
+use crate::mechanics::spatial::body_axes::{Stand, Torques};
 use crate::mechanics::spatial::{Frame, Spatial};
 use crate::mirror::{Position, Rate};
+use crate::relation::Open;
 use crate::relation::spatial::Empty;
-use crate::relation::spatial::algebra::{cross, dot, zero};
-use crate::relation::{Open, Promote};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Takes};
 use crate::space::Space;
 use crate::system::{MotionOf, System};
@@ -150,7 +152,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
 
     /// Refuses lists of another length than the robot has joints.
     #[inline(always)]
-    fn has_joints(&self, count: usize) -> Result<(), Error> {
+    pub(super) fn has_joints(&self, count: usize) -> Result<(), Error> {
         counted(coordinates(self.chain()), count)
     }
 
@@ -264,174 +266,5 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         self.has_joints(N)?;
         let own = resisting(self.chain(), q, q);
         Ok(self.forces::<N, false, false>(&own.stands, q, q))
-    }
-
-    /// The mass matrix M (kg·m², kg·m, kg), reflected inertias on its diagonal.
-    ///
-    /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
-    pub fn mass_matrix<const N: usize>(&self, q: &[T; N]) -> Result<[[T; N]; N], Error>
-    where
-        C: Tasks<T, N>,
-    {
-        self.has_joints(N)?;
-        let stands = resisting(self.chain(), q, q).stands;
-        let (o, matrix) = ([T::zero(); 3], [[T::zero(); N]; N]);
-        let mut walk = Composite { stands, columns: [[o; 2]; N], matrix, next: N };
-        Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut walk, Whole::nothing(N), ());
-        Ok(walk.matrix)
-    }
-
-    /// M factored.
-    #[inline(always)]
-    fn factored<const N: usize>(&self, q: &[T; N]) -> Factor<T, N>
-    where
-        C: Tasks<T, N>,
-    {
-        let stands = resisting(self.chain(), q, q).stands;
-        let mut walk = Factor { stands, gains: [Gains::blank(); N], next: N };
-        Takes::<S<T>, Factor<T, N>>::take(self.chain(), &mut walk, Local::promote(Empty), ());
-        walk
-    }
-
-    /// A solution through the factors of M.
-    #[inline(always)]
-    fn solved<const N: usize>(&self, Factor { stands, gains, .. }: &Factor<T, N>, right: &[T; N]) -> [T; N]
-    where
-        C: Tasks<T, N>,
-    {
-        let rest = [[T::zero(); 3]; 2];
-        let mut inward = Inward { stands: *stands, gains: *gains, free: *right, next: N };
-        Takes::<S<T>, Inward<T, N>>::take(self.chain(), &mut inward, rest, ());
-        let mut outward = Outward { stands: *stands, gains: *gains, free: inward.free, next: 0 };
-        Takes::<S<T>, Outward<T, N>>::take(self.chain(), &mut outward, rest, ());
-        outward.free
-    }
-
-    /// M⁻¹ times a list, without M: in time proportional to the number of joints.
-    ///
-    /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
-    pub fn mass_solved<const N: usize>(&self, q: &[T; N], right: &[T; N]) -> Result<[T; N], Error>
-    where
-        C: Tasks<T, N>,
-    {
-        self.has_joints(N)?;
-        Ok(self.solved(&self.factored(q), right))
-    }
-
-    /// M⁻¹, its columns through the same factors.
-    ///
-    /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
-    pub fn mass_inverse<const N: usize>(&self, q: &[T; N]) -> Result<[[T; N]; N], Error>
-    where
-        C: Tasks<T, N>,
-    {
-        self.has_joints(N)?;
-        let factor = self.factored(q);
-        let mut inverse = [[T::zero(); N]; N];
-        for (k, row) in inverse.iter_mut().enumerate() {
-            let mut unit = [T::zero(); N];
-            unit[k] = T::one();
-            *row = self.solved(&factor, &unit); // M⁻¹ is symmetric
-        }
-        Ok(inverse)
-    }
-
-    /// The base.
-    fn standing(&self) -> Place<T> {
-        let Frame { place, turn, .. } = self.ground(T::Real::zero());
-        Place { place, attitude: turn.attitude }
-    }
-
-    fn placed<const N: usize>(&self, q: &[T; N]) -> Places<T, N>
-    where
-        C: Tasks<T, N>,
-    {
-        let stands = resisting(self.chain(), q, q).stands;
-        let base = self.standing();
-        let mut walk = Places { stands, places: [base; N], parents: [usize::MAX; N], slides: [false; N], next: 0 };
-        Takes::<S<T>, Places<T, N>>::take(self.chain(), &mut walk, (base, usize::MAX), ());
-        walk
-    }
-
-    /// Where bodies are, by the joints that carry them.
-    ///
-    /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
-    pub fn places<const N: usize>(&self, q: &[T; N]) -> Result<[Place<T>; N], Error>
-    where
-        C: Tasks<T, N>,
-    {
-        self.has_joints(N)?;
-        Ok(self.placed(q).places)
-    }
-
-    /// The Jacobian of a point (m, axes of its body) of the body on joint `joint`: for each joint the velocity (m/s) of the point and the
-    /// angular velocity (rad/s) of the body, inertial axes, for a rate of one.
-    ///
-    /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints, or `joint` no number of one.
-    pub fn jacobian<const N: usize>(&self, q: &[T; N], joint: usize, point: [T; 3]) -> Result<[[T; 6]; N], Error>
-    where
-        C: Tasks<T, N>,
-    {
-        self.has_joints(N)?;
-        let Places { places, parents, slides, .. } = self.placed(q);
-        let Some(body) = places.get(joint) else {
-            return Err(Error::new(Fault::Count { expected: N, given: joint }));
-        };
-        let point = body.attitude.apply_onto(Vector3::from(point), body.place);
-        let mut columns = [[T::zero(); 6]; N];
-        let mut next = joint;
-        while let (Some(place), Some(column)) = (places.get(next), columns.get_mut(next)) {
-            let axis = place.attitude.z;
-            let [velocity, spin] = if slides[next] { [axis, zero()] } else { [cross(axis, point - place.place), axis] };
-            *column = [velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z];
-            next = parents[next];
-        }
-        Ok(columns)
-    }
-
-    fn tallied<const N: usize>(&self, stands: [Stand<T>; N], v: &[T; N]) -> Tally<T, N>
-    where
-        C: Tasks<T, N>,
-    {
-        let Frame { velocity, turn, .. } = self.ground(T::Real::zero());
-        let of = |vector: Vector3<T>| turn.attitude.transposed(vector).into();
-        let (mass, moment, twice_kinetic) = (T::zero(), zero(), T::zero());
-        let mut walk = Tally { stands, rates: *v, mass, moment, twice_kinetic, next: 0 };
-        let base = (self.standing(), [of(velocity), of(turn.spin)]);
-        Takes::<S<T>, Tally<T, N>>::take(self.chain(), &mut walk, base, ());
-        walk
-    }
-
-    /// The mass centre of all links (m), and their mass (kg).
-    ///
-    /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
-    pub fn mass_centre<const N: usize>(&self, q: &[T; N]) -> Result<(Vector3<T>, T), Error>
-    where
-        C: Tasks<T, N>,
-    {
-        self.has_joints(N)?;
-        let Tally { mass, moment, .. } = self.tallied(resisting(self.chain(), q, q).stands, &[T::zero(); N]);
-        Ok((moment * mass.recip(), mass))
-    }
-
-    /// Kinetic energy (J), with that of reflected inertias, and potential energy in gravity (zero at the origin) and in springs.
-    ///
-    /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
-    pub fn joint_energy<const N: usize>(&self, q: &[T; N], v: &[T; N]) -> Result<[T; 2], Error>
-    where
-        C: Tasks<T, N>,
-    {
-        self.has_joints(N)?;
-        let own = resisting(self.chain(), q, v);
-        let Tally { moment, twice_kinetic, .. } = self.tallied(own.stands, v);
-        let springs = own.energies.iter().fold(T::zero(), |sum, energy| sum + *energy);
-        Ok([twice_kinetic.scale(T::Real::of(0.5)), springs - dot(self.gravity(), moment)])
     }
 }
