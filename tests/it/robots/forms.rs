@@ -14,7 +14,9 @@ fn pair<T: Scalar>(k: usize) -> Pair<T> {
     (hinge, Link::general(of(mass), centre.map(of), rows))
 }
 
-fn tuple<T: Scalar>() -> Result<System<T, Base<T>, (Pair<T>, Pair<T>, Pair<T>), Free>, catena::Error> {
+type Arm<T> = System<T, Base<T>, (Pair<T>, Pair<T>, Pair<T>), Free>;
+
+fn tuple<T: Scalar>() -> Result<Arm<T>, catena::Error> {
     Ok(System::new(Base::origin(), (pair(0), pair(1), pair(2)), Free)?.with_gravity([0.0, 0.0, -9.81].map(T::literal)))
 }
 
