@@ -23,13 +23,15 @@
 //! ```
 //!
 //! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics
-//! (`mechanics/planar/adjoint/`).
+//! (`mechanics/planar/adjoint/`, `mechanics/spatial/adjoint/`).
+
+pub mod laws;
 
 use crate::element::{Element, Space};
 use crate::ends::{Root, Tip};
 use crate::loading::{Load, LoadLaw};
 use crate::relation::{Additive, Open};
-use crate::shape::Takes;
+use crate::shape::{PerAxes, Selective, Takes};
 use crate::space::FrameOf;
 use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
@@ -57,11 +59,27 @@ pub trait Reversed: Space {
     type OfBody: Copy + 'static;
     /// Costates of the numbers of a joint, in the order in which [`Lift`](crate::lift::Lift) meets them.
     type OfJoint: Copy + 'static;
+    /// The walk by which [`pose`](Self::pose) goes, if it goes by one of its own.
+    type Poses: Selective<Self>;
 
     /// What loads on bodies carry inward: costates of a station, by what lies outboard.
     type Felt: Additive;
     /// Costates of the numbers of a body that loads read.
     type OfNumbers: Copy + 'static;
+
+    /// Poses all elements as sweeps do, and stores what only costates read.
+    #[allow(clippy::too_many_arguments)] // one store each
+    fn pose<E: Element<Self> + Takes<Self, Self::Poses>>(
+        elements: &E,
+        position: &E::Position,
+        rate: &E::Rate,
+        turn: Self::Turn,
+        sizes: &E::Store<PerAxes<Self::Size>>,
+        x: &mut E::Store<PerAxes<Self::X>>,
+        y: &mut E::Store<PerAxes<Self::Y>>,
+        p: &mut E::Store<PerAxes<Self::P>>,
+        q: &mut E::Store<PerAxes<Self::Q>>,
+    );
 
     /// Nothing, beyond a free tip.
     fn nothing() -> Self::Outboard;
@@ -87,12 +105,24 @@ pub trait Reversed: Space {
 
 /// Elements that take all walks of the costate sweep.
 pub trait Reversible<S: Reversed>:
-    Element<S> + Takes<S, Factor> + Takes<S, Reach> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
+    Element<S>
+    + Takes<S, S::Poses>
+    + Takes<S, Factor>
+    + Takes<S, Reach>
+    + Takes<S, Meet>
+    + Takes<S, Stir>
+    + Takes<S, PullBack>
 {
 }
 
 impl<S: Reversed, E> Reversible<S> for E where
-    E: Element<S> + Takes<S, Factor> + Takes<S, Reach> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
+    E: Element<S>
+        + Takes<S, S::Poses>
+        + Takes<S, Factor>
+        + Takes<S, Reach>
+        + Takes<S, Meet>
+        + Takes<S, Stir>
+        + Takes<S, PullBack>
 {
 }
 
@@ -110,7 +140,7 @@ impl<S: Reversed, L, E: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>>> Bu
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward through the root `{Self}`",
     label = "not a root that the costate sweep knows",
-    note = "it knows `Pinned` and `Clamped` of the plane, at a place that does not move",
+    note = "it knows `Pinned` and `Clamped`, and `Hinged` of space, at a place that does not move",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait ReversibleRoot<S: Reversed>: Root<S> {}

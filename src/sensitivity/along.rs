@@ -15,16 +15,16 @@ use num_traits::Zero;
 
 /// Sums up what derivatives of parameters do to a cost.
 pub struct Along<T, const K: usize> {
-    sum: [T; K],
+    pub(super) sum: [T; K],
     /// How many bodies and joints have been met.
-    met: usize,
+    pub(super) met: usize,
     /// Most numbers of a joint.
-    most: usize,
+    pub(super) most: usize,
 }
 
 impl<T: Scalar, const K: usize> Along<T, K> {
     #[inline]
-    fn add(&mut self, costate: T, parameter: Jet<T, K>) {
+    pub(super) fn add(&mut self, costate: T, parameter: Jet<T, K>) {
         for (sum, part) in self.sum.iter_mut().zip(parameter.eps) {
             *sum += costate * part;
         }

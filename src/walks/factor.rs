@@ -25,6 +25,7 @@ impl<S: Reversed> Walk<S> for Factor {
 
 impl<S: Reversed> Selective<S> for Factor {
     const OUTWARD: bool = false;
+    const LAST_APART: bool = true;
 
     #[inline(always)]
     fn branch(&mut self, chain: S::Outboard, go: impl FnOnce(&mut Self, S::Outboard) -> S::Outboard) -> S::Outboard {

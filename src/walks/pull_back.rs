@@ -10,14 +10,20 @@ pub struct PullBack;
 impl<S: Reversed> Walk<S> for PullBack {
     type Carried = S::Pulled;
     /// Posture; positions, rates, accelerations and w; accelerations of the outboard ends of bodies and joints, and what
-    /// [`Stir`](super::stir::Stir) has kept; costates of parameters, positions and rates.
+    /// [`Stir`](super::stir::Stir) and [`Factor`](super::factor::Factor) have kept; costates of parameters, positions and rates.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
         Ref<PerAxes<S::P>>,
         Ref<PerAxes<S::Q>>,
         (Ref<Positions>, Ref<Rates>, Ref<Rates>, Ref<Rates>),
-        (Ref<PerBody<S::Vector>>, Ref<PerJoint<S::Vector>>, Ref<PerBody<S::OnBody>>, Ref<PerJoint<S::InJoint>>),
+        (
+            Ref<PerBody<S::Vector>>,
+            Ref<PerJoint<S::Vector>>,
+            Ref<PerBody<S::OnBody>>,
+            Ref<PerJoint<S::InJoint>>,
+            Ref<PerJoint<S::Pivot>>,
+        ),
         (Mut<PerBody<S::OfBody>>, Mut<PerJoint<S::OfJoint>>),
         (Mut<Rates>, Mut<Rates>),
     );

@@ -1,5 +1,6 @@
 //! Mechanics in space: bodies, joints, ends and motions, as the front page [`spatial`](crate::spatial) shows them.
 
+mod adjoint;
 mod angles;
 mod axial;
 mod axial_walks;
@@ -38,6 +39,7 @@ mod weld;
 
 pub use crate::relation::spatial::Spatial;
 pub use crate::spring::Spring;
+pub use adjoint::{Base, Inertial, OfJoint};
 pub use ball::Ball;
 pub use beam::{Beam, Segments};
 pub use body::{Body, Pose};

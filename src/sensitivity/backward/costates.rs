@@ -7,17 +7,20 @@
 //! ```text
 //! λ_j = Σ_{i>j} (h² (A·A)_ij Q_i + h A_ij V_i)      (Q_j, V_j) = pull back λ_j      Q = Σ Q_i      V = Σ V_i + h Σ c_i Q_i
 //! ```
+//!
+//! Where positions are curved, rules sum up coordinates of the step: then Q, V and λ are the costates of these, of their first and of their
+//! second derivatives, from and to which [`Position`] translates, and positions before the step get their share from each row.
 
 use super::steps::{ROWS, Record, Stage, Steps};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf};
 use crate::loading::EffortOf;
-use crate::mirror::Rate;
+use crate::mirror::{Position, Rate};
 use crate::relation::{Additive, Wrench};
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::shape::Takes;
-use crate::stepper::displace::gather;
+use crate::stepper::displace::{displace, gather};
 use crate::stepper::explicit::row_weights;
 use crate::system::{Elements, MotionOf};
 use crate::time::Explicit;
@@ -49,6 +52,16 @@ where
         let (last, one) = (M::STAGES, RealOf::<S>::one());
         self.of_position.as_mut()[last].set(&gradient.start.position);
         self.of_rate.as_mut()[last].set(&gradient.start.rate);
+        if Self::CURVED {
+            let (room, (position, rate)) = ((&self.zero, &mut self.sum), &mut self.end);
+            let slopes = record.accelerations.as_ref();
+            displace(past, slopes, M::node(last), row_weights::<M>(last), step, room, (&mut *position, &mut *rate));
+            position.retract_rate(&past.position, rate);
+            gradient.start.position.set(&self.zero);
+            let of_end = (&mut self.of_position.as_mut()[last], &mut self.of_rate.as_mut()[last]);
+            let of_past = &mut gradient.start.position;
+            position.transposed_step(&past.position, (rate, &self.zero), &self.zero, of_end, of_past);
+        }
         for row in (0..last).rev() {
             let [position, rate] = &self.weights.as_ref()[row];
             let later = row + 1..last + 1;
@@ -56,10 +69,26 @@ where
             gather(&mut self.sum, &self.zero, step * step, &position[later.clone()], of_position);
             let of_rate = &self.of_rate.as_ref()[later.clone()];
             gather(&mut self.of_acceleration, &self.sum, step, &rate[later], of_rate);
+            let Stage { position, rate, acceleration, .. } = &record.stages.as_ref()[row];
+            let curved = Self::CURVED && row > 0; // the first stage has turned by nothing
+            if curved {
+                self.of_second.set(&self.of_acceleration);
+                position.transposed_acceleration(&past.position, &mut self.of_acceleration);
+            }
             self.pull_back_stage(row, past, past.time + RealOf::<S>::of(M::node(row)) * step, record, gradient);
+            let (of_position, of_rate) = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
+            let of_past = &mut gradient.start.position;
+            if curved {
+                let (here, of_here) = ((rate, acceleration), (of_position, of_rate));
+                position.transposed_step(&past.position, here, &self.of_second, of_here, of_past);
+            } else if Self::CURVED {
+                of_past.add(of_position);
+            }
         }
         let (of_position, of_rate) = (&self.of_position.as_ref()[..=last], &self.of_rate.as_ref()[..=last]);
-        gather(&mut gradient.start.position, &self.zero, one, &[1.0; ROWS], of_position);
+        if !Self::CURVED {
+            gather(&mut gradient.start.position, &self.zero, one, &[1.0; ROWS], of_position);
+        }
         gather(&mut self.sum, &self.zero, one, &[1.0; ROWS], of_rate);
         gather(&mut gradient.start.rate, &self.sum, step, &self.nodes, of_position);
     }
@@ -100,9 +129,12 @@ where
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let elements = self.scene.elements();
-        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate } = &record.stages.as_ref()[row];
+        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, acceleration } =
+            &record.stages.as_ref()[row];
         let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (position, rate) };
-        let (acceleration, free) = (&record.accelerations.as_ref()[row], &mut self.of_acceleration);
+        let slope = &record.accelerations.as_ref()[row];
+        let acceleration = if Self::CURVED && row > 0 { acceleration } else { slope };
+        let free = &mut self.of_acceleration;
         elements.take(&mut Meet, Wrench::none(), (x, y, p, q, kept, pivots, free));
         let frame = self.scene.ground(time);
         let kept_of_them = (&mut self.on_bodies, &mut self.in_joints);
@@ -110,7 +142,7 @@ where
         elements.take(&mut Stir, S::at_ground(&frame), stores);
         let Gradient { bodies, joints, .. } = gradient;
         let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints);
+        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots);
         let stores = (x, y, p, q, (position, rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
         let left = elements.take(&mut PullBack, S::Pulled::null(), stores);
         let (gravity, turn) = S::of_ground(&left, &frame);

@@ -5,13 +5,13 @@ use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, Re
 use crate::element::{Coordinates, Element, RealOf};
 use crate::ends::Root;
 use crate::loading::EffortOf;
-use crate::mirror::Rate;
+use crate::mirror::{Position, Rate};
 use crate::relation::{Additive, Open, Wrench};
 use crate::scalar::Real;
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape, Takes};
 use crate::stepper::displace::displace;
 use crate::stepper::explicit::row_weights;
-use crate::system::{Elements, MotionOf, System};
+use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
 use crate::time::Explicit;
 use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
@@ -38,6 +38,8 @@ pub(super) struct Stage<S: Reversed, E: Element<S>> {
     pub(super) at_joints: E::Store<PerJoint<S::Vector>>,
     pub(super) position: E::Position,
     pub(super) rate: E::Rate,
+    /// Accelerations, where those of the step's coordinates are others.
+    pub(super) acceleration: E::Rate,
 }
 
 /// A step with what its stages keep.
@@ -78,7 +80,11 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P, M: Explic
     pub(super) of_rate: M::Rows<<Elements<S, R, C> as Element<S>>::Rate>,
     /// Costates of accelerations, and room for sums.
     pub(super) of_acceleration: <Elements<S, R, C> as Element<S>>::Rate,
+    /// Costates of second derivatives of the step's coordinates, where positions are curved.
+    pub(super) of_second: <Elements<S, R, C> as Element<S>>::Rate,
     pub(super) sum: <Elements<S, R, C> as Element<S>>::Rate,
+    /// Where the step leads, where positions are curved.
+    pub(super) end: (PositionOf<S, R, C>, RateOf<S, R, C>),
     pub(super) zero: <Elements<S, R, C> as Element<S>>::Rate,
     pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
     pub(super) in_joints: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<S::InJoint>>,
@@ -98,6 +104,8 @@ where
     Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
     EffortOf<S>: Additive,
 {
+    pub(super) const CURVED: bool = <PositionOf<S, R, C> as Position<S::Scalar>>::CURVED;
+
     pub(super) fn new(scene: &'s System<S, R, C, P>, law: L) -> Self {
         let elements = scene.elements();
         let zero = elements.store::<Rates>(());
@@ -120,6 +128,8 @@ where
             of_position: M::rows(&zero),
             of_rate: M::rows(&zero),
             of_acceleration: zero.clone(),
+            of_second: zero.clone(),
+            end: (elements.store::<Positions>(()), zero.clone()),
             sum: zero.clone(),
             zero,
             on_bodies: elements.store::<PerBody<_>>(on_body),
@@ -144,6 +154,7 @@ where
             at_joints: elements.store::<PerJoint<_>>(S::Vector::null()),
             position: elements.store::<Positions>(()),
             rate: self.zero.clone(),
+            acceleration: self.zero.clone(),
         };
         Record { stages: M::rows(&stage), accelerations: M::rows(&self.zero) }
     }
@@ -180,9 +191,18 @@ where
                 let Stage { position, rate, .. } = &mut record.stages.as_mut()[row];
                 let room = (&self.zero, &mut self.sum);
                 let slopes = record.accelerations.as_ref();
-                displace(past, slopes, M::node(row), row_weights::<M>(row), step, room, (position, rate));
+                displace(past, slopes, M::node(row), row_weights::<M>(row), step, room, (&mut *position, &mut *rate));
+                if Self::CURVED {
+                    position.retract_rate(&past.position, rate);
+                }
             }
             self.sweep(row, past, past.time + RealOf::<S>::of(M::node(row)) * step, record);
+            if Self::CURVED && row > 0 {
+                let Stage { position, rate, acceleration, .. } = &mut record.stages.as_mut()[row];
+                let slope = &mut record.accelerations.as_mut()[row];
+                acceleration.set(slope);
+                position.inverse_retract_acceleration(&past.position, rate, slope);
+            }
         }
     }
 
@@ -199,6 +219,9 @@ where
         let (row, room) = (M::STAGES, (&self.zero, &mut self.sum));
         let into = (&mut next.position, &mut next.rate);
         displace(past, record.accelerations.as_ref(), M::node(row), row_weights::<M>(row), step, room, into);
+        if Self::CURVED {
+            next.position.retract_rate(&past.position, &mut next.rate);
+        }
         next.acceleration.set(&self.zero);
         next.time = time;
     }
@@ -213,9 +236,10 @@ where
         record: &mut Record<S, Elements<S, R, C>, M>,
     ) {
         let (elements, ground) = (self.scene.elements(), self.scene.ground(time));
-        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate } = &mut record.stages.as_mut()[row];
+        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, .. } =
+            &mut record.stages.as_mut()[row];
         let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (&*position, &*rate) };
-        elements.pose(position, rate, ground.turn, &self.sizes, x, y, p, q);
+        S::pose(elements, position, rate, ground.turn, &self.sizes, x, y, p, q);
         elements.take(&mut Factor, S::nothing(), (x, y, p, q, (position, rate), &self.torques, kept, pivots));
         if const { L::ON } {
             self.loads.see(elements, ground, Coordinates { position, rate, acceleration: &self.zero }, time);

@@ -35,7 +35,7 @@ fn few_states_have_the_gradient_of_all_bit_for_bit() {
     }
     let all = backward.gradient(&torques, &states, &mut by_torques, cost!()).unwrap();
     let lifted = system.lift(Jet::<f64, 1>::of).with_gravity(Jet::seed(9.81, 0));
-    let list = |gradient: &catena::sensitivity::Gradient<_, _>, by_torques: &[f64]| {
+    let list = |gradient: &catena::sensitivity::Gradient<Planar<f64>, _>, by_torques: &[f64]| {
         let [along] = gradient.along(&lifted).unwrap();
         let each = gradient.by_position().into_iter().chain(gradient.by_rate());
         bits(each.chain(by_torques.to_vec()).chain([along]))

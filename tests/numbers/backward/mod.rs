@@ -167,4 +167,5 @@ mod joints;
 mod linear;
 mod loads;
 mod long;
+mod space;
 mod times;

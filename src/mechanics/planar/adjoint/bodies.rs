@@ -154,7 +154,7 @@ macro_rules! bodies {
                 &self,
                 _: &mut PullBack,
                 outer: Pulled<T>,
-                (&x, &y, &p, &q, _, (a, (), met, ()), (sums, ()), _): Of<'_, Planar<T>, PullBack, Self>,
+                (&x, &y, &p, &q, _, (a, (), met, ..), (sums, ()), _): Of<'_, Planar<T>, PullBack, Self>,
             ) -> Pulled<T> {
                 pull_back(self, Pose { x, y, p, q }, (*a, *met), outer, sums)
             }

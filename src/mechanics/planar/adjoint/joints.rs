@@ -124,7 +124,7 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Weld<T> {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (.., (.., kept), (_, sums), _): Of<'_, Planar<T>, PullBack, Self>,
+        (.., (.., kept, _), (_, sums), _): Of<'_, Planar<T>, PullBack, Self>,
     ) -> Pulled<T> {
         sums[0] += outer.turned(kept.turning)[0];
         outer
@@ -203,7 +203,12 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for ElasticHinge
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (.., (position, rate, _, w), (.., kept), (_, sums), (of_position, of_rate)): Of<'_, Planar<T>, PullBack, Self>,
+        (.., (position, rate, _, w), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
+            '_,
+            Planar<T>,
+            PullBack,
+            Self,
+        >,
     ) -> Pulled<T> {
         let turned = outer.turned(kept.turning);
         let of_law = self.rotary.pull_back(*position, *rate, *w, sums);

@@ -13,10 +13,13 @@ use loads::Felt;
 
 use super::body::Base;
 use crate::adjoint::Reversed;
-use crate::mechanics::planar::{Acceleration, BodyMotion, Frame, Planar};
+use crate::element::Element;
+use crate::mechanics::planar::{Acceleration, BodyMotion, Frame, Planar, Turn};
 use crate::relation::Additive;
 use crate::relation::planar::{Full, Point};
 use crate::scalar::Scalar;
+use crate::shape::PerAxes;
+use crate::walks::factor::Factor;
 use core::ops::Add;
 use nalgebra::Vector2;
 
@@ -173,6 +176,23 @@ impl<T: Scalar> Reversed for Planar<T> {
     type OfJoint = [T; NUMBERS];
     type Felt = Felt<T>;
     type OfNumbers = [T; BODY];
+    /// None of its own: costates read what sweeps do.
+    type Poses = Factor;
+
+    #[inline(always)]
+    fn pose<E: Element<Self>>(
+        elements: &E,
+        position: &E::Position,
+        rate: &E::Rate,
+        turn: Turn<T>,
+        sizes: &E::Store<PerAxes<T>>,
+        x: &mut E::Store<PerAxes<T>>,
+        y: &mut E::Store<PerAxes<T>>,
+        p: &mut E::Store<PerAxes<T>>,
+        q: &mut E::Store<PerAxes<T>>,
+    ) {
+        elements.pose(position, rate, turn, sizes, x, y, p, q);
+    }
 
     #[inline(always)]
     fn nothing() -> Outboard<T> {

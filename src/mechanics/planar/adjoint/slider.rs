@@ -103,7 +103,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for Slider<T, L>
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (x, y, p, q, (position, rate, acceleration, w), (_, a, _, kept), (_, sums), (of_position, of_rate)): Of<
+        (x, y, p, q, (position, rate, acceleration, w), (_, a, _, kept, _), (_, sums), (of_position, of_rate)): Of<
             '_,
             Planar<T>,
             PullBack,
