@@ -1,5 +1,6 @@
 //! Running a scene through time: step control, dense output at requested times, events, observers; and single steps, of a [`Stepper`].
 
+mod accept;
 mod drive;
 mod limits;
 mod saved;

@@ -8,7 +8,7 @@ use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
 use crate::time::Explicit;
-use num_traits::One;
+use num_traits::{One, Zero};
 
 /// Steps by an explicit method.
 pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
@@ -21,6 +21,9 @@ pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
     zero: D::Rate,
     /// Room for increments of positions, and for estimates of errors.
     estimate: (D::Rate, D::Rate),
+    /// The size of the step under way. Read anew for each row: a compiler that knew it throughout would scale the weights of all rows
+    /// first, and keep them in memory.
+    size: TimeIn<D, L>,
     dense_ready: bool,
     pub(super) sweeps: usize,
 }
@@ -39,6 +42,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Method<D, L> for M {
             zero,
             scene,
             still,
+            size: Zero::zero(),
             dense_ready: false,
             sweeps: 0,
         }
@@ -90,7 +94,8 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
     /// Evaluates a row that is not the step itself: its accelerations become slopes.
     // Inlined, so that the compiler knows the weights, where it optimises at all.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn evaluate(&mut self, row: usize, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) {
+    fn evaluate(&mut self, row: usize, past: &MotionIn<D, L>, loads: &L) {
+        let dt = self.size;
         let (position, rate) = &mut self.stage;
         let slopes = self.slopes.as_mut();
         Self::displace(row, past, slopes, dt, (&self.zero, &mut self.estimate.0), (position, rate));
@@ -119,10 +124,11 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
             position.visit(&mut |x| finite &= x.is_finite());
             finite
         };
+        self.size = dt;
         for row in 0..=M::STAGES {
             let mut stage = past.clone();
             if row > 0 {
-                self.evaluate(row, past, loads, dt);
+                self.evaluate(row, past, loads);
                 stage.time = past.time + TimeIn::<D, L>::of(M::node(row)) * dt;
                 stage.position.clone_from(&self.stage.0);
                 stage.rate.clone_from(&self.stage.1);
@@ -167,12 +173,12 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        self.dense_ready = false;
+        (self.size, self.dense_ready) = (dt, false);
         if Self::FEW {
-            each_row!(1 2 3 4 5 6 7 8 9 10 11 => |row| if row < M::STAGES { self.evaluate(row, past, loads, dt) });
+            each_row!(1 2 3 4 5 6 7 8 9 10 11 => |row| if row < M::STAGES { self.evaluate(row, past, loads) });
         } else {
             for row in 1..M::STAGES {
-                self.evaluate(row, past, loads, dt);
+                self.evaluate(row, past, loads);
             }
         }
         next.time = past.time + dt;
@@ -272,8 +278,9 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         between: &mut MotionIn<D, L>,
     ) {
         if !self.dense_ready {
+            self.size = dt;
             for row in M::STAGES + 1..M::ROWS {
-                self.evaluate(row, past, loads, dt);
+                self.evaluate(row, past, loads);
             }
             self.dense_ready = true;
         }
