@@ -25,8 +25,8 @@ pub(crate) fn gather<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Rea
     }
 }
 
-/// The same sum as that of [`gather`] in one pass, for scenes of few coordinates: it stands in registers, and where the compiler knows the
-/// weights, those that are zero cost nothing. In unrolled loops alone does it know them.
+/// `sum = base + scale · Σ weights[j] · slopes[j]`, as by [`gather`], for scenes of few coordinates: in one pass, in registers. Where a
+/// compiler knows the weights, which it does in code without loops alone, those that are zero cost nothing.
 #[inline(always)]
 pub(super) fn gather_few<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Real, weights: &[f64], slopes: &[R]) {
     let mut all = base.clone();
