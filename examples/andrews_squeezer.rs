@@ -11,6 +11,7 @@ mod squeezer;
 
 use catena::observe::PerBody;
 use catena::planar::*;
+use common::film::Film;
 use common::{BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use squeezer::{A, B, C, CLOSING, END, HOOK, REFERENCE, START, absolute, relative, squeezer, wrench};
 use std::error::Error;
@@ -94,7 +95,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
-    println!("\nPicture: {}", draw(&readings)?.display());
+    println!("\nPictures: {}", draw(&readings)?.display());
+    println!("          {}", film(&readings)?.display());
     Ok(())
 }
 
@@ -149,4 +151,35 @@ fn draw(readings: &[Reading]) -> Drawn<PathBuf> {
         }
         Ok(())
     })
+}
+
+/// The mechanism as it moves, slowed down.
+fn film(readings: &[Reading]) -> Drawn<PathBuf> {
+    let frames: Vec<_> = readings
+        .iter()
+        .step_by(4)
+        .map(|now| {
+            let [k1, _, _, k5, _, k7, _] = now.ends;
+            let meet = now.ends[1];
+            let ground = |[x, y]: [f64; 2]| (x, y);
+            vec![
+                vec![(0.0, 0.0), k1, meet],
+                vec![ground(A), k5, meet],
+                vec![ground(A), k7, meet],
+                vec![ground(B), now.hook, meet],
+                vec![ground(C), now.hook],
+            ]
+        })
+        .collect();
+    let film = Film {
+        title: "Andrews' squeezing mechanism",
+        subtitle: "Seven bodies meet in one point; a constant moment drives the crank.",
+        view: (-0.085..0.045, -0.045..0.085),
+        scale: 4000.0,
+        seconds: [END, 12.0],
+        strokes: &[(ORANGE, 5.0), (BLUE, 5.0), (BLUE, 5.0), (INK, 5.0), (GREEN, 2.0)],
+        trace: (0, 2, ORANGE),
+        ground: &[(0.0, 0.0), (A[0], A[1]), (B[0], B[1]), (C[0], C[1])],
+    };
+    film.save("andrews_squeezer_moving", &frames)
 }

@@ -8,6 +8,7 @@ mod common;
 
 use catena::loading::Unloaded;
 use catena::planar::*;
+use common::film::{Film, Frame};
 use common::{BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use std::error::Error;
 use std::f64::consts::FRAC_PI_3;
@@ -91,8 +92,33 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut energies = Vec::new();
     pendulum.simulate(start, rule, 10.0, |now| energies.push((now.time(), now.energy() - initial)))?;
 
-    println!("\nPicture: {}", draw(&readings, &energies, run.steps)?.display());
+    println!("\nPictures: {}", draw(&readings, &energies, run.steps)?.display());
+
+    // Released from above, it does not swing but tumble.
+    let mut places = Vec::new();
+    let above = pendulum.at_rest(&[1.2, 2.4])?;
+    pendulum.simulation(rule).every(0.025).run(above, 12.0, |now| {
+        let place = |k| now.stations().get(k).map_or_else(Default::default, |s: &Station<f64>| s.frame.place);
+        let (elbow, tip) = (place(1), now.stations().tip().frame.place);
+        places.push(vec![vec![(0.0, 0.0), (elbow.x, elbow.y), (tip.x, tip.y)]]);
+    })?;
+    println!("          {}", film(&places)?.display());
     Ok(())
+}
+
+/// The pendulum as it moves, released from above.
+fn film(frames: &[Frame]) -> Drawn<PathBuf> {
+    let film = Film {
+        title: "Double pendulum",
+        subtitle: "Two uniform rods, 1 m and 1 kg each; the way of the tip.",
+        view: (-2.2..2.2, -2.15..2.15),
+        scale: 110.0,
+        seconds: [12.0; 2],
+        strokes: &[(BLUE, 7.0)],
+        trace: (0, 2, ORANGE),
+        ground: &[(0.0, 0.0)],
+    };
+    film.save("double_pendulum_moving", frames)
 }
 
 /// The path of the tip on the left; angles and energy error over time on the right.

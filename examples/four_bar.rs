@@ -9,6 +9,7 @@ mod common;
 use catena::loading::Unloaded;
 use catena::observe::PerBody;
 use catena::planar::*;
+use common::film::Film;
 use common::{BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use std::error::Error;
 use std::path::PathBuf;
@@ -90,7 +91,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!(
         "\nOver 10 s the energy of {energy:.3} J is kept within {largest:.1e} J, the loop stays closed within {miss:.1e} m."
     );
-    println!("\nPicture: {}", draw(&readings)?.display());
+    println!("\nPictures: {}", draw(&readings)?.display());
+    println!("          {}", film(&readings)?.display());
     Ok(())
 }
 
@@ -135,4 +137,27 @@ fn draw(readings: &[Reading]) -> Drawn<PathBuf> {
         }
         Ok(())
     })
+}
+
+/// The linkage as it moves.
+fn film(readings: &[Reading]) -> Drawn<PathBuf> {
+    let frames: Vec<_> = readings
+        .iter()
+        .take(601)
+        .step_by(4)
+        .map(|now| {
+            vec![vec![(0.0, 0.0), now.places[0]], vec![now.places[0], now.places[1]], vec![now.places[1], (1.0, 0.0)]]
+        })
+        .collect();
+    let film = Film {
+        title: "Four-bar linkage",
+        subtitle: "Released at rest; the way of the pin between coupler and rocker.",
+        view: (-1.0..1.9, -1.0..1.6),
+        scale: 165.0,
+        seconds: [6.0; 2],
+        strokes: &[(BLUE, 7.0), (INK, 7.0), (GREEN, 7.0)],
+        trace: (1, 1, ORANGE),
+        ground: &[(0.0, 0.0), (1.0, 0.0)],
+    };
+    film.save("four_bar_moving", &frames)
 }

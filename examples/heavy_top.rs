@@ -7,6 +7,7 @@
 mod common;
 
 use catena::spatial::*;
+use common::film::Film;
 use common::{BLUE, Drawn, GREEN, INK, ORANGE, line};
 use nalgebra::Vector3;
 use std::error::Error;
@@ -65,7 +66,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     for ((name, found), reference) in ["x (m)", "y (m)", "z (m)"].iter().zip(last.centre.iter()).zip(REFERENCE) {
         println!("  {name}       {found:15.10}  {reference:15.10}  {:8.1e}", found - reference);
     }
-    println!("\nPicture: {}", draw(&readings, initial, run.steps)?.display());
+    println!("\nPictures: {}", draw(&readings, initial, run.steps)?.display());
+    println!("          {}", film(&readings)?.display());
     Ok(())
 }
 
@@ -94,4 +96,27 @@ fn draw(readings: &[Reading], initial: f64, steps: usize) -> Drawn<PathBuf> {
         let mut error = common::chart(&lower, "Energy error (10⁻⁹ J)", "time (s)", 0.0..2.0, range)?;
         common::curve(&mut error, points, line(GREEN, 1.4))
     })
+}
+
+/// The axis of the top as it moves, seen aslant and slowed down.
+fn film(readings: &[Reading]) -> Drawn<PathBuf> {
+    let frames: Vec<_> = readings
+        .iter()
+        .step_by(5)
+        .map(|now| {
+            let p = now.centre;
+            vec![vec![(0.0, 0.0), (0.8 * p.x - 0.6 * p.y, p.z + 0.3 * p.x + 0.4 * p.y)]]
+        })
+        .collect();
+    let film = Film {
+        title: "Heavy top",
+        subtitle: "15 kg on an arm of 1 m, spinning at 150 rad/s, from the horizontal.",
+        view: (-1.3..1.3, -1.35..0.9),
+        scale: 190.0,
+        seconds: [2.0, 10.0],
+        strokes: &[(BLUE, 9.0)],
+        trace: (0, 1, ORANGE),
+        ground: &[(0.0, 0.0)],
+    };
+    film.save("heavy_top_moving", &frames)
 }

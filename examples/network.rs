@@ -8,6 +8,7 @@ mod common;
 
 use catena::loading::Unloaded;
 use catena::planar::*;
+use common::film::Film;
 use common::{BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_3, FRAC_PI_6};
@@ -95,7 +96,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!(
         "\nOver 10 s the energy of {energy:.3} J is kept within {largest:.1e} J, the loop stays closed within {miss:.1e} m."
     );
-    println!("\nPicture: {}", draw(&readings)?.display());
+    println!("\nPictures: {}", draw(&readings)?.display());
+    println!("          {}", film(&readings)?.display());
     Ok(())
 }
 
@@ -138,4 +140,28 @@ fn draw(readings: &[Reading]) -> Drawn<PathBuf> {
         }
         Ok(())
     })
+}
+
+/// The network as it moves.
+fn film(readings: &[Reading]) -> Drawn<PathBuf> {
+    let frames: Vec<_> = readings
+        .iter()
+        .take(801)
+        .step_by(4)
+        .map(|now| {
+            let [fork, knee, end, other, _] = now.places;
+            vec![vec![(0.0, 0.0), fork], vec![fork, other, end], vec![fork, knee, end]]
+        })
+        .collect();
+    let film = Film {
+        title: "Network",
+        subtitle: "Two arms that meet again hang from a stem; released at rest.",
+        view: (-1.8..1.8, -2.1..0.4),
+        scale: 140.0,
+        seconds: [8.0; 2],
+        strokes: &[(INK, 7.0), (GREEN, 6.0), (BLUE, 6.0)],
+        trace: (2, 2, ORANGE),
+        ground: &[(0.0, 0.0)],
+    };
+    film.save("network_moving", &frames)
 }

@@ -13,6 +13,7 @@ mod common;
 use catena::JointNumbers;
 use catena::spatial::*;
 use catena::system::MotionOf;
+use common::film::Film;
 use common::{BLUE, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
 use nalgebra::Vector3;
 use std::error::Error;
@@ -241,8 +242,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!(
         "\nA cycle takes {nanoseconds} ns with computed torque, {other} ns with gravity compensation: control and step."
     );
-    println!("Picture: {}", draw(&computed, &compensated)?.display());
+    println!("Pictures: {}", draw(&computed, &compensated)?.display());
+    println!("          {}", film(&computed)?.display());
     Ok(())
+}
+
+/// A place in a parallel view, from the front and above.
+fn seen(p: &Vector3<f64>) -> (f64, f64) {
+    (0.8 * p.y + 0.6 * p.x, p.z + 0.25 * p.y - 0.33 * p.x)
 }
 
 /// The arm from the side and its hand's way on the left; errors and torques over time on the right.
@@ -252,9 +259,6 @@ fn draw(computed: &[Sample], compensated: &[Sample]) -> Drawn<PathBuf> {
         let area = common::heading(area, "Robot arm", &subtitle)?;
         let (left, right) = area.split_horizontally(common::pixels(480.0));
         let (upper, rest) = right.split_vertically(common::pixels(277.0));
-
-        // A parallel view, from the front and above.
-        let seen = |p: &Vector3<f64>| (0.8 * p.y + 0.6 * p.x, p.z + 0.25 * p.y - 0.33 * p.x);
         let mut way = common::chart(&left, "The arm, seen aslant (m)", "", -0.85..1.35, -0.85..1.35)?;
         common::legend(&left, &[("wanted", GREY), ("computed", BLUE), ("compensated", ORANGE)])?;
         let poses: Vec<_> = computed.iter().step_by(200).collect();
@@ -286,4 +290,24 @@ fn draw(computed: &[Sample], compensated: &[Sample]) -> Drawn<PathBuf> {
         }
         Ok(())
     })
+}
+
+/// The arm under computed torque as it moves, seen aslant.
+fn film(log: &[Sample]) -> Drawn<PathBuf> {
+    let frames: Vec<_> = log
+        .iter()
+        .step_by(24)
+        .map(|now| vec![[(0.0, 0.0)].into_iter().chain(now.places.iter().map(seen)).collect()])
+        .collect();
+    let film = Film {
+        title: "Robot arm",
+        subtitle: "Computed torque carries a load that the controller ignores.",
+        view: (-0.9..1.4, -0.75..1.1),
+        scale: 220.0,
+        seconds: [LEG * (POSES.len() - 1) as f64; 2],
+        strokes: &[(BLUE, 9.0)],
+        trace: (0, 4, ORANGE),
+        ground: &[(0.0, 0.0)],
+    };
+    film.save("robot_arm_moving", &frames)
 }

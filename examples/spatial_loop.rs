@@ -8,6 +8,7 @@ mod common;
 
 use catena::loading::Unloaded;
 use catena::spatial::*;
+use common::film::Film;
 use common::{BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use nalgebra::Vector3;
 use std::error::Error;
@@ -100,7 +101,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         "The energy of {energy:.3} J is kept within {largest:.1e} J. The loop is closed within {miss:.1e} m between steps,"
     );
     println!("where it is only read, and within {:.1e} m after the last one.", (ends[0] - ends[1]).norm());
-    println!("\nPicture: {}", draw(&readings)?.display());
+    println!("\nPictures: {}", draw(&readings)?.display());
+    println!("          {}", film(&readings)?.display());
     Ok(())
 }
 
@@ -152,4 +154,28 @@ fn draw(readings: &[Reading]) -> Drawn<PathBuf> {
         }
         Ok(())
     })
+}
+
+/// The linkage as it moves, seen aslant.
+fn film(readings: &[Reading]) -> Drawn<PathBuf> {
+    let frames: Vec<_> = readings
+        .iter()
+        .take(801)
+        .step_by(4)
+        .map(|now| {
+            let [crank, coupler] = now.places.each_ref().map(seen);
+            vec![vec![(0.0, 0.0), crank], vec![crank, coupler], vec![coupler, seen(&Vector3::from(FAR))]]
+        })
+        .collect();
+    let film = Film {
+        title: "Spatial four-bar linkage",
+        subtitle: "Crank, coupler between two balls, rocker about a skew axis.",
+        view: (-0.6..1.6, -0.75..1.05),
+        scale: 220.0,
+        seconds: [8.0; 2],
+        strokes: &[(BLUE, 7.0), (INK, 7.0), (GREEN, 7.0)],
+        trace: (1, 1, ORANGE),
+        ground: &[(0.0, 0.0), seen(&Vector3::from(FAR))],
+    };
+    film.save("spatial_loop_moving", &frames)
 }

@@ -14,23 +14,30 @@
 //!
 //! ```text
 //! factor       tip → root   S and e, gains and inverse pivots                       walks::factor
+//! burden       tip → root   what loads on bodies add to gains, if there are any     walks::burden
 //! reach        root → tip   accelerations                                           walks::reach
 //! meet         tip → root   λ through the gains                                     walks::meet
 //! stir         root → tip   W; w of each joint; costates of torques                 walks::stir
 //! pull back    tip → root   G and F; costates of positions, rates, parameters       walks::pull_back
+//! pull loads   tip → root   the same of what loads read, if there are any           walks::pull_loads
 //! ```
 //!
 //! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics
-//! (`mechanics/planar/adjoint/`).
+//! (`mechanics/planar/adjoint/`, `mechanics/spatial/adjoint/`).
+
+pub mod laws;
 
 use crate::element::{Element, Space};
 use crate::ends::{Root, Tip};
+use crate::loading::{Load, LoadLaw};
 use crate::relation::{Additive, Open};
-use crate::shape::Takes;
+use crate::shape::{PerAxes, Selective, Takes};
 use crate::space::FrameOf;
+use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
+use crate::walks::pull_loads::PullLoads;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 
@@ -44,14 +51,35 @@ pub trait Reversed: Space {
     type Stirred: Copy;
     /// What that walk keeps of a body.
     type OnBody: Copy + 'static;
-    /// What that walk keeps of a joint without coordinates.
+    /// What that walk keeps of a joint.
     type InJoint: Copy + 'static;
     /// What is carried inward: G and F, and what turning all that has been met does to P.
     type Pulled: Additive;
     /// Costates of the base parameters of a body.
     type OfBody: Copy + 'static;
-    /// Costates of the parameters of a joint.
-    type OfJoint: Additive;
+    /// Costates of the numbers of a joint, in the order in which [`Lift`](crate::lift::Lift) meets them.
+    type OfJoint: Copy + 'static;
+    /// The walk by which [`pose`](Self::pose) goes, if it goes by one of its own.
+    type Poses: Selective<Self>;
+
+    /// What loads on bodies carry inward: costates of a station, by what lies outboard.
+    type Felt: Additive;
+    /// Costates of the numbers of a body that loads read.
+    type OfNumbers: Copy + 'static;
+
+    /// Poses all elements as sweeps do, and stores what only costates read.
+    #[allow(clippy::too_many_arguments)] // one store each
+    fn pose<E: Element<Self> + Takes<Self, Self::Poses>>(
+        elements: &E,
+        position: &E::Position,
+        rate: &E::Rate,
+        turn: Self::Turn,
+        sizes: &E::Store<PerAxes<Self::Size>>,
+        x: &mut E::Store<PerAxes<Self::X>>,
+        y: &mut E::Store<PerAxes<Self::Y>>,
+        p: &mut E::Store<PerAxes<Self::P>>,
+        q: &mut E::Store<PerAxes<Self::Q>>,
+    );
 
     /// Nothing, beyond a free tip.
     fn nothing() -> Self::Outboard;
@@ -64,29 +92,55 @@ pub trait Reversed: Space {
     /// Nothing has been kept.
     fn untouched() -> (Self::OnBody, Self::InJoint);
     /// No derivatives yet.
-    fn of_no_body() -> Self::OfBody;
-    /// The costate of gravity, after what is left at the ground.
-    fn of_gravity(pulled: &Self::Pulled) -> Self::Vector;
+    fn of_nothing() -> (Self::OfBody, Self::OfNumbers, Self::OfJoint);
+    /// Motion of the inboard end of a body.
+    fn inboard(motion: &Self::BodyMotion) -> FrameOf<Self>;
+    /// The costates of place and orientation of the ground, from what loads have carried there.
+    fn of_place(felt: &Self::Felt) -> (Self::Vector, Self::Angular);
+    /// The costates of gravity and of the orientation of the ground, from what is left there.
+    fn of_ground(pulled: &Self::Pulled, frame: &FrameOf<Self>) -> (Self::Vector, Self::Angular);
     /// Costates of the base parameters as they are, from sums that left out what depends on the size of the body alone.
     fn complete(size: &Self::Size, sums: &mut Self::OfBody);
 }
 
 /// Elements that take all walks of the costate sweep.
 pub trait Reversible<S: Reversed>:
-    Element<S> + Takes<S, Factor> + Takes<S, Reach> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
+    Element<S>
+    + Takes<S, S::Poses>
+    + Takes<S, Factor>
+    + Takes<S, Reach>
+    + Takes<S, Meet>
+    + Takes<S, Stir>
+    + Takes<S, PullBack>
 {
 }
 
 impl<S: Reversed, E> Reversible<S> for E where
-    E: Element<S> + Takes<S, Factor> + Takes<S, Reach> + Takes<S, Meet> + Takes<S, Stir> + Takes<S, PullBack>
+    E: Element<S>
+        + Takes<S, S::Poses>
+        + Takes<S, Factor>
+        + Takes<S, Reach>
+        + Takes<S, Meet>
+        + Takes<S, Stir>
+        + Takes<S, PullBack>
 {
 }
+
+/// What acts on bodies: a law of time, number and motion.
+pub trait BodyLaw<S: Space>: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy {}
+
+impl<S: Space, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> for L {}
+
+/// Elements through which costates go backward under loads on bodies.
+pub trait Burdened<S: Reversed, L>: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>> {}
+
+impl<S: Reversed, L, E: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>>> Burdened<S, L> for E {}
 
 /// A root whose ground does not move, so that its parameters are those of a place.
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward through the root `{Self}`",
     label = "not a root that the costate sweep knows",
-    note = "it knows `Pinned` and `Clamped` of the plane, at a place that does not move",
+    note = "it knows `Pinned` and `Clamped`, and `Hinged` of space, at a place that does not move",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait ReversibleRoot<S: Reversed>: Root<S> {}

@@ -60,7 +60,7 @@ pub use crate::relation::Close;
 pub use crate::space::{Budget, RealOf, Space, SpaceOver};
 pub use crate::sweep::{Carrying, Explicit, Implicit, Reading, Springs, Sweep};
 pub use crate::turning::Turning;
-pub use crate::visit::{Closed, Gather, Level, Visit, look};
+pub use crate::visit::{Closed, Gather, Level, Visit, Watch, look};
 
 use crate::mirror::{Position, Rate};
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape};

@@ -30,6 +30,11 @@ pub enum Place {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Fault {
+    /// A parameter that must be zero is not: the type of its element leaves it out.
+    NotZero {
+        /// Which one.
+        parameter: &'static str,
+    },
     /// A parameter that must be positive is not.
     NotPositive {
         /// Name of the parameter.

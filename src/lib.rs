@@ -41,6 +41,7 @@
 //! | module | what a user finds there |
 //! |---|---|
 //! | [`planar`], [`spatial`] | all that a scene in the plane or in space is made of: bodies, joints, springs, ends, loads, rules of time |
+//! | [`robot`] | arms and legged machines in space, in axes of their bodies: what a description has zeros of costs nothing; functions of arrays |
 //! | [`system`] | a scene and what can be asked of it; bounds for functions over scenes of any kind |
 //! | [`loading`] | what acts on a scene |
 //! | [`time`] | rules that step it, their coefficients and tolerances |
@@ -65,7 +66,7 @@
 //! | 5 | `solve`, `observe` |
 //! | 6 | `system` |
 //! | 7 | `stepper`, `simulate`, `observers`, `modes`, `sensitivity`, `paper`, `extend` |
-//! | 8 | `planar`, `spatial`: front pages, which nothing below reads |
+//! | 8 | `planar`, `spatial`, `robot`: front pages, which nothing below reads |
 //!
 //! # Features
 //!
@@ -106,6 +107,7 @@ pub mod paper;
 pub mod planar;
 mod relation;
 mod release;
+pub mod robot;
 pub mod scalar;
 mod sealed;
 mod sensitive;

@@ -7,6 +7,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
 use core::fmt::{self, DebugList};
+use num_traits::Zero;
 
 /// Time, and positions, rates and accelerations of all joint coordinates, in the shape of their scene.
 ///
@@ -115,6 +116,13 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
         self.acceleration.visit(&mut |x| finite &= x.is_finite());
         C::map(&self.multipliers, |x| finite &= x.is_finite());
         finite
+    }
+
+    /// Copies time, positions and rates, without accelerations; allocates nothing.
+    pub(crate) fn copy_state(&mut self, from: &Self) {
+        self.time = from.time;
+        self.position.drift_0(&from.position, (T::Real::zero(), &from.rate));
+        self.rate.set(&from.rate);
     }
 
     /// Whether `other` moves the same coordinates (only vectors of elements can differ in number).

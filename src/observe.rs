@@ -11,7 +11,7 @@ pub(crate) use residuals::each_residual;
 pub(crate) use residuals::loop_residual;
 
 use crate::counts::HasBody;
-use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
+use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit, Watch};
 use crate::relation::{Wrench, WrenchOf};
 use crate::shape::{self, PerJoint};
 use crate::space::FrameOf;
@@ -230,11 +230,7 @@ pub(crate) fn each_joint<S: Space, E: Element<S>>(
 struct ShowJoints<F>(F);
 
 #[cfg(feature = "alloc")]
-impl<S: Space, F: FnMut(&S::JointMotion)> Visit<S> for ShowJoints<F> {
-    type OnBody = ();
-    type InJoint = ();
-
-    fn body(&mut self, _: &S::BodyMotion) {}
+impl<S: Space, F: FnMut(&S::JointMotion)> Watch<S> for ShowJoints<F> {
     fn joint(&mut self, joint: &S::JointMotion) {
         (self.0)(joint);
     }
@@ -245,14 +241,10 @@ impl<S: Space, F: FnMut(&S::JointMotion)> Visit<S> for ShowJoints<F> {
 struct Show<F>(F);
 
 #[cfg(feature = "alloc")]
-impl<S: Space, F: FnMut(&S::BodyMotion)> Visit<S> for Show<F> {
-    type OnBody = ();
-    type InJoint = ();
-
+impl<S: Space, F: FnMut(&S::BodyMotion)> Watch<S> for Show<F> {
     fn body(&mut self, body: &S::BodyMotion) {
         (self.0)(body);
     }
-    fn joint(&mut self, _: &S::JointMotion) {}
 }
 
 /// Energy and momentum of a motion.
@@ -273,10 +265,7 @@ struct Audit<S: Space> {
     sum: Budget<S>,
 }
 
-impl<S: Space> Visit<S> for Audit<S> {
-    type OnBody = ();
-    type InJoint = ();
-
+impl<S: Space> Watch<S> for Audit<S> {
     fn body(&mut self, body: &S::BodyMotion) {
         self.sum = self.sum + S::budget(body, self.gravity);
     }

@@ -20,9 +20,9 @@ use num_traits::Zero;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spring<K = Absent, D = Absent, P = Absent> {
-    stiffness: K,
-    damping: D,
-    rest: P,
+    pub(crate) stiffness: K,
+    pub(crate) damping: D,
+    pub(crate) rest: P,
 }
 
 impl Spring {

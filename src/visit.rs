@@ -5,10 +5,10 @@ use crate::loading::Loading;
 use crate::relation::WrenchOf;
 use crate::release::Release;
 use crate::scalar::Scalar;
-use crate::shape::Shape;
+use crate::shape::{PerBody, PerJoint, Shape};
 use crate::space::{FrameOf, Space};
 pub use crate::walks::look::look;
-use crate::walks::travel::show;
+use crate::walks::travel::{show, travel};
 use num_traits::Zero;
 
 /// A visitor of [`travel`](crate::walks::travel::travel).
@@ -24,7 +24,7 @@ pub trait Visit<S: Space> {
     fn joint(&mut self, joint: &S::JointMotion) -> Self::InJoint;
     /// Meets a joint, for those who want to know what it lets move.
     #[inline(always)]
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) -> Self::InJoint {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl Fn() -> Release<S>) -> Self::InJoint {
         let _ = release;
         self.joint(joint)
     }
@@ -34,6 +34,32 @@ pub trait Visit<S: Space> {
         self.joint(&closed.joint)
     }
 
+    /// Leaves the chain for an arm of it.
+    fn enter_arm(&mut self) {}
+    /// Comes back to where that arm began.
+    fn leave_arm(&mut self) {}
+}
+
+/// What meets the bodies and joints of a scene and writes no entries. It is met through a table of functions, so that a walk is compiled
+/// once for all of them: these are readings, which no sweep waits for.
+pub trait Watch<S: Space> {
+    /// Meets a body.
+    fn body(&mut self, body: &S::BodyMotion) {
+        let _ = body;
+    }
+    /// Meets a joint.
+    fn joint(&mut self, joint: &S::JointMotion) {
+        let _ = joint;
+    }
+    /// Meets a joint, for those who want to know what it lets move.
+    fn joint_with(&mut self, joint: &S::JointMotion, release: &dyn Fn() -> Release<S>) {
+        let _ = release;
+        self.joint(joint);
+    }
+    /// Meets what closes a loop: a joint too.
+    fn closing(&mut self, closed: &Closed<S>) {
+        self.joint(&closed.joint);
+    }
     /// Leaves the chain for an arm of it.
     fn enter_arm(&mut self) {}
     /// Comes back to where that arm began.
@@ -54,7 +80,7 @@ impl<S: Space, V: Visit<S>> Visit<S> for &mut V {
         (**self).joint(joint)
     }
     #[inline(always)]
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) -> V::InJoint {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl Fn() -> Release<S>) -> V::InJoint {
         (**self).joint_with(joint, release)
     }
     #[inline(always)]
@@ -128,16 +154,12 @@ struct Last<S: Space> {
     body: Option<S::BodyMotion>,
 }
 
-impl<S: Space> Visit<S> for Last<S> {
-    type OnBody = ();
-    type InJoint = ();
-
+impl<S: Space> Watch<S> for Last<S> {
     fn body(&mut self, body: &S::BodyMotion) {
         if self.arms == 0 && S::mass(body).real() > Zero::zero() {
             self.body = Some(*body);
         }
     }
-    fn joint(&mut self, _: &S::JointMotion) {}
     fn enter_arm(&mut self) {
         self.arms += 1;
     }
@@ -156,7 +178,8 @@ pub(crate) fn survey<S: Space, E: Shape<S>, L: Loading<S>>(
     let mut surveyor = Surveyor { loads, seen: L::unseen(), body: 0 };
     // A constant, so that a compiler does not even look at what follows where there is nothing to see.
     if const { L::SURVEYS } {
-        show(chain, ground, motion, &mut surveyor);
+        let (bodies, joints) = (&mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()));
+        travel(chain, ground, motion, &mut surveyor, bodies, joints);
     }
     surveyor.seen
 }

@@ -1,6 +1,8 @@
 //! What the examples share: the look of their pictures. No mechanics here.
 #![allow(dead_code)] // each example uses its share
 
+pub mod film;
+
 use plotters::chart::{ChartBuilder, ChartContext};
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;

@@ -41,6 +41,14 @@ macro_rules! chain_items {
             };
             const LOOPS: usize = A::LOOPS;
             const LINEAR: bool = A::LINEAR;
+            const SINES: usize = {
+                let $A = Some(A::SINES);
+                match $length {
+                    Some(count) => count,
+                    None if A::SINES == 0 => 0,
+                    None => usize::MAX,
+                }
+            };
 
             fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
                 $map(self, |item| item.store::<F>(fill))

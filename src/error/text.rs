@@ -6,6 +6,7 @@ use core::fmt;
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
+            Fault::NotZero { parameter } => write!(f, "{parameter} must be zero"),
             Fault::NotPositive { parameter, value } => write!(f, "{parameter} must be positive, but is {value}"),
             Fault::Negative { parameter, value } => write!(f, "{parameter} must not be negative, but is {value}"),
             Fault::OutOfRange { parameter, value, least, most, outside } if most.is_finite() => {

@@ -31,6 +31,9 @@ pub trait Loading<S: Space> {
     /// [`listed`](Self::on_bodies_listed).
     const READS: bool = true;
 
+    /// Whether torques are listed for joints of one coordinate alone.
+    const BY_COORDINATE: bool = false;
+
     /// No load, to fill stores with.
     fn nothing() -> (Self::OnBody, Self::InJoint);
     /// Nothing has been seen yet.

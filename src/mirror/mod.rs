@@ -113,4 +113,26 @@ pub trait Position<T: Scalar>: Clone {
     fn inverse_retract_acceleration(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
         let _ = (from, rate, acceleration);
     }
+
+    /// Turns costates of second derivatives s̈ of the coordinates of the step from `from` into those of accelerations here: the transpose
+    /// of what [`inverse_retract_acceleration`](Self::inverse_retract_acceleration) does to these.
+    #[inline(always)]
+    fn transposed_acceleration(&self, from: &Self, costate: &mut Self::Rate) {
+        let _ = (from, costate);
+    }
+
+    /// Turns costates of positions and rates here, and of s̈, into those of the coordinates s of the step from `from` and of ṡ, and adds
+    /// that of `from`. Of s̈ only what positions and rates change of it, for these accelerations.
+    #[inline(always)]
+    fn transposed_step(
+        &self,
+        from: &Self,
+        (rate, acceleration): (&Self::Rate, &Self::Rate),
+        of_second: &Self::Rate,
+        (of_position, of_rate): (&mut Self::Rate, &mut Self::Rate),
+        of_from: &mut Self::Rate,
+    ) {
+        let _ = (from, rate, acceleration, of_second, of_rate);
+        of_from.add(of_position);
+    }
 }

@@ -137,6 +137,22 @@ impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
     fn inverse_retract_acceleration(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
         self.arms.inverse_retract_acceleration(&from.arms, &rate.arms, &mut acceleration.arms);
     }
+    #[inline(always)]
+    fn transposed_acceleration(&self, from: &Self, costate: &mut Self::Rate) {
+        self.arms.transposed_acceleration(&from.arms, &mut costate.arms);
+    }
+    #[inline(always)]
+    fn transposed_step(
+        &self,
+        from: &Self,
+        (rate, acceleration): (&Self::Rate, &Self::Rate),
+        of_second: &Self::Rate,
+        (of_position, of_rate): (&mut Self::Rate, &mut Self::Rate),
+        of_from: &mut Self::Rate,
+    ) {
+        let (here, of_here) = ((&rate.arms, &acceleration.arms), (&mut of_position.arms, &mut of_rate.arms));
+        self.arms.transposed_step(&from.arms, here, &of_second.arms, of_here, &mut of_from.arms);
+    }
 }
 
 impl<T: Scalar, U: Scalar, X: Lift<T, U>, F: Lift<T, U>> Lift<T, U> for Tied<X, F> {

@@ -1,6 +1,6 @@
 //! Bodies whose inertia may be wrong.
 
-use crate::element::{Coordinates, Element, Space, Visit};
+use crate::element::{Coordinates, Element, Space, Watch};
 use crate::error::Error;
 use crate::space::FrameOf;
 use crate::walks::travel::show;
@@ -23,10 +23,7 @@ struct Doubts<F> {
     report: F,
 }
 
-impl<S: Space, F: FnMut(Error)> Visit<S> for Doubts<F> {
-    type OnBody = ();
-    type InJoint = ();
-
+impl<S: Space, F: FnMut(Error)> Watch<S> for Doubts<F> {
     fn body(&mut self, body: &S::BodyMotion) {
         self.entries += 1;
         if let Some(doubt) = S::doubt(body) {

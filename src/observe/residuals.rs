@@ -1,6 +1,6 @@
 //! Residuals of loops: by how much their ends miss each other.
 
-use crate::element::{Closed, Coordinates, Element, Level, RealOf, Space, Visit};
+use crate::element::{Closed, Coordinates, Element, Level, RealOf, Space, Watch};
 use crate::mirror::Rate;
 use crate::scalar::Scalar;
 use crate::space::FrameOf;
@@ -35,12 +35,7 @@ pub(crate) fn each_residual<S: Space, E: Element<S>>(
 struct Residuals<F>(F);
 
 #[cfg(feature = "alloc")]
-impl<S: Space, F: FnMut([S::Scalar; 2])> Visit<S> for Residuals<F> {
-    type OnBody = ();
-    type InJoint = ();
-
-    fn body(&mut self, _: &S::BodyMotion) {}
-    fn joint(&mut self, _: &S::JointMotion) {}
+impl<S: Space, F: FnMut([S::Scalar; 2])> Watch<S> for Residuals<F> {
     fn closing(&mut self, closed: &Closed<S>) {
         let [place, velocity] = &closed.residual;
         let mut count = 0;
@@ -62,10 +57,7 @@ struct OpenLoop<S: Space> {
     worst: (RealOf<S>, usize),
 }
 
-impl<S: Space> Visit<S> for OpenLoop<S> {
-    type OnBody = ();
-    type InJoint = ();
-
+impl<S: Space> Watch<S> for OpenLoop<S> {
     fn body(&mut self, _: &S::BodyMotion) {
         self.entries += 1;
     }

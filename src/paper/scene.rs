@@ -3,7 +3,7 @@
 use super::link::End;
 use super::orient::{Axes, Orient};
 use super::parts::Item;
-use crate::element::{Coordinates, Element, Space, Visit};
+use crate::element::{Coordinates, Element, Space, Watch};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::release::Release;
@@ -136,15 +136,11 @@ struct List<S: Space> {
     arm: Option<usize>,
 }
 
-impl<S: Space> Visit<S> for List<S> {
-    type OnBody = ();
-    type InJoint = ();
-
+impl<S: Space> Watch<S> for List<S> {
     fn body(&mut self, body: &S::BodyMotion) {
         self.met.push(Met::Body(*body));
     }
-    fn joint(&mut self, _: &S::JointMotion) {} // of a loop, which is an arm
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: &dyn Fn() -> Release<S>) {
         self.met.push(Met::Joint(*joint, release()));
     }
     fn enter_arm(&mut self) {

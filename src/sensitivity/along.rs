@@ -4,21 +4,27 @@ use super::Gradient;
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mechanics::planar::{Base, Body, Pin, Planar, PointMass, RigidBody, Rod, Weld};
+use crate::lift::Lift;
+use crate::mechanics::planar::adjoint::{BODY, NUMBERS};
+use crate::mechanics::planar::{Base, Body, ElasticHinge, Pin, Planar, PointMass, RigidBody, Rod, Slider, Weld};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk};
+use crate::spring::SpringLaw;
 use crate::system::{Elements, System};
+use num_traits::Zero;
 
 /// Sums up what derivatives of parameters do to a cost.
 pub struct Along<T, const K: usize> {
-    sum: [T; K],
+    pub(super) sum: [T; K],
     /// How many bodies and joints have been met.
-    met: usize,
+    pub(super) met: usize,
+    /// Most numbers of a joint.
+    pub(super) most: usize,
 }
 
 impl<T: Scalar, const K: usize> Along<T, K> {
     #[inline]
-    fn add(&mut self, costate: T, parameter: Jet<T, K>) {
+    pub(super) fn add(&mut self, costate: T, parameter: Jet<T, K>) {
         for (sum, part) in self.sum.iter_mut().zip(parameter.eps) {
             *sum += costate * part;
         }
@@ -27,7 +33,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 
 impl<T: Scalar, const K: usize> Walk<Planar<Jet<T, K>>> for Along<T, K> {
     type Carried = ();
-    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerJoint<T>>);
+    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; BODY]>>, Ref<PerJoint<[T; NUMBERS]>>);
 }
 
 impl<T: Scalar, const K: usize> Selective<Planar<Jet<T, K>>> for Along<T, K> {
@@ -45,7 +51,7 @@ macro_rules! bodies {
                 &self,
                 walk: &mut Along<T, K>,
                 (): (),
-                (by, ()): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>,
+                (by, by_numbers, ()): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>,
             ) {
                 let Base { outboard, moment, inertia, lumped } = self.base();
                 for i in 0..2 {
@@ -54,6 +60,11 @@ macro_rules! bodies {
                 }
                 walk.add(by.inertia, inertia);
                 walk.add(by.lumped, lumped);
+                let mut list = by_numbers.iter();
+                self.lift(&mut |number: Jet<T, K>| {
+                    list.next().into_iter().for_each(|costate| walk.add(*costate, number));
+                    number.re
+                });
                 walk.met += 1;
             }
         }
@@ -61,18 +72,27 @@ macro_rules! bodies {
 }
 bodies!(Rod, RigidBody, PointMass);
 
-impl<T: Scalar, const K: usize> Takes<Planar<Jet<T, K>>, Along<T, K>> for Pin {
-    fn take(&self, walk: &mut Along<T, K>, (): (), _: Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
-        walk.met += 1;
-    }
+/// Joints: number by number, as [`Lift`] meets them.
+macro_rules! joints {
+    ($([$($L:ident)?] $Joint:ty),*) => {$(
+        impl<T: Scalar, const K: usize $(, $L)?> Takes<Planar<Jet<T, K>>, Along<T, K>> for $Joint
+        where
+            $($L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,)?
+        {
+            fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
+                let mut numbers = 0;
+                self.lift(&mut |number: Jet<T, K>| {
+                    by.get(numbers).into_iter().for_each(|costate| walk.add(*costate, number));
+                    numbers += 1;
+                    number.re
+                });
+                walk.most = walk.most.max(numbers);
+                walk.met += 1;
+            }
+        }
+    )*};
 }
-
-impl<T: Scalar, const K: usize> Takes<Planar<Jet<T, K>>, Along<T, K>> for Weld<Jet<T, K>> {
-    fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
-        walk.add(*by, self.angle());
-        walk.met += 1;
-    }
-}
+joints!([] Pin, [] Weld<Jet<T, K>>, [L] ElasticHinge<L>, [L] Slider<Jet<T, K>, L>);
 
 impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
     /// The gradient along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them, lengths,
@@ -97,7 +117,7 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
     /// let start = plain.at_rest(&[-1.0, -0.5])?;
     /// let (mut backward, mut states) = (plain.backward(Rk4), [start; 101]);
     /// backward.run(&start, 0.01, 100, &[], &mut states)?;
-    /// let gradient = backward.gradient(0.01, &[], &states, &mut [], |step, _, by| {
+    /// let gradient = backward.gradient(&[], &states, &mut [], |step, _, by| {
     ///     if step == 100 { by.add(&[0.0, 1.0], &[0.0, 0.0]) } else { Ok(()) }
     /// })?;
     /// let seeded = pendulum!(Jet::<f64, 2>::seed(1.0, 0), Jet::of(1.0), Jet::seed(9.81, 1));
@@ -108,7 +128,7 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
     /// ```
     ///
     /// # Errors
-    /// [`Fault::Shape`] for another scene.
+    /// [`Fault::Shape`] for another scene; [`Fault::Count`] for a joint of more than six numbers.
     pub fn along<R, C, P, const K: usize>(&self, scene: &System<Planar<Jet<T, K>>, R, C, P>) -> Result<[T; K], Error>
     where
         R: Root<Planar<Jet<T, K>>>,
@@ -118,15 +138,23 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
             + Shape<
                 Planar<Jet<T, K>>,
                 Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>,
-                Store<PerJoint<T>> = E::Store<PerJoint<T>>,
+                Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>,
+                Store<PerJoint<[T; NUMBERS]>> = E::Store<PerJoint<[T; NUMBERS]>>,
             >,
     {
-        let mut walk = Along { sum: [T::zero(); K], met: 0 };
+        let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
         let elements = scene.elements();
-        elements.take(&mut walk, (), (&self.bodies, &self.joints));
+        elements.take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         if walk.met != self.entries || walk.met != scene.bodies() + scene.joints() {
             return Err(Error::new(Fault::Shape));
         }
+        if walk.most > NUMBERS {
+            return Err(Error::new(Fault::Count { expected: NUMBERS, given: walk.most }));
+        }
+        let ground = scene.ground(Zero::zero());
+        walk.add(self.ground, ground.turn.angle);
+        walk.add(self.place.x, ground.place.x);
+        walk.add(self.place.y, ground.place.y);
         walk.add(self.gravity.x, scene.gravity().x);
         walk.add(self.gravity.y, scene.gravity().y);
         Ok(walk.sum)

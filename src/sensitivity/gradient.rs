@@ -2,29 +2,32 @@
 
 use crate::adjoint::Reversed;
 use crate::element::Element;
-use crate::error::{Error, counted};
+use crate::error::{Error, Fault, counted};
 use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::scalar::Scalar;
 use crate::shape::{PerBody, PerJoint};
+use crate::walks::pull_loads::LAW;
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 
-/// Derivatives of a cost by the positions and rates of a motion, in the shape of the scene.
+/// Derivatives of a cost by the positions and rates of a motion, in the shape of the scene, and by its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Costate<R> {
+pub struct Costate<R, T = f64> {
     /// By displacements of positions.
     pub position: R,
     /// By rates.
     pub rate: R,
+    /// By the time (s) that the cost itself reads: it matters where a run ends at an event.
+    pub time: T,
 }
 
-impl<R> Costate<R> {
+impl<R, T: Scalar> Costate<R, T> {
     /// Adds derivatives by positions and rates, plain lists of all joints from the root on.
     ///
     /// # Errors
     /// [`Fault::Count`](crate::Fault::Count) for lists of another length.
-    pub fn add<T: Scalar>(&mut self, by_position: &[T], by_rate: &[T]) -> Result<(), Error>
+    pub fn add(&mut self, by_position: &[T], by_rate: &[T]) -> Result<(), Error>
     where
         R: Rate<T>,
     {
@@ -41,11 +44,18 @@ impl<R> Costate<R> {
 
 /// The gradient of a cost by all that a run depends on.
 pub struct Gradient<S: Reversed, E: Element<S>> {
-    /// By initial positions and rates.
-    pub start: Costate<E::Rate>,
+    /// By initial positions and rates; by the time of all motions at once.
+    pub start: Costate<E::Rate, S::Scalar>,
     pub(crate) gravity: S::Vector,
+    /// By the place and the orientation of the ground.
+    pub(crate) place: S::Vector,
+    pub(crate) ground: S::Angular,
     /// By base parameters of bodies.
     pub(crate) bodies: E::Store<PerBody<S::OfBody>>,
+    /// By numbers of bodies that loads read.
+    pub(crate) numbers: E::Store<PerBody<S::OfNumbers>>,
+    /// By numbers of the law of loads, and how many it has.
+    pub(crate) law: ([S::Scalar; LAW], usize),
     /// By parameters of joints.
     pub(crate) joints: E::Store<PerJoint<S::OfJoint>>,
     /// Number of bodies and joints.
@@ -55,11 +65,16 @@ pub struct Gradient<S: Reversed, E: Element<S>> {
 impl<S: Reversed, E: Element<S>> Gradient<S, E> {
     /// Nothing yet.
     pub(super) fn none(elements: &E, zero: &E::Rate) -> Self {
+        let (of_body, of_number, of_joint) = S::of_nothing();
         Self {
-            start: Costate { position: zero.clone(), rate: zero.clone() },
+            start: Costate { position: zero.clone(), rate: zero.clone(), time: Additive::null() },
             gravity: S::Vector::null(),
-            bodies: elements.store::<PerBody<_>>(S::of_no_body()),
-            joints: elements.store::<PerJoint<_>>(S::OfJoint::null()),
+            place: S::Vector::null(),
+            ground: S::Angular::null(),
+            law: ([Additive::null(); LAW], 0),
+            bodies: elements.store::<PerBody<_>>(of_body),
+            numbers: elements.store::<PerBody<_>>(of_number),
+            joints: elements.store::<PerJoint<_>>(of_joint),
             entries: elements.bodies() + elements.joints(),
         }
     }
@@ -67,6 +82,15 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
     /// By gravity (m/s²), component by component.
     pub fn by_gravity(&self) -> S::Vector {
         self.gravity
+    }
+
+    /// By the numbers of the law of loads on bodies, in the order in which [`Lift`](crate::Lift) meets them.
+    ///
+    /// # Errors
+    /// [`Fault::Count`](crate::Fault::Count) for a law of more than six.
+    pub fn by_loads(&self) -> Result<&[S::Scalar], Error> {
+        let (list, given) = &self.law;
+        list.get(..*given).ok_or(Error::new(Fault::Count { expected: LAW, given: *given }))
     }
 
     /// By the initial positions of all joints, root to tip, as a list.

@@ -34,7 +34,8 @@
 //! # Backward
 //!
 //! One number, the cost, by all that a run depends on, lengths, masses, gravity, initial values, torques of every step, is cheaper backward:
-//! [`System::backward`] and [`Backward`], some 2.8 plain runs in the plane however many derivatives there are.
+//! [`System::backward`] and [`Backward`], some 2.8 plain runs in the plane and three to four in space, however many
+//! derivatives there are.
 //!
 //! # What it does not know
 //!
@@ -53,11 +54,12 @@
 //! ```
 
 mod along;
+mod along_in_space;
 mod backward;
 mod gradient;
 mod stepper;
 
-pub use backward::Backward;
+pub use backward::{Backward, Checkpoints, Tape};
 pub use gradient::{Costate, Gradient};
 pub use stepper::SensitiveStepper;
 

@@ -8,6 +8,7 @@ use crate::relation::{AccelerationOf, Closures};
 use crate::release::Release;
 use crate::space::{FrameOf, Space};
 use crate::sweep::Springs;
+use num_traits::Zero;
 
 /// A body, as it is the same in all spaces. Each space says so of its own bodies (`planar::Body`, `spatial::Body`).
 #[diagnostic::on_unimplemented(
@@ -58,6 +59,20 @@ pub trait Joint<S: Space>: Copy + 'static {
 
     /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool;
+
+    /// Angles whose sines the joint wants before bodies are posed: one or none.
+    const SINES: usize = 0;
+    /// The angle whose sine the joint wants.
+    #[inline(always)]
+    fn angle(&self, position: &Self::Position) -> S::Scalar {
+        let _ = position;
+        S::Scalar::zero()
+    }
+    /// Stores sine and cosine of that.
+    #[inline(always)]
+    fn set_sine(&self, x: &mut Self::Per<S::X>, sine_cosine: [S::Scalar; 2]) {
+        let _ = (x, sine_cosine);
+    }
 
     /// The position of an unturned joint.
     fn position() -> Self::Position;
@@ -115,7 +130,7 @@ pub trait Joint<S: Space>: Copy + 'static {
     fn check(&self) -> Result<(), Fault>;
 }
 
-/// A joint of this crate, which says of its space what all spaces ask of it. Types of other crates are none, and no crate can make them
+/// A joint or body of this crate, which says of its space what all spaces ask of it. Types of other crates are none, and no crate can make them
 /// one: a trait without parameters is what tells the compiler so.
 pub trait Native {}
 
@@ -138,18 +153,19 @@ pub trait AsJoint<S: Space>: Shape<S> + Joint<S> {
 /// Gives bodies or joints of a space their shape: `leaf!(body [T: Scalar] Rod<T>: Planar<T>)`. No walk is named here.
 macro_rules! leaf {
     (body [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, true, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, true, 0, [$($generics)*] $Leaf, $S);
     };
     (joint [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, <Self as $crate::shape::Joint<$S>>::SINES, [$($generics)*] $Leaf, $S);
     };
-    ($As:ident, $In:ident, $meet:ident, $in:ident, $bodies:literal, $joints:literal, $linear:expr, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
+    ($As:ident, $In:ident, $meet:ident, $in:ident, $bodies:literal, $joints:literal, $linear:expr, $sines:expr, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
         impl<$($generics)*> $crate::shape::Shape<$S> for $Leaf {
             type Store<Stored: $crate::shape::Field<$S>> = Stored::$In<Self>;
 
             const BODIES: Option<usize> = Some($bodies);
             const JOINTS: Option<usize> = Some($joints);
             const LINEAR: bool = $linear;
+            const SINES: usize = $sines;
 
             fn store<Stored: $crate::shape::Field<$S>>(&self, fill: Stored::Fill) -> Stored::$In<Self> {
                 Stored::$in(self, fill)

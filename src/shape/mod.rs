@@ -47,6 +47,8 @@ pub trait Shape<S: Space>: Clone + 'static {
     const JOINTS: Option<usize>;
     /// How deep loops are nested inside.
     const LOOPS: usize = 0;
+    /// Angles inside whose sines are found before bodies are posed (more than any type says where a vector decides).
+    const SINES: usize = 0;
     /// Whether no law of a spring or damper inside has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
 

@@ -14,6 +14,9 @@ use crate::space::Space;
 pub trait Selective<S: Space>: Walk<S> {
     /// Whether the walk goes from the root to the tips, or from them to the root.
     const OUTWARD: bool;
+    /// Whether an inward walk meets the last item of an array or vector apart from the others: what it carries is of one kind for these
+    /// then, which a compiler sees if the kind is a number.
+    const LAST_APART: bool = false;
 
     /// What goes on where an arm leaves the chain; `go` is the way through the arm.
     fn branch(
@@ -27,7 +30,7 @@ pub trait Selective<S: Space>: Walk<S> {
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward through `{Self}`",
     label = "not known to the costate sweep",
-    note = "it knows `Rod`, `RigidBody`, `PointMass`, `Pin` and `Weld` of the plane, in tuples, arrays, vectors and branches, with names or without",
+    note = "it knows `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld` and `Revolute`, in tuples, arrays, vectors and branches, with names or without",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait Takes<S: Space, W: Walk<S>>: Shape<S> {
@@ -57,7 +60,12 @@ where
             carried = items[i].take(walk, carried, W::Stores::at::<E::Item>(&mut slices, i));
         }
     } else {
-        for i in (0..n).rev() {
+        let mut others = n;
+        if W::LAST_APART && n > 0 {
+            others = n - 1;
+            carried = items[others].take(walk, carried, W::Stores::at::<E::Item>(&mut slices, others));
+        }
+        for i in (0..others).rev() {
             carried = items[i].take(walk, carried, W::Stores::at::<E::Item>(&mut slices, i));
         }
     }

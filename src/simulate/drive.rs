@@ -1,5 +1,6 @@
 //! A run under way: its steps, samples by dense output, location of events.
 
+use super::crossing::crossing;
 use super::trials::Trials;
 use super::{EventFunction, Find, Now, Progress, Simulation, limits, settled};
 use crate::element::{Element, Loading, RealOf, Space};
@@ -190,29 +191,12 @@ where
         }
     }
 
-    /// The share of the step at which the event function crosses zero: regula falsi with the Illinois modification.
+    /// The share of the step at which the event function crosses zero.
     fn crossing(&mut self, size: RealOf<S>, values: [f64; 2]) -> Result<f64, Error> {
-        let ([mut low, mut high], [mut below, mut above]) = ([0.0, 1.0], values);
-        let mut kept = 0;
-        for _ in 0..100 {
-            let theta = high - above * (high - low) / (above - below);
-            let theta = if theta > low && theta < high { theta } else { 0.5 * (low + high) };
+        crossing(values, |theta| {
             self.interpolate(size, theta);
-            let value = self.value(Shown::Between)?.map_or(0.0, |value| value.real().as_f64());
-            if value * above > 0.0 {
-                (high, above) = (theta, value);
-                below *= if kept == 1 { 0.5 } else { 1.0 };
-                kept = 1;
-            } else {
-                (low, below) = (theta, value);
-                above *= if kept == -1 { 0.5 } else { 1.0 };
-                kept = -1;
-            }
-            if value == 0.0 || high - low < 4.0 * f64::EPSILON {
-                return Ok(theta);
-            }
-        }
-        Ok(0.5 * (low + high))
+            Ok(self.value(Shown::Between)?.map_or(0.0, |value| value.real().as_f64()))
+        })
     }
 }
 

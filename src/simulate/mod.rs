@@ -1,6 +1,7 @@
 //! Running a scene through time: step control, dense output at requested times, events, observers; and single steps, of a [`Stepper`].
 
 mod accept;
+pub(crate) mod crossing;
 mod drive;
 mod limits;
 mod saved;

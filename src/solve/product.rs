@@ -52,7 +52,7 @@ where
     fn joint(&mut self, _: &S::JointMotion) -> Entry<S, N> {
         Entry::Blank
     }
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) -> Entry<S, N> {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl Fn() -> Release<S>) -> Entry<S, N> {
         let efforts = self.loads.in_joint(self.time, self.joint, joint).efforts();
         self.joint += 1;
         Entry::Joint(S::passage(joint, &release(), efforts))

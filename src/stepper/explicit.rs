@@ -50,7 +50,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Method<D, L> for M {
 }
 
 /// Weights of a row in position and rate: of the accelerations before it.
-fn row_weights<M: Explicit>(row: usize) -> (&'static [f64], &'static [f64]) {
+pub(crate) fn row_weights<M: Explicit>(row: usize) -> (&'static [f64], &'static [f64]) {
     (&M::position(row)[..row], &M::rate(row)[..row])
 }
 

@@ -2,7 +2,7 @@
 
 mod adams;
 pub(crate) mod displace;
-mod explicit;
+pub(crate) mod explicit;
 mod implicit;
 mod roots;
 mod sdirk;

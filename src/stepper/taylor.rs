@@ -90,13 +90,6 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         a.time == b.time && a.position.all(&b.position, &mut same) && a.rate.all(&b.rate, &mut same)
     }
 
-    /// Copies a motion but for its accelerations; allocates nothing.
-    fn copy(to: &mut MotionIn<D, L>, from: &MotionIn<D, L>, zero: &D::Rate) {
-        to.time = from.time;
-        to.position.drift_0(&from.position, (TimeIn::<D, L>::zero(), zero));
-        to.rate.set(&from.rate);
-    }
-
     /// Begins the series at the motion ahead.
     fn begin(&mut self) {
         let Motion { time, position, rate, acceleration, .. } = &mut self.ahead;
@@ -113,7 +106,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
             if !past.fits(&self.ahead) {
                 return Err(Error::new(Fault::Shape));
             }
-            Self::copy(&mut self.ahead, past, &past.rate);
+            self.ahead.copy_state(past);
             self.begin();
         }
         core::mem::swap(&mut self.origin, &mut self.ahead);
@@ -188,7 +181,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         }
         next.time = past.time + dt;
         self.sum(dt, next);
-        Self::copy(&mut self.ahead, next, &self.scratch);
+        self.ahead.copy_state(next);
         self.begin();
         next.acceleration.set(&self.ahead.acceleration);
         match self.scene.accept(next) {

@@ -4,6 +4,7 @@ use crate::element::{Element, Loading, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::system::{MotionOf, System};
+use crate::walks::count::coordinates as coordinates_of;
 use crate::walks::fits::fits;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
@@ -34,6 +35,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Refuses loads that do not fit the scene's bodies and joints.
     #[inline]
     pub(crate) fn loadable<L: Loading<S>>(&self, loads: &L) -> Result<(), Error> {
-        loads.check(self.bodies(), self.joints()).map_err(Error::new)
+        let joints = if const { L::BY_COORDINATE } { coordinates_of(&self.chain) } else { self.joints() };
+        loads.check(self.bodies(), joints).map_err(Error::new)
     }
 }

@@ -51,7 +51,8 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
     /// ```
     ///
     /// # Errors
-    /// [`Fault::Count`] when there are more or fewer numbers than rotary coordinates, [`Fault::NotFinite`].
+    /// [`Fault::Count`](crate::Fault::Count) when there are more or fewer numbers than rotary coordinates,
+    /// [`Fault::NotFinite`](crate::Fault::NotFinite).
     pub fn at_joint_angles(&self, angles: &[T]) -> Result<PlaneMotion<T, R, C, P>, Error> {
         let mut motion = self.motion();
         let ground = self.ground(motion.time);

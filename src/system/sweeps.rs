@@ -3,7 +3,7 @@
 use super::dynamics::{Dynamics, Held, Runs, StiffDynamics};
 use crate::element::{
     Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Level, Loading, Reading, RealOf, Space, Sweep,
-    Visit, look,
+    Watch, look,
 };
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
@@ -323,14 +323,11 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 /// Looks for an angle out of range.
 struct LookForAngles(Option<f64>);
 
-impl<S: Space> Visit<S> for LookForAngles {
-    type OnBody = ();
-    type InJoint = ();
+impl<S: Space> Watch<S> for LookForAngles {
     fn body(&mut self, body: &S::BodyMotion) {
         self.0 = self.0.or_else(|| S::angle_out_of_range(body));
     }
-    fn joint(&mut self, _: &S::JointMotion) {}
-    fn joint_with(&mut self, joint: &S::JointMotion, release: impl FnOnce() -> Release<S>) {
+    fn joint_with(&mut self, joint: &S::JointMotion, release: &dyn Fn() -> Release<S>) {
         self.0 = self.0.or_else(|| S::turn_out_of_range(joint, &release()));
     }
 }

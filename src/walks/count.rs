@@ -19,6 +19,30 @@ fn count<S: Space, E: Shape<S>>(chain: &E) -> Count {
     count
 }
 
+/// Number of joints of one coordinate.
+pub fn coordinates<S: Space, E: Shape<S>>(chain: &E) -> usize {
+    let mut single = Single(0);
+    chain.outward(&mut single, (), ());
+    single.0
+}
+
+/// Counts joints of one coordinate.
+struct Single(usize);
+
+impl<S: Space> Walk<S> for Single {
+    type Carried = ();
+    type Stores = ();
+}
+
+impl<S: Space> Outward<S> for Single {
+    alike!();
+
+    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
+    fn joint<J: Joint<S>>(&mut self, _: &J, (): (), _: AtJoint<'_, S, Self, J>) {
+        self.0 += usize::from(size_of::<J::Rate>() == size_of::<S::Scalar>());
+    }
+}
+
 /// Counts what it meets.
 struct Count {
     bodies: usize,

@@ -7,14 +7,15 @@
 //!   [`Outward::parallel`](crate::shape::Outward::parallel), finds the forces there, and sends walks of its own into both arms
 //!   ([`respond`], [`restore`], [`recover`]).
 //!
-//! Walks that ask of bodies and joints more than all of them have to say are [selective](crate::shape::Selective): [`factor`], [`reach`],
-//! [`meet`], [`stir`] and [`pull_back`], the [costate sweep](crate::adjoint). A chain with an element that does not know them does not compile.
+//! Walks that ask of bodies and joints more than all of them have to say are [selective](crate::shape::Selective): [`orient`], [`factor`], [`reach`],
+//! [`meet`], [`stir`] and [`pull_back`], with [`burden`] and [`pull_loads`] under loads, the [costate sweep](crate::adjoint). A chain with an element that does not know them does not compile.
 //!
 //! Not yet walks: the condensation, whose arguments could be a bundle once it is known why chains in space would then cost more on
 //! targets without wide registers; poses; lumping of point masses, which changes elements; and the walks of derivatives
 //! ([`Sensitive`](crate::sensitive::Sensitive)), for which the plain element has to become a store.
 
 pub mod broken;
+pub mod burden;
 pub mod carrier;
 pub mod check;
 pub mod complete;
@@ -29,12 +30,15 @@ pub mod independent;
 pub mod look;
 pub mod measure;
 pub mod meet;
+pub mod orient;
 pub mod parts;
 pub mod pull_back;
+pub mod pull_loads;
 pub mod reach;
 pub mod recover;
 pub mod respond;
 pub mod restore;
+pub mod sines;
 pub mod size;
 pub mod spread;
 pub mod steer;

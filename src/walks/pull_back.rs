@@ -2,22 +2,28 @@
 
 use crate::adjoint::Reversed;
 use crate::relation::Additive;
-use crate::shape::{Mut, PerAxes, PerBody, PerJoint, Rates, Ref, Selective, Walk};
+use crate::shape::{Mut, PerAxes, PerBody, PerJoint, Positions, Rates, Ref, Selective, Walk};
 
 /// Carries G and F inward, sets the costates of positions and rates, and adds to those of parameters.
 pub struct PullBack;
 
 impl<S: Reversed> Walk<S> for PullBack {
     type Carried = S::Pulled;
-    /// Posture; rates, accelerations and w; accelerations of bodies, and what [`Stir`](super::stir::Stir) has kept; costates of parameters,
-    /// positions and rates.
+    /// Posture; positions, rates, accelerations and w; accelerations of the outboard ends of bodies and joints, and what
+    /// [`Stir`](super::stir::Stir) and [`Factor`](super::factor::Factor) have kept; costates of parameters, positions and rates.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
         Ref<PerAxes<S::P>>,
         Ref<PerAxes<S::Q>>,
-        (Ref<Rates>, Ref<Rates>, Ref<Rates>),
-        (Ref<PerBody<S::Vector>>, Ref<PerBody<S::OnBody>>, Ref<PerJoint<S::InJoint>>),
+        (Ref<Positions>, Ref<Rates>, Ref<Rates>, Ref<Rates>),
+        (
+            Ref<PerBody<S::Vector>>,
+            Ref<PerJoint<S::Vector>>,
+            Ref<PerBody<S::OnBody>>,
+            Ref<PerJoint<S::InJoint>>,
+            Ref<PerJoint<S::Pivot>>,
+        ),
         (Mut<PerBody<S::OfBody>>, Mut<PerJoint<S::OfJoint>>),
         (Mut<Rates>, Mut<Rates>),
     );

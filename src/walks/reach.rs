@@ -2,9 +2,10 @@
 
 use crate::adjoint::Reversed;
 use crate::relation::{AccelerationOf, Open};
-use crate::shape::{Kept, Mut, PerAxes, PerBody, Rates, Ref, Selective, Walk};
+use crate::shape::{Kept, Mut, PerAxes, PerBody, PerJoint, Rates, Ref, Selective, Walk};
 
-/// Recovers accelerations through gains, as [`recover`](super::recover) does, and keeps those of the outboard ends of bodies.
+/// Recovers accelerations through gains, as [`recover`](super::recover) does, and keeps those of the outboard ends of bodies and of
+/// joints that slide.
 pub struct Reach;
 
 impl<S: Reversed> Walk<S> for Reach {
@@ -16,7 +17,7 @@ impl<S: Reversed> Walk<S> for Reach {
         Ref<PerAxes<S::Q>>,
         Ref<Kept<Open>>,
         Mut<Rates>,
-        Mut<PerBody<S::Vector>>,
+        (Mut<PerBody<S::Vector>>, Mut<PerJoint<S::Vector>>),
     );
 }
 

@@ -22,6 +22,16 @@ pub fn to_joints<S: Space, E: Shape<S>, X: Copy + 'static>(
     chain.outward(&mut Joints(exactly(values, E::JOINTS)), (), (joints,));
 }
 
+/// Copies values, one for each joint of one coordinate, root to tip, to the entries of those.
+#[inline(always)]
+pub fn to_coordinates<S: Space, E: Shape<S>, X: Copy + 'static>(
+    chain: &E,
+    values: &[X],
+    joints: &mut E::Store<PerJoint<X>>,
+) {
+    chain.outward(&mut Coordinates(values), (), (joints,));
+}
+
 /// A list with as many values as the type of a chain says: where it does, a compiler need not ask again.
 #[inline(always)]
 fn exactly<X>(values: &[X], count: Option<usize>) -> &[X] {
@@ -41,6 +51,9 @@ struct Bodies<'v, X>(&'v [X]);
 
 /// Values that are left for joints.
 struct Joints<'v, X>(&'v [X]);
+
+/// Values that are left for joints of one coordinate.
+struct Coordinates<'v, X>(&'v [X]);
 
 /// Items in equal shares, whose loop vectorises, where each of them has as many.
 macro_rules! in_shares {
@@ -99,4 +112,22 @@ impl<S: Space, X: Copy + 'static> Outward<S> for Joints<'_, X> {
         take_first(&mut self.0, joint);
     }
     in_shares!(Joints, JOINTS);
+}
+
+impl<S: Space, X: Copy + 'static> Walk<S> for Coordinates<'_, X> {
+    type Carried = ();
+    type Stores = (Mut<PerJoint<X>>,);
+}
+
+impl<S: Space, X: Copy + 'static> Outward<S> for Coordinates<'_, X> {
+    alike!();
+
+    #[inline(always)]
+    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
+    #[inline(always)]
+    fn joint<J: Joint<S>>(&mut self, _: &J, (): (), (joint,): AtJoint<'_, S, Self, J>) {
+        if const { size_of::<J::Rate>() == size_of::<S::Scalar>() } {
+            take_first(&mut self.0, joint);
+        }
+    }
 }

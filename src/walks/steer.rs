@@ -132,9 +132,10 @@ fn turn_to<S: Turning, J: Joint<S>>(
     let away = |position: &J::Position| S::towards(&outboard(joint, inboard, position, &J::rate()), there);
     let mut near = false;
     for _ in 0..STEPS {
-        let (step, size) = Axes::of::<S, J>(joint, inboard, position).step_for(&away(position));
+        let axes = Axes::of::<S, J>(joint, inboard, position);
+        let (step, size) = axes.step_for(&away(position));
         let mut displacement = J::rate();
-        Axes::of::<S, J>(joint, inboard, position).put(&step, &mut displacement);
+        axes.put(&step, &mut displacement);
         position.displace(&displacement);
         // One more from near: it squares what is missed, and derivatives follow.
         if near {

@@ -3,12 +3,13 @@
 use crate::element::Coordinates;
 use crate::mirror::Rate;
 use crate::relation::{Closures, Wrench};
+use crate::release::Release;
 use crate::shape::{
     AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Of, Outward, Parallel, PerBody, PerJoint, Positions, Rates,
     Ref, Shape, Slot, Walk, Way,
 };
 use crate::space::{FrameOf, Space};
-use crate::visit::{Closed, Visit};
+use crate::visit::{Closed, Visit, Watch};
 
 /// Walks outward with complete kinematics and lets a visitor (or a reference to one) write an entry for each body and joint; gives the
 /// frame of the tip.
@@ -25,15 +26,42 @@ pub fn travel<S: Space, E: Shape<S>, V: Visit<S>>(
     chain.outward(&mut Travel(visit), frame, (position, rate, acceleration, on_bodies, in_joints))
 }
 
-/// Shows the motions of bodies and joints to a visitor that writes nothing.
-#[inline(always)]
-pub fn show<S: Space, E: Shape<S>, V: Visit<S, OnBody = (), InJoint = ()>>(
+/// Shows the motions of bodies and joints to what writes nothing.
+pub fn show<S: Space, E: Shape<S>>(
     chain: &E,
     frame: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
-    visit: &mut V,
+    watch: &mut dyn Watch<S>,
 ) -> FrameOf<S> {
-    travel(chain, frame, motion, visit, &mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()))
+    let (bodies, joints) = (&mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()));
+    travel(chain, frame, motion, Shown(watch), bodies, joints)
+}
+
+/// What writes nothing, as a visitor.
+struct Shown<'w, S: Space>(&'w mut dyn Watch<S>);
+
+impl<S: Space> Visit<S> for Shown<'_, S> {
+    type OnBody = ();
+    type InJoint = ();
+
+    fn body(&mut self, body: &S::BodyMotion) {
+        self.0.body(body);
+    }
+    fn joint(&mut self, joint: &S::JointMotion) {
+        self.0.joint(joint);
+    }
+    fn joint_with(&mut self, joint: &S::JointMotion, release: impl Fn() -> Release<S>) {
+        self.0.joint_with(joint, &release);
+    }
+    fn closing(&mut self, closed: &Closed<S>) {
+        self.0.closing(closed);
+    }
+    fn enter_arm(&mut self) {
+        self.0.enter_arm();
+    }
+    fn leave_arm(&mut self) {
+        self.0.leave_arm();
+    }
 }
 
 /// Shows bodies and joints to a visitor.

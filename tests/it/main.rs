@@ -5,6 +5,6 @@ mod forces;
 mod form;
 mod input;
 mod loops;
-mod numbers;
 mod rest;
+mod robots;
 mod runs;

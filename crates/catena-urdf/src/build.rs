@@ -1,8 +1,9 @@
 //! The way from a file to a module: read, lumped, framed, checked, written.
 
 use crate::error::{Error, Fault};
+use crate::frames::Frames;
 use crate::note::Notes;
-use crate::options::Options;
+use crate::options::{Elements, Options};
 use crate::robot::Robot;
 use crate::{dynamics, emit, frames, lump, read};
 use std::fmt::Display;
@@ -17,7 +18,12 @@ impl Options {
         let mut notes = Notes::default();
         let model = read::model(text, self, &mut notes)?;
         let mut robot = lump::robot(&model, self, &mut notes)?;
-        frames::choose(&mut robot, self.frames);
+        if self.elements == Elements::Inertial {
+            frames::choose(&mut robot, self.frames);
+        } else {
+            frames::choose(&mut robot, Frames::AlongHinges);
+            frames::lay_along_z(&mut robot);
+        }
         dynamics::check_inertia(&robot)?;
         robot.notes = notes.into_list();
         Ok(robot)

@@ -4,7 +4,7 @@
 //! that lays the joint's axis along a coordinate axis. Where hinges stand at right angles, as in most robots, no turn is left at
 //! all; where one leans in a coordinate plane, a turn about one axis.
 
-use crate::algebra::{IDENTITY, Matrix, Vector, apply, least_turn, matrix, times, transpose};
+use crate::algebra::{IDENTITY, Matrix, Vector, apply, least_turn, matrix, times, transpose, vector};
 use crate::robot::Robot;
 
 /// What is off by more than rounding of a product of turns is not a coordinate axis.
@@ -66,4 +66,23 @@ pub fn choose(robot: &mut Robot, frames: Frames) {
     for (body, (turn, axis)) in robot.bodies.iter_mut().zip(left) {
         (body.pose.turn, body.axis) = (turn, axis);
     }
+}
+
+/// Lays the axes of joints, which are along coordinate axes, along z: a turn of the cube for each body.
+pub fn lay_along_z(robot: &mut Robot) {
+    let turns: Vec<Matrix> = robot.bodies.iter().map(|body| cube_turn(body.axis)).collect();
+    robot.reframe(&turns);
+    for body in &mut robot.bodies {
+        body.axis = [0.0, 0.0, 1.0];
+    }
+}
+
+/// Axes, as columns, of which z is along a signed coordinate axis.
+fn cube_turn(axis: Vector) -> Matrix {
+    let along = nearest(axis);
+    let third = (0..3).find(|k| along[*k] != 0.0).unwrap_or(2);
+    let unit = |k: usize| vector(|i| if i == k % 3 { 1.0 } else { 0.0 });
+    let first = unit(third + 1);
+    let second = if along[third] > 0.0 { unit(third + 2) } else { unit(third + 2).map(|x| -x) };
+    matrix(|i, k| [first, second, along][k][i])
 }

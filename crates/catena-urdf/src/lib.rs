@@ -62,7 +62,7 @@ pub use frames::Frames;
 pub use inertia::Inertia;
 pub use model::{Furniture, Mimic, Pose};
 pub use note::{Note, Remark};
-pub use options::{Base, Options};
+pub use options::{Base, Elements, Options};
 pub use robot::{Body, Carrier, Frame, Robot};
 
 #[cfg(doctest)]

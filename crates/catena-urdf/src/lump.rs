@@ -46,8 +46,8 @@ pub fn robot(model: &Model, options: &Options, notes: &mut Notes) -> Result<Robo
         return Err(Error::new(Fault::NothingMoves));
     }
     check(&base, &bodies, &frames, notes)?;
-    let (name, gravity, test) = (model.name.clone(), options.gravity, options.test);
-    Ok(Robot { name, base, bodies, frames, notes: Vec::new(), gravity, test })
+    let (name, gravity, test, elements) = (model.name.clone(), options.gravity, options.test, options.elements);
+    Ok(Robot { name, base, bodies, frames, notes: Vec::new(), gravity, test, elements })
 }
 
 /// Which link floats.

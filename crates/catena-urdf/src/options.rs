@@ -16,6 +16,20 @@ pub enum Base {
     Floating,
 }
 
+/// In which elements of the library a module is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Elements {
+    /// Elements of `catena::spatial`, in inertial axes.
+    #[default]
+    Inertial,
+    /// Elements of `catena::robot`, in axes of the bodies, z along each joint's axis: what is zero, and turns that are quarters, become
+    /// types. Less than half of the instructions, and functions of lists.
+    Local,
+    /// Elements of `catena::robot` with no number known to be zero: to measure by.
+    LocalGeneral,
+}
+
 /// How a description is read. The defaults change nothing in it.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
@@ -27,6 +41,7 @@ pub struct Options {
     pub(crate) held: Vec<(String, f64)>,
     pub(crate) gravity: Vector,
     pub(crate) test: bool,
+    pub(crate) elements: Elements,
 }
 
 impl Default for Options {
@@ -40,7 +55,16 @@ impl Options {
     pub fn new() -> Self {
         let (base, frames) = (Base::Written, Frames::AlongHinges);
         let gravity = [0.0, 0.0, -9.81];
-        Self { snap: 0.0, repair: false, base, frames, held: Vec::new(), gravity, test: true }
+        Self {
+            snap: 0.0,
+            repair: false,
+            base,
+            frames,
+            held: Vec::new(),
+            gravity,
+            test: true,
+            elements: Elements::Inertial,
+        }
     }
 
     /// Takes angles, and axes of joints, within a tolerance (rad) of a right angle for right, and notes by how much each was
@@ -69,6 +93,11 @@ impl Options {
     pub fn hold(mut self, joint: &str, at: f64) -> Self {
         self.held.push((joint.to_owned(), at));
         self
+    }
+
+    /// In which elements of the library the module is written.
+    pub fn elements(self, elements: Elements) -> Self {
+        Self { elements, ..self }
     }
 
     /// Gravity (m/s²).

@@ -4,6 +4,7 @@ use crate::algebra::{Matrix, Vector, apply, times, transpose};
 use crate::inertia::Inertia;
 use crate::model::{Furniture, Pose};
 use crate::note::Note;
+use crate::options::Elements;
 
 /// A robot: bodies that move against each other, from the root on, with all that is constant.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +16,7 @@ pub struct Robot {
     pub(crate) notes: Vec<Note>,
     pub(crate) gravity: Vector,
     pub(crate) test: bool,
+    pub(crate) elements: Elements,
 }
 
 /// A body with the joint that moves it against its parent.
@@ -94,6 +96,11 @@ impl Robot {
     /// Coordinates of the base: six (place, then turn) or none. Those of the joints come after.
     pub fn base_freedoms(&self) -> usize {
         if self.base.is_some() { 6 } else { 0 }
+    }
+
+    /// Whether zeros of the robot are to be no types.
+    pub(crate) fn is_general(&self) -> bool {
+        self.elements == Elements::LocalGeneral
     }
 
     /// Puts all axes of bodies elsewhere: column k of `turns[i]` is the k-th new axis of body i, in its old axes.

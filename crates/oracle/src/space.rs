@@ -14,6 +14,7 @@
 //! tree in which each body has the one before as its parent.
 
 pub mod elastic;
+pub mod robot;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 

@@ -1,6 +1,6 @@
 //! What bodies and joints say of themselves.
 
-use crate::element::{Space, Visit};
+use crate::element::{Space, Watch};
 use crate::mirror::Rate;
 use crate::relation::WrenchOf;
 use crate::release::Release;
@@ -16,13 +16,8 @@ pub(super) const fn places(entries: usize) -> usize {
 /// Joints as they describe themselves.
 pub(super) struct Releases<S: Space>(pub(super) Vec<Release<S>>);
 
-impl<S: Space> Visit<S> for Releases<S> {
-    type OnBody = ();
-    type InJoint = ();
-
-    fn body(&mut self, _: &S::BodyMotion) {}
-    fn joint(&mut self, _: &S::JointMotion) {}
-    fn joint_with(&mut self, _: &S::JointMotion, release: impl FnOnce() -> Release<S>) {
+impl<S: Space> Watch<S> for Releases<S> {
+    fn joint_with(&mut self, _: &S::JointMotion, release: &dyn Fn() -> Release<S>) {
         self.0.push(release());
     }
 }
@@ -34,10 +29,7 @@ pub(super) struct Census<S: Space, const N: usize> {
     pub(super) joints: Vec<Release<S>>,
 }
 
-impl<S: Inertial + Exact<N> + Space<Scalar = f64>, const N: usize> Visit<S> for Census<S, N> {
-    type OnBody = ();
-    type InJoint = ();
-
+impl<S: Inertial + Exact<N> + Space<Scalar = f64>, const N: usize> Watch<S> for Census<S, N> {
     fn body(&mut self, body: &S::BodyMotion) {
         let internal = S::balance(&mut S::body_station(body, self.gravity), WrenchOf::<S>::none());
         let mut force = [0.0; N];
@@ -50,8 +42,7 @@ impl<S: Inertial + Exact<N> + Space<Scalar = f64>, const N: usize> Visit<S> for 
         let state = S::acceleration_state(&S::inboard(body));
         self.bodies.push((force, core::array::from_fn(|i| state[i])));
     }
-    fn joint(&mut self, _: &S::JointMotion) {}
-    fn joint_with(&mut self, _: &S::JointMotion, release: impl FnOnce() -> Release<S>) {
+    fn joint_with(&mut self, _: &S::JointMotion, release: &dyn Fn() -> Release<S>) {
         self.joints.push(release());
     }
 }

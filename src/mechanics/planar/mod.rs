@@ -1,6 +1,6 @@
 //! Mechanics in the plane: bodies, joints, ends and motions, as the front page [`planar`](crate::planar) shows them.
 
-mod adjoint;
+pub(crate) mod adjoint;
 pub mod axes;
 mod beam;
 mod body;

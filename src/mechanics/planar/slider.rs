@@ -28,7 +28,7 @@ pub struct Slider<T, S = Absent> {
     pub(super) direction: T,
     pub(super) spring: S,
     /// Point mass that the outboard body lumps at its inboard end, in a scene.
-    lumped: T,
+    pub(super) lumped: T,
 }
 
 impl<T: Scalar> Slider<T> {
@@ -185,6 +185,7 @@ where
 impl<T: Scalar, U: Scalar, S: Lift<T, U>> Lift<T, U> for Slider<T, S> {
     type Over = Slider<U, S::Over>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Slider { direction: number(self.direction), spring: self.spring.lift(number), lumped: number(self.lumped) }
+        let (direction, lumped) = (number(self.direction), number(self.lumped));
+        Slider { direction, lumped, spring: self.spring.lift(number) }
     }
 }

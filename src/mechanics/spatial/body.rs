@@ -8,7 +8,7 @@ use crate::relation::Term;
 use crate::relation::spatial::algebra::{Columns, centripetal};
 use crate::relation::spatial::{Full, Relation};
 use crate::scalar::Scalar;
-use crate::shape::PostureOf;
+use crate::shape::{Native, PostureOf};
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use typenum::{U0, U1};
@@ -64,7 +64,7 @@ impl<T: Scalar> Pose<T> {
     }
 }
 
-impl<T: Scalar, B: Body<T>> crate::shape::Body<Spatial<T>> for B {
+impl<T: Scalar, B: Body<T> + Native> crate::shape::Body<Spatial<T>> for B {
     fn size(&self) {}
     #[inline(always)]
     fn shifted(
@@ -146,6 +146,8 @@ macro_rules! body {
             ) {
             }
         }
+
+        impl<T> Native for super::$Body<T> {}
 
         impl<T> Counted for super::$Body<T> {
             type Bodies = U1;

@@ -1,11 +1,13 @@
 //! Mechanics in space: bodies, joints, ends and motions, as the front page [`spatial`](crate::spatial) shows them.
 
+mod adjoint;
 mod angles;
 mod axial;
 mod axial_walks;
 mod ball;
 mod beam;
 mod body;
+pub mod body_axes;
 mod cylindrical;
 mod elastic_hinge;
 mod ends;
@@ -37,6 +39,7 @@ mod weld;
 
 pub use crate::relation::spatial::Spatial;
 pub use crate::spring::Spring;
+pub use adjoint::{Base, Inertial, OfJoint};
 pub use ball::Ball;
 pub use beam::{Beam, Segments};
 pub use body::{Body, Pose};

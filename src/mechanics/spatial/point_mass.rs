@@ -19,10 +19,10 @@ use crate::scalar::Scalar;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PointMass<T> {
-    length: T,
+    pub(super) length: T,
     mass: T,
     /// In a scene the mass together with what its outboard neighbour lumps there.
-    lumped: T,
+    pub(super) lumped: T,
 }
 
 impl<T: Scalar> PointMass<T> {

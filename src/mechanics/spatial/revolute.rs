@@ -8,7 +8,7 @@ use crate::error::Fault;
 use crate::lift::Lift;
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::zero;
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::spring::{Spring, SpringLaw};
 use nalgebra::Vector3;
 
@@ -27,8 +27,8 @@ use nalgebra::Vector3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Revolute<T, L = Spring> {
-    axis: Vector3<T>,
-    law: L,
+    pub(super) axis: Vector3<T>,
+    pub(super) law: L,
 }
 
 impl<T: Scalar> Revolute<T> {
@@ -45,6 +45,19 @@ impl<T: Scalar> Revolute<T> {
     /// With a spring, a damper, or both.
     pub fn with<L: SpringLaw<T>>(self, law: L) -> Revolute<T, L> {
         Revolute { axis: self.axis, law }
+    }
+}
+
+impl<T: Scalar, L> Revolute<T, L> {
+    /// Which of the body's own axes is not along that of the joint: the first one, or the second.
+    #[inline(always)]
+    pub(crate) fn aside<X>(&self, first: X, second: X) -> X {
+        if self.axis.x.real().abs() < T::Real::of(0.6) { first } else { second }
+    }
+
+    /// The axis, and the spring or damper.
+    pub(crate) fn parts(&self) -> (Vector3<T>, &L) {
+        (self.axis, &self.law)
     }
 }
 

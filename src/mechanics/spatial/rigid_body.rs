@@ -24,11 +24,11 @@ pub struct RigidBody<T> {
     inertia: Inertia<T>,
     outboard: [T; 3],
     /// J_I.
-    about_inboard: Symmetric3<T>,
+    pub(super) about_inboard: Symmetric3<T>,
     /// m r_C.
-    moment: [T; 3],
+    pub(super) moment: [T; 3],
     /// Point mass that its outboard neighbour lumps at the outboard end, in a scene.
-    lumped: T,
+    pub(super) lumped: T,
 }
 
 impl<T: Scalar> RigidBody<T> {

@@ -21,19 +21,19 @@ use crate::scalar::{Real, Scalar};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Rod<T> {
-    length: T,
+    pub(super) length: T,
     /// Point mass at the inboard end, m (1 − η) with η the mass centre's share of the length.
     inner: T,
     /// Point mass at the outboard end, m η.
     outer: T,
     /// J′ across the axis, J_C − m η (1 − η) l².
-    rest: T,
+    pub(super) rest: T,
     /// J along the axis.
-    axial: T,
+    pub(super) axial: T,
     /// (J − J′) / l², along less across.
-    excess: T,
+    pub(super) excess: T,
     /// Point mass at the outboard end, in a scene together with what its outboard neighbour lumps there.
-    lumped: T,
+    pub(super) lumped: T,
 }
 
 impl<T: Scalar> Rod<T> {

@@ -214,6 +214,50 @@ impl<T: Scalar> Position<T> for Rotation<T> {
         let second = add_scaled(angular * step.w, square, step.v);
         *acceleration = (second + cross(step.v, angular)).into();
     }
+
+    // λ = p₀ σ − ½ v × σ
+    #[inline(always)]
+    fn transposed_acceleration(&self, from: &Self, costate: &mut [T; 3]) {
+        let step = self.relative_to(from);
+        let of_second = Vector3::from(*costate);
+        *costate = cross_onto(of_second, step.v, of_second * step.w).into();
+    }
+
+    // With σ the costate of v̈, Ψ that of the attitude (a rotation vector, body axes) and y that of ω, to which −½ (v·σ) ω belongs, too,
+    //
+    //   v̇ gets 𝒥ᵀ y, the attitude before the step R(p) Ψ, and v
+    //   𝒥ᵀ Ψ − (ω̇·σ) v / (4 p₀) + ½ ω̇ × σ − ¼ ω² σ
+    //        − (v̇·y) v / (4 p₀) + ¼ [(v·v̇) y + (v·y) v̇] / p₀ + (v·y) (v·v̇) v / (16 p₀³) − ½ v̇ × y
+    //
+    // where 𝒥ᵀ y = p₀ y + ¼ v (v·y) / p₀ + ½ v × y. Below u = v / 2.
+    #[inline(always)]
+    fn transposed_step(
+        &self,
+        from: &Self,
+        (rate, acceleration): (&[T; 3], &[T; 3]),
+        of_second: &[T; 3],
+        (of_position, of_rate): (&mut [T; 3], &mut [T; 3]),
+        of_from: &mut [T; 3],
+    ) {
+        let [spin, angular, second] = [rate, acceleration, of_second].map(|list| Vector3::from(*list));
+        let [place, given] = [&*of_position, &*of_rate].map(|list| Vector3::from(*list));
+        let Self { w, v: u } = self.relative_to(from);
+        let (inverse, half) = (w.recip(), T::literal(0.5));
+        let back = |x: Vector3<T>| add_scaled(cross_onto(u, x, x * w), dot(u, x) * inverse, u);
+        // R(p) x = x + 2 u × (p₀ x + u × x)
+        let before = cross(u + u, cross_onto(u, place, place * w)) + place;
+        *of_from = (Vector3::from(*of_from) + before).into();
+        let y = add_scaled(given, -dot(u, second), spin);
+        let derivative = cross_onto(u, spin, spin * w);
+        let (along, across) = (dot(u, derivative), dot(u, y));
+        let around = cross(angular, second) - cross(derivative, y);
+        let inward = dot(angular, second) + dot(derivative, y) - along * across * inverse * inverse;
+        let sum = add_scaled(back(place), half, around - u * (inward * inverse));
+        let sum = add_scaled(sum, (along * half) * inverse, y);
+        let sum = add_scaled(sum, (across * half) * inverse, derivative);
+        *of_position = add_scaled(sum, -dot(spin, spin).scale(T::Real::of(0.25)), second).into();
+        *of_rate = back(y).into();
+    }
 }
 
 impl<T: Scalar, U: Scalar> Lift<T, U> for Rotation<T> {

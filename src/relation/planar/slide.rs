@@ -33,11 +33,11 @@ pub trait Slides<T: Scalar>: Relation<Planar<T>, WithMass = Self> {
 #[derive(Clone, Copy)]
 pub struct SlideGain<T: Copy, C: Closures> {
     /// w.
-    per_acceleration: Vector2<T>,
+    pub per_acceleration: Vector2<T>,
     /// w_α (m).
-    per_angular: T,
+    pub per_angular: T,
     /// Acceleration at a station that does not accelerate (m/s²).
-    free: T,
+    pub free: T,
     /// Acceleration for each closure force.
     per_closure: C::Each<T>,
 }

@@ -264,6 +264,25 @@ pub struct Factor3<T> {
 }
 
 impl<T: Scalar> Factor3<T> {
+    /// Of a number in place of a matrix, given its inverse.
+    #[inline(always)]
+    pub fn of_number(inverse: T) -> Self {
+        let o = T::zero();
+        Self { yx: o, zx: o, zy: o, inverse: Vector3::new(inverse, o, o) }
+    }
+
+    /// Sets the inverse of that number.
+    #[inline(always)]
+    pub fn set_number(&mut self, inverse: T) {
+        self.inverse.x = inverse;
+    }
+
+    /// The inverse of that number.
+    #[inline(always)]
+    pub fn number(&self) -> T {
+        self.inverse.x
+    }
+
     /// S⁻¹ v.
     #[inline(always)]
     pub fn solve(&self, v: Vector3<T>) -> Vector3<T> {

@@ -33,7 +33,7 @@ const FLOORS: [&[&str]; 9] = [
     &["solve", "observe"],
     &["system"],
     &["stepper", "simulate", "observers", "modes", "sensitivity", "paper", "extend", "internals"],
-    &["planar", "spatial"],
+    &["planar", "spatial", "robot"],
 ];
 
 fn floor(module: &str) -> Option<usize> {

@@ -2,9 +2,10 @@
 
 use super::names::{Scope, comment};
 use super::plan::{Part, Plan};
-use super::{list, number};
+use super::{list, number, structure};
 use crate::algebra::{Matrix, Vector, quaternion};
 use crate::inertia::Inertia;
+use crate::options::Elements;
 use crate::robot::{Carrier, Robot};
 use std::fmt::Write;
 
@@ -31,6 +32,9 @@ impl Names {
 
 /// What the module uses of the library.
 pub fn imports(robot: &Robot, plan: &Plan) -> String {
+    if robot.elements != Elements::Inertial {
+        return local_imports(robot, plan);
+    }
     let parts = || plan.arms.iter().flat_map(|arm| &arm.parts);
     let slides = |slides: bool| robot.bodies.iter().any(|body| body.slides == slides);
     let welds = parts().any(|part| matches!(part, Part::Weld(_)));
@@ -51,6 +55,38 @@ pub fn imports(robot: &Robot, plan: &Plan) -> String {
     format!("use catena::spatial::{{{}}};\nuse catena::{{Error, Scalar}};\n", used.join(", "))
 }
 
+/// What a module in body axes uses of the library.
+fn local_imports(robot: &Robot, plan: &Plan) -> String {
+    let parts = || plan.arms.iter().flat_map(|arm| &arm.parts);
+    let slides = |slides: bool| robot.bodies.iter().any(|body| body.slides == slides);
+    let [any, quarter, level] = structure::kinds(robot, robot.is_general());
+    let used = [
+        ("Absent", robot.base.is_none()),
+        ("Base", robot.base.is_none()),
+        ("BodyAxes", robot.base.is_some()),
+        ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
+        ("Effort", true),
+        ("Free", true),
+        ("Hinge", slides(false)),
+        ("Level", level),
+        ("Link", true),
+        ("OnGround", robot.base.is_none()),
+        ("Quarter", quarter),
+        ("Slide", slides(true)),
+        ("Spring", robot.base.is_none()),
+        ("System", true),
+        ("Turned", any),
+    ];
+    let used: Vec<_> = used.iter().filter(|(_, used)| *used).map(|(name, _)| *name).collect();
+    format!("use catena::robot::{{{}}};\nuse catena::{{Error, Scalar}};\n", used.join(", "))
+}
+
+/// The type of a link.
+fn link_type(robot: &Robot, inertia: &Inertia) -> String {
+    let [moment, tensor] = structure::masks(inertia, robot.is_general());
+    format!("Link<T, 0b{moment:03b}, 0b{tensor:06b}>")
+}
+
 /// Types of all chains and of the scene.
 pub fn types(robot: &Robot, plan: &Plan) -> String {
     let names = Names::of(robot, plan);
@@ -64,7 +100,23 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
         };
         let _ = writeln!(text, "/// {title}\npub type {}<T> = (", names.types[number]);
         for part in &arm.parts {
+            let local = robot.elements != Elements::Inertial;
             let (kind, remark) = match part {
+                Part::Axes => ("BodyAxes".to_owned(), String::new()),
+                Part::Base(_) if local => {
+                    (link_type(robot, &robot.base.unwrap_or(Inertia::NONE)), title_of(robot, Carrier::Base))
+                }
+                Part::Body(body, _) if local => {
+                    (link_type(robot, &robot.bodies[*body].inertia), title_of(robot, Carrier::Body(*body)))
+                }
+                Part::Joint(joint) if local => {
+                    let body = &robot.bodies[*joint];
+                    let structure::Joint { mask, offset, .. } = structure::joint(body, robot.is_general());
+                    let kind = if body.slides { "Slide" } else { "Hinge" };
+                    let ground =
+                        if robot.base.is_none() && body.parent.is_none() { ", Spring, Absent, OnGround" } else { "" };
+                    (format!("{kind}<T, {offset}, 0b{mask:03b}{ground}>"), format!("joint {}", comment(&body.joint)))
+                }
                 Part::Base(_) => ("RigidBody<T>".to_owned(), title_of(robot, Carrier::Base)),
                 Part::Body(body, _) => ("RigidBody<T>".to_owned(), title_of(robot, Carrier::Body(*body))),
                 Part::Massless(_) => ("RigidBody<T>".to_owned(), "a way without mass".to_owned()),
@@ -82,7 +134,11 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
         }
         text += ");\n\n";
     }
-    let root = if robot.base.is_some() { "Free" } else { "Clamped<[T; 3], Rotation<T>>" };
+    let root = match robot.base {
+        Some(_) => "Free",
+        None if robot.elements == Elements::Inertial => "Clamped<[T; 3], Rotation<T>>",
+        None => "Base<T>",
+    };
     let _ = writeln!(text, "/// The robot.\npub type Scene<T> = System<T, {root}, Chain<T>, Free>;\n");
     text
 }
@@ -93,7 +149,10 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
     let mut text = String::new();
     let root = match robot.base {
         Some(_) => "Free".to_owned(),
-        None => format!("Clamped::at({}, Rotation::identity())", vector(plan.root)),
+        None if robot.elements == Elements::Inertial => {
+            format!("Clamped::at({}, Rotation::identity())", vector(plan.root))
+        }
+        None => "Base::origin()".to_owned(),
     };
     let fails = plan.arms.iter().any(|arm| arm.parts.iter().any(|part| matches!(part, Part::Weld(_))));
     let [x, y, z] = robot.gravity;
@@ -127,7 +186,23 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
         let ask = if fails { "?" } else { "" };
         let _ = writeln!(text, "fn {name}<T: Scalar>() -> {kind} {{\n    {open}");
         for part in &arm.parts {
+            let local = robot.elements != Elements::Inertial;
             let element = match part {
+                Part::Axes => "BodyAxes".to_owned(),
+                Part::Base(_) if local => structure::link(&robot.base.unwrap_or(Inertia::NONE)),
+                Part::Body(number, _) if local => structure::link(&robot.bodies[*number].inertia),
+                Part::Joint(joint) if local => {
+                    let body = &robot.bodies[*joint];
+                    let structure::Joint { mask, place, turned, .. } = structure::joint(body, robot.is_general());
+                    let kind = if body.slides { "Slide" } else { "Hinge" };
+                    let turned = turned.map_or(String::new(), |turned| format!(".turned({turned})"));
+                    let ground = if robot.base.is_none() && body.parent.is_none() { ".grounded()" } else { "" };
+                    format!(
+                        "{kind}::at::<0b{mask:03b}>({}){turned}{ground}, // {}",
+                        vector(place),
+                        comment(&body.joint)
+                    )
+                }
                 Part::Base(end) => body(&robot.base.unwrap_or(Inertia::NONE), *end),
                 Part::Body(number, end) => body(&robot.bodies[*number].inertia, *end),
                 Part::Massless(way) => format!("RigidBody::massless({})", vector(*way)),

@@ -4,9 +4,11 @@ mod constants;
 mod elements;
 mod names;
 mod plan;
+mod structure;
 mod test;
 
 use crate::algebra::Vector;
+use crate::options::Elements;
 use crate::robot::Robot;
 use plan::Plan;
 use std::fmt::Write;
@@ -34,9 +36,16 @@ pub fn module(robot: &Robot, name: &str) -> String {
         whole,
         "/// Robot `{title}`: {joints} joints{base}. Written from its description; change that instead."
     );
-    whole += "///\n/// The origin of a body is at its joint. While all joints are at zero, its axes are those of its parent, but for a\n\
-              /// turn that stands before the joint. SI units.\n\
-              #[allow(dead_code, clippy::approx_constant, clippy::excessive_precision)]\n";
+    whole += match robot.elements {
+        Elements::Inertial => {
+            "///\n/// The origin of a body is at its joint. While all joints are at zero, its axes are those of its parent, but for a\n\
+             /// turn that stands before the joint. SI units.\n"
+        }
+        Elements::Local | Elements::LocalGeneral => {
+            "///\n/// The origin of a body is at its joint, and its z axis is that of the joint. SI units.\n"
+        }
+    };
+    whole += "#[allow(dead_code, clippy::approx_constant, clippy::excessive_precision)]\n";
     let _ = writeln!(whole, "pub mod {} {{", names::Scope::new().of_function(name));
     for line in text.lines() {
         let indent = if line.is_empty() { "" } else { "    " };

@@ -3,7 +3,18 @@
 use std::collections::HashSet;
 
 /// What the module itself uses.
-const RESERVED: [&str; 34] = [
+const RESERVED: [&str; 45] = [
+    "Base",
+    "Absent",
+    "OnGround",
+    "Spring",
+    "BodyAxes",
+    "Hinge",
+    "Slide",
+    "Link",
+    "Level",
+    "Quarter",
+    "Turned",
     "Branch",
     "Clamped",
     "Effort",

@@ -4,6 +4,7 @@
 //! the order of joints in the scene is that of [`Robot::bodies`].
 
 use crate::algebra::{IDENTITY, Vector, ZERO, subtract};
+use crate::options::Elements;
 use crate::robot::Robot;
 
 /// Tuples of the library end at sixteen.
@@ -12,6 +13,8 @@ const LONGEST: usize = 16;
 /// An element of a chain, bodies and joints by number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Part {
+    /// From inertial axes to those of bodies.
+    Axes,
     /// The floating base, and where its chain goes on.
     Base(Vector),
     /// A body, and where its chain goes on.
@@ -49,6 +52,8 @@ pub struct Plan {
     pub slots: usize,
     /// Bodies given so far.
     given: usize,
+    /// Whether joints sit anywhere on their bodies, and turn these.
+    local: bool,
 }
 
 impl Plan {
@@ -60,8 +65,16 @@ impl Plan {
         }
         let end = |of: usize| children[of].last().map_or(ZERO, |last: &usize| robot.bodies[*last].pose.place);
         let (arms, bodies, joints) = (Vec::new(), vec![0; count], vec![0; count]);
-        let mut plan = Self { arms, root: end(count), bodies, joints, slots: 1, given: 0 };
+        let local = robot.elements != Elements::Inertial;
+        let mut plan = Self { arms, root: end(count), bodies, joints, slots: 1, given: 0, local };
         let mut parts = Vec::new();
+        if local {
+            plan.root = ZERO;
+            if robot.base.is_some() {
+                plan.slots = 2;
+                parts.push(Part::Axes);
+            }
+        }
         if robot.base.is_some() {
             plan.given = 1;
             parts.push(Part::Base(plan.root));
@@ -105,11 +118,11 @@ impl Plan {
         start: Vector,
         parts: &mut Vec<Part>,
     ) -> Vector {
-        if start != ZERO {
+        if start != ZERO && !self.local {
             self.given += 1;
             parts.push(Part::Massless(start));
         }
-        if robot.bodies[body].pose.turn != IDENTITY {
+        if robot.bodies[body].pose.turn != IDENTITY && !self.local {
             self.slots += 1;
             parts.push(Part::Weld(body));
         }

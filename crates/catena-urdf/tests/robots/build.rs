@@ -1,6 +1,7 @@
 //! Writes a module for each robot, as a user's build script does.
 
-use catena_urdf::{Base, Error, Options};
+use catena_urdf::{Base, Elements, Error, Options, module};
+use std::path::Path;
 
 fn main() -> Result<(), Error> {
     let robots = "../../robots";
@@ -9,5 +10,20 @@ fn main() -> Result<(), Error> {
     Options::new().base(Base::Floating).build(format!("{robots}/humanoid.urdf"))?;
     Options::new().repair().build(format!("{robots}/cart.urdf"))?;
     Options::new().build("names.urdf")?;
+    // In body axes, with zeros as types and without.
+    local("arm7", Options::new());
+    local("quadruped", Options::new().snap(1e-4));
+    local("humanoid", Options::new().base(Base::Floating));
+    local("cart", Options::new().repair());
     Ok(())
+}
+
+/// Writes the modules of a robot in body axes, of names of their own.
+fn local(name: &str, options: Options) {
+    let text = std::fs::read_to_string(format!("../../robots/{name}.urdf")).expect("a description");
+    for (elements, suffix) in [(Elements::Local, "local"), (Elements::LocalGeneral, "general")] {
+        let robot = options.clone().elements(elements).read(&text).expect("a robot");
+        let (name, folder) = (format!("{name}_{suffix}"), std::env::var("OUT_DIR").expect("a folder"));
+        std::fs::write(Path::new(&folder).join(&name).with_extension("rs"), module(&robot, &name)).expect("a place");
+    }
 }

@@ -1,7 +1,5 @@
-//! Runs of many seconds of simulated time, which take long where nothing is optimised.
+//! Tests that take long where nothing is optimised: many seconds of simulated time, many segments, many scenes at random.
 
-mod flexible_pendulum;
-mod in_time;
-mod ropes_at_rest;
-mod taut_ropes;
-mod windows;
+mod loops;
+mod rest;
+mod runs;

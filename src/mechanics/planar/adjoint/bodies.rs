@@ -84,7 +84,7 @@ fn pull_back<T: Scalar, B: Body<T>>(
         let length = plus_dot(angular.mul_add(turned_across, w * dot(n, force)), centripetal, momentum);
         sums.outboard[0] -= length;
     }
-    Pulled { momentum, force, along, across, lever }
+    Pulled { momentum, force, along, across, lever, ..carried }
 }
 
 macro_rules! bodies {
@@ -107,7 +107,7 @@ macro_rules! bodies {
                 &self,
                 _: &mut Reach,
                 inner: Acceleration<T>,
-                (&x, &y, &p, &q, .., reached): Of<'_, Planar<T>, Reach, Self>,
+                (&x, &y, &p, &q, .., (reached, ())): Of<'_, Planar<T>, Reach, Self>,
             ) -> Acceleration<T> {
                 let [d, centripetal] = self.arm(Pose { x, y, p, q });
                 let outer = inner.shifted(d, centripetal);
@@ -154,7 +154,7 @@ macro_rules! bodies {
                 &self,
                 _: &mut PullBack,
                 outer: Pulled<T>,
-                (&x, &y, &p, &q, _, (a, met, ()), (sums, ()), _): Of<'_, Planar<T>, PullBack, Self>,
+                (&x, &y, &p, &q, _, (a, (), met, ..), (sums, ()), _): Of<'_, Planar<T>, PullBack, Self>,
             ) -> Pulled<T> {
                 pull_back(self, Pose { x, y, p, q }, (*a, *met), outer, sums)
             }

@@ -1,7 +1,8 @@
-//! The costate sweep in the plane: what joints do.
+//! The costate sweep in the plane: what joints do whose points coincide.
 
+use super::laws::ReversibleLaw;
 use super::{Outboard, Pulled, Stirred, Turning};
-use crate::mechanics::planar::{Acceleration, Pin, Planar, Weld, Wrench};
+use crate::mechanics::planar::{Acceleration, ElasticHinge, Pin, Planar, Weld, Wrench};
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
@@ -33,7 +34,7 @@ impl<T: Scalar> Takes<Planar<T>, Reach> for Pin {
         &self,
         _: &mut Reach,
         inner: Acceleration<T>,
-        (.., gain, acceleration, ()): Of<'_, Planar<T>, Reach, Self>,
+        (.., gain, acceleration, _): Of<'_, Planar<T>, Reach, Self>,
     ) -> Acceleration<T> {
         *acceleration = gain.angular(inner.linear, &());
         Acceleration { angular: *acceleration, ..inner }
@@ -80,10 +81,10 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Pin {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (.., (&rate, &acceleration, &stirring), _, _, (of_position, of_rate)): Of<'_, Planar<T>, PullBack, Self>,
+        (.., (_, &rate, &acceleration, &stirring), _, _, (of_position, of_rate)): Of<'_, Planar<T>, PullBack, Self>,
     ) -> Pulled<T> {
         [*of_position, *of_rate] = outer.turned(Turning { rate, acceleration, stirring });
-        Pulled { along: T::zero(), across: T::zero(), lever: T::zero(), ..outer }
+        outer.summed(None)
     }
 }
 
@@ -110,13 +111,8 @@ impl<T: Scalar> Takes<Planar<T>, Meet> for Weld<T> {
 
 impl<T: Scalar> Takes<Planar<T>, Stir> for Weld<T> {
     #[inline(always)]
-    fn take(
-        &self,
-        _: &mut Stir,
-        inner: Stirred<T>,
-        (.., ((), turning), _): Of<'_, Planar<T>, Stir, Self>,
-    ) -> Stirred<T> {
-        *turning = inner.turning;
+    fn take(&self, _: &mut Stir, inner: Stirred<T>, (.., ((), kept), _): Of<'_, Planar<T>, Stir, Self>) -> Stirred<T> {
+        kept.turning = inner.turning;
         inner
     }
 }
@@ -128,9 +124,95 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Weld<T> {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (.., (_, _, turning), (_, sum), _): Of<'_, Planar<T>, PullBack, Self>,
+        (.., (.., kept, _), (_, sums), _): Of<'_, Planar<T>, PullBack, Self>,
     ) -> Pulled<T> {
-        *sum += outer.turned(*turning)[0];
+        sums[0] += outer.turned(kept.turning)[0];
         outer
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Factor> for ElasticHinge<L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Factor,
+        outer: Outboard<T>,
+        (.., (position, rate), torque, gain, pivot): Of<'_, Planar<T>, Factor, Self>,
+    ) -> Outboard<T> {
+        *pivot = outer.relation.angular.recip();
+        let (relation, found) = outer.relation.pinned(*torque + self.rotary.force(*position, *rate));
+        gain.absolute(found);
+        Outboard::of_pin(relation)
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Reach> for ElasticHinge<L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Reach,
+        inner: Acceleration<T>,
+        (.., gain, acceleration, _): Of<'_, Planar<T>, Reach, Self>,
+    ) -> Acceleration<T> {
+        let angular = gain.angular(inner.linear, &());
+        *acceleration = angular - inner.angular;
+        Acceleration { angular, ..inner }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Meet> for ElasticHinge<L> {
+    /// As a pin for the absolute w; the costate itself is a torque between the bodies.
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Meet,
+        outer: Wrench<T>,
+        (.., gain, pivot, costate): Of<'_, Planar<T>, Meet, Self>,
+    ) -> Wrench<T> {
+        let torque = *costate;
+        let left = torque - outer.torque;
+        *costate = left * *pivot;
+        Wrench { force: add_scaled(outer.force, -left, gain.per_acceleration), torque }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Stir> for ElasticHinge<L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Stir,
+        inner: Stirred<T>,
+        (.., gain, (rate, acceleration, free), (_, kept), torque): Of<'_, Planar<T>, Stir, Self>,
+    ) -> Stirred<T> {
+        let Acceleration { linear, angular } = inner.velocity;
+        let w = plus_dot(*free, gain.per_acceleration, linear);
+        *free = w - angular;
+        *torque += *free;
+        let inboard = inner.turning;
+        let turning =
+            Turning { rate: inboard.rate + *rate, acceleration: inboard.acceleration + *acceleration, stirring: w };
+        kept.turning = turning;
+        Stirred { velocity: Acceleration { linear, angular: w }, turning }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for ElasticHinge<L> {
+    /// The coordinate turns all that lies outboard, and so do those inboard of it. The law pushes against w.
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut PullBack,
+        outer: Pulled<T>,
+        (.., (position, rate, _, w), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
+            '_,
+            Planar<T>,
+            PullBack,
+            Self,
+        >,
+    ) -> Pulled<T> {
+        let turned = outer.turned(kept.turning);
+        let of_law = self.rotary.pull_back(*position, *rate, *w, sums);
+        (*of_position, *of_rate) = (turned[0] + of_law[0], turned[1] + of_law[1]);
+        outer.summed(Some(turned))
     }
 }

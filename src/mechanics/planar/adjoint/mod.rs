@@ -3,13 +3,23 @@
 mod bodies;
 mod ends;
 mod joints;
+mod laws;
+mod loads;
+mod slider;
+
+pub(crate) use laws::NUMBERS;
+pub(crate) use loads::BODY;
+use loads::Felt;
 
 use super::body::Base;
 use crate::adjoint::Reversed;
-use crate::mechanics::planar::{Acceleration, Frame, Planar};
+use crate::element::Element;
+use crate::mechanics::planar::{Acceleration, BodyMotion, Frame, Planar, Turn};
 use crate::relation::Additive;
 use crate::relation::planar::{Full, Point};
 use crate::scalar::Scalar;
+use crate::shape::PerAxes;
+use crate::walks::factor::Factor;
 use core::ops::Add;
 use nalgebra::Vector2;
 
@@ -65,6 +75,15 @@ pub struct Turning<T> {
     stirring: T,
 }
 
+/// What the outward walk keeps of a joint that has no angle of its own, or one against the inboard body.
+#[derive(Clone, Copy, Debug)]
+pub struct AtJoint<T> {
+    /// Of the outboard side.
+    turning: Turning<T>,
+    /// Virtual velocity of the outboard side, of a joint that slides.
+    velocity: Vector2<T>,
+}
+
 /// What the outward walk keeps of a body.
 #[derive(Clone, Copy, Debug)]
 pub struct OnBody<T> {
@@ -86,6 +105,9 @@ pub struct Pulled<T> {
     along: T,
     across: T,
     lever: T,
+    /// Costates of angle and angular velocity of all that turns along and is not in these sums: beyond a hinge, and on a line that turns.
+    /// Nothing, rather than zeros, where there are no such joints.
+    beyond: Option<[T; 2]>,
 }
 
 impl<T: Scalar> Pulled<T> {
@@ -93,7 +115,30 @@ impl<T: Scalar> Pulled<T> {
     #[inline(always)]
     fn turned(&self, Turning { rate, acceleration, stirring }: Turning<T>) -> [T; 2] {
         let angle = acceleration.mul_add(self.along, (rate * rate).mul_add(self.across, stirring * self.lever));
-        [angle, (rate + rate) * self.along]
+        let spin = (rate + rate) * self.along;
+        match self.beyond {
+            Some([of_angle, of_rate]) => [angle + of_angle, spin + of_rate],
+            None => [angle, spin],
+        }
+    }
+    /// Without G and F.
+    #[inline(always)]
+    fn turning_alone(self) -> Self {
+        Self { momentum: Vector2::null(), force: Vector2::null(), ..self }
+    }
+    /// Where what lies outboard turns with another angle: `beyond` is what of its costates goes on.
+    #[inline(always)]
+    fn summed(self, beyond: Option<[T; 2]>) -> Self {
+        Self { along: T::zero(), across: T::zero(), lever: T::zero(), beyond, ..self }
+    }
+}
+
+/// Sums of what there is.
+#[inline(always)]
+fn sum<T: Scalar>(a: Option<[T; 2]>, b: Option<[T; 2]>) -> Option<[T; 2]> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some([a[0] + b[0], a[1] + b[1]]),
+        (one, None) | (None, one) => one,
     }
 }
 
@@ -107,6 +152,7 @@ impl<T: Scalar> Add for Pulled<T> {
             along: self.along + other.along,
             across: self.across + other.across,
             lever: self.lever + other.lever,
+            beyond: sum(self.beyond, other.beyond),
         }
     }
 }
@@ -115,7 +161,7 @@ impl<T: Scalar> Additive for Pulled<T> {
     #[inline(always)]
     fn null() -> Self {
         let (zero, none) = (T::zero(), Vector2::null());
-        Self { momentum: none, force: none, along: zero, across: zero, lever: zero }
+        Self { momentum: none, force: none, along: zero, across: zero, lever: zero, beyond: None }
     }
 }
 
@@ -124,11 +170,29 @@ impl<T: Scalar> Reversed for Planar<T> {
     type Pivot = T;
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
-    type InJoint = Turning<T>;
+    type InJoint = AtJoint<T>;
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
-    /// By the angle of a weld.
-    type OfJoint = T;
+    type OfJoint = [T; NUMBERS];
+    type Felt = Felt<T>;
+    type OfNumbers = [T; BODY];
+    /// None of its own: costates read what sweeps do.
+    type Poses = Factor;
+
+    #[inline(always)]
+    fn pose<E: Element<Self>>(
+        elements: &E,
+        position: &E::Position,
+        rate: &E::Rate,
+        turn: Turn<T>,
+        sizes: &E::Store<PerAxes<T>>,
+        x: &mut E::Store<PerAxes<T>>,
+        y: &mut E::Store<PerAxes<T>>,
+        p: &mut E::Store<PerAxes<T>>,
+        q: &mut E::Store<PerAxes<T>>,
+    ) {
+        elements.pose(position, rate, turn, sizes, x, y, p, q);
+    }
 
     #[inline(always)]
     fn nothing() -> Outboard<T> {
@@ -153,18 +217,24 @@ impl<T: Scalar> Reversed for Planar<T> {
         let turning = Turning { rate: frame.turn.rate, acceleration: frame.acceleration.angular, stirring: zero };
         Stirred { velocity: Acceleration { linear: Vector2::null(), angular: zero }, turning }
     }
-    fn untouched() -> (OnBody<T>, Turning<T>) {
-        let zero = T::zero();
+    fn untouched() -> (OnBody<T>, AtJoint<T>) {
+        let (zero, velocity) = (T::zero(), Vector2::null());
         let turning = Turning { rate: zero, acceleration: zero, stirring: zero };
-        (OnBody { velocity: Vector2::null(), acceleration: zero, stirring: zero }, turning)
+        (OnBody { velocity, acceleration: zero, stirring: zero }, AtJoint { turning, velocity })
     }
-    fn of_no_body() -> Base<T> {
+    fn of_nothing() -> (Base<T>, [T; BODY], [T; NUMBERS]) {
         let zero = T::zero();
-        Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero }
+        (Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero }, [zero; BODY], [zero; NUMBERS])
     }
     #[inline(always)]
-    fn of_gravity(pulled: &Pulled<T>) -> Vector2<T> {
-        pulled.momentum
+    fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector2<T>, T) {
+        (pulled.momentum, pulled.turned(Self::at_ground(frame).turning)[0])
+    }
+    fn inboard(motion: &BodyMotion<T>) -> Frame<T> {
+        motion.inboard
+    }
+    fn of_place(felt: &Felt<T>) -> (Vector2<T>, T) {
+        (felt.place, felt.turn[0])
     }
     /// Links in the direction of their axes sum up d · d̄: their length l is constant, and d̄ along d is that over l.
     fn complete(size: &T, sums: &mut Base<T>) {

@@ -62,7 +62,7 @@ fn single(row: &Row) -> f64 {
 
 /// The claimed error [ulp] in a row of the table.
 fn claimed(row: &str, column: &str) -> f64 {
-    let table: Vec<Vec<&str>> = include_str!("../../../src/scalar/trig.rs")
+    let table: Vec<Vec<&str>> = include_str!("../../src/scalar/trig.rs")
         .lines()
         .filter_map(|line| line.strip_prefix("//! |"))
         .map(|line| line.split('|').map(str::trim).collect())

@@ -1,4 +1,4 @@
-//! Every kind of number, and derivatives.
+//! Every kind of number as scalar, and derivatives forward and backward.
 
 mod backward;
 mod derivatives;

@@ -245,7 +245,6 @@ macro_rules! falls {
 falls!(by_generalised_alpha, GeneralizedAlpha::new(0.8));
 falls!(by_sdirk4, Sdirk4::new());
 
-#[cfg(feature = "num-dual")]
 #[test]
 fn tips_have_the_derivatives_that_differences_say() -> Result<(), Error> {
     use num_dual::Dual64;

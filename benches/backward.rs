@@ -1,0 +1,214 @@
+//! What gradients that go backward cost: run and gradient beside the plain run of the same steps.
+//!
+//! `cargo bench --bench backward` makes runs of 50 steps, plain (`advance`), plain under torques in all joints held over each step, and
+//! forward and backward for the gradient of a number by all initial values, all parameters and the torques of each step. Times are the least
+//! of many, ways taking turns; instructions are counted by valgrind.
+
+#[path = "parts/clock.rs"]
+mod clock;
+
+use clock::{median, progress};
+use std::hint::black_box;
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+const STEPS: usize = 50;
+
+/// Runs of a scene by a way: plain, under torques, with the gradient.
+type Case = Box<dyn FnMut(usize) -> f64>;
+
+struct Row {
+    name: &'static str,
+    /// Bodies times stages of a run.
+    sweeps: usize,
+    make: fn() -> Case,
+}
+
+/// A scene, its angles at the start, the efforts in its joints, a rule.
+macro_rules! row {
+    ($rows:ident, $name:literal, $bodies:literal, $method:expr, $stages:literal, $dt:literal, $scene:expr, $angles:expr, $effort:expr) => {
+        $rows.push(Row {
+            name: $name,
+            sweeps: $bodies * $stages * STEPS,
+            make: || {
+                let system = Box::leak(Box::new($scene));
+                let start = system.at_rest(&$angles).unwrap();
+                let start = system.with_accelerations(start, &Unloaded).unwrap();
+                let torques = &*vec![$effort; STEPS * system.joints()].leak();
+                let (mut by_torques, mut states) = (torques.to_vec(), vec![start.clone(); STEPS + 1]);
+                let joints = system.joints();
+                let (mut past, mut next) = (start.clone(), start.clone());
+                let (mut stepper, mut driven, mut backward) =
+                    (system.stepper($method), system.stepper($method), system.backward($method));
+                let weights = vec![1.0; start.rates().len()];
+                Box::new(move |way| match way {
+                    0 => {
+                        past.clone_from(&start);
+                        for _ in 0..STEPS {
+                            stepper.advance(&past, &Unloaded, $dt, &mut next).unwrap();
+                            core::mem::swap(&mut past, &mut next);
+                        }
+                        past.rates()[0]
+                    }
+                    1 => {
+                        past.clone_from(&start);
+                        for k in 0..STEPS {
+                            let loads = Loads::none().efforts(&torques[k * joints..][..joints]);
+                            driven.advance(&past, &loads, $dt, &mut next).unwrap();
+                            core::mem::swap(&mut past, &mut next);
+                        }
+                        past.rates()[0]
+                    }
+                    _ => {
+                        backward.run(&start, $dt, STEPS, torques, &mut states).unwrap();
+                        let gradient = backward.gradient(torques, &states, &mut by_torques, |step, _, by| {
+                            if step == STEPS { by.add(&weights, &weights) } else { Ok(()) }
+                        });
+                        gradient.unwrap().by_position()[0]
+                    }
+                })
+            },
+        });
+    };
+}
+
+/// Rods on pins, all but the first in an array.
+macro_rules! pins {
+    ($N:literal) => {{
+        let rod = Rod::uniform(black_box(1.0 / $N as f64), 1.0 / $N as f64);
+        System::new(Pinned::origin(), (rod, [(Pin, rod); $N - 1]), Free).unwrap().with_gravity(9.81)
+    }};
+}
+
+/// Rods on balls.
+macro_rules! balls {
+    ($N:literal) => {{
+        let rod = Rod::uniform(black_box(1.0 / $N as f64), 0.1 / $N as f64, 1.0 / $N as f64);
+        System::new(Pinned::origin(), (rod, [(Ball, rod); $N - 1]), Free).unwrap().with_gravity([0.0, 0.0, -9.81])
+    }};
+}
+
+/// A body with its mass centre, axes of inertia and outboard end anywhere.
+fn body(share: f64) -> catena::spatial::RigidBody<f64> {
+    let tensor = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]]
+        .map(|row| row.map(|x| x * share * share * share));
+    catena::spatial::RigidBody::new(
+        share,
+        tensor,
+        [0.5 * share, 0.03 * share, -0.02 * share],
+        [share, 0.1 * share, 0.05 * share],
+    )
+}
+
+/// Bodies on balls.
+macro_rules! bodies {
+    ($N:literal) => {{
+        let body = body(black_box(1.0 / $N as f64));
+        System::new(Pinned::origin(), (body, [(Ball, body); $N - 1]), Free).unwrap().with_gravity([0.0, 0.0, -9.81])
+    }};
+}
+
+/// An arm of bodies on revolute joints, about axes that alternate.
+macro_rules! arm {
+    ($N:literal) => {{
+        let body = body(black_box(1.0 / $N as f64));
+        let link = |i: usize| (Revolute::about([0.0, (i % 2) as f64, ((i + 1) % 2) as f64]), body);
+        let links: [_; $N] = core::array::from_fn(link);
+        System::new(Clamped::origin(), links, Free).unwrap().with_gravity([0.0, 0.0, -9.81])
+    }};
+}
+
+fn rows() -> Vec<Row> {
+    let mut rows = vec![];
+    {
+        use catena::planar::*;
+        row!(rows, "2 rods on pins, RK4", 2, Rk4, 4, 1e-3, pins!(2), [0.0; 2], 1e-3);
+        row!(rows, "20 rods on pins, RK4", 20, Rk4, 4, 1e-3, pins!(20), [0.0; 20], 1e-3);
+        row!(rows, "20 rods on pins, DOP853", 20, Dop853, 12, 1e-3, pins!(20), [0.0; 20], 1e-3);
+    }
+    use catena::spatial::*;
+    row!(rows, "3 rods on balls, RK4", 3, Rk4, 4, 1e-3, balls!(3), angles::<9>(), Effort([1e-5; 3]));
+    row!(rows, "3 rods on balls, DOP853", 3, Dop853, 12, 1e-3, balls!(3), angles::<9>(), Effort([1e-5; 3]));
+    row!(rows, "20 rods on balls, RK4", 20, Rk4, 4, 1e-3, balls!(20), angles::<60>(), Effort([1e-7; 3]));
+    row!(rows, "20 rods on balls, DOP853", 20, Dop853, 12, 1e-3, balls!(20), angles::<60>(), Effort([1e-7; 3]));
+    row!(rows, "3 bodies on balls, RK4", 3, Rk4, 4, 1e-3, bodies!(3), angles::<9>(), Effort([1e-5; 3]));
+    row!(rows, "20 bodies on balls, RK4", 20, Rk4, 4, 1e-3, bodies!(20), angles::<60>(), Effort([1e-7; 3]));
+    row!(rows, "7 bodies on revolutes, RK4", 7, Rk4, 4, 1e-3, arm!(7), angles::<7>(), Effort([1e-5; 3]));
+    row!(rows, "7 bodies on revolutes, DOP853", 7, Dop853, 12, 1e-3, arm!(7), angles::<7>(), Effort([1e-5; 3]));
+    rows
+}
+
+/// Angles that differ.
+fn angles<const N: usize>() -> [f64; N] {
+    core::array::from_fn(|i| 0.1 * (i % 10) as f64)
+}
+
+/// Instructions of a run: what further runs add.
+fn instructions(program: &Path, row: usize, way: usize) -> Option<f64> {
+    let count = |runs: usize| -> Option<f64> {
+        let output = Command::new("valgrind")
+            .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+            .arg(program)
+            .args(["repeat", &row.to_string(), &way.to_string(), &runs.to_string()])
+            .output()
+            .ok()?;
+        if !output.status.success() {
+            return None; // it may not know an instruction
+        }
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        text.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok())
+    };
+    Some((count(4)? - count(1)?) / 3.0)
+}
+
+/// Nanoseconds of a run by each way, the least of many; ways take turns. Beside it the middle one of the ratios of gradient and plain run.
+fn wall(row: &Row) -> ([f64; 3], f64) {
+    let mut case = (row.make)();
+    let (mut least, mut ratios) = ([f64::INFINITY; 3], vec![]);
+    for _ in 0..400 {
+        let mut round = [0.0; 3];
+        for (way, time) in round.iter_mut().enumerate() {
+            let start = Instant::now();
+            black_box(case(way));
+            *time = start.elapsed().as_nanos() as f64;
+            least[way] = least[way].min(*time);
+        }
+        ratios.push(round[2] / round[0]);
+    }
+    (least, median(&mut ratios))
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let rows = rows();
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if let ["repeat", row, way, runs] = arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        if let Some(row) = rows.get(row.parse::<usize>()?) {
+            let (mut case, way) = ((row.make)(), way.parse()?);
+            (0..runs.parse::<usize>()?).for_each(|_| {
+                black_box(case(way));
+            });
+        }
+        return Ok(());
+    }
+    let program = std::env::current_exe()?;
+    println!(
+        "| {STEPS} steps | gradient : plain, time | middle | instructions | : under torques | plain, a body and stage |"
+    );
+    println!("|---|---:|---:|---:|---:|---:|");
+    for (number, row) in rows.iter().enumerate() {
+        progress(row.name);
+        let counts = [0, 1, 2].map(|way| instructions(&program, number, way).unwrap_or(f64::NAN));
+        let (times, middle) = wall(row);
+        progress("");
+        println!(
+            "| {} | {:.2} | {middle:.2} | {:.2} | {:.2} | {:.0} |",
+            row.name,
+            times[2] / times[0],
+            counts[2] / counts[0],
+            counts[2] / counts[1],
+            counts[0] / row.sweeps as f64
+        );
+    }
+    Ok(())
+}

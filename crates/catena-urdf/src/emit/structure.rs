@@ -1,0 +1,82 @@
+//! What of a robot's numbers is zero, and which turns are quarters: the types of its elements in body axes.
+
+use super::{list, number};
+use crate::algebra::{IDENTITY, Matrix, Vector, dot, matrix, vector};
+use crate::inertia::Inertia;
+use crate::robot::{Body, Robot};
+
+/// Below this share of the largest number of its kind a number is rounding of what made it.
+const ROUNDED: f64 = 32.0 * f64::EPSILON;
+
+/// A joint as the library's type and value, without its name and place.
+pub struct Joint {
+    /// Bits of the place that are there.
+    pub mask: u8,
+    pub place: Vector,
+    /// Type of the turn.
+    pub offset: String,
+    /// What makes it, if there is one.
+    pub turned: Option<String>,
+}
+
+/// Numbers of a list that count, and their bits.
+fn masked<const N: usize>(numbers: [f64; N], general: bool) -> ([f64; N], u8) {
+    let most = numbers.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let kept = numbers.map(|x| if x.abs() <= ROUNDED * most { 0.0 } else { x });
+    let bits = (0..N).filter(|bit| general || kept[*bit] != 0.0).map(|bit| 1 << bit).sum();
+    (kept, bits)
+}
+
+/// The number of a signed coordinate axis: 0 to 2 for x, y, z, 3 to 5 for their opposites.
+fn direction(column: Vector) -> Option<u8> {
+    let along = |k: usize| (0..3).all(|i| i == k || column[i] == 0.0) && column[k].abs() == 1.0;
+    (0..3).find(|k| along(*k)).map(|k| if column[k] > 0.0 { k as u8 } else { k as u8 + 3 })
+}
+
+pub fn joint(body: &Body, general: bool) -> Joint {
+    let (place, mask) = masked(body.pose.place, general);
+    let turn = body.pose.turn;
+    let column = |k: usize| vector(|i| turn[i][k]);
+    let quarter = direction(column(0)).zip(direction(column(1))).map(|(x, y)| x + 6 * y);
+    let (offset, turned) = match quarter {
+        _ if general => ("Turned<T>".to_owned(), Some(full(&turn))),
+        _ if turn == IDENTITY => ("Level".to_owned(), None),
+        Some(code) => (format!("Quarter<{code}>"), Some(format!("Quarter::<{code}>"))),
+        None => ("Turned<T>".to_owned(), Some(full(&turn))),
+    };
+    Joint { mask, place, offset, turned }
+}
+
+/// Axes of a turn.
+fn full(turn: &Matrix) -> String {
+    let column = |k: usize| list(vector(|i| turn[i][k]));
+    format!("Turned::axes(tensor([{}, {}, {}]))", column(0), column(1), column(2))
+}
+
+/// Bits of first moment and tensor about the origin.
+pub fn masks(inertia: &Inertia, general: bool) -> [u8; 2] {
+    let Inertia { mass, centre, tensor } = inertia;
+    let about = matrix(|i, k| {
+        let square = if i == k { dot(*centre, *centre) } else { 0.0 };
+        tensor[i][k] + mass * (square - centre[i] * centre[k])
+    });
+    let list = [about[0][0], about[1][1], about[2][2], about[1][2], about[0][2], about[0][1]];
+    [masked(centre.map(|x| x * mass), general).1, masked(list, general).1]
+}
+
+/// A body's element.
+pub fn link(inertia: &Inertia) -> String {
+    let Inertia { mass, centre, tensor } = inertia;
+    let [x, y, z] = tensor.map(list);
+    let mass = number(*mass);
+    format!(
+        "Link::new(\n            T::literal({mass}),\n            vector({}),\n            tensor([{x}, {y}, {z}]),\n        )",
+        list(*centre)
+    )
+}
+
+/// Whether some joint has a turn of any, of a quarter, or none.
+pub fn kinds(robot: &Robot, general: bool) -> [bool; 3] {
+    let is = |name: &str| robot.bodies.iter().any(|body| joint(body, general).offset.starts_with(name));
+    [is("Turned"), is("Quarter"), is("Level")]
+}

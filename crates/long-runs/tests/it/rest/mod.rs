@@ -1,0 +1,6 @@
+//! Equilibrium and vibration of beams and ropes of many segments.
+
+mod beam;
+mod ropes_at_rest;
+mod spatial_beam;
+mod statics;

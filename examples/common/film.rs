@@ -1,0 +1,177 @@
+//! Pictures that move: the links of a scene over time as an SVG animated by itself (SMIL), without a script.
+//!
+//! Where readers ask for less motion they see the still: the whole path of the traced point, and the links as they are at the start.
+
+use super::{Drawn, GREY, INK};
+use plotters::style::RGBColor;
+use std::fmt::Write;
+use std::ops::Range;
+use std::path::PathBuf;
+
+/// More than this (bytes) is too much for a page that shows several.
+const LARGEST: usize = 100_000;
+/// Width of a letter of the subtitle (pixels), rather too much.
+const LETTER: f64 = 6.3;
+/// What is above and below the scene (pixels).
+const MARGINS: [f64; 2] = [62.0, 30.0];
+
+/// Links that are drawn in one stroke, from joint to joint, in the order in which `Film::strokes` names them.
+pub type Frame = Vec<Vec<(f64, f64)>>;
+
+/// What does not move in a moving picture.
+pub struct Film<'a> {
+    pub title: &'a str,
+    pub subtitle: &'a str,
+    /// What is seen of the plane (m).
+    pub view: (Range<f64>, Range<f64>),
+    /// Pixels of a metre.
+    pub scale: f64,
+    /// Time that the frames span, and time that they are shown (s).
+    pub seconds: [f64; 2],
+    /// Colour and width (pixels) of each stroke.
+    pub strokes: &'a [(RGBColor, f64)],
+    /// The point that leaves a trace: its stroke, its place in that, and the colour.
+    pub trace: (usize, usize, RGBColor),
+    /// Points that the ground holds.
+    pub ground: &'a [(f64, f64)],
+}
+
+impl Film<'_> {
+    /// Writes the picture into target/ and returns where it is.
+    pub fn save(&self, name: &str, frames: &[Frame]) -> Drawn<PathBuf> {
+        let svg = self.svg(frames)?;
+        if svg.len() > LARGEST {
+            return Err(format!("{name}: {} bytes are more than a moving picture may have", svg.len()).into());
+        }
+        let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/target"));
+        std::fs::create_dir_all(&folder)?;
+        let path = folder.join(name).with_extension("svg");
+        std::fs::write(&path, svg)?;
+        Ok(path)
+    }
+
+    /// A place in pixels, to a tenth.
+    fn pixel(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        let (across, up) = &self.view;
+        let tenth = |x: f64| (10.0 * x).round() / 10.0;
+        (tenth(self.scale * (x - across.start)), tenth(MARGINS[0] + self.scale * (up.end - y)))
+    }
+
+    fn points(&self, places: impl IntoIterator<Item = (f64, f64)>) -> String {
+        let each = places.into_iter().map(|place| {
+            let (x, y) = self.pixel(place);
+            format!("{x},{y}")
+        });
+        each.collect::<Vec<_>>().join(" ")
+    }
+
+    fn svg(&self, frames: &[Frame]) -> Drawn<String> {
+        let (across, up) = &self.view;
+        let width = (self.scale * (across.end - across.start)).round();
+        let height = (self.scale * (up.end - up.start) + MARGINS[0] + MARGINS[1]).round();
+        let [span, shown] = self.seconds;
+        if LETTER * self.subtitle.chars().count() as f64 > width - 40.0 {
+            return Err(format!("{}: the subtitle is longer than the picture is wide", self.title).into());
+        }
+        let again = format!(r#"dur="{shown}s" repeatCount="indefinite""#);
+        let mut svg = String::new();
+        writeln!(
+            svg,
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" role="img">"#
+        )?;
+        writeln!(svg, "<title>{}</title><desc>{}</desc>", self.title, self.subtitle)?;
+        svg.push_str("<style>text{font-family:Helvetica,Arial,sans-serif}polyline{fill:none;stroke-linecap:round;stroke-linejoin:round}.still{display:none}@media(prefers-reduced-motion:reduce){.moving{display:none}.still{display:inline}}</style>\n");
+        writeln!(svg, r#"<rect width="{width}" height="{height}" fill="white"/>"#)?;
+        writeln!(
+            svg,
+            r#"<text x="20" y="30" font-size="19" font-weight="bold" fill="{}">{}</text>"#,
+            hex(INK),
+            self.title
+        )?;
+        writeln!(svg, r#"<text x="20" y="50" font-size="12.5" fill="{}">{}</text>"#, hex(GREY), self.subtitle)?;
+        for (k, (colour, width)) in self.strokes.iter().enumerate() {
+            let radius = 0.85 * width;
+            writeln!(
+                svg,
+                r#"<marker id="j{k}" markerUnits="userSpaceOnUse" markerWidth="20" markerHeight="20" refX="10" refY="10"><circle cx="10" cy="10" r="{radius}" fill="white" stroke="{}" stroke-width="{}"/></marker>"#,
+                hex(*colour),
+                0.4 * width
+            )?;
+        }
+        self.trace(&mut svg, frames, &again)?;
+        for class in ["still", "moving"] {
+            writeln!(svg, r#"<g class="{class}">"#)?;
+            for (k, (colour, width)) in self.strokes.iter().enumerate() {
+                let first = frames.first().map_or_else(String::new, |frame| self.points(frame[k].iter().copied()));
+                write!(
+                    svg,
+                    r#"<polyline points="{first}" stroke="{}" stroke-width="{width}" marker-start="url(#j{k})" marker-mid="url(#j{k})" marker-end="url(#j{k})">"#,
+                    hex(*colour)
+                )?;
+                if class == "moving" {
+                    let all: Vec<_> = frames.iter().map(|frame| self.points(frame[k].iter().copied())).collect();
+                    write!(svg, r#"<animate attributeName="points" {again} values="{}"/>"#, all.join(";"))?;
+                }
+                svg.push_str("</polyline>\n");
+            }
+            svg.push_str("</g>\n");
+        }
+        for place in self.ground {
+            let (x, y) = self.pixel(*place);
+            writeln!(svg, r#"<circle cx="{x}" cy="{y}" r="5.5" fill="{}"/>"#, hex(INK))?;
+        }
+        let (low, end) = (height - 14.0, width - 20.0);
+        let pace = if (span - shown).abs() < 1e-9 {
+            "as fast as in truth".to_owned()
+        } else {
+            format!("{} times slower", short(shown / span))
+        };
+        writeln!(
+            svg,
+            r#"<text x="{end}" y="{}" font-size="11" text-anchor="end" fill="{}">{} s, {pace}</text>"#,
+            low - 5.0,
+            hex(GREY),
+            short(span)
+        )?;
+        writeln!(svg, r#"<path d="M20 {low}H{end}" stroke="{}" stroke-opacity="0.25" stroke-width="2"/>"#, hex(GREY))?;
+        writeln!(
+            svg,
+            r#"<circle class="moving" cx="20" cy="{low}" r="4" fill="{}"><animate attributeName="cx" {again} values="20;{end}"/></circle>"#,
+            hex(GREY)
+        )?;
+        svg.push_str("</svg>\n");
+        Ok(svg)
+    }
+
+    /// The way of a point, drawn as the point goes: dashes as long as the way, moved along it.
+    fn trace(&self, svg: &mut String, frames: &[Frame], again: &str) -> Drawn {
+        let (stroke, place, colour) = self.trace;
+        let way: Vec<_> = frames.iter().map(|frame| frame[stroke][place]).collect();
+        let mut gone = vec![0.0];
+        for pair in way.windows(2) {
+            let ((a, b), (c, d)) = (self.pixel(pair[0]), self.pixel(pair[1]));
+            gone.push(gone[gone.len() - 1] + (c - a).hypot(d - b));
+        }
+        let all = gone[gone.len() - 1].max(f64::MIN_POSITIVE);
+        let points = self.points(way);
+        let line = format!(r#"points="{points}" stroke="{}" stroke-width="1.3" stroke-opacity="0.75""#, hex(colour));
+        let left: Vec<_> = gone.iter().map(|gone| format!("{:.0}", all - gone)).collect();
+        writeln!(svg, r#"<polyline class="still" {line}/>"#)?;
+        writeln!(
+            svg,
+            r#"<polyline class="moving" {line} stroke-dasharray="{all:.0}" stroke-dashoffset="{all:.0}"><animate attributeName="stroke-dashoffset" {again} values="{}"/></polyline>"#,
+            left.join(";")
+        )?;
+        Ok(())
+    }
+}
+
+fn hex(RGBColor(r, g, b): RGBColor) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// A number of few digits.
+fn short(x: f64) -> String {
+    let text = format!("{x:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}

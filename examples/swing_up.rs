@@ -1,0 +1,232 @@
+//! A double pendulum on a cart swings up: forces on the cart found by steps linearised backward, and then held upright.
+//!
+//! Iterative LQR: each step of a run with its Jacobians (`Backward::linearised_step`), from the last step to the first the best change of
+//! the force where costs are quadratic and steps linear, a run with some of that change, until nothing changes any more. At the top the gains
+//! of a regulator, from the same Jacobians, take over, and a push does not upset them.
+//!
+//! ```text
+//! cargo run --release --example swing_up
+//! ```
+
+mod common;
+
+use catena::Error;
+use catena::planar::*;
+use catena::simulate::MotionIn;
+use common::{BLUE, Chart, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
+use indicatif::ProgressBar;
+use nalgebra::{RowVector6, SMatrix, Vector6};
+use std::f64::consts::FRAC_PI_2;
+use std::path::PathBuf;
+use std::time::Instant;
+
+type Square = SMatrix<f64, 6, 6>;
+/// Place of the cart (m), absolute angles of the rods (rad), and their rates.
+type State = Vector6<f64>;
+
+const H: f64 = 0.01; // (s)
+const SWING: usize = 250; // steps, 2.5 s
+const HOLD: usize = 300; // 3 s
+const LENGTHS: [f64; 2] = [0.5, 0.4]; // (m)
+const FORCE: f64 = 1e-3; // weight of the force, ½ ∫ F² dt (1/N²)
+const PLACE: f64 = 0.5; // that of the place on the way, ½ ∫ x² dt (1/m²)
+const UPRIGHT: State = State::new(0.0, FRAC_PI_2, FRAC_PI_2, 0.0, 0.0, 0.0);
+const AT_END: State = State::new(50.0, 200.0, 200.0, 5.0, 5.0, 5.0); // weights of what is missed at the end
+
+type Chain = (Slider<f64, Spring<Absent, f64>>, RigidBody<f64>, Pin, Rod<f64>, Pin, Rod<f64>);
+type Scene = System<f64, Clamped<[f64; 2], f64>, Chain, Free>;
+type Motion = MotionIn<Scene, Unloaded>;
+
+fn scene() -> Result<Scene, Error> {
+    let cart = RigidBody::new(1.0, 0.1, [0.0; 2], [0.0; 2]);
+    let [lower, upper] = [Rod::uniform(LENGTHS[0], 0.3), Rod::uniform(LENGTHS[1], 0.2)];
+    let track = Slider::along(0.0).with(Spring::damping(0.1));
+    Ok(System::new(Clamped::origin(), (track, cart, Pin, lower, Pin, upper), Free)?.with_gravity(9.81))
+}
+
+fn state_of(motion: &Motion) -> Result<State, Error> {
+    let mut state = State::zeros();
+    let (positions, rates) = state.as_mut_slice().split_at_mut(3);
+    motion.coordinates_into(positions)?;
+    motion.rates_into(rates)?;
+    Ok(state)
+}
+
+fn motion_of(scene: &Scene, state: &State) -> Result<Motion, Error> {
+    let mut motion = scene.motion();
+    motion.set_coordinates(&state.as_slice()[..3])?;
+    motion.set_rates(&state.as_slice()[3..])?;
+    Ok(motion)
+}
+
+/// A run: its states, the forces that are held over its steps (N), and what it costs.
+struct Plan {
+    states: Vec<State>,
+    forces: Vec<f64>,
+    cost: f64,
+}
+
+/// Efforts in the joints: root, track, two pins.
+fn push(force: f64) -> [f64; 4] {
+    [0.0, force, 0.0, 0.0]
+}
+
+/// What a run costs at its end, and the derivative.
+fn missed(state: &State) -> (f64, State) {
+    let weighted = AT_END.component_mul(&(state - UPRIGHT));
+    (0.5 * weighted.dot(&(state - UPRIGHT)), weighted)
+}
+
+/// Goes on from a state by forces that answer to where it is.
+fn run(scene: &Scene, start: State, steps: usize, mut force: impl FnMut(usize, &State) -> f64) -> Result<Plan, Error> {
+    let mut now = motion_of(scene, &start)?;
+    let (mut next, mut stepper) = (now, scene.stepper(Rk4));
+    let mut plan = Plan { states: vec![start], forces: vec![], cost: 0.0 };
+    for k in 0..steps {
+        let state = plan.states[k];
+        let force = force(k, &state);
+        plan.cost += 0.5 * H * (FORCE * force * force + PLACE * state[0] * state[0]);
+        plan.forces.push(force);
+        stepper.step(&now, &Loads::none().torques(push(force)), H, &mut next)?;
+        core::mem::swap(&mut now, &mut next);
+        plan.states.push(state_of(&now)?);
+    }
+    plan.cost += missed(&plan.states[steps]).0;
+    Ok(plan)
+}
+
+/// A = ∂x′/∂x and B = ∂x′/∂F of a step.
+fn linearised(scene: &Scene, state: &State, force: f64) -> Result<(Square, State), Error> {
+    let now = motion_of(scene, state)?;
+    let (mut next, mut a, mut b) = (now, [0.0; 36], [0.0; 24]);
+    scene.backward(Rk4).linearised_step(&now, H, &push(force), &mut next, &mut a, &mut b)?;
+    Ok((Square::from_row_slice(&a), State::from_fn(|row, _| b[4 * row + 1])))
+}
+
+/// Changes of the forces of a run that cost least where it is linearised, gains about it.
+fn improved(scene: &Scene, plan: &Plan, damping: f64) -> Result<Vec<(f64, RowVector6<f64>)>, Error> {
+    let (mut slope, mut bend) = (missed(&plan.states[SWING]).1, Square::from_diagonal(&AT_END));
+    let mut changes = vec![(0.0, RowVector6::zeros()); SWING];
+    for k in (0..SWING).rev() {
+        let (a, b) = linearised(scene, &plan.states[k], plan.forces[k])?;
+        let (by_force, damped) = (b.dot(&slope) + H * FORCE * plan.forces[k], bend + Square::identity() * damping);
+        let stiff = b.dot(&(damped * b)) + H * FORCE;
+        let (change, gain) = (-by_force / stiff, -(b.transpose() * damped * a) / stiff);
+        let closed = a + b * gain;
+        slope = closed.transpose() * (slope + bend * b * change)
+            + gain.transpose() * (H * FORCE * (plan.forces[k] + change));
+        slope[0] += H * PLACE * plan.states[k][0];
+        bend = closed.transpose() * bend * closed + gain.transpose() * gain * (H * FORCE);
+        bend[(0, 0)] += H * PLACE;
+        changes[k] = (change, gain);
+    }
+    Ok(changes)
+}
+
+/// Gains of a regulator at the top, where a step repeats itself.
+fn regulator(scene: &Scene) -> Result<RowVector6<f64>, Error> {
+    let ((a, b), mut bend) = (linearised(scene, &UPRIGHT, 0.0)?, Square::from_diagonal(&AT_END));
+    let mut gain = RowVector6::zeros();
+    for _ in 0..2000 {
+        gain = -(b.transpose() * bend * a) / (b.dot(&(bend * b)) + H * FORCE);
+        let closed = a + b * gain;
+        bend = closed.transpose() * bend * closed
+            + gain.transpose() * gain * (H * FORCE)
+            + Square::from_diagonal(&AT_END) * H;
+    }
+    Ok(gain)
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let (scene, clock) = (scene()?, Instant::now());
+    let start = State::new(0.0, -FRAC_PI_2, -FRAC_PI_2, 0.0, 0.0, 0.0);
+    let mut plan = run(&scene, start, SWING, |k, _| 3.0 * (0.05 * k as f64).sin())?;
+    let (mut damping, mut rows) = (1.0, vec![]);
+    let bar = ProgressBar::new(300);
+    for round in 1..=300 {
+        bar.inc(1);
+        let changes = improved(&scene, &plan, damping)?;
+        let better = (0..10).map(|halved| 0.5_f64.powi(halved)).find_map(|share| {
+            let tried = run(&scene, start, SWING, |k, state| {
+                let (change, gain) = changes[k];
+                plan.forces[k] + share * change + (gain * (state - plan.states[k]))[0]
+            });
+            tried.ok().filter(|tried| tried.cost < plan.cost).map(|tried| (share, tried))
+        });
+        let Some((share, tried)) = better else {
+            damping *= 10.0;
+            continue;
+        };
+        let done = plan.cost - tried.cost < 1e-6 * plan.cost;
+        (plan, damping) = (tried, (damping * 0.3).max(1e-8));
+        rows.push((round, plan.cost, share, missed(&plan.states[SWING]).0));
+        if done {
+            break;
+        }
+    }
+    bar.finish_and_clear();
+    println!("round         cost   share of the change   missed at the end");
+    let shown = rows.len().div_ceil(12);
+    for (i, (round, cost, share, missed)) in rows.iter().enumerate() {
+        if i % shown == 0 || i + 1 == rows.len() {
+            println!("{round:5}   {cost:10.5}   {share:19.3}   {missed:17.5}");
+        }
+    }
+    let most = plan.forces.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
+    println!("Largest force {most:.1} N, {:.1?} in all.", clock.elapsed());
+    // The upper rod is pushed on the way to standing still.
+    let gain = regulator(&scene)?;
+    let mut top = plan.states[SWING];
+    top[5] += 0.5;
+    let held = run(&scene, top, HOLD, |_, state| (gain * (state - UPRIGHT))[0])?;
+    let off = (held.states[HOLD] - UPRIGHT).amax();
+    println!(
+        "Pushed by 0.5 rad/s at the top, it is off by {off:.1e} (m, rad, m/s, rad/s) after {:.1} s.",
+        H * HOLD as f64
+    );
+    println!("Picture: {}", draw(&plan, &held)?.display());
+    Ok(())
+}
+
+fn draw(plan: &Plan, held: &Plan) -> Drawn<PathBuf> {
+    common::picture("swing_up", (760, 760), |area| {
+        let subtitle =
+            "A cart with two rods, every 0.1 s from hanging (grey) to standing (black), and the way of the tip.";
+        let area = common::heading(area, "Swing up", subtitle)?;
+        let (upper, lower) = area.split_vertically(common::pixels(464.0));
+        let mut chart = common::chart(&upper, "height (m)", "x (m)", -1.75..1.75, -1.0..1.05)?;
+        links(&mut chart, plan)?;
+        let all = || plan.states.iter().chain(&held.states[1..]).enumerate().map(|(k, state)| (k as f64 * H, state));
+        let end = H * (SWING + HOLD) as f64;
+        let range = common::range(all().flat_map(|(_, s)| [s[0], s[1] - FRAC_PI_2, s[2] - FRAC_PI_2]), 0.08);
+        let mut chart = common::chart(&lower, "from upright (rad), from the middle (m)", "time (s)", 0.0..end, range)?;
+        common::legend(&lower, &[("cart", GREEN), ("lower rod", BLUE), ("upper rod", ORANGE)])?;
+        for (i, from, colour) in [(0, 0.0, GREEN), (1, FRAC_PI_2, BLUE), (2, FRAC_PI_2, ORANGE)] {
+            common::curve(&mut chart, all().map(|(time, state)| (time, state[i] - from)), line(colour, 1.8))?;
+        }
+        Ok(())
+    })
+}
+
+/// Cart, joint between the rods, and tip (m).
+fn points(state: &State) -> Vec<(f64, f64)> {
+    let mut points = vec![(state[0], 0.0)];
+    for i in 0..2 {
+        let (x, y) = points[i];
+        points.push((x + LENGTHS[i] * state[i + 1].cos(), y + LENGTHS[i] * state[i + 1].sin()));
+    }
+    points
+}
+
+/// Cart and rods at instants of the swing, and the way of the tip.
+fn links(chart: &mut Chart, plan: &Plan) -> Drawn {
+    common::links(chart, vec![(-1.75, 0.0), (1.75, 0.0)], line(GREY, 1.0))?;
+    common::curve(chart, plan.states.iter().map(|state| points(state)[2]), line(ORANGE, 1.6))?;
+    for (k, state) in plan.states.iter().enumerate().step_by(10) {
+        let (last, points) = (k == SWING, points(state));
+        let colour = if last { INK } else { blend(FAINT, BLUE, 0.2 + 0.8 * k as f64 / SWING as f64) };
+        common::dots(chart, [points[0], points[1]], 2.5, colour)?;
+        common::links(chart, points, line(colour, if last { 3.5 } else { 1.2 }))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,233 @@
+//! The costate sweep in the plane: loads on bodies that depend on the motion.
+//!
+//! A load f, m about the inboard end I takes W_I·f + w m from the virtual power P. Its derivatives by what it reads, the place p and the
+//! velocity v of I, the angle and the rate of the body, by the numbers of the body and by its own come from jets of just these. With X, Y and
+//! F the costates of place, velocity and virtual velocity of a station, all that lies outboard of a body reads its arm d by
+//!
+//! ```text
+//! X·(p + d) + Y·(v + ω ẑ×d) + F·(W_I + w ẑ×d)
+//! ```
+
+use super::laws::ReversibleLaw;
+use crate::lift::Lift;
+use crate::loading::{Load, LoadLaw};
+use crate::mechanics::planar::axes::{Axes, Inboard};
+use crate::mechanics::planar::{
+    Acceleration, BodyMotion, ElasticHinge, Frame, Pin, Planar, PointMass, RigidBody, Rod, Slider, Turn, Weld, Wrench,
+};
+use crate::relation::Additive;
+use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
+use crate::scalar::{Jet, Scalar};
+use crate::shape::{Body, Of, Takes};
+use crate::walks::burden::Burden;
+use crate::walks::meet::Meet;
+use crate::walks::pull_loads::{LAW, PullLoads};
+use core::ops::Add;
+use nalgebra::Vector2;
+
+/// Place, velocity, angle, rate.
+const MOTION: usize = 6;
+/// Most numbers that a body is made of.
+pub(crate) const BODY: usize = 8;
+/// What a load may read.
+const READ: usize = MOTION + BODY + LAW;
+/// A number with derivatives by all that.
+type Read<T> = Jet<T, READ>;
+
+/// Costates of a station, by what loads outboard of it read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Felt<T> {
+    /// Of its place, of its velocity, of its virtual velocity.
+    pub(super) place: Vector2<T>,
+    velocity: Vector2<T>,
+    stirring: Vector2<T>,
+    /// Of angle and rate of what turns with the inboard body.
+    pub(super) turn: [T; 2],
+}
+
+impl<T: Scalar> Add for Felt<T> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self {
+            place: self.place + other.place,
+            velocity: self.velocity + other.velocity,
+            stirring: self.stirring + other.stirring,
+            turn: [self.turn[0] + other.turn[0], self.turn[1] + other.turn[1]],
+        }
+    }
+}
+
+impl<T: Scalar> Additive for Felt<T> {
+    fn null() -> Self {
+        let none = Vector2::null();
+        Self { place: none, velocity: none, stirring: none, turn: [T::zero(); 2] }
+    }
+}
+
+/// v · x, of numbers and jets.
+fn weighed<T: Scalar>(v: Vector2<T>, x: Vector2<Read<T>>) -> Read<T> {
+    Read::of(v.x) * x.x + Read::of(v.y) * x.y
+}
+
+macro_rules! bodies {
+    ($($Body:ident),*) => {$(
+        impl<T: Scalar> Takes<Planar<T>, Burden> for $Body<T> {
+            fn take(
+                &self,
+                _: &mut Burden,
+                outer: Wrench<T>,
+                (x, y, p, q, (_, load), ..): Of<'_, Planar<T>, Burden, Self>,
+            ) -> Wrench<T> {
+                let inner = self.take(&mut Meet, outer, (x, y, p, q, &(), &(), &mut ()));
+                inner - *load
+            }
+        }
+
+        impl<T: Scalar, L> Takes<Planar<T>, PullLoads<L, T>> for $Body<T>
+        where
+            L: Lift<T, Read<T>, Over: LoadLaw<BodyMotion<Read<T>>, Value: Load<Planar<Read<T>>>>>,
+        {
+            fn take(
+                &self,
+                walk: &mut PullLoads<L, T>,
+                outer: Felt<T>,
+                (.., ((frame, _), met, ()), (sums, ()), _): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
+            ) -> Felt<T> {
+                walk.body = walk.body.saturating_sub(1);
+                let mut seed = MOTION;
+                let mut next = |number| {
+                    seed += 1;
+                    Read::seed(number, seed - 1)
+                };
+                let body = self.lift(&mut next);
+                let mut seed = MOTION + BODY;
+                let mut next = |number| {
+                    seed += 1;
+                    Read::seed(number, seed - 1)
+                };
+                let law = walk.law.lift(&mut next);
+                let at = |v: Vector2<T>, first: usize| Vector2::new(Read::seed(v.x, first), Read::seed(v.y, first + 1));
+                let turn = Turn { angle: Read::seed(frame.turn.angle, 4), rate: Read::seed(frame.turn.rate, 5) };
+                let acceleration = Acceleration { linear: Vector2::null(), angular: Additive::null() };
+                let (place, velocity) = (at(frame.place, 0), at(frame.velocity, 2));
+                let (motion, _) = Body::<Planar<Read<T>>>::motion(&body, Frame { place, velocity, acceleration, turn });
+                let Wrench { force, torque } = law.at(walk.time, walk.body, &motion).wrench();
+                let w = met.stirring;
+                let arm = motion.arm.map(|x| x.re);
+                let inner = add_scaled(met.velocity, -w, normal(arm));
+                let swung = normal(motion.arm);
+                let sum = weighed(inner, force) + torque * Read::of(w)
+                    + weighed(outer.place, place + motion.arm)
+                    + weighed(outer.velocity, velocity + swung * turn.rate)
+                    + weighed(outer.stirring, swung * Read::of(w));
+                let slopes = sum.eps;
+                sums.iter_mut().zip(&slopes[MOTION..]).for_each(|(sum, slope)| *sum += *slope);
+                walk.of_law.1 = seed - MOTION - BODY;
+                walk.of_law.0.iter_mut().zip(&slopes[MOTION + BODY..]).for_each(|(sum, slope)| *sum += *slope);
+                Felt {
+                    place: Vector2::new(slopes[0], slopes[1]),
+                    velocity: Vector2::new(slopes[2], slopes[3]),
+                    stirring: outer.stirring + force.map(|x| x.re),
+                    turn: [outer.turn[0] + slopes[4], outer.turn[1] + slopes[5]],
+                }
+            }
+        }
+    )*};
+}
+bodies!(Rod, RigidBody, PointMass);
+
+/// Joints with one coordinate: what they eliminate of a costate they eliminate of a load.
+macro_rules! joints {
+    ($([$($L:ident)?] $Joint:ty),*) => {$(
+        impl<T: Scalar $(, $L: ReversibleLaw<T>)?> Takes<Planar<T>, Burden> for $Joint {
+            fn take(
+                &self,
+                _: &mut Burden,
+                outer: Wrench<T>,
+                (x, y, p, q, (), gain, pivot): Of<'_, Planar<T>, Burden, Self>,
+            ) -> Wrench<T> {
+                let mut more = T::zero();
+                let inner = self.take(&mut Meet, outer, (x, y, p, q, gain, pivot, &mut more));
+                gain.free += more;
+                inner
+            }
+        }
+    )*};
+}
+joints!([] Pin, [R] ElasticHinge<R>, [R] Slider<T, R>);
+
+impl<T: Scalar> Takes<Planar<T>, Burden> for Weld<T> {
+    fn take(&self, _: &mut Burden, outer: Wrench<T>, _: Of<'_, Planar<T>, Burden, Self>) -> Wrench<T> {
+        outer
+    }
+}
+
+impl<T: Scalar, L> Takes<Planar<T>, PullLoads<L, T>> for Pin {
+    fn take(
+        &self,
+        _: &mut PullLoads<L, T>,
+        outer: Felt<T>,
+        (.., (of_position, of_rate)): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
+    ) -> Felt<T> {
+        *of_position += outer.turn[0];
+        *of_rate += outer.turn[1];
+        Felt { turn: [T::zero(); 2], ..outer }
+    }
+}
+
+impl<T: Scalar, L> Takes<Planar<T>, PullLoads<L, T>> for Weld<T> {
+    fn take(
+        &self,
+        _: &mut PullLoads<L, T>,
+        outer: Felt<T>,
+        (.., (_, sums), _): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
+    ) -> Felt<T> {
+        sums[0] += outer.turn[0];
+        outer
+    }
+}
+
+impl<T: Scalar, L, R: ReversibleLaw<T>> Takes<Planar<T>, PullLoads<L, T>> for ElasticHinge<R> {
+    fn take(
+        &self,
+        _: &mut PullLoads<L, T>,
+        outer: Felt<T>,
+        (.., (of_position, of_rate)): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
+    ) -> Felt<T> {
+        *of_position += outer.turn[0];
+        *of_rate += outer.turn[1];
+        outer
+    }
+}
+
+impl<T: Scalar, L, R: ReversibleLaw<T>> Takes<Planar<T>, PullLoads<L, T>> for Slider<T, R> {
+    /// The arm s e of the inboard body, whose rate is ω ẑ×d + ṡ e, and whose virtual velocity w ẑ×d + w_s e.
+    fn take(
+        &self,
+        _: &mut PullLoads<L, T>,
+        outer: Felt<T>,
+        (x, y, p, q, (_, rate, w), (.., kept), (_, sums), (of_position, of_rate)): Of<
+            '_,
+            Planar<T>,
+            PullLoads<L, T>,
+            Self,
+        >,
+    ) -> Felt<T> {
+        let offset = Inboard::offset(x, y, p, q);
+        let (line, d, turning) = (offset.direction, offset.arm, kept.turning);
+        let (beside, n) = (normal(line), normal(d));
+        let Felt { place, velocity, stirring, turn } = outer;
+        *of_position += plus_dot(
+            turning.rate.mul_add(dot(beside, velocity), turning.stirring * dot(beside, stirring)),
+            line,
+            place,
+        );
+        *of_rate += dot(line, velocity);
+        // ẑ× of the arm, of its rate and of its virtual velocity.
+        let rates = add_scaled(beside * *rate, -turning.rate, d);
+        let stirred = add_scaled(beside * *w, -turning.stirring, d);
+        let turned = plus_dot(plus_dot(dot(n, place), rates, velocity), stirred, stirring);
+        sums[0] += turned;
+        Felt { turn: [turn[0] + turned, turn[1] + dot(n, velocity)], ..outer }
+    }
+}

@@ -1,0 +1,139 @@
+//! The costate sweep in the plane: what a joint that slides does.
+//!
+//! The outboard point O is at s along e of the inboard body, turned by θ; d = s e, n = s e⊥, e⊥ = ẑ × e. With
+//!
+//! ```text
+//! A_O = A_I + α n − ω² d + 2 ω ṡ e⊥ + s̈ e        W_O = W_I + w n + w_s e
+//! ```
+//!
+//! and the point mass μ at O, G and F at O those of μ included,
+//!
+//! ```text
+//! θ̄ = (α d + ω² n)·G + w d·F + (2 ω ṡ e − s̈ e⊥)·G − w_s e⊥·F         ω̄ = 2 ω d·G − 2 ṡ e⊥·G
+//! s̄ = −(α e⊥ − ω² e)·G − w e⊥·F        ṡ̄ = −2 ω e⊥·G        μ̄ = −A_O·W_O        τ̄ = w_s
+//! ```
+//!
+//! and the direction of the line has θ̄ of these.
+
+use super::laws::ReversibleLaw;
+use super::{Kind, Outboard, Pulled, Stirred};
+use crate::mechanics::planar::axes::{Axes, Inboard, across};
+use crate::mechanics::planar::{Acceleration, Planar, Slider, Wrench};
+use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
+use crate::relation::planar::along;
+use crate::scalar::Scalar;
+use crate::shape::{Of, Takes};
+use crate::walks::factor::Factor;
+use crate::walks::meet::Meet;
+use crate::walks::pull_back::PullBack;
+use crate::walks::reach::Reach;
+use crate::walks::stir::Stir;
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Factor> for Slider<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Factor,
+        outer: Outboard<T>,
+        (x, y, p, q, (position, rate), force, gain, pivot): Of<'_, Planar<T>, Factor, Self>,
+    ) -> Outboard<T> {
+        let offset = Inboard::offset(x, y, p, q);
+        let linear = outer.relation.linear.along(offset.direction);
+        *pivot = (linear.xx + self.lumped).recip();
+        let force = *force + self.spring.force(*position, *rate);
+        let relation = self.loosen(outer.relation, offset, force, T::zero(), gain);
+        Outboard { kind: Kind::Rigid, relation }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Reach> for Slider<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Reach,
+        inner: Acceleration<T>,
+        (x, y, p, q, gain, acceleration, (_, reached)): Of<'_, Planar<T>, Reach, Self>,
+    ) -> Acceleration<T> {
+        let offset = Inboard::offset(x, y, p, q);
+        let carried = inner.shifted(offset.arm, offset.acceleration);
+        *acceleration = gain.relative(along(carried.linear, offset.direction), carried.angular, &());
+        *reached = add_scaled(carried.linear, *acceleration, offset.direction);
+        Acceleration { linear: *reached, ..carried }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Meet> for Slider<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Meet,
+        outer: Wrench<T>,
+        (x, y, p, q, gain, pivot, costate): Of<'_, Planar<T>, Meet, Self>,
+    ) -> Wrench<T> {
+        let offset = Inboard::offset(x, y, p, q);
+        let left = *costate - dot(offset.direction, outer.force);
+        *costate = left * *pivot;
+        let force = add_scaled(outer.force, -left, across(gain.per_acceleration, offset.direction));
+        let torque = (-left).mul_add(gain.per_angular, outer.torque);
+        Wrench { force, torque: plus_dot(torque, normal(offset.arm), force) }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Stir> for Slider<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Stir,
+        inner: Stirred<T>,
+        (x, y, p, q, gain, (_, _, free), (_, kept), force): Of<'_, Planar<T>, Stir, Self>,
+    ) -> Stirred<T> {
+        let offset = Inboard::offset(x, y, p, q);
+        let carried = inner.velocity.swung(offset.arm);
+        let w = *free + gain.homogeneous().relative(along(carried.linear, offset.direction), carried.angular, &());
+        *free = w;
+        *force += w;
+        kept.turning = inner.turning;
+        kept.velocity = add_scaled(carried.linear, w, offset.direction);
+        Stirred { velocity: Acceleration { linear: kept.velocity, ..carried }, ..inner }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for Slider<T, L> {
+    fn take(
+        &self,
+        _: &mut PullBack,
+        outer: Pulled<T>,
+        (x, y, p, q, (position, rate, acceleration, w), (_, a, _, kept, _), (_, sums), (of_position, of_rate)): Of<
+            '_,
+            Planar<T>,
+            PullBack,
+            Self,
+        >,
+    ) -> Pulled<T> {
+        let offset = Inboard::offset(x, y, p, q);
+        let (line, d, turning) = (offset.direction, offset.arm, kept.turning);
+        let (beside, n, two) = (normal(line), normal(d), T::one() + T::one());
+        let momentum = add_scaled(outer.momentum, self.lumped, kept.velocity);
+        let force = add_scaled(outer.force, self.lumped, *a);
+        // Along the line and beside it.
+        let (along_line, pull, push) = (dot(line, momentum), dot(beside, momentum), dot(beside, force));
+        let spin2 = turning.rate * turning.rate;
+        let twice = two * turning.rate;
+        let of_law = self.spring.pull_back(*position, *rate, *w, &mut sums[2..]);
+        *of_position = of_law[0] + spin2 * along_line - turning.acceleration * pull - turning.stirring * push;
+        *of_rate = of_law[1] - twice * pull;
+        let line_turns = [twice * *rate * along_line - *acceleration * pull - *w * push, -(two * *rate * pull)];
+        let arm = Pulled {
+            momentum,
+            force,
+            along: dot(d, momentum),
+            across: dot(n, momentum),
+            lever: dot(d, force),
+            beyond: Some(line_turns),
+        };
+        sums[0] += arm.turned(turning)[0];
+        sums[1] -= dot(*a, kept.velocity);
+        // G and F are those at the line; the sums are of the body inboard and outboard of it.
+        outer.turning_alone() + arm
+    }
+}

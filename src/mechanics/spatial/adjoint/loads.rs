@@ -1,0 +1,31 @@
+//! The costate sweep in space: no loads on bodies, for which these walks have nothing to do.
+
+use crate::adjoint::laws::ReversibleLaw;
+use crate::mechanics::spatial::{Ball, PointMass, Revolute, RigidBody, Rod, Spatial, Weld, Wrench};
+use crate::relation::Absent;
+use crate::scalar::Scalar;
+use crate::shape::{Of, Takes};
+use crate::walks::burden::Burden;
+use crate::walks::pull_loads::PullLoads;
+
+macro_rules! unloaded {
+    ($([$($L:ident)?] $Element:ty),*) => {$(
+        impl<T: Scalar, $($L: ReversibleLaw<T>)?> Takes<Spatial<T>, Burden> for $Element {
+            fn take(&self, _: &mut Burden, outer: Wrench<T>, _: Of<'_, Spatial<T>, Burden, Self>) -> Wrench<T> {
+                outer
+            }
+        }
+
+        impl<T: Scalar, $($L: ReversibleLaw<T>)?> Takes<Spatial<T>, PullLoads<Absent, T>> for $Element {
+            fn take(
+                &self,
+                _: &mut PullLoads<Absent, T>,
+                outer: Absent,
+                _: Of<'_, Spatial<T>, PullLoads<Absent, T>, Self>,
+            ) -> Absent {
+                outer
+            }
+        }
+    )*};
+}
+unloaded!([] Rod<T>, [] RigidBody<T>, [] PointMass<T>, [] Ball, [] Weld<T>, [L] Revolute<T, L>);

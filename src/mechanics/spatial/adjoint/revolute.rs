@@ -1,0 +1,158 @@
+//! The costate sweep in space: what revolute joints do.
+//!
+//! With s the axis and ω, α, w those of the outboard body, of which ω_I + s q̇, α_I + s q̈ + ω_I × s q̇ and w_I + s q̇_w are made,
+//!
+//! ```text
+//! q̄ = s·(Θ + w × M + α × H + ω × Ω)        q̇⁻ = −[s·Ω + (ω × s)·H]        τ̄ = q̇_w        then Ω ← Ω + (s q̇) × H
+//! ```
+//!
+//! and what a spring or damper does is that of a torque.
+//!
+//! An axis that turns by θ in the inboard body turns all that lies outboard with it, and beyond the joint back by the same numbers in axes of
+//! the outboard body. With Θ_O the bracket above and Θ_I what it is inboard of the joint, where motions are ω_I, α_I and w_I,
+//!
+//! ```text
+//! Θ_I = Θ_O − s × X        X = q̇_w M + q̈ H + q̇ (Ω − ω_I × H)
+//! ```
+//!
+//! The difference v of both, each in axes of its body, is across the axis. With a column e of the bodies' axes that is not along s, e_I and
+//! e_O in inertial axes, u = e_I − e_O, and Y = X × s,
+//!
+//! ```text
+//! v·e = e_I·Θ_I − e_O·Θ_O = u·Θ_O + e_I·Y        v·(s × e) = u·(Θ_O × s) + e_I·(Y × s)
+//! ```
+
+use super::{Outboard, Pulled, Stirred, Turning};
+use crate::adjoint::laws::ReversibleLaw;
+use crate::element::Element;
+use crate::mechanics::spatial::{Acceleration, Revolute, Spatial, Turn, Wrench};
+use crate::relation::Absent;
+use crate::relation::spatial::Way;
+use crate::relation::spatial::algebra::{add_scaled, cross, dot, dot_onto};
+use crate::scalar::Scalar;
+use crate::shape::{Of, Takes};
+use crate::walks::factor::Factor;
+use crate::walks::meet::Meet;
+use crate::walks::orient::Orient;
+use crate::walks::pull_back::PullBack;
+use crate::walks::reach::Reach;
+use crate::walks::stir::Stir;
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Factor> for Revolute<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Factor,
+        outer: Outboard<T>,
+        (axes, bias, .., (angle, rate), torque, [gain], pivot): Of<'_, Spatial<T>, Factor, Self>,
+    ) -> Outboard<T> {
+        let axis = axes.x;
+        // The same quotient as in the elimination: it is formed once.
+        pivot.factor.set_number(dot(axis, outer.relation.angular.apply(axis)).recip());
+        let (relation, found) =
+            outer.relation.released(Way::Turn, axis, torque.0[0] + self.law.force(*angle, *rate), Absent);
+        *gain = found;
+        Outboard::rigid(relation.turning(bias[1]))
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Reach> for Revolute<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Reach,
+        inner: Acceleration<T>,
+        (axes, bias, .., [gain], acceleration, _): Of<'_, Spatial<T>, Reach, Self>,
+    ) -> Acceleration<T> {
+        let angular = inner.angular + bias[1];
+        *acceleration = gain.acceleration(inner.linear, angular, &());
+        Acceleration { angular: add_scaled(angular, *acceleration, axes.x), ..inner }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Meet> for Revolute<T, L> {
+    /// Δ q̇_w + U · (W, w_I) + s · m = λ, with q̇_w = free + gain · (W, w_I).
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Meet,
+        outer: Wrench<T>,
+        (axes, .., [gain], pivot, costate): Of<'_, Spatial<T>, Meet, Self>,
+    ) -> Wrench<T> {
+        let left = *costate - dot(axes.x, outer.torque);
+        *costate = left * pivot.factor.number();
+        Wrench {
+            force: add_scaled(outer.force, -left, gain.per_linear),
+            torque: add_scaled(outer.torque, -left, gain.per_angular),
+        }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Stir> for Revolute<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Stir,
+        Stirred { velocity, turning: inner }: Stirred<T>,
+        (axes, bias, .., [gain], (rate, acceleration, free), ((), kept), torque): Of<'_, Spatial<T>, Stir, Self>,
+    ) -> Stirred<T> {
+        let axis = axes.x;
+        let own = dot_onto(gain.per_linear, velocity, dot_onto(gain.per_angular, inner.stirring, *free));
+        torque.0[0] += own;
+        *free = own;
+        let turning = Turning {
+            spin: add_scaled(inner.spin, *rate, axis),
+            acceleration: add_scaled(inner.acceleration + bias[1], *acceleration, axis),
+            stirring: add_scaled(inner.stirring, own, axis),
+        };
+        *kept = turning;
+        Stirred { velocity, turning }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut PullBack,
+        outer: Pulled<T>,
+        (axes, .., (angle, rate, acceleration, own), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
+            '_,
+            Spatial<T>,
+            PullBack,
+            Self,
+        >,
+    ) -> Pulled<T> {
+        let axis = axes.x;
+        let (turning, turned) = (*kept, outer.turned(*kept));
+        let [of_angle, of_speed] = self.law.pull_back(*angle, *rate, *own, &mut sums.law);
+        *of_position = of_angle + dot(axis, turned);
+        let beside = cross(axis, outer.angular);
+        *of_rate = of_speed - dot_onto(axis, outer.spin, dot(turning.spin, beside));
+        let spin = add_scaled(outer.spin, *rate, beside);
+        // Turns of the axis: Ω − ω_I × H = Ω + q̇ s × H − ω × H.
+        let x = add_scaled(outer.torque * *own, *acceleration, outer.angular);
+        let x = add_scaled(x, *rate, spin - cross(turning.spin, outer.angular));
+        let (inboard, apart) = (axes.y, axes.y - axes.z);
+        let y = cross(x, axis);
+        sums.turn.x += dot_onto(apart, turned, dot(inboard, y));
+        sums.turn.y += dot_onto(apart, cross(turned, axis), dot(inboard, cross(y, axis)));
+        Pulled { spin, ..outer }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Orient> for Revolute<T, L> {
+    /// Stores e in inertial axes as well, as either body turns it.
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Orient,
+        turn: Turn<T>,
+        (position, rate, x, y, p, q): Of<'_, Spatial<T>, Orient, Self>,
+    ) -> Turn<T> {
+        let outboard = self.orient(position, rate, turn, x, y, p, q);
+        let (inner, outer) = (&turn.attitude, &outboard.attitude);
+        (x.y, x.z) = self.aside((inner.x, outer.x), (inner.y, outer.y));
+        outboard
+    }
+}

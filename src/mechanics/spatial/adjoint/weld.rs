@@ -1,0 +1,68 @@
+//! The costate sweep in space: what welds do.
+
+use super::{Outboard, Pulled, Stirred};
+use crate::element::Element;
+use crate::mechanics::spatial::{Acceleration, Spatial, Turn, Weld, Wrench};
+use crate::scalar::Scalar;
+use crate::shape::{Of, Takes};
+use crate::walks::factor::Factor;
+use crate::walks::meet::Meet;
+use crate::walks::orient::Orient;
+use crate::walks::pull_back::PullBack;
+use crate::walks::reach::Reach;
+use crate::walks::stir::Stir;
+
+impl<T: Scalar> Takes<Spatial<T>, Orient> for Weld<T> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Orient,
+        turn: Turn<T>,
+        (position, rate, x, y, p, q): Of<'_, Spatial<T>, Orient, Self>,
+    ) -> Turn<T> {
+        self.orient(position, rate, turn, x, y, p, q)
+    }
+}
+
+impl<T: Scalar> Takes<Spatial<T>, Factor> for Weld<T> {
+    #[inline(always)]
+    fn take(&self, _: &mut Factor, outer: Outboard<T>, _: Of<'_, Spatial<T>, Factor, Self>) -> Outboard<T> {
+        outer
+    }
+}
+
+impl<T: Scalar> Takes<Spatial<T>, Reach> for Weld<T> {
+    #[inline(always)]
+    fn take(&self, _: &mut Reach, inner: Acceleration<T>, _: Of<'_, Spatial<T>, Reach, Self>) -> Acceleration<T> {
+        inner
+    }
+}
+
+impl<T: Scalar> Takes<Spatial<T>, Meet> for Weld<T> {
+    #[inline(always)]
+    fn take(&self, _: &mut Meet, outer: Wrench<T>, _: Of<'_, Spatial<T>, Meet, Self>) -> Wrench<T> {
+        outer
+    }
+}
+
+impl<T: Scalar> Takes<Spatial<T>, Stir> for Weld<T> {
+    #[inline(always)]
+    fn take(&self, _: &mut Stir, inner: Stirred<T>, (.., ((), kept), _): Of<'_, Spatial<T>, Stir, Self>) -> Stirred<T> {
+        *kept = inner.turning;
+        inner
+    }
+}
+
+impl<T: Scalar> Takes<Spatial<T>, PullBack> for Weld<T> {
+    /// The attitude of a weld turns all that has been met since the last balls, but not the motion of the body that it begins with.
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut PullBack,
+        outer: Pulled<T>,
+        (attitude, .., (.., kept, _), (_, sums), _): Of<'_, Spatial<T>, PullBack, Self>,
+    ) -> Pulled<T> {
+        sums.turn = attitude.transposed_onto(outer.turned(*kept), sums.turn);
+        outer
+    }
+}

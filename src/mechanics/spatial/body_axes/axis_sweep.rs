@@ -1,0 +1,120 @@
+//! Joints in body axes in a sweep: what they store on the way outward, what they eliminate on the way inward.
+
+use super::axis::{Armature, Axis, Bearing, Mode};
+use super::number::{Number, values};
+use super::relation::{Gains, Outboard};
+use super::standing::Standing;
+use super::turns::Offset;
+use crate::element::{Condense, Element, Given, InJoint, Posture, Springs, Sweep};
+use crate::mechanics::spatial::spring::PivotRule;
+use crate::mechanics::spatial::{Drive, Spatial, Turn};
+use crate::relation::spatial::algebra::Columns;
+use crate::relation::{Open, Term};
+use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
+use nalgebra::Vector3;
+
+impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Armature<T>, B: Bearing> Element<Spatial<T>>
+    for Axis<T, M, C, PLACE, L, A, B>
+{
+    type Position = T;
+    type Rate = T;
+
+    const ABSOLUTE: bool = false;
+
+    fn lump(&mut self, _: T) -> T {
+        T::zero() // links hand on none
+    }
+    #[inline(always)]
+    fn turned(&self, position: &T, rate: &T, turn: Turn<T>) -> Turn<T> {
+        Turn { spin: Vector3::from(self.spun(self.stand(*position), *rate, turn.spin.into())), ..turn }
+    }
+    #[inline(always)]
+    fn orient(
+        &self,
+        position: &T,
+        rate: &T,
+        turn: Turn<T>,
+        x: &mut Columns<T>,
+        y: &mut [Vector3<T>; 2],
+        _: &mut Vector3<T>,
+        _: &mut Vector3<T>,
+    ) -> Turn<T> {
+        if const { !M::TURNS } {
+            [x.x.x, x.x.y] = self.stand(*position);
+        }
+        let stand = [x.x.x, x.x.y];
+        if const { PLACE & 7 != 0 } {
+            y[0] = Vector3::from(values(self.swung(turn.spin.into())));
+        }
+        let spin = self.spun(stand, *rate, turn.spin.into());
+        let bias = self.bias(stand, *rate, spin);
+        (y[1].x, y[1].y) = (bias[0], bias[1]);
+        if const { !M::TURNS } {
+            y[1].z = bias[2];
+        }
+        Turn { spin: Vector3::from(spin), ..turn }
+    }
+    #[inline(always)]
+    fn resolve((): &(), _: &mut Columns<T>, _: &mut [Vector3<T>; 2], _: &mut Vector3<T>, _: &mut Vector3<T>) {}
+}
+
+impl<T, M, C, const PLACE: u8, L, A, B, R, W> Condense<Spatial<T>, R, W> for Axis<T, M, C, PLACE, L, A, B>
+where
+    T: Scalar,
+    M: Mode,
+    C: Offset<T>,
+    L: SpringLaw<T>,
+    A: Armature<T>,
+    B: Bearing,
+    R: Outboard<T>,
+    W: Sweep<Spatial<T>, Springs: PivotRule<T>, Closures = Open>,
+    InJoint<Spatial<T>, W>: Drive<T>,
+{
+    type Out = B::Relation<T>;
+
+    #[inline(always)]
+    fn condense(
+        &self,
+        outer: R,
+        posture: Posture<'_, Spatial<T>, Self>,
+        given: Given<'_, Spatial<T>, Self, W>,
+        kept: &mut Gains<T>,
+    ) -> B::Relation<T> {
+        // Laws that are not linear are read where the last sweep has led.
+        let stiff = const { <W::Springs as Springs<T>>::STIFF };
+        let follows = const { !L::LINEAR && <W::Springs as Springs<T>>::STIFF };
+        let (position, rate) = match follows {
+            true => (*given.reading.position, *given.reading.rate),
+            false => (*given.position, *given.rate),
+        };
+        let mut effort = given.in_joints.onto(0, self.law.force(position, rate));
+        let mut more = self.inertia();
+        if stiff {
+            let stiffness = given.springs.stiffness(|springs| self.law.pivot(position, rate, springs));
+            let stiffness = stiffness.add_to(T::zero());
+            if follows {
+                effort = stiffness.mul_add(*given.reading.acceleration, effort);
+            }
+            more = more.plus(Number::of(stiffness));
+        }
+        let stiffened = const { A::ON || <W::Springs as Springs<T>>::STIFF };
+        let (stand, [swung, bias]) = Self::posture(posture.x, posture.y);
+        let relation = outer.sparse();
+        let relation = if const { M::TURNS } {
+            let (relation, gains) = relation.hinged(effort, more, [bias[0].value(), bias[1].value()]);
+            kept.set(gains, true, stiffened);
+            relation.turned_about_z(stand[0], stand[1])
+        } else {
+            let (relation, gains) = relation.slid(effort, more, values(bias));
+            kept.set(gains, false, stiffened);
+            let o = Number::zero();
+            relation.shifted([o, o, Number::of(stand[1])], [o; 3])
+        };
+        let (turn, arm, swung) = (self.offset.rows(), self.arm(), Self::known_swung(swung));
+        B::relation(
+            #[inline(always)]
+            || relation.turned(&turn).shifted(arm, swung).dense(),
+        )
+    }
+}

@@ -1,0 +1,262 @@
+//! A rigid body in its own axes.
+
+use super::number::{Number, Triangle, Triple, apply_onto, cross_onto, masked, more, rows, triangle, triple, values};
+use super::relation::{Alone, Local};
+use super::through::Solid;
+use crate::counts::Counted;
+use crate::element::{Condense, Element, Given, Loading, Posture, Sweep};
+use crate::error::Fault;
+use crate::lift::Lift;
+use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
+use crate::relation::Absent;
+use crate::relation::spatial::Empty;
+use crate::relation::spatial::algebra::{Columns, zero};
+use crate::scalar::{Real, Scalar};
+use crate::shape::PostureOf;
+use nalgebra::Vector3;
+use num_traits::Zero;
+use typenum::{U0, U1};
+
+/// A rigid body of a robot. Its axes start at the joint that carries it, z along the axis of that joint; other joints sit on it wherever
+/// they say, so that it has no outboard end of its own.
+///
+/// `MOMENT` and `TENSOR` say which numbers are there: of the mass centre x, y, z (bits 0 to 2), of the inertia tensor *about the origin*
+/// xx, yy, zz, yz, xz, xy (bits 0 to 5). What is not there is zero and costs nothing; the defaults leave everything there.
+///
+/// ```
+/// use catena::robot::Link;
+/// // Mass (kg), mass centre (m), inertia tensor about it (kg·m²).
+/// let plain = Link::general(4.0, [0.0, 0.03, 0.12], [[0.1, 0.0, 0.0], [0.0, 0.09, 0.0], [0.0, 0.0, 0.02]]);
+/// // The same: of σ = m r_C only y and z are there, of J all moments and the product yz.
+/// let link = Link::<f64, 0b110, 0b1111>::new(4.0, [0.0, 0.03, 0.12], [[0.1, 0.0, 0.0], [0.0, 0.09, 0.0], [0.0, 0.0, 0.02]]);
+/// assert_eq!(link.inertia(), plain.inertia());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Link<T, const MOMENT: u8 = 7, const TENSOR: u8 = 63> {
+    inertia: Inertia<T>,
+    /// m r_C (kg·m).
+    moment: [T; 3],
+    /// About the origin (kg·m²): xx, yy, zz, yz, xz, xy.
+    tensor: [T; 6],
+}
+
+impl<T: Scalar> Link<T> {
+    /// A body of which nothing is known to be zero: mass (kg), mass centre (m), inertia tensor about it (kg·m²).
+    pub fn general(mass: T, centre: [T; 3], about_centre: [[T; 3]; 3]) -> Self {
+        Self::new(mass, centre, about_centre)
+    }
+}
+
+impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
+    /// Mass (kg), mass centre (m), inertia tensor about it (kg·m²). What the masks leave out must be zero but for rounding:
+    /// [`System::new`](crate::system::System::new) refuses other bodies.
+    pub fn new(mass: T, centre: [T; 3], about_centre: [[T; 3]; 3]) -> Self {
+        let inertia = Inertia { mass, centre, about_centre };
+        let about = inertia.about_inboard();
+        let tensor = [about.xx, about.yy, about.zz, about.yz, about.xz, about.xy];
+        Self { inertia, moment: centre.map(|x| x * mass), tensor }
+    }
+
+    /// Mass, mass centre and inertia tensor about it.
+    pub fn inertia(&self) -> Inertia<T> {
+        self.inertia
+    }
+
+    /// m r_C (kg·m), with what is known.
+    #[inline(always)]
+    fn first_moment(&self) -> Triple<T> {
+        masked(MOMENT, self.moment)
+    }
+
+    /// J about the origin (kg·m²), with what is known.
+    #[inline(always)]
+    fn about_origin(&self) -> Triangle<T> {
+        triangle(TENSOR, self.tensor)
+    }
+
+    /// Force ω × (ω × σ) (N) and torque ω × J ω (N·m) about the origin that the angular velocity takes.
+    #[inline(always)]
+    fn stirred(&self, spin: [T; 3]) -> [[T; 3]; 2] {
+        let [x, y, z] = spin;
+        let (xx, yy, zz) = (x * x, y * y, z * z);
+        let (yz, xz, xy) = (Number::of(y * z), Number::of(x * z), Number::of(x * y));
+        let o = [Number::zero(); 3];
+        let force = apply_onto(&swirl(spin), self.first_moment(), o);
+        let [jxx, jyy, jzz, jyz, jxz, jxy] = self.about_origin();
+        // (ω × J ω)_x = (J_zz − J_yy) yz + J_yz (yy − zz) + J_xz xy − J_xy xz, and so on around.
+        let torque = [
+            around(jzz.minus(jyy), yz, jyz, yy - zz, [jxz, xy], [jxy, xz]),
+            around(jxx.minus(jzz), xz, jxz, zz - xx, [jxy, yz], [jyz, xy]),
+            around(jyy.minus(jxx), xy, jxy, xx - yy, [jyz, xz], [jxz, yz]),
+        ];
+        [values(force), values(torque)]
+    }
+
+    #[inline(always)]
+    fn alone(&self, [force, torque]: [[T; 3]; 2]) -> Alone<T, MOMENT, TENSOR> {
+        Alone { mass: self.inertia.mass, moment: self.moment, tensor: self.tensor, force, torque }
+    }
+}
+
+/// One component of ω × J ω.
+#[inline(always)]
+fn around<T: Scalar>(
+    moments: Number<T>,
+    product: Number<T>,
+    own: Number<T>,
+    squares: T,
+    [plus, with]: [Number<T>; 2],
+    [minus, by]: [Number<T>; 2],
+) -> Number<T> {
+    let sum = own.times_onto(Number::of(squares), moments.times(product));
+    minus.times_off(by, plus.times_onto(with, sum))
+}
+
+/// ω ωᵀ − ω² 1: what takes a place on a body to its centripetal acceleration.
+#[inline(always)]
+pub(crate) fn swirl<T: Scalar>([x, y, z]: [T; 3]) -> super::number::Rows<T> {
+    let (xx, yy, zz) = (x * x, y * y, z * z);
+    let (yz, xz, xy) = (Number::of(y * z), Number::of(x * z), Number::of(x * y));
+    [[Number::of(-(yy + zz)), xy, xz], [xy, Number::of(-(xx + zz)), yz], [xz, yz, Number::of(-(xx + yy))]]
+}
+
+impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Solid<T> for Link<T, MOMENT, TENSOR> {
+    #[inline(always)]
+    fn mass(&self) -> T {
+        self.inertia.mass
+    }
+    #[inline(always)]
+    fn moment(&self) -> Triple<T> {
+        self.first_moment()
+    }
+    #[inline(always)]
+    fn tensor(&self) -> Triangle<T> {
+        self.about_origin()
+    }
+    #[inline(always)]
+    fn gyroscopic(&self, spin: [T; 3]) -> [Triple<T>; 2] {
+        let [force, torque] = self.stirred(spin);
+        [if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(force) }, triple(torque)]
+    }
+    #[inline(always)]
+    fn resisted(&self, [a, angular]: [Triple<T>; 2], [force, torque]: [Triple<T>; 2]) -> [Triple<T>; 2] {
+        let (moment, mass) = (self.first_moment(), Number::of(self.inertia.mass));
+        let force = cross_onto(angular, moment, more(force, mass, a));
+        [force, cross_onto(moment, a, apply_onto(&rows(&self.about_origin()), angular, torque))]
+    }
+}
+
+impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> crate::shape::Body<Spatial<T>> for Link<T, MOMENT, TENSOR> {
+    fn size(&self) {}
+    #[inline(always)]
+    fn shifted(&self, inboard: Acceleration<T>, _: PostureOf<'_, Spatial<T>>) -> Acceleration<T> {
+        inboard
+    }
+    #[inline(always)]
+    fn swung(&self, inboard: Acceleration<T>, _: PostureOf<'_, Spatial<T>>) -> Acceleration<T> {
+        inboard
+    }
+    #[inline(always)]
+    fn motion(&self, inboard: Frame<T>) -> (BodyMotion<T>, Frame<T>) {
+        let inertia = self.inertia;
+        let to_centre = inboard.turn.attitude.apply(Vector3::from(inertia.centre));
+        (BodyMotion { inboard, arm: zero(), to_centre, inertia }, inboard)
+    }
+    fn check(&self) -> Result<(), Fault> {
+        self.inertia.check()?;
+        let left_out = |mask: u8, list: &[T]| {
+            let most = list.iter().fold(T::Real::zero(), |most, x| x.real().abs().max(most));
+            let slack = most * T::Real::EPSILON * T::Real::of(64.0); // rounding of what makes them
+            list.iter().enumerate().all(|(bit, x)| mask >> bit & 1 == 1 || x.real().abs() <= slack)
+        };
+        if !left_out(MOMENT, &self.moment) {
+            return Err(Fault::NotZero { parameter: "mass centre, where its mask says so" });
+        }
+        if !left_out(TENSOR, &self.tensor) {
+            return Err(Fault::NotZero { parameter: "inertia tensor, where its mask says so" });
+        }
+        Ok(())
+    }
+}
+
+crate::shape::leaf!(body [T: Scalar, const MOMENT: u8, const TENSOR: u8] Link<T, MOMENT, TENSOR>: Spatial<T>);
+
+impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Element<Spatial<T>> for Link<T, MOMENT, TENSOR> {
+    type Position = ();
+    type Rate = ();
+
+    const ABSOLUTE: bool = false;
+
+    fn lump(&mut self, _: T) -> T {
+        T::zero() // joints on it have none to hand on
+    }
+    #[inline(always)]
+    fn orient(
+        &self,
+        _: &(),
+        _: &(),
+        turn: Turn<T>,
+        _: &mut Columns<T>,
+        y: &mut [Vector3<T>; 2],
+        _: &mut Vector3<T>,
+        _: &mut Vector3<T>,
+    ) -> Turn<T> {
+        let [force, torque] = self.stirred(turn.spin.into());
+        y[1] = Vector3::from(torque);
+        if const { MOMENT & 7 != 0 } {
+            y[0] = Vector3::from(force);
+        }
+        turn
+    }
+    #[inline(always)]
+    fn resolve((): &(), _: &mut Columns<T>, _: &mut [Vector3<T>; 2], _: &mut Vector3<T>, _: &mut Vector3<T>) {}
+}
+
+impl<T, const MOMENT: u8, const TENSOR: u8> Counted for Link<T, MOMENT, TENSOR> {
+    type Bodies = U1;
+    type Freedoms = U0;
+}
+
+impl<T: Scalar, const MOMENT: u8, const TENSOR: u8, W> Condense<Spatial<T>, Empty, W> for Link<T, MOMENT, TENSOR>
+where
+    W: Sweep<Spatial<T>, Loads: Loading<Spatial<T>, OnBody = Absent>>,
+{
+    type Out = Alone<T, MOMENT, TENSOR>;
+
+    #[inline(always)]
+    fn condense(
+        &self,
+        _: Empty,
+        posture: Posture<'_, Spatial<T>, Self>,
+        _: Given<'_, Spatial<T>, Self, W>,
+        (): &mut (),
+    ) -> Self::Out {
+        self.alone([posture.y[0].into(), posture.y[1].into()])
+    }
+}
+
+impl<T: Scalar, const MOMENT: u8, const TENSOR: u8, W> Condense<Spatial<T>, Local<T>, W> for Link<T, MOMENT, TENSOR>
+where
+    W: Sweep<Spatial<T>, Loads: Loading<Spatial<T>, OnBody = Absent>>,
+{
+    type Out = Local<T>;
+
+    #[inline(always)]
+    fn condense(
+        &self,
+        outer: Local<T>,
+        posture: Posture<'_, Spatial<T>, Self>,
+        _: Given<'_, Spatial<T>, Self, W>,
+        (): &mut (),
+    ) -> Local<T> {
+        outer.with(self.alone([posture.y[0].into(), posture.y[1].into()]))
+    }
+}
+
+impl<T: Scalar, U: Scalar, const MOMENT: u8, const TENSOR: u8> Lift<T, U> for Link<T, MOMENT, TENSOR> {
+    type Over = Link<U, MOMENT, TENSOR>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        let Self { inertia, moment, tensor } = self;
+        Link { inertia: inertia.lift(number), moment: moment.lift(number), tensor: tensor.lift(number) }
+    }
+}

@@ -1,0 +1,99 @@
+//! Where bodies are and how they move: places, Jacobians, mass centre, energy.
+
+use super::number::{Number, Triple, dot_onto, triple, values};
+use super::standing::{Stand, Standing};
+use super::through::{Solid, Through, through};
+use crate::relation::spatial::algebra::Columns;
+use crate::scalar::Scalar;
+use nalgebra::Vector3;
+
+/// Where a body is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place<T> {
+    /// The body's origin, where its joint is (m).
+    pub place: Vector3<T>,
+    /// The body's axes in inertial axes, as columns; the joint's axis is z.
+    pub attitude: Columns<T>,
+}
+
+/// Places of bodies, by their joints; the joint inboard of each; whether it slides.
+pub struct Places<T, const N: usize> {
+    pub stands: [Stand<T>; N],
+    pub places: [Place<T>; N],
+    pub parents: [usize; N],
+    pub slides: [bool; N],
+    pub next: usize,
+}
+
+through!([const N: usize] Places<T, N>, (Place<T>, usize), outward);
+
+impl<T: Scalar> Place<T> {
+    /// The body on a joint.
+    #[inline(always)]
+    pub fn beyond<A: Standing<T>>(&self, axis: &A, stand: Stand<T>) -> Self {
+        let o = Number::zero();
+        let out = if const { A::TURNS } { [o; 3] } else { axis.outward(stand, [o, o, Number::of(stand[1])]) };
+        let arm = super::number::sum(axis.arm(), out);
+        let (i, unit) =
+            (Number::one(), |[x, y, z]: [Number<T>; 3]| Vector3::from(values(axis.outward(stand, [x, y, z]))));
+        let axes = Columns { x: unit([i, o, o]), y: unit([o, i, o]), z: unit([o, o, i]) };
+        Self {
+            place: self.attitude.apply_onto(Vector3::from(values(arm)), self.place),
+            attitude: self.attitude.times(&axes),
+        }
+    }
+}
+
+impl<T: Scalar, const N: usize> Through<T> for Places<T, N> {
+    #[inline(always)]
+    fn axis<A: Standing<T>>(&mut self, axis: &A, (place, parent): (Place<T>, usize)) -> (Place<T>, usize) {
+        let own = self.next;
+        self.next += 1;
+        let place = place.beyond(axis, self.stands[own]);
+        (self.places[own], self.parents[own], self.slides[own]) = (place, parent, !A::TURNS);
+        (place, own)
+    }
+    #[inline(always)]
+    fn link<B: Solid<T>>(&mut self, _: &B, carried: (Place<T>, usize)) -> (Place<T>, usize) {
+        carried
+    }
+}
+
+/// Mass, first moment about the origin (inertial axes) and twice the kinetic energy of all links that move.
+pub struct Tally<T, const N: usize> {
+    pub stands: [Stand<T>; N],
+    pub rates: [T; N],
+    pub mass: T,
+    pub moment: Vector3<T>,
+    pub twice_kinetic: T,
+    pub next: usize,
+}
+
+/// Place, velocity and angular velocity of a body, the two in its own axes.
+pub type Moving<T> = (Place<T>, [[T; 3]; 2]);
+
+through!([const N: usize] Tally<T, N>, Moving<T>, outward);
+
+impl<T: Scalar, const N: usize> Through<T> for Tally<T, N> {
+    #[inline(always)]
+    fn axis<A: Standing<T>>(&mut self, axis: &A, (place, [velocity, spin]): Moving<T>) -> Moving<T> {
+        let (stand, rate) = (self.stands[self.next], self.rates[self.next]);
+        self.next += 1;
+        // Velocities are carried as accelerations are, without what rates alone cause.
+        let none: Triple<T> = [Number::zero(); 3];
+        let carried = axis.accelerated(stand, [none; 2], [triple(velocity), triple(spin)]);
+        let [velocity, spin] = axis.moved(rate, carried);
+        self.twice_kinetic += axis.inertia().value() * rate * rate;
+        (place.beyond(axis, stand), [values(velocity), values(spin)])
+    }
+    #[inline(always)]
+    fn link<B: Solid<T>>(&mut self, link: &B, (place, [velocity, spin]): Moving<T>) -> Moving<T> {
+        let moment = Vector3::from(values(link.moment()));
+        self.mass += link.mass();
+        self.moment = place.attitude.apply_onto(moment, place.place * link.mass() + self.moment);
+        let (v, w, none) = (triple(velocity), triple(spin), [[Number::zero(); 3]; 2]);
+        let [momentum, angular] = link.resisted([v, w], none);
+        self.twice_kinetic += dot_onto(v, momentum, dot_onto(w, angular, Number::zero())).value();
+        (place, [velocity, spin])
+    }
+}

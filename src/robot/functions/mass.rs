@@ -1,0 +1,89 @@
+//! The mass matrix, and solutions with it.
+
+use super::{S, Tasks, resisting};
+use crate::element::Element;
+use crate::ends::{Root, Tip};
+use crate::error::Error;
+use crate::mechanics::spatial::body_axes::composite::{Composite, Whole};
+use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
+use crate::mechanics::spatial::body_axes::{Gains, Local};
+use crate::relation::Promote;
+use crate::relation::spatial::Empty;
+use crate::scalar::Scalar;
+use crate::shape::Takes;
+use crate::system::System;
+
+impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
+    /// The mass matrix M (kg·m², kg·m, kg), reflected inertias on its diagonal.
+    ///
+    /// # Errors
+    /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
+    pub fn mass_matrix<const N: usize>(&self, q: &[T; N]) -> Result<[[T; N]; N], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let stands = resisting(self.chain(), q, q).stands;
+        let (o, matrix) = ([T::zero(); 3], [[T::zero(); N]; N]);
+        let mut walk = Composite { stands, columns: [[o; 2]; N], matrix, next: N };
+        Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut walk, Whole::nothing(N), ());
+        Ok(walk.matrix)
+    }
+
+    /// M factored.
+    #[inline(always)]
+    fn factored<const N: usize>(&self, q: &[T; N]) -> Factor<T, N>
+    where
+        C: Tasks<T, N>,
+    {
+        let stands = resisting(self.chain(), q, q).stands;
+        let mut walk = Factor { stands, gains: [Gains::blank(); N], next: N };
+        Takes::<S<T>, Factor<T, N>>::take(self.chain(), &mut walk, Local::promote(Empty), ());
+        walk
+    }
+
+    /// A solution through the factors of M.
+    #[inline(always)]
+    fn solved<const N: usize>(&self, Factor { stands, gains, .. }: &Factor<T, N>, right: &[T; N]) -> [T; N]
+    where
+        C: Tasks<T, N>,
+    {
+        let rest = [[T::zero(); 3]; 2];
+        let mut inward = Inward { stands: *stands, gains: *gains, free: *right, next: N };
+        Takes::<S<T>, Inward<T, N>>::take(self.chain(), &mut inward, rest, ());
+        let mut outward = Outward { stands: *stands, gains: *gains, free: inward.free, next: 0 };
+        Takes::<S<T>, Outward<T, N>>::take(self.chain(), &mut outward, rest, ());
+        outward.free
+    }
+
+    /// M⁻¹ times a list, without M: in time proportional to the number of joints.
+    ///
+    /// # Errors
+    /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
+    pub fn mass_solved<const N: usize>(&self, q: &[T; N], right: &[T; N]) -> Result<[T; N], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        Ok(self.solved(&self.factored(q), right))
+    }
+
+    /// M⁻¹, its columns through the same factors.
+    ///
+    /// # Errors
+    /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
+    pub fn mass_inverse<const N: usize>(&self, q: &[T; N]) -> Result<[[T; N]; N], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let factor = self.factored(q);
+        let mut inverse = [[T::zero(); N]; N];
+        for (k, row) in inverse.iter_mut().enumerate() {
+            let mut unit = [T::zero(); N];
+            unit[k] = T::one();
+            *row = self.solved(&factor, &unit); // M⁻¹ is symmetric
+        }
+        Ok(inverse)
+    }
+}

@@ -1,0 +1,270 @@
+//! Functions of lists in the order of the joints: dynamics.
+
+mod mass;
+mod places;
+
+use crate::element::{Carrying, Condense, Element, Explicit, Given, Posture, Reading};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault, counted};
+use crate::mechanics::spatial::body_axes::composite::Composite;
+use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
+use crate::mechanics::spatial::body_axes::inverse::{Carried, Carrying as Load, Loaded, Resisting};
+use crate::mechanics::spatial::body_axes::places::{Places, Tally};
+use crate::mechanics::spatial::body_axes::{Stand, Torques};
+use crate::mechanics::spatial::{Frame, Spatial};
+use crate::mirror::{Position, Rate};
+use crate::relation::Open;
+use crate::relation::spatial::Empty;
+use crate::scalar::Scalar;
+use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Takes};
+use crate::space::Space;
+use crate::system::{MotionOf, System};
+use crate::walks::count::coordinates;
+use crate::walks::recover::recover;
+use crate::walks::sines::sines;
+use crate::walks::spread;
+use nalgebra::Vector3;
+use num_traits::Zero;
+
+/// The space of a robot's scene.
+type S<T> = Spatial<T>;
+/// A sweep under torques: one of its own, so that it is the only caller of what it calls, which is then inlined, so that a compiler drops
+/// what nobody reads: what is left of the relation at the root, a sixth of the sweep of an arm.
+type Driven<T, const N: usize> = Carrying<Torques<Own<T, N>>, Explicit, Open>;
+
+/// A list that no load of a user has.
+#[derive(Clone, Copy, Debug)]
+pub struct Own<T, const N: usize>([T; N]);
+
+impl<T, const N: usize> AsRef<[T]> for Own<T, N> {
+    #[inline(always)]
+    fn as_ref(&self) -> &[T] {
+        &self.0
+    }
+}
+
+/// A chain that functions of lists know: [`BodyAxes`](super::BodyAxes), hinges, slides and links, in tuples, arrays, vectors and branches,
+/// with names or without, `N` joints in all.
+#[diagnostic::on_unimplemented(
+    message = "functions of lists do not know this chain",
+    label = "not a robot in body axes with a fixed base",
+    note = "a robot is `BodyAxes`, then `Hinge`, `Slide` and `Link`, in tuples, arrays, vectors and branches"
+)]
+pub trait Tasks<T: Scalar, const N: usize>:
+    Element<S<T>>
+    + Condense<S<T>, Empty, Driven<T, N>>
+    + Takes<S<T>, Loaded<T, N, true, true>>
+    + Takes<S<T>, Loaded<T, N, true, false>>
+    + Takes<S<T>, Loaded<T, N, false, false>>
+    + Takes<S<T>, Load<T, N>>
+    + Takes<S<T>, Resisting<T, N>>
+    + Takes<S<T>, Composite<T, N>>
+    + Takes<S<T>, Factor<T, N>>
+    + Takes<S<T>, Inward<T, N>>
+    + Takes<S<T>, Outward<T, N>>
+    + Takes<S<T>, Places<T, N>>
+    + Takes<S<T>, Tally<T, N>>
+{
+}
+
+impl<T: Scalar, const N: usize, C> Tasks<T, N> for C where
+    C: Element<S<T>>
+        + Condense<S<T>, Empty, Driven<T, N>>
+        + Takes<S<T>, Loaded<T, N, true, true>>
+        + Takes<S<T>, Loaded<T, N, true, false>>
+        + Takes<S<T>, Loaded<T, N, false, false>>
+        + Takes<S<T>, Load<T, N>>
+        + Takes<S<T>, Resisting<T, N>>
+        + Takes<S<T>, Composite<T, N>>
+        + Takes<S<T>, Factor<T, N>>
+        + Takes<S<T>, Inward<T, N>>
+        + Takes<S<T>, Outward<T, N>>
+        + Takes<S<T>, Places<T, N>>
+        + Takes<S<T>, Tally<T, N>>
+{
+}
+
+/// Sines and cosines of all positions, in one loop.
+#[inline(always)]
+fn stands<T: Scalar, const N: usize>(q: &[T; N]) -> [Stand<T>; N] {
+    let mut list = [[T::zero(); 2]; N];
+    for (stand, position) in list.iter_mut().zip(q) {
+        let (sine, cosine) = position.sin_cos();
+        *stand = [sine, cosine];
+    }
+    list
+}
+
+/// A robot at an instant: what its joints' own laws say, and how they stand.
+#[inline(always)]
+fn resisting<T: Scalar, const N: usize, C: Tasks<T, N>>(chain: &C, q: &[T; N], v: &[T; N]) -> Resisting<T, N> {
+    let none = [T::zero(); N];
+    let mut walk =
+        Resisting { positions: *q, rates: *v, stands: stands(q), laws: none, inertias: none, energies: none, next: 0 };
+    Takes::<S<T>, Resisting<T, N>>::take(chain, &mut walk, (), ());
+    walk
+}
+
+impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
+    /// A motion with these coordinates and rates of all joints of a robot whose base is fixed, in their order.
+    ///
+    /// # Errors
+    /// [`Fault::Count`] for lists of another length, [`Fault::NotFinite`].
+    pub fn at_joints(&self, q: &[T], v: &[T]) -> Result<MotionOf<S<T>, R, C, P>, Error> {
+        let mut motion = self.motion();
+        motion.set_coordinates(q)?;
+        self.with_rates(motion, v)
+    }
+
+    /// The ground in axes of the robot's base: acceleration as felt (less gravity), angular velocity and acceleration.
+    fn felt(&self) -> [[T; 3]; 3] {
+        let Frame { turn, acceleration, .. } = self.ground(T::Real::zero());
+        let of = |vector: Vector3<T>| turn.attitude.transposed(vector).into();
+        [of(acceleration.linear - self.gravity()), of(turn.spin), of(acceleration.angular)]
+    }
+
+    /// Forces of joints.
+    #[inline(always)]
+    fn forces<const N: usize, const RATES: bool, const SECONDS: bool>(
+        &self,
+        stands: &[Stand<T>; N],
+        rates: &[T; N],
+        seconds: &[T; N],
+    ) -> [T; N]
+    where
+        C: Tasks<T, N> + Takes<S<T>, Loaded<T, N, RATES, SECONDS>>,
+    {
+        let [linear, spin, angular] = self.felt();
+        let still = [T::zero(); 3];
+        let mut out = Loaded::<T, N, RATES, SECONDS> {
+            stands: *stands,
+            rates: *rates,
+            seconds: *seconds,
+            loads: [[still; 2]; N],
+            next: 0,
+        };
+        let ground = Carried { spin, linear, angular, own: usize::MAX };
+        Takes::<S<T>, Loaded<T, N, RATES, SECONDS>>::take(self.chain(), &mut out, ground, ());
+        let mut inward = Load { stands: *stands, loads: out.loads, forces: [T::zero(); N], next: N };
+        Takes::<S<T>, Load<T, N>>::take(self.chain(), &mut inward, [still; 2], ());
+        inward.forces
+    }
+
+    /// Refuses lists of another length than the robot has joints.
+    #[inline(always)]
+    pub(super) fn has_joints(&self, count: usize) -> Result<(), Error> {
+        counted(coordinates(self.chain()), count)
+    }
+
+    /// Accelerations q̈ of the joints (rad/s², m/s²) from positions, rates and torques (N·m, N): those of the scene at rest of its ground,
+    /// in gravity, with the springs and dampers of the joints.
+    ///
+    /// # Errors
+    /// [`Fault::Count`] where `N` is not the number of joints; [`Fault::NonFiniteMotion`] where something came out not finite.
+    pub fn forward_dynamics<const N: usize>(&self, q: &[T; N], v: &[T; N], torques: &[T; N]) -> Result<[T; N], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let seconds = self.swept(q, v, torques);
+        if seconds.iter().all(|x| x.is_finite()) { Ok(seconds) } else { Err(Error::new(Fault::NonFiniteMotion)) }
+    }
+
+    /// A sweep whose stores live no longer than itself.
+    #[inline(never)]
+    fn swept<const N: usize>(&self, q: &[T; N], v: &[T; N], torques: &[T; N]) -> [T; N]
+    where
+        C: Tasks<T, N>,
+    {
+        let chain = self.chain();
+        let (mut position, mut rate) = (chain.store::<Positions>(()), chain.store::<Rates>(()));
+        let (mut k, mut i) = (0, 0);
+        Position::replace(&mut position, &mut |_| {
+            k += 1;
+            q.get(k - 1).copied().unwrap_or(T::zero())
+        });
+        Rate::replace(&mut rate, &mut |_| {
+            i += 1;
+            v.get(i - 1).copied().unwrap_or(T::zero())
+        });
+        let (x, y, p, r) = <S<T> as Space>::blank();
+        let (mut x, mut y) = (chain.store::<PerAxes<_>>(x), chain.store::<PerAxes<_>>(y));
+        let (mut p, mut r) = (chain.store::<PerAxes<_>>(p), chain.store::<PerAxes<_>>(r));
+        let sizes = chain.store::<PerAxes<()>>(());
+        let mut in_joints = chain.store::<PerJoint<T>>(T::zero());
+        let on_bodies = chain.store::<PerBody<_>>(crate::relation::Absent);
+        let mut kept = chain.store::<Kept<Open>>(());
+        let ground = self.ground(T::Real::zero());
+        sines(chain, &position, &mut x);
+        chain.pose(&position, &rate, ground.turn, &sizes, &mut x, &mut y, &mut p, &mut r);
+        spread::to_coordinates(chain, torques, &mut in_joints);
+        let posture = Posture { x: &x, y: &y, p: &p, q: &r };
+        let given: Given<'_, S<T>, C, Driven<T, N>> = Given {
+            on_bodies: &on_bodies,
+            in_joints: &in_joints,
+            position: &position,
+            rate: &rate,
+            reading: Reading { position: &position, rate: &rate, acceleration: &rate },
+            springs: Explicit,
+        };
+        let _ = chain.condense(Empty, posture, given, &mut kept);
+        let mut acceleration = chain.store::<Rates>(());
+        let root = ground.falling(self.gravity());
+        recover::<S<T>, C, Open, Explicit>(chain, root, posture, &mut kept, (), &mut acceleration);
+        let (mut found, mut k) = ([T::zero(); N], 0);
+        Rate::visit(&acceleration, &mut |second| {
+            if let Some(entry) = found.get_mut(k) {
+                *entry = second;
+            }
+            k += 1;
+        });
+        found
+    }
+
+    /// Torques (N·m, N) of the joints that cause accelerations q̈ at positions and rates: with gravity, less what springs and dampers of
+    /// the joints do, with reflected inertias.
+    ///
+    /// # Errors
+    /// [`Fault::Count`] where `N` is not the number of joints.
+    pub fn inverse_dynamics<const N: usize>(&self, q: &[T; N], v: &[T; N], seconds: &[T; N]) -> Result<[T; N], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let own = resisting(self.chain(), q, v);
+        let mut forces = self.forces::<N, true, true>(&own.stands, v, seconds);
+        for (k, force) in forces.iter_mut().enumerate() {
+            *force = own.inertias[k].mul_add(seconds[k], *force) - own.laws[k];
+        }
+        Ok(forces)
+    }
+
+    /// Torques (N·m, N) that keep all joints from accelerating at positions and rates: C q̇ + g, less what springs and dampers do. So
+    /// M q̈ = τ − bias.
+    ///
+    /// # Errors
+    /// [`Fault::Count`] where `N` is not the number of joints.
+    pub fn bias<const N: usize>(&self, q: &[T; N], v: &[T; N]) -> Result<[T; N], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let own = resisting(self.chain(), q, v);
+        let mut forces = self.forces::<N, true, false>(&own.stands, v, v);
+        forces.iter_mut().zip(own.laws).for_each(|(force, law)| *force -= law);
+        Ok(forces)
+    }
+
+    /// Torques (N·m, N) that hold the robot at rest against gravity, without springs.
+    ///
+    /// # Errors
+    /// [`Fault::Count`] where `N` is not the number of joints.
+    pub fn gravity_torques<const N: usize>(&self, q: &[T; N]) -> Result<[T; N], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let own = resisting(self.chain(), q, q);
+        Ok(self.forces::<N, false, false>(&own.stands, q, q))
+    }
+}

@@ -1,0 +1,113 @@
+//! Where bodies are and how they move.
+
+use super::{S, Tasks, resisting};
+use crate::element::Element;
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::mechanics::spatial::Frame;
+use crate::mechanics::spatial::body_axes::places::{Places, Tally};
+use crate::mechanics::spatial::body_axes::{Place, Stand};
+use crate::relation::spatial::algebra::{cross, dot, zero};
+use crate::scalar::{Real, Scalar};
+use crate::shape::Takes;
+use crate::system::System;
+use nalgebra::Vector3;
+use num_traits::Zero;
+
+impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
+    /// The base.
+    fn standing(&self) -> Place<T> {
+        let Frame { place, turn, .. } = self.ground(T::Real::zero());
+        Place { place, attitude: turn.attitude }
+    }
+
+    fn placed<const N: usize>(&self, q: &[T; N]) -> Places<T, N>
+    where
+        C: Tasks<T, N>,
+    {
+        let stands = resisting(self.chain(), q, q).stands;
+        let base = self.standing();
+        let mut walk = Places { stands, places: [base; N], parents: [usize::MAX; N], slides: [false; N], next: 0 };
+        Takes::<S<T>, Places<T, N>>::take(self.chain(), &mut walk, (base, usize::MAX), ());
+        walk
+    }
+
+    /// Where bodies are, by the joints that carry them.
+    ///
+    /// # Errors
+    /// [`Fault::Count`] where `N` is not the number of joints.
+    pub fn places<const N: usize>(&self, q: &[T; N]) -> Result<[Place<T>; N], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        Ok(self.placed(q).places)
+    }
+
+    /// The Jacobian of a point (m, axes of its body) of the body on joint `joint`: for each joint the velocity (m/s) of the point and the
+    /// angular velocity (rad/s) of the body, inertial axes, for a rate of one.
+    ///
+    /// # Errors
+    /// [`Fault::Count`] where `N` is not the number of joints, or `joint` no number of one.
+    pub fn jacobian<const N: usize>(&self, q: &[T; N], joint: usize, point: [T; 3]) -> Result<[[T; 6]; N], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let Places { places, parents, slides, .. } = self.placed(q);
+        let Some(body) = places.get(joint) else {
+            return Err(Error::new(Fault::Count { expected: N, given: joint }));
+        };
+        let point = body.attitude.apply_onto(Vector3::from(point), body.place);
+        let mut columns = [[T::zero(); 6]; N];
+        let mut next = joint;
+        while let (Some(place), Some(column)) = (places.get(next), columns.get_mut(next)) {
+            let axis = place.attitude.z;
+            let [velocity, spin] = if slides[next] { [axis, zero()] } else { [cross(axis, point - place.place), axis] };
+            *column = [velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z];
+            next = parents[next];
+        }
+        Ok(columns)
+    }
+
+    fn tallied<const N: usize>(&self, stands: [Stand<T>; N], v: &[T; N]) -> Tally<T, N>
+    where
+        C: Tasks<T, N>,
+    {
+        let Frame { velocity, turn, .. } = self.ground(T::Real::zero());
+        let of = |vector: Vector3<T>| turn.attitude.transposed(vector).into();
+        let (mass, moment, twice_kinetic) = (T::zero(), zero(), T::zero());
+        let mut walk = Tally { stands, rates: *v, mass, moment, twice_kinetic, next: 0 };
+        let base = (self.standing(), [of(velocity), of(turn.spin)]);
+        Takes::<S<T>, Tally<T, N>>::take(self.chain(), &mut walk, base, ());
+        walk
+    }
+
+    /// The mass centre of all links (m), and their mass (kg).
+    ///
+    /// # Errors
+    /// [`Fault::Count`] where `N` is not the number of joints.
+    pub fn mass_centre<const N: usize>(&self, q: &[T; N]) -> Result<(Vector3<T>, T), Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let Tally { mass, moment, .. } = self.tallied(resisting(self.chain(), q, q).stands, &[T::zero(); N]);
+        Ok((moment * mass.recip(), mass))
+    }
+
+    /// Kinetic energy (J), with that of reflected inertias, and potential energy in gravity (zero at the origin) and in springs.
+    ///
+    /// # Errors
+    /// [`Fault::Count`] where `N` is not the number of joints.
+    pub fn joint_energy<const N: usize>(&self, q: &[T; N], v: &[T; N]) -> Result<[T; 2], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let own = resisting(self.chain(), q, v);
+        let Tally { moment, twice_kinetic, .. } = self.tallied(own.stands, v);
+        let springs = own.energies.iter().fold(T::zero(), |sum, energy| sum + *energy);
+        Ok([twice_kinetic.scale(T::Real::of(0.5)), springs - dot(self.gravity(), moment)])
+    }
+}

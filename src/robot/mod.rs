@@ -1,0 +1,52 @@
+//! Robots: arms and legged machines of hinges, slides and links, in axes of their bodies.
+//!
+//! What a description has zeros of, is a type here, and costs nothing: the places of joints, turns between bodies, mass centres and
+//! tensors. A seven-joint arm of the usual make takes half the instructions of the same arm in the elements of
+//! [`spatial`](crate::spatial), whose scenes, ends, rules, loads and readings these are.
+//!
+//! ```
+//! use catena::robot::*;
+//!
+//! // Mass (kg), mass centre (m), inertia tensor about it (kg·m²); of centre and tensor what the masks name.
+//! let upper = Link::<f64, 0b100, 0b111>::new(4.0, [0.0, 0.0, 0.2], [[0.06, 0.0, 0.0], [0.0, 0.06, 0.0], [0.0, 0.0, 0.01]]);
+//! // A hinge about z of its body; where it sits on the parent (m, only z is there), and how it is turned there.
+//! let waist = Hinge::level().grounded(); // on the base
+//! let shoulder = Hinge::at::<0b100>([0.0, 0.0, 0.3]).turned(Quarter::<30>);
+//! let elbow = Hinge::at::<0b100>([0.0, 0.0, 0.4]).with(Spring::damping(0.1));
+//! let chain = (waist, upper, shoulder, upper, elbow, upper);
+//! let arm = System::new(Base::origin(), chain, Free)?.with_gravity([0.0, 0.0, -9.81]);
+//!
+//! // Functions of lists in the order of the joints.
+//! let (q, v) = ([0.1, 0.7, -0.4], [0.2, 0.0, 1.0]);
+//! let hold = arm.inverse_dynamics(&q, &v, &[0.0; 3])?;
+//! assert!(arm.forward_dynamics(&q, &v, &hold)?.iter().all(|second| second.abs() < 1e-12));
+//!
+//! // And a scene like any other.
+//! let start = arm.at_joints(&q, &v)?;
+//! let run = arm.simulate(start, Dop853::tolerance(1e-10), 1.0, |now| println!("{:.2} {:?}", now.time(), now.energy()))?;
+//! # Ok::<(), catena::Error>(())
+//! ```
+//!
+//! On a [`Base`] a scene is in body axes; else from [`BodyAxes`] on outward: inboard of it elements of [`spatial`](crate::spatial) may come,
+//! a root that moves among them, and the root [`Free`] makes a floating base of a [`Link`] that follows. Arms are [`Branch`]es: each sits where its first
+//! joint says, and takes no body of its own.
+//!
+//! | function of lists | what it gives |
+//! |---|---|
+//! | `forward_dynamics`, `inverse_dynamics`, `bias`, `gravity_torques` | accelerations from torques, torques from accelerations |
+//! | `mass_matrix`, `mass_solved`, `mass_inverse` | M, M⁻¹ times a list, M⁻¹ |
+//! | `places`, `jacobian` | where bodies are; how a point moves with the joints |
+//! | `mass_centre`, `joint_energy` | |
+//!
+//! These are for robots whose base is fixed. None allocates; each is one walk outward, one inward, or both.
+//!
+//! Not yet: held tips, loops, loads on links, derivatives through kept gains: such scenes do not compile.
+
+mod functions;
+
+pub use crate::mechanics::spatial::body_axes::{
+    AboutZ, AlongZ, Armature, Axis, Base, Bearing, BodyAxes, Hinge, Leaning, Level, Link, Offset, OnBody, OnGround,
+    Place, Quarter, Slide, Torques, Turned, Upright,
+};
+pub use crate::spatial::*;
+pub use functions::Tasks;

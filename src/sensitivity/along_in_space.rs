@@ -1,0 +1,156 @@
+//! Gradients of runs in space, along whatever parameters a scene is made of.
+
+use super::Gradient;
+use super::along::Along;
+use crate::element::Element;
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::lift::Lift;
+use crate::mechanics::spatial::{Ball, Base, Inertial, OfJoint, PointMass, Revolute, RigidBody, Rod, Spatial, Weld};
+use crate::relation::spatial::algebra::{Columns, cross, dot};
+use crate::scalar::{Jet, Scalar};
+use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk};
+use crate::spring::SpringLaw;
+use crate::system::{Elements, System};
+use nalgebra::Vector3;
+use num_traits::Zero;
+
+/// How an attitude turns with the seeds: a rotation vector in its own axes.
+fn turn<T: Scalar, const K: usize>(attitude: &Columns<Jet<T, K>>) -> Vector3<Jet<T, K>> {
+    let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
+    let Columns { x, y, z } = *attitude;
+    Vector3::new(dot(still(z), y), dot(still(x), z), dot(still(y), x))
+}
+
+impl<T: Scalar, const K: usize> Along<T, K> {
+    fn add_vector(&mut self, costate: Vector3<T>, parameter: Vector3<Jet<T, K>>) {
+        (0..3).for_each(|i| self.add(costate[i], parameter[i]));
+    }
+}
+
+impl<T: Scalar, const K: usize> Walk<Spatial<Jet<T, K>>> for Along<T, K> {
+    type Carried = ();
+    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerJoint<OfJoint<T>>>);
+}
+
+impl<T: Scalar, const K: usize> Selective<Spatial<Jet<T, K>>> for Along<T, K> {
+    const OUTWARD: bool = true;
+
+    fn branch(&mut self, (): (), go: impl FnOnce(&mut Self, ())) {
+        go(self, ());
+    }
+}
+
+macro_rules! bodies {
+    ($($Body:ident),*) => {$(
+        impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for $Body<Jet<T, K>> {
+            fn take(
+                &self,
+                walk: &mut Along<T, K>,
+                (): (),
+                (by, ()): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>,
+            ) {
+                let Base { outboard, moment, inertia, lumped } = self.base();
+                by.outboard.iter().zip(outboard).for_each(|(by, x)| walk.add(*by, x));
+                by.moment.iter().zip(moment).for_each(|(by, x)| walk.add(*by, x));
+                by.inertia.iter().zip(inertia).for_each(|(by, x)| walk.add(*by, x));
+                walk.add(by.lumped, lumped);
+                walk.met += 1;
+            }
+        }
+    )*};
+}
+bodies!(Rod, RigidBody, PointMass);
+
+impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Ball {
+    fn take(&self, walk: &mut Along<T, K>, (): (), _: Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+        walk.met += 1;
+    }
+}
+
+impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Weld<Jet<T, K>> {
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+        walk.add_vector(by.turn, turn(self.attitude()));
+        walk.met += 1;
+    }
+}
+
+impl<T: Scalar, const K: usize, L> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Revolute<Jet<T, K>, L>
+where
+    L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+{
+    /// An axis that turns takes what lies outboard with it, but for the turn about it: there and, on the other side, back.
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+        let (axis, law) = self.parts();
+        let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
+        let (own, Columns { x, y, .. }) = (still(axis), Columns::identity());
+        let aside = self.aside(x, y);
+        let across = cross(own, aside);
+        let turned = cross(own, axis) * dot(across, across).recip();
+        walk.add(by.turn.x, dot(turned, aside));
+        walk.add(by.turn.y, dot(turned, across));
+        let mut costates = by.law.iter();
+        law.lift(&mut |number: Jet<T, K>| {
+            costates.next().into_iter().for_each(|costate| walk.add(*costate, number));
+            number.re
+        });
+        walk.met += 1;
+    }
+}
+
+impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
+    /// The gradient along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them,
+    /// lengths, tensors, axes, attitudes of welds and of the ground, gravity.
+    ///
+    /// ```
+    /// use catena::scalar::{Jet, Scalar};
+    /// use catena::spatial::*;
+    /// /// Two rods of a length, over plain numbers and over jets.
+    /// macro_rules! pendulum {
+    ///     ($length:expr, $number:expr) => {{
+    ///         let rod = Rod::uniform($length, $number(0.05), $number(1.0));
+    ///         System::new(Pinned::on([0.0; 3].map($number)), (rod, Ball, rod), Free)?.with_gravity([0.0, 0.0, -9.81].map($number))
+    ///     }};
+    /// }
+    /// # let end_of = |length: f64| -> Result<f64, catena::Error> {
+    /// #     let plain = pendulum!(length, |x: f64| x);
+    /// #     let start = plain.at_rest(&[0.1, 0.2, 0.3, -0.1, 0.4, 0.0])?;
+    /// #     Ok(plain.simulate(start, Rk4::step(0.01), 0.5, |_| ())?.motion.rates()[4])
+    /// # };
+    /// let plain = pendulum!(1.0, |x: f64| x);
+    /// let start = plain.at_rest(&[0.1, 0.2, 0.3, -0.1, 0.4, 0.0])?;
+    /// let (mut backward, mut states) = (plain.backward(Rk4), [start; 51]);
+    /// backward.run(&start, 0.01, 50, &[], &mut states)?;
+    /// // Of a rate of the second ball at the end: attitudes have three derivatives each, by rotation vectors in axes of the body.
+    /// let gradient = backward.gradient(&[], &states, &mut [], |step, _, by| {
+    ///     if step == 50 { by.add(&[0.0; 6], &[0.0, 0.0, 0.0, 0.0, 1.0, 0.0]) } else { Ok(()) }
+    /// })?;
+    /// let [by_length] = gradient.along(&pendulum!(Jet::<f64, 1>::seed(1.0, 0), Jet::of))?;
+    /// # assert!((by_length - (end_of(1.0 + 1e-5)? - end_of(1.0 - 1e-5)?) / 2e-5).abs() < 1e-6);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] for another scene.
+    pub fn along<R, C, P, const K: usize>(&self, scene: &System<Spatial<Jet<T, K>>, R, C, P>) -> Result<[T; K], Error>
+    where
+        R: Root<Spatial<Jet<T, K>>>,
+        C: Element<Spatial<Jet<T, K>>>,
+        P: Tip<Spatial<Jet<T, K>>>,
+        Elements<Spatial<Jet<T, K>>, R, C>: Takes<Spatial<Jet<T, K>>, Along<T, K>>
+            + Shape<
+                Spatial<Jet<T, K>>,
+                Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>,
+                Store<PerJoint<OfJoint<T>>> = E::Store<PerJoint<OfJoint<T>>>,
+            >,
+    {
+        let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
+        scene.elements().take(&mut walk, (), (&self.bodies, &self.joints));
+        if walk.met != self.entries || walk.met != scene.bodies() + scene.joints() {
+            return Err(Error::new(Fault::Shape));
+        }
+        walk.add_vector(self.ground, turn(&scene.ground(Zero::zero()).turn.attitude));
+        walk.add_vector(self.gravity, scene.gravity());
+        Ok(walk.sum)
+    }
+}

@@ -1,0 +1,164 @@
+//! Costates, back through the steps of a run.
+//!
+//! Costates go backward through the very steps of the run, those of the [costate sweep](crate::adjoint); from one stage of a step to the
+//! one before it they go by the columns of the tableau. With rows i = 0 .. s, of which s is the step itself, and Q, V the costates of
+//! positions and rates of a row,
+//!
+//! ```text
+//! λ_j = Σ_{i>j} (h² (A·A)_ij Q_i + h A_ij V_i)      (Q_j, V_j) = pull back λ_j      Q = Σ Q_i      V = Σ V_i + h Σ c_i Q_i
+//! ```
+//!
+//! Where positions are curved, rules sum up coordinates of the step: then Q, V and λ are the costates of these, of their first and of their
+//! second derivatives, from and to which [`Position`] translates, and positions before the step get their share from each row.
+
+use super::steps::{ROWS, Record, Stage, Steps};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::element::{Coordinates, Element, RealOf};
+use crate::loading::EffortOf;
+use crate::mirror::{Position, Rate};
+use crate::relation::{Additive, Wrench};
+use crate::scalar::Real;
+use crate::sensitivity::Gradient;
+use crate::shape::Takes;
+use crate::stepper::displace::{displace, gather};
+use crate::stepper::explicit::row_weights;
+use crate::system::{Elements, MotionOf};
+use crate::time::Explicit;
+use crate::walks::meet::Meet;
+use crate::walks::pull_back::PullBack;
+use crate::walks::pull_loads::PullLoads;
+use crate::walks::stir::Stir;
+use num_traits::{One, Zero};
+
+impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
+where
+    S: Reversed,
+    R: ReversibleRoot<S>,
+    C: Element<S>,
+    P: ReversibleTip<S>,
+    M: Explicit,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    EffortOf<S>: Additive,
+{
+    /// From the costates after a step to those before it: the columns of the tableau, from the last to the first.
+    pub(super) fn pull_back(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        record: &Record<S, Elements<S, R, C>, M>,
+        gradient: &mut Gradient<S, Elements<S, R, C>>,
+    ) {
+        let (last, one) = (M::STAGES, RealOf::<S>::one());
+        self.of_position.as_mut()[last].set(&gradient.start.position);
+        self.of_rate.as_mut()[last].set(&gradient.start.rate);
+        if Self::CURVED {
+            let (room, (position, rate)) = ((&self.zero, &mut self.sum), &mut self.end);
+            let slopes = record.accelerations.as_ref();
+            displace(past, slopes, M::node(last), row_weights::<M>(last), step, room, (&mut *position, &mut *rate));
+            position.retract_rate(&past.position, rate);
+            gradient.start.position.set(&self.zero);
+            let of_end = (&mut self.of_position.as_mut()[last], &mut self.of_rate.as_mut()[last]);
+            let of_past = &mut gradient.start.position;
+            position.transposed_step(&past.position, (rate, &self.zero), &self.zero, of_end, of_past);
+        }
+        for row in (0..last).rev() {
+            let [position, rate] = &self.weights.as_ref()[row];
+            let later = row + 1..last + 1;
+            let of_position = &self.of_position.as_ref()[later.clone()];
+            gather(&mut self.sum, &self.zero, step * step, &position[later.clone()], of_position);
+            let of_rate = &self.of_rate.as_ref()[later.clone()];
+            gather(&mut self.of_acceleration, &self.sum, step, &rate[later], of_rate);
+            let Stage { position, rate, acceleration, .. } = &record.stages.as_ref()[row];
+            let curved = Self::CURVED && row > 0; // the first stage has turned by nothing
+            if curved {
+                self.of_second.set(&self.of_acceleration);
+                position.transposed_acceleration(&past.position, &mut self.of_acceleration);
+            }
+            self.pull_back_stage(row, past, past.time + RealOf::<S>::of(M::node(row)) * step, record, gradient);
+            let (of_position, of_rate) = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
+            let of_past = &mut gradient.start.position;
+            if curved {
+                let (here, of_here) = ((rate, acceleration), (of_position, of_rate));
+                position.transposed_step(&past.position, here, &self.of_second, of_here, of_past);
+            } else if Self::CURVED {
+                of_past.add(of_position);
+            }
+        }
+        let (of_position, of_rate) = (&self.of_position.as_ref()[..=last], &self.of_rate.as_ref()[..=last]);
+        if !Self::CURVED {
+            gather(&mut gradient.start.position, &self.zero, one, &[1.0; ROWS], of_position);
+        }
+        gather(&mut self.sum, &self.zero, one, &[1.0; ROWS], of_rate);
+        gather(&mut gradient.start.rate, &self.sum, step, &self.nodes, of_position);
+    }
+
+    /// The costate of the size of a step through which costates were pulled back.
+    pub(super) fn of_size(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        record: &Record<S, Elements<S, R, C>, M>,
+    ) -> S::Scalar {
+        let (one, slopes) = (RealOf::<S>::one(), record.accelerations.as_ref());
+        let mut sum = S::Scalar::zero();
+        for row in 0..=M::STAGES {
+            let (position, rate) = row_weights::<M>(row);
+            let (of_position, of_rate) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
+            let mut add = |costate: S::Scalar, slope| {
+                sum += costate * slope;
+                true
+            };
+            self.of_acceleration.mix_1(&self.zero, (RealOf::<S>::of(M::node(row)), &past.rate));
+            gather(&mut self.sum, &self.of_acceleration, step + step, position, slopes);
+            of_position.all(&self.sum, &mut add);
+            gather(&mut self.sum, &self.zero, one, rate, slopes);
+            of_rate.all(&self.sum, &mut add);
+        }
+        sum
+    }
+
+    /// From the costates of the accelerations of a stage to those of its positions and rates.
+    #[inline(never)]
+    fn pull_back_stage(
+        &mut self,
+        row: usize,
+        past: &MotionOf<S, R, C, P>,
+        time: RealOf<S>,
+        record: &Record<S, Elements<S, R, C>, M>,
+        gradient: &mut Gradient<S, Elements<S, R, C>>,
+    ) {
+        let elements = self.scene.elements();
+        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, acceleration } =
+            &record.stages.as_ref()[row];
+        let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (position, rate) };
+        let slope = &record.accelerations.as_ref()[row];
+        let acceleration = if Self::CURVED && row > 0 { acceleration } else { slope };
+        let free = &mut self.of_acceleration;
+        elements.take(&mut Meet, Wrench::none(), (x, y, p, q, kept, pivots, free));
+        let frame = self.scene.ground(time);
+        let kept_of_them = (&mut self.on_bodies, &mut self.in_joints);
+        let stores = (x, y, p, q, kept, (rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
+        elements.take(&mut Stir, S::at_ground(&frame), stores);
+        let Gradient { bodies, joints, .. } = gradient;
+        let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
+        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots);
+        let stores = (x, y, p, q, (position, rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
+        let left = elements.take(&mut PullBack, S::Pulled::null(), stores);
+        let (gravity, turn) = S::of_ground(&left, &frame);
+        (gradient.gravity, gradient.ground) = (gradient.gravity + gravity, gradient.ground + turn);
+        if const { L::ON } {
+            let motion = Coordinates { position, rate, acceleration: &self.zero };
+            self.loads.see(elements, frame, motion, time);
+            let Gradient { numbers, joints, law, .. } = gradient;
+            let mut walk = PullLoads { law: self.loads.law, time, body: elements.bodies(), of_law: *law };
+            let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
+            let kept_of_them = (&self.loads.on_bodies, &self.on_bodies, &self.in_joints);
+            let stores = (x, y, p, q, (position, rate, &self.of_acceleration), kept_of_them, (numbers, joints), start);
+            let felt = elements.take(&mut walk, S::Felt::null(), stores);
+            *law = walk.of_law;
+            let (place, turn) = S::of_place(&felt);
+            (gradient.place, gradient.ground) = (gradient.place + place, gradient.ground + turn);
+        }
+    }
+}

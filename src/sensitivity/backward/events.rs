@@ -1,0 +1,142 @@
+//! Runs that end at an event: their last step cut there, and their gradients.
+//!
+//! A run ends where g(y) = 0, y being the motion after a last step whose size h makes it so. A cost Φ then changes by
+//!
+//! ```text
+//! dΦ = (Φ_y − η g_y) dy at fixed h        η = (Φ_h + Φ_t) / (g_h + g_t)
+//! ```
+//!
+//! with Φ_h, g_h the derivatives by the size of the last step, by which time ends later.
+
+use super::{Backward, CostateOf};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::element::{Element, RealOf, Unloaded};
+use crate::error::{Error, Fault};
+use crate::loading::EffortOf;
+use crate::mirror::Rate;
+use crate::relation::Additive;
+use crate::scalar::{Real, Scalar};
+use crate::sensitivity::{Costate, Gradient};
+use crate::simulate::crossing::crossing;
+use crate::system::{Elements, MotionOf, Runs, System};
+use crate::time::Explicit;
+
+impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
+where
+    S: Reversed,
+    R: ReversibleRoot<S>,
+    C: Element<S>,
+    P: ReversibleTip<S>,
+    M: Explicit,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
+    EffortOf<S>: Additive,
+{
+    /// Cuts the first step of a run in which a function of the motion crosses zero, so that it is zero at the step's end, and gives the
+    /// number of steps up to there; none where it does not cross. States beyond that of this number are those of no run.
+    ///
+    /// # Errors
+    /// [`Fault::Count`] for torques of another number, [`Fault::Shape`] for motions of another scene.
+    pub fn cut(
+        &mut self,
+        torques: &[EffortOf<S>],
+        states: &mut [MotionOf<S, R, C, P>],
+        mut event: impl FnMut(&MotionOf<S, R, C, P>) -> S::Scalar,
+    ) -> Result<Option<usize>, Error> {
+        self.check(torques, states)?;
+        let mut value = |state: &_| event(state).real().as_f64();
+        let Some(first) = states.first() else { return Ok(None) };
+        let mut before = value(first);
+        for k in 1..states.len() {
+            let [past, next, ..] = &mut states[k - 1..] else { break };
+            let after = value(next);
+            if before != 0.0 && before * after <= 0.0 {
+                let size = next.time - past.time;
+                self.steps.take_torques(torques, k - 1);
+                let mut cut = |theta: f64| {
+                    self.steps.step_to(past.time + size * RealOf::<S>::of(theta), past, &mut self.record, next);
+                    value(next)
+                };
+                let share = crossing([before, after], |theta| Ok::<_, Error>(cut(theta)))?;
+                cut(share);
+                return Ok(Some(k));
+            }
+            before = after;
+        }
+        Ok(None)
+    }
+
+    /// The gradient of a cost by everything, for a run that ends where a function of the motion is zero, whose last step was
+    /// [cut](Self::cut) there: that of what is computed, the time of the end included. `event` adds the derivatives of that function.
+    ///
+    /// Both cost and function may read the time of the motion: [`Costate::time`]. The derivative of the time of the event itself is that of
+    /// a cost which adds one to it at the last state, and nothing else.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// // When does what is thrown upward at 2 m/s, from 1 m above it, hit the ground?
+    /// let line = Slider::along(core::f64::consts::FRAC_PI_2);
+    /// let ball = System::new(Clamped::at(0.0, 0.0, 0.0), (line, RigidBody::new(1.0, 0.1, [0.0; 2], [0.0; 2])), Free)?.with_gravity(9.81);
+    /// let mut start = ball.motion();
+    /// start.set_coordinates(&[1.0])?;
+    /// start.set_rates(&[2.0])?;
+    /// let (mut backward, mut states) = (ball.backward(Rk4), [start; 101]);
+    /// backward.run(&start, 0.01, 100, &[], &mut states)?;
+    /// let Some(steps) = backward.cut(&[], &mut states, |state| state.position().1.0)? else { unreachable!() };
+    /// let time = |step: usize, _: &_, by: &mut catena::sensitivity::Costate<_>| {
+    ///     by.time += if step == steps { 1.0 } else { 0.0 };
+    ///     Ok(())
+    /// };
+    /// let gradient =
+    ///     backward.gradient_to_event(&[], &states[..=steps], &mut [], time, |_, by| by.add(&[1.0], &[0.0]))?;
+    /// let root = (2.0_f64 * 2.0 + 2.0 * 9.81).sqrt();
+    /// assert!((states[steps].time() - (2.0 + root) / 9.81).abs() < 1e-14);
+    /// assert!((gradient.by_position()[0] - 1.0 / root).abs() < 1e-14); // (s/m)
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`gradient`](Self::gradient); [`Fault::Count`] for a run without a step.
+    pub fn gradient_to_event(
+        &mut self,
+        torques: &[EffortOf<S>],
+        states: &[MotionOf<S, R, C, P>],
+        by_torques: &mut [EffortOf<S>],
+        mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
+        event: impl FnOnce(&MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
+    ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
+        let last = self.check(torques, states)?;
+        self.admits(states.len() - 1, by_torques.len())?;
+        let [.., past, _] = states else {
+            return Err(Error::new(Fault::Count { expected: 2, given: states.len() }));
+        };
+        let mut gradient = self.none();
+        let scratch = &mut self.scratch;
+        scratch.start = gradient.start.clone();
+        cost(states.len() - 1, last, &mut gradient.start)?;
+        event(last, &mut scratch.start)?;
+        let of_event = scratch.start.clone();
+        let (k, size) = (states.len() - 2, last.time - past.time);
+        self.steps.take_torques(torques, k);
+        self.steps.evaluate(past, size, &mut self.record);
+        // By the size of the last step, of either alone.
+        let [mut by_cost, mut by_event] = [gradient.start.time, of_event.time];
+        for (start, by_size) in [(&gradient.start, &mut by_cost), (&of_event, &mut by_event)] {
+            scratch.start.position.set(&start.position);
+            scratch.start.rate.set(&start.rate);
+            self.steps.pull_back(past, size, &self.record, scratch);
+            *by_size += self.steps.of_size(past, size, &self.record);
+        }
+        self.steps.give_torques(&mut [], 0);
+        let share = by_cost * by_event.recip();
+        let Costate { mut position, mut rate, time } = of_event;
+        position.replace(&mut |x| -(share * x));
+        rate.replace(&mut |x| -(share * x));
+        gradient.start.position.add(&position);
+        gradient.start.rate.add(&rate);
+        gradient.start.time -= share * time;
+        self.pull_back(torques, states, by_torques, &mut gradient, cost)?;
+        Ok(gradient)
+    }
+}

@@ -1,0 +1,252 @@
+//! Steps of a run with all that their stages keep for costates.
+
+use super::loads::Seen;
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::element::{Coordinates, Element, RealOf};
+use crate::ends::Root;
+use crate::loading::EffortOf;
+use crate::mirror::{Position, Rate};
+use crate::relation::{Additive, Open, Wrench};
+use crate::scalar::Real;
+use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape, Takes};
+use crate::stepper::displace::displace;
+use crate::stepper::explicit::row_weights;
+use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
+use crate::time::Explicit;
+use crate::walks::burden::Burden;
+use crate::walks::factor::Factor;
+use crate::walks::measure::gains;
+use crate::walks::reach::Reach;
+use crate::walks::size::sizes;
+use crate::walks::{spread, unspread};
+use num_traits::Zero;
+
+/// Most rows that an explicit method has.
+pub(super) const ROWS: usize = 16;
+
+/// What a stage of a step keeps for its costates.
+#[derive(Clone)]
+pub(super) struct Stage<S: Reversed, E: Element<S>> {
+    pub(super) x: E::Store<PerAxes<S::X>>,
+    pub(super) y: E::Store<PerAxes<S::Y>>,
+    pub(super) p: E::Store<PerAxes<S::P>>,
+    pub(super) q: E::Store<PerAxes<S::Q>>,
+    pub(super) kept: E::Store<Kept<Open>>,
+    pub(super) pivots: E::Store<PerJoint<S::Pivot>>,
+    /// Accelerations of the outboard ends of bodies and joints.
+    pub(super) at_bodies: E::Store<PerBody<S::Vector>>,
+    pub(super) at_joints: E::Store<PerJoint<S::Vector>>,
+    pub(super) position: E::Position,
+    pub(super) rate: E::Rate,
+    /// Accelerations, where those of the step's coordinates are others.
+    pub(super) acceleration: E::Rate,
+}
+
+/// A step with what its stages keep.
+pub(super) struct Record<S: Reversed, E: Element<S>, M: Explicit> {
+    pub(super) stages: M::Rows<Stage<S, E>>,
+    pub(super) accelerations: M::Rows<E::Rate>,
+}
+
+impl<S: Reversed, E: Element<S>, M: Explicit> Clone for Record<S, E, M> {
+    fn clone(&self) -> Self {
+        let (mut stages, mut accelerations) =
+            (M::rows(&self.stages.as_ref()[0]), M::rows(&self.accelerations.as_ref()[0]));
+        stages.as_mut().clone_from_slice(self.stages.as_ref());
+        accelerations.as_mut().clone_from_slice(self.accelerations.as_ref());
+        Self { stages, accelerations }
+    }
+}
+
+impl<S: Reversed, E: Element<S>, M: Explicit> Record<S, E, M> {
+    /// Accelerations in which the step begins.
+    pub(super) fn first(&self) -> &E::Rate {
+        &self.accelerations.as_ref()[0]
+    }
+}
+
+/// What makes steps and pulls costates back through them.
+pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P, M: Explicit, L> {
+    /// What acts on bodies.
+    pub(super) loads: Seen<S, Elements<S, R, C>, L>,
+    pub(super) scene: &'s System<S, R, C, P>,
+    pub(super) sizes: <Elements<S, R, C> as Shape<S>>::Store<PerAxes<S::Size>>,
+    /// Torques that are held over the step.
+    pub(super) torques: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>,
+    /// Costates of these.
+    pub(super) of_torques: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>,
+    /// Costates of the positions and rates of each row.
+    pub(super) of_position: M::Rows<<Elements<S, R, C> as Element<S>>::Rate>,
+    pub(super) of_rate: M::Rows<<Elements<S, R, C> as Element<S>>::Rate>,
+    /// Costates of accelerations, and room for sums.
+    pub(super) of_acceleration: <Elements<S, R, C> as Element<S>>::Rate,
+    /// Costates of second derivatives of the step's coordinates, where positions are curved.
+    pub(super) of_second: <Elements<S, R, C> as Element<S>>::Rate,
+    pub(super) sum: <Elements<S, R, C> as Element<S>>::Rate,
+    /// Where the step leads, where positions are curved.
+    pub(super) end: (PositionOf<S, R, C>, RateOf<S, R, C>),
+    pub(super) zero: <Elements<S, R, C> as Element<S>>::Rate,
+    pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
+    pub(super) in_joints: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<S::InJoint>>,
+    /// Weights of each row's acceleration in the positions and rates of all rows: columns of the tableau.
+    pub(super) weights: M::Rows<[[f64; ROWS]; 2]>,
+    pub(super) nodes: [f64; ROWS],
+}
+
+impl<'s, S, R, C, P, M, L> Steps<'s, S, R, C, P, M, L>
+where
+    S: Reversed,
+    R: ReversibleRoot<S>,
+    C: Element<S>,
+    P: ReversibleTip<S>,
+    M: Explicit,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    EffortOf<S>: Additive,
+{
+    pub(super) const CURVED: bool = <PositionOf<S, R, C> as Position<S::Scalar>>::CURVED;
+
+    pub(super) fn new(scene: &'s System<S, R, C, P>, law: L) -> Self {
+        let elements = scene.elements();
+        let zero = elements.store::<Rates>(());
+        let mut weights = M::rows(&[[0.0; ROWS]; 2]);
+        for (column, [position, rate]) in weights.as_mut().iter_mut().enumerate() {
+            for row in column + 1..=M::STAGES {
+                (position[row], rate[row]) = (M::position(row)[column], M::rate(row)[column]);
+            }
+        }
+        let mut nodes = [0.0; ROWS];
+        nodes.iter_mut().enumerate().take(M::STAGES + 1).for_each(|(row, node)| *node = M::node(row));
+        let (on_body, in_joint) = S::untouched();
+        let no_torque = EffortOf::<S>::null();
+        Self {
+            loads: Seen::new(elements, law, scene.ground(RealOf::<S>::zero())),
+            scene,
+            sizes: sizes(elements),
+            torques: elements.store::<PerJoint<_>>(no_torque),
+            of_torques: elements.store::<PerJoint<_>>(no_torque),
+            of_position: M::rows(&zero),
+            of_rate: M::rows(&zero),
+            of_acceleration: zero.clone(),
+            of_second: zero.clone(),
+            end: (elements.store::<Positions>(()), zero.clone()),
+            sum: zero.clone(),
+            zero,
+            on_bodies: elements.store::<PerBody<_>>(on_body),
+            in_joints: elements.store::<PerJoint<_>>(in_joint),
+            weights,
+            nodes,
+        }
+    }
+
+    /// Room for a step.
+    pub(super) fn record(&self) -> Record<S, Elements<S, R, C>, M> {
+        let elements = self.scene.elements();
+        let (x, y, p, q) = S::blank();
+        let stage = Stage {
+            x: elements.store::<PerAxes<_>>(x),
+            y: elements.store::<PerAxes<_>>(y),
+            p: elements.store::<PerAxes<_>>(p),
+            q: elements.store::<PerAxes<_>>(q),
+            kept: gains(elements),
+            pivots: elements.store::<PerJoint<_>>(S::no_pivot()),
+            at_bodies: elements.store::<PerBody<_>>(S::Vector::null()),
+            at_joints: elements.store::<PerJoint<_>>(S::Vector::null()),
+            position: elements.store::<Positions>(()),
+            rate: self.zero.clone(),
+            acceleration: self.zero.clone(),
+        };
+        Record { stages: M::rows(&stage), accelerations: M::rows(&self.zero) }
+    }
+
+    /// Takes the torques of a step: none where none are given, whatever an earlier run was given.
+    pub(super) fn take_torques(&mut self, torques: &[EffortOf<S>], step: usize) {
+        let (elements, joints) = (self.scene.elements(), self.scene.joints());
+        let first = if torques.len() == joints { 0 } else { step * joints };
+        match torques.get(first..first + joints) {
+            Some(torques) => spread::to_joints(elements, torques, &mut self.torques),
+            None => unspread::from_joints(elements, &mut self.torques, EffortOf::<S>::null(), &mut []),
+        }
+    }
+
+    /// Gives the costates of the torques of a step, and forgets them; if they are held over all steps, once they are complete.
+    pub(super) fn give_torques(&mut self, by_torques: &mut [EffortOf<S>], step: usize) {
+        let joints = self.scene.joints();
+        if by_torques.len() == joints && step > 0 {
+            return;
+        }
+        let list = by_torques.get_mut(step * joints..(step + 1) * joints).unwrap_or_default();
+        unspread::from_joints(self.scene.elements(), &mut self.of_torques, EffortOf::<S>::null(), list);
+    }
+
+    /// The stages of a step, of which the first is the motion before it.
+    pub(super) fn evaluate(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        record: &mut Record<S, Elements<S, R, C>, M>,
+    ) {
+        for row in 0..M::STAGES {
+            if row > 0 {
+                let Stage { position, rate, .. } = &mut record.stages.as_mut()[row];
+                let room = (&self.zero, &mut self.sum);
+                let slopes = record.accelerations.as_ref();
+                displace(past, slopes, M::node(row), row_weights::<M>(row), step, room, (&mut *position, &mut *rate));
+                if Self::CURVED {
+                    position.retract_rate(&past.position, rate);
+                }
+            }
+            self.sweep(row, past, past.time + RealOf::<S>::of(M::node(row)) * step, record);
+            if Self::CURVED && row > 0 {
+                let Stage { position, rate, acceleration, .. } = &mut record.stages.as_mut()[row];
+                let slope = &mut record.accelerations.as_mut()[row];
+                acceleration.set(slope);
+                position.inverse_retract_acceleration(&past.position, rate, slope);
+            }
+        }
+    }
+
+    /// The step to a time, from the past motion to the next, which has no accelerations.
+    pub(super) fn step_to(
+        &mut self,
+        time: RealOf<S>,
+        past: &MotionOf<S, R, C, P>,
+        record: &mut Record<S, Elements<S, R, C>, M>,
+        next: &mut MotionOf<S, R, C, P>,
+    ) {
+        let step = time - past.time;
+        self.evaluate(past, step, record);
+        let (row, room) = (M::STAGES, (&self.zero, &mut self.sum));
+        let into = (&mut next.position, &mut next.rate);
+        displace(past, record.accelerations.as_ref(), M::node(row), row_weights::<M>(row), step, room, into);
+        if Self::CURVED {
+            next.position.retract_rate(&past.position, &mut next.rate);
+        }
+        next.acceleration.set(&self.zero);
+        next.time = time;
+    }
+
+    /// The sweep of a stage.
+    #[inline(never)] // one copy for forward and backward
+    fn sweep(
+        &mut self,
+        row: usize,
+        past: &MotionOf<S, R, C, P>,
+        time: RealOf<S>,
+        record: &mut Record<S, Elements<S, R, C>, M>,
+    ) {
+        let (elements, ground) = (self.scene.elements(), self.scene.ground(time));
+        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, .. } =
+            &mut record.stages.as_mut()[row];
+        let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (&*position, &*rate) };
+        S::pose(elements, position, rate, ground.turn, &self.sizes, x, y, p, q);
+        elements.take(&mut Factor, S::nothing(), (x, y, p, q, (position, rate), &self.torques, kept, pivots));
+        if const { L::ON } {
+            self.loads.see(elements, ground, Coordinates { position, rate, acceleration: &self.zero }, time);
+            elements.take(&mut Burden, Wrench::none(), (x, y, p, q, &self.loads.on_bodies, kept, pivots));
+        }
+        let acceleration = &mut record.accelerations.as_mut()[row];
+        let falling = ground.falling(self.scene.gravity());
+        elements.take(&mut Reach, falling, (x, y, p, q, kept, acceleration, (at_bodies, at_joints)));
+    }
+}

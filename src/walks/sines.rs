@@ -1,0 +1,107 @@
+//! Sines of all joints at once, before bodies are posed one after the other.
+
+use crate::scalar::Scalar;
+use crate::shape::{AtBody, AtJoint, Body, Joint, Mut, Outward, PerAxes, Positions, Ref, Shape, Walk, alike};
+use crate::space::Space;
+use num_traits::Zero;
+
+/// As many angles as are worked on together.
+const ROOM: usize = 64;
+
+/// Stores sine and cosine of each angle that a joint asks for ([`Joint::SINES`]): where the type of the chain says how many there are, in
+/// one loop, which vectorises.
+#[inline(always)]
+pub fn sines<S: Space, E: Shape<S>>(chain: &E, positions: &E::Store<Positions>, x: &mut E::Store<PerAxes<S::X>>) {
+    if const { E::SINES == 0 } {
+        return;
+    }
+    if const { E::SINES > ROOM } {
+        chain.outward(&mut Each, (), (positions, x));
+        return;
+    }
+    let mut list = [[S::Scalar::zero(); ROOM]; 2];
+    chain.outward(&mut Gather { angles: &mut list[0], next: 0 }, (), (positions,));
+    let count = const { E::SINES.next_multiple_of(4) };
+    let [first, second] = &mut list;
+    for (a, b) in first.iter_mut().zip(second).take(count) {
+        (*a, *b) = a.sin_cos();
+    }
+    chain.outward(&mut Spread { list: &list, next: 0 }, (), (x,));
+}
+
+/// Finds sines where it meets a joint.
+struct Each;
+
+impl<S: Space> Walk<S> for Each {
+    type Carried = ();
+    type Stores = (Ref<Positions>, Mut<PerAxes<S::X>>);
+}
+
+impl<S: Space> Outward<S> for Each {
+    alike!();
+
+    #[inline(always)]
+    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
+    #[inline(always)]
+    fn joint<J: Joint<S>>(&mut self, joint: &J, (): (), (position, x): AtJoint<'_, S, Self, J>) {
+        if const { J::SINES > 0 } {
+            let (sine, cosine) = joint.angle(position).sin_cos();
+            joint.set_sine(x, [sine, cosine]);
+        }
+    }
+}
+
+/// Lists angles.
+struct Gather<'l, T> {
+    angles: &'l mut [T; ROOM],
+    next: usize,
+}
+
+impl<S: Space> Walk<S> for Gather<'_, S::Scalar> {
+    type Carried = ();
+    type Stores = (Ref<Positions>,);
+}
+
+impl<S: Space> Outward<S> for Gather<'_, S::Scalar> {
+    alike!();
+
+    #[inline(always)]
+    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
+    #[inline(always)]
+    fn joint<J: Joint<S>>(&mut self, joint: &J, (): (), (position,): AtJoint<'_, S, Self, J>) {
+        if const { J::SINES > 0 } {
+            if let Some(angle) = self.angles.get_mut(self.next) {
+                *angle = joint.angle(position);
+            }
+            self.next += 1;
+        }
+    }
+}
+
+/// Hands sines and cosines to joints.
+struct Spread<'l, T> {
+    list: &'l [[T; ROOM]; 2],
+    next: usize,
+}
+
+impl<S: Space> Walk<S> for Spread<'_, S::Scalar> {
+    type Carried = ();
+    type Stores = (Mut<PerAxes<S::X>>,);
+}
+
+impl<S: Space> Outward<S> for Spread<'_, S::Scalar> {
+    alike!();
+
+    #[inline(always)]
+    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
+    #[inline(always)]
+    fn joint<J: Joint<S>>(&mut self, joint: &J, (): (), (x,): AtJoint<'_, S, Self, J>) {
+        if const { J::SINES > 0 } {
+            let [sines, cosines] = self.list;
+            if let (Some(sine), Some(cosine)) = (sines.get(self.next), cosines.get(self.next)) {
+                joint.set_sine(x, [*sine, *cosine]);
+            }
+            self.next += 1;
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! Robots in axes of their bodies, against mass matrices from Jacobians.
+
+mod functions;
+mod kit;
+mod motion;

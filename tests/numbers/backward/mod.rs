@@ -1,0 +1,171 @@
+//! Gradients of runs that go backward: against jets through the same steps, kind by kind, and against central differences.
+
+use catena::Scalar;
+
+/// What the macro below names.
+mod names {
+    pub(super) use super::{ROUNDING, alike, share};
+    pub(super) use catena::Scalar;
+    pub(super) use catena::planar::*;
+    pub(super) use catena::scalar::Jet;
+    pub(super) use catena_oracle::{Noise, near};
+}
+
+/// Some thousand roundings.
+const ROUNDING: f64 = 1e-12;
+
+/// Numbers of one kind: what they are called, and how many there are.
+type Kinds<'k> = &'k [(&'k str, usize)];
+
+/// Each number agrees to a share of the largest of its kind.
+#[track_caller]
+fn alike(name: &str, kinds: Kinds, found: &[f64], expected: &[f64], tolerance: f64) {
+    assert_eq!(found.len(), kinds.iter().map(|kind| kind.1).sum::<usize>());
+    assert_eq!(found.len(), expected.len());
+    let mut first = 0;
+    for &(kind, count) in kinds {
+        let (found, expected) = (&found[first..][..count], &expected[first..][..count]);
+        let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        assert!(size > 0.0, "{name}: {kind} do nothing");
+        let worst = found.iter().zip(expected).fold(0.0_f64, |worst, (f, e)| worst.max((f - e).abs() / size));
+        println!("{name}, {kind}: largest deviation {worst:.1e}");
+        assert!(worst <= tolerance, "{name}, {kind}: {found:?} not {expected:?}");
+        first += count;
+    }
+}
+
+/// What a cost reads of one coordinate and its rate at a step: it is quadratic, and unlike for each of them.
+fn share<T: Scalar<Real = f64>>(step: usize, last: usize, i: usize, q: T, v: T) -> T {
+    let weight = 1.0 + 0.1 * i as f64;
+    if step == last { q.scale(weight) + (v * v).scale(0.5) } else { (q * v).scale(0.01 * weight / (1.0 + step as f64)) }
+}
+
+/// A scene from numbers, run by fixed steps, as plain numbers backward and over jets by the rule itself: the gradient of a cost by all
+/// numbers. The scene's constructor takes each from `$number`, by its place in the list: parameters, the last of them those of a law of
+/// loads if there is one, then coordinates, rates, and torques.
+macro_rules! gradients {
+    ($name:expr, $kinds:expr, $numbers:expr, [$angles:expr, $joints:expr], $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block) => {
+        gradients!(
+            $name,
+            $kinds,
+            $numbers,
+            [$angles, $joints],
+            $method,
+            $steps,
+            $h,
+            |$x| $scene,
+            under(0, |$x| { Absent })
+        )
+    };
+    ($name:expr, $kinds:expr, $numbers:expr, [$angles:expr, $joints:expr], $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block,
+     under ($of_law:expr, |$y:ident| $law:block)) => {{
+        let (numbers, steps, h, n, joints): (Vec<f64>, usize, f64, usize, usize) =
+            ($numbers, $steps, $h, $angles, $joints);
+        let parameters = numbers.len() - 2 * n - steps * joints;
+        // Over numbers: the cost of the run.
+        macro_rules! cost {
+            ($N:ty, $number:expr) => {{
+                let $x = $number;
+                let of: Vec<$N> = (0..numbers.len()).map(&$x).collect();
+                let system = {
+                    type N = $N;
+                    $scene
+                };
+                let law = {
+                    type N = $N;
+                    let $y = |k: usize| -> N { of[k] };
+                    $law
+                };
+                let mut now = system.motion();
+                now.set_coordinates(&of[parameters..][..n]).unwrap();
+                now.set_rates(&of[parameters + n..][..n]).unwrap();
+                let (mut next, mut stepper, mut sum) = (now.clone(), system.stepper($method), <$N>::constant(0.0));
+                for step in 0..=steps {
+                    let (positions, rates) = (now.coordinates(), now.rates());
+                    for i in 0..n {
+                        sum += share(step, steps, i, positions[i], rates[i]);
+                    }
+                    if step < steps {
+                        let torques = &of[parameters + 2 * n + step * joints..][..joints];
+                        stepper
+                            .step(&now, &Loads::none().torques(torques.to_vec()).on_bodies_by(law), h, &mut next)
+                            .unwrap();
+                        core::mem::swap(&mut now, &mut next);
+                    }
+                }
+                sum
+            }};
+        }
+        // Backward.
+        let system = {
+            type N = f64;
+            let $x = |k: usize| -> N { numbers[k] };
+            $scene
+        };
+        let mut start = system.motion();
+        start.set_coordinates(&numbers[parameters..][..n]).unwrap();
+        start.set_rates(&numbers[parameters + n..][..n]).unwrap();
+        let (mut states, torques) = (vec![start.clone(); steps + 1], &numbers[parameters + 2 * n..]);
+        let mut by_torques = vec![0.0; torques.len()];
+        let law = {
+            type N = f64;
+            let $y = |k: usize| -> N { numbers[k] };
+            $law
+        };
+        let mut backward = system.backward($method).under(law);
+        backward.run(&start, h, steps, torques, &mut states).unwrap();
+        let mut total = 0.0;
+        let gradient = backward
+            .gradient(torques, &states, &mut by_torques, |step, state, by| {
+                let (q, v) = (state.coordinates(), state.rates());
+                let parts = |k: usize| -> Vec<f64> {
+                    (0..n)
+                        .map(|i| share(step, steps, i, Jet::<f64, 2>::seed(q[i], 0), Jet::seed(v[i], 1)).eps[k])
+                        .collect()
+                };
+                total += (0..n).map(|i| share(step, steps, i, q[i], v[i])).sum::<f64>();
+                by.add(&parts(0), &parts(1))
+            })
+            .unwrap();
+        // The number itself is that of the rule, but for the order in which shares are added up.
+        let plain = cost!(f64, |k: usize| -> f64 { numbers[k] });
+        near(total, plain, 1e-12 * (1.0 + plain.abs()));
+        let mut found = vec![];
+        let mut expected = vec![];
+        for first in (0..numbers.len()).step_by(8) {
+            type J = Jet<f64, 8>;
+            let number = |k: usize| -> J { J::seed(numbers[k], usize::wrapping_sub(k, first)) };
+            expected.extend(cost!(J, number).eps);
+            let system = {
+                type N = J;
+                let $x = number;
+                $scene
+            };
+            found.extend(gradient.along(&system).unwrap());
+        }
+        expected.truncate(numbers.len());
+        found.truncate(parameters - $of_law);
+        found.extend(gradient.by_loads().unwrap());
+        found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()).chain(by_torques));
+        alike($name, $kinds, &found, &expected, ROUNDING);
+        // Central differences of order 4.
+        let differences: Vec<f64> = (0..numbers.len())
+            .map(|j| {
+                let e = 2e-4 * numbers[j].abs().max(0.1);
+                let at = |e: f64| cost!(f64, |k: usize| -> f64 { numbers[k] + if k == j { e } else { 0.0 } });
+                (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
+            })
+            .collect();
+        alike($name, $kinds, &found, &differences, 1e-6);
+    }};
+}
+pub(crate) use gradients;
+
+// Behind the macro, which they use.
+mod chains;
+mod joints;
+mod linear;
+mod loads;
+mod long;
+mod space;
+mod times;

@@ -1,0 +1,344 @@
+//! Gradients of runs in space that go backward: against jets through the same steps, kind by kind, and against central differences.
+
+use super::{Kinds, ROUNDING, alike};
+use catena::Scalar;
+use catena::scalar::Jet;
+use catena::spatial::*;
+use catena::system::{Position, Rate};
+use catena_oracle::{Noise, near};
+
+/// What a cost reads of coordinates and rates at a step: unlike for each of them.
+fn share<T: Scalar<Real = f64>>(step: usize, last: usize, positions: &[T], rates: &[T]) -> T {
+    let mut sum = T::constant(0.0);
+    for (i, (&q, weight)) in positions.iter().zip(weights(step, last)).enumerate() {
+        sum += (q + (q * q).scale(0.1 * i as f64)).scale(weight);
+    }
+    for (&v, weight) in rates.iter().zip(weights(step, last)) {
+        sum += (v + (v * v).scale(0.5)).scale(weight);
+    }
+    sum
+}
+
+/// Its derivatives by displacements and rates: a ball's quaternion p changes by half of p ∘ (0, ψ) with a rotation vector in body axes.
+fn slopes(step: usize, last: usize, balls: &[bool], positions: &[f64], rates: &[f64]) -> [Vec<f64>; 2] {
+    let by = |i: usize, q: f64| (1.0 + 0.2 * i as f64 * q) * weights(step, last).nth(i).unwrap();
+    let (mut i, mut by_position) = (0, vec![]);
+    for &ball in balls {
+        let own: Vec<f64> = (i..i + if ball { 4 } else { 1 }).map(|i| by(i, positions[i])).collect();
+        if let ([a, b, c, d], [w, x, y, z, ..]) = (&own[..], &positions[i..]) {
+            by_position.extend(
+                [-a * x + b * w + c * z - d * y, -a * y - b * z + c * w + d * x, -a * z + b * y - c * x + d * w]
+                    .map(|sum| 0.5 * sum),
+            );
+        } else {
+            by_position.push(own[0]);
+        }
+        i += own.len();
+    }
+    [by_position, rates.iter().zip(weights(step, last)).map(|(v, weight)| (1.0 + v) * weight).collect()]
+}
+
+/// Weights of coordinates: all of them at the end, less on the way.
+fn weights(step: usize, last: usize) -> impl Iterator<Item = f64> {
+    let all = if step == last { 1.0 } else { 0.02 / (1.0 + step as f64) };
+    (0..).map(move |i| all * (1.0 + 0.1 * i as f64))
+}
+
+/// A scene from numbers, run by fixed steps, as plain numbers backward and over jets by the rule itself: the gradient of a cost by all
+/// numbers. The scene's constructor takes each from `$number`, by its place in the list: parameters, then displacements from angles, rates,
+/// and torques, three a joint.
+macro_rules! gradients {
+    ($name:expr, $kinds:expr, $parameters:expr, $balls:expr, $joints:expr, $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block) => {{
+        let (mut numbers, steps, h, joints): (Vec<f64>, usize, f64, usize) = ($parameters, $steps, $h, $joints);
+        let balls: &[bool] = &$balls;
+        let (parameters, n) = (numbers.len(), balls.iter().map(|ball| if *ball { 3 } else { 1 }).sum::<usize>());
+        let mut noise = Noise::new(5);
+        let angles: Vec<f64> = (0..n).map(|_| noise.next()).collect();
+        numbers.extend((0..n).map(|_| 0.0));
+        numbers.extend((0..n).map(|_| noise.next()));
+        numbers.extend((0..3 * steps * joints).map(|_| noise.next()));
+        let mut kinds = $kinds.to_vec();
+        kinds.extend([("attitudes", n), ("rates", n), ("torques", 3 * steps * joints)]);
+        // The motion in which a run begins, and torques.
+        macro_rules! start {
+            ($N:ty, $system:expr, $of:expr) => {{
+                let at: Vec<$N> = angles.iter().map(|angle| <$N>::constant(*angle)).collect();
+                let still = $system.at_rest(&at).unwrap();
+                let mut start = $system.with_rates(still, &$of[parameters + n..][..n]).unwrap();
+                let (mut step, mut displacements) = (start.rate().clone(), $of[parameters..].iter());
+                Rate::<$N>::replace(&mut step, &mut |_| *displacements.next().unwrap());
+                Position::<$N>::displace(start.position_mut(), &step);
+                let torques =
+                    $of[parameters + 2 * n..].chunks(3).map(|t| Effort([t[0], t[1], t[2]])).collect::<Vec<_>>();
+                (start, torques)
+            }};
+        }
+        // Over numbers: the cost of the run.
+        macro_rules! cost {
+            ($N:ty, $number:expr) => {{
+                let $x = $number;
+                let of: Vec<$N> = (0..numbers.len()).map(&$x).collect();
+                let system = {
+                    type N = $N;
+                    $scene
+                };
+                let (mut now, torques) = start!($N, system, of);
+                let (mut next, mut stepper, mut sum) = (now.clone(), system.stepper($method), <$N>::constant(0.0));
+                for step in 0..=steps {
+                    sum += share(step, steps, &now.coordinates(), &now.rates());
+                    if step < steps {
+                        let loads = Loads::none().efforts(torques[step * joints..][..joints].to_vec());
+                        stepper.step(&now, &loads, h, &mut next).unwrap();
+                        core::mem::swap(&mut now, &mut next);
+                    }
+                }
+                sum
+            }};
+        }
+        // Backward.
+        let system = {
+            type N = f64;
+            let $x = |k: usize| -> N { numbers[k] };
+            $scene
+        };
+        let (start, torques) = start!(f64, system, numbers);
+        let mut states = vec![start.clone(); steps + 1];
+        let mut by_torques = vec![Effort([0.0; 3]); torques.len()];
+        let mut backward = system.backward($method);
+        backward.run(&start, h, steps, &torques, &mut states).unwrap();
+        let mut total = 0.0;
+        let gradient = backward
+            .gradient(&torques, &states, &mut by_torques, |step, state, by| {
+                let (q, v) = (state.coordinates(), state.rates());
+                total += share(step, steps, &q, &v);
+                let [by_position, by_rate] = slopes(step, steps, balls, &q, &v);
+                by.add(&by_position, &by_rate)
+            })
+            .unwrap();
+        // The number itself is that of the rule, but for the order in which shares are added up.
+        let plain = cost!(f64, |k: usize| -> f64 { numbers[k] });
+        near(total, plain, 1e-12 * (1.0 + plain.abs()));
+        let (mut found, mut expected) = (vec![], vec![]);
+        for first in (0..numbers.len()).step_by(8) {
+            type J = Jet<f64, 8>;
+            let number = |k: usize| -> J { J::seed(numbers[k], usize::wrapping_sub(k, first)) };
+            expected.extend(cost!(J, number).eps);
+            let system = {
+                type N = J;
+                let $x = number;
+                $scene
+            };
+            found.extend(gradient.along(&system).unwrap());
+        }
+        expected.truncate(numbers.len());
+        found.truncate(parameters);
+        found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()));
+        found.extend(by_torques.iter().flat_map(|torque| torque.0));
+        alike($name, &kinds, &found, &expected, ROUNDING);
+        // Central differences of order 4, by two numbers of five.
+        let some = || (0..numbers.len()).filter(|j| j % 5 < 2);
+        let differences: Vec<f64> = some()
+            .map(|j| {
+                let e = 2e-4 * numbers[j].abs().max(0.1);
+                let at = |e: f64| cost!(f64, |k: usize| -> f64 { numbers[k] + if k == j { e } else { 0.0 } });
+                (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
+            })
+            .collect();
+        let found: Vec<f64> = some().map(|j| found[j]).collect();
+        let mut first = 0;
+        for kind in &mut kinds {
+            let next = first + kind.1;
+            (kind.1, first) = (some().filter(|j| (first..next).contains(j)).count(), next);
+        }
+        kinds.retain(|kind| kind.1 > 0);
+        alike($name, &kinds, &found, &differences, 1e-6);
+    }};
+}
+
+/// A body with mass, tensor, mass centre and outboard end anywhere, from thirteen numbers.
+fn body<N: Scalar>(of: [N; 13]) -> RigidBody<N> {
+    let [m, xx, yy, zz, xy, xz, yz, a, b, c, d, e, f] = of;
+    RigidBody::new(m, [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]], [a, b, c], [d, e, f])
+}
+
+/// Numbers of bodies, and gravity.
+fn bodies(n: usize) -> Vec<f64> {
+    let mut noise = Noise::new(n as u64);
+    let mut list = vec![];
+    for _ in 0..n {
+        let typical = [1.2, 0.2, 0.25, 0.3, 0.02, -0.03, 0.01, 0.3, 0.1, -0.05, 0.7, -0.2, 0.15];
+        list.extend(typical.map(|x| x * (1.0 + 0.2 * noise.next())));
+    }
+    list.extend([0.5, -9.0, 1.0]);
+    list
+}
+
+macro_rules! balls {
+    ($n:expr, $method:expr, $steps:expr, $h:expr) => {{
+        let n = $n;
+        let kinds: Kinds = &[("bodies", 13 * n), ("gravity", 3)];
+        let name = format!("{n} balls, {:?}", $method);
+        gradients!(&name, kinds, bodies(n), vec![true; n], n, $method, $steps, $h, |x| {
+            let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+            let others: Vec<(Ball, RigidBody<N>)> = (1..n).map(|i| (Ball, of(i))).collect();
+            let root = Pinned::on([0.0; 3].map(N::constant));
+            System::new(root, (of(0), others), Free).unwrap().with_gravity([0, 1, 2].map(|k| x(13 * n + k)))
+        })
+    }};
+}
+
+#[test]
+fn chains_on_balls_have_the_gradients_of_jets() {
+    balls!(1, Rk4, 6, 0.05);
+    balls!(2, Rk4, 6, 0.05);
+    balls!(2, Dop853, 3, 0.1);
+}
+
+macro_rules! revolutes {
+    ($n:expr, $method:expr, $steps:expr, $h:expr) => {{
+        let n = $n;
+        let kinds: Kinds = &[("bodies", 13 * n), ("gravity", 3), ("axes", 3 * n), ("attitude of the root", 3)];
+        let mut parameters = bodies(n);
+        parameters.extend((0..n).flat_map(|i| [0.4, 0.3 * i as f64, 1.0]).chain([0.3, -0.5, 0.2]));
+        let name = format!("{n} revolutes, {:?}", $method);
+        gradients!(&name, kinds, parameters, vec![false; n], n + 1, $method, $steps, $h, |x| {
+            let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+            let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
+            let link = |i: usize| (Revolute::about(vector(13 * n + 3 + 3 * i)), of(i));
+            let links: Vec<(Revolute<N>, RigidBody<N>)> = (0..n).map(link).collect();
+            let root = Clamped::at([0.0; 3].map(N::constant), Rotation::from_angles(vector(16 * n + 3)));
+            System::new(root, links, Free).unwrap().with_gravity(vector(13 * n))
+        })
+    }};
+}
+
+#[test]
+fn chains_on_revolutes_have_the_gradients_of_jets() {
+    revolutes!(1, Rk4, 6, 0.05);
+    revolutes!(2, Rk4, 6, 0.05);
+    revolutes!(2, Dop853, 3, 0.1);
+}
+
+/// A revolute between balls, with a rod, a bob, a weld and an arm.
+#[test]
+fn trees_have_the_gradients_of_jets() {
+    let mut parameters = bodies(2);
+    parameters.extend([0.3, 1.0, -0.5, 0.2, 0.1, -0.4]); // an axis, a weld
+    parameters.extend([0.7, 0.8, 0.3, 0.02, 0.05, 0.4, 0.3]); // a rod, a bob
+    parameters.extend([3.0, 0.4, 0.2]); // a spring
+    let kinds: Kinds =
+        &[("bodies", 26), ("gravity", 3), ("axis", 3), ("weld", 3), ("rod", 5), ("bob", 2), ("springs", 3)];
+    let balls = [true, true, false, false, true];
+    gradients!("a tree", kinds, parameters, balls, 6, Rk4, 3, 0.05, |x| {
+        let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+        let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
+        let spring = Spring::new(x(42)).damped(x(43)).resting_at(x(44));
+        let (hinge, weld) = (Revolute::about(vector(29)).with(spring), Weld::at(Rotation::from_angles(vector(32))));
+        let rod = Rod::new(x(35), x(36), x(37), x(38), x(39));
+        let bob = PointMass::new(x(40), x(41));
+        let arm = (Ball, rod, hinge, bob);
+        let chain = (of(0), Branch(arm), weld, hinge, rod, Ball, of(1));
+        System::new(Pinned::on([0.0; 3].map(N::constant)), chain, Free).unwrap().with_gravity(vector(26))
+    });
+}
+
+/// Revolute, ball, revolute, revolute, on a hinge that is turned.
+macro_rules! mixed {
+    ($method:expr, $steps:expr, $h:expr) => {{
+        let mut parameters = bodies(4);
+        parameters.extend([0.3, 1.0, -0.5, 0.2, 0.1, -0.4, 0.0, 0.3, 0.9]);
+        let kinds: Kinds = &[("bodies", 52), ("gravity", 3), ("axes", 9)];
+        let name = format!("revolutes about a ball, {:?}", $method);
+        gradients!(&name, kinds, parameters, [false, true, false, false], 4, $method, $steps, $h, |x| {
+            let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+            let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
+            let hinge = |i: usize| Revolute::about(vector(55 + 3 * i));
+            let ground = Clamped::at([0.0; 3].map(N::constant), Rotation::from_angles(vector(55)));
+            let root = Hinged::on(ground, vector(55));
+            let chain = (of(0), Ball, of(1), [(hinge(1), of(2)), (hinge(2), of(3))]);
+            System::new(root, chain, Free).unwrap().with_gravity(vector(52))
+        })
+    }};
+}
+
+#[test]
+fn revolutes_about_a_ball_have_the_gradients_of_jets() {
+    mixed!(Rk4, 3, 0.05);
+    mixed!(Dop853, 2, 0.1);
+}
+
+/// At rest and straight, where angles 1-2-3 are singular, with gravity along the chain and without: finite, and right.
+#[test]
+fn straight_chains_at_rest_have_a_gradient() {
+    let right = 0.5 * core::f64::consts::PI;
+    for gravity in [9.81, 0.0] {
+        let rod = Rod::uniform(0.5_f64, 0.02, 1.0);
+        let hinge = Revolute::about([0.0, 0.0, 1.0]);
+        let system = System::new(Pinned::origin(), (rod, Ball, rod, hinge, rod), Free).unwrap();
+        let system = system.with_gravity([0.0, 0.0, -gravity]);
+        let start = system.at_rest(&[0.0, right, 0.0, 0.0, right, 0.0, 0.0]).unwrap();
+        let mut states = vec![start; 11];
+        let mut backward = system.backward(Rk4);
+        backward.run(&start, 0.02, 10, &[], &mut states).unwrap();
+        let weights = [0.3, 0.2, -0.4, 0.5, 0.1, 0.6, 0.8];
+        let found = backward
+            .gradient(
+                &[],
+                &states,
+                &mut [],
+                |step, _, by| {
+                    if step == 10 { by.add(&[0.0; 7], &weights) } else { Ok(()) }
+                },
+            )
+            .unwrap();
+        let lifted = system.lift(Jet::<f64, 7>::of);
+        let mut jets = lifted.at_rest(&[0.0, right, 0.0, 0.0, right, 0.0, 0.0].map(Jet::of)).unwrap();
+        let (mut step, mut k) = (*jets.rate(), 0..);
+        Rate::replace(&mut step, &mut |_| Jet::<f64, 7>::seed(0.0, k.next().unwrap()));
+        Position::displace(jets.position_mut(), &step);
+        let end = lifted.simulation(Rk4::step(0.02)).run(jets, 0.2, |_| ()).unwrap().motion;
+        let sum = |k: usize| end.rates().iter().zip(weights).map(|(v, weight)| v.eps[k] * weight).sum::<f64>();
+        found.by_position().iter().enumerate().for_each(|(k, found)| near(*found, sum(k), ROUNDING));
+        let (rates, [_, _, down]) = (found.by_rate(), <[f64; 3]>::from(found.by_gravity()));
+        assert!(rates.iter().all(|x| x.is_finite()) && down.abs() < ROUNDING, "{rates:?}, {down}");
+    }
+}
+
+/// From a tape as from states, bit for bit: each step goes back under its own torques. And a step has the Jacobians that go with it.
+#[test]
+fn tapes_and_jacobians_have_the_gradient_of_states() {
+    let rod = Rod::uniform(0.5_f64, 0.02, 1.0);
+    let hinge = Revolute::about([0.0, 0.0, 1.0]);
+    let system = System::new(Pinned::origin(), (rod, Ball, rod, hinge, rod), Free).unwrap();
+    let start = system.at_rest(&[0.1, -0.2, 0.3, 0.4, 0.2, -0.5, 0.6]).unwrap();
+    let torques: Vec<_> = (0..12).map(|k| Effort([0, 1, 2].map(|i| 2e-3 * f64::from(3 * k + i).sin()))).collect();
+    let mut backward = system.backward(Rk4);
+    let (mut states, mut tape, mut end) = (vec![start; 5], vec![backward.tape(); 4], start);
+    let cost = |step: usize, _: &_, by: &mut catena::sensitivity::Costate<_>| {
+        if step == 4 { by.add(&[0.3, 0.1, 0.2, 0.5, 0.4, 0.7, 0.6], &[0.2; 7]) } else { Ok(()) }
+    };
+    let (mut of_states, mut of_tape) = ([Effort([0.0; 3]); 12], [Effort([0.0; 3]); 12]);
+    backward.run(&start, 0.05, 4, &torques, &mut states).unwrap();
+    let all = backward.gradient(&torques, &states, &mut of_states, cost).unwrap();
+    backward.run_on_tape(&start, 0.05, 4, &torques, &mut tape, &mut end).unwrap();
+    let taped = backward.gradient_on_tape(4, &tape, &end, &mut of_tape, cost).unwrap();
+    assert!(of_states == of_tape && all.by_position() == taped.by_position() && all.by_rate() == taped.by_rate());
+    // The last costate through the Jacobians of four steps.
+    let mut costate: Vec<f64> = [0.3, 0.1, 0.2, 0.5, 0.4, 0.7, 0.6].into_iter().chain([0.2; 7]).collect();
+    for k in (0..4).rev() {
+        let (mut next, mut a, mut b) = (start, [0.0; 14 * 14], [Effort([0.0; 3]); 14 * 3]);
+        backward.linearised_step(&states[k], 0.05, &torques[3 * k..][..3], &mut next, &mut a, &mut b).unwrap();
+        let of_torques = &of_states[3 * k..][..3];
+        for (joint, expected) in of_torques.iter().enumerate() {
+            for i in 0..3 {
+                let found: f64 = (0..14).map(|row| costate[row] * b[3 * row + joint].0[i]).sum();
+                near(found, expected.0[i], ROUNDING);
+            }
+        }
+        costate = (0..14).map(|j| (0..14).map(|row| costate[row] * a[14 * row + j]).sum()).collect();
+    }
+    costate
+        .iter()
+        .zip(all.by_position().iter().chain(&all.by_rate()))
+        .for_each(|(found, x)| near(*found, *x, ROUNDING));
+}
