@@ -54,9 +54,9 @@ pub(crate) fn row_weights<M: Explicit>(row: usize) -> (&'static [f64], &'static 
     (&M::position(row)[..row], &M::rate(row)[..row])
 }
 
-/// Memory (bytes) of the rates of a scene with few coordinates, six plain numbers: there what a step does beside its sweeps would count,
-/// and code of its own for each row is not much.
-const FEW: usize = 48;
+/// So many numbers have rates of a scene with few coordinates: there what a step does beside its sweeps would count, and code of its own
+/// for each row is not much.
+const FEW: usize = 6;
 
 /// Calls a method for each row, by its number as a literal.
 macro_rules! each_row {
@@ -68,7 +68,8 @@ macro_rules! each_row {
 
 impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
     /// Whether sums are formed in registers, row by row.
-    const FEW: bool = size_of::<D::Rate>() <= FEW && !D::Position::CURVED && !<D::Scalar as Scalar>::LARGE;
+    const FEW: bool =
+        <D::Rate as Rate<D::Scalar>>::LENGTH <= FEW && !D::Position::CURVED && !<D::Scalar as Scalar>::LARGE;
 
     /// Positions and rates of a row.
     #[inline(always)]

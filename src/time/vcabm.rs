@@ -41,7 +41,7 @@ pub(crate) const TERMS: usize = MOST + 2;
 ///
 /// ```
 /// use catena::planar::*;
-/// let rod = Rod::uniform(1.0, 1.0);
+/// let rod = Rod::uniform(1.0_f64, 1.0);
 /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
 /// let start = pendulum.at_rest(&[-1.0, -0.5])?;
 /// let run = pendulum.simulate(start, Vcabm::new().tolerance(1e-9), 2.0, |_| ())?;
