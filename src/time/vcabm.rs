@@ -36,7 +36,7 @@ pub(crate) const TERMS: usize = MOST + 2;
 /// one more; while too little is remembered they are `Dop853`'s. Vibration limits them: the higher the order, the shorter they must be.
 ///
 /// It remembers motions as long as they are handed back as they were, and begins anew where loads have jumped. Over places where closures
-/// become dependent of each other `Dop853` makes a few steps in its stead; with tolerances of 1e-12 and less half of such runs end there
+/// become dependent of each other `Dop853` makes a few steps in its stead; with tolerances of 1e-12 and less most of such runs end there
 /// with an error.
 ///
 /// ```
