@@ -167,5 +167,6 @@ mod joints;
 mod linear;
 mod loads;
 mod long;
+mod misuse;
 mod space;
 mod times;
