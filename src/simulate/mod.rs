@@ -1,5 +1,6 @@
 //! Running a scene through time: step control, dense output at requested times, events, observers; and single steps, of a [`Stepper`].
 
+mod accept;
 pub(crate) mod crossing;
 mod drive;
 mod limits;
@@ -21,7 +22,7 @@ pub use crate::observers::Trace;
 pub use crate::observers::{EnergyDrift, Observe};
 pub use crate::stepper::{
     AdamsMemory, AdamsStepper, ExplicitStepper, ImplicitMemory, ImplicitStepper, Method, MotionIn, SdirkStepper,
-    Stepper, StepperOf, TaylorStepper, TimeIn,
+    Stepper, StepperOf, TaylorStepper, TimeIn, VcabmMemory, VcabmStepper,
 };
 pub use drive::Running;
 pub use saved::{Progress, Saved};
@@ -106,7 +107,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, 
 /// How a run ended.
 #[derive(Clone, Debug)]
 pub struct Run<M> {
-    /// The last motion, as the method has left it: an implicit rule goes on from its accelerations, and forces to be read have those
+    /// The last motion, as the method has left it: an implicit rule and `Vcabm` go on from its accelerations, and forces to be read have those
     /// of [`System::with_accelerations`].
     pub motion: M,
     /// Steps accepted.
