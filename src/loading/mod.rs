@@ -31,7 +31,7 @@ pub trait Loading<S: Space> {
     /// [`listed`](Self::on_bodies_listed).
     const READS: bool = true;
 
-    /// Whether torques are listed for joints of one coordinate alone.
+    /// Whether torques are listed, and [`in_joint`](Self::in_joint) numbers joints, for those of one coordinate alone.
     const BY_COORDINATE: bool = false;
 
     /// No load, to fill stores with.

@@ -38,9 +38,11 @@
 //! | `places`, `jacobian` | where bodies are; how a point moves with the joints |
 //! | `mass_centre`, `joint_energy` | |
 //!
-//! These are for robots whose base is fixed. None allocates; each is one walk outward, one inward, or both.
+//! These are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base
+//! that moves is taken at time zero. Angles out of range (400 000 rad), at which runs stop, are not refused here. None allocates; each is
+//! one walk outward, one inward, or both.
 //!
-//! Not yet: held tips, loops, loads on links, derivatives through kept gains: such scenes do not compile.
+//! Not yet: held tips, loops, loads on links, derivatives through kept gains, gradients backward: such scenes do not compile.
 
 mod functions;
 
@@ -49,4 +51,4 @@ pub use crate::mechanics::spatial::body_axes::{
     Place, Quarter, Slide, Torques, Turned, Upright,
 };
 pub use crate::spatial::*;
-pub use functions::Tasks;
+pub use functions::{FixedBase, Tasks};

@@ -18,7 +18,7 @@ pub struct Costate<R, T = f64> {
     pub position: R,
     /// By rates.
     pub rate: R,
-    /// By the time (s) that the cost itself reads: it matters where a run ends at an event.
+    /// By the time (s) that the cost itself reads, not by that which loads read: it matters where a run ends at an event.
     pub time: T,
 }
 
@@ -84,7 +84,8 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
         self.gravity
     }
 
-    /// By the numbers of the law of loads on bodies, in the order in which [`Lift`](crate::Lift) meets them.
+    /// By the numbers of the law of loads on bodies, in the order in which [`Lift`](crate::Lift) meets them; none where the
+    /// run has no step.
     ///
     /// # Errors
     /// [`Fault::Count`](crate::Fault::Count) for a law of more than six.

@@ -9,6 +9,7 @@ use crate::element::{
 };
 use crate::ends::{Root, Tip};
 use crate::relation::{Acceleration, Closures, Part, Solvable};
+use crate::release::Release;
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::space::FrameOf;
 use crate::visit::survey;
@@ -206,13 +207,15 @@ pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
         return None;
     }
     let seen = survey(chain, *ground, motion, loads);
-    let mut check = LoadCheck { pass: LoadPass { loads, seen, time, body: 0, joint: 0 }, broken: None };
+    let mut check = LoadCheck { pass: LoadPass { loads, seen, time, body: 0, joint: 0 }, coordinate: 0, broken: None };
     show(chain, *ground, motion, &mut check);
     check.broken
 }
 
 struct LoadCheck<'a, S: Space, L: Loading<S>> {
     pass: LoadPass<'a, S, L>,
+    /// Joints of one coordinate that have been met.
+    coordinate: usize,
     broken: Option<usize>,
 }
 
@@ -230,7 +233,22 @@ impl<S: Space, L: Loading<S>> Watch<S> for LoadCheck<'_, S, L> {
         self.note(load.is_finite());
     }
     fn joint(&mut self, motion: &S::JointMotion) {
+        if const { L::BY_COORDINATE } {
+            self.pass.joint += 1; // of a loop: not listed
+            return;
+        }
         let torque = self.pass.joint(motion);
         self.note(torque.is_finite());
+    }
+    fn joint_with(&mut self, motion: &S::JointMotion, release: &dyn Fn() -> Release<S>) {
+        if const { !L::BY_COORDINATE } {
+            return self.joint(motion);
+        }
+        self.pass.joint += 1;
+        if let [Some(_), None, ..] = release().coordinates {
+            let torque = self.pass.loads.in_joint(self.pass.time, self.coordinate, motion);
+            self.coordinate += 1;
+            self.note(torque.is_finite());
+        }
     }
 }

@@ -21,7 +21,8 @@ pub fn sines<S: Space, E: Shape<S>>(chain: &E, positions: &E::Store<Positions>, 
     }
     let mut list = [[S::Scalar::zero(); ROOM]; 2];
     chain.outward(&mut Gather { angles: &mut list[0], next: 0 }, (), (positions,));
-    let count = const { E::SINES.next_multiple_of(4) };
+    // This constant is evaluated for every chain, those included whose type does not say how many there are.
+    let count = const { if E::SINES > ROOM { 0 } else { E::SINES.next_multiple_of(4) } };
     let [first, second] = &mut list;
     for (a, b) in first.iter_mut().zip(second).take(count) {
         (*a, *b) = a.sin_cos();

@@ -1,6 +1,6 @@
 //! The mass matrix, and solutions with it.
 
-use super::{S, Tasks, resisting};
+use super::{FixedBase, S, Tasks, resisting};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::Error;
@@ -20,6 +20,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
     pub fn mass_matrix<const N: usize>(&self, q: &[T; N]) -> Result<[[T; N]; N], Error>
     where
+        R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
@@ -62,6 +63,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
     pub fn mass_solved<const N: usize>(&self, q: &[T; N], right: &[T; N]) -> Result<[T; N], Error>
     where
+        R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
@@ -74,6 +76,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
     pub fn mass_inverse<const N: usize>(&self, q: &[T; N]) -> Result<[[T; N]; N], Error>
     where
+        R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;

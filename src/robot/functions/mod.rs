@@ -10,8 +10,8 @@ use crate::mechanics::spatial::body_axes::composite::Composite;
 use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
 use crate::mechanics::spatial::body_axes::inverse::{Carried, Carrying as Load, Loaded, Resisting};
 use crate::mechanics::spatial::body_axes::places::{Places, Tally};
-use crate::mechanics::spatial::body_axes::{Stand, Torques};
-use crate::mechanics::spatial::{Frame, Spatial};
+use crate::mechanics::spatial::body_axes::{Base, Stand, Torques};
+use crate::mechanics::spatial::{Clamped, Frame, Spatial};
 use crate::mirror::{Position, Rate};
 use crate::relation::Open;
 use crate::relation::spatial::Empty;
@@ -83,6 +83,18 @@ impl<T: Scalar, const N: usize, C> Tasks<T, N> for C where
         + Takes<S<T>, Tally<T, N>>
 {
 }
+
+/// A root that functions of lists know: one that leaves no coordinate to what stands on it.
+#[diagnostic::on_unimplemented(
+    message = "functions of lists do not know the root `{Self}`",
+    label = "not a fixed base",
+    note = "they know `Base`, and `Clamped` where `BodyAxes` comes first in the chain",
+    note = "a robot that floats or hangs from a joint is a scene: `System::with_accelerations`"
+)]
+pub trait FixedBase<T: Scalar>: Root<S<T>> {}
+
+impl<T: Scalar> FixedBase<T> for Base<T> {}
+impl<T: Scalar, G, A> FixedBase<T> for Clamped<G, A> where Self: Root<S<T>> {}
 
 /// Sines and cosines of all positions, in one loop.
 #[inline(always)]
@@ -163,6 +175,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// [`Fault::Count`] where `N` is not the number of joints; [`Fault::NonFiniteMotion`] where something came out not finite.
     pub fn forward_dynamics<const N: usize>(&self, q: &[T; N], v: &[T; N], torques: &[T; N]) -> Result<[T; N], Error>
     where
+        R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
@@ -228,6 +241,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// [`Fault::Count`] where `N` is not the number of joints.
     pub fn inverse_dynamics<const N: usize>(&self, q: &[T; N], v: &[T; N], seconds: &[T; N]) -> Result<[T; N], Error>
     where
+        R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
@@ -246,6 +260,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// [`Fault::Count`] where `N` is not the number of joints.
     pub fn bias<const N: usize>(&self, q: &[T; N], v: &[T; N]) -> Result<[T; N], Error>
     where
+        R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
@@ -261,6 +276,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// [`Fault::Count`] where `N` is not the number of joints.
     pub fn gravity_torques<const N: usize>(&self, q: &[T; N]) -> Result<[T; N], Error>
     where
+        R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;

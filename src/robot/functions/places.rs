@@ -1,6 +1,6 @@
 //! Where bodies are and how they move.
 
-use super::{S, Tasks, resisting};
+use super::{FixedBase, S, Tasks, resisting};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -38,6 +38,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// [`Fault::Count`] where `N` is not the number of joints.
     pub fn places<const N: usize>(&self, q: &[T; N]) -> Result<[Place<T>; N], Error>
     where
+        R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
@@ -51,6 +52,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// [`Fault::Count`] where `N` is not the number of joints, or `joint` no number of one.
     pub fn jacobian<const N: usize>(&self, q: &[T; N], joint: usize, point: [T; 3]) -> Result<[[T; 6]; N], Error>
     where
+        R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
@@ -89,6 +91,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// [`Fault::Count`] where `N` is not the number of joints.
     pub fn mass_centre<const N: usize>(&self, q: &[T; N]) -> Result<(Vector3<T>, T), Error>
     where
+        R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
@@ -102,6 +105,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// [`Fault::Count`] where `N` is not the number of joints.
     pub fn joint_energy<const N: usize>(&self, q: &[T; N], v: &[T; N]) -> Result<[T; 2], Error>
     where
+        R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;

@@ -34,7 +34,7 @@ pub struct Checkpoints<T> {
 impl<T> Checkpoints<T> {
     /// How many states are kept: before the first step and every so many of the others, and after the last.
     pub fn states(&self) -> usize {
-        self.steps.div_ceil(self.every.max(1)) + 1
+        self.steps.div_ceil(self.every.max(1)).saturating_add(1)
     }
 
     /// The numbers of the steps between a state that is kept and the next one.
@@ -155,7 +155,7 @@ where
         if !(states.iter().all(|state| self.fits(state)) && rooms.all(|room| self.fits(room))) {
             return Err(Error::new(Fault::Shape));
         }
-        let mut gradient = self.none();
+        let mut gradient = self.begin();
         let ([start, ..], [.., last]) = (states, states) else { return Ok(gradient) };
         let clock = (start.time, plan.step);
         cost(plan.steps, last, &mut gradient.start)?;
@@ -217,7 +217,7 @@ where
         if !(self.fits(end) && tape.iter().all(|room| self.fits(&room.before))) {
             return Err(Error::new(Fault::Shape));
         }
-        let mut gradient = self.none();
+        let mut gradient = self.begin();
         cost(steps, end, &mut gradient.start)?;
         self.back_from_tape(0..steps, tape, by_torques, &mut gradient, &mut cost)?;
         complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);

@@ -11,7 +11,7 @@
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, finite};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::relation::Additive;
@@ -20,6 +20,7 @@ use crate::sensitivity::{Costate, Gradient};
 use crate::simulate::crossing::crossing;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::time::Explicit;
+use num_traits::Zero;
 
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
@@ -96,8 +97,11 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
+    /// Loads on bodies ([`under`](Self::under)) may not depend on time here: their part in what the last step's size changes is not found.
+    ///
     /// # Errors
-    /// As [`gradient`](Self::gradient); [`Fault::Count`] for a run without a step.
+    /// As [`gradient`](Self::gradient); [`Fault::Count`] for a run without a step; [`Fault::NotFinite`] where the function of the event does
+    /// not change with the time of the end, so that no time is that of the event.
     pub fn gradient_to_event(
         &mut self,
         torques: &[EffortOf<S>],
@@ -111,7 +115,7 @@ where
         let [.., past, _] = states else {
             return Err(Error::new(Fault::Count { expected: 2, given: states.len() }));
         };
-        let mut gradient = self.none();
+        let mut gradient = self.begin();
         let scratch = &mut self.scratch;
         scratch.start = gradient.start.clone();
         cost(states.len() - 1, last, &mut gradient.start)?;
@@ -129,6 +133,7 @@ where
             *by_size += self.steps.of_size(past, size, &self.record);
         }
         self.steps.give_torques(&mut [], 0);
+        finite(!by_event.real().is_zero(), "time of the end per change of the event's function")?;
         let share = by_cost * by_event.recip();
         let Costate { mut position, mut rate, time } = of_event;
         position.replace(&mut |x| -(share * x));

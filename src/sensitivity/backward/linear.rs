@@ -67,6 +67,7 @@ where
             counted(rows * joints, by_torques.len())?;
         }
         self.steps.take_torques(torques, 0);
+        self.steps.give_torques(&mut [], 0);
         let end = past.time + size;
         self.steps.step_to(end, past, &mut self.record, next);
         for (k, row) in by_state.chunks_exact_mut(rows.max(1)).enumerate() {

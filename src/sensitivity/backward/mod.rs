@@ -227,7 +227,7 @@ where
         self.admits(steps, torques.len())?;
         let given = states.len();
         let Some(states) = states.get_mut(..=steps) else {
-            return Err(Error::new(Fault::Count { expected: steps + 1, given }));
+            return Err(Error::new(Fault::Count { expected: steps.saturating_add(1), given }));
         };
         if !(self.fits(start) && states.iter().all(|state| state.fits(start))) {
             return Err(Error::new(Fault::Shape));
@@ -263,7 +263,7 @@ where
     ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
         let last = self.check(torques, states)?;
         self.admits(states.len() - 1, by_torques.len())?;
-        let mut gradient = self.none();
+        let mut gradient = self.begin();
         cost(states.len() - 1, last, &mut gradient.start)?;
         self.pull_back(torques, states, by_torques, &mut gradient, cost)?;
         Ok(gradient)
@@ -291,8 +291,9 @@ where
         Ok(())
     }
 
-    /// No gradient yet.
-    fn none(&self) -> Gradient<S, Elements<S, R, C>> {
+    /// No gradient yet, nor what an earlier one has left of torques where its cost has failed.
+    fn begin(&mut self) -> Gradient<S, Elements<S, R, C>> {
+        self.steps.give_torques(&mut [], 0);
         Gradient::none(self.steps.scene.elements(), &self.steps.zero)
     }
 
@@ -318,6 +319,6 @@ where
     /// Refuses lists of torques of another length.
     fn admits(&self, steps: usize, given: usize) -> Result<(), Error> {
         let joints = self.steps.scene.joints();
-        if given == 0 || given == joints { Ok(()) } else { counted(steps * joints, given) }
+        if given == 0 || given == joints { Ok(()) } else { counted(steps.saturating_mul(joints), given) }
     }
 }

@@ -59,3 +59,43 @@ fn lists_of_another_length_are_refused() -> Result<(), catena::Error> {
     assert!(scene.with_accelerations(scene.motion(), &Torques([0.0; 5])).is_err());
     Ok(())
 }
+
+/// A vector does not say how many joints it has, so that their sines are found one by one; an array of the same does.
+#[test]
+fn arms_in_vectors_are_those_in_arrays() -> Result<(), catena::Error> {
+    let (mass, centre, tensor) = super::kit::body(1);
+    let link = Link::general(mass, centre, tensor);
+    let joint = Hinge::at::<0b100>([0.0, 0.0, 0.3]).turned(Quarter::<30>);
+    let first = Hinge::level().grounded();
+    let array = System::new(Base::origin(), (first, link, [(joint, link); 2]), Free)?;
+    let vector = System::new(Base::origin(), (first, link, vec![(joint, link); 2]), Free)?;
+    let (q, v, torques) = ([0.3, -0.4, 1.2], [0.5, -0.2, 0.3], [1.0, -2.0, 0.5]);
+    agree(&vector.forward_dynamics(&q, &v, &torques)?, &array.forward_dynamics(&q, &v, &torques)?, DIRECT);
+    Ok(())
+}
+
+#[test]
+fn axes_that_are_no_turn_are_refused() {
+    let (mass, centre, tensor) = super::kit::body(1);
+    let link = Link::general(mass, centre, tensor);
+    let with = |axes| {
+        System::new(Base::origin(), (Hinge::level().turned(Turned::axes(axes)).grounded(), link), Free).map(|_| ())
+    };
+    let (s, c) = 0.4_f64.sin_cos();
+    assert!(with([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]]).is_ok());
+    for [x, y, z] in [[c, 1.0, 1.0], [1.0, 1.01, 1.0], [1.0, 1.0, -1.0]] {
+        let fault = with([[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]).unwrap_err().fault;
+        assert!(matches!(fault, catena::Fault::NotZero { .. }), "{fault:?}");
+    }
+}
+
+/// A torque that is not finite is found in its joint: the second, two stations out; not at the root, which takes none.
+#[test]
+fn torques_that_are_not_finite_name_their_joint() -> Result<(), catena::Error> {
+    let scene = fixed()?;
+    let mut torques = [0.0; 6];
+    torques[1] = f64::NAN;
+    let found = scene.with_accelerations(scene.motion(), &Torques(torques)).unwrap_err();
+    assert_eq!((found.fault, found.place), (catena::Fault::NonFiniteLoad, Some(catena::Place::Station(2))));
+    Ok(())
+}

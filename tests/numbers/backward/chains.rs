@@ -1,6 +1,6 @@
 //! Gradients of chains and trees of rods and bodies on pins; what lists must be.
 
-use super::{gradients, names::*};
+use super::names::*;
 use catena::sensitivity::Costate;
 use catena::{Error, Fault};
 

@@ -1,6 +1,6 @@
 //! Gradients through joints with coordinates of their own: hinges with springs, dampers and laws, joints that slide.
 
-use super::{gradients, names::*};
+use super::names::*;
 use catena::{Fault, Real};
 
 /// A spring that stiffens, with a damper: −k (φ + s φ³) − c φ̇.

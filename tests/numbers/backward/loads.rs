@@ -1,6 +1,6 @@
 //! Gradients of runs under loads on bodies that depend on the motion.
 
-use super::{gradients, names::*};
+use super::names::*;
 use catena::Real;
 use catena::loading::LoadLaw;
 

@@ -5,8 +5,8 @@ use crate::error::Fault;
 use crate::lift::{Lift, lift};
 use crate::mechanics::spatial::Rotation;
 use crate::mechanics::spatial::inertia::finite;
-use crate::relation::spatial::algebra::Columns;
-use crate::scalar::Scalar;
+use crate::relation::spatial::algebra::{Columns, cross, dot};
+use crate::scalar::{Real, Scalar};
 use core::fmt::Debug;
 use nalgebra::Vector3;
 
@@ -14,10 +14,10 @@ use nalgebra::Vector3;
 pub trait Offset<T: Scalar>: Copy + Debug + 'static {
     /// Axes of the body in those of its parent, as columns: the rows of that matrix.
     fn rows(&self) -> Rows<T>;
-    /// Rejects numbers that are none.
+    /// Rejects numbers that make no turn.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`].
+    /// [`Fault::NotFinite`]; [`Fault::NotZero`] for axes that are not orthonormal.
     fn check(&self) -> Result<(), Fault> {
         Ok(())
     }
@@ -85,7 +85,7 @@ impl<T: Scalar> Turned<T> {
         Self { axes: rotation.matrix() }
     }
 
-    /// With the body's axes as columns, orthonormal, in axes of the parent.
+    /// With the body's axes as columns, in axes of the parent: orthonormal and right-handed to half of the digits, which the scene checks.
     pub fn axes([x, y, z]: [[T; 3]; 3]) -> Self {
         Self { axes: Columns { x: Vector3::from(x), y: Vector3::from(y), z: Vector3::from(z) } }
     }
@@ -143,7 +143,15 @@ impl<T: Scalar> Offset<T> for Turned<T> {
     }
     fn check(&self) -> Result<(), Fault> {
         let Columns { x, y, z } = self.axes;
-        [x, y, z].into_iter().try_for_each(|axis| finite("turn of a body's axes", &[axis.x, axis.y, axis.z]))
+        [x, y, z].into_iter().try_for_each(|axis| finite("turn of a body's axes", &[axis.x, axis.y, axis.z]))?;
+        // Rounding of any kind passes, a digit left out does not.
+        let slack = T::Real::EPSILON.sqrt();
+        let third = cross(x, y) - z;
+        let misses = [dot(x, x) - T::one(), dot(y, y) - T::one(), dot(x, y), third.x, third.y, third.z];
+        if misses.into_iter().all(|miss| miss.real().abs() <= slack) {
+            return Ok(());
+        }
+        Err(Fault::NotZero { parameter: "what a turn's axes miss to be orthonormal and right-handed" })
     }
 }
 

@@ -1,0 +1,64 @@
+//! Gradients asked for wrongly: what they refuse, and that nothing of it is left for the next one.
+
+use super::names::*;
+use catena::sensitivity::{Checkpoints, Costate};
+use catena::{Error, Fault};
+
+type Pendulum = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Pin, Rod<f64>), Free>;
+
+fn pendulum() -> Result<Pendulum, Error> {
+    let rod = Rod::uniform(1.0_f64, 1.0);
+    Ok(System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81))
+}
+
+#[test]
+fn a_cost_that_fails_leaves_no_torques_behind() -> Result<(), Error> {
+    let system = pendulum()?;
+    let start = system.at_rest(&[-1.0, -0.5])?;
+    let (torques, mut states) = ([0.1, 0.2], [start; 11]);
+    let mut backward = system.backward(Rk4);
+    backward.run(&start, 0.01, 10, &torques, &mut states)?;
+    let end = |step: usize, by: &mut Costate<_>| match step {
+        10 => by.add(&[0.0, 1.0], &[0.0; 2]),
+        _ => Ok(()),
+    };
+    let [mut expected, mut found] = [[0.0; 2]; 2];
+    backward.gradient(&torques, &states, &mut expected, |step, _, by| end(step, by))?;
+    let failed = backward.gradient(&torques, &states, &mut found, |step, _, by| match step {
+        5 => Err(Error::new(Fault::NoBodies)),
+        _ => end(step, by),
+    });
+    assert!(failed.is_err());
+    backward.gradient(&torques, &states, &mut found, |step, _, by| end(step, by))?;
+    assert_eq!(found, expected);
+    Ok(())
+}
+
+/// Numbers of steps beyond all that a list can hold are refused as others are.
+#[test]
+fn more_steps_than_can_be_counted_are_refused() -> Result<(), Error> {
+    let (system, most) = (pendulum()?, usize::MAX);
+    let start = system.at_rest(&[-1.0, -0.5])?;
+    let (mut backward, mut states) = (system.backward(Rk4), [start; 3]);
+    let refused = |found: Result<(), Error>, given: usize| {
+        let fault = found.unwrap_err().fault;
+        assert!(matches!(fault, Fault::Count { expected: usize::MAX, given: few } if few == given), "{fault:?}");
+    };
+    refused(backward.run(&start, 0.1, most, &[], &mut states), 3);
+    refused(backward.run(&start, 0.1, most, &[1.0], &mut states), 1);
+    let plan = Checkpoints { step: 0.1, steps: most, every: 1 };
+    refused(backward.run_between(&start, plan, &[], &mut states), 3);
+    Ok(())
+}
+
+#[test]
+fn an_event_that_no_time_changes_has_no_gradient() -> Result<(), Error> {
+    let system = pendulum()?;
+    let start = system.at_rest(&[-1.0, -0.5])?;
+    let (mut backward, mut states) = (system.backward(Rk4), [start; 3]);
+    backward.run(&start, 0.01, 2, &[], &mut states)?;
+    let cost = |_: usize, _: &_, by: &mut Costate<_>| by.add(&[1.0, 0.0], &[0.0; 2]);
+    let found = backward.gradient_to_event(&[], &states, &mut [], cost, |_, _| Ok(())).map(|_| ()).unwrap_err().fault;
+    assert!(matches!(found, Fault::NotFinite { .. }), "{found:?}");
+    Ok(())
+}
