@@ -71,10 +71,14 @@ impl<'p, P: Sync, F: FnMut(usize) + Send> Ensemble<'p, P, F> {
     /// lanes (feature `simd`), threads outside and lanes inside. Where parameters are left over, the first of them fills the rest.
     ///
     /// Lanes share their steps. At fixed steps each is its own run, with the bits of plain numbers; under error control the lane that
-    /// errs most sets the steps of all, so a result depends, within the tolerance, on its neighbours in the batch (and on nothing else: it is
-    /// the same in each run). An event function is likewise read where its magnitude is largest: what happens in single lanes is
-    /// for the observer to see. An error is that of one lane, nobody knows which: then the runs of the batch are made anew, each alone in all
-    /// lanes, so that errors stand where they belong and stop no other run.
+    /// errs most sets the steps of all, so a result depends, within the tolerance, on its neighbours in the batch, and on nothing
+    /// else: it is the same in each run. An event function, too, is read in the lane of largest magnitude: what happens in single lanes
+    /// is for an observer to see.
+    ///
+    /// An error is that of one lane, nobody knows which. Then the runs of the batch are made anew, each alone in all lanes, so that
+    /// errors stand where they belong and stop no other run. Parameters are checked in the lane of largest magnitude (and all lanes for
+    /// being finite): a negative mass beside a larger positive one is not seen. Where parameters may be wrong, look at them in the
+    /// closure, or build the scene of plain numbers first.
     ///
     /// ```
     /// # #[cfg(feature = "simd")]
