@@ -1,13 +1,19 @@
 #!/bin/sh
-# Builds the benchmark of sweeps for the default target and for x86-64-v3, runs both and prints tables of both.
+# Builds the benchmark of sweeps (`count.sh runs`: of whole runs) for the default target and for x86-64-v3, runs both and prints
+# tables of both.
 # Instructions need valgrind; without it times are printed alone. --quick counts instructions of short chains of rods, no more.
 set -eu
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-target}
+bench=sweep
+if [ "${1-}" = runs ]; then
+    bench=runs
+    shift
+fi
 
 # build FLAGS DIRECTORY: prints the path of the program.
 build() {
-    RUSTFLAGS=$1 cargo bench --quiet --bench sweep --no-run --target-dir "$2" --message-format=json |
+    RUSTFLAGS=$1 cargo bench --quiet --bench $bench --no-run --target-dir "$2" --message-format=json |
         sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1
 }
 

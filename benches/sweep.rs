@@ -8,6 +8,8 @@
 mod by_hand;
 #[path = "parts/clock.rs"]
 mod clock;
+#[path = "parts/count.rs"]
+mod count;
 #[path = "parts/inverse.rs"]
 mod inverse;
 #[path = "parts/joints.rs"]
@@ -24,7 +26,8 @@ mod system_sine;
 mod topologies;
 
 use clock::progress;
-use measure::{has_valgrind, instructions, wall, wall_of};
+use count::has_valgrind;
+use measure::{instructions, wall, wall_of};
 use scenes::{Row, rows};
 use std::collections::HashMap;
 use std::error::Error;

@@ -107,7 +107,6 @@ pub mod paper;
 pub mod planar;
 mod relation;
 mod release;
-pub mod robot;
 pub mod scalar;
 mod sealed;
 mod sensitive;
@@ -128,6 +127,9 @@ pub mod time;
 mod transfer;
 mod visit;
 mod walks;
+
+// After `spatial`, whose items it names once more: compilers say where an item is first found.
+pub mod robot;
 
 // Their types stand in this library's own: users take them from here rather than meet a second version of them.
 pub use nalgebra;

@@ -1,6 +1,7 @@
 //! Measuring: wall time as the median of many interleaved samples, instructions as a difference of two counts.
 
 use crate::clock::{median, progress};
+use crate::count;
 use crate::scenes::{Case, Row};
 use std::collections::HashMap;
 use std::path::Path;
@@ -62,26 +63,7 @@ pub fn wall_of(program: &Path, words: &[&str]) -> Result<HashMap<String, f64>, S
 /// start and construction cancel. The count is exact.
 pub fn instructions(program: &Path, row: &Row) -> Result<f64, String> {
     let (few, more) = (2, if row.bodies > 10_000 { 4 } else { 102 });
-    let added = count(program, row, more)? - count(program, row, few)?;
+    let counted = |times: usize| count::count(program, &["repeat", &row.name(), &times.to_string()]);
+    let added = counted(more)? - counted(few)?;
     Ok(added as f64 / ((more - few) * row.bodies) as f64)
-}
-
-fn count(program: &Path, row: &Row, times: usize) -> Result<u64, String> {
-    let output = Command::new("valgrind")
-        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-        .arg(program)
-        .args(["repeat", &row.name(), &times.to_string()])
-        .output()
-        .map_err(|error| format!("valgrind does not start: {error}"))?;
-    let text = String::from_utf8_lossy(&output.stderr);
-    if !output.status.success() {
-        return Err(format!("valgrind fails at {}: {text}", row.name())); // it may not know an instruction
-    }
-    let number = text.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok());
-    number.ok_or_else(|| format!("no count for {} from valgrind: {text}", row.name()))
-}
-
-/// Whether valgrind is there.
-pub fn has_valgrind() -> bool {
-    Command::new("valgrind").arg("--version").output().is_ok_and(|output| output.status.success())
 }

@@ -6,8 +6,10 @@ use crate::scalar::Scalar;
 
 /// One implementation for everything that derefs to a slice of mirrors.
 macro_rules! mirror_items {
-    ([$($generics:tt)*] $container:ty, $rates:ty) => {
+    ([$($generics:tt)*] $container:ty, $rates:ty, $length:expr) => {
         impl<T: Scalar, A: Rate<T>, $($generics)*> Rate<T> for $container {
+            const LENGTH: usize = $length;
+
             #[inline]
             fn set(&mut self, base: &Self) {
                 self.iter_mut().zip(base).for_each(|(item, base)| item.set(base));
@@ -157,6 +159,6 @@ macro_rules! mirror_items {
     };
 }
 
-mirror_items!([const K: usize] [A; K], [A::Rate; K]);
+mirror_items!([const K: usize] [A; K], [A::Rate; K], A::LENGTH.saturating_mul(K));
 #[cfg(feature = "alloc")]
-mirror_items!([] alloc::vec::Vec<A>, alloc::vec::Vec<A::Rate>);
+mirror_items!([] alloc::vec::Vec<A>, alloc::vec::Vec<A::Rate>, usize::MAX);

@@ -24,6 +24,9 @@ pub type Term<'a, T, A> = (<T as Scalar>::Real, &'a A);
 ///
 /// Terms of a sum are added one by one from left to right, however many a function takes.
 pub trait Rate<T: Scalar>: Clone {
+    /// How many numbers are stored; of a vector, which nobody knows before it is made, as many as can be.
+    const LENGTH: usize;
+
     /// `self = base`: a copy that allocates nothing.
     fn set(&mut self, base: &Self);
 

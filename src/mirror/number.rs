@@ -4,6 +4,8 @@ use super::{Position, Rate, Term};
 use crate::scalar::Scalar;
 
 impl<T: Scalar> Rate<T> for T {
+    const LENGTH: usize = 1;
+
     #[inline(always)]
     fn set(&mut self, base: &T) {
         *self = *base;

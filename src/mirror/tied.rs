@@ -28,6 +28,8 @@ impl<X, F> TiedPosition<X, F> {
 }
 
 impl<T: Scalar, X: Rate<T>, F: Rate<T>> Rate<T> for Tied<X, F> {
+    const LENGTH: usize = X::LENGTH.saturating_add(F::LENGTH);
+
     #[inline(always)]
     fn set(&mut self, base: &Self) {
         self.arms.set(&base.arms);

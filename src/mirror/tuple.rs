@@ -7,6 +7,8 @@ use crate::tuples::for_each_tuple;
 macro_rules! mirror_tuple {
     ($($met:ident)?; $($A:ident $i:tt $out:ident $in:ident),*; $($rest:tt)*) => {
         impl<T: Scalar, $($A: Rate<T>),*> Rate<T> for ($($A,)*) {
+            const LENGTH: usize = 0_usize$(.saturating_add($A::LENGTH))*;
+
             #[inline(always)]
             fn set(&mut self, _base: &Self) {
                 $(self.$i.set(&_base.$i);)*

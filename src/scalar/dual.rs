@@ -225,6 +225,13 @@ macro_rules! dual_numbers {
             }
 
             #[inline(always)]
+            fn add_scaled(self, factor: Plain<T>, term: Self) -> Self {
+                let mut result = self + Scalar::scale(term, factor);
+                result.re = Scalar::add_scaled(self.re, factor, term.re); // as of plain numbers, bit by bit
+                result
+            }
+
+            #[inline(always)]
             fn recip(self) -> Self {
                 self.compose(recip(self.re))
             }

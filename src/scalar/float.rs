@@ -44,6 +44,11 @@ macro_rules! plain_numbers {
             }
 
             #[inline(always)]
+            fn add_scaled(self, factor: $number, term: $number) -> $number {
+                Scalar::mul_add(term, factor, self)
+            }
+
+            #[inline(always)]
             fn recip(self) -> $number {
                 1.0 / self
             }

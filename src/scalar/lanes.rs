@@ -69,6 +69,11 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
+            fn add_scaled(self, factor: $number, term: Self) -> Self {
+                Scalar::mul_add(term, Self::splat(factor), self)
+            }
+
+            #[inline(always)]
             fn recip(self) -> Self {
                 Self::ONE / self
             }

@@ -1,6 +1,7 @@
 //! Running a scene through time: step control, dense output at requested times, events, observers; and single steps, of a [`Stepper`].
 //! Many runs at once are an `ensemble` (feature `rayon`).
 
+mod accept;
 pub(crate) mod crossing;
 mod drive;
 #[cfg(feature = "rayon")]
@@ -24,7 +25,7 @@ pub use crate::observers::Trace;
 pub use crate::observers::{EnergyDrift, Observe};
 pub use crate::stepper::{
     AdamsMemory, AdamsStepper, ExplicitStepper, ImplicitMemory, ImplicitStepper, Method, MotionIn, SdirkStepper,
-    Stepper, StepperOf, TaylorStepper, TimeIn,
+    Stepper, StepperOf, TaylorStepper, TimeIn, VcabmMemory, VcabmStepper,
 };
 pub use drive::Running;
 #[cfg(feature = "rayon")]
@@ -111,7 +112,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, 
 /// How a run ended.
 #[derive(Clone, Debug)]
 pub struct Run<M> {
-    /// The last motion, as the method has left it: an implicit rule goes on from its accelerations, and forces to be read have those
+    /// The last motion, as the method has left it: an implicit rule and `Vcabm` go on from its accelerations, and forces to be read have those
     /// of [`System::with_accelerations`].
     pub motion: M,
     /// Steps accepted.

@@ -25,6 +25,26 @@ pub(crate) fn gather<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Rea
     }
 }
 
+/// `sum = base + scale · Σ weights[j] · slopes[j]`, as by [`gather`], for scenes of few coordinates: in one pass, in registers. Where a
+/// compiler knows the weights, which it does in code without loops alone, those that are zero cost nothing.
+#[inline(always)]
+pub(super) fn gather_few<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Real, weights: &[f64], slopes: &[R]) {
+    let mut all = base.clone();
+    macro_rules! terms {
+        ($($j:literal)*) => {$(
+            if let (Some(weight), Some(slope)) = (weights.get($j), slopes.get($j))
+                && *weight != 0.0
+            {
+                let mut more = base.clone();
+                more.mix_1(&all, (T::Real::of(*weight) * scale, slope));
+                all = more;
+            }
+        )*};
+    }
+    terms!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+    *sum = all;
+}
+
 /// The past motion displaced by accelerations with these weights (in position, in rate): at a share `node` of the step.
 pub(crate) fn displace<T: Scalar, P: Position<T>, C: Closures>(
     past: &Motion<T, P, C>,

@@ -1,6 +1,6 @@
 //! Steps by explicit methods.
 
-use super::displace::{displace, gather, mean_square};
+use super::displace::{displace, gather, gather_few, mean_square};
 use super::{Method, MotionIn, Stepper, TimeIn, of_stage};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
@@ -8,6 +8,7 @@ use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
 use crate::time::Explicit;
+use num_traits::{One, Zero};
 
 /// Steps by an explicit method.
 pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
@@ -20,6 +21,9 @@ pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
     zero: D::Rate,
     /// Room for increments of positions, and for estimates of errors.
     estimate: (D::Rate, D::Rate),
+    /// The size of the step under way. Read anew for each row: a compiler that knew it throughout would scale the weights of all rows
+    /// first, and keep them in memory.
+    size: TimeIn<D, L>,
     dense_ready: bool,
     pub(super) sweeps: usize,
 }
@@ -38,6 +42,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Method<D, L> for M {
             zero,
             scene,
             still,
+            size: Zero::zero(),
             dense_ready: false,
             sweeps: 0,
         }
@@ -49,14 +54,52 @@ pub(crate) fn row_weights<M: Explicit>(row: usize) -> (&'static [f64], &'static 
     (&M::position(row)[..row], &M::rate(row)[..row])
 }
 
+/// So many numbers have rates of a scene with few coordinates: there what a step does beside its sweeps would count, and code of its own
+/// for each row is not much.
+const FEW: usize = 6;
+
+/// Calls a method for each row, by its number as a literal.
+macro_rules! each_row {
+    ($($row:literal)* => |$name:ident| $call:expr) => {$(
+        let $name = $row;
+        $call;
+    )*};
+}
+
 impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
+    /// Whether sums are formed in registers, row by row.
+    const FEW: bool =
+        <D::Rate as Rate<D::Scalar>>::LENGTH <= FEW && !D::Position::CURVED && !<D::Scalar as Scalar>::LARGE;
+
+    /// Positions and rates of a row.
+    #[inline(always)]
+    fn displace(
+        row: usize,
+        past: &MotionIn<D, L>,
+        slopes: &[D::Rate],
+        dt: TimeIn<D, L>,
+        (zero, increment): (&D::Rate, &mut D::Rate),
+        (position, rate): (&mut D::Position, &mut D::Rate),
+    ) {
+        let (of_position, of_rate) = row_weights::<M>(row);
+        if Self::FEW {
+            gather_few(increment, zero, dt * dt, of_position, slopes);
+            let duration = TimeIn::<D, L>::of(M::node(row)) * dt;
+            position.drift_1(&past.position, (duration, &past.rate), (TimeIn::<D, L>::one(), increment));
+            gather_few(rate, &past.rate, dt, of_rate, slopes);
+        } else {
+            displace(past, slopes, M::node(row), (of_position, of_rate), dt, (zero, increment), (position, rate));
+        }
+    }
+
     /// Evaluates a row that is not the step itself: its accelerations become slopes.
-    #[inline]
-    fn evaluate(&mut self, row: usize, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) {
+    // Inlined, so that the compiler knows the weights, where it optimises at all.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn evaluate(&mut self, row: usize, past: &MotionIn<D, L>, loads: &L) {
+        let dt = self.size;
         let (position, rate) = &mut self.stage;
         let slopes = self.slopes.as_mut();
-        let (weights, room) = (row_weights::<M>(row), (&self.zero, &mut self.estimate.0));
-        displace(past, slopes, M::node(row), weights, dt, room, (position, rate));
+        Self::displace(row, past, slopes, dt, (&self.zero, &mut self.estimate.0), (position, rate));
         if D::Position::CURVED {
             position.retract_rate(&past.position, rate);
         }
@@ -82,10 +125,11 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
             position.visit(&mut |x| finite &= x.is_finite());
             finite
         };
+        self.size = dt;
         for row in 0..=M::STAGES {
             let mut stage = past.clone();
             if row > 0 {
-                self.evaluate(row, past, loads, dt);
+                self.evaluate(row, past, loads);
                 stage.time = past.time + TimeIn::<D, L>::of(M::node(row)) * dt;
                 stage.position.clone_from(&self.stage.0);
                 stage.rate.clone_from(&self.stage.1);
@@ -130,14 +174,17 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        self.dense_ready = false;
-        for row in 1..M::STAGES {
-            self.evaluate(row, past, loads, dt);
+        (self.size, self.dense_ready) = (dt, false);
+        if Self::FEW {
+            each_row!(1 2 3 4 5 6 7 8 9 10 11 => |row| if row < M::STAGES { self.evaluate(row, past, loads) });
+        } else {
+            for row in 1..M::STAGES {
+                self.evaluate(row, past, loads);
+            }
         }
         next.time = past.time + dt;
-        let slopes = self.slopes.as_ref();
-        let (weights, room) = (row_weights::<M>(M::STAGES), (&self.zero, &mut self.estimate.0));
-        displace(past, slopes, M::node(M::STAGES), weights, dt, room, (&mut next.position, &mut next.rate));
+        let (slopes, room) = (self.slopes.as_ref(), (&self.zero, &mut self.estimate.0));
+        Self::displace(M::STAGES, past, slopes, dt, room, (&mut next.position, &mut next.rate));
         if D::Position::CURVED {
             next.position.retract_rate(&past.position, &mut next.rate);
         }
@@ -193,13 +240,23 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
     ) -> Option<TimeIn<D, L>> {
         let slopes = self.slopes.as_ref();
         let mut squares = [0.0; 2];
-        for ((of_position, of_rate), square) in M::errors().iter().zip(&mut squares) {
-            let (position, rate) = &mut self.estimate;
-            let zero = &self.zero;
-            gather(position, zero, dt * dt, &of_position[..=M::STAGES], slopes);
-            gather(rate, zero, dt, &of_rate[..=M::STAGES], slopes);
-            *square = mean_square(next, (position, rate), tolerance);
+        macro_rules! estimates {
+            ($($k:literal)*) => {$(
+                if let Some((of_position, of_rate)) = M::errors().get($k) {
+                    let (position, rate) = &mut self.estimate;
+                    let (of_position, of_rate) = (&of_position[..=M::STAGES], &of_rate[..=M::STAGES]);
+                    if Self::FEW {
+                        gather_few(position, &self.zero, dt * dt, of_position, slopes);
+                        gather_few(rate, &self.zero, dt, of_rate, slopes);
+                    } else {
+                        gather(position, &self.zero, dt * dt, of_position, slopes);
+                        gather(rate, &self.zero, dt, of_rate, slopes);
+                    }
+                    squares[$k] = mean_square(next, (position, rate), tolerance);
+                }
+            )*};
         }
+        estimates!(0 1);
         let count = M::errors().len();
         (count > 0).then(|| TimeIn::<D, L>::of(M::combine_errors(&squares[..count])).sqrt())
     }
@@ -222,8 +279,9 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         between: &mut MotionIn<D, L>,
     ) {
         if !self.dense_ready {
+            self.size = dt;
             for row in M::STAGES + 1..M::ROWS {
-                self.evaluate(row, past, loads, dt);
+                self.evaluate(row, past, loads);
             }
             self.dense_ready = true;
         }

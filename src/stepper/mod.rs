@@ -4,8 +4,10 @@ mod adams;
 pub(crate) mod displace;
 pub(crate) mod explicit;
 mod implicit;
+mod roots;
 mod sdirk;
 mod taylor;
+mod vcabm;
 
 use crate::error::{Error, Fault};
 use crate::motion::Motion;
@@ -18,6 +20,7 @@ pub use explicit::ExplicitStepper;
 pub use implicit::{ImplicitMemory, ImplicitStepper};
 pub use sdirk::SdirkStepper;
 pub use taylor::TaylorStepper;
+pub use vcabm::{VcabmMemory, VcabmStepper};
 
 /// The motion of a scene described by `D`.
 pub type MotionIn<D, L> =

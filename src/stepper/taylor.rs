@@ -1,5 +1,6 @@
 //! Steps by Taylor series.
 
+use super::roots::{exp2, log2};
 use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::element::Element;
 use crate::error::{Error, Fault};
@@ -153,24 +154,6 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         self.reached = Some([tolerance, size]);
         size
     }
-}
-
-/// The logarithm to base 2 of a positive number, to a hundredth: a parabola between powers of two.
-#[inline]
-fn log2(x: f64) -> f64 {
-    let bits = x.to_bits();
-    let power = (bits >> 52) as f64 - 1023.0;
-    let share = f64::from_bits((bits & ((1 << 52) - 1)) | (1023 << 52));
-    power + (2.0 - share / 3.0) * share - 5.0 / 3.0
-}
-
-/// Two to the power `x`, to three thousandths, likewise; as large as numbers are where it overflows.
-#[inline]
-fn exp2(x: f64) -> f64 {
-    let x = x.clamp(-1000.0, 1000.0) + 1023.0;
-    let power = x as u64;
-    let share = x - power as f64;
-    f64::from_bits(power << 52) * (1.0 + share * (0.6565 + 0.3435 * share))
 }
 
 impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper<D, L, P> {

@@ -20,18 +20,18 @@ impl Dop853 {
     }
 }
 
-static TABLE: Tableau<16> = Tableau::new(NODES, RATE);
-static FIFTH: ErrorWeights<16> = ErrorWeights::new(ERROR5, &RATE);
-static THIRD: ErrorWeights<16> = ErrorWeights::new(ERROR3, &RATE);
+const TABLE: Tableau<16> = Tableau::new(NODES, RATE);
+const FIFTH: ErrorWeights<16> = ErrorWeights::new(ERROR5, &RATE);
+const THIRD: ErrorWeights<16> = ErrorWeights::new(ERROR3, &RATE);
 
 impl Explicit for Dop853 {
     const ORDER: usize = 8;
     const STAGES: usize = 12;
     rows_of!(TABLE, 16);
 
+    #[inline(always)]
     fn errors() -> &'static [(&'static [f64], &'static [f64])] {
-        static ERRORS: [(&[f64], &[f64]); 2] = [(&FIFTH.rate, &FIFTH.position), (&THIRD.rate, &THIRD.position)];
-        &ERRORS
+        const { &[(&FIFTH.rate, &FIFTH.position), (&THIRD.rate, &THIRD.position)] }
     }
     fn combine_errors(squares: &[f64]) -> f64 {
         // err₅² / (err₅² + err₃²/100) · err₅², the square of the estimate of order 7 in the authors' code.

@@ -19,7 +19,7 @@ impl Dopri5 {
     }
 }
 
-static TABLE: Tableau<7> = Tableau::new(
+const TABLE: Tableau<7> = Tableau::new(
     [0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0],
     [
         [0.0; 7],
@@ -32,7 +32,7 @@ static TABLE: Tableau<7> = Tableau::new(
     ],
 );
 
-static ERROR: ErrorWeights<7> = ErrorWeights::new(
+const ERROR: ErrorWeights<7> = ErrorWeights::new(
     [-71.0 / 57600.0, 0.0, 71.0 / 16695.0, -71.0 / 1920.0, 17253.0 / 339200.0, -22.0 / 525.0, 1.0 / 40.0],
     &TABLE.rate,
 );
@@ -53,9 +53,9 @@ impl Explicit for Dopri5 {
     const STAGES: usize = 6;
     rows_of!(TABLE, 7);
 
+    #[inline(always)]
     fn errors() -> &'static [(&'static [f64], &'static [f64])] {
-        static ERRORS: [(&[f64], &[f64]); 1] = [(&ERROR.rate, &ERROR.position)];
-        &ERRORS
+        const { &[(&ERROR.rate, &ERROR.position)] }
     }
     fn combine_errors(squares: &[f64]) -> f64 {
         squares.iter().sum()

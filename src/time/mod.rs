@@ -10,6 +10,7 @@ mod rk4;
 pub(crate) mod sdirk4;
 mod tableau;
 mod taylor;
+pub(crate) mod vcabm;
 
 pub use adams::Adams;
 pub(crate) use adams::Weights;
@@ -22,3 +23,4 @@ pub use rk4::Rk4;
 pub use sdirk4::Sdirk4;
 pub use tableau::{ErrorWeights, Explicit, Tableau};
 pub use taylor::Taylor;
+pub use vcabm::Vcabm;

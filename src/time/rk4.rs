@@ -17,7 +17,7 @@ impl Rk4 {
     }
 }
 
-static TABLE: Tableau<5> = Tableau::new(
+const TABLE: Tableau<5> = Tableau::new(
     [0.0, 0.5, 0.5, 1.0, 1.0],
     [
         [0.0; 5],

@@ -99,7 +99,7 @@ pub trait Explicit: Copy + Debug {
     fn dense(theta: f64, weights: &mut [f64]);
 }
 
-/// Gives a method the rows of its tableau.
+/// Gives a method the rows of its tableau. They are constants, not statics, so that compilers of other crates know weights of rows they know.
 macro_rules! rows_of {
     ($table:ident, $rows:literal) => {
         const ROWS: usize = $rows;
@@ -110,15 +110,18 @@ macro_rules! rows_of {
         }
         #[inline(always)]
         fn node(row: usize) -> f64 {
-            $table.nodes[row]
+            const NODES: &[f64; $rows] = &$table.nodes;
+            NODES[row]
         }
         #[inline(always)]
         fn rate(row: usize) -> &'static [f64] {
-            &$table.rate[row]
+            const WEIGHTS: &[[f64; $rows]; $rows] = &$table.rate;
+            &WEIGHTS[row]
         }
         #[inline(always)]
         fn position(row: usize) -> &'static [f64] {
-            &$table.position[row]
+            const WEIGHTS: &[[f64; $rows]; $rows] = &$table.position;
+            &WEIGHTS[row]
         }
     };
 }

@@ -78,6 +78,7 @@ fn steps_of_every_rule_allocate_nothing() -> Result<(), Error> {
     no_scene_allocates!(Dopri5);
     no_scene_allocates!(Dop853);
     no_scene_allocates!(Adams);
+    no_scene_allocates!(Vcabm::new().up_to(3));
     no_scene_allocates!(GeneralizedAlpha::new(0.8));
     no_scene_allocates!(Sdirk4::new());
     Ok(())

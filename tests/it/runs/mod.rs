@@ -21,3 +21,4 @@ mod stiff_rules;
 mod stops;
 mod through_time;
 mod turned;
+mod vcabm;

@@ -58,6 +58,7 @@ macro_rules! by_every_rule {
         assert!(!saved_and_resumed!($name, $scene, $start, Dopri5, $h));
         assert!(!saved_and_resumed!($name, $scene, $start, Dop853, $h));
         assert!(saved_and_resumed!($name, $scene, $start, Adams, $h));
+        assert!(saved_and_resumed!($name, $scene, $start, Vcabm::new().up_to(4), $h));
         assert!(saved_and_resumed!($name, $scene, $start, GeneralizedAlpha::new(0.8), $h));
         assert!(!saved_and_resumed!($name, $scene, $start, Sdirk4::new(), $h));
     };
@@ -120,6 +121,7 @@ macro_rules! parts_by_every_rule {
         run_in_parts($name, &$scene, &$start, Dop853::tolerance(1e-9))?;
         run_in_parts($name, &$scene, &$start, Adams::step(0.0023))?;
         run_in_parts($name, &$scene, &$start, Adams::tolerance(1e-6))?;
+        run_in_parts($name, &$scene, &$start, Vcabm::new().tolerance(1e-8))?;
         run_in_parts($name, &$scene, &$start, GeneralizedAlpha::new(0.8).step(0.0023))?;
         run_in_parts($name, &$scene, &$start, GeneralizedAlpha::new(0.8).tolerance(1e-4))?;
         run_in_parts($name, &$scene, &$start, Sdirk4::new().step(0.0023))?;

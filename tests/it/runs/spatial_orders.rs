@@ -79,6 +79,7 @@ fn explicit_rules_have_their_orders_on_attitudes_rates_and_forces() -> Result<()
     order_of("RK4", 4.0, &[400, 600, 900], Rk4::step, END, &scene, &exact)?;
     order_of("DOPRI5", 5.0, &[200, 280, 400], Dopri5::step, END, &scene, &exact)?;
     order_of("Adams", 5.0, &[400, 600, 900], Adams::step, END, &scene, &exact)?;
+    order_of("variable order", 5.0, &[400, 600, 900], |h| Vcabm::new().up_to(4).step(h), END, &scene, &exact)?;
     order_of("DOP853", 8.0, &[90, 100, 110, 120], Dop853::step, END, &scene, &exact)
 }
 

@@ -150,7 +150,7 @@ fn a_load_that_stays_no_number_is_named() -> Result<(), Error> {
             near(last.position().1.1 - last.position().0, -STOP, 1e-9);
         )*};
     }
-    named!(Dop853::tolerance(1e-9), Dopri5::tolerance(1e-6), Adams::tolerance(1e-6));
+    named!(Dop853::tolerance(1e-9), Dopri5::tolerance(1e-6), Adams::tolerance(1e-6), Vcabm::new().tolerance(1e-6));
     named!(Sdirk4::new().tolerance(1e-6), GeneralizedAlpha::new(0.8).tolerance(1e-3));
     Ok(())
 }

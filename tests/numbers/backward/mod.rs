@@ -162,6 +162,7 @@ macro_rules! gradients {
 pub(crate) use gradients;
 
 // Behind the macro, which they use.
+mod attitudes;
 mod chains;
 mod joints;
 mod linear;

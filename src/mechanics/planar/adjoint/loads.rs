@@ -64,11 +64,6 @@ impl<T: Scalar> Additive for Felt<T> {
     }
 }
 
-/// v · x, of numbers and jets.
-fn weighed<T: Scalar>(v: Vector2<T>, x: Vector2<Read<T>>) -> Read<T> {
-    Read::of(v.x) * x.x + Read::of(v.y) * x.y
-}
-
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
         impl<T: Scalar> Takes<Planar<T>, Burden> for $Body<T> {
@@ -112,23 +107,23 @@ macro_rules! bodies {
                 let (place, velocity) = (at(frame.place, 0), at(frame.velocity, 2));
                 let (motion, _) = Body::<Planar<Read<T>>>::motion(&body, Frame { place, velocity, acceleration, turn });
                 let Wrench { force, torque } = law.at(walk.time, walk.body, &motion).wrench();
-                let w = met.stirring;
-                let arm = motion.arm.map(|x| x.re);
+                let (w, arm, spin) = (met.stirring, motion.arm.map(|x| x.re), frame.turn.rate);
                 let inner = add_scaled(met.velocity, -w, normal(arm));
-                let swung = normal(motion.arm);
-                let sum = weighed(inner, force) + torque * Read::of(w)
-                    + weighed(outer.place, place + motion.arm)
-                    + weighed(outer.velocity, velocity + swung * turn.rate)
-                    + weighed(outer.stirring, swung * Read::of(w));
-                let slopes = sum.eps;
+                // What the arm is weighed by, and the load.
+                let lever = add_scaled(add_scaled(outer.place, -spin, normal(outer.velocity)), -w, normal(outer.stirring));
+                let (arm_of, of) = (motion.arm.map(|x| x.eps), force.map(|x| x.eps));
+                let slopes: [T; READ] = core::array::from_fn(|k| {
+                    let load = inner.x.mul_add(of.x[k], inner.y.mul_add(of.y[k], w * torque.eps[k]));
+                    lever.x.mul_add(arm_of.x[k], lever.y.mul_add(arm_of.y[k], load))
+                });
                 sums.iter_mut().zip(&slopes[MOTION..]).for_each(|(sum, slope)| *sum += *slope);
                 walk.of_law.1 = seed - MOTION - BODY;
                 walk.of_law.0.iter_mut().zip(&slopes[MOTION + BODY..]).for_each(|(sum, slope)| *sum += *slope);
                 Felt {
-                    place: Vector2::new(slopes[0], slopes[1]),
-                    velocity: Vector2::new(slopes[2], slopes[3]),
+                    place: outer.place + Vector2::new(slopes[0], slopes[1]),
+                    velocity: outer.velocity + Vector2::new(slopes[2], slopes[3]),
                     stirring: outer.stirring + force.map(|x| x.re),
-                    turn: [outer.turn[0] + slopes[4], outer.turn[1] + slopes[5]],
+                    turn: [outer.turn[0] + slopes[4], plus_dot(outer.turn[1] + slopes[5], normal(arm), outer.velocity)],
                 }
             }
         }

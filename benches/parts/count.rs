@@ -1,0 +1,25 @@
+//! Counting: instructions of a program under callgrind.
+
+use std::path::Path;
+use std::process::Command;
+
+/// Instructions that a program takes with these words on its command line. The count is exact.
+pub fn count(program: &Path, words: &[&str]) -> Result<u64, String> {
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(program)
+        .args(words)
+        .output()
+        .map_err(|error| format!("valgrind does not start: {error}"))?;
+    let text = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        return Err(format!("valgrind fails at {words:?}: {text}")); // it may not know an instruction
+    }
+    let number = text.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok());
+    number.ok_or_else(|| format!("no count for {words:?} from valgrind: {text}"))
+}
+
+/// Whether valgrind is there.
+pub fn has_valgrind() -> bool {
+    Command::new("valgrind").arg("--version").output().is_ok_and(|output| output.status.success())
+}

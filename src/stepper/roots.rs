@@ -1,0 +1,25 @@
+//! Powers for the choice of steps: exact enough for that, and cheap.
+
+/// The logarithm to base 2 of a positive number, to a hundredth: a parabola between powers of two.
+#[inline]
+pub(super) fn log2(x: f64) -> f64 {
+    let bits = x.to_bits();
+    let power = (bits >> 52) as f64 - 1023.0;
+    let share = f64::from_bits((bits & ((1 << 52) - 1)) | (1023 << 52));
+    power + (2.0 - share / 3.0) * share - 5.0 / 3.0
+}
+
+/// Two to the power `x`, to three thousandths, likewise; as large as numbers are where it overflows.
+#[inline]
+pub(super) fn exp2(x: f64) -> f64 {
+    let x = x.clamp(-1000.0, 1000.0) + 1023.0;
+    let power = x as u64;
+    let share = x - power as f64;
+    f64::from_bits(power << 52) * (1.0 + share * (0.6565 + 0.3435 * share))
+}
+
+/// A positive number to the power `exponent`.
+#[inline]
+pub(super) fn power(x: f64, exponent: f64) -> f64 {
+    exp2(log2(x) * exponent)
+}

@@ -1,0 +1,318 @@
+//! Steps by the predictor and corrector of Adams, Bashforth and Moulton of variable order.
+
+mod past;
+
+use super::displace::{displace, gather};
+use super::explicit::ExplicitStepper;
+use super::{Method, MotionIn, Stepper, TimeIn};
+use crate::error::{Error, Fault};
+use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
+use crate::scalar::{Real, Scalar};
+use crate::system::Dynamics;
+use crate::time::Dop853;
+use crate::time::vcabm::{Coefficients, TERMS, Vcabm};
+use num_traits::{One, Zero};
+pub use past::VcabmMemory;
+
+/// Steps by [`Vcabm`].
+pub struct VcabmStepper<D: Dynamics<L>, L> {
+    most: usize,
+    /// Steps of a given size where too little is remembered. It owns the scene.
+    start: ExplicitStepper<D, L, Dop853>,
+    memory: VcabmMemory<MotionIn<D, L>, D::Rate, TimeIn<D, L>>,
+    coefficients: Coefficients,
+    /// Whether a run asks for a tolerance, so that sizes of steps and orders are chosen here.
+    controlled: bool,
+    /// Whether differences of past accelerations made the last step, and of which order.
+    own: bool,
+    order: usize,
+    /// Accelerations where the predictor leads, and by how much they are not those predicted.
+    evaluated: D::Rate,
+    surprise: D::Rate,
+    stage: (D::Position, D::Rate),
+    room: [D::Rate; 2],
+    zero: D::Rate,
+}
+
+impl<D: Dynamics<L>, L> Method<D, L> for Vcabm {
+    type Stepper = VcabmStepper<D, L>;
+
+    fn stepper(&self, scene: D) -> VcabmStepper<D, L> {
+        let still = scene.still();
+        let zero = still.rate.clone();
+        VcabmStepper {
+            most: self.most(),
+            start: Dop853.stepper(scene),
+            memory: VcabmMemory::new(&still, &zero),
+            coefficients: Coefficients::none(),
+            controlled: false,
+            own: true,
+            order: 1,
+            evaluated: zero.clone(),
+            surprise: zero.clone(),
+            stage: (still.position, zero.clone()),
+            room: [zero.clone(), zero.clone()],
+            zero,
+        }
+    }
+}
+
+impl<D: Dynamics<L>, L> VcabmStepper<D, L> {
+    /// The step from the accelerations in the first row of [`start`](Self::start).
+    fn make(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        let Self { memory, start, zero, room: [room, _], .. } = self;
+        memory.recall(past, &start.slopes.as_ref()[0], room, zero);
+        let size = memory.size(dt.as_f64());
+        if size == 0.0 {
+            memory.forget();
+            self.own = false;
+            return self.start.make(past, loads, dt, next);
+        }
+        if memory.bridged() {
+            self.own = false;
+            start.begin(past, loads, next)?; // the accelerations that the predictor led to are not good enough there
+            start.make(past, loads, dt, next)?;
+            memory.write_bridge(next, zero);
+            return Ok(());
+        }
+        let usable = memory.usable(size);
+        let order = if self.controlled { memory.order.min(usable) } else { self.most };
+        self.own = order <= usable;
+        self.order = order.min(usable);
+        let count = usable.min(self.order + 1);
+        memory.spread(count, past, room);
+        self.coefficients.update(size, &memory.sizes, count);
+        let made = if self.own { self.leap(past, loads, dt, next) } else { self.start.make(past, loads, dt, next) };
+        made?;
+        let Self { memory, surprise, evaluated, room: [room, other], .. } = self;
+        // By how much accelerations are not those predicted, in coordinates of the step.
+        let found = if D::Position::CURVED {
+            room.set(&next.acceleration);
+            next.position.inverse_retract_acceleration(&past.position, &next.rate, room);
+            &*room
+        } else {
+            &next.acceleration
+        };
+        let one = TimeIn::<D, L>::one();
+        if self.own && self.controlled {
+            memory.change.set(surprise);
+        } else if self.own {
+            memory.change.mix_2(surprise, (one, found), (-one, evaluated));
+        } else if !D::Position::CURVED {
+            let weights = self.coefficients.scale.map(|scale| -scale);
+            gather(other, found, one, &weights[..self.order], &memory.differences);
+            memory.change.set(other);
+        }
+        memory.write(next, size, self.order, &self.coefficients.scale, &self.zero);
+        Ok(())
+    }
+
+    /// Predicts, evaluates, corrects; and evaluates once more in steps of a given size.
+    fn leap(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        let Self { memory, coefficients, start, evaluated, surprise, stage, room, zero, order, controlled, .. } = self;
+        let ((position, rate), [increment, sum]) = (stage, room);
+        let (order, differences, one) = (*order, &memory.differences, TimeIn::<D, L>::one());
+        let scaled = |integrals: &[f64; TERMS]| -> [f64; TERMS] {
+            core::array::from_fn(|i| integrals[i] * coefficients.scale[i])
+        };
+        let (of_position, of_rate) = (scaled(&coefficients.whole.twice), scaled(&coefficients.whole.once));
+        next.time = past.time + dt;
+        let weights = (&of_position[..order], &of_rate[..order]);
+        displace(past, differences, 1.0, weights, dt, (zero, increment), (position, rate));
+        sum.set(rate);
+        if D::Position::CURVED {
+            position.retract_rate(&past.position, rate);
+        }
+        next.multipliers = start.scene.accelerations(next.time, position, rate, loads, &mut start.workspace, evaluated);
+        next.acceleration.set(evaluated);
+        start.sweeps += 1;
+        if D::Position::CURVED {
+            position.inverse_retract_acceleration(&past.position, rate, evaluated);
+        }
+        let predicted = coefficients.scale.map(|scale| -scale);
+        gather(surprise, evaluated, one, &predicted[..order], differences);
+        // The corrector has the predictor's terms and one more.
+        let real = TimeIn::<D, L>::of;
+        rate.mix_1(increment, (real(coefficients.whole.twice[order]) * dt * dt, surprise));
+        next.position.drift_1(&past.position, (dt, &past.rate), (one, rate));
+        next.rate.mix_1(sum, (real(coefficients.whole.once[order]) * dt, surprise));
+        if D::Position::CURVED {
+            next.position.retract_rate(&past.position, &mut next.rate);
+        }
+        start.scene.project(next, &mut start.workspace);
+        if !*controlled {
+            let Motion { time, position, rate, acceleration, multipliers } = next;
+            *multipliers = start.scene.accelerations(*time, position, rate, loads, &mut start.workspace, acceleration);
+            start.sweeps += 1;
+        }
+        match start.scene.accept(next) {
+            // Where the step goes wrong, Dop853's does too.
+            Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => Err(start.diagnose(past, loads, dt, next)),
+            outcome => outcome,
+        }
+    }
+
+    /// The error of the last step, had its predictor been of an order: of a difference that its accelerations show.
+    fn error_of(
+        &self,
+        order: usize,
+        difference: &D::Rate,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        tolerance: TimeIn<D, L>,
+    ) -> f64 {
+        let integrals = &self.coefficients.whole;
+        let weight = |of: &[f64; TERMS]| TimeIn::<D, L>::of(of[order] - of[order - 1]);
+        let (mut squares, mut count) = ([TimeIn::<D, L>::zero(); 2], 0_usize);
+        let one = TimeIn::<D, L>::one();
+        next.position.measure(difference, &mut |x, size| {
+            let share = x.real() / (one + size);
+            squares[0] += share * share;
+            count += 1;
+        });
+        difference.all(&next.rate, &mut |x, rate| {
+            let share = x.real() / (one + rate.real().abs());
+            squares[1] += share * share;
+            count += 1;
+            true
+        });
+        let (twice, once) = (weight(&integrals.twice) * dt * dt / tolerance, weight(&integrals.once) * dt / tolerance);
+        let sum = twice * twice * squares[0] + once * once * squares[1];
+        Scalar::sqrt(sum / TimeIn::<D, L>::of(count.max(1) as f64)).as_f64()
+    }
+}
+
+impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
+    const SETTLED: bool = false;
+
+    fn step(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.start.scene.admits(loads)?;
+        self.start.begin(past, loads, next)?;
+        self.make(past, loads, dt, next)
+    }
+
+    fn advance(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.start.scene.admits(loads)?;
+        self.start.resume(past, next)?;
+        self.make(past, loads, dt, next)
+    }
+
+    fn propose(&mut self, past: &MotionIn<D, L>, _: &L, _: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
+        self.controlled = true;
+        self.memory.proposed(past)
+    }
+
+    fn error(
+        &mut self,
+        past: &MotionIn<D, L>,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        tolerance: TimeIn<D, L>,
+    ) -> Option<TimeIn<D, L>> {
+        if !self.own {
+            // A step of order 1 that errs as much as one of order 8.
+            self.memory.want(dt * tolerance.powf(TimeIn::<D, L>::of(1.0 / 2.0 - 1.0 / 9.0)));
+            return self.start.error(past, dt, next, tolerance);
+        }
+        let order = self.order;
+        let own = self.error_of(order, &self.surprise, dt, next, tolerance);
+        let lower = (order > 1).then(|| {
+            let [room, _] = &mut self.room;
+            let scale = TimeIn::<D, L>::of(self.coefficients.scale[order - 1]);
+            room.mix_1(&self.surprise, (scale, &self.memory.differences[order - 1]));
+            self.error_of(order - 1, &self.room[0], dt, next, tolerance)
+        });
+        let higher = (order < self.most && self.memory.may_rise()).then(|| {
+            let [room, _] = &mut self.room;
+            let scale = TimeIn::<D, L>::of(self.coefficients.scale[order]);
+            room.mix_1(&self.memory.change, (-scale, &self.memory.differences[order]));
+            self.error_of(order + 1, &self.room[0], dt, next, tolerance)
+        });
+        self.memory.choose([Some(own), lower, higher], dt, self.most);
+        if D::CLOSED {
+            self.memory.startled(own);
+        }
+        Some(TimeIn::<D, L>::of(own))
+    }
+
+    fn error_order(&self) -> f64 {
+        if self.own { (self.memory.order + 1) as f64 } else { self.start.error_order() }
+    }
+
+    fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {
+        self.start.firm(next, least)
+    }
+
+    fn interpolate(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        theta: f64,
+        between: &mut MotionIn<D, L>,
+    ) {
+        if !self.own {
+            return self.start.interpolate(past, loads, dt, next, theta, between);
+        }
+        let Self { memory, coefficients, start, room: [increment, _], zero, order, stage: (_, last), .. } = self;
+        let integrals = coefficients.up_to(theta);
+        let scaled = |of: &[f64; TERMS]| -> [f64; TERMS] { core::array::from_fn(|i| of[i] * coefficients.scale[i]) };
+        let (of_position, of_rate) = (scaled(&integrals.twice), scaled(&integrals.once));
+        let (weights, real) = ((&of_position[..*order], &of_rate[..*order]), TimeIn::<D, L>::of);
+        let Motion { position, rate, .. } = between;
+        displace(past, &memory.differences, theta, weights, dt, (zero, increment), (position, rate));
+        // And what the end of the step adds.
+        last.mix_1(increment, (real(integrals.twice[*order]) * dt * dt, &memory.change));
+        position.drift_1(&past.position, (real(theta) * dt, &past.rate), (TimeIn::<D, L>::one(), last));
+        last.set(rate);
+        rate.mix_1(last, (real(integrals.once[*order]) * dt, &memory.change));
+        if D::Position::CURVED {
+            position.retract_rate(&past.position, rate);
+        }
+        between.time = past.time + real(theta) * dt;
+        start.scene.project(between, &mut start.workspace);
+        let Motion { time, position, rate, acceleration, multipliers } = between;
+        *multipliers = start.scene.accelerations(*time, position, rate, loads, &mut start.workspace, acceleration);
+        start.sweeps += 1;
+    }
+
+    fn sweeps(&self) -> usize {
+        self.start.sweeps
+    }
+
+    type Memory = VcabmMemory<MotionIn<D, L>, D::Rate, TimeIn<D, L>>;
+
+    fn memory(&self) -> Self::Memory {
+        self.memory.clone()
+    }
+
+    fn restore(&mut self, memory: &Self::Memory) {
+        self.memory.clone_from(memory);
+    }
+}
