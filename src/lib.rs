@@ -45,7 +45,7 @@
 //! | [`system`] | a scene and what can be asked of it; bounds for functions over scenes of any kind |
 //! | [`loading`] | what acts on a scene |
 //! | [`time`] | rules that step it, their coefficients and tolerances |
-//! | [`simulate`] | runs: output, events, observers, saved runs, single steps |
+//! | [`simulate`] | runs: output, events, observers, saved runs, single steps, ensembles |
 //! | [`observe`] | what is read from a motion |
 //! | [`modes`], [`sensitivity`] | frequencies and modes of vibration; derivatives of runs |
 //! | [`scalar`] | the numbers: real, dual, lanes, jets |
@@ -70,7 +70,7 @@
 //!
 //! # Features
 //!
-//! `std` (default, modes of vibration), `alloc` (vectors of elements, static equilibrium), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes).
+//! `std` (default, modes of vibration), `alloc` (vectors of elements, static equilibrium), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes), `rayon` (ensembles of runs on all threads).
 //! Without `std` and `libm` the crate compiles but brings no numbers: implement [`Scalar`] for yours.
 
 #[cfg(feature = "alloc")]

@@ -166,7 +166,7 @@ impl Film<'_> {
     }
 }
 
-fn hex(RGBColor(r, g, b): RGBColor) -> String {
+pub fn hex(RGBColor(r, g, b): RGBColor) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 

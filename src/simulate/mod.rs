@@ -1,8 +1,11 @@
 //! Running a scene through time: step control, dense output at requested times, events, observers; and single steps, of a [`Stepper`].
+//! Many runs at once are an `ensemble` (feature `rayon`).
 
 mod accept;
 pub(crate) mod crossing;
 mod drive;
+#[cfg(feature = "rayon")]
+mod ensemble;
 mod limits;
 mod saved;
 mod trials;
@@ -25,6 +28,8 @@ pub use crate::stepper::{
     Stepper, StepperOf, TaylorStepper, TimeIn, VcabmMemory, VcabmStepper,
 };
 pub use drive::Running;
+#[cfg(feature = "rayon")]
+pub use ensemble::{Ensemble, ensemble};
 pub use saved::{Progress, Saved};
 
 /// An instant of a run, to be read.

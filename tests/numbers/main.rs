@@ -2,6 +2,7 @@
 
 mod backward;
 mod derivatives;
+mod ensembles;
 mod jets;
 mod scalars;
 mod sensitivities;
