@@ -38,7 +38,8 @@ where
     /// number of steps up to there; none where it does not cross. States beyond that of this number are those of no run.
     ///
     /// # Errors
-    /// [`Fault::Count`] for torques of another number, [`Fault::Shape`] for motions of another scene.
+    /// [`Fault::Count`] for torques of another number, [`Fault::Shape`] for motions of another scene, [`Fault::NotFinite`] where the function
+    /// is no number.
     pub fn cut(
         &mut self,
         torques: &[EffortOf<S>],
@@ -46,12 +47,15 @@ where
         mut event: impl FnMut(&MotionOf<S, R, C, P>) -> S::Scalar,
     ) -> Result<Option<usize>, Error> {
         self.check(torques, states)?;
-        let mut value = |state: &_| event(state).real().as_f64();
+        let mut value = |state: &_| {
+            let value = event(state).real().as_f64();
+            finite(!value.is_nan(), "value of the event function").map(|()| value)
+        };
         let Some(first) = states.first() else { return Ok(None) };
-        let mut before = value(first);
+        let mut before = value(first)?;
         for k in 1..states.len() {
             let [past, next, ..] = &mut states[k - 1..] else { break };
-            let after = value(next);
+            let after = value(next)?;
             if before != 0.0 && before * after <= 0.0 {
                 let size = next.time - past.time;
                 self.steps.take_torques(torques, k - 1);
@@ -59,8 +63,8 @@ where
                     self.steps.step_to(past.time + size * RealOf::<S>::of(theta), past, &mut self.record, next);
                     value(next)
                 };
-                let share = crossing([before, after], |theta| Ok::<_, Error>(cut(theta)))?;
-                cut(share);
+                let share = crossing([before, after], &mut cut)?;
+                cut(share)?;
                 return Ok(Some(k));
             }
             before = after;

@@ -62,3 +62,20 @@ fn an_event_that_no_time_changes_has_no_gradient() -> Result<(), Error> {
     assert!(matches!(found, Fault::NotFinite { .. }), "{found:?}");
     Ok(())
 }
+
+#[test]
+fn an_event_function_that_is_no_number_cuts_nothing() -> Result<(), Error> {
+    let system = pendulum()?;
+    let start = system.at_rest(&[-1.0, -0.5])?;
+    let (mut backward, mut states) = (system.backward(Rk4), [start; 3]);
+    backward.run(&start, 0.01, 2, &[], &mut states)?;
+    // Of unlike signs at the states, and nothing between them.
+    let found = backward.cut(&[], &mut states, |state| match state.time() {
+        t if t == 0.0 => 1.0,
+        t if t == 0.01 => -1.0,
+        _ => f64::NAN,
+    });
+    let fault = found.unwrap_err().fault;
+    assert!(matches!(fault, Fault::NotFinite { parameter: "value of the event function" }), "{fault:?}");
+    Ok(())
+}
