@@ -71,8 +71,8 @@ fn an_event_function_that_is_no_number_cuts_nothing() -> Result<(), Error> {
     backward.run(&start, 0.01, 2, &[], &mut states)?;
     // Of unlike signs at the states, and nothing between them.
     let found = backward.cut(&[], &mut states, |state| match state.time() {
-        t if t == 0.0 => 1.0,
-        t if t == 0.01 => -1.0,
+        0.0 => 1.0,
+        0.01 => -1.0,
         _ => f64::NAN,
     });
     let fault = found.unwrap_err().fault;
