@@ -258,9 +258,5 @@ fn draw(n: usize, firsts: &[First]) -> Drawn<PathBuf> {
     if svg.len() > LARGEST {
         return Err(format!("{} bytes are more than a picture may have", svg.len()).into());
     }
-    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/target"));
-    std::fs::create_dir_all(&folder)?;
-    let path = folder.join("outcome_map.svg");
-    std::fs::write(&path, svg)?;
-    Ok(path)
+    common::save("outcome_map", &svg)
 }

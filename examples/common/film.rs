@@ -43,11 +43,7 @@ impl Film<'_> {
         if svg.len() > LARGEST {
             return Err(format!("{name}: {} bytes are more than a moving picture may have", svg.len()).into());
         }
-        let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/target"));
-        std::fs::create_dir_all(&folder)?;
-        let path = folder.join(name).with_extension("svg");
-        std::fs::write(&path, svg)?;
-        Ok(path)
+        super::save(name, &svg)
     }
 
     /// A place in pixels, to a tenth.

@@ -50,6 +50,11 @@ pub fn picture(name: &str, (width, height): (u32, u32), draw: impl FnOnce(&Area)
     let (coarse, extra) = (format!(r#"width="{width}" height="{height}""#), r#" stroke-linejoin="round""#);
     let svg = svg.replacen(&format!(r#"width="{}" height="{}""#, width * fine, height * fine), &(coarse + extra), 1);
 
+    save(name, &svg)
+}
+
+/// Writes a picture into target/ and returns where it is.
+pub fn save(name: &str, svg: &str) -> Drawn<PathBuf> {
     let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/target"));
     std::fs::create_dir_all(&folder)?;
     let path = folder.join(name).with_extension("svg");

@@ -8,9 +8,11 @@
 //!
 //! with Φ_h, g_h the derivatives by the size of the last step, by which time ends later.
 
+use super::loads::depend_on_time;
+use super::steps::Steps;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
-use crate::element::{Element, RealOf, Unloaded};
+use crate::element::{Coordinates, Element, RealOf, Unloaded};
 use crate::error::{Error, Fault, finite};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
@@ -102,10 +104,11 @@ where
     /// ```
     ///
     /// Loads on bodies ([`under`](Self::under)) may not depend on time here: their part in what the last step's size changes is not found.
+    /// A law that gives other loads at three times of the last step is refused.
     ///
     /// # Errors
     /// As [`gradient`](Self::gradient); [`Fault::Count`] for a run without a step; [`Fault::NotFinite`] where the function of the event does
-    /// not change with the time of the end, so that no time is that of the event.
+    /// not change with the time of the end, so that no time is that of the event; [`Fault::Unsupported`] for loads that depend on time.
     pub fn gradient_to_event(
         &mut self,
         torques: &[EffortOf<S>],
@@ -119,6 +122,16 @@ where
         let [.., past, _] = states else {
             return Err(Error::new(Fault::Count { expected: 2, given: states.len() }));
         };
+        if const { L::ON } {
+            let Steps { scene, zero, .. } = &self.steps;
+            let (law, size) = (self.steps.loads.law, last.time - past.time);
+            let times = [0.0, 0.37, 1.0].map(|share| past.time + size * RealOf::<S>::of(share));
+            let motion = Coordinates { position: &past.position, rate: &past.rate, acceleration: zero };
+            if depend_on_time(law, scene.elements(), scene.ground(past.time), motion, &times) {
+                let what = "the gradient up to an event of loads that depend on time";
+                return Err(Error::new(Fault::Unsupported { what }));
+            }
+        }
         let mut gradient = self.begin();
         let scratch = &mut self.scratch;
         scratch.start = gradient.start.clone();

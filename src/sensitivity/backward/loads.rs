@@ -3,11 +3,13 @@
 use crate::adjoint::{BodyLaw, Reversed};
 use crate::element::{Coordinates, Element, RealOf, Space};
 use crate::loading::{Load, Seen as _};
+use crate::mirror::Rate;
 use crate::relation::{Wrench, WrenchOf};
+use crate::scalar::Scalar;
 use crate::shape::{PerBody, PerJoint};
 use crate::space::FrameOf;
-use crate::visit::Visit;
-use crate::walks::travel::travel;
+use crate::visit::{Visit, Watch};
+use crate::walks::travel::{show, travel};
 
 /// A law of loads, and what it was last told.
 pub(super) struct Seen<S: Space, E: Element<S>, L> {
@@ -29,6 +31,40 @@ impl<S: Reversed, E: Element<S>, L: BodyLaw<S>> Seen<S, E, L> {
     pub(super) fn see(&mut self, elements: &E, ground: FrameOf<S>, motion: Coordinates<'_, S, E>, time: RealOf<S>) {
         let visit = Telling { law: self.law, time, body: 0 };
         travel(elements, ground, motion, visit, &mut self.on_bodies, &mut self.in_joints);
+    }
+}
+
+/// Whether a law gives other loads for one motion at other times: its gradient lacks what these change.
+pub(super) fn depend_on_time<S: Reversed, E: Element<S>, L: BodyLaw<S>>(
+    law: L,
+    elements: &E,
+    ground: FrameOf<S>,
+    motion: Coordinates<'_, S, E>,
+    times: &[RealOf<S>],
+) -> bool {
+    let mut compared = Compared { law, times, body: 0, differ: false };
+    show(elements, ground, motion, &mut compared);
+    compared.differ
+}
+
+/// Compares what a law gives at several times.
+struct Compared<'t, L, R> {
+    law: L,
+    times: &'t [R],
+    body: usize,
+    differ: bool,
+}
+
+impl<S: Reversed, L: BodyLaw<S>> Watch<S> for Compared<'_, L, RealOf<S>> {
+    fn body(&mut self, motion: &S::BodyMotion) {
+        let at = |time: &RealOf<S>| S::numbers(self.law.at(*time, self.body, &motion.unaccelerated()).wrench());
+        for pair in self.times.windows(2) {
+            at(&pair[0]).all(&at(&pair[1]), &mut |one, other| {
+                self.differ |= one.real() != other.real();
+                true
+            });
+        }
+        self.body += 1;
     }
 }
 

@@ -1,6 +1,7 @@
 //! Gradients asked for wrongly: what they refuse, and that nothing of it is left for the next one.
 
 use super::names::*;
+use catena::loading::LoadLaw;
 use catena::sensitivity::{Checkpoints, Costate};
 use catena::{Error, Fault};
 
@@ -78,4 +79,33 @@ fn an_event_function_that_is_no_number_cuts_nothing() -> Result<(), Error> {
     let fault = found.unwrap_err().fault;
     assert!(matches!(fault, Fault::NotFinite { parameter: "value of the event function" }), "{fault:?}");
     Ok(())
+}
+
+/// A force that grows with time: what it changes as the last step grows is not in a gradient.
+#[derive(Clone, Copy, Debug)]
+struct Growing<T> {
+    pace: T, // (N/s)
+}
+catena::lift!(Growing<T> { pace });
+
+impl<T: Scalar> LoadLaw<BodyMotion<T>> for Growing<T> {
+    type Value = Wrench<T>;
+
+    fn at(&self, time: T::Real, _: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+        motion.force_at([T::zero(); 2], [T::zero(), self.pace.scale(time)])
+    }
+}
+
+#[test]
+fn a_gradient_up_to_an_event_under_loads_of_time_is_refused() -> Result<(), Error> {
+    let system = pendulum()?;
+    let start = system.at_rest(&[-1.0, -0.5])?;
+    let mut states = [start; 3];
+    let mut backward = system.backward(Rk4).under(Growing { pace: 0.1 });
+    backward.run(&start, 0.01, 2, &[], &mut states)?;
+    let cost = |_: usize, _: &_, by: &mut Costate<_>| by.add(&[1.0, 0.0], &[0.0; 2]);
+    let event = |_: &_, by: &mut Costate<_>| by.add(&[0.0, 1.0], &[0.0; 2]);
+    let fault = backward.gradient_to_event(&[], &states, &mut [], cost, event).map(|_| ()).unwrap_err().fault;
+    assert!(matches!(fault, Fault::Unsupported { .. }), "{fault:?}");
+    backward.gradient(&[], &states, &mut [], cost).map(|_| ()) // of a given end it is whole
 }
