@@ -58,7 +58,7 @@
 //!
 //! | floor | modules |
 //! |---|---|
-//! | 0 | `scalar`, errors, names and numbers, [`StateVector`] and [`TransferMatrix`] |
+//! | 0 | `scalar`, errors, names and numbers, `data` (what reading compares), [`StateVector`] and [`TransferMatrix`] |
 //! | 1 | [`Lift`], `mirror`, `relation` (the kernels), `time` (coefficients of the rules), dense algebra in the small |
 //! | 2 | `space`, `loading`, `sweep`, laws of springs, `shape` (what a chain is), `walks` (what is done along it), `visit`, `element` (the contract: read this first), `ends`, `transfer`, turning, motions, `sensitive` and `adjoint` (the contracts of derivatives), `series`, `release` and `kinematics` (what a joint says of itself, and how it moves) |
 //! | 3 | `chain` (composition: tuples, arrays, vectors, branches, networks), `counts`, `struts` |
@@ -70,7 +70,7 @@
 //!
 //! # Features
 //!
-//! `std` (default, modes of vibration), `alloc` (vectors of elements, static equilibrium), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes), `rayon` (ensembles of runs on all threads).
+//! `std` (default, modes of vibration), `alloc` (vectors of elements, static equilibrium), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes), `rayon` (ensembles of runs on all threads), `serde` (scenes, motions and saved runs as data).
 //! Without `std` and `libm` the crate compiles but brings no numbers: implement [`Scalar`] for yours.
 
 #[cfg(feature = "alloc")]
@@ -84,6 +84,8 @@ mod turning;
 mod adjoint;
 mod chain;
 mod counts;
+#[cfg(feature = "serde")]
+mod data;
 #[cfg(feature = "alloc")]
 mod dense;
 mod element;

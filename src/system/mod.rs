@@ -2,6 +2,8 @@
 
 #[cfg(feature = "alloc")]
 mod assembly;
+#[cfg(feature = "serde")]
+mod data;
 mod describe;
 mod doubts;
 mod dynamics;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// Modules from the ground up. What they are is said in the crate's own page.
 const FLOORS: [&[&str]; 9] = [
-    &["scalar", "sealed", "error", "names", "state", "tuples"],
+    &["scalar", "sealed", "data", "error", "names", "state", "tuples"],
     &["mirror", "relation", "time", "lift", "dense"],
     &[
         "space",

@@ -26,6 +26,7 @@ use nalgebra::Vector2;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Guided<G, A, T> {
     ground: Clamped<G, A>,
     line: T,
