@@ -98,6 +98,33 @@ impl<W: std::io::Write> Trace<W> {
     }
 }
 
+#[cfg(feature = "std")]
+impl<W: std::io::Write> Trace<W> {
+    /// Writes a line, and the names of its columns before the first.
+    fn line<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>>(
+        &mut self,
+        now: &Now<'_, S, R, C, P, L>,
+    ) -> std::io::Result<()> {
+        let Self { writer, started, .. } = self;
+        if !*started {
+            writeln!(writer, "{}", columns(now.system().elements()))?;
+            *started = true;
+        }
+        write!(writer, "{}", now.time().as_f64())?;
+        let (motion, mut outcome) = (now.motion(), Ok(()));
+        let mut note = |x: S::Scalar| {
+            if outcome.is_ok() {
+                outcome = write!(writer, ",{}", x.real().as_f64());
+            }
+        };
+        motion.position().visit(&mut note);
+        motion.rate().visit(&mut note);
+        motion.acceleration().visit(&mut note);
+        outcome?;
+        writeln!(writer, ",{}", now.energy().real().as_f64())
+    }
+}
+
 /// The names of all columns.
 #[cfg(feature = "std")]
 fn columns<S: Space, E: Element<S>>(elements: &E) -> String {
@@ -141,25 +168,6 @@ impl<W: std::io::Write, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loadi
         if self.outcome.is_err() {
             return;
         }
-        let Self { writer, started, outcome } = self;
-        let mut line = || {
-            if !*started {
-                writeln!(writer, "{}", columns(now.system().elements()))?;
-                *started = true;
-            }
-            write!(writer, "{}", now.time().as_f64())?;
-            let (motion, mut outcome) = (now.motion(), Ok(()));
-            let mut note = |x: S::Scalar| {
-                if outcome.is_ok() {
-                    outcome = write!(writer, ",{}", x.real().as_f64());
-                }
-            };
-            motion.position().visit(&mut note);
-            motion.rate().visit(&mut note);
-            motion.acceleration().visit(&mut note);
-            outcome?;
-            writeln!(writer, ",{}", now.energy().real().as_f64())
-        };
-        *outcome = line();
+        self.outcome = self.line(now);
     }
 }
