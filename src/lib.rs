@@ -1,5 +1,6 @@
 #![forbid(unsafe_code)]
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))] // labels of features, where documentation is built for all of them
 //! Multibody dynamics by the discrete-time transfer matrix method: a generic, const-dimension, compile-time library.
 //!
 //! A program embeds a mechanical scene, steps it in time without allocating, asks for derivatives of anything with respect to

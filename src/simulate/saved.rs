@@ -4,6 +4,7 @@
 mod data;
 
 use super::drive::Running;
+use super::limits::MOST;
 use super::trials::Trials;
 use super::{EventFunction, Interrupted, Now, Run, Simulation};
 use crate::element::{Element, Loading, RealOf, Space};
@@ -76,7 +77,9 @@ impl<R: Real> Progress<R> {
             let next = *start + every * count(*samples) - time;
             let rounding = (time.abs() + every) * R::EPSILON * R::of(1e6);
             if !(next >= -rounding && next <= every + rounding) {
-                *samples = ((time - *start) / every).as_f64() as usize + 1;
+                let passed = ((time - *start) / every).as_f64();
+                finite(passed <= MOST, "progress of a run")?;
+                *samples = (passed as usize).saturating_add(1);
             }
         }
         Ok(())
