@@ -46,7 +46,7 @@ proptest! {
 
     #[test]
     fn lists_of_any_length((x, m) in (numbers(), sizes()), lengths in prop::array::uniform4(0..7_usize), body in 0..5_usize) {
-        let rod = Rod::uniform(1.0, m[0].max(0.1).min(10.0)); // no NaN
+        let rod = Rod::uniform(1.0, if m[0].is_finite() { m[0].clamp(0.1, 10.0) } else { 1.0 });
         let scene = System::new(Pinned::origin(), (rod, vec![(Pin, rod); 3]), Free).unwrap().with_gravity(9.81);
         let told = |error: catena::Error| crate::probe::told(&error);
         let [a, b, c, d] = lengths;
