@@ -93,13 +93,55 @@ pub trait Stepper<D: Dynamics<L>, L> {
         loads: &L,
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error>;
+    ) -> Result<(), Error> {
+        self.admit(past, loads, dt, next)?;
+        self.begin(past, loads);
+        self.make(past, loads, dt, next)
+    }
 
     /// Advances by a step where `past` holds the accelerations that belong to it under these loads: one sweep less.
     ///
     /// # Errors
     /// As [`step`](Self::step).
     fn advance(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.admit(past, loads, dt, next)?;
+        self.resume(past);
+        self.make(past, loads, dt, next)
+    }
+
+    /// Refuses loads that do not fit the scene, motions of another scene and what else makes no step.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn admit(
+        &self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+    ) -> Result<(), Error>;
+
+    /// Finds the accelerations at the start of a step, if the method asks for them.
+    fn begin(&mut self, past: &MotionIn<D, L>, loads: &L) {
+        let _ = (past, loads);
+    }
+
+    /// Takes those that the start has.
+    fn resume(&mut self, past: &MotionIn<D, L>) {
+        let _ = past;
+    }
+
+    /// The step from a start that [`begin`](Self::begin) or [`resume`](Self::resume) has met.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    fn make(
         &mut self,
         past: &MotionIn<D, L>,
         loads: &L,

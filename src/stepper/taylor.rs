@@ -157,28 +157,25 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
 }
 
 impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper<D, L, P> {
-    fn step(
-        &mut self,
+    fn admit(
+        &self,
         past: &MotionIn<D, L>,
         loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        self.advance(past, loads, dt, next)
-    }
-
-    fn advance(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
+        _: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.scene.admits(loads)?;
+        if past.fits(&self.ahead) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
+    }
+
+    fn make(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
         self.expand(past)?;
-        if !past.fits(next) {
-            return Err(Error::new(Fault::Shape));
-        }
         next.time = past.time + dt;
         self.sum(dt, next);
         self.ahead.copy_state(next);
