@@ -199,13 +199,7 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
 }
 
 impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
-    fn admit(
-        &self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &MotionIn<D, L>,
-    ) -> Result<(), Error> {
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
         self.start.admit(past, loads, dt, next)
     }
 

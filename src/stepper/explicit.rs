@@ -147,13 +147,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
 }
 
 impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> {
-    fn admit(
-        &self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        _: TimeIn<D, L>,
-        next: &MotionIn<D, L>,
-    ) -> Result<(), Error> {
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, _: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
         self.scene.admits(loads)?;
         if past.fits(&self.still) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
     }

@@ -196,13 +196,7 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
 impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
     const SETTLED: bool = false;
 
-    fn admit(
-        &self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &MotionIn<D, L>,
-    ) -> Result<(), Error> {
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
         check::<D, L>(&self.still, past, next, dt)?;
         self.rule.fault.map_or(Ok(()), |fault| Err(Error::new(fault)))?; // parameters that make no rule
         self.scene.admits(loads)

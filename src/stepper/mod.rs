@@ -119,13 +119,7 @@ pub trait Stepper<D: Dynamics<L>, L> {
     ///
     /// # Errors
     /// What is wrong with them.
-    fn admit(
-        &self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &MotionIn<D, L>,
-    ) -> Result<(), Error>;
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error>;
 
     /// Finds the accelerations at the start of a step, if the method asks for them.
     fn begin(&mut self, past: &MotionIn<D, L>, loads: &L) {

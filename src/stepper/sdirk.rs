@@ -179,13 +179,7 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
 impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
     const SETTLED: bool = false;
 
-    fn admit(
-        &self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &MotionIn<D, L>,
-    ) -> Result<(), Error> {
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
         check::<D, L>(&self.still, past, next, dt)?;
         self.scene.admits(loads)
     }

@@ -3,17 +3,15 @@
 use super::roots::{exp2, log2};
 use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::element::Element;
+use crate::ends::{Resting, Unheld};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
-use crate::series::{AtRest, Expand, Expandable, Instant, Unheld};
+use crate::series::{Expand, Expandable};
 use crate::system::{Elements, SeriesDynamics, System};
 use crate::time::Taylor;
 use num_traits::{One, Zero};
-
-/// The largest order, and two more: as many coefficients has a position.
-const MOST: usize = 32;
 
 /// Steps by [`Taylor`].
 pub struct TaylorStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
@@ -27,8 +25,11 @@ pub struct TaylorStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
     /// Motion at which the next series has begun: the end of the last step.
     ahead: MotionIn<D, L>,
     begun: bool,
-    scratch: D::Rate,
-    shares: [TimeIn<D, L>; MOST],
+    /// Coefficients of the accelerations.
+    accelerations: [D::Rate; P],
+    zero: D::Rate,
+    /// Room for sums.
+    sums: (D::Rate, D::Rate, D::Rate),
     /// For readings within a step.
     workspace: D::Workspace,
     sweeps: usize,
@@ -42,14 +43,15 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Method<D, L> for Taylor<P> {
         TaylorStepper {
             series: scene.series(),
             workspace: scene.workspace(),
-            scratch: still.rate.clone(),
+            accelerations: core::array::from_fn(|_| still.rate.clone()),
+            zero: still.rate.clone(),
+            sums: (still.rate.clone(), still.rate.clone(), still.rate.clone()),
             origin: still.clone(),
             ahead: still,
             scene,
             expanded: false,
             reached: None,
             begun: false,
-            shares: core::array::from_fn(|k| TimeIn::<D, L>::of(1.0 / (k + 1) as f64)),
             sweeps: 0,
         }
     }
@@ -69,7 +71,7 @@ impl<const P: usize> Taylor<P> {
     pub fn knows<S, R, C, E>(_: &System<S, R, C, E>)
     where
         S: Expandable,
-        R: AtRest<S>,
+        R: Resting<S>,
         C: Element<S>,
         E: Unheld<S>,
         Elements<S, R, C>: Expand<S, P>,
@@ -78,10 +80,12 @@ impl<const P: usize> Taylor<P> {
 }
 
 impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
-    /// Shows the coefficients of each rate of the last step, root to tip, from that of the second power of time (s) on: those before are
-    /// rate and acceleration of the motion from which it set out.
-    pub fn coefficients(&self, each: &mut impl FnMut(&[D::Scalar])) {
-        self.scene.coefficients(&self.series, each);
+    /// Shows coefficient number `k` of each acceleration in the last step, root to tip: that of the power k of the time (s) since its
+    /// start, from 0 to `P` − 1.
+    pub fn coefficients(&self, k: usize, mut each: impl FnMut(D::Scalar)) {
+        if let Some(accelerations) = self.accelerations.get(k) {
+            accelerations.visit(&mut each);
+        }
     }
 
     /// Whether two motions are the same: then their accelerations are, but for rounding.
@@ -110,17 +114,42 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
             self.begin();
         }
         core::mem::swap(&mut self.origin, &mut self.ahead);
-        self.scene.expand(&mut self.series, &mut self.scratch);
+        if let Some((first, others)) = self.accelerations.split_first_mut() {
+            first.set(&self.origin.acceleration);
+            self.scene.expand(&mut self.series, others);
+        }
         (self.begun, self.expanded, self.reached) = (false, true, None);
         self.sweeps += 1;
         Ok(())
     }
 
-    /// Positions and rates at a time (s) after the origin of the series.
+    /// Positions and rates at a time (s) after the origin of the series, by Horner's rule, four coefficients at a time.
     fn sum(&mut self, time: TimeIn<D, L>, to: &mut MotionIn<D, L>) {
-        let Motion { position, rate, acceleration, .. } = &self.origin;
-        let at = Instant { time, shares: &self.shares };
-        self.scene.sum(&self.series, at, (position, rate, acceleration), &mut to.position, &mut to.rate);
+        let Self { origin, accelerations, zero, sums: (position, rate, room), .. } = self;
+        let (square, real) = (time * time, TimeIn::<D, L>::of);
+        let powers = [TimeIn::<D, L>::one(), time, square, square * time];
+        let fourth = square * square;
+        position.set(zero);
+        rate.set(zero);
+        let (fours, few) = accelerations.as_chunks::<4>();
+        for (k, coefficients) in (4 * fours.len()..P).zip(few) {
+            let (power, once) = (powers[k % 4], ((k + 1) as f64).recip());
+            room.mix_1(position, (power * real(once / (k + 2) as f64), coefficients));
+            position.set(room);
+            room.mix_1(rate, (power * real(once), coefficients));
+            rate.set(room);
+        }
+        for (block, [a, b, c, d]) in fours.iter().enumerate().rev() {
+            let weights: [f64; 5] = core::array::from_fn(|i| ((4 * block + i + 1) as f64).recip());
+            let of = |i: usize| powers[i] * real(weights[i] * weights[i + 1]);
+            room.mix_3(zero, (fourth, position), (of(3), d), (of(2), c));
+            position.mix_2(room, (of(1), b), (of(0), a));
+            let of = |i: usize| powers[i] * real(weights[i]);
+            room.mix_3(zero, (fourth, rate), (of(3), d), (of(2), c));
+            rate.mix_2(room, (of(1), b), (of(0), a));
+        }
+        to.position.drift_1(&origin.position, (time, &origin.rate), (square, position));
+        to.rate.mix_1(&origin.rate, (time, rate));
     }
 
     /// How long a step may be (s): as far as the last term of the series is a tolerance, by the radius of convergence that two last terms
@@ -134,14 +163,13 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         }
         let mut size = TimeIn::<D, L>::zero();
         self.origin.rate.visit(&mut |rate| size = size.max(rate.real().abs()));
+        // Four last coefficients of the rates.
         let mut last = [TimeIn::<D, L>::zero(); 4];
-        self.scene.coefficients(&self.series, &mut |rates| {
-            if let Some(terms) = rates.last_chunk::<4>() {
-                for (most, term) in last.iter_mut().zip(terms) {
-                    *most = most.max(term.real().abs());
-                }
-            }
-        });
+        for (i, most) in last.iter_mut().enumerate() {
+            let k = P - 4 + i;
+            self.accelerations[k].visit(&mut |term| *most = most.max(term.real().abs()));
+            *most = *most / TimeIn::<D, L>::of((k + 1) as f64);
+        }
         let size = log2((TimeIn::<D, L>::one() + size).as_f64());
         let mut inverse = last.map(|most| log2(most.as_f64()) - size);
         for (i, inverse) in inverse.iter_mut().enumerate() {
@@ -157,13 +185,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
 }
 
 impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper<D, L, P> {
-    fn admit(
-        &self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        _: TimeIn<D, L>,
-        next: &MotionIn<D, L>,
-    ) -> Result<(), Error> {
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, _: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
         self.scene.admits(loads)?;
         if past.fits(&self.ahead) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
     }

@@ -143,13 +143,7 @@ impl<D: Dynamics<L>, L> VcabmStepper<D, L> {
 impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
     const SETTLED: bool = false;
 
-    fn admit(
-        &self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &MotionIn<D, L>,
-    ) -> Result<(), Error> {
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
         self.start.admit(past, loads, dt, next)
     }
 

@@ -1,6 +1,6 @@
 //! No Taylor series of what slides is known.
-//@ knows no series of the motion of `Slider<f64>`
-//@ rods, rigid bodies
+//@ `Slider<f64>` takes no walk
+//@ knows no series of its motion
 
 use catena::planar::*;
 
