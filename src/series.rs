@@ -18,9 +18,11 @@
 //! Coefficients are those of powers of time (s): the acceleration of a coordinate is Σ a_k tᵏ from a step's start.
 
 use crate::element::{Element, Space};
-use crate::loading::{Loading, Unloaded};
+use crate::loading::{Loading, Loads, SeriesLaw, Unloaded};
+use crate::relation::{Absent, Part};
 use crate::scalar::Real;
 use crate::shape::Takes;
+use crate::space::RealOf;
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 
 /// A space whose elements have Taylor series.
@@ -68,14 +70,14 @@ impl<R: Real> Order<R> {
     }
 }
 
-/// Elements whose motion has a Taylor series of order `N` through kept gains.
-pub trait Expand<S: Expandable, const N: usize>:
-    Element<S> + Takes<S, Begin<N>> + Takes<S, Articulate<N>> + Takes<S, Push<S, N>> + Takes<S, Swing<S, N>>
+/// Elements whose motion has a Taylor series of order `N` through kept gains, under efforts `Q` in joints.
+pub trait Expand<S: Expandable, Q: Part, const N: usize>:
+    Element<S> + Takes<S, Begin<N>> + Takes<S, Articulate<N>> + Takes<S, Push<S, Q, N>> + Takes<S, Swing<S, N>>
 {
 }
 
-impl<S: Expandable, E, const N: usize> Expand<S, N> for E where
-    E: Element<S> + Takes<S, Begin<N>> + Takes<S, Articulate<N>> + Takes<S, Push<S, N>> + Takes<S, Swing<S, N>>
+impl<S: Expandable, Q: Part, E, const N: usize> Expand<S, Q, N> for E where
+    E: Element<S> + Takes<S, Begin<N>> + Takes<S, Articulate<N>> + Takes<S, Push<S, Q, N>> + Takes<S, Swing<S, N>>
 {
 }
 
@@ -83,8 +85,21 @@ impl<S: Expandable, E, const N: usize> Expand<S, N> for E where
 #[diagnostic::on_unimplemented(
     message = "`Taylor` knows no series of loads `{Self}`",
     label = "loads without a series",
-    note = "it runs scenes under gravity, springs and dampers alone; `Dop853` runs all"
+    note = "it runs scenes under gravity, springs, dampers and efforts in joints that are values or functions of time; `Dop853` runs all"
 )]
-pub trait ExpandLoads<S: Space>: Loading<S> {}
+pub trait ExpandLoads<S: Space>: Loading<S> {
+    /// Coefficients of the effort in the joint of a number, of powers of time (s) around a time.
+    fn in_joint_over_time<const N: usize>(&self, time: RealOf<S>, joint: usize) -> [Self::InJoint; N];
+}
 
-impl<S: Space> ExpandLoads<S> for Unloaded {}
+impl<S: Space> ExpandLoads<S> for Unloaded {
+    fn in_joint_over_time<const N: usize>(&self, _: RealOf<S>, _: usize) -> [Absent; N] {
+        [Absent; N]
+    }
+}
+
+impl<S: Space, J: SeriesLaw<S::JointMotion>> ExpandLoads<S> for Loads<Absent, J> {
+    fn in_joint_over_time<const N: usize>(&self, time: RealOf<S>, joint: usize) -> [J::Value; N] {
+        self.joints().series(time, joint)
+    }
+}

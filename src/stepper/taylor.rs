@@ -7,6 +7,7 @@ use crate::ends::{Resting, Unheld};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
+use crate::relation::Absent;
 use crate::scalar::{Real, Scalar};
 use crate::series::{Expand, Expandable};
 use crate::system::{Elements, SeriesDynamics, System};
@@ -64,8 +65,9 @@ impl<const P: usize> Taylor<P> {
     /// ```compile_fail,E0277
     /// use catena::planar::*;
     /// let rod = Rod::uniform(1.0, 1.0);
-    /// let scene = System::new(Pinned::origin(), (rod, Slider::along(0.0), rod), Free)?;
-    /// Taylor::<12>::knows(&scene); // no series of the motion of `Slider<f64>`
+    /// let mount = ElasticHinge::rotary(1.0).with_linear(Spring::new(1e4), Spring::new(1e4));
+    /// let scene = System::new(Pinned::origin(), (rod, mount, rod), Free)?;
+    /// Taylor::<12>::knows(&scene); // no walk of a series goes through such a hinge
     /// # Ok::<(), catena::Error>(())
     /// ```
     pub fn knows<S, R, C, E>(_: &System<S, R, C, E>)
@@ -74,7 +76,7 @@ impl<const P: usize> Taylor<P> {
         R: Resting<S>,
         C: Element<S>,
         E: Unheld<S>,
-        Elements<S, R, C>: Expand<S, P>,
+        Elements<S, R, C>: Expand<S, Absent, P>,
     {
     }
 }
@@ -95,14 +97,14 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
     }
 
     /// Begins the series at the motion ahead.
-    fn begin(&mut self) {
+    fn open(&mut self, loads: &L) {
         let Motion { time, position, rate, acceleration, .. } = &mut self.ahead;
-        self.scene.begin(*time, position, rate, &mut self.series, acceleration);
+        self.scene.begin(*time, position, rate, loads, &mut self.series, acceleration);
         self.begun = true;
     }
 
     /// Makes the series that of a motion.
-    fn expand(&mut self, past: &MotionIn<D, L>) -> Result<(), Error> {
+    fn expand(&mut self, past: &MotionIn<D, L>, loads: &L) -> Result<(), Error> {
         if self.expanded && Self::same(&self.origin, past) {
             return Ok(());
         }
@@ -111,7 +113,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
                 return Err(Error::new(Fault::Shape));
             }
             self.ahead.copy_state(past);
-            self.begin();
+            self.open(loads);
         }
         core::mem::swap(&mut self.origin, &mut self.ahead);
         if let Some((first, others)) = self.accelerations.split_first_mut() {
@@ -190,6 +192,13 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         if past.fits(&self.ahead) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
     }
 
+    /// Loads may have changed since the series began.
+    fn begin(&mut self, _: &MotionIn<D, L>, _: &L) {
+        if D::LOADED {
+            (self.begun, self.expanded) = (false, false);
+        }
+    }
+
     fn make(
         &mut self,
         past: &MotionIn<D, L>,
@@ -197,11 +206,11 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        self.expand(past)?;
+        self.expand(past, loads)?;
         next.time = past.time + dt;
         self.sum(dt, next);
         self.ahead.copy_state(next);
-        self.begin();
+        self.open(loads);
         next.acceleration.set(&self.ahead.acceleration);
         match self.scene.accept(next) {
             Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => {
@@ -213,8 +222,8 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         }
     }
 
-    fn propose(&mut self, past: &MotionIn<D, L>, _: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
-        self.expand(past).ok()?;
+    fn propose(&mut self, past: &MotionIn<D, L>, loads: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
+        self.expand(past, loads).ok()?;
         Some(self.reach(tolerance))
     }
 

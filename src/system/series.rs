@@ -3,15 +3,19 @@
 use super::{Dynamics, Elements, PositionOf, RateOf, Runs, System};
 use crate::element::{Element, RealOf};
 use crate::ends::{Resting, Root, Unheld};
-use crate::relation::{Acceleration, AccelerationOf, Wrench};
+use crate::relation::{Acceleration, AccelerationOf, Part, Wrench};
 use crate::scalar::Scalar;
 use crate::series::{Expand, ExpandLoads, Expandable, Order};
 use crate::shape::{PerAxes, PerJoint, Shape, Takes};
-use crate::walks::series::{Articulate, Begin, Push, Swing};
+use crate::walks::series::{Articulate, Begin, Push, Recite, Swing};
 use crate::walks::size::sizes;
+use core::marker::PhantomData;
 
 /// What a stepper by Taylor series of order `N` needs of a scene besides.
 pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
+    /// Whether there are loads, which may be others in the next step.
+    const LOADED: bool;
+
     /// Room for a series.
     type Series;
 
@@ -24,6 +28,7 @@ pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
         time: <Self::Scalar as Scalar>::Real,
         position: &Self::Position,
         rate: &Self::Rate,
+        loads: &L,
         series: &mut Self::Series,
         acceleration: &mut Self::Rate,
     );
@@ -34,7 +39,7 @@ pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
 
 /// Room for the series of a scene.
 #[derive(Clone)]
-pub struct SeriesRoom<S: Expandable, E: Shape<S>, const N: usize> {
+pub struct SeriesRoom<S: Expandable, E: Shape<S>, Q: Part, const N: usize> {
     sizes: E::Store<PerAxes<S::Size>>,
     x: E::Store<PerAxes<S::X>>,
     y: E::Store<PerAxes<S::Y>>,
@@ -42,23 +47,23 @@ pub struct SeriesRoom<S: Expandable, E: Shape<S>, const N: usize> {
     q: E::Store<PerAxes<S::Q>>,
     axes: E::Store<PerAxes<S::AxesSeries<N>>>,
     joints: E::Store<PerJoint<S::JointSeries>>,
+    efforts: E::Store<PerJoint<[Q; N]>>,
 }
 
 impl<S: Expandable, R: Root<S>, C: Element<S>, P> System<S, R, C, P> {
     /// The walks of one order, for a ground that accelerates like this: one copy for all.
     #[inline(never)]
-    fn coefficients_of<const N: usize>(
+    fn coefficients_of<Q: Part, const N: usize>(
         &self,
         k: usize,
         ground: AccelerationOf<S>,
-        axes: &mut <Elements<S, R, C> as Shape<S>>::Store<PerAxes<S::AxesSeries<N>>>,
-        joints: &mut <Elements<S, R, C> as Shape<S>>::Store<PerJoint<S::JointSeries>>,
+        series: &mut SeriesRoom<S, Elements<S, R, C>, Q, N>,
         accelerations: &mut RateOf<S, R, C>,
     ) where
-        Elements<S, R, C>: Expand<S, N>,
+        Elements<S, R, C>: Expand<S, Q, N>,
     {
-        let order = Order::of(k);
-        self.chain.take(&mut Push::<S, N>(order), Wrench::none(), (axes, joints));
+        let (order, SeriesRoom { axes, joints, efforts, .. }) = (Order::of(k), series);
+        self.chain.take(&mut Push::<S, Q, N>(order, PhantomData), Wrench::none(), ((axes, joints), efforts));
         self.chain.take(&mut Swing::<S, N>(order), ground, ((axes, joints), accelerations));
     }
 }
@@ -70,10 +75,12 @@ where
     C: Element<S>,
     P: Unheld<S>,
     L: ExpandLoads<S>,
-    Elements<S, R, C>: Expand<S, N>,
+    Elements<S, R, C>: Expand<S, L::InJoint, N>,
     Self: Runs<L, S, R, C, P>,
 {
-    type Series = SeriesRoom<S, Elements<S, R, C>, N>;
+    const LOADED: bool = L::ON;
+
+    type Series = SeriesRoom<S, Elements<S, R, C>, L::InJoint, N>;
 
     fn series(&self) -> Self::Series {
         let (chain, (x, y, p, q), (axes, joints)) = (&self.chain, S::blank(), S::untouched::<N>());
@@ -85,6 +92,7 @@ where
             q: chain.store::<PerAxes<_>>(q),
             axes: chain.store::<PerAxes<_>>(axes),
             joints: chain.store::<PerJoint<_>>(joints),
+            efforts: chain.store::<PerJoint<_>>([L::nothing().1; N]),
         }
     }
 
@@ -94,27 +102,32 @@ where
         time: RealOf<S>,
         position: &PositionOf<S, R, C>,
         rate: &RateOf<S, R, C>,
+        loads: &L,
         series: &mut Self::Series,
         acceleration: &mut RateOf<S, R, C>,
     ) {
         let ground = Root::ground(&self.root, time);
-        let SeriesRoom { sizes, x, y, p, q, axes, joints } = series;
+        let SeriesRoom { sizes, x, y, p, q, axes, joints, efforts } = series;
+        if L::ON {
+            self.chain.outward(&mut Recite::<S, L, N> { loads, time, joint: 0 }, (), (efforts,));
+        }
         self.chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
         self.chain.take(&mut Begin::<N>, ground.turn, (x, y, (position, rate), (axes, joints)));
         self.chain.take(&mut Articulate::<N>, S::nothing(), (axes, joints));
-        self.coefficients_of::<N>(0, ground.falling(self.gravity), axes, joints, acceleration);
+        self.coefficients_of(0, ground.falling(self.gravity), series, acceleration);
     }
 
     #[inline(never)]
     fn expand(&self, series: &mut Self::Series, accelerations: &mut [RateOf<S, R, C>]) {
-        let SeriesRoom { axes, joints, .. } = series;
         for (k, acceleration) in accelerations.iter_mut().enumerate() {
-            self.coefficients_of::<N>(k + 1, Acceleration::zero(), axes, joints, acceleration);
+            self.coefficients_of(k + 1, Acceleration::zero(), series, acceleration);
         }
     }
 }
 
 impl<D: SeriesDynamics<L, N>, L, const N: usize> SeriesDynamics<L, N> for &D {
+    const LOADED: bool = D::LOADED;
+
     type Series = D::Series;
 
     fn series(&self) -> Self::Series {
@@ -125,10 +138,11 @@ impl<D: SeriesDynamics<L, N>, L, const N: usize> SeriesDynamics<L, N> for &D {
         time: <Self::Scalar as Scalar>::Real,
         position: &Self::Position,
         rate: &Self::Rate,
+        loads: &L,
         series: &mut Self::Series,
         acceleration: &mut Self::Rate,
     ) {
-        D::begin(self, time, position, rate, series, acceleration);
+        D::begin(self, time, position, rate, loads, series, acceleration);
     }
     fn expand(&self, series: &mut Self::Series, accelerations: &mut [Self::Rate]) {
         D::expand(self, series, accelerations);

@@ -8,9 +8,11 @@ use super::{Control, Rule};
 /// elimination and one division a body, and then two short walks for each order; it tells how long it may be before it is made, and is
 /// hardly ever rejected. A series counts as one sweep.
 ///
-/// It knows rods, rigid bodies, point masses, pins, welds and rotary springs and dampers of the plane in tuples, arrays, vectors and
-/// branches, on ground that rests, with a free tip, under gravity. What it does not know does not compile: loops, held tips, sliders,
-/// linear springs, laws of users, loads, motion in space. [`Taylor::knows`] makes the compiler say which of these it is.
+/// It knows rods, rigid bodies, point masses, pins, welds, sliders and rotary springs and dampers of the plane in tuples, arrays, vectors
+/// and branches, on ground that rests, with a free tip, under gravity and efforts in joints: values held over a step
+/// ([`Loads::torques`](crate::loading::Loads::torques)), or functions of time ([`TimeLaw`](crate::loading::TimeLaw)). What it does not know
+/// does not compile: loops, held tips, linear springs of hinges, laws of users, loads that see the motion, motion in space.
+/// [`Taylor::knows`] makes the compiler say which of these it is.
 ///
 /// Positions within a step are polynomials of order `P` + 1, and so is what is sampled.
 ///

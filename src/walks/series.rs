@@ -1,9 +1,13 @@
 //! Coefficients of a motion's Taylor series, order by order: the walks of the [contract](crate::series).
 
-use crate::relation::{AccelerationOf, Wrench, WrenchOf};
-use crate::series::{Expandable, Order};
-use crate::shape::{Mut, PerAxes, PerJoint, Positions, Rates, Ref, Selective, Walk};
-use crate::space::RealOf;
+use crate::relation::{AccelerationOf, Part, Wrench, WrenchOf};
+use crate::series::{ExpandLoads, Expandable, Order};
+use crate::shape::{
+    AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Outward, PerAxes, PerJoint, Positions, Rates, Ref,
+    Selective, Walk, alike,
+};
+use crate::space::{RealOf, Space};
+use core::marker::PhantomData;
 
 /// What the walks keep.
 type Kept<S, const N: usize> =
@@ -15,8 +19,8 @@ pub struct Begin<const N: usize>;
 /// Condenses what lies outboard, and keeps gains.
 pub struct Articulate<const N: usize>;
 
-/// Carries inward the force and torque on what lies outboard, as far as coefficients known so far and springs cause them.
-pub struct Push<S: Expandable, const N: usize>(pub Order<RealOf<S>>);
+/// Carries inward the force and torque on what lies outboard, as far as coefficients known so far, springs and efforts `Q` cause them.
+pub struct Push<S: Expandable, Q, const N: usize>(pub Order<RealOf<S>>, pub PhantomData<Q>);
 
 /// Finds the accelerations of an order from that of the root, and coefficients that follow from them.
 pub struct Swing<S: Expandable, const N: usize>(pub Order<RealOf<S>>);
@@ -55,12 +59,13 @@ impl<S: Expandable, const N: usize> Selective<S> for Articulate<N> {
     }
 }
 
-impl<S: Expandable, const N: usize> Walk<S> for Push<S, N> {
+impl<S: Expandable, Q: Part, const N: usize> Walk<S> for Push<S, Q, N> {
     type Carried = WrenchOf<S>;
-    type Stores = Kept<S, N>;
+    /// What is kept; coefficients of efforts.
+    type Stores = (Kept<S, N>, Ref<PerJoint<[Q; N]>>);
 }
 
-impl<S: Expandable, const N: usize> Selective<S> for Push<S, N> {
+impl<S: Expandable, Q: Part, const N: usize> Selective<S> for Push<S, Q, N> {
     const OUTWARD: bool = false;
 
     #[inline(always)]
@@ -86,5 +91,39 @@ impl<S: Expandable, const N: usize> Selective<S> for Swing<S, N> {
     ) -> AccelerationOf<S> {
         go(self, chain);
         chain
+    }
+}
+
+/// Finds the coefficients of efforts in all joints.
+pub struct Recite<'l, S: Space, L, const N: usize> {
+    /// What acts.
+    pub loads: &'l L,
+    /// Around which time (s).
+    pub time: RealOf<S>,
+    /// The number of the next joint.
+    pub joint: usize,
+}
+
+impl<S: Space, L: ExpandLoads<S>, const N: usize> Walk<S> for Recite<'_, S, L, N> {
+    type Carried = ();
+    type Stores = (Mut<PerJoint<[L::InJoint; N]>>,);
+}
+
+impl<S: Space, L: ExpandLoads<S>, const N: usize> Recite<'_, S, L, N> {
+    fn meet(&mut self, efforts: &mut [L::InJoint; N]) {
+        *efforts = self.loads.in_joint_over_time(self.time, self.joint);
+        self.joint += 1;
+    }
+}
+
+impl<S: Space, L: ExpandLoads<S>, const N: usize> Outward<S> for Recite<'_, S, L, N> {
+    alike!();
+
+    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
+    fn joint<J: Joint<S>>(&mut self, _: &J, (): (), (efforts,): AtJoint<'_, S, Self, J>) {
+        self.meet(efforts);
+    }
+    fn closing<K: Closing<S>>(&mut self, _: &K, _: [(); 2], (efforts,): AtClosing<'_, S, Self, K>) {
+        self.meet(efforts);
     }
 }

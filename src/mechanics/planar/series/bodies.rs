@@ -13,32 +13,32 @@
 use super::Articulated;
 use crate::mechanics::planar::body::Base;
 use crate::mechanics::planar::{Acceleration, Body, Internal, Planar, PointMass, RigidBody, Rod, Turn};
-use crate::relation::Symmetric;
 use crate::relation::planar::algebra::{Symmetric2, add_scaled, normal, plus_dot};
+use crate::relation::{Part, Symmetric};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector2;
 
-/// What a body, or a joint that slides, keeps of its axes.
+/// What a body keeps of its axes; a joint that slides has two.
 #[derive(Clone, Copy, Debug)]
 pub struct AxesSeries<T, const N: usize> {
     /// z₀, and i o z₀.
-    axes: Vector2<T>,
-    lever: Vector2<T>,
+    pub(super) axes: Vector2<T>,
+    pub(super) lever: Vector2<T>,
     /// What p does to f (columns of x and y), to ō F and to the moment.
-    force: [Vector2<T>; 2],
-    inner: Symmetric2<T>,
-    moment: Vector2<T>,
+    pub(super) force: [Vector2<T>; 2],
+    pub(super) inner: Symmetric2<T>,
+    pub(super) moment: Vector2<T>,
     /// What α does to Y, as (y, −x).
-    swing: [T; 2],
+    pub(super) swing: [T; 2],
     /// Of the present order: p, and what is known of Y.
-    curl: Vector2<T>,
-    known: Vector2<T>,
+    pub(super) curl: Vector2<T>,
+    pub(super) known: Vector2<T>,
     /// What is convolved, four products in four lanes: z_j twice from j = 1 on;
-    turned: [[T; 4]; N],
+    pub(super) turned: [[T; 4]; N],
     /// ω_j twice, and Y of the order before as (y, −x).
-    turning: [[T; 4]; N],
+    pub(super) turning: [[T; 4]; N],
 }
 
 /// The number with the parts `by` times `v`.
@@ -74,7 +74,7 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
     /// Products of all coefficients whose numbers add up to `k`. Those of the newest come last: others need not wait for them. The rest
     /// goes two at a time.
     #[inline(always)]
-    fn convolved(&self, k: usize) -> [T; 4] {
+    pub(super) fn convolved(&self, k: usize) -> [T; 4] {
         let (Some((first, turned)), Some((last, turning))) =
             (self.turned[..=k].split_first(), self.turning[..=k].split_first())
         else {
@@ -156,15 +156,15 @@ macro_rules! bodies {
                 Articulated { linear, coupling, angular }
             }
         }
-        impl<T: Scalar, const N: usize> Takes<Planar<T>, Push<Planar<T>, N>> for $Body<T> {
+        impl<T: Scalar, Q: Part, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                walk: &mut Push<Planar<T>, N>,
+                walk: &mut Push<Planar<T>, Q, N>,
                 outer: Internal<T>,
-                (room, ()): Of<'_, Planar<T>, Push<Planar<T>, N>, Self>,
+                ((room, ()), ()): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
             ) -> Internal<T> {
-                let Push(order) = walk;
+                let Push(order, _) = walk;
                 let [x, y, m, n] = room.convolved(order.k);
                 let curl = normal(Vector2::new(x.scale(order.next), y.scale(order.next)));
                 let torque = plus_dot(plus_dot(m + n, room.moment, curl) + outer.torque, room.lever, outer.force);

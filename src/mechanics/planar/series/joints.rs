@@ -3,7 +3,7 @@
 use super::Articulated;
 use crate::mechanics::planar::{Acceleration, ElasticHinge, Internal, Joint, Pin, Planar, Turn, Weld};
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
-use crate::relation::{Absent, Coefficient, Symmetric, Term};
+use crate::relation::{Absent, Coefficient, Part, Symmetric, Term};
 use crate::scalar::Scalar;
 use crate::series::Order;
 use crate::shape::{Of, Takes};
@@ -14,20 +14,31 @@ use nalgebra::Vector2;
 /// What a joint keeps.
 #[derive(Clone, Copy, Debug)]
 pub struct JointSeries<T> {
-    /// −1 / D, and how its angular acceleration depends on the acceleration of the station.
-    minus_inverse: T,
-    gain: Vector2<T>,
-    /// The angular acceleration of the present order if the station stays where it is.
-    free: T,
-    /// Coefficients of its coordinate and rate of the present order, and what its spring and damper make of them.
+    /// −1 / D, and how the acceleration of its coordinate (of its outboard body, where it turns) depends on that of the station.
+    pub(super) minus_inverse: T,
+    pub(super) gain: Vector2<T>,
+    /// How the acceleration along a line depends on the angular one.
+    pub(super) gain_of_turning: T,
+    /// The acceleration of the present order if the station stays where it is.
+    pub(super) free: T,
+    /// Where the coordinate sets out.
+    pub(super) place: T,
+    /// Coefficients of coordinate and rate of the present order, and what spring and damper make of them.
     now: [T; 2],
-    effort: T,
+    pub(super) effort: T,
 }
 
 impl<T: Scalar> JointSeries<T> {
     pub(super) fn new() -> Self {
         let zero = T::zero();
-        Self { minus_inverse: zero, gain: Vector2::new(zero, zero), free: zero, now: [zero; 2], effort: zero }
+        let gain = Vector2::new(zero, zero);
+        Self { minus_inverse: zero, gain, gain_of_turning: zero, free: zero, place: zero, now: [zero; 2], effort: zero }
+    }
+
+    /// Keeps coordinate and rate, and what spring and damper make of them.
+    #[inline(always)]
+    pub(super) fn start(&mut self, now: [T; 2], law: &impl AffineLaw<T>) {
+        (self.place, self.now, self.effort) = (now[0], now, law.force(now[0], now[1]));
     }
 
     /// Eliminates the rotation.
@@ -58,7 +69,7 @@ impl<T: Scalar> JointSeries<T> {
 
     /// What spring and damper make of the next order, after an acceleration of the coordinate.
     #[inline(always)]
-    fn strain(&mut self, order: &Order<T::Real>, acceleration: T, law: &impl AffineLaw<T>) {
+    pub(super) fn strain(&mut self, order: &Order<T::Real>, acceleration: T, law: &impl AffineLaw<T>) {
         let [_, rate] = self.now;
         self.now = [rate.scale(order.once), acceleration.scale(order.once)];
         self.effort = law.change(self.now[0], self.now[1]);
@@ -89,15 +100,16 @@ impl<T: Scalar, const N: usize> Takes<Planar<T>, Articulate<N>> for Pin {
     }
 }
 
-impl<T: Scalar, const N: usize> Takes<Planar<T>, Push<Planar<T>, N>> for Pin {
+impl<T: Scalar, Q: Term<T>, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N>> for Pin {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Push<Planar<T>, N>,
+        Push(order, _): &mut Push<Planar<T>, Q, N>,
         outer: Internal<T>,
-        ((), room): Of<'_, Planar<T>, Push<Planar<T>, N>, Self>,
+        (((), room), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
     ) -> Internal<T> {
-        Internal { force: room.release(outer.force, outer.torque), torque: T::zero() }
+        let effort = efforts[order.k];
+        Internal { force: room.release(outer.force, effort.take_from(outer.torque)), torque: effort.add_to(T::zero()) }
     }
 }
 
@@ -123,8 +135,8 @@ impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for Weld<T> {
 
 /// Walks that a weld hands on.
 macro_rules! welded {
-    ($($Walk:ty: $Carried:ty),*) => {$(
-        impl<T: Scalar, const N: usize> Takes<Planar<T>, $Walk> for Weld<T> {
+    ($([$($Q:ident)?] $Walk:ty: $Carried:ty),*) => {$(
+        impl<T: Scalar, $($Q: Part,)? const N: usize> Takes<Planar<T>, $Walk> for Weld<T> {
             #[inline(always)]
             fn take(&self, _: &mut $Walk, carried: $Carried, _: Of<'_, Planar<T>, $Walk, Self>) -> $Carried {
                 carried
@@ -132,7 +144,7 @@ macro_rules! welded {
         }
     )*};
 }
-welded!(Articulate<N>: Articulated<T>, Push<Planar<T>, N>: Internal<T>, Swing<Planar<T>, N>: Acceleration<T>);
+welded!([] Articulate<N>: Articulated<T>, [Q] Push<Planar<T>, Q, N>: Internal<T>, [] Swing<Planar<T>, N>: Acceleration<T>);
 
 /// A law that is affine in coordinate and rate: that of its coefficients is the same without what is constant.
 pub trait AffineLaw<T: Scalar>: SpringLaw<T> {
@@ -162,8 +174,7 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for 
         turn: Turn<T>,
         (_, _, (position, rate), ((), room)): Of<'_, Planar<T>, Begin<N>, Self>,
     ) -> Turn<T> {
-        room.now = [*position, *rate];
-        room.effort = self.rotary.force(*position, *rate);
+        room.start([*position, *rate], &self.rotary);
         Joint::turned(self, position, rate, turn)
     }
 }
@@ -180,15 +191,18 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Articulate<N>>
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Push<Planar<T>, N>> for ElasticHinge<L> {
+impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N>>
+    for ElasticHinge<L>
+{
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Push<Planar<T>, N>,
+        Push(order, _): &mut Push<Planar<T>, Q, N>,
         outer: Internal<T>,
-        ((), room): Of<'_, Planar<T>, Push<Planar<T>, N>, Self>,
+        (((), room), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
     ) -> Internal<T> {
-        Internal { force: room.release(outer.force, outer.torque - room.effort), torque: room.effort }
+        let torque = efforts[order.k].add_to(room.effort);
+        Internal { force: room.release(outer.force, outer.torque - torque), torque }
     }
 }
 

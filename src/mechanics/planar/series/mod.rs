@@ -2,6 +2,7 @@
 
 mod bodies;
 mod joints;
+mod slider;
 
 use crate::mechanics::planar::Planar;
 use crate::relation::Additive;
