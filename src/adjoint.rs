@@ -28,9 +28,9 @@
 pub mod laws;
 
 use crate::element::{Element, Space};
-use crate::ends::{Root, Tip};
+pub use crate::ends::{Resting as ReversibleRoot, Unheld as ReversibleTip};
 use crate::loading::{Load, LoadLaw};
-use crate::relation::{Additive, Open};
+use crate::relation::Additive;
 use crate::shape::{PerAxes, Selective, Takes};
 use crate::space::FrameOf;
 use crate::walks::burden::Burden;
@@ -135,20 +135,3 @@ impl<S: Space, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> for 
 pub trait Burdened<S: Reversed, L>: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>> {}
 
 impl<S: Reversed, L, E: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>>> Burdened<S, L> for E {}
-
-/// A root whose ground does not move, so that its parameters are those of a place.
-#[diagnostic::on_unimplemented(
-    message = "no gradient of a run goes backward through the root `{Self}`",
-    label = "not a root that the costate sweep knows",
-    note = "it knows `Pinned` and `Clamped`, and `Hinged` of space, at a place that does not move",
-    note = "run the same scene over jets or dual numbers instead"
-)]
-pub trait ReversibleRoot<S: Reversed>: Root<S> {}
-
-/// A tip that nothing holds.
-#[diagnostic::on_unimplemented(
-    message = "no gradient of a run goes backward through the tip `{Self}`",
-    label = "not a free tip",
-    note = "run the same scene over jets or dual numbers instead"
-)]
-pub trait ReversibleTip<S: Reversed>: Tip<S, Closures = Open> {}

@@ -3,7 +3,7 @@
 mod laws;
 mod loads;
 
-pub use laws::{Function, InJoints, LoadLaw, OnBodies, Seen, Values};
+pub use laws::{Function, InJoints, LoadLaw, OnBodies, OverTime, Seen, SeriesLaw, TimeLaw, Values};
 pub use loads::Loads;
 
 /// What acts in a joint of a space.

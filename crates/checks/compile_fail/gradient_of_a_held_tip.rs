@@ -1,5 +1,5 @@
 //! The costate sweep does not know held tips.
-//@ no gradient of a run goes backward through the tip `Pinned<
+//@ is held
 //@ not a free tip
 
 use catena::planar::*;

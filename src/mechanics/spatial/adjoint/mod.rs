@@ -2,7 +2,6 @@
 
 mod ball;
 mod bodies;
-mod ends;
 mod inertial;
 mod loads;
 mod revolute;
