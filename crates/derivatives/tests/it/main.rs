@@ -1,3 +1,4 @@
 //! Derivatives of runs beyond first gradients, and of many scenes at random.
 
+mod front;
 mod second;
