@@ -43,5 +43,6 @@ pub mod size;
 pub mod spread;
 pub mod steer;
 pub mod stir;
+pub mod swept;
 pub mod travel;
 pub mod unspread;

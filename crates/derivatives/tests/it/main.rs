@@ -1,4 +1,5 @@
 //! Derivatives of runs beyond first gradients, and of many scenes at random.
 
 mod front;
+mod held;
 mod second;
