@@ -2,4 +2,5 @@
 
 mod front;
 mod held;
+mod rows;
 mod second;
