@@ -10,8 +10,14 @@
 //! It prints a table and writes `benches/results/stability/PART.csv` (`--quick`: nothing). *Holds*: an error below 1e-6 (`f32`: 1e-2);
 //! *degrades*: below 1e-2; *fails*: more, or an error that is returned.
 
+mod hard;
+mod long;
+mod nested;
+mod random;
 mod remedies;
+mod runs;
 mod step;
+mod sweep;
 mod table;
 #[path = "../../parts/transformed.rs"]
 mod transformed;
@@ -25,7 +31,15 @@ use table::Table;
 /// A part of the table by its name.
 type Part = (&'static str, fn(&mut Table, bool));
 
-const PARTS: &[Part] = &[("step", step::run)];
+const PARTS: &[Part] = &[
+    ("step", step::run),
+    ("sweep", sweep::run),
+    ("runs", runs::run),
+    ("nested", nested::run),
+    ("hard", hard::run),
+    ("random", random::run),
+    (LONG, long::run),
+];
 /// Not run unless named.
 const LONG: &str = "long";
 
@@ -53,10 +67,7 @@ fn main() -> std::io::Result<()> {
         progress("");
         table.print();
         let [holds, degrades, fails] = table.counts();
-        println!(
-            "\n{name}: {holds} hold, {degrades} degrade, {fails} fail; {:.0} s",
-            start.elapsed().as_secs_f64()
-        );
+        println!("\n{name}: {holds} hold, {degrades} degrade, {fails} fail; {:.0} s", start.elapsed().as_secs_f64());
         totals.iter_mut().zip([holds, degrades, fails]).for_each(|(total, more)| *total += more);
         if !quick {
             table.save(&directory)?;

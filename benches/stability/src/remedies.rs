@@ -76,7 +76,10 @@ pub fn scaled<T: Scalar>(matrices: &[TransferMatrix<T, 7>]) -> Vec<T> {
     // Forces and torques by positions: their largest entry against that of the way back.
     let largest = |rows: core::ops::Range<usize>, columns: core::ops::Range<usize>| {
         let of = |u: &Matrix<T>| {
-            rows.clone().flat_map(|i| columns.clone().map(move |j| (i, j))).map(|(i, j)| size(u[i][j])).fold(0.0, f64::max)
+            rows.clone()
+                .flat_map(|i| columns.clone().map(move |j| (i, j)))
+                .map(|(i, j)| size(u[i][j]))
+                .fold(0.0, f64::max)
         };
         all.iter().map(of).fold(1e-300, f64::max)
     };
@@ -172,8 +175,7 @@ pub fn delta<T: Scalar>(matrices: &[TransferMatrix<T, 7>]) -> Vec<T> {
     let triples: Vec<[usize; 3]> =
         (0..7).flat_map(|i| (i + 1..7).flat_map(move |j| (j + 1..7).map(move |k| [i, j, k]))).collect();
     let zero = T::zero();
-    let mut minors: Vec<T> =
-        triples.iter().map(|triple| if *triple == ZERO { T::one() } else { zero }).collect();
+    let mut minors: Vec<T> = triples.iter().map(|triple| if *triple == ZERO { T::one() } else { zero }).collect();
     let mut next = minors.clone();
     for matrix in matrices.iter().rev() {
         let u = plain(matrix);

@@ -56,14 +56,14 @@ where
     rates.extend((1..n).map(|k| number(0.5 / n as f64 * (k as f64).cos())));
     let start = scene.with_rates(scene.at_rest(&angles).map_err(say)?, &rates).map_err(say)?;
     let rule = Newmark::new(0.25, 0.5);
-    let mut run =
-        Scheme::new(rule).solved_by(solver).start(&scene, &start, &Unloaded, real(chain.dt)).map_err(say)?;
+    let mut run = Scheme::new(rule).solved_by(solver).start(&scene, &start, &Unloaded, real(chain.dt)).map_err(say)?;
     let before: Vec<[T; 3]> = run.turns().collect();
     let outcome = run.step();
     let matrices = if n <= MATRICES { run.matrices().to_vec() } else { vec![] };
     // (2) the other way round: differences of angles near 1 rad round to 1e-16 by themselves.
     let increment = |([value, rate, acceleration], [_, now, _]): ([T; 3], [T; 3])| {
-        let linear = Rule::<T>::linearize(&rule, &rule.start(value, rate, acceleration, real(chain.dt)), real(chain.dt));
+        let linear =
+            Rule::<T>::linearize(&rule, &rule.start(value, rate, acceleration, real(chain.dt)), real(chain.dt));
         ((now - linear.rate) / number(2.0) * number(chain.dt)).real().as_f64()
     };
     let found = match outcome {
@@ -86,7 +86,14 @@ fn error(found: &[f64], exact: &[f64]) -> Result<f64, String> {
 }
 
 /// All ways in one precision.
-fn ways<T: Scalar>(table: &mut Table, axis: &'static str, value: f64, chain: Chain, scalar: &'static str, exact: &[f64]) {
+fn ways<T: Scalar>(
+    table: &mut Table,
+    axis: &'static str,
+    value: f64,
+    chain: Chain,
+    scalar: &'static str,
+    exact: &[f64],
+) {
     let mut add = |way: &str, outcome: Result<f64, String>| {
         table.add("step", "paper's chain", axis, value, way, scalar, outcome);
     };

@@ -67,9 +67,8 @@ impl Table {
     /// Values of an axis side by side, a line for each way of solving.
     pub fn print(&self) {
         let mut last = ("", "", "");
-        let mut rows = self.0.iter().peekable();
         let mut done: Vec<(&str, &str, &str, &str, &str)> = vec![];
-        while let Some(row) = rows.next() {
+        for row in &self.0 {
             let head = (row.part, row.scene.as_str(), row.axis);
             let line = (row.part, row.scene.as_str(), row.axis, row.way.as_str(), row.scalar);
             if done.contains(&line) {
@@ -81,9 +80,8 @@ impl Table {
                 last = head;
             }
             let mut text = format!("  {:22} {:4}", row.way, row.scalar);
-            let same = |other: &&Row| {
-                (other.part, other.scene.as_str(), other.axis, other.way.as_str(), other.scalar) == line
-            };
+            let same =
+                |other: &&Row| (other.part, other.scene.as_str(), other.axis, other.way.as_str(), other.scalar) == line;
             for cell in self.0.iter().filter(same) {
                 let _ = match cell.error.is_nan() {
                     true => write!(text, "  {:.0e} fails", cell.value),
