@@ -83,12 +83,16 @@ fn flat_parallelogram(table: &mut Table, quick: bool) {
         Ok((scene, start))
     };
     macro_rules! rule {
-        ($name:literal, $rule:expr) => {{
+        ($name:literal, $rule:expr) => {
+            rule!($name, $rule, |run| run)
+        };
+        ($name:literal, $rule:expr, |$run:ident| $sampled:expr) => {{
             let mut passed = 0.0;
             let outcome = scene().and_then(|(scene, start)| {
                 let before = scene.budget(&start).map_err(say)?;
                 let mut worst = 0.0_f64;
-                let run = scene.simulation($rule).every(0.01).run(start, end, |now| {
+                let $run = scene.simulation($rule);
+                let run = $sampled.run(start, end, |now| {
                     passed = now.time();
                     let tip = now.stations().tip().frame.place;
                     let drift = (now.energy() - before.energy()).abs() / before.kinetic;
@@ -117,6 +121,9 @@ fn flat_parallelogram(table: &mut Table, quick: bool) {
     rule!("DOP853 of 5 ms", Dop853::step(5e-3));
     rule!("generalised-alpha of 1 ms", GeneralizedAlpha::new(0.8).step(1e-3));
     rule!("SDIRK4 of 1 ms", Sdirk4::new().step(1e-3));
+    rule!("DOP853, 1e-12, samples", Dop853::tolerance(1e-12), |run| run.every(0.01));
+    rule!("DOPRI5, 1e-8, samples", Dopri5::tolerance(1e-8), |run| run.every(0.01));
+    rule!("Vcabm, 1e-8, samples", Vcabm::default().tolerance(1e-8), |run| run.every(0.01));
 }
 
 /// A torque that jumps at a third of a second and back at two thirds: against a run that is cut there.
