@@ -32,6 +32,7 @@ use crate::space::FrameOf;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Named<E> {
     /// What is named.
     pub item: E,

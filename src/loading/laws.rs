@@ -44,6 +44,7 @@ pub trait LoadLaw<M: Seen> {
 
 /// Loads given as values: an array, a slice, a vector.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Values<V>(pub V);
 
 /// A function of time, number and motion as the law of what acts on bodies or in joints.

@@ -92,6 +92,7 @@ use crate::space::{RealOf, Space};
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Loads<B = Absent, J = Absent> {
     bodies: B,
     joints: J,

@@ -93,6 +93,7 @@ impl<S: Space> Load<S> for WrenchOf<S> {
 
 /// No loads but gravity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Unloaded;
 
 impl<S: Space> Loading<S> for Unloaded {

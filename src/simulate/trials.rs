@@ -20,8 +20,15 @@ const DODGES: usize = 3;
 /// Trial steps that are shorter than the best one and no better, before that is taken.
 const WORSE: usize = 2;
 
+/// The cause of a rejection that was not written.
+#[cfg(feature = "serde")]
+fn unknown() -> (Cause, Option<Place>) {
+    (Cause::Inaccurate, None)
+}
+
 /// The trial steps of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Trials<R> {
     /// The error (as a multiple of the tolerance) that a step may have where shorter ones are no better, in a scene that closures hold
     /// together: near a place where they become dependent, errors rise as steps shrink.
@@ -29,6 +36,7 @@ pub(super) struct Trials<R> {
     /// How small a pivot of a closure may be at the end of a step there, as a share of its measure.
     least: R,
     /// What was wrong with the last one that was rejected, and where.
+    #[cfg_attr(feature = "serde", serde(skip, default = "unknown"))] // its words would have to outlive the text
     cause: (Cause, Option<Place>),
     /// The longest one accepted (s).
     longest: R,
@@ -69,6 +77,12 @@ impl<R: Real> Trials<R> {
             dodges: 0,
             settled: false,
         }
+    }
+
+    /// Whether trials can go on from here: what was read as data may be anything.
+    pub(super) fn is_sound(&self) -> bool {
+        let counts = [self.count, self.worse, self.evasions, self.dodges];
+        counts.iter().all(|count| *count <= usize::MAX / 2) && self.mark.is_finite() && self.longest.is_finite()
     }
 
     /// Whether a step with an error as a multiple of the tolerance is to be taken.
