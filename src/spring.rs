@@ -1,4 +1,13 @@
-//! Springs and dampers along single coordinates of joints, in the plane and in space.
+//! Laws along single coordinates of joints, in the plane and in space: springs, dampers, friction, stops, motors.
+
+mod friction;
+mod motor;
+mod several;
+mod stops;
+
+pub use friction::DryFriction;
+pub use motor::Motor;
+pub use stops::Stops;
 
 use crate::element::{Reading, Springs};
 use crate::error::Fault;
@@ -76,7 +85,8 @@ impl<K: Copy, D: Copy, P> Spring<K, D, P> {
     }
 }
 
-/// What acts along a coordinate of a joint: a [`Spring`], nothing, or a law of the user's own.
+/// What acts along a coordinate of a joint: a [`Spring`], [`DryFriction`], [`Stops`], nothing, a law of the user's own, or several of
+/// them as a tuple.
 ///
 /// Explicit rules read its force. Implicit ones take it linearly implicitly, from its force and slopes where the last sweep has led: a
 /// law that is not linear is met as well as one that is, and rules keep their order where it is smooth. Slopes should not be negative
@@ -240,6 +250,23 @@ fn not_negative<T: Scalar>(parameter: &'static str, coefficient: impl Coefficien
         return Err(Fault::Negative { parameter, value: value.real().as_f64() });
     }
     Ok(())
+}
+
+/// Fails where a number is NaN, infinite, negative or zero.
+fn positive<T: Scalar>(parameter: &'static str, number: T) -> Result<(), Fault> {
+    if !number.is_finite() {
+        return Err(Fault::NotFinite { parameter });
+    }
+    if number.real() <= T::Real::zero() {
+        return Err(Fault::NotPositive { parameter, value: number.real().as_f64() });
+    }
+    Ok(())
+}
+
+/// What is above zero, or zero, without a branch.
+#[inline(always)]
+fn above<T: Scalar>(x: T) -> T {
+    (x + x.abs()).scale(T::Real::of(0.5))
 }
 
 impl<T: Scalar, U: Scalar, K: Lift<T, U>, D: Lift<T, U>, P: Lift<T, U>> Lift<T, U> for Spring<K, D, P> {

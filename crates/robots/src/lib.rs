@@ -1,0 +1,1 @@
+//! Robots with friction, stops, motors and contacts: this package holds tests only.
