@@ -38,10 +38,11 @@
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
 pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
 pub use crate::mechanics::spatial::{
-    Acceleration, Attitude, AttitudeMotion, Ball, Beam, BodyMotion, Clamped, ClosedLoop, Cylindrical, Effort,
-    ElasticBall, ElasticHinge, Floating, Frame, Free, Ground, GroundMotion, Hinged, Inertia, Internal, JointMotion,
-    Linear, Moving, Pinned, PointMass, Prismatic, Revolute, RigidBody, Rod, RotaryLaw, RotarySpring, Rotation,
-    Segments, Station, Turn, Turning, Universal, Weld, Wrench, index, maps,
+    Acceleration, Attitude, AttitudeMotion, Ball, Beam, BodyMotion, Clamped, ClosedLoop, Contact, Contacts,
+    Cylindrical, Effort, ElasticBall, ElasticHinge, Floating, Frame, Free, Ground, GroundMotion, Heights, Hinged,
+    Inertia, Internal, JointMotion, Linear, Moving, Pinned, PlainContacts, Plane, PointMass, Prismatic, Revolute,
+    RigidBody, Rod, RotaryLaw, RotarySpring, Rotation, Segments, Station, Surface, Turn, Turning, Universal, Weld,
+    Wrench, index, maps,
 };
 pub use crate::relation::Absent;
 pub use crate::relation::spatial::Spatial;

@@ -1,10 +1,12 @@
 //! Laws along single coordinates of joints, in the plane and in space: springs, dampers, friction, stops, motors.
 
+mod compression;
 mod friction;
 mod motor;
 mod several;
 mod stops;
 
+pub(crate) use compression::{Compression, above};
 pub use friction::DryFriction;
 pub use motor::Motor;
 pub use stops::Stops;
@@ -241,7 +243,7 @@ impl<T: Scalar, K: Coefficient<T>, D: Coefficient<T>, P: Term<T>> SpringLaw<T> f
 }
 
 /// Fails where a coefficient is NaN, infinite or negative.
-fn not_negative<T: Scalar>(parameter: &'static str, coefficient: impl Coefficient<T>) -> Result<(), Fault> {
+pub(crate) fn not_negative<T: Scalar>(parameter: &'static str, coefficient: impl Coefficient<T>) -> Result<(), Fault> {
     let value = coefficient.times_onto(T::one(), T::zero());
     if !value.is_finite() {
         return Err(Fault::NotFinite { parameter });
@@ -253,7 +255,7 @@ fn not_negative<T: Scalar>(parameter: &'static str, coefficient: impl Coefficien
 }
 
 /// Fails where a number is NaN, infinite, negative or zero.
-fn positive<T: Scalar>(parameter: &'static str, number: T) -> Result<(), Fault> {
+pub(crate) fn positive<T: Scalar>(parameter: &'static str, number: T) -> Result<(), Fault> {
     if !number.is_finite() {
         return Err(Fault::NotFinite { parameter });
     }
@@ -261,12 +263,6 @@ fn positive<T: Scalar>(parameter: &'static str, number: T) -> Result<(), Fault> 
         return Err(Fault::NotPositive { parameter, value: number.real().as_f64() });
     }
     Ok(())
-}
-
-/// What is above zero, or zero, without a branch.
-#[inline(always)]
-fn above<T: Scalar>(x: T) -> T {
-    (x + x.abs()).scale(T::Real::of(0.5))
 }
 
 impl<T: Scalar, U: Scalar, K: Lift<T, U>, D: Lift<T, U>, P: Lift<T, U>> Lift<T, U> for Spring<K, D, P> {

@@ -47,8 +47,8 @@
 mod functions;
 
 pub use crate::mechanics::spatial::body_axes::{
-    AboutZ, AlongZ, Armature, Axis, Base, Bearing, BodyAxes, Hinge, Leaning, Level, Link, Offset, OnBody, OnGround,
-    Place, Quarter, Slide, Torques, Turned, Upright,
+    AboutZ, AlongZ, Armature, Axis, Base, Bearing, Block, BodyAxes, Hinge, Leaning, Level, Link, Offset, OnBody,
+    OnGround, Place, Quarter, Slide, Torques, Turned, Upright, Yielding,
 };
 pub use crate::spatial::*;
 pub use functions::{FixedBase, Tasks};

@@ -1,6 +1,6 @@
 //! Compliant stops at both ends of a coordinate's range.
 
-use super::{SpringLaw, above, not_negative, positive};
+use super::{Compression, SpringLaw, above, not_negative, positive};
 use crate::element::Springs;
 use crate::error::Fault;
 use crate::lift::lift;
@@ -54,46 +54,31 @@ impl<T: Scalar, C> Stops<T, C> {
         Stops { middle, reach, stiffness, depth, damping }
     }
 
-    /// The side (−1, 1), how far beyond the end as a share of the depth (0 to 1), and how far beyond the depth (zero or more).
+    /// The side (−1, 1), and what is pressed in there.
     #[inline(always)]
-    fn beyond(&self, position: T) -> [T; 3] {
+    fn beyond(&self, position: T) -> (T, Compression<T>) {
         let offset = position - self.middle;
-        let over = above(offset.abs() - self.reach);
-        let deeper = above(over - self.depth);
-        [offset.sign(), (over - deeper) / self.depth, deeper]
-    }
-
-    /// d.
-    #[inline(always)]
-    fn compressed(&self, share: T, deeper: T) -> T {
-        let cubed = share * share * share;
-        (cubed * self.depth).mul_add(share.mul_add(T::literal(-0.5), T::one()), deeper)
+        (offset.sign(), Compression::of(offset.abs() - self.reach, self.depth))
     }
 }
 
 impl<T: Scalar, C: Coefficient<T>> SpringLaw<T> for Stops<T, C> {
     #[inline(always)]
     fn force(&self, position: T, rate: T) -> T {
-        let [side, share, deeper] = self.beyond(position);
+        let (side, pressed) = self.beyond(position);
         let push = above(self.damping.times_onto(side * rate, T::one()));
-        -(side * self.stiffness * self.compressed(share, deeper) * push)
+        -(side * self.stiffness * pressed.force() * push)
     }
     fn energy(&self, position: T) -> T {
-        let [_, share, deeper] = self.beyond(position);
-        // ∫ d: over the depth w² (s⁴/4 − s⁵/10), beyond it a parabola.
-        let fourth = share * share * share * share;
-        let early = fourth * (T::literal(0.25) - share.scale(T::Real::of(0.1))) * self.depth * self.depth;
-        let late = deeper * (deeper + self.depth).scale(T::Real::of(0.5));
-        self.stiffness * (early + late)
+        self.stiffness * self.beyond(position).1.energy()
     }
     #[inline(always)]
     fn pivot(&self, position: T, rate: T, springs: impl Springs<T>) -> T {
-        let [side, share, deeper] = self.beyond(position);
+        let (side, pressed) = self.beyond(position);
         let push = above(self.damping.times_onto(side * rate, T::one()));
-        let rise = share * share * share.mul_add(T::literal(-2.0), T::literal(3.0));
         // Where the damper would pull, nothing acts, and nothing changes.
-        let damping = self.damping.times_onto(self.stiffness * self.compressed(share, deeper) * push.sign(), T::zero());
-        springs.pivot(self.stiffness * rise * push, damping)
+        let damping = self.damping.times_onto(self.stiffness * pressed.force() * push.sign(), T::zero());
+        springs.pivot(self.stiffness * pressed.stiffness() * push, damping)
     }
     fn check(&self) -> Result<(), Fault> {
         if !(self.middle.is_finite() && self.reach.is_finite()) {

@@ -13,6 +13,7 @@ pub mod composite;
 pub mod factor;
 pub mod inverse;
 mod link;
+mod loaded;
 mod mount;
 mod number;
 pub mod places;
@@ -25,6 +26,7 @@ mod turns;
 
 pub use axis::{AboutZ, AlongZ, Armature, Axis, Bearing, Hinge, OnBody, OnGround, Slide};
 pub use link::Link;
+pub use loaded::{Block, Yielding};
 pub use mount::{Base, BodyAxes, Upright};
 pub use places::Place;
 pub use relation::{Gains, Local};
