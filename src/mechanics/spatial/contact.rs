@@ -121,8 +121,9 @@ lift!(Contact { stiffness, depth, damping, friction, speed });
 /// Points of bodies that may touch a surface, as a load on these: for links of a [`robot`](crate::robot).
 ///
 /// Each point is the number of a body and a place on it (m, body axes from the inboard end). Implicit rules take contacts linearly
-/// implicitly, as springs of joints: they are stable at steps that resolve neither the stiffness nor friction at rest. Slopes leave out how
-/// friction grows with the normal force, and how the normal turns; sweeps converge to the forces themselves. Explicit rules are
+/// implicitly, as springs of joints. Slopes leave out how friction grows with the normal force, and how the normal turns; sweeps
+/// converge to the forces themselves. By [`Sdirk4`](crate::time::Sdirk4) feet stand at steps that resolve neither the
+/// stiffness nor friction at rest; by `GeneralizedAlpha`, which remembers accelerations, they chatter there. Explicit rules are
 /// stable below some 2.8 √(m/k) and 2.8 m v₀/(μ N), with the mass m that a point moves. In body axes loads see complete kinematics, which
 /// costs a walk more in each sweep.
 ///
