@@ -42,7 +42,10 @@
 //! that moves is taken at time zero. Angles out of range (400 000 rad), at which runs stop, are not refused here. None allocates; each is
 //! one walk outward, one inward, or both.
 //!
-//! Not yet: held tips, loops, loads on links, derivatives through kept gains, gradients backward: such scenes do not compile.
+//! Furniture of joints is laws ([`DryFriction`], [`Stops`], a tuple of laws), drives are [`Motor`]s that a controller asks. Loads on links
+//! are those of [`spatial`](crate::spatial), in inertial axes; points that touch the ground are [`Contacts`].
+//!
+//! Not yet: held tips, loops, derivatives through kept gains, gradients backward: such scenes do not compile.
 
 mod functions;
 
