@@ -37,8 +37,9 @@
 //! | `mass_matrix`, `mass_solved`, `mass_inverse` | M, M⁻¹ times a list, M⁻¹ |
 //! | `places`, `jacobian` | where bodies are; how a point moves with the joints |
 //! | `mass_centre`, `joint_energy` | |
+//! | `snapshot`, `snapshot_afloat` | a [`Snapshot`]: points, Jacobians and their rates, mass matrix, inverse dynamics, centroidal momentum, the regressor; for bases that float, too |
 //!
-//! These are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base
+//! All but the last are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base
 //! that moves is taken at time zero. Angles out of range (400 000 rad), at which runs stop, are not refused here. None allocates; each is
 //! one walk outward, one inward, or both.
 //!
@@ -54,4 +55,4 @@ pub use crate::mechanics::spatial::body_axes::{
     OnGround, Place, Quarter, Slide, Torques, Turned, Upright, Yielding,
 };
 pub use crate::spatial::*;
-pub use functions::{FixedBase, Tasks};
+pub use functions::{Afloat, FixedBase, MassMatrix, Regressor, SixRows, Snapshot, Tasks};

@@ -6,7 +6,7 @@ use crate::error::Fault;
 use crate::lift::lift;
 use crate::loading::LoadLaw;
 use crate::relation::Additive;
-use crate::relation::spatial::algebra::{cross, dot_onto};
+use crate::relation::spatial::algebra::{cross, dot};
 use crate::scalar::Scalar;
 use crate::spring::{Compression, above, not_negative, positive};
 use nalgebra::Vector3;
@@ -163,11 +163,6 @@ impl<P, G, C> Contacts<P, G, C> {
     pub fn plain(self) -> PlainContacts<P, G, C> {
         PlainContacts(self)
     }
-}
-
-#[inline(always)]
-fn dot<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> T {
-    dot_onto(a, b, T::zero())
 }
 
 /// What a point meets.

@@ -18,6 +18,7 @@ mod mount;
 mod number;
 pub mod places;
 mod relation;
+pub mod solids;
 mod sparse;
 mod standing;
 mod through;
