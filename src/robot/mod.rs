@@ -37,6 +37,7 @@
 //! | `mass_matrix`, `mass_solved`, `mass_inverse` | M, M⁻¹ times a list, M⁻¹ |
 //! | `places`, `jacobian` | where bodies are; how a point moves with the joints |
 //! | `mass_centre`, `joint_energy` | |
+//! | `inverse_dynamics_derivatives`, `forward_dynamics_derivatives` | by positions, rates and torques |
 //! | `snapshot`, `snapshot_afloat` | a [`Snapshot`]: points, Jacobians and their rates, mass matrix, inverse dynamics, centroidal momentum, the regressor; for bases that float, too |
 //!
 //! All but the last are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base
@@ -55,4 +56,4 @@ pub use crate::mechanics::spatial::body_axes::{
     OnGround, Place, Quarter, Slide, Torques, Turned, Upright, Yielding,
 };
 pub use crate::spatial::*;
-pub use functions::{Afloat, FixedBase, MassMatrix, Regressor, SixRows, Snapshot, Tasks};
+pub use functions::{Afloat, ByState, FixedBase, MassMatrix, Regressor, SixRows, Snapshot, Tasks};

@@ -140,3 +140,42 @@ fn afloat() -> Result<(), catena::Error> {
     }
     Ok(())
 }
+
+/// Against central differences of the dense robot: h² of the third derivative, and rounding over h.
+#[test]
+fn derivatives_by_states_and_torques() -> Result<(), catena::Error> {
+    const STEP: f64 = 1e-5;
+    const TOLERANCE: f64 = 1e-8;
+    let (scene, plain, mut noise) = (fixed()?, plain_fixed(), Noise::new(33));
+    for _ in 0..10 {
+        let [q, v, x]: [[f64; 6]; 3] = std::array::from_fn(|_| list(&mut noise, 2.0));
+        let moved = |list: [f64; 6], k: usize, by: f64| {
+            let mut moved = list;
+            moved[k] += by;
+            moved
+        };
+        let forward = |q: &[f64; 6], v: &[f64; 6], x: &[f64; 6]| plain.forward_dynamics(q, v, x);
+        let inverse = |q: &[f64; 6], v: &[f64; 6]| {
+            let (now, dampers) = (plain.at(q, v), plain.parts.iter().zip(v).map(|(part, v)| part.damping * v));
+            &now.mass * DVector::from_column_slice(&x) + now.bias + DVector::from_iterator(6, dampers)
+        };
+        let (state, by_torques) = scene.forward_dynamics_derivatives(&q, &v, &x)?;
+        let taken = scene.inverse_dynamics_derivatives(&q, &v, &x)?;
+        for k in 0..6 {
+            let column = |rows: &[[f64; 6]; 6]| rows.map(|row| row[k]);
+            let change = |f: &dyn Fn(f64) -> DVector<f64>| (f(STEP) - f(-STEP)) / (2.0 * STEP);
+            let pairs = [
+                (column(&state.positions), change(&|h| forward(&moved(q, k, h), &v, &x))),
+                (column(&state.rates), change(&|h| forward(&q, &moved(v, k, h), &x))),
+                (column(&by_torques), change(&|h| forward(&q, &v, &moved(x, k, h)))),
+                (column(&taken.positions), change(&|h| inverse(&moved(q, k, h), &v))),
+                (column(&taken.rates), change(&|h| inverse(&q, &moved(v, k, h)))),
+            ];
+            for (found, right) in pairs {
+                let size = 1.0 + right.amax();
+                found.iter().zip(right.iter()).for_each(|(x, y)| catena_oracle::near(*x, *y, TOLERANCE * size));
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,9 +1,11 @@
 //! Functions of lists in the order of the joints: dynamics.
 
+mod derivatives;
 mod mass;
 mod places;
 mod snapshot;
 
+pub use derivatives::ByState;
 pub use snapshot::{Afloat, MassMatrix, Regressor, SixRows, Snapshot};
 
 use crate::element::{Carrying, Condense, Element, Explicit, Given, Posture, Reading};
