@@ -32,9 +32,10 @@ const EVERY: usize = 4; // steps from sample to sample
 const SAMPLES: usize = 100;
 const NOISE: f64 = 5e-3; // (rad)
 
-/// Angle of the first link and those of the hinges (rad) at all samples, for parameters with seeds.
-fn angles(parameters: &[f64]) -> Result<Vec<Number>, catena::Error> {
-    let p = |k: usize| Number::seed(parameters[k], k);
+/// Angle of the first link and those of the hinges (rad) at all samples, for logarithms of parameters, which are the seeds: so no mass that
+/// is tried is negative.
+fn angles(logarithms: &[f64]) -> Result<Vec<Number>, catena::Error> {
+    let p = |k: usize| Number::seed(logarithms[k], k).exp();
     let [one, length] = [1.0, 0.4].map(Number::of);
     let hinge = |k: usize| ElasticHinge::rotary(p(k)).damped(p(k + 1));
     let link = |mass: Number| Rod::uniform(length, mass);
@@ -52,10 +53,10 @@ fn angles(parameters: &[f64]) -> Result<Vec<Number>, catena::Error> {
     Ok(list)
 }
 
-/// Measured angles, parameters tried, and the model's angles for them.
+/// Measured angles, logarithms of parameters that are tried, and the model's angles for them.
 struct Fit {
     measured: Vec<f64>,
-    parameters: Vector6<f64>,
+    logarithms: Vector6<f64>,
     model: Option<Vec<Number>>,
 }
 
@@ -64,12 +65,12 @@ impl LeastSquaresProblem<f64, Dyn, U6> for Fit {
     type JacobianStorage = VecStorage<f64, Dyn, U6>;
     type ParameterStorage = nalgebra::Owned<f64, U6>;
 
-    fn set_params(&mut self, parameters: &Vector6<f64>) {
-        self.parameters = *parameters;
-        self.model = angles(parameters.as_slice()).ok();
+    fn set_params(&mut self, logarithms: &Vector6<f64>) {
+        self.logarithms = *logarithms;
+        self.model = angles(logarithms.as_slice()).ok();
     }
     fn params(&self) -> Vector6<f64> {
-        self.parameters
+        self.logarithms
     }
     fn residuals(&self) -> Option<OVector<f64, Dyn>> {
         let model = self.model.as_ref()?;
@@ -85,9 +86,9 @@ fn main() -> Drawn {
     let mut noise = Noise::new(14);
     // Twelve numbers that are evenly distributed, added up: all but a normal distribution.
     let mut error = || NOISE * (0..12).map(|_| 0.5 * noise.next()).sum::<f64>();
-    let measured: Vec<f64> = angles(&TRUTH)?.iter().map(|angle| angle.re + error()).collect();
-    let mut fit = Fit { measured, parameters: Vector6::zeros(), model: None };
-    fit.set_params(&Vector6::from(GUESS));
+    let measured: Vec<f64> = angles(&TRUTH.map(f64::ln))?.iter().map(|angle| angle.re + error()).collect();
+    let mut fit = Fit { measured, logarithms: Vector6::zeros(), model: None };
+    fit.set_params(&Vector6::from(GUESS.map(f64::ln)));
     let at_first: Vec<f64> = fit.model.iter().flatten().map(|x| x.re).collect();
     let (fit, report) = LevenbergMarquardt::new().minimize(fit);
     let (Some(residuals), Some(jacobian)) = (fit.residuals(), fit.jacobian()) else {
@@ -106,7 +107,8 @@ fn main() -> Drawn {
     println!("root mean square of what is left: {:.2} mrad of {:.2}\n", 1e3 * variance.sqrt(), 1e3 * NOISE);
     println!("{:<24} {:>9} {:>9} {:>18}", "", "guess", "truth", "found");
     for k in 0..6 {
-        let (found, off) = (fit.parameters[k], (variance * covariance[(k, k)]).sqrt());
+        let found = fit.logarithms[k].exp();
+        let off = found * (variance * covariance[(k, k)]).sqrt();
         println!("{:<24} {:>9.3} {:>9.3} {found:>9.4} ± {off:.4} {}", NAMES[k], GUESS[k], TRUTH[k], UNITS[k]);
         if (found - TRUTH[k]).abs() > 4.0 * off {
             return Err(format!("{}: {found}, which is not {} within four deviations", NAMES[k], TRUTH[k]).into());
@@ -135,8 +137,8 @@ fn draw(fit: &Fit, at_first: &[f64]) -> Drawn<PathBuf> {
                 common::legend(&panel, &[("measured", GREY), ("guessed", BLUE), ("fitted", ORANGE)])?;
             }
             common::curve(&mut chart, guess, line(BLUE, 1.4))?;
-            common::dots(&mut chart, dots, 2.0, GREY)?;
-            common::curve(&mut chart, model, line(ORANGE, 1.8))?;
+            common::curve(&mut chart, model, line(ORANGE, 2.2))?;
+            common::dots(&mut chart, dots, 1.8, GREY)?;
             rest = below;
         }
         Ok(())
