@@ -28,7 +28,8 @@
 pub mod laws;
 
 use crate::element::{Element, Level, Space};
-use crate::ends::{Root, Tip};
+pub use crate::ends::Resting as ReversibleRoot;
+use crate::ends::Tip;
 use crate::loading::{Load, LoadLaw};
 use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Geometry, WrenchOf};
 use crate::shape::{PerAxes, Selective, Takes};
@@ -136,15 +137,6 @@ impl<S: Space, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> for 
 pub trait Burdened<S: Reversed, L>: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>> {}
 
 impl<S: Reversed, L, E: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>>> Burdened<S, L> for E {}
-
-/// A root whose ground does not move, so that its parameters are those of a place.
-#[diagnostic::on_unimplemented(
-    message = "no gradient of a run goes backward through the root `{Self}`",
-    label = "not a root that the costate sweep knows",
-    note = "it knows `Pinned` and `Clamped`, and `Hinged` of space, at a place that does not move",
-    note = "run the same scene over jets or dual numbers instead"
-)]
-pub trait ReversibleRoot<S: Reversed>: Root<S> {}
 
 /// Most numbers that a tip is made of.
 pub const TIP: usize = 4;

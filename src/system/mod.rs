@@ -2,6 +2,8 @@
 
 #[cfg(feature = "alloc")]
 mod assembly;
+#[cfg(feature = "serde")]
+mod data;
 mod describe;
 mod doubts;
 mod dynamics;
@@ -41,6 +43,7 @@ pub use crate::counts::Counted;
 pub use crate::element::Element;
 pub use crate::ends::{Root, Tip};
 pub use crate::mirror::{Position, Rate};
+pub use crate::names::{BodyNumbers, JointNumbers, Label, Which};
 pub use crate::space::{RealOf, Space};
 
 use crate::element::{Coordinates, Loading, SpaceOver, Unloaded};

@@ -4,10 +4,16 @@ use crate::adjoint::{Reversed, ReversibleTip};
 use crate::shape::{AtBody, AtJoint, Body, Joint, Mut, Outward, PerBody, PerJoint, Ref, Shape, Walk, alike};
 use core::marker::PhantomData;
 
+/// What a walk of virtual velocities has kept, on bodies and in joints.
+type Kept<'k, S, E> = (
+    &'k <E as Shape<S>>::Store<PerBody<<S as Reversed>::OnBody>>,
+    &'k <E as Shape<S>>::Store<PerJoint<<S as Reversed>::InJoint>>,
+);
+
 /// Copies what [`Stir`](super::stir::Stir) has kept to where [`PullBack`](super::pull_back::PullBack) reads accelerations.
 pub fn swept<S: Reversed, P: ReversibleTip<S>, E: Shape<S>>(
     chain: &E,
-    (on_bodies, in_joints): (&E::Store<PerBody<S::OnBody>>, &E::Store<PerJoint<S::InJoint>>),
+    (on_bodies, in_joints): Kept<'_, S, E>,
     at_bodies: &mut E::Store<PerBody<S::Vector>>,
     at_joints: &mut E::Store<PerJoint<S::Vector>>,
 ) {

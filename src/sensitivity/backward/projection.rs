@@ -91,9 +91,12 @@ pub(super) struct Room<S: Reversed, E: Element<S>> {
     in_joints: E::Store<PerJoint<S::InJoint>>,
     at_bodies: E::Store<PerBody<S::Vector>>,
     at_joints: E::Store<PerJoint<S::Vector>>,
-    unloaded: E::Store<PerBody<(FrameOf<S>, WrenchOf<S>)>>,
+    unloaded: E::Store<PerBody<Loaded<S>>>,
     efforts: E::Store<PerJoint<EffortOf<S>>>,
 }
+
+/// Where a body is, and the wrench on it.
+type Loaded<S> = (FrameOf<S>, WrenchOf<S>);
 
 /// Σ ν c.
 fn wrench<S: Reversed, P: ReversibleTip<S>>(tip: &P, weights: &EachOf<S, P>) -> WrenchOf<S> {

@@ -1,18 +1,13 @@
-//! The costate sweep in the plane: ends.
+//! The costate sweep in the plane: tips.
 
 use super::{Felt, OnBody, Pulled, Stirred};
-use crate::adjoint::{Reversed, ReversibleRoot, ReversibleTip, TIP};
-use crate::chain::Named;
+use crate::adjoint::{ReversibleTip, TIP};
 use crate::element::Level;
 use crate::mechanics::planar::{Acceleration, Clamped, Frame, Free, Guided, Pinned, Planar, Wrench};
 use crate::relation::Additive;
 use crate::relation::planar::algebra::{dot, normal};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
-
-impl<T: Scalar> ReversibleRoot<Planar<T>> for Pinned<[T; 2]> {}
-impl<T: Scalar> ReversibleRoot<Planar<T>> for Clamped<[T; 2], T> {}
-impl<S: Reversed, R: ReversibleRoot<S>> ReversibleRoot<S> for Named<R> {}
 
 impl<T: Scalar> ReversibleTip<Planar<T>> for Free {
     fn columns(&self) {}

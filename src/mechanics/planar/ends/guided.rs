@@ -27,6 +27,7 @@ use num_traits::Zero;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Guided<G, A, T> {
     ground: Clamped<G, A>,
     line: T,
