@@ -77,7 +77,7 @@ impl<T: Scalar, F: Fn(T, T) -> [T; 3]> Surface<T> for Heights<F> {
 /// How what touches resists: compliance, damping, friction.
 ///
 /// Pressed in by x (m) a point is pushed out by N = k d(x) (1 + c ẋ), and never pulled (K. H. Hunt and F. R. E. Crossley, 1975), with
-/// a stiffness k (N/m) that sets in over a depth w (m) as that of [`Stops`](super::Stops), and damping c (s/m). Friction is
+/// a stiffness k (N/m) that sets in over a depth w (m) as that of [`Stops`](crate::spatial::Stops), and damping c (s/m). Friction is
 /// −μ N v/√(v² + v₀²) of the velocity v along the surface: it has no jump, so that at rest what pulls by P creeps, by about v₀ P/(μ N).
 /// Energy only falls.
 #[derive(Clone, Copy, Debug, PartialEq)]
