@@ -30,6 +30,7 @@ use num_traits::Zero;
 /// assert_eq!(size_of_val(&Spring::none()), 0);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spring<K = Absent, D = Absent, P = Absent> {
     pub(crate) stiffness: K,
     pub(crate) damping: D,

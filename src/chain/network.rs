@@ -47,6 +47,7 @@ use typenum::{Sum, Unsigned};
 /// rates through the gains of the sweep. An end of an arm between a joint and the closing joint must have inertia, as
 /// everywhere: cut a loop at a smooth joint, and let springs sit elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Network<M, A, K> {
     arms: (M, A),
     pub(super) closing: K,

@@ -5,6 +5,7 @@
 ///
 /// Its bodies, joints and coordinates are those of its parts, in their order: loads, readings and motions reach all of them.
 #[macro_export]
+#[doc(hidden)] // listed in `extend`
 macro_rules! compound {
     ([$($generics:tt)*] $Whole:ty { $parts:ident: $Parts:ty }) => {
         const _: () = {

@@ -3,7 +3,7 @@
 mod laws;
 mod loads;
 
-pub use laws::{Function, InJoints, LoadLaw, OnBodies, Seen, Values};
+pub use laws::{Function, InJoints, LoadLaw, OnBodies, OverTime, Seen, SeriesLaw, TimeLaw, Values};
 pub use loads::Loads;
 
 /// What acts in a joint of a space.
@@ -107,6 +107,7 @@ impl<S: Space> Load<S> for WrenchOf<S> {
 
 /// No loads but gravity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Unloaded;
 
 impl<S: Space> Loading<S> for Unloaded {

@@ -65,7 +65,12 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
-                Self(self.0.mul_add(factor.0, addend.0))
+                // Where numbers are not fused lanes are not either.
+                if cfg!(feature = "reproducible") {
+                    self * factor + addend
+                } else {
+                    Self(self.0.mul_add(factor.0, addend.0))
+                }
             }
 
             #[inline(always)]
@@ -91,7 +96,7 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn atan2(self, x: Self) -> Self {
-                self.zip_map(x, $number::atan2)
+                self.zip_map(x, <$number as Scalar>::atan2)
             }
 
             #[inline(always)]

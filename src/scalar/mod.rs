@@ -40,10 +40,14 @@ mod float;
 mod jet;
 #[cfg(feature = "simd")]
 mod lanes;
+mod pack;
+mod powers;
 mod trig;
 
 pub(crate) use columns::{Block, columns};
 pub use jet::Jet;
+pub use pack::Pack;
+pub(crate) use powers::Powers;
 #[cfg(feature = "simd")]
 pub use simba::simd::{WideF32x4, WideF32x8, WideF64x4};
 

@@ -11,6 +11,7 @@ use num_traits::Zero;
 
 /// Mass, mass centre and moments of inertia of a body in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Inertia<T> {
     /// Mass (kg).
     pub mass: T,

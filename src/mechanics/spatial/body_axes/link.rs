@@ -32,12 +32,32 @@ use typenum::{U0, U1};
 /// assert_eq!(link.inertia(), plain.inertia());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: Scalar + serde::Serialize", deserialize = "T: Scalar + serde::Deserialize<'de>"))
+)]
+#[cfg_attr(feature = "serde", serde(from = "Inertia<T>", into = "Inertia<T>"))]
 pub struct Link<T, const MOMENT: u8 = 7, const TENSOR: u8 = 63> {
     inertia: Inertia<T>,
     /// m r_C (kg·m).
     moment: [T; 3],
     /// About the origin (kg·m²): xx, yy, zz, yz, xz, xy.
     tensor: [T; 6],
+}
+
+#[cfg(feature = "serde")]
+impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> From<Inertia<T>> for Link<T, MOMENT, TENSOR> {
+    fn from(Inertia { mass, centre, about_centre }: Inertia<T>) -> Self {
+        Self::new(mass, centre, about_centre)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> From<Link<T, MOMENT, TENSOR>> for Inertia<T> {
+    fn from(link: Link<T, MOMENT, TENSOR>) -> Self {
+        link.inertia
+    }
 }
 
 impl<T: Scalar> Link<T> {

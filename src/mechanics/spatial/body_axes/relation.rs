@@ -44,6 +44,7 @@ pub trait Outboard<T: Scalar>: Copy {
 
 /// What eliminating a coordinate leaves behind: q̈ = free − a · (its gains) − α · (its gains), in axes of the outboard body.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Gains<T> {
     /// For the acceleration of the body's origin.
     pub linear: [T; 3],

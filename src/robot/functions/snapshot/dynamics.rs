@@ -133,13 +133,13 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         let (whole, all) = self.composites();
         let (o, base) = (T::zero(), self.units_of_base().map(|unit| self.on_base(whole.moved(unit))));
         let mut matrix = MassMatrix { base, coupling: [[o; 6]; N], joints: [[o; N]; N] };
-        for k in 0..N {
-            let [force, mut torque] = all[k].moved(self.unit(k));
+        for (k, outboard) in all.into_iter().enumerate() {
+            let [force, mut torque] = outboard.moved(self.unit(k));
             let mut next = k;
             while next < N {
                 let entry = self.along(next, [force, torque]);
                 (matrix.joints[k][next], matrix.joints[next][k]) = (entry, entry);
-                torque = torque + cross(self.arm(next), force);
+                torque += cross(self.arm(next), force);
                 next = self.parents[next];
             }
             matrix.coupling[k] = self.on_base([force, torque]);

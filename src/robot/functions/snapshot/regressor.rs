@@ -50,12 +50,12 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
             let column = self.on_base(forces);
             (0..6).for_each(|row| regressor.base[row][parameter] = column[row]);
         }
-        for k in 0..N {
-            for (parameter, [force, mut torque]) in each(&self.bodies[k], all[k]).into_iter().enumerate() {
+        for (k, motion) in all.into_iter().enumerate() {
+            for (parameter, [force, mut torque]) in each(&self.bodies[k], motion).into_iter().enumerate() {
                 let mut next = k;
                 while next < N {
                     regressor.joints[next][k][parameter] = self.along(next, [force, torque]);
-                    torque = torque + cross(self.arm(next), force);
+                    torque += cross(self.arm(next), force);
                     next = self.parents[next];
                 }
                 let column = self.on_base([force, torque]);
