@@ -118,6 +118,7 @@ fn film(frames: &[Frame]) -> Drawn<PathBuf> {
         strokes: &[(BLUE, 7.0)],
         trace: (0, 2, ORANGE),
         ground: &[(0.0, 0.0)],
+        floor: &[],
     };
     film.save("double_pendulum_moving", frames)
 }

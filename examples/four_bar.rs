@@ -157,6 +157,7 @@ fn film(readings: &[Reading]) -> Drawn<PathBuf> {
         strokes: &[(BLUE, 7.0), (INK, 7.0), (GREEN, 7.0)],
         trace: (1, 1, ORANGE),
         ground: &[(0.0, 0.0), (1.0, 0.0)],
+        floor: &[],
     };
     film.save("four_bar_moving", &frames)
 }

@@ -118,6 +118,7 @@ fn film(readings: &[Reading]) -> Drawn<PathBuf> {
         strokes: &[(BLUE, 9.0)],
         trace: (0, 1, ORANGE),
         ground: &[(0.0, 0.0)],
+        floor: &[],
     };
     film.save("heavy_top_moving", &frames)
 }

@@ -164,6 +164,7 @@ fn film(readings: &[Reading]) -> Drawn<PathBuf> {
         strokes: &[(INK, 7.0), (GREEN, 6.0), (BLUE, 6.0)],
         trace: (2, 2, ORANGE),
         ground: &[(0.0, 0.0)],
+        floor: &[],
     };
     film.save("network_moving", &frames)
 }

@@ -177,6 +177,7 @@ fn film(readings: &[Reading]) -> Drawn<PathBuf> {
         strokes: &[(BLUE, 7.0), (INK, 7.0), (GREEN, 7.0)],
         trace: (1, 1, ORANGE),
         ground: &[(0.0, 0.0), seen(&Vector3::from(FAR))],
+        floor: &[],
     };
     film.save("spatial_loop_moving", &frames)
 }

@@ -47,8 +47,16 @@
 //!
 //! # Features
 //!
-//! `std` (default, modes of vibration), `alloc` (vectors of elements, static equilibrium), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes), `rayon` (ensembles of runs on all threads), `serde` (scenes, motions and saved runs as data).
+//! `std` (default, modes of vibration), `alloc` (vectors of elements, static equilibrium), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes), `rayon` (ensembles of runs on all threads), `reproducible` (below), `serde` (scenes, motions and saved runs as data).
 //! Without `std` and `libm` the crate compiles but brings no numbers: implement [`Scalar`] for yours.
+//!
+//! # The same bits everywhere
+//!
+//! With feature `reproducible` a run of plain numbers or lanes has the same bits on every machine whose arithmetic is that of IEEE 754, in
+//! debug and release: no product is fused with a sum, sums have the order in which they are written, and elementary functions are those
+//! of this crate (sine and cosine) or of the crate `libm`, never the platform's. Not promised: bits of a not-a-number; dual numbers of
+//! `num-dual`; what a closure of yours computes by the platform's functions (take [`Scalar`]'s); frequencies and modes; x86 without SSE2.
+//! A program pays with fused multiply-add: on x86-64-v3 it takes more instructions.
 
 #[cfg(feature = "alloc")]
 extern crate alloc;

@@ -17,7 +17,7 @@ pub use crate::mechanics::planar::{
 };
 pub use crate::relation::Absent;
 pub use crate::relation::planar::Planar;
-pub use crate::spring::{Spring, SpringLaw};
+pub use crate::spring::{DryFriction, Motor, Spring, SpringLaw, Stops};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
 pub use crate::sweep::Springs;

@@ -43,7 +43,7 @@ pub use crate::mechanics::spatial::{
 pub use crate::relation::Absent;
 pub use crate::relation::spatial::Spatial;
 pub use crate::relation::spatial::algebra::{Columns, Symmetric3};
-pub use crate::spring::{Spring, SpringLaw};
+pub use crate::spring::{DryFriction, Motor, Spring, SpringLaw, Stops};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
 pub use crate::sweep::Springs;
@@ -62,7 +62,7 @@ pub mod ends {
 /// What acts on a scene. All are in [`spatial`](crate::spatial), too; [`loading`](crate::loading) says more.
 pub mod loads {
     pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
-    pub use crate::mechanics::spatial::Effort;
+    pub use crate::mechanics::spatial::{Contact, Contacts, Effort, Heights, PlainContacts, Plane, Surface};
 }
 
 /// What is read from a motion. All are in [`spatial`](crate::spatial), too.

@@ -1,6 +1,7 @@
 //! What the examples share: the look of their pictures. No mechanics here.
 #![allow(dead_code)] // each example uses its share
 
+pub mod camera;
 pub mod film;
 
 use plotters::chart::{ChartBuilder, ChartContext};
@@ -55,7 +56,10 @@ pub fn picture(name: &str, (width, height): (u32, u32), draw: impl FnOnce(&Area)
 
 /// Writes a picture into target/ and returns where it is.
 pub fn save(name: &str, svg: &str) -> Drawn<PathBuf> {
-    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/target"));
+    // Of the repository, whichever package the example is in.
+    let package = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let root = package.ancestors().find(|folder| folder.join("examples/common").is_dir());
+    let folder = root.unwrap_or(&package).join("target");
     std::fs::create_dir_all(&folder)?;
     let path = folder.join(name).with_extension("svg");
     std::fs::write(&path, svg)?;

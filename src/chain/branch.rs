@@ -41,6 +41,7 @@ impl<S: Space, A: Shape<S>> Shape<S> for Branch<A> {
     const JOINTS: Option<usize> = A::JOINTS;
     const LOOPS: usize = A::LOOPS;
     const LINEAR: bool = A::LINEAR;
+    const OWN_AXES: bool = A::OWN_AXES;
     const SINES: usize = A::SINES;
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {

@@ -83,6 +83,7 @@ impl<S: Space, M: Shape<S>, A: Shape<S>, K: Closing<S>> Shape<S> for Network<M, 
     const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
     const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
     const LINEAR: bool = M::LINEAR && A::LINEAR;
+    const OWN_AXES: bool = M::OWN_AXES || A::OWN_AXES;
     const SINES: usize = M::SINES.saturating_add(A::SINES);
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {

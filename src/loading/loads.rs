@@ -1,6 +1,6 @@
 //! Loads on a scene: what acts on bodies and what acts in joints.
 
-use super::laws::{InJoints, OnBodies, Values};
+use super::laws::{InJoints, OnBodies, OverTime, Values};
 use super::{Load, LoadLaw, Loading, Seen};
 use crate::error::Fault;
 use crate::relation::{Absent, Additive};
@@ -125,6 +125,12 @@ impl<B, J> Loads<B, J> {
         self.in_joints_by(InJoints::new(law))
     }
 
+    /// Efforts in joints as a function of time written for any number, which [`Taylor`](crate::time::Taylor) knows: see
+    /// [`TimeLaw`](super::TimeLaw).
+    pub fn in_joints_over_time<F>(self, law: F) -> Loads<B, OverTime<F>> {
+        self.in_joints_by(OverTime(law))
+    }
+
     /// Efforts in joints as values handed in, one for each joint from the root's on: as many as
     /// [`System::joints`](crate::system::System::joints) says.
     ///
@@ -172,6 +178,7 @@ impl<S: Space, B: LoadLaw<S::BodyMotion, Value: Load<S>>, J: LoadLaw<S::JointMot
     type Seen = ();
     const ON: bool = B::ON || J::ON;
     const READS: bool = B::READS || J::READS;
+    const YIELDS: bool = B::YIELDS;
 
     fn unseen() {}
     fn nothing() -> (B::Value, J::Value) {

@@ -60,7 +60,7 @@ impl<R: Real> Trials<R> {
     /// None yet, at a time (s), for a tolerance.
     pub(super) fn new(closed: bool, tolerance: R, time: R) -> Self {
         let (root, coarse) = (R::EPSILON.sqrt(), R::EPSILON.sqrt().sqrt());
-        let allowed = (R::of(STARTLING) * tolerance).min(coarse).max(root) / tolerance;
+        let allowed = (R::of(STARTLING) * tolerance.max(root)).min(coarse) / tolerance;
         Self {
             // A share δ² leaves roundings / δ³ of accelerations: that is to be no startling error.
             least: (R::EPSILON / (R::of(STARTLING) * tolerance)).powf(R::of(2.0 / 3.0)),
@@ -160,8 +160,9 @@ impl<R: Real> Trials<R> {
     /// A step over a place where closures become dependent errs by where its stages happen to fall, and by the more the shorter it is:
     /// what rounding leaves open of the motion grows towards that place with the inverse square of the distance. So steps of about the
     /// same size are tried first. One that errs by far less is taken; and if shorter ones are no better the best one is, unless it errs
-    /// by more than a hundred tolerances and the root of rounding: at the place itself closures say no more of a position. Tolerances
-    /// coarser than the fourth root of rounding are kept.
+    /// by more than a hundred tolerances and a hundred roots of rounding: at the place itself closures say no more of a position than the
+    /// root, and an estimate is that of a step not yet led back to its closures. Tolerances coarser than the fourth root of rounding are
+    /// kept.
     pub(super) fn after(&mut self, size: R, error: R, factor: R) -> R {
         let shorter = size * factor.min(R::of(0.9));
         if self.allowed.is_none() || self.longest <= R::zero() {

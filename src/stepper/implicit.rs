@@ -180,7 +180,40 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
         self.scene.project_stiff(next, &mut self.stiff);
     }
 
-    /// The step from the accelerations in `first`, remembered.
+    /// Finds where a step went wrong: at its start, or where its first geometry is taken.
+    #[cold]
+    fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
+        // Joints may remember accelerations of the sweeps that failed.
+        self.stiff = self.scene.stiff_workspace();
+        let mut stage = past.clone();
+        stage.acceleration.clone_from(&self.first);
+        if stage.is_finite() {
+            stage.time = past.time + dt;
+            stage.position.drift_0(&past.position, (dt, &past.rate));
+        }
+        of_stage(self.scene.diagnose(&stage, loads, &mut self.workspace))
+    }
+}
+
+impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
+    const SETTLED: bool = false;
+
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+        check::<D, L>(&self.still, past, next, dt)?;
+        self.rule.fault.map_or(Ok(()), |fault| Err(Error::new(fault)))?; // parameters that make no rule
+        self.scene.admits(loads)
+    }
+
+    fn begin(&mut self, past: &MotionIn<D, L>, loads: &L) {
+        let first = &mut self.first;
+        self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
+        self.sweeps += 1;
+    }
+
+    fn resume(&mut self, past: &MotionIn<D, L>) {
+        self.first.set(&past.acceleration);
+    }
+
     fn make(
         &mut self,
         past: &MotionIn<D, L>,
@@ -203,58 +236,6 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
             Err(Error { fault: Fault::NonFiniteMotion, .. }) => Err(self.diagnose(past, loads, dt)),
             outcome => outcome,
         }
-    }
-
-    /// Refuses motions of another scene, steps that are none, and parameters that make no rule.
-    fn check(&self, past: &MotionIn<D, L>, next: &MotionIn<D, L>, dt: TimeIn<D, L>) -> Result<(), Error> {
-        check::<D, L>(&self.still, past, next, dt)?;
-        self.rule.fault.map_or(Ok(()), |fault| Err(Error::new(fault)))
-    }
-
-    /// Finds where a step went wrong: at its start, or where its first geometry is taken.
-    #[cold]
-    fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
-        // Joints may remember accelerations of the sweeps that failed.
-        self.stiff = self.scene.stiff_workspace();
-        let mut stage = past.clone();
-        stage.acceleration.clone_from(&self.first);
-        if stage.is_finite() {
-            stage.time = past.time + dt;
-            stage.position.drift_0(&past.position, (dt, &past.rate));
-        }
-        of_stage(self.scene.diagnose(&stage, loads, &mut self.workspace))
-    }
-}
-
-impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
-    const SETTLED: bool = false;
-
-    fn step(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        self.check(past, next, dt)?;
-        self.scene.admits(loads)?;
-        let first = &mut self.first;
-        self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
-        self.sweeps += 1;
-        self.make(past, loads, dt, next)
-    }
-
-    fn advance(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        self.check(past, next, dt)?;
-        self.scene.admits(loads)?;
-        self.first.set(&past.acceleration);
-        self.make(past, loads, dt, next)
     }
 
     /// The change that the last sweep made (geometry), and the change of the acceleration during the step (truncation).

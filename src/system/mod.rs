@@ -132,6 +132,11 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         &self.chain.1
     }
 
+    /// The outboard end.
+    pub(crate) fn tip(&self) -> &P {
+        &self.tip
+    }
+
     /// All elements as a sweep sees them: the root's joint and the chain.
     pub(crate) fn elements(&self) -> &Elements<S, R, C> {
         &self.chain

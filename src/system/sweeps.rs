@@ -188,7 +188,7 @@ where
     Elements<S, R, C>:
         Condense<S, P::Relation, Carrying<L, Implicit<RealOf<S>>, P::Closures>, Out: Close<S, P::Closures>>,
 {
-    const LINEAR: bool = <Elements<S, R, C> as Shape<S>>::LINEAR;
+    const LINEAR: bool = <Elements<S, R, C> as Shape<S>>::LINEAR && !L::YIELDS;
 
     type StiffWorkspace = Workspace<S, Elements<S, R, C>, Carrying<L, Implicit<RealOf<S>>, P::Closures>>;
 

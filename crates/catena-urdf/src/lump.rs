@@ -47,7 +47,7 @@ pub fn robot(model: &Model, options: &Options, notes: &mut Notes) -> Result<Robo
     }
     check(&base, &bodies, &frames, notes)?;
     let (name, gravity, test, elements) = (model.name.clone(), options.gravity, options.test, options.elements);
-    Ok(Robot { name, base, bodies, frames, notes: Vec::new(), gravity, test, elements })
+    Ok(Robot { name, base, bodies, frames, notes: Vec::new(), gravity, test, elements, laws: options.laws })
 }
 
 /// Which link floats.

@@ -163,6 +163,11 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
         }
     }
 
+    /// Has another method make the next steps, for closures are all but dependent nearby.
+    pub(super) fn lead_over(&mut self) {
+        self.bridge = BRIDGE;
+    }
+
     /// Keeps a step of another method, after which nothing is remembered but its end.
     pub(super) fn write_bridge(&mut self, next: &Motion<T, P, C>, zero: &P::Rate) {
         self.write(next, 0.0, 0, &[0.0; TERMS], zero);
