@@ -18,7 +18,7 @@ use core::fmt::Debug;
 pub trait Space: Geometry {
     /// What a body's posture needs to know of its shape.
     type Size: Copy + Debug;
-    /// First part of a posture; see [`Posture`](crate::element::Posture).
+    /// First part of a posture.
     type X: Copy + Debug;
     /// Second part of a posture.
     type Y: Copy + Debug;

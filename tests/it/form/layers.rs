@@ -46,6 +46,7 @@ fn home(name: &str) -> &str {
         "Lift" => "lift",
         "Cause" | "Error" | "Fault" | "Place" => "error",
         "Motion" => "motion",
+        "compound" | "joint" => "extend", // macros
         "BodyNumbers" | "JointNumbers" | "Label" | "Which" => "names",
         "Real" | "Scalar" => "scalar",
         "StateVector" | "TransferMatrix" => "state",
