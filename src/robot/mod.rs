@@ -38,6 +38,7 @@
 //! | `places`, `jacobian` | where bodies are; how a point moves with the joints |
 //! | `mass_centre`, `joint_energy` | |
 //! | `inverse_dynamics_derivatives`, `forward_dynamics_derivatives` | by positions, rates and torques |
+//! | `impact` | rates after a joint has struck a hard stop |
 //! | `snapshot`, `snapshot_afloat` | a [`Snapshot`]: points, Jacobians and their rates, mass matrix, inverse dynamics, centroidal momentum, the regressor; for bases that float, too |
 //!
 //! All but the last are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base

@@ -1,6 +1,7 @@
 //! Functions of lists in the order of the joints: dynamics.
 
 mod derivatives;
+mod impact;
 mod mass;
 mod places;
 mod snapshot;

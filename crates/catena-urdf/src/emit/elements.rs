@@ -200,6 +200,11 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
             false => (format!("{kind}<T>"), "(", ")"),
         };
         let ask = if fails { "?" } else { "" };
+        if number + 1 == plan.arms.len() {
+            text += "/// All elements, from root to tip: for a scene of one's own.\n";
+            text += if fails { "///\n/// # Errors\n/// Where a turn is none.\n" } else { "" };
+            text += "pub ";
+        }
         let _ = writeln!(text, "fn {name}<T: Scalar>() -> {kind} {{\n    {open}");
         for part in &arm.parts {
             let local = robot.elements != Elements::Inertial;

@@ -24,7 +24,7 @@ fn both<const N: usize>() {
             .iter()
             .zip(&by_state)
             .chain(b.iter().zip(&by_torques))
-            .find(|(x, y)| y.is_nan() || (*x - *y).abs() > 1e-13);
+            .find(|(x, y)| (*x - *y).is_nan() || (*x - *y).abs() >= 1e-13);
         assert!(far.is_none(), "{N}: {far:?} in {a:?}, {by_state:?}");
         let ends =
             end.coordinates().into_iter().chain(end.rates()).zip(next.coordinates().into_iter().chain(next.rates()));
