@@ -65,7 +65,7 @@ fn run(model: Model) -> Result<Vec<Sample>, catena::Error> {
     let (arm, bare, motors) = (arm7::scene::<f64>()?, arm7_bare::scene::<f64>()?, arm7::motors::<f64>());
     let tip = arm7::frame::TOOL_TIP;
     let mut now = arm.at_joints(&POSES[0], &[0.0; 7])?;
-    let (mut next, mut stepper, mut log) = (now.clone(), arm.stepper(Sdirk4::new()), vec![]);
+    let (mut next, mut stepper, mut log) = (now, arm.stepper(Sdirk4::new()), vec![]);
     let end = LEG * (POSES.len() - 1) as f64 + 0.4;
     for cycle in 0..(end / CYCLE).round() as usize {
         let time = cycle as f64 * CYCLE;

@@ -100,7 +100,7 @@ fn sample(scene: &Scene, now: &State, ground: &Ground) -> Result<Sample, catena:
         time: now.time(),
         trunk: at(0, [0.0; 3]),
         feet: points.map(|(body, place)| at(body, place)),
-        forces: core::array::from_fn(|k| bodies.get(points[k].0).map_or(nowhere, |body| ground.force(k, &body))),
+        forces: core::array::from_fn(|k| bodies.get(points[k].0).map_or(nowhere, |body| ground.force(k, body))),
         // Those on the far side first, so that what is nearer is drawn over them.
         frame: vec![leg(0), leg(2), trunk.map(|place| at(0, place)).to_vec(), leg(1), leg(3)],
     })
@@ -111,7 +111,7 @@ fn main() -> Drawn {
     let mut now = scene.motion();
     let list: Vec<f64> = [0.0, 0.0, 0.406 + DROP, 1.0, 0.0, 0.0, 0.0].into_iter().chain(STANCE).collect();
     now.set_coordinates(&list)?;
-    let mut next = now.clone();
+    let mut next = now;
     let mass: f64 = scene.body_motions(&now)?.iter().map(|body| body.inertia.mass).sum();
     let weight = 9.81 * mass;
 

@@ -127,7 +127,7 @@ fn energy_never_rises() -> Result<(), Error> {
     let (mut last, mut rise) = (f64::INFINITY, 0.0_f64);
     let start = scene.at_joints(&START[..2], &START[2..])?;
     scene.simulation(Sdirk4::new().tolerance(1e-9)).loads(&loads).run(start, 3.0, |now| {
-        let stored = now.bodies().get(1).map_or(f64::NAN, |body| contacts.energy(0, &body));
+        let stored = now.bodies().get(1).map_or(f64::NAN, |body| contacts.energy(0, body));
         let energy = now.energy() + stored;
         rise = rise.max(energy - last);
         last = energy;
@@ -175,7 +175,7 @@ fn a_quadruped_stands() -> Result<(), Error> {
     let mut now = scene.motion();
     let list: Vec<f64> = [0.0, 0.0, 0.41, 1.0, 0.0, 0.0, 0.0].into_iter().chain(STANCE).collect();
     now.set_coordinates(&list)?;
-    let (mut next, mut stepper) = (now.clone(), scene.stepper(Sdirk4::new()));
+    let (mut next, mut stepper) = (now, scene.stepper(Sdirk4::new()));
     let feet = |now: &_| -> Result<[[f64; 3]; 4], Error> {
         let bodies = scene.body_motions(now)?;
         Ok(points.map(|(body, at)| bodies.get(body).map_or([f64::NAN; 3], |body| body.point(at).place.into())))
@@ -200,7 +200,7 @@ fn a_quadruped_stands() -> Result<(), Error> {
         }
     }
     let bodies = scene.body_motions(&now)?;
-    let each = (0..4).map(|k| bodies.get(points[k].0).map_or([f64::NAN; 3], |body| contacts.force(k, &body)));
+    let each = (0..4).map(|k| bodies.get(points[k].0).map_or([f64::NAN; 3], |body| contacts.force(k, body)));
     let sum = each.fold([0.0; 3], |sum, force| core::array::from_fn(|k| sum[k] + force[k]));
     let weight = mass * GRAVITY;
     println!("feet drift by {drift:e} m after the first second; forces sum to {sum:?} of {weight} N");

@@ -77,7 +77,7 @@ impl<T: Scalar, F: Fn(T, T) -> [T; 3]> Surface<T> for Heights<F> {
 /// How what touches resists: compliance, damping, friction.
 ///
 /// Pressed in by x (m) a point is pushed out by N = k d(x) (1 + c ẋ), and never pulled (K. H. Hunt and F. R. E. Crossley, 1975), with
-/// a stiffness k (N/m) that sets in over a depth w (m) as that of [`Stops`](super::Stops), and damping c (s/m). Friction is
+/// a stiffness k (N/m) that sets in over a depth w (m) as that of [`Stops`](crate::spatial::Stops), and damping c (s/m). Friction is
 /// −μ N v/√(v² + v₀²) of the velocity v along the surface: it has no jump, so that at rest what pulls by P creeps, by about v₀ P/(μ N).
 /// Energy only falls.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -138,8 +138,9 @@ lift!(Contact { stiffness, depth, damping, friction, speed });
 /// let contacts = Contacts::of([(0, [0.0, 0.0, 0.0])], Plane::level(-0.1), law); // the origin of body 0
 /// let rule = Sdirk4::new().tolerance(1e-6);
 /// let run = hopper.simulation(rule).loads(&Loads::none().on_bodies_by(contacts)).run(hopper.motion(), 3.0, |_| ())?;
-/// let [body] = [hopper.body_motions(&run.motion)?.get(0).unwrap()];
-/// assert!((contacts.force(0, &body)[2] - 9.81).abs() < 1e-2); // it stands
+/// let bodies = hopper.body_motions(&run.motion)?;
+/// let body = bodies.get(0).unwrap();
+/// assert!((contacts.force(0, body)[2] - 9.81).abs() < 1e-2); // it stands
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -73,7 +73,7 @@ pub struct SixRows<T, const N: usize> {
 /// let legs = [Branch((Hinge::at::<7>([0.3, 0.2, -0.1]), link)), Branch((Hinge::at::<7>([-0.3, 0.2, -0.1]), link))];
 /// let robot = System::new(Free, (BodyAxes, link, legs), Free)?.with_gravity([0.0, 0.0, -9.81]);
 /// let start = robot.motion();
-/// let base = Afloat::of(&robot.body_motions(&start)?.get(0).unwrap());
+/// let base = Afloat::of(robot.body_motions(&start)?.get(0).unwrap());
 /// let now = robot.snapshot_afloat(base, &[0.3, -0.2], &[1.0, 0.5])?;
 /// let (centre, mass) = now.mass_centre();
 /// let [momentum, angular] = now.centroidal_momentum(); // (kg·m/s, N·m·s), about the mass centre
