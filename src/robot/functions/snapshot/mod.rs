@@ -24,7 +24,7 @@ use num_traits::Zero;
 /// Where a base is that floats, and how it moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Afloat<T> {
-    /// Its place and attitude.
+    /// Place and attitude of the base.
     pub place: Place<T>,
     /// Velocity of its origin (m/s), inertial axes.
     pub velocity: Vector3<T>,
