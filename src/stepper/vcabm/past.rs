@@ -163,6 +163,11 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
         }
     }
 
+    /// Has another method make the next steps, for closures are all but dependent nearby.
+    pub(super) fn lead_over(&mut self) {
+        self.bridge = BRIDGE;
+    }
+
     /// Keeps a step of another method, after which nothing is remembered but its end.
     pub(super) fn write_bridge(&mut self, next: &Motion<T, P, C>, zero: &P::Rate) {
         self.write(next, 0.0, 0, &[0.0; TERMS], zero);
@@ -267,7 +272,8 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
     /// Chooses order and size of the next step from errors (as multiples of the tolerance) of the last one, had it had this order, the one
     /// below, the one above.
     pub(super) fn choose(&mut self, [own, lower, higher]: [Option<f64>; 3], dt: T::Real, most: usize) {
-        let order = self.made;
+        // After a step of another method, one that fails may be judged before it is kept: then no order has been made yet.
+        let order = self.made.max(1);
         let factor = |error: Option<f64>, order: usize| {
             error.map_or(0.0, |error| power(AIM / error.clamp(1e-30, 1e30), ((order + 1) as f64).recip()))
         };

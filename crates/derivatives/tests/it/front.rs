@@ -12,7 +12,7 @@ macro_rules! agree {
         let alike = |a: &[f64], b: &[f64], tolerance: f64| {
             let size = a.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
             assert!(a.len() == b.len() && size > 0.0);
-            let far = a.iter().zip(b).find(|(a, b)| !((*a - *b).abs() <= tolerance * size));
+            let far = a.iter().zip(b).find(|(a, b)| (*a - *b).is_nan() || (*a - *b).abs() > tolerance * size);
             assert!(far.is_none(), "{far:?} in {a:?} and {b:?}");
         };
         alike(&forward.values, &backward.values, 1e-13);
