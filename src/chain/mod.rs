@@ -17,7 +17,6 @@ mod parallel;
 mod poses;
 mod selective;
 mod sensitive;
-mod series;
 mod tuple;
 
 pub use crate::shape::{Closing, Ends};

@@ -3,7 +3,7 @@
 use super::CloseOff;
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Posture, RealOf, Space, Sweep};
-use crate::ends::Root;
+use crate::ends::{Resting, Root};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::loading::EffortOf;
@@ -32,6 +32,7 @@ use crate::space::FrameOf;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Named<E> {
     /// What is named.
     pub item: E,
@@ -56,6 +57,7 @@ impl<S: Space, E: Shape<S>> Shape<S> for Named<E> {
     const JOINTS: Option<usize> = E::JOINTS;
     const LOOPS: usize = E::LOOPS;
     const LINEAR: bool = E::LINEAR;
+    const OWN_AXES: bool = E::OWN_AXES;
     const SINES: usize = E::SINES;
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> E::Store<F> {
@@ -181,6 +183,8 @@ impl<S: Space, R: Root<S>> Root<S> for Named<R> {
         self.item.check()
     }
 }
+
+impl<S: Space, R: Resting<S>> Resting<S> for Named<R> {}
 
 impl<S: Space, K: Closing<S>> Closing<S> for Named<K> {
     type Closures = K::Closures;

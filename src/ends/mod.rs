@@ -10,7 +10,7 @@ pub use ground::{Ground, GroundMotion, Moving};
 
 use crate::element::{Element, RealOf, Space};
 use crate::error::Error;
-use crate::relation::{Closures, Solvable, WrenchOf};
+use crate::relation::{Closures, Open, Solvable, WrenchOf};
 use crate::space::FrameOf;
 
 /// Which of a conjugate pair an end makes known.
@@ -96,3 +96,21 @@ pub trait Tip<S: Space> {
     /// Rejects parameters that make no mechanics.
     fn check(&self) -> Result<(), Error>;
 }
+
+/// A root on ground that rests: that its motion has no derivatives is known by type.
+#[diagnostic::on_unimplemented(
+    message = "the root `{Self}` is not known to stand on ground that rests",
+    label = "a ground that may move, or a root that floats",
+    note = "gradients of a run backward and `Taylor` know `Pinned` and `Clamped`, and `Hinged` of space, at places and angles that are numbers",
+    note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
+)]
+pub trait Resting<S: Space>: Root<S> {}
+
+/// A tip that nothing holds.
+#[diagnostic::on_unimplemented(
+    message = "the tip `{Self}` is held",
+    label = "not a free tip",
+    note = "`Taylor` knows chains and trees whose tip is `Free`",
+    note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
+)]
+pub trait Unheld<S: Space>: Tip<S, Closures = Open> {}

@@ -3,6 +3,7 @@
 use super::count;
 use crate::error::Fault;
 use crate::relation::{Absent, Additive, Part};
+use crate::scalar::{Real, Scalar};
 use crate::sealed::Sealed;
 use crate::space::{RealOf, Space};
 
@@ -25,6 +26,8 @@ pub trait LoadLaw<M: Seen> {
     const ON: bool = true;
     /// Whether the load depends on time or motion, or is a [`list`](Self::list).
     const READS: bool = true;
+    /// Whether values on bodies say how they yield: see [`Loading::YIELDS`](super::Loading::YIELDS).
+    const YIELDS: bool = false;
     /// The load on the body or in the joint of a number.
     fn at(&self, time: RealOf<M::Space>, number: usize, motion: &M) -> Self::Value;
     /// Loads where they are a list.
@@ -43,6 +46,7 @@ pub trait LoadLaw<M: Seen> {
 
 /// Loads given as values: an array, a slice, a vector.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Values<V>(pub V);
 
 /// A function of time, number and motion as the law of what acts on bodies or in joints.
@@ -85,6 +89,60 @@ pub type InJoints<F> = Function<F>;
 impl<F> Function<F> {
     pub(super) const fn new(law: F) -> Self {
         Self(law)
+    }
+}
+
+/// Efforts in joints as functions of time, written for any number: a run by [`Taylor`](crate::time::Taylor) series hands it power series.
+///
+/// ```
+/// use catena::loading::TimeLaw;
+/// use catena::planar::*;
+/// use catena::scalar::Scalar;
+///
+/// /// Shakes the second joint (N·m).
+/// struct Shake;
+///
+/// impl TimeLaw<f64> for Shake {
+///     fn at<X: Scalar<Real = f64>>(&self, time: X, joint: usize) -> X {
+///         if joint == 1 { X::literal(0.5) * (X::literal(7.0) * time).sin_cos().0 } else { X::zero() }
+///     }
+/// }
+///
+/// let rod = Rod::uniform(1.0, 1.0);
+/// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+/// let (start, loads) = (pendulum.at_rest(&[-1.0, -0.5])?, Loads::none().in_joints_over_time(Shake));
+/// let series = pendulum.simulation(Taylor::<20>::tolerance(1e-12)).loads(&loads).run(start, 1.0, |_| ())?;
+/// let other = pendulum.simulation(Dop853::tolerance(1e-12)).loads(&loads).run(start, 1.0, |_| ())?;
+/// assert!((series.motion.position().0 - other.motion.position().0).abs() < 1e-10);
+/// # Ok::<(), catena::Error>(())
+/// ```
+///
+/// A law that jumps or bends is one law up to there and another beyond: end runs there.
+pub trait TimeLaw<R: Real> {
+    /// The effort on the outboard body (N·m; N in a slider) in the joint of a number, 0 at the root, at a time (s).
+    fn at<X: Scalar<Real = R>>(&self, time: X, joint: usize) -> X;
+}
+
+/// A [`TimeLaw`] as the law of what acts in joints.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OverTime<F>(pub F);
+
+/// Laws of efforts in joints whose values have power series in time.
+pub trait SeriesLaw<M: Seen>: LoadLaw<M> {
+    /// Coefficients of the powers of time (s) around a time, in the joint of a number.
+    fn series<const N: usize>(&self, time: RealOf<M::Space>, joint: usize) -> [Self::Value; N];
+}
+
+impl<M: Seen> SeriesLaw<M> for Absent {
+    fn series<const N: usize>(&self, _: RealOf<M::Space>, _: usize) -> [Absent; N] {
+        [Absent; N]
+    }
+}
+
+impl<M: Seen, V: AsRef<[M::Load]>> SeriesLaw<M> for Values<V> {
+    fn series<const N: usize>(&self, _: RealOf<M::Space>, joint: usize) -> [M::Load; N] {
+        let value = self.0.as_ref().get(joint).copied().unwrap_or_else(M::Load::null);
+        core::array::from_fn(|k| if k == 0 { value } else { M::Load::null() })
     }
 }
 

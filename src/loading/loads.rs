@@ -1,6 +1,6 @@
 //! Loads on a scene: what acts on bodies and what acts in joints.
 
-use super::laws::{InJoints, OnBodies, Values};
+use super::laws::{InJoints, OnBodies, OverTime, Values};
 use super::{Load, LoadLaw, Loading, Seen};
 use crate::error::Fault;
 use crate::relation::{Absent, Additive};
@@ -92,6 +92,7 @@ use crate::space::{RealOf, Space};
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Loads<B = Absent, J = Absent> {
     bodies: B,
     joints: J,
@@ -122,6 +123,12 @@ impl<B, J> Loads<B, J> {
         F: Fn(RealOf<M::Space>, usize, &M) -> M::Load,
     {
         self.in_joints_by(InJoints::new(law))
+    }
+
+    /// Efforts in joints as a function of time written for any number, which [`Taylor`](crate::time::Taylor) knows: see
+    /// [`TimeLaw`](super::TimeLaw).
+    pub fn in_joints_over_time<F>(self, law: F) -> Loads<B, OverTime<F>> {
+        self.in_joints_by(OverTime(law))
     }
 
     /// Efforts in joints as values handed in, one for each joint from the root's on: as many as
@@ -171,6 +178,7 @@ impl<S: Space, B: LoadLaw<S::BodyMotion, Value: Load<S>>, J: LoadLaw<S::JointMot
     type Seen = ();
     const ON: bool = B::ON || J::ON;
     const READS: bool = B::READS || J::READS;
+    const YIELDS: bool = B::YIELDS;
 
     fn unseen() {}
     fn nothing() -> (B::Value, J::Value) {

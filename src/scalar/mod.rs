@@ -40,10 +40,14 @@ mod float;
 mod jet;
 #[cfg(feature = "simd")]
 mod lanes;
+mod pack;
+mod powers;
 mod trig;
 
 pub(crate) use columns::{Block, columns};
 pub use jet::Jet;
+pub use pack::Pack;
+pub(crate) use powers::Powers;
 #[cfg(feature = "simd")]
 pub use lanes::{WideF32x16, WideF64x8};
 #[cfg(feature = "simd")]

@@ -52,23 +52,29 @@ where
     Elements<S, R, C>: Sensitive<S>,
     System<S, R, C, P>: Runs<L, S, R, C, P>,
 {
-    fn step(
-        &mut self,
+    fn admit(
+        &self,
         past: &MotionOf<S, R, C, P>,
         loads: &L,
         dt: RealOf<S>,
-        next: &mut MotionOf<S, R, C, P>,
+        next: &MotionOf<S, R, C, P>,
     ) -> Result<(), Error> {
-        self.0.step(past, loads, dt, next)
+        self.0.admit(past, loads, dt, next)
     }
-    fn advance(
+    fn begin(&mut self, past: &MotionOf<S, R, C, P>, loads: &L) {
+        self.0.begin(past, loads);
+    }
+    fn resume(&mut self, past: &MotionOf<S, R, C, P>) {
+        self.0.resume(past);
+    }
+    fn make(
         &mut self,
         past: &MotionOf<S, R, C, P>,
         loads: &L,
         dt: RealOf<S>,
         next: &mut MotionOf<S, R, C, P>,
     ) -> Result<(), Error> {
-        self.0.advance(past, loads, dt, next)
+        self.0.make(past, loads, dt, next)
     }
     fn error(
         &mut self,

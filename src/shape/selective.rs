@@ -28,10 +28,10 @@ pub trait Selective<S: Space>: Walk<S> {
 
 /// An element that takes a selective walk.
 #[diagnostic::on_unimplemented(
-    message = "no gradient of a run goes backward through `{Self}`",
-    label = "not known to the costate sweep",
-    note = "it knows `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld` and `Revolute`, in tuples, arrays, vectors and branches, with names or without",
-    note = "run the same scene over jets or dual numbers instead"
+    message = "`{Self}` takes no walk `{W}`: no gradient of a run goes backward through it, or `Taylor` knows no series of its motion",
+    label = "not known to this walk",
+    note = "gradients know `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld` and `Revolute`, in tuples, arrays, vectors and branches, with names or without; `Taylor` knows those of the plane",
+    note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
 )]
 pub trait Takes<S: Space, W: Walk<S>>: Shape<S> {
     /// Meets all bodies and joints inside.

@@ -58,6 +58,7 @@ impl Pece {
 
 /// What [`AdamsStepper`] carries from step to step: the motions that it wrote.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AdamsMemory<M> {
     /// A ring: at `newest` and after it motions of the past, `known` of them, and before it what the last step wrote, if it did.
     ring: [M; DEPTH + 1],
@@ -142,27 +143,6 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
         *written = false;
     }
 
-    /// The step from the accelerations in the first row of [`start`](Self::start).
-    fn make(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        self.recall(past);
-        self.own = self.memory.known == DEPTH && self.spread(past.time, dt);
-        if self.own {
-            self.leap(past, loads, dt, next)?;
-        } else {
-            self.start.make(past, loads, dt, next)?;
-        }
-        let AdamsMemory { ring, newest, written, .. } = &mut self.memory;
-        Self::copy(&mut ring[(*newest + DEPTH) % (DEPTH + 1)], next, &next.acceleration, &self.zero);
-        *written = true;
-        Ok(())
-    }
-
     /// Finds when the remembered motions were, as shares of the step, and tells whether they lie far enough apart to be read.
     ///
     /// A polynomial through accelerations a share g of the step apart multiplies their errors by 1/g, by its square where three are so
@@ -220,28 +200,36 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
 }
 
 impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
-    fn step(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        self.start.scene.admits(loads)?;
-        self.start.begin(past, loads, next)?;
-        self.make(past, loads, dt, next)
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+        self.start.admit(past, loads, dt, next)
     }
 
-    fn advance(
+    fn begin(&mut self, past: &MotionIn<D, L>, loads: &L) {
+        self.start.begin(past, loads);
+    }
+
+    fn resume(&mut self, past: &MotionIn<D, L>) {
+        self.start.resume(past);
+    }
+
+    fn make(
         &mut self,
         past: &MotionIn<D, L>,
         loads: &L,
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        self.start.scene.admits(loads)?;
-        self.start.resume(past, next)?;
-        self.make(past, loads, dt, next)
+        self.recall(past);
+        self.own = self.memory.known == DEPTH && self.spread(past.time, dt);
+        if self.own {
+            self.leap(past, loads, dt, next)?;
+        } else {
+            self.start.make(past, loads, dt, next)?;
+        }
+        let AdamsMemory { ring, newest, written, .. } = &mut self.memory;
+        Self::copy(&mut ring[(*newest + DEPTH) % (DEPTH + 1)], next, &next.acceleration, &self.zero);
+        *written = true;
+        Ok(())
     }
 
     fn error(
@@ -305,6 +293,11 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
 
     fn memory(&self) -> Self::Memory {
         self.memory.clone()
+    }
+
+    fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
+        let AdamsMemory { ring, newest, known, .. } = memory;
+        *newest <= DEPTH && *known <= DEPTH && ring.iter().all(|past| motion.fits(past))
     }
 
     fn restore(&mut self, memory: &Self::Memory) {

@@ -144,30 +144,26 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         }
         Error::new(Fault::NonFiniteMotion).at_time((past.time + dt).as_f64())
     }
+}
 
-    /// Refuses motions of another scene.
-    fn fits(&self, past: &MotionIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> {
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, _: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+        self.scene.admits(loads)?;
         if past.fits(&self.still) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
     }
 
     /// Finds the accelerations of a motion, the first row.
-    pub(super) fn begin(&mut self, past: &MotionIn<D, L>, loads: &L, next: &MotionIn<D, L>) -> Result<(), Error> {
-        self.fits(past, next)?;
+    fn begin(&mut self, past: &MotionIn<D, L>, loads: &L) {
         let first = &mut self.slopes.as_mut()[0];
         self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
         self.sweeps += 1;
-        Ok(())
     }
 
-    /// Takes those that a motion has.
-    pub(super) fn resume(&mut self, past: &MotionIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
-        self.fits(past, next)?;
+    fn resume(&mut self, past: &MotionIn<D, L>) {
         self.slopes.as_mut()[0].set(&past.acceleration);
-        Ok(())
     }
 
-    /// The step from the accelerations in the first row.
-    pub(super) fn make(
+    fn make(
         &mut self,
         past: &MotionIn<D, L>,
         loads: &L,
@@ -204,33 +200,6 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
             Err(error) => Err(error),
         }
     }
-}
-
-impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> {
-    fn step(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        self.scene.admits(loads)?;
-        self.begin(past, loads, next)?;
-        self.make(past, loads, dt, next)
-    }
-
-    fn advance(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        self.scene.admits(loads)?;
-        self.resume(past, next)?;
-        self.make(past, loads, dt, next)
-    }
-
     fn error(
         &mut self,
         _: &MotionIn<D, L>,
@@ -242,7 +211,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         let mut squares = [0.0; 2];
         macro_rules! estimates {
             ($($k:literal)*) => {$(
-                if let Some((of_position, of_rate)) = M::errors().get($k) {
+                if let Some((of_rate, of_position)) = M::errors().get($k) {
                     let (position, rate) = &mut self.estimate;
                     let (of_position, of_rate) = (&of_position[..=M::STAGES], &of_rate[..=M::STAGES]);
                     if Self::FEW {

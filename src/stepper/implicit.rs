@@ -40,6 +40,7 @@ pub struct ImplicitStepper<D: StiffDynamics<L>, L> {
 
 /// What [`ImplicitStepper`] carries from step to step: traces of the last two motions, and what joints keep from sweep to sweep.
 #[derive(Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ImplicitMemory<M, G> {
     traces: [M; 2],
     gains: G,
@@ -47,6 +48,7 @@ pub struct ImplicitMemory<M, G> {
 
 /// A motion, to be recognised by, and how far its auxiliary acceleration A is from the true one; no time before the first step.
 #[derive(Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Trace<R, P, V> {
     time: Option<R>,
     position: P,
@@ -178,7 +180,40 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
         self.scene.project_stiff(next, &mut self.stiff);
     }
 
-    /// The step from the accelerations in `first`, remembered.
+    /// Finds where a step went wrong: at its start, or where its first geometry is taken.
+    #[cold]
+    fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
+        // Joints may remember accelerations of the sweeps that failed.
+        self.stiff = self.scene.stiff_workspace();
+        let mut stage = past.clone();
+        stage.acceleration.clone_from(&self.first);
+        if stage.is_finite() {
+            stage.time = past.time + dt;
+            stage.position.drift_0(&past.position, (dt, &past.rate));
+        }
+        of_stage(self.scene.diagnose(&stage, loads, &mut self.workspace))
+    }
+}
+
+impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
+    const SETTLED: bool = false;
+
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+        check::<D, L>(&self.still, past, next, dt)?;
+        self.rule.fault.map_or(Ok(()), |fault| Err(Error::new(fault)))?; // parameters that make no rule
+        self.scene.admits(loads)
+    }
+
+    fn begin(&mut self, past: &MotionIn<D, L>, loads: &L) {
+        let first = &mut self.first;
+        self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
+        self.sweeps += 1;
+    }
+
+    fn resume(&mut self, past: &MotionIn<D, L>) {
+        self.first.set(&past.acceleration);
+    }
+
     fn make(
         &mut self,
         past: &MotionIn<D, L>,
@@ -201,58 +236,6 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
             Err(Error { fault: Fault::NonFiniteMotion, .. }) => Err(self.diagnose(past, loads, dt)),
             outcome => outcome,
         }
-    }
-
-    /// Refuses motions of another scene, steps that are none, and parameters that make no rule.
-    fn check(&self, past: &MotionIn<D, L>, next: &MotionIn<D, L>, dt: TimeIn<D, L>) -> Result<(), Error> {
-        check::<D, L>(&self.still, past, next, dt)?;
-        self.rule.fault.map_or(Ok(()), |fault| Err(Error::new(fault)))
-    }
-
-    /// Finds where a step went wrong: at its start, or where its first geometry is taken.
-    #[cold]
-    fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
-        // Joints may remember accelerations of the sweeps that failed.
-        self.stiff = self.scene.stiff_workspace();
-        let mut stage = past.clone();
-        stage.acceleration.clone_from(&self.first);
-        if stage.is_finite() {
-            stage.time = past.time + dt;
-            stage.position.drift_0(&past.position, (dt, &past.rate));
-        }
-        of_stage(self.scene.diagnose(&stage, loads, &mut self.workspace))
-    }
-}
-
-impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
-    const SETTLED: bool = false;
-
-    fn step(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        self.check(past, next, dt)?;
-        self.scene.admits(loads)?;
-        let first = &mut self.first;
-        self.scene.accelerations(past.time, &past.position, &past.rate, loads, &mut self.workspace, first);
-        self.sweeps += 1;
-        self.make(past, loads, dt, next)
-    }
-
-    fn advance(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        self.check(past, next, dt)?;
-        self.scene.admits(loads)?;
-        self.first.set(&past.acceleration);
-        self.make(past, loads, dt, next)
     }
 
     /// The change that the last sweep made (geometry), and the change of the acceleration during the step (truncation).
@@ -303,6 +286,14 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
     fn memory(&self) -> Self::Memory {
         let traces = [self.last.clone(), self.before.clone()];
         ImplicitMemory { traces, gains: self.scene.gains(&self.stiff).clone() }
+    }
+
+    fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
+        let fits = |trace: &Trace<TimeIn<D, L>, D::Position, D::Rate>| {
+            motion.position.all(&trace.position, &mut |_, _| true)
+                && [&trace.rate, &trace.offset].iter().all(|rate| motion.rate.all(rate, &mut |_, _| true))
+        };
+        memory.traces.iter().all(fits) && self.scene.gains_fit(&memory.gains)
     }
 
     fn restore(&mut self, memory: &Self::Memory) {

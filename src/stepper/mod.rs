@@ -61,7 +61,7 @@ fn of_stage(error: Error) -> Error {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` makes no steps of `{D}` under loads `{L}`",
     label = "not a method for this scene",
-    note = "as for `Taylor`: it knows rods, rigid bodies, point masses, pins, welds and rotary springs and dampers of the plane, in chains and trees on ground that rests, with a free tip, under gravity alone: `Taylor::<12>::knows(&scene)` names what it does not know",
+    note = "as for `Taylor`: it knows rods, rigid bodies, point masses, pins, welds, sliders and rotary springs and dampers of the plane, in chains and trees on ground that rests, with a free tip, under gravity and efforts in joints that are values or functions of time: `Taylor::<12>::knows(&scene)` names what it does not know",
     note = "`Dop853` runs all scenes"
 )]
 pub trait Method<D: Dynamics<L>, L> {
@@ -93,13 +93,49 @@ pub trait Stepper<D: Dynamics<L>, L> {
         loads: &L,
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error>;
+    ) -> Result<(), Error> {
+        self.admit(past, loads, dt, next)?;
+        self.begin(past, loads);
+        self.make(past, loads, dt, next)
+    }
 
     /// Advances by a step where `past` holds the accelerations that belong to it under these loads: one sweep less.
     ///
     /// # Errors
     /// As [`step`](Self::step).
     fn advance(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        self.admit(past, loads, dt, next)?;
+        self.resume(past);
+        self.make(past, loads, dt, next)
+    }
+
+    /// Refuses loads that do not fit the scene, motions of another scene and what else makes no step.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error>;
+
+    /// Finds the accelerations at the start of a step, if the method asks for them.
+    fn begin(&mut self, past: &MotionIn<D, L>, loads: &L) {
+        let _ = (past, loads);
+    }
+
+    /// Takes those that the start has.
+    fn resume(&mut self, past: &MotionIn<D, L>) {
+        let _ = past;
+    }
+
+    /// The step from a start that [`begin`](Self::begin) or [`resume`](Self::resume) has met.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    fn make(
         &mut self,
         past: &MotionIn<D, L>,
         loads: &L,
@@ -177,6 +213,13 @@ pub trait Stepper<D: Dynamics<L>, L> {
     /// # Ok::<(), catena::Error>(())
     /// ```
     fn memory(&self) -> Self::Memory;
+
+    /// Whether a memory is one that this stepper can go on from at a motion: one that was read as data may be of a scene with vectors of
+    /// other lengths, or of none. [`Simulation::resume`](crate::simulate::Simulation::resume) refuses others.
+    fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
+        let _ = (memory, motion);
+        true
+    }
 
     /// Goes on from what another one carried.
     fn restore(&mut self, memory: &Self::Memory);

@@ -179,15 +179,18 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
 impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
     const SETTLED: bool = false;
 
-    fn step(
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+        check::<D, L>(&self.still, past, next, dt)?;
+        self.scene.admits(loads)
+    }
+
+    fn make(
         &mut self,
         past: &MotionIn<D, L>,
         loads: &L,
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        check::<D, L>(&self.still, past, next, dt)?;
-        self.scene.admits(loads)?;
         self.leap(past, loads, dt, next);
         let (position, rate) = &mut self.estimate;
         gather(position, &self.zero, dt * dt, &ERROR.position, &self.slopes);
@@ -196,16 +199,6 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
             Err(Error { fault: Fault::NonFiniteMotion, .. }) => Err(self.diagnose(past, loads, dt)),
             outcome => outcome,
         }
-    }
-
-    fn advance(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        self.step(past, loads, dt, next)
     }
 
     fn error(
@@ -245,6 +238,10 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
 
     fn memory(&self) -> D::Gains {
         self.scene.gains(&self.stiff).clone()
+    }
+
+    fn remembers(&self, memory: &D::Gains, _: &MotionIn<D, L>) -> bool {
+        self.scene.gains_fit(memory)
     }
 
     fn restore(&mut self, memory: &D::Gains) {

@@ -15,6 +15,11 @@ use crate::time::vcabm::{Coefficients, TERMS, Vcabm};
 use num_traits::{One, Zero};
 pub use past::VcabmMemory;
 
+/// What share of what free bodies would yield closures must keep at the end of a step. Where they keep less they depend on each other
+/// nearby, and accelerations are lost in rounding, which differences multiply: another method leads over that place, whose steps are longer
+/// and which remembers none of them.
+const NEAR: f64 = 0.1;
+
 /// Steps by [`Vcabm`].
 pub struct VcabmStepper<D: Dynamics<L>, L> {
     most: usize,
@@ -59,61 +64,6 @@ impl<D: Dynamics<L>, L> Method<D, L> for Vcabm {
 }
 
 impl<D: Dynamics<L>, L> VcabmStepper<D, L> {
-    /// The step from the accelerations in the first row of [`start`](Self::start).
-    fn make(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        let Self { memory, start, zero, room: [room, _], .. } = self;
-        memory.recall(past, &start.slopes.as_ref()[0], room, zero);
-        let size = memory.size(dt.as_f64());
-        if size == 0.0 {
-            memory.forget();
-            self.own = false;
-            return self.start.make(past, loads, dt, next);
-        }
-        if memory.bridged() {
-            self.own = false;
-            start.begin(past, loads, next)?; // the accelerations that the predictor led to are not good enough there
-            start.make(past, loads, dt, next)?;
-            memory.write_bridge(next, zero);
-            return Ok(());
-        }
-        let usable = memory.usable(size);
-        let order = if self.controlled { memory.order.min(usable) } else { self.most };
-        self.own = order <= usable;
-        self.order = order.min(usable);
-        let count = usable.min(self.order + 1);
-        memory.spread(count, past, room);
-        self.coefficients.update(size, &memory.sizes, count);
-        let made = if self.own { self.leap(past, loads, dt, next) } else { self.start.make(past, loads, dt, next) };
-        made?;
-        let Self { memory, surprise, evaluated, room: [room, other], .. } = self;
-        // By how much accelerations are not those predicted, in coordinates of the step.
-        let found = if D::Position::CURVED {
-            room.set(&next.acceleration);
-            next.position.inverse_retract_acceleration(&past.position, &next.rate, room);
-            &*room
-        } else {
-            &next.acceleration
-        };
-        let one = TimeIn::<D, L>::one();
-        if self.own && self.controlled {
-            memory.change.set(surprise);
-        } else if self.own {
-            memory.change.mix_2(surprise, (one, found), (-one, evaluated));
-        } else if !D::Position::CURVED {
-            let weights = self.coefficients.scale.map(|scale| -scale);
-            gather(other, found, one, &weights[..self.order], &memory.differences);
-            memory.change.set(other);
-        }
-        memory.write(next, size, self.order, &self.coefficients.scale, &self.zero);
-        Ok(())
-    }
-
     /// Predicts, evaluates, corrects; and evaluates once more in steps of a given size.
     fn leap(
         &mut self,
@@ -198,28 +148,70 @@ impl<D: Dynamics<L>, L> VcabmStepper<D, L> {
 impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
     const SETTLED: bool = false;
 
-    fn step(
-        &mut self,
-        past: &MotionIn<D, L>,
-        loads: &L,
-        dt: TimeIn<D, L>,
-        next: &mut MotionIn<D, L>,
-    ) -> Result<(), Error> {
-        self.start.scene.admits(loads)?;
-        self.start.begin(past, loads, next)?;
-        self.make(past, loads, dt, next)
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+        self.start.admit(past, loads, dt, next)
     }
 
-    fn advance(
+    fn begin(&mut self, past: &MotionIn<D, L>, loads: &L) {
+        self.start.begin(past, loads);
+    }
+
+    fn resume(&mut self, past: &MotionIn<D, L>) {
+        self.start.resume(past);
+    }
+
+    fn make(
         &mut self,
         past: &MotionIn<D, L>,
         loads: &L,
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        self.start.scene.admits(loads)?;
-        self.start.resume(past, next)?;
-        self.make(past, loads, dt, next)
+        let Self { memory, start, zero, room: [room, _], .. } = self;
+        memory.recall(past, &start.slopes.as_ref()[0], room, zero);
+        let size = memory.size(dt.as_f64());
+        if size == 0.0 {
+            memory.forget();
+            self.own = false;
+            return self.start.make(past, loads, dt, next);
+        }
+        if memory.bridged() {
+            self.own = false;
+            start.begin(past, loads); // the accelerations that the predictor led to are not good enough there
+            start.make(past, loads, dt, next)?;
+            memory.write_bridge(next, zero);
+            return Ok(());
+        }
+        let usable = memory.usable(size);
+        let order = if self.controlled { memory.order.min(usable) } else { self.most };
+        self.own = order <= usable;
+        self.order = order.min(usable);
+        let count = usable.min(self.order + 1);
+        memory.spread(count, past, room);
+        self.coefficients.update(size, &memory.sizes, count);
+        let made = if self.own { self.leap(past, loads, dt, next) } else { self.start.make(past, loads, dt, next) };
+        made?;
+        let Self { memory, surprise, evaluated, room: [room, other], .. } = self;
+        // By how much accelerations are not those predicted, in coordinates of the step.
+        let found = if D::Position::CURVED {
+            room.set(&next.acceleration);
+            next.position.inverse_retract_acceleration(&past.position, &next.rate, room);
+            &*room
+        } else {
+            &next.acceleration
+        };
+        let one = TimeIn::<D, L>::one();
+        if self.own && self.controlled {
+            memory.change.set(surprise);
+        } else if self.own {
+            memory.change.mix_2(surprise, (one, found), (-one, evaluated));
+        } else if !D::Position::CURVED {
+            let weights = self.coefficients.scale.map(|scale| -scale);
+            gather(other, found, one, &weights[..self.order], &memory.differences);
+            memory.change.set(other);
+        }
+        memory.write(next, size, self.order, &self.coefficients.scale, &self.zero);
+        Ok(())
     }
 
     fn propose(&mut self, past: &MotionIn<D, L>, _: &L, _: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
@@ -234,6 +226,9 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
         next: &MotionIn<D, L>,
         tolerance: TimeIn<D, L>,
     ) -> Option<TimeIn<D, L>> {
+        if D::CLOSED && !self.start.firm(next, NEAR) {
+            self.memory.lead_over();
+        }
         if !self.own {
             // A step of order 1 that errs as much as one of order 8.
             self.memory.want(dt * tolerance.powf(TimeIn::<D, L>::of(1.0 / 2.0 - 1.0 / 9.0)));
@@ -310,6 +305,10 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
 
     fn memory(&self) -> Self::Memory {
         self.memory.clone()
+    }
+
+    fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
+        memory.sound(motion)
     }
 
     fn restore(&mut self, memory: &Self::Memory) {

@@ -1,98 +1,98 @@
 //! Taylor series of a scene's motion.
 
 use super::{Dynamics, Elements, PositionOf, RateOf, Runs, System};
-use crate::element::{Element, Posture, RealOf};
-use crate::ends::Root;
-use crate::relation::{Acceleration, AccelerationOf, Wrench};
+use crate::element::{Element, RealOf};
+use crate::ends::{Resting, Root, Unheld};
+use crate::relation::{Acceleration, AccelerationOf, Part, Wrench};
 use crate::scalar::Scalar;
-use crate::series::{AtRest, Expand, ExpandLoads, Expandable, Instant, Order, Origin, Unheld};
-use crate::shape::{PerAxes, Shape};
+use crate::series::{Expand, ExpandLoads, Expandable, Order};
+use crate::shape::{PerAxes, PerJoint, Shape, Takes};
+use crate::walks::series::{Articulate, Begin, Push, Recite, Swing};
 use crate::walks::size::sizes;
+use core::marker::PhantomData;
 
 /// What a stepper by Taylor series of order `N` needs of a scene besides.
 pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
+    /// Whether there are loads, which may be others in the next step.
+    const LOADED: bool;
+
     /// Room for a series.
     type Series;
 
     /// Room for a series.
     fn series(&self) -> Self::Series;
 
-    /// Begins a series where a motion is, and finds the accelerations there.
+    /// Begins a series where a motion is, and finds the accelerations there, its coefficients of order 0.
     fn begin(
         &self,
         time: <Self::Scalar as Scalar>::Real,
         position: &Self::Position,
         rate: &Self::Rate,
+        loads: &L,
         series: &mut Self::Series,
         acceleration: &mut Self::Rate,
     );
 
-    /// Finds the other coefficients; `scratch` is overwritten.
-    fn expand(&self, series: &mut Self::Series, scratch: &mut Self::Rate);
-
-    /// Positions and rates of the series expanded last after a time, from where it began (position, rate, acceleration).
-    fn sum(
-        &self,
-        series: &Self::Series,
-        at: Instant<'_, <Self::Scalar as Scalar>::Real>,
-        origin: (&Self::Position, &Self::Rate, &Self::Rate),
-        position: &mut Self::Position,
-        rate: &mut Self::Rate,
-    );
-
-    /// Shows the coefficients of each rate, root to tip, from that of the second power of time on.
-    fn coefficients(&self, series: &Self::Series, each: &mut impl FnMut(&[Self::Scalar]));
+    /// Finds coefficients of the accelerations from order 1 on, one order after the other.
+    fn expand(&self, series: &mut Self::Series, accelerations: &mut [Self::Rate]);
 }
 
 /// Room for the series of a scene.
 #[derive(Clone)]
-pub struct SeriesRoom<S: Expandable, E: Expand<S, N>, const N: usize> {
+pub struct SeriesRoom<S: Expandable, E: Shape<S>, Q: Part, const N: usize> {
     sizes: E::Store<PerAxes<S::Size>>,
     x: E::Store<PerAxes<S::X>>,
     y: E::Store<PerAxes<S::Y>>,
     p: E::Store<PerAxes<S::P>>,
     q: E::Store<PerAxes<S::Q>>,
-    room: E::Room,
+    axes: E::Store<PerAxes<S::AxesSeries<N>>>,
+    joints: E::Store<PerJoint<S::JointSeries>>,
+    efforts: E::Store<PerJoint<[Q; N]>>,
 }
 
 impl<S: Expandable, R: Root<S>, C: Element<S>, P> System<S, R, C, P> {
     /// The walks of one order, for a ground that accelerates like this: one copy for all.
     #[inline(never)]
-    fn coefficients_of<const N: usize>(
+    fn coefficients_of<Q: Part, const N: usize>(
         &self,
-        order: &Order<RealOf<S>>,
+        k: usize,
         ground: AccelerationOf<S>,
-        room: &mut <Elements<S, R, C> as Expand<S, N>>::Room,
-        acceleration: &mut RateOf<S, R, C>,
+        series: &mut SeriesRoom<S, Elements<S, R, C>, Q, N>,
+        accelerations: &mut RateOf<S, R, C>,
     ) where
-        Elements<S, R, C>: Expand<S, N>,
+        Elements<S, R, C>: Expand<S, Q, N>,
     {
-        self.chain.push(order, Wrench::none(), room);
-        self.chain.swing(order, ground, room, acceleration);
+        let (order, SeriesRoom { axes, joints, efforts, .. }) = (Order::of(k), series);
+        self.chain.take(&mut Push::<S, Q, N>(order, PhantomData), Wrench::none(), ((axes, joints), efforts));
+        self.chain.take(&mut Swing::<S, N>(order), ground, ((axes, joints), accelerations));
     }
 }
 
 impl<S, R, C, P, L, const N: usize> SeriesDynamics<L, N> for System<S, R, C, P>
 where
     S: Expandable,
-    R: AtRest<S>,
+    R: Resting<S>,
     C: Element<S>,
     P: Unheld<S>,
     L: ExpandLoads<S>,
-    Elements<S, R, C>: Expand<S, N>,
+    Elements<S, R, C>: Expand<S, L::InJoint, N>,
     Self: Runs<L, S, R, C, P>,
 {
-    type Series = SeriesRoom<S, Elements<S, R, C>, N>;
+    const LOADED: bool = L::ON;
+
+    type Series = SeriesRoom<S, Elements<S, R, C>, L::InJoint, N>;
 
     fn series(&self) -> Self::Series {
-        let (chain, (x, y, p, q)) = (&self.chain, S::blank());
+        let (chain, (x, y, p, q), (axes, joints)) = (&self.chain, S::blank(), S::untouched::<N>());
         SeriesRoom {
             sizes: sizes(chain),
             x: chain.store::<PerAxes<_>>(x),
             y: chain.store::<PerAxes<_>>(y),
             p: chain.store::<PerAxes<_>>(p),
             q: chain.store::<PerAxes<_>>(q),
-            room: chain.room(),
+            axes: chain.store::<PerAxes<_>>(axes),
+            joints: chain.store::<PerJoint<_>>(joints),
+            efforts: chain.store::<PerJoint<_>>([L::nothing().1; N]),
         }
     }
 
@@ -102,43 +102,32 @@ where
         time: RealOf<S>,
         position: &PositionOf<S, R, C>,
         rate: &RateOf<S, R, C>,
+        loads: &L,
         series: &mut Self::Series,
         acceleration: &mut RateOf<S, R, C>,
     ) {
         let ground = Root::ground(&self.root, time);
-        let SeriesRoom { sizes, x, y, p, q, room } = series;
-        self.chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
-        self.chain.begin(Posture { x, y, p, q }, position, rate, ground.turn, room);
-        self.chain.factor(S::nothing(), room);
-        self.coefficients_of(&Order::of(0), ground.falling(self.gravity), room, acceleration);
-    }
-
-    #[inline(never)]
-    fn expand(&self, series: &mut Self::Series, scratch: &mut RateOf<S, R, C>) {
-        for k in 1..N {
-            self.coefficients_of(&Order::of(k), Acceleration::zero(), &mut series.room, scratch);
+        let SeriesRoom { sizes, x, y, p, q, axes, joints, efforts } = series;
+        if L::ON {
+            self.chain.outward(&mut Recite::<S, L, N> { loads, time, joint: 0 }, (), (efforts,));
         }
+        self.chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
+        self.chain.take(&mut Begin::<N>, ground.turn, (x, y, (position, rate), (axes, joints)));
+        self.chain.take(&mut Articulate::<N>, S::nothing(), (axes, joints));
+        self.coefficients_of(0, ground.falling(self.gravity), series, acceleration);
     }
 
     #[inline(never)]
-    fn sum(
-        &self,
-        series: &Self::Series,
-        at: Instant<'_, RealOf<S>>,
-        (from, v, acceleration): (&PositionOf<S, R, C>, &RateOf<S, R, C>, &RateOf<S, R, C>),
-        position: &mut PositionOf<S, R, C>,
-        rate: &mut RateOf<S, R, C>,
-    ) {
-        let origin = Origin { position: from, rate: v, acceleration };
-        Elements::<S, R, C>::sum(&series.room, at, origin, position, rate);
-    }
-
-    fn coefficients(&self, series: &Self::Series, each: &mut impl FnMut(&[S::Scalar])) {
-        Elements::<S, R, C>::show(&series.room, each);
+    fn expand(&self, series: &mut Self::Series, accelerations: &mut [RateOf<S, R, C>]) {
+        for (k, acceleration) in accelerations.iter_mut().enumerate() {
+            self.coefficients_of(k + 1, Acceleration::zero(), series, acceleration);
+        }
     }
 }
 
 impl<D: SeriesDynamics<L, N>, L, const N: usize> SeriesDynamics<L, N> for &D {
+    const LOADED: bool = D::LOADED;
+
     type Series = D::Series;
 
     fn series(&self) -> Self::Series {
@@ -149,25 +138,13 @@ impl<D: SeriesDynamics<L, N>, L, const N: usize> SeriesDynamics<L, N> for &D {
         time: <Self::Scalar as Scalar>::Real,
         position: &Self::Position,
         rate: &Self::Rate,
+        loads: &L,
         series: &mut Self::Series,
         acceleration: &mut Self::Rate,
     ) {
-        D::begin(self, time, position, rate, series, acceleration);
+        D::begin(self, time, position, rate, loads, series, acceleration);
     }
-    fn expand(&self, series: &mut Self::Series, scratch: &mut Self::Rate) {
-        D::expand(self, series, scratch);
-    }
-    fn sum(
-        &self,
-        series: &Self::Series,
-        at: Instant<'_, <Self::Scalar as Scalar>::Real>,
-        origin: (&Self::Position, &Self::Rate, &Self::Rate),
-        position: &mut Self::Position,
-        rate: &mut Self::Rate,
-    ) {
-        D::sum(self, series, at, origin, position, rate);
-    }
-    fn coefficients(&self, series: &Self::Series, each: &mut impl FnMut(&[Self::Scalar])) {
-        D::coefficients(self, series, each);
+    fn expand(&self, series: &mut Self::Series, accelerations: &mut [Self::Rate]) {
+        D::expand(self, series, accelerations);
     }
 }

@@ -35,9 +35,10 @@ pub(crate) const TERMS: usize = MOST + 2;
 /// Steps of a given size (one that a program chooses, or `step`) take two sweeps and have the highest order allowed, with a corrector of
 /// one more; while too little is remembered they are `Dop853`'s. Vibration limits them: the higher the order, the shorter they must be.
 ///
-/// It remembers motions as long as they are handed back as they were, and begins anew where loads have jumped. Over places where closures
-/// become dependent of each other `Dop853` makes a few steps in its stead; with tolerances of 1e-12 and less most of such runs end there
-/// with an error.
+/// It remembers motions as long as they are handed back as they were, and begins anew where loads have jumped. Near places where closures
+/// become dependent of each other `Dop853` makes the steps in its stead. Ladders of windows that fold up three times in two seconds, of 240
+/// starts: none ends in an error at 1e-6 to 1e-13 (by `Dop853` none, either; at 1e-14 some do by both), with 0.94, 0.77, 0.59 of its sweeps
+/// at 1e-6, 1e-9, 1e-12 in the mean, and at most 2.1, 1.0, 0.8.
 ///
 /// ```
 /// use catena::planar::*;
@@ -51,8 +52,31 @@ pub(crate) const TERMS: usize = MOST + 2;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(from = "UpTo", into = "UpTo"))]
 pub struct Vcabm {
     most: usize,
+}
+
+/// The method as it is written.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+struct UpTo {
+    order: usize,
+}
+
+#[cfg(feature = "serde")]
+impl From<UpTo> for Vcabm {
+    fn from(UpTo { order }: UpTo) -> Self {
+        Self::new().up_to(order)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<Vcabm> for UpTo {
+    fn from(method: Vcabm) -> Self {
+        Self { order: method.most }
+    }
 }
 
 impl Default for Vcabm {

@@ -8,7 +8,7 @@
 //!   ([`respond`], [`restore`], [`recover`]).
 //!
 //! Walks that ask of bodies and joints more than all of them have to say are [selective](crate::shape::Selective): [`orient`], [`factor`], [`reach`],
-//! [`meet`], [`stir`] and [`pull_back`], with [`burden`] and [`pull_loads`] under loads, the [costate sweep](crate::adjoint). A chain with an element that does not know them does not compile.
+//! [`meet`], [`stir`] and [`pull_back`], with [`burden`] and [`pull_loads`] under loads, the [costate sweep](crate::adjoint); those of [`series`], the [Taylor series](crate::series). A chain with an element that does not know them does not compile.
 //!
 //! Not yet walks: the condensation, whose arguments could be a bundle once it is known why chains in space would then cost more on
 //! targets without wide registers; poses; lumping of point masses, which changes elements; and the walks of derivatives
@@ -38,10 +38,12 @@ pub mod reach;
 pub mod recover;
 pub mod respond;
 pub mod restore;
+pub mod series;
 pub mod sines;
 pub mod size;
 pub mod spread;
 pub mod steer;
 pub mod stir;
+pub mod swept;
 pub mod travel;
 pub mod unspread;

@@ -1,6 +1,6 @@
 //! The costate sweep does not know roots that move: parameters in their motion would be lost.
-//@ no gradient of a run goes backward through the root `Pinned<
-//@ not a root that the costate sweep knows
+//@ is not known to stand on ground that rests
+//@ a ground that may move
 
 use catena::planar::*;
 

@@ -1,6 +1,6 @@
 //! The costate sweep does not know hinges with linear springs: the element is named, wherever it stands in the chain.
-//@ no gradient of a run goes backward through `ElasticHinge<
-//@ not known to the costate sweep
+//@ no gradient of a run goes backward through it
+//@ not known to this walk
 
 use catena::planar::*;
 

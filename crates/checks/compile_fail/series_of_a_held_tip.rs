@@ -1,6 +1,6 @@
 //! No Taylor series of a tip that is held is known.
-//@ knows no series of the forces of `Pinned<
-//@ a tip that is held
+//@ is held
+//@ not a free tip
 
 use catena::planar::*;
 

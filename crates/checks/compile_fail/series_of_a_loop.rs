@@ -1,5 +1,5 @@
 //! No Taylor series of a loop is known.
-//@ knows no series of the motion of `Network<
+//@ takes no walk
 
 use catena::planar::*;
 

@@ -1,5 +1,5 @@
 //! No Taylor series of a ground that is a function of time is known.
-//@ knows no series of the ground of `Pinned<Moving<
+//@ is not known to stand on ground that rests
 //@ a ground that may move
 
 use catena::planar::*;

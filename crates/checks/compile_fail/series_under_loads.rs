@@ -1,6 +1,6 @@
-//! No Taylor series of loads is known.
+//! No Taylor series of loads that see a motion is known.
 //@ `Taylor<12>` makes no steps of
-//@ under gravity alone
+//@ values or functions of time
 
 use catena::planar::*;
 

@@ -1,10 +1,10 @@
 //! What acts on planar scenes besides gravity.
 
 use super::{BodyMotion, Frame, JointMotion, Planar};
-use crate::loading::Seen;
+use crate::loading::{LoadLaw, OverTime, Seen, SeriesLaw, TimeLaw};
 use crate::relation;
 use crate::relation::planar::algebra::cross;
-use crate::scalar::Scalar;
+use crate::scalar::{Powers, Scalar};
 use crate::struts::Points;
 use nalgebra::Vector2;
 
@@ -56,5 +56,18 @@ impl<T: Scalar> Points<2> for Planar<T> {
     }
     fn pull(body: &BodyMotion<T>, at: [T; 2], force: Vector2<T>) -> Wrench<T> {
         body.force_at(at, force.into())
+    }
+}
+
+impl<T: Scalar, F: TimeLaw<T::Real>> LoadLaw<JointMotion<T>> for OverTime<F> {
+    type Value = T;
+    fn at(&self, time: T::Real, joint: usize, _: &JointMotion<T>) -> T {
+        self.0.at(T::constant(time), joint)
+    }
+}
+
+impl<T: Scalar, F: TimeLaw<T::Real>> SeriesLaw<JointMotion<T>> for OverTime<F> {
+    fn series<const N: usize>(&self, time: T::Real, joint: usize) -> [T; N] {
+        self.0.at(Powers::<T, N>::variable(T::constant(time)), joint).0
     }
 }

@@ -6,7 +6,10 @@ mod free;
 mod guided;
 mod pinned;
 
+use super::Planar;
 pub use crate::ends::{Ground, Moving};
+use crate::ends::{Resting, Unheld};
+use crate::scalar::Scalar;
 pub use clamped::{Attitude, Clamped, Turning};
 pub(super) use compliance::Compliance;
 pub use free::{Floating, Free};
@@ -15,3 +18,7 @@ pub use pinned::Pinned;
 
 /// Motion of a point of the ground.
 pub type GroundMotion<T> = crate::ends::GroundMotion<T, 2>;
+
+impl<T: Scalar> Resting<Planar<T>> for Pinned<[T; 2]> {}
+impl<T: Scalar> Resting<Planar<T>> for Clamped<[T; 2], T> {}
+impl<T: Scalar> Unheld<Planar<T>> for Free {}

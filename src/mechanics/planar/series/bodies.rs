@@ -11,34 +11,34 @@
 //! so two convolutions give X and two the moment, whatever the body. Of a rod z is its arm, so that o is one and Y is F.
 
 use super::Articulated;
-use crate::element::Posture;
 use crate::mechanics::planar::body::Base;
 use crate::mechanics::planar::{Acceleration, Body, Internal, Planar, PointMass, RigidBody, Rod, Turn};
-use crate::relation::Symmetric;
 use crate::relation::planar::algebra::{Symmetric2, add_scaled, normal, plus_dot};
+use crate::relation::{Part, Symmetric};
 use crate::scalar::Scalar;
-use crate::series::{Expand, Instant, Order, Origin};
+use crate::shape::{Of, Takes};
+use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector2;
 
-/// What a body keeps.
+/// What a body keeps of its axes; a joint that slides has two.
 #[derive(Clone, Copy, Debug)]
-pub struct BodySeries<T, const N: usize> {
+pub struct AxesSeries<T, const N: usize> {
     /// z₀, and i o z₀.
-    axes: Vector2<T>,
-    lever: Vector2<T>,
+    pub(super) axes: Vector2<T>,
+    pub(super) lever: Vector2<T>,
     /// What p does to f (columns of x and y), to ō F and to the moment.
-    force: [Vector2<T>; 2],
-    inner: Symmetric2<T>,
-    moment: Vector2<T>,
+    pub(super) force: [Vector2<T>; 2],
+    pub(super) inner: Symmetric2<T>,
+    pub(super) moment: Vector2<T>,
     /// What α does to Y, as (y, −x).
-    swing: [T; 2],
+    pub(super) swing: [T; 2],
     /// Of the present order: p, and what is known of Y.
-    curl: Vector2<T>,
-    known: Vector2<T>,
+    pub(super) curl: Vector2<T>,
+    pub(super) known: Vector2<T>,
     /// What is convolved, four products in four lanes: z_j twice from j = 1 on;
-    turned: [[T; 4]; N],
+    pub(super) turned: [[T; 4]; N],
     /// ω_j twice, and Y of the order before as (y, −x).
-    turning: [[T; 4]; N],
+    pub(super) turning: [[T; 4]; N],
 }
 
 /// The number with the parts `by` times `v`.
@@ -54,8 +54,8 @@ fn back<T: Scalar>([x, y]: [T; 2], v: Vector2<T>) -> Vector2<T> {
     times([x, -y], v)
 }
 
-impl<T: Scalar, const N: usize> BodySeries<T, N> {
-    fn new() -> Self {
+impl<T: Scalar, const N: usize> AxesSeries<T, N> {
+    pub(super) fn new() -> Self {
         let (none, zero) = ([[T::zero(); 4]; N], Vector2::new(T::zero(), T::zero()));
         Self {
             axes: zero,
@@ -74,7 +74,7 @@ impl<T: Scalar, const N: usize> BodySeries<T, N> {
     /// Products of all coefficients whose numbers add up to `k`. Those of the newest come last: others need not wait for them. The rest
     /// goes two at a time.
     #[inline(always)]
-    fn convolved(&self, k: usize) -> [T; 4] {
+    pub(super) fn convolved(&self, k: usize) -> [T; 4] {
         let (Some((first, turned)), Some((last, turning))) =
             (self.turned[..=k].split_first(), self.turning[..=k].split_first())
         else {
@@ -84,15 +84,15 @@ impl<T: Scalar, const N: usize> BodySeries<T, N> {
             return core::array::from_fn(|i| first[i] * last[i]);
         };
         let ((few, turned), (turning, others)) = (turned.as_rchunks::<2>(), turning.as_chunks::<2>());
-        let mut sums = [[T::zero(); 4]; 2];
+        let (mut even, mut odd) = ([T::zero(); 4], [T::zero(); 4]);
         if let ([a], [b]) = (few, others) {
-            sums[0] = core::array::from_fn(|i| a[i] * b[i]);
+            even = core::array::from_fn(|i| a[i] * b[i]);
         }
         for ([a, b], [c, d]) in turned.iter().zip(turning.iter().rev()) {
-            sums[0] = core::array::from_fn(|i| a[i].mul_add(d[i], sums[0][i]));
-            sums[1] = core::array::from_fn(|i| b[i].mul_add(c[i], sums[1][i]));
+            even = core::array::from_fn(|i| a[i].mul_add(d[i], even[i]));
+            odd = core::array::from_fn(|i| b[i].mul_add(c[i], odd[i]));
         }
-        let sum: [T; 4] = core::array::from_fn(|i| first[i].mul_add(recent[i], sums[0][i] + sums[1][i]));
+        let sum: [T; 4] = core::array::from_fn(|i| first[i].mul_add(recent[i], even[i] + odd[i]));
         core::array::from_fn(|i| newest[i].mul_add(last[i], sum[i]))
     }
 }
@@ -109,22 +109,15 @@ fn base<T: Scalar, B: Body<T>>(body: &B) -> Base<T> {
 
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
-        impl<T: Scalar, const N: usize> Expand<Planar<T>, N> for $Body<T> {
-            type Room = BodySeries<T, N>;
-
-            fn room(&self) -> Self::Room {
-                BodySeries::new()
-            }
+        impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for $Body<T> {
             #[inline(always)]
-            fn begin(
+            fn take(
                 &self,
-                posture: Posture<'_, Planar<T>, Self>,
-                (): &(),
-                (): &(),
+                _: &mut Begin<N>,
                 turn: Turn<T>,
-                room: &mut Self::Room,
+                (x, y, _, (room, ())): Of<'_, Planar<T>, Begin<N>, Self>,
             ) -> Turn<T> {
-                let (axes, spin) = (Vector2::new(*posture.x, *posture.y), turn.rate);
+                let (axes, spin) = (Vector2::new(*x, *y), turn.rate);
                 room.axes = axes;
                 room.lever = if Self::MOMENT { normal(times(base(self).outboard, axes)) } else { normal(axes) };
                 let [x, y]: [T; 2] = (normal(axes) * spin).into();
@@ -132,8 +125,15 @@ macro_rules! bodies {
                 room.turning[0] = [spin, spin, T::zero(), T::zero()];
                 turn
             }
+        }
+        impl<T: Scalar, const N: usize> Takes<Planar<T>, Articulate<N>> for $Body<T> {
             #[inline(always)]
-            fn factor(&self, outer: Articulated<T>, room: &mut Self::Room) -> Articulated<T> {
+            fn take(
+                &self,
+                _: &mut Articulate<N>,
+                outer: Articulated<T>,
+                (room, ()): Of<'_, Planar<T>, Articulate<N>, Self>,
+            ) -> Articulated<T> {
                 let Base { outboard, moment, inertia, lumped } = base(self);
                 let Articulated { linear, coupling, angular } = outer;
                 let (linear, lever) = (linear.plus_diagonal(lumped), room.lever);
@@ -155,8 +155,16 @@ macro_rules! bodies {
                 room.swing = [room.moment.y, -room.moment.x];
                 Articulated { linear, coupling, angular }
             }
+        }
+        impl<T: Scalar, Q: Part, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N>> for $Body<T> {
             #[inline(always)]
-            fn push(&self, order: &Order<T::Real>, outer: Internal<T>, room: &mut Self::Room) -> Internal<T> {
+            fn take(
+                &self,
+                walk: &mut Push<Planar<T>, Q, N>,
+                outer: Internal<T>,
+                ((room, ()), ()): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
+            ) -> Internal<T> {
+                let Push(order, _) = walk;
                 let [x, y, m, n] = room.convolved(order.k);
                 let curl = normal(Vector2::new(x.scale(order.next), y.scale(order.next)));
                 let torque = plus_dot(plus_dot(m + n, room.moment, curl) + outer.torque, room.lever, outer.force);
@@ -170,15 +178,16 @@ macro_rules! bodies {
                     Internal { force: room.known, torque }
                 }
             }
+        }
+        impl<T: Scalar, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N>> for $Body<T> {
             #[inline(always)]
-            fn swing(
+            fn take(
                 &self,
-                order: &Order<T::Real>,
+                walk: &mut Swing<Planar<T>, N>,
                 inboard: Acceleration<T>,
-                room: &mut Self::Room,
-                (): &mut (),
+                ((room, ()), ()): Of<'_, Planar<T>, Swing<Planar<T>, N>, Self>,
             ) -> Acceleration<T> {
-                let Acceleration { linear, angular } = inboard;
+                let (Swing(order), Acceleration { linear, angular }) = (walk, inboard);
                 let turned = add_scaled(room.curl, angular, normal(room.axes));
                 let (force, outboard) = if Self::MOMENT {
                     let [along_x, along_y] = room.force;
@@ -200,17 +209,6 @@ macro_rules! bodies {
                 }
                 Acceleration { linear: outboard, angular }
             }
-            #[inline(always)]
-            fn sum(
-                _: &Self::Room,
-                _: Instant<'_, T::Real>,
-                _: Origin<'_, Planar<T>, Self>,
-                (): &mut (),
-                (): &mut (),
-            ) {
-            }
-            #[inline(always)]
-            fn show(_: &Self::Room, _: &mut impl FnMut(&[T])) {}
         }
     )*};
 }

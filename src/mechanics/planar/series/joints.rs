@@ -1,36 +1,49 @@
 //! Taylor series in the plane: what joints do.
 
 use super::Articulated;
-use crate::element::Posture;
 use crate::mechanics::planar::{Acceleration, ElasticHinge, Internal, Joint, Pin, Planar, Turn, Weld};
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
-use crate::relation::{Absent, Coefficient, Symmetric, Term};
+use crate::relation::{Absent, Coefficient, Part, Symmetric, Term};
 use crate::scalar::Scalar;
-use crate::series::{Expand, Instant, Order, Origin};
+use crate::series::Order;
+use crate::shape::{Of, Takes};
 use crate::spring::{Spring, SpringLaw};
+use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector2;
 
-/// What a joint that turns keeps.
+/// What a joint keeps.
 #[derive(Clone, Copy, Debug)]
-pub struct TurnSeries<T, const N: usize> {
-    /// −1 / D, and how its angular acceleration depends on the acceleration of the station.
-    minus_inverse: T,
-    gain: Vector2<T>,
-    /// The angular acceleration of the present order if the station stays where it is.
-    free: T,
-    /// Coefficients of its rate: number k is that of the power k + 1.
-    rates: [T; N],
+pub struct JointSeries<T> {
+    /// −1 / D, and how the acceleration of its coordinate (of its outboard body, where it turns) depends on that of the station.
+    pub(super) minus_inverse: T,
+    pub(super) gain: Vector2<T>,
+    /// How the acceleration along a line depends on the angular one.
+    pub(super) gain_of_turning: T,
+    /// The acceleration of the present order if the station stays where it is.
+    pub(super) free: T,
+    /// Where the coordinate sets out.
+    pub(super) place: T,
+    /// Coefficients of coordinate and rate of the present order, and what spring and damper make of them.
+    now: [T; 2],
+    pub(super) effort: T,
 }
 
-impl<T: Scalar, const N: usize> TurnSeries<T, N> {
-    fn new() -> Self {
+impl<T: Scalar> JointSeries<T> {
+    pub(super) fn new() -> Self {
         let zero = T::zero();
-        Self { minus_inverse: zero, gain: Vector2::new(zero, zero), free: zero, rates: [zero; N] }
+        let gain = Vector2::new(zero, zero);
+        Self { minus_inverse: zero, gain, gain_of_turning: zero, free: zero, place: zero, now: [zero; 2], effort: zero }
+    }
+
+    /// Keeps coordinate and rate, and what spring and damper make of them.
+    #[inline(always)]
+    pub(super) fn start(&mut self, now: [T; 2], law: &impl AffineLaw<T>) {
+        (self.place, self.now, self.effort) = (now[0], now, law.force(now[0], now[1]));
     }
 
     /// Eliminates the rotation.
     #[inline(always)]
-    fn factor(&mut self, Articulated { linear, coupling, angular }: Articulated<T>) -> Articulated<T> {
+    fn loosen(&mut self, Articulated { linear, coupling, angular }: Articulated<T>) -> Articulated<T> {
         self.minus_inverse = -angular.recip();
         self.gain = coupling * self.minus_inverse;
         let zero = T::zero();
@@ -54,110 +67,86 @@ impl<T: Scalar, const N: usize> TurnSeries<T, N> {
         plus_dot(self.free, self.gain, linear)
     }
 
-    /// Keeps the coefficient of the rate that an acceleration of the coordinate makes.
+    /// What spring and damper make of the next order, after an acceleration of the coordinate.
     #[inline(always)]
-    fn keep(&mut self, order: &Order<T::Real>, acceleration: T) -> T {
-        let rate = acceleration.scale(order.once);
-        self.rates[order.k] = rate;
-        rate
-    }
-
-    /// Angle and rate after a time (Horner's rule for both).
-    #[inline(always)]
-    fn sum(&self, at: Instant<'_, T::Real>, [position, rate, acceleration]: [T; 3]) -> [T; 2] {
-        let (mut once, mut twice) = (T::zero(), T::zero());
-        let Instant { time, shares } = at;
-        for (coefficient, share) in self.rates[1..].iter().zip(&shares[2..]).rev() {
-            once = coefficient.add_scaled(time, once);
-            twice = coefficient.scale(*share).add_scaled(time, twice);
-        }
-        once = acceleration.add_scaled(time, once);
-        twice = acceleration.scale(shares[1]).add_scaled(time, twice);
-        [position.add_scaled(time, rate.add_scaled(time, twice)), rate.add_scaled(time, once)]
+    pub(super) fn strain(&mut self, order: &Order<T::Real>, acceleration: T, law: &impl AffineLaw<T>) {
+        let [_, rate] = self.now;
+        self.now = [rate.scale(order.once), acceleration.scale(order.once)];
+        self.effort = law.change(self.now[0], self.now[1]);
     }
 }
 
-impl<T: Scalar, const N: usize> Expand<Planar<T>, N> for Pin {
-    type Room = TurnSeries<T, N>;
-
-    fn room(&self) -> Self::Room {
-        TurnSeries::new()
-    }
+impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for Pin {
     #[inline(always)]
-    fn begin(
+    fn take(
         &self,
-        _: Posture<'_, Planar<T>, Self>,
-        position: &T,
-        rate: &T,
+        _: &mut Begin<N>,
         turn: Turn<T>,
-        _: &mut Self::Room,
+        (_, _, (position, rate), _): Of<'_, Planar<T>, Begin<N>, Self>,
     ) -> Turn<T> {
         Joint::turned(self, position, rate, turn)
     }
+}
+
+impl<T: Scalar, const N: usize> Takes<Planar<T>, Articulate<N>> for Pin {
     #[inline(always)]
-    fn factor(&self, outer: Articulated<T>, room: &mut Self::Room) -> Articulated<T> {
-        room.factor(outer)
-    }
-    #[inline(always)]
-    fn push(&self, _: &Order<T::Real>, outer: Internal<T>, room: &mut Self::Room) -> Internal<T> {
-        Internal { force: room.release(outer.force, outer.torque), torque: T::zero() }
-    }
-    #[inline(always)]
-    fn swing(
+    fn take(
         &self,
-        order: &Order<T::Real>,
-        inboard: Acceleration<T>,
-        room: &mut Self::Room,
-        acceleration: &mut T,
-    ) -> Acceleration<T> {
-        let angular = room.angular(inboard.linear);
-        room.keep(order, angular);
-        *acceleration = angular;
-        Acceleration { angular, ..inboard }
-    }
-    #[inline(always)]
-    fn sum(
-        room: &Self::Room,
-        at: Instant<'_, T::Real>,
-        origin: Origin<'_, Planar<T>, Self>,
-        position: &mut T,
-        rate: &mut T,
-    ) {
-        [*position, *rate] = room.sum(at, [*origin.position, *origin.rate, *origin.acceleration]);
-    }
-    #[inline(always)]
-    fn show(room: &Self::Room, each: &mut impl FnMut(&[T])) {
-        each(&room.rates[1..]);
+        _: &mut Articulate<N>,
+        outer: Articulated<T>,
+        ((), room): Of<'_, Planar<T>, Articulate<N>, Self>,
+    ) -> Articulated<T> {
+        room.loosen(outer)
     }
 }
 
-impl<T: Scalar, const N: usize> Expand<Planar<T>, N> for Weld<T> {
-    type Room = ();
-
-    fn room(&self) {}
+impl<T: Scalar, Q: Term<T>, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N>> for Pin {
     #[inline(always)]
-    fn begin(&self, _: Posture<'_, Planar<T>, Self>, (): &(), (): &(), turn: Turn<T>, (): &mut ()) -> Turn<T> {
+    fn take(
+        &self,
+        Push(order, _): &mut Push<Planar<T>, Q, N>,
+        outer: Internal<T>,
+        (((), room), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
+    ) -> Internal<T> {
+        let effort = efforts[order.k];
+        Internal { force: room.release(outer.force, effort.take_from(outer.torque)), torque: effort.add_to(T::zero()) }
+    }
+}
+
+impl<T: Scalar, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N>> for Pin {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Swing<Planar<T>, N>,
+        inboard: Acceleration<T>,
+        (((), room), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N>, Self>,
+    ) -> Acceleration<T> {
+        *acceleration = room.angular(inboard.linear);
+        Acceleration { angular: *acceleration, ..inboard }
+    }
+}
+
+impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for Weld<T> {
+    #[inline(always)]
+    fn take(&self, _: &mut Begin<N>, turn: Turn<T>, _: Of<'_, Planar<T>, Begin<N>, Self>) -> Turn<T> {
         Joint::turned(self, &(), &(), turn)
     }
-    #[inline(always)]
-    fn factor(&self, outer: Articulated<T>, (): &mut ()) -> Articulated<T> {
-        outer
-    }
-    #[inline(always)]
-    fn push(&self, _: &Order<T::Real>, outer: Internal<T>, (): &mut ()) -> Internal<T> {
-        outer
-    }
-    #[inline(always)]
-    fn swing(&self, _: &Order<T::Real>, inboard: Acceleration<T>, (): &mut (), (): &mut ()) -> Acceleration<T> {
-        inboard
-    }
-    #[inline(always)]
-    fn sum((): &(), _: Instant<'_, T::Real>, _: Origin<'_, Planar<T>, Self>, (): &mut (), (): &mut ()) {}
-    #[inline(always)]
-    fn show((): &(), _: &mut impl FnMut(&[T])) {}
 }
 
-/// A law that is affine in angle and rate: that of its coefficients is the same without what is constant.
+/// Walks that a weld hands on.
+macro_rules! welded {
+    ($([$($Q:ident)?] $Walk:ty: $Carried:ty),*) => {$(
+        impl<T: Scalar, $($Q: Part,)? const N: usize> Takes<Planar<T>, $Walk> for Weld<T> {
+            #[inline(always)]
+            fn take(&self, _: &mut $Walk, carried: $Carried, _: Of<'_, Planar<T>, $Walk, Self>) -> $Carried {
+                carried
+            }
+        }
+    )*};
+}
+welded!([] Articulate<N>: Articulated<T>, [Q] Push<Planar<T>, Q, N>: Internal<T>, [] Swing<Planar<T>, N>: Acceleration<T>);
+
+/// A law that is affine in coordinate and rate: that of its coefficients is the same without what is constant.
 pub trait AffineLaw<T: Scalar>: SpringLaw<T> {
     /// What coefficients of order one and more cause.
     fn change(&self, position: T, rate: T) -> T;
@@ -177,71 +166,57 @@ impl<T: Scalar, K: Coefficient<T>, D: Coefficient<T>, P: Term<T>> AffineLaw<T> f
     }
 }
 
-/// What a hinge keeps.
-#[derive(Clone, Copy, Debug)]
-pub struct HingeSeries<T, const N: usize> {
-    turn: TurnSeries<T, N>,
-    /// Coefficients of its angle and rate of the present order.
-    now: [T; 2],
-    /// The torque that they cause.
-    torque: T,
-}
-
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Expand<Planar<T>, N> for ElasticHinge<L> {
-    type Room = HingeSeries<T, N>;
-
-    fn room(&self) -> Self::Room {
-        HingeSeries { turn: TurnSeries::new(), now: [T::zero(); 2], torque: T::zero() }
-    }
+impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for ElasticHinge<L> {
     #[inline(always)]
-    fn begin(
+    fn take(
         &self,
-        _: Posture<'_, Planar<T>, Self>,
-        position: &T,
-        rate: &T,
+        _: &mut Begin<N>,
         turn: Turn<T>,
-        room: &mut Self::Room,
+        (_, _, (position, rate), ((), room)): Of<'_, Planar<T>, Begin<N>, Self>,
     ) -> Turn<T> {
-        room.now = [*position, *rate];
-        room.torque = self.rotary.force(*position, *rate);
+        room.start([*position, *rate], &self.rotary);
         Joint::turned(self, position, rate, turn)
     }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Articulate<N>> for ElasticHinge<L> {
     #[inline(always)]
-    fn factor(&self, outer: Articulated<T>, room: &mut Self::Room) -> Articulated<T> {
-        room.turn.factor(outer)
-    }
-    #[inline(always)]
-    fn push(&self, _: &Order<T::Real>, outer: Internal<T>, room: &mut Self::Room) -> Internal<T> {
-        let force = room.turn.release(outer.force, outer.torque - room.torque);
-        Internal { force, torque: room.torque }
-    }
-    #[inline(always)]
-    fn swing(
+    fn take(
         &self,
-        order: &Order<T::Real>,
+        _: &mut Articulate<N>,
+        outer: Articulated<T>,
+        ((), room): Of<'_, Planar<T>, Articulate<N>, Self>,
+    ) -> Articulated<T> {
+        room.loosen(outer)
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N>>
+    for ElasticHinge<L>
+{
+    #[inline(always)]
+    fn take(
+        &self,
+        Push(order, _): &mut Push<Planar<T>, Q, N>,
+        outer: Internal<T>,
+        (((), room), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
+    ) -> Internal<T> {
+        let torque = efforts[order.k].add_to(room.effort);
+        Internal { force: room.release(outer.force, outer.torque - torque), torque }
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N>> for ElasticHinge<L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        Swing(order): &mut Swing<Planar<T>, N>,
         inboard: Acceleration<T>,
-        room: &mut Self::Room,
-        acceleration: &mut T,
+        (((), room), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N>, Self>,
     ) -> Acceleration<T> {
-        let angular = room.turn.angular(inboard.linear);
+        let angular = room.angular(inboard.linear);
         *acceleration = angular - inboard.angular;
-        let [_, rate] = room.now;
-        room.now = [rate.scale(order.once), room.turn.keep(order, *acceleration)];
-        room.torque = self.rotary.change(room.now[0], room.now[1]);
+        room.strain(order, *acceleration, &self.rotary);
         Acceleration { angular, ..inboard }
-    }
-    #[inline(always)]
-    fn sum(
-        room: &Self::Room,
-        at: Instant<'_, T::Real>,
-        origin: Origin<'_, Planar<T>, Self>,
-        position: &mut T,
-        rate: &mut T,
-    ) {
-        [*position, *rate] = room.turn.sum(at, [*origin.position, *origin.rate, *origin.acceleration]);
-    }
-    #[inline(always)]
-    fn show(room: &Self::Room, each: &mut impl FnMut(&[T])) {
-        each(&room.turn.rates[1..]);
     }
 }

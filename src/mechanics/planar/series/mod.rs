@@ -1,13 +1,16 @@
-//! Taylor series in the plane: what lies outboard, and ends.
+//! Taylor series in the plane: what lies outboard.
 
 mod bodies;
 mod joints;
+mod slider;
 
-use crate::mechanics::planar::{Clamped, Free, Pinned, Planar};
+use crate::mechanics::planar::Planar;
 use crate::relation::Additive;
 use crate::relation::planar::algebra::Symmetric2;
 use crate::scalar::Scalar;
-use crate::series::{AtRest, Expandable, Unheld};
+use crate::series::Expandable;
+use bodies::AxesSeries;
+use joints::JointSeries;
 use nalgebra::Vector2;
 
 /// Inertia of what lies outboard of a point, as it is felt there: force (f, τ) = S (a, α).
@@ -23,6 +26,8 @@ pub struct Articulated<T> {
 
 impl<T: Scalar> Expandable for Planar<T> {
     type Articulated = Articulated<T>;
+    type AxesSeries<const N: usize> = AxesSeries<T, N>;
+    type JointSeries = JointSeries<T>;
 
     #[inline(always)]
     fn nothing() -> Articulated<T> {
@@ -32,8 +37,8 @@ impl<T: Scalar> Expandable for Planar<T> {
     fn join(a: Articulated<T>, b: Articulated<T>) -> Articulated<T> {
         Articulated { linear: a.linear + b.linear, coupling: a.coupling + b.coupling, angular: a.angular + b.angular }
     }
+    #[inline(always)]
+    fn untouched<const N: usize>() -> (AxesSeries<T, N>, JointSeries<T>) {
+        (AxesSeries::new(), JointSeries::new())
+    }
 }
-
-impl<T: Scalar> AtRest<Planar<T>> for Pinned<[T; 2]> {}
-impl<T: Scalar> AtRest<Planar<T>> for Clamped<[T; 2], T> {}
-impl<T: Scalar> Unheld<Planar<T>> for Free {}

@@ -1,10 +1,9 @@
-//! The costate sweep in space: ends.
+//! The costate sweep in space: tips.
 
-use crate::adjoint::{ReversibleRoot, ReversibleTip};
-use crate::mechanics::spatial::{Clamped, Free, Hinged, Pinned, Rotation, Spatial};
+use crate::adjoint::ReversibleTip;
+use crate::mechanics::spatial::{Free, Spatial};
 use crate::scalar::Scalar;
 
-impl<T: Scalar> ReversibleRoot<Spatial<T>> for Pinned<[T; 3]> {}
-impl<T: Scalar> ReversibleRoot<Spatial<T>> for Clamped<[T; 3], Rotation<T>> {}
-impl<T: Scalar> ReversibleRoot<Spatial<T>> for Hinged<[T; 3], Rotation<T>, T> {}
-impl<T: Scalar> ReversibleTip<Spatial<T>> for Free {}
+impl<T: Scalar> ReversibleTip<Spatial<T>> for Free {
+    fn columns(&self) {}
+}

@@ -7,7 +7,10 @@ mod free;
 mod hinged;
 mod pinned;
 
+use super::{Rotation, Spatial};
 pub use crate::ends::{Ground, Moving};
+use crate::ends::{Resting, Unheld};
+use crate::scalar::Scalar;
 pub use clamped::{Attitude, AttitudeMotion, Clamped, Turning};
 pub(super) use compliance::Compliance;
 pub use floating::Floating;
@@ -17,3 +20,8 @@ pub use pinned::Pinned;
 
 /// Motion of a point of the ground.
 pub type GroundMotion<T> = crate::ends::GroundMotion<T, 3>;
+
+impl<T: Scalar> Resting<Spatial<T>> for Pinned<[T; 3]> {}
+impl<T: Scalar> Resting<Spatial<T>> for Clamped<[T; 3], Rotation<T>> {}
+impl<T: Scalar> Resting<Spatial<T>> for Hinged<[T; 3], Rotation<T>, T> {}
+impl<T: Scalar> Unheld<Spatial<T>> for Free {}

@@ -170,6 +170,9 @@ fn ladders_pass_from_anywhere() -> Result<(), Error> {
     passed!(2, two(Pin), Dop853::tolerance(1e-9), 1e-6, 240);
     passed!(3, three(Pin), Dop853::tolerance(1e-12), ROOT, 240);
     passed!(2, two(Pin), Dopri5::tolerance(1e-9), 1e-6, 40);
+    // So must not what remembers accelerations there.
+    passed!(2, two(Pin), Vcabm::new().tolerance(1e-12), ROOT, 240);
+    passed!(2, two(Pin), Vcabm::new().tolerance(1e-9), 1e-6, 240);
     passed!(2, two(Pin), Sdirk4::new().tolerance(1e-8), 1e-5, 40);
     passed!(2, two(LeastNorm(Pin)), Dop853::tolerance(1e-12), ROOT, 40);
     passed!(2, two(LeastNorm(Pin)), Sdirk4::new().tolerance(1e-8), 1e-5, 40);

@@ -1,0 +1,121 @@
+//! Taylor series in the plane: what a joint that slides does.
+//!
+//! The outboard point is at r = s z from the inboard one, z along the line, ż = i z ω. Of each order r̈ = s̈ z₀ + i r₀ α + κ with
+//! κ = s₀ p + (k + 1) (k + 2) Σ s_j z_{k+2−j} of what is known, j from 1 to k + 1, and p of z as for a body. The force F through the joint
+//! has the part Re(z̄ F) = Q along the line, and the moment Im(r̄ F) about the inboard point. So eight convolutions: two sets of four lanes.
+
+use super::Articulated;
+use super::bodies::AxesSeries;
+use super::joints::AffineLaw;
+use crate::mechanics::planar::{Acceleration, Internal, Planar, Slider, Turn};
+use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
+use crate::relation::{Symmetric, Term};
+use crate::scalar::Scalar;
+use crate::shape::{Of, Takes};
+use crate::walks::series::{Articulate, Begin, Push, Swing};
+use nalgebra::Vector2;
+
+/// Keeps coefficients at a number: z twice beside ω twice and F; s twice and r beside z of the next number and F across.
+#[inline(always)]
+fn keep<T: Scalar, const N: usize>(
+    [line, arm]: &mut [AxesSeries<T, N>; 2],
+    number: usize,
+    (z, spin, force): (Vector2<T>, T, Vector2<T>),
+    (s, r): (T, Vector2<T>),
+) {
+    if number < N {
+        line.turned[number] = [z.x, z.y, z.x, z.y];
+        line.turning[number] = [spin, spin, force.x, force.y];
+        arm.turned[number] = [s, s, r.x, r.y];
+        arm.turning[number] = [z.x, z.y, force.y, -force.x];
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for Slider<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Begin<N>,
+        turn: Turn<T>,
+        (x, y, (position, rate), (axes, room)): Of<'_, Planar<T>, Begin<N>, Self>,
+    ) -> Turn<T> {
+        let (z, r) = (Vector2::new(x[0], y[0]), Vector2::new(x[1], y[1]));
+        (axes[0].axes, axes[0].lever) = (z, normal(r));
+        room.start([*position, *rate], &self.spring);
+        let turned = normal(z) * turn.rate;
+        let moved = add_scaled(normal(r) * turn.rate, *rate, z);
+        keep(axes, 0, (turned, turn.rate, Vector2::new(T::zero(), T::zero())), (*rate, moved));
+        turn
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Articulate<N>> for Slider<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Articulate<N>,
+        Articulated { linear, coupling, angular }: Articulated<T>,
+        ([line, arm], room): Of<'_, Planar<T>, Articulate<N>, Self>,
+    ) -> Articulated<T> {
+        // Before the line yields in one set, after it in the other.
+        let linear = linear.plus_diagonal(self.lumped);
+        (arm.inner, arm.moment) = (linear, coupling);
+        let (along, across) = (linear.apply(line.axes), dot(line.axes, coupling));
+        room.minus_inverse = -dot(line.axes, along).recip();
+        room.gain = along * room.minus_inverse;
+        room.gain_of_turning = across * room.minus_inverse;
+        let linear = linear.plus_outer(along, room.gain);
+        let coupling = add_scaled(coupling, room.gain_of_turning, along);
+        let angular = across.mul_add(room.gain_of_turning, angular);
+        (line.inner, line.moment) = (linear, coupling);
+        let swung = linear.apply_onto(line.lever, coupling);
+        Articulated { linear, coupling: swung, angular: plus_dot(angular, line.lever, coupling + swung) }
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N>> for Slider<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        Push(order, _): &mut Push<Planar<T>, Q, N>,
+        outer: Internal<T>,
+        (([line, arm], room), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
+    ) -> Internal<T> {
+        let [x, y, along, more] = line.convolved(order.k);
+        let curl = normal(Vector2::new(x.scale(order.next), y.scale(order.next)));
+        let [u, v, moment, rest] = arm.convolved(order.k);
+        let factor = T::constant(order.next * (order.next + num_traits::One::one()));
+        let known = add_scaled(curl * room.place, factor, Vector2::new(u, v));
+        (arm.curl, line.curl) = (curl, known);
+        let force = arm.inner.apply_onto(known, outer.force);
+        let torque = plus_dot(outer.torque, arm.moment, known);
+        let missed = dot(line.axes, force) + (along + more) - efforts[order.k].add_to(room.effort);
+        room.free = missed * room.minus_inverse;
+        let force = add_scaled(force, missed, room.gain);
+        line.known = force;
+        let torque = missed.mul_add(room.gain_of_turning, torque + (moment + rest));
+        Internal { force, torque: plus_dot(torque, line.lever, force) }
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N>> for Slider<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        Swing(order): &mut Swing<Planar<T>, N>,
+        Acceleration { linear, angular }: Acceleration<T>,
+        ((axes, room), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N>, Self>,
+    ) -> Acceleration<T> {
+        let [line, arm] = &*axes;
+        let carried = add_scaled(linear, angular, line.lever);
+        *acceleration = plus_dot(room.gain_of_turning.mul_add(angular, room.free), room.gain, carried);
+        let outboard = add_scaled(carried + line.curl, *acceleration, line.axes);
+        let force = line.inner.apply_onto(carried, add_scaled(line.known, angular, line.moment));
+        let turned = add_scaled(arm.curl, angular, normal(line.axes));
+        let half = |v: Vector2<T>| Vector2::new(v.x.scale(order.twice), v.y.scale(order.twice));
+        let (turned, moved, slid) = (half(turned), half(outboard - linear), acceleration.scale(order.twice));
+        keep(axes, order.k + 1, (turned, angular.scale(order.once), force), (slid, moved));
+        room.strain(order, *acceleration, &self.spring);
+        Acceleration { linear: outboard, angular }
+    }
+}
