@@ -23,7 +23,7 @@ pub use crate::spring::{Spring, SpringLaw};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
 pub use crate::sweep::Springs;
-pub use crate::time::{Adams, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4, Taylor, Vcabm};
+pub use crate::time::{Adams, Auto, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4, Taylor, Vcabm};
 
 /// A planar scene.
 pub type System<T, R, C, P> = crate::system::System<Planar<T>, R, C, P>;
