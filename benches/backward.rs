@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench backward` makes runs of 50 steps, plain (`advance`), plain under torques in all joints held over each step, and
 //! forward and backward for the gradient of a number by all initial values, all parameters and the torques of each step. Times are the least
-//! of many, ways taking turns; instructions are counted by valgrind.
+//! of many, ways taking turns; instructions are counted by valgrind. Before them steps with their Jacobians (`-- steps`: these alone).
 
 #[path = "parts/clock.rs"]
 mod clock;
@@ -81,6 +81,23 @@ macro_rules! pins {
     }};
 }
 
+/// Rods on pins in an arch, whose tip is pinned.
+macro_rules! held {
+    ($N:literal) => {{
+        let rod = Rod::uniform(black_box(1.0 / $N as f64), 1.0 / $N as f64);
+        let (x, y) = (0..$N).fold((0.0, 0.0), |(x, y), i| {
+            let angle = arch::<$N>()[i];
+            (x + rod.length() * angle.cos(), y + rod.length() * angle.sin())
+        });
+        System::new(Pinned::origin(), (rod, [(Pin, rod); $N - 1]), Pinned::at(x, y)).unwrap().with_gravity(9.81)
+    }};
+}
+
+/// Angles of an arch.
+fn arch<const N: usize>() -> [f64; N] {
+    core::array::from_fn(|i| 1.0 - 2.0 * (i as f64 + 0.5) / N as f64)
+}
+
 /// Rods on balls.
 macro_rules! balls {
     ($N:literal) => {{
@@ -125,6 +142,8 @@ fn rows() -> Vec<Row> {
         use catena::planar::*;
         row!(rows, "2 rods on pins, RK4", 2, Rk4, 4, 1e-3, pins!(2), [0.0; 2], 1e-3);
         row!(rows, "20 rods on pins, RK4", 20, Rk4, 4, 1e-3, pins!(20), [0.0; 20], 1e-3);
+        row!(rows, "2 + 1 rods, tip pinned, RK4", 3, Rk4, 4, 1e-3, held!(3), arch::<3>(), 1e-3);
+        row!(rows, "20 rods, tip pinned, RK4", 20, Rk4, 4, 1e-3, held!(20), arch::<20>(), 1e-3);
         row!(rows, "20 rods on pins, DOP853", 20, Dop853, 12, 1e-3, pins!(20), [0.0; 20], 1e-3);
     }
     use catena::spatial::*;
@@ -137,6 +156,61 @@ fn rows() -> Vec<Row> {
     row!(rows, "7 bodies on revolutes, RK4", 7, Rk4, 4, 1e-3, arm!(7), angles::<7>(), Effort([1e-5; 3]));
     row!(rows, "7 bodies on revolutes, DOP853", 7, Dop853, 12, 1e-3, arm!(7), angles::<7>(), Effort([1e-5; 3]));
     rows
+}
+
+/// Nanoseconds of a step of RK4 of rods on pins: plain, under torques, with all Jacobians row by row, four and eight rows at a time.
+macro_rules! linearised {
+    ($N:literal) => {{
+        use catena::planar::*;
+        use catena::scalar::Pack;
+        let system = pins!($N);
+        let mut now = system.at_rest(&core::array::from_fn::<_, $N, _>(|i| -1.0 + 0.1 * i as f64)).unwrap();
+        now.set_rates(&[0.3; $N]).unwrap();
+        let now = system.with_accelerations(now, &Unloaded).unwrap();
+        let (four, eight) = (system.clone().lift(Pack::<f64, 4>::of), system.clone().lift(Pack::<f64, 8>::of));
+        let (start_4, start_8) = (now.clone().lift(Pack::<f64, 4>::of), now.clone().lift(Pack::<f64, 8>::of));
+        let (mut next, mut next_4, mut next_8) = (now.clone(), start_4.clone(), start_8.clone());
+        let (mut stepper, mut driven) = (system.stepper(Rk4), system.stepper(Rk4));
+        let (mut rows, mut fours, mut eights) = (system.backward(Rk4), four.backward(Rk4), eight.backward(Rk4));
+        let (mut a, mut b, torques) = (vec![0.0; 4 * $N * $N], vec![0.0; 2 * $N * $N], [1e-3; $N]);
+        let (torques_4, torques_8) = (torques.map(Pack::of), torques.map(Pack::of));
+        let mut least = [f64::INFINITY; 5];
+        for _ in 0..400 {
+            for way in 0..5 {
+                let start = Instant::now();
+                for _ in 0..20 {
+                    match way {
+                        0 => stepper.advance(&now, &Unloaded, 1e-3, &mut next),
+                        1 => driven.advance(&now, &Loads::none().efforts(&torques), 1e-3, &mut next),
+                        2 => rows.linearised_step(&now, 1e-3, &torques, &mut next, &mut a, &mut b),
+                        3 => fours.linearised_step_in_rows(&start_4, 1e-3, &torques_4, &mut next_4, &mut a, &mut b),
+                        _ => eights.linearised_step_in_rows(&start_8, 1e-3, &torques_8, &mut next_8, &mut a, &mut b),
+                    }
+                    .unwrap();
+                    black_box((&next, &a, &b));
+                }
+                least[way] = least[way].min(start.elapsed().as_nanos() as f64 / 20.0);
+            }
+        }
+        println!(
+            "| {} | {:.0} | {:.2} | {:.1} | {:.1} | {:.1} |",
+            $N,
+            least[0],
+            least[1] / least[0],
+            least[2] / least[0],
+            least[3] / least[0],
+            least[4] / least[0]
+        );
+    }};
+}
+
+/// Steps with their Jacobians.
+fn steps() {
+    println!("| rods, RK4 | plain step (ns) | under torques | row by row | four rows | eight rows |");
+    println!("|---|---:|---:|---:|---:|---:|");
+    linearised!(2);
+    linearised!(7);
+    linearised!(20);
 }
 
 /// Angles that differ.
@@ -189,6 +263,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 black_box(case(way));
             });
         }
+        return Ok(());
+    }
+    steps();
+    if arguments.iter().any(|argument| argument == "steps") {
         return Ok(());
     }
     let program = std::env::current_exe()?;

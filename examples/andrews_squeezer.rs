@@ -180,6 +180,7 @@ fn film(readings: &[Reading]) -> Drawn<PathBuf> {
         strokes: &[(ORANGE, 5.0), (BLUE, 5.0), (BLUE, 5.0), (INK, 5.0), (GREEN, 2.0)],
         trace: (0, 2, ORANGE),
         ground: &[(0.0, 0.0), (A[0], A[1]), (B[0], B[1]), (C[0], C[1])],
+        floor: &[],
     };
     film.save("andrews_squeezer_moving", &frames)
 }

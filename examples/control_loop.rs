@@ -136,11 +136,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     let nanoseconds = clock.elapsed().as_nanos() / CYCLES as u128;
 
     println!("A two-link arm follows a circle: {CYCLES} cycles of {} ms, RK4\n", CYCLE * 1e3);
-    println!("  time (s)   target x, y (m)   hand x, y (m)    error (mm)   torques (N·m)");
+    common::heads(&[
+        ("time (s)", 8),
+        ("target x (m)", 12),
+        ("y (m)", 8),
+        ("hand x (m)", 12),
+        ("y (m)", 8),
+        ("error (mm)", 10),
+        ("shoulder (N·m)", 14),
+        ("elbow (N·m)", 11),
+    ]);
     for sample in log.iter().skip(249).step_by(250) {
         let Sample { time, torques: [shoulder, elbow], wanted: [wx, wy], hand: [x, y], .. } = sample;
         let error = sample.error();
-        println!("  {time:8.2}  {wx:8.4} {wy:7.4}  {x:8.4} {y:7.4}  {error:11.3}   {shoulder:8.3} {elbow:7.3}");
+        println!("  {time:8.2}  {wx:12.4}  {wy:8.4}  {x:12.4}  {y:8.4}  {error:10.3}  {shoulder:14.3}  {elbow:11.3}");
     }
     println!("\nA cycle takes {nanoseconds} ns: control, step and readings.");
     println!("Picture: {}", draw(&log)?.display());

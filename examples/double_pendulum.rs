@@ -69,12 +69,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let initial = readings.first().ok_or("the start is always shown")?.energy;
     println!("Double pendulum: two uniform rods (1 m, 1 kg), released at rest at −60°, g = 9.81 m/s²");
     println!("DOP853, tolerance 1e-13: {} steps for 10 s\n", run.steps);
-    println!("  time (s)    θ₁ (rad)    θ₂ (rad)   pivot force x, y (N)   energy error (J)");
+    let heads = [("time (s)", 8), ("θ₁ (rad)", 10), ("θ₂ (rad)", 10), ("force x (N)", 11), ("force y (N)", 11)];
+    common::heads(&[&heads[..], &[("energy error (J)", 16)]].concat());
     for Reading { time, angles, pivot, energy, .. } in readings.iter().step_by(100) {
         let [first, second] = angles;
         let [x, y] = pivot;
         let error = energy - initial;
-        println!("  {time:8.2}  {first:10.6}  {second:10.6}  {x:10.5}  {y:10.5}  {error:16.1e}");
+        println!("  {time:8.2}  {first:10.6}  {second:10.6}  {x:11.5}  {y:11.5}  {error:16.1e}");
     }
 
     // The reference is for t = 2 s, so this run ends there: the last step always lands on the end.
@@ -117,6 +118,7 @@ fn film(frames: &[Frame]) -> Drawn<PathBuf> {
         strokes: &[(BLUE, 7.0)],
         trace: (0, 2, ORANGE),
         ground: &[(0.0, 0.0)],
+        floor: &[],
     };
     film.save("double_pendulum_moving", frames)
 }

@@ -146,8 +146,8 @@ fn draw(pendulum: &Pendulum, exact: &Record, long: &[Record]) -> Drawn<PathBuf> 
         }
 
         // By powers of ten. A step may come to have no error at all by chance.
-        let title = "Energy error, 10 ms (log₁₀ J)";
-        let mut energy = common::chart(&lower, title, "time (s)", 0.0..LONG, -8.0..-3.0)?;
+        let title = "Energy error, 10 ms (J)";
+        let mut energy = common::powers(&lower, title, "time (s)", 0.0..LONG, -8.0..-3.0)?;
         let colours = [BLUE, ORANGE, GREEN];
         common::legend(&lower, &[("gen. α", BLUE), ("trapezoidal", ORANGE), ("SDIRK4", GREEN)])?;
         for (record, colour) in long.iter().zip(colours) {

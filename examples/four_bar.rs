@@ -73,9 +73,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("Four-bar linkage: crank 0.5 m, coupler 1.2 m, rocker 0.9 m, 1 kg/m, ground 1 m, g = 9.81 m/s²\n");
     let [a, b, c] = angles(linkage.angles(&rough)?);
     println!("The guess (π/3, 0.2, 1.3) closes as ({a:.6}, {b:.6}, {c:.6}) rad.\n");
-    println!("  time (s)   angles of crank, coupler, rocker    forces at the ground, at the end (N)");
+    let angles_of = [("time (s)", 8), ("crank (rad)", 11), ("coupler (rad)", 13), ("rocker (rad)", 12)];
+    let forces = [("crank's pin (N)", 15), ("rocker's pin (N)", 16), ("closing pin (N)", 15)];
+    common::heads(&[&angles_of[..], &forces[..]].concat());
     for Reading { time, angles: [a, b, c], forces: [p, q, r], .. } in readings.iter().step_by(100) {
-        println!("  {time:8.2}  {a:10.6} {b:10.6} {c:10.6}   {p:8.4} {q:8.4} {r:8.4}");
+        println!("  {time:8.2}  {a:11.6}  {b:13.6}  {c:12.6}  {p:15.4}  {q:16.4}  {r:15.4}");
     }
 
     let run = linkage.simulate(start, rule, 2.0, |_| ())?;
@@ -127,10 +129,7 @@ fn draw(readings: &[Reading]) -> Drawn<PathBuf> {
         common::legend(&upper, &names)?;
         let all = readings.iter().flat_map(|reading| reading.forces);
         let mut forces = common::chart(&lower, "Forces in pins (N)", "time (s)", 0.0..10.0, common::range(all, 0.08))?;
-        common::legend(
-            &lower,
-            &[("crank at the ground", BLUE), ("rocker at the ground", ORANGE), ("closing pin", GREEN)],
-        )?;
+        common::legend(&lower, &[("of the crank", BLUE), ("of the rocker", ORANGE), ("closing", GREEN)])?;
         for (k, (_, colour)) in names.into_iter().enumerate() {
             common::curve(&mut angles, readings.iter().map(|r| (r.time, r.angles[k])), line(colour, 1.6))?;
             common::curve(&mut forces, readings.iter().map(|r| (r.time, r.forces[k])), line(colour, 1.2))?;
@@ -158,6 +157,7 @@ fn film(readings: &[Reading]) -> Drawn<PathBuf> {
         strokes: &[(BLUE, 7.0), (INK, 7.0), (GREEN, 7.0)],
         trace: (1, 1, ORANGE),
         ground: &[(0.0, 0.0), (1.0, 0.0)],
+        floor: &[],
     };
     film.save("four_bar_moving", &frames)
 }

@@ -53,12 +53,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let initial = readings.first().ok_or("the start is always shown")?.energy;
     println!("Heavy top: 15 kg on an arm of 1 m, 150 rad/s about its axis, released horizontal, g = 9.81 m/s²");
     println!("DOP853, tolerance 1e-12: {} steps for 2 s\n", run.steps);
-    println!("  time (s)   mass centre x, y, z (m)            pivot force x, y, z (N)            energy error (J)");
+    let centre = [("time (s)", 8), ("centre x (m)", 12), ("y (m)", 10), ("z (m)", 10)];
+    let force = [("force x (N)", 11), ("y (N)", 10), ("z (N)", 10), ("energy error (relative)", 23)];
+    common::heads(&[centre, force].concat());
     for Reading { time, centre, pivot, energy } in readings.iter().step_by(100) {
         let [x, y, z]: [f64; 3] = (*centre).into();
         let [u, v, w]: [f64; 3] = (*pivot).into();
-        let error = energy - initial;
-        println!("  {time:8.2}  {x:10.6} {y:10.6} {z:10.6}   {u:10.4} {v:10.4} {w:10.4}   {error:16.1e}");
+        let error = energy / initial - 1.0;
+        println!("  {time:8.2}  {x:12.6}  {y:10.6}  {z:10.6}  {u:11.4}  {v:10.4}  {w:10.4}  {error:23.1e}");
     }
 
     let last = readings.last().ok_or("the end is always shown")?;
@@ -90,10 +92,9 @@ fn draw(readings: &[Reading], initial: f64, steps: usize) -> Drawn<PathBuf> {
         let mut height = common::chart(&upper, "Height (m)", "time (s)", 0.0..2.0, common::range(heights, 0.08))?;
         common::curve(&mut height, readings.iter().map(|now| (now.time, now.centre.z)), line(ORANGE, 1.6))?;
 
-        // Parts of 10⁻⁹ J, of some 5000 J.
-        let points = readings.iter().map(|now| (now.time, (now.energy - initial) * 1e9));
+        let points = readings.iter().map(|now| (now.time, (now.energy / initial - 1.0) * 1e12));
         let range = common::range(points.clone().map(|(_, error)| error), 0.15);
-        let mut error = common::chart(&lower, "Energy error (10⁻⁹ J)", "time (s)", 0.0..2.0, range)?;
+        let mut error = common::chart(&lower, "Energy error (10⁻¹² of the energy)", "time (s)", 0.0..2.0, range)?;
         common::curve(&mut error, points, line(GREEN, 1.4))
     })
 }
@@ -117,6 +118,7 @@ fn film(readings: &[Reading]) -> Drawn<PathBuf> {
         strokes: &[(BLUE, 9.0)],
         trace: (0, 1, ORANGE),
         ground: &[(0.0, 0.0)],
+        floor: &[],
     };
     film.save("heavy_top_moving", &frames)
 }

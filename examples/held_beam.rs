@@ -79,11 +79,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("struck in the middle: {force} N for {} ms, an impulse of {:.1} mN·s\n", duration * 1e3, impulse * 1e3);
     // The blow is short, so waves are short: after some 20 ms numbers depend on how many segments there are.
     println!("SDIRK4, steps of {} ms; forces are of the ground on the strip", step * 1e3);
-    println!("  time (ms)   middle (mm)   left end x, y (N)      right end x, y (N)");
+    let heads = [("time (ms)", 9), ("middle (mm)", 12), ("left x (N)", 10), ("left y (N)", 10)];
+    common::heads(&[&heads[..], &[("right x (N)", 11), ("right y (N)", 11)]].concat());
     for reading in record.readings.iter().step_by(100) {
         let Reading { time, middle, ends: [left, right], .. } = reading;
         print!("  {:9.1}  {:12.6}", time * 1e3, middle * 1e3);
-        println!("  {:10.4}  {:9.4}  {:10.4}  {:9.4}", left[0], left[1], right[0], right[1]);
+        println!("  {:10.4}  {:10.4}  {:11.4}  {:11.4}", left[0], left[1], right[0], right[1]);
     }
 
     let most = |record: &Record| record.readings.iter().fold(0.0, |most: f64, now| most.max(now.middle.abs()));

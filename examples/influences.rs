@@ -29,7 +29,7 @@ const PARAMETERS: [(&str, &str, f64); 8] = [
     ("angle at the start", "rad", -0.3),
 ];
 const END: f64 = 2.0; // (s)
-const EVERY: f64 = 0.02; // (s)
+const EVERY: f64 = 0.004; // (s)
 type Number = Jet<f64, 8>;
 
 /// The scene and where it starts, for numbers of any kind.

@@ -71,9 +71,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
 
     println!("Network: a stem of 0.8 m, from its end arms of 0.6 + 0.5 m and 0.45 + 0.55 m that meet, 1 kg/m\n");
-    println!("  time (s)   angles of stem, main arm, side arm (rad)                      forces (N)");
+    let angles = [("time (s)", 8), ("stem (rad)", 10), ("main 1", 9), ("main 2", 9), ("side 1", 9), ("side 2", 9)];
+    let forces = [("stem (N)", 9), ("main arm (N)", 12), ("side arm (N)", 12), ("closing (N)", 11)];
+    common::heads(&[&angles[..], &forces[..]].concat());
     for Reading { time, angles: [a, b, c, d, e], forces: [p, q, r, s], .. } in readings.iter().step_by(100) {
-        println!("  {time:6.2}  {a:9.5} {b:9.5} {c:9.5} {d:9.5} {e:9.5}   {p:8.3} {q:8.3} {r:8.3} {s:8.3}");
+        println!("  {time:8.2}  {a:10.5}  {b:9.5}  {c:9.5}  {d:9.5}  {e:9.5}  {p:9.3}  {q:12.3}  {r:12.3}  {s:11.3}");
     }
 
     let run = net.simulate(start, rule, 2.0, |_| ())?;
@@ -162,6 +164,7 @@ fn film(readings: &[Reading]) -> Drawn<PathBuf> {
         strokes: &[(INK, 7.0), (GREEN, 6.0), (BLUE, 6.0)],
         trace: (2, 2, ORANGE),
         ground: &[(0.0, 0.0)],
+        floor: &[],
     };
     film.save("network_moving", &frames)
 }

@@ -160,7 +160,7 @@ fn draw(curves: [Vec<(f64, f64)>; 6]) -> Drawn<PathBuf> {
         let names =
             ["paper, product", "paper, Riccati", "joint coordinates", "this crate", "global, dense", "global, blocks"];
         let colours = [ORANGE, GREEN, INK, BLUE, GREY, RED];
-        let mut chart = common::chart(&area, "Time of a step (10ˣ µs)", "number of bodies (10ˣ)", 0.0..5.2, -1.0..5.5)?;
+        let mut chart = common::log_log(&area, "Time of a step (µs)", "number of bodies", 0.0..5.2, -1.0..5.5)?;
         common::legend(&area, &core::array::from_fn::<_, 6, _>(|k| (names[k], colours[k])))?;
         for (points, colour) in curves.into_iter().zip(colours) {
             common::dots(&mut chart, points.clone(), 3.5, colour)?;

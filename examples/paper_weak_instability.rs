@@ -60,11 +60,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     curve!("γ = 0.6, 10 ms", Newmark::damped(0.6), 0.01, GREEN);
     curve!("generalised-α, 10 ms", GeneralizedAlpha::new(0.8), 0.01, BLUE);
 
-    let picture = common::picture("paper_weak_instability", (760, 340), |area| {
-        let title = "Error (10ˣ rad)";
-        let mut chart = common::chart(area, title, "time (s)", 0.0..END, -6.0..0.5)?;
+    let picture = common::picture("paper_weak_instability", (860, 420), |area| {
+        let subtitle = "Largest error of both angles by the paper's scheme: undamped Newmark loses the motion, damped rules do not.";
+        let area = common::heading(area, "A weak instability of undamped rules", subtitle)?;
+        let mut chart = common::powers(&area, "Error (rad)", "time (s)", 0.0..END, -6.0..0.5)?;
         let names: Vec<_> = curves.iter().map(|(name, _, colour)| (*name, *colour)).collect();
-        common::legend(area, &names)?;
+        common::legend(&area, &names)?;
         for (_, points, colour) in &curves {
             common::curve(&mut chart, points.iter().copied(), line(*colour, 1.8))?;
         }

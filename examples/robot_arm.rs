@@ -308,6 +308,7 @@ fn film(log: &[Sample]) -> Drawn<PathBuf> {
         strokes: &[(BLUE, 9.0)],
         trace: (0, 4, ORANGE),
         ground: &[(0.0, 0.0)],
+        floor: &[],
     };
     film.save("robot_arm_moving", &frames)
 }

@@ -50,12 +50,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let distance = 1e-4;
     let differences = difference(distance)?;
     println!("d tip / d length of a double pendulum: dual numbers, and a central difference over ±{distance:.0e} m\n");
-    println!("  time (s)   tip x, y (m)            d/dl, dual              d/dl, difference        largest deviation");
+    let tip = [("time (s)", 8), ("tip x (m)", 11), ("tip y (m)", 11), ("dx/dl, dual", 11), ("dy/dl, dual", 11)];
+    let by_differences = [("dx/dl, diff.", 12), ("dy/dl, diff.", 12), ("largest deviation", 17)];
+    common::heads(&[&tip[..], &by_differences[..]].concat());
     for k in (0..exact.len()).step_by(25) {
         let time = k as f64 * INTERVAL;
         let ([x, y], [dx, dy], [fx, fy]) = (dual[k].map(|x| x.re), exact[k], differences[k]);
         let off = (fx - dx).abs().max((fy - dy).abs());
-        println!("  {time:8.2} {x:11.7} {y:11.7} {dx:11.7} {dy:11.7} {fx:11.7} {fy:11.7} {off:13.1e}");
+        println!("  {time:8.2}  {x:11.7}  {y:11.7}  {dx:11.7}  {dy:11.7}  {fx:12.7}  {fy:12.7}  {off:17.1e}");
     }
 
     // The trouble with finite differences: too far apart they are wrong, too close together they are noise.
@@ -98,13 +100,8 @@ fn draw(exact: &[[f64; 2]], differences: &[[f64; 2]], deviations: &[(f64, f64)])
 
         let points = deviations.iter().map(|(h, deviation)| (h.log10(), deviation.log10()));
         let range = common::range(points.clone().map(|(_, deviation)| deviation), 0.1);
-        let mut chart = common::chart(
-            &right,
-            "log₁₀ of the difference's deviation",
-            "log₁₀ of its distance h (m)",
-            -12.2..-0.8,
-            range,
-        )?;
+        let mut chart =
+            common::log_log(&right, "Deviation of the difference", "its distance h (m)", -12.2..-0.8, range)?;
         common::curve(&mut chart, points.clone(), line(GREEN, 1.4))?;
         common::dots(&mut chart, points, 3.0, GREEN)
     })

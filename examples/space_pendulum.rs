@@ -56,12 +56,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let initial = readings.first().ok_or("the start is always shown")?.energy;
     println!("Three bodies on balls, released along x, g = 9.81 m/s² along −y");
     println!("DOP853, tolerance 1e-13: {} steps for 2 s\n", run.steps);
-    println!("  time (s)   angles 1-2-3 of the last body (rad)   place of the tip x, y, z (m)      energy error (J)");
+    let angles = [("time (s)", 8), ("θ₁ of body 2 (rad)", 18), ("θ₂ (rad)", 10), ("θ₃ (rad)", 10)];
+    let tip = [("tip x (m)", 10), ("y (m)", 10), ("z (m)", 10), ("energy error (J)", 16)];
+    common::heads(&[angles, tip].concat());
     for Reading { time, angles, places, energy } in readings.iter().step_by(20) {
         let ([a, b, c], tip) = (angles[2], places[2]);
         let error = energy - initial;
         let [x, y, z] = [tip.x, tip.y, tip.z];
-        println!("  {time:8.2}  {a:10.6} {b:10.6} {c:10.6}   {x:10.6} {y:10.6} {z:10.6}   {error:14.1e}");
+        println!("  {time:8.2}  {a:18.6}  {b:10.6}  {c:10.6}  {x:10.6}  {y:10.6}  {z:10.6}  {error:16.1e}");
     }
 
     let stations = pendulum.stations(&run.motion, &Unloaded)?;

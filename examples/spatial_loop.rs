@@ -71,9 +71,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!(
         "Spatial four-bar linkage: crank 0.3 m about z, coupler 0.9 m between balls, rocker 0.8 m about {AXIS:?}\n"
     );
-    println!("  time (s)   rates of crank, rocker (rad/s)   forces at both hinges, in the closing ball (N)");
+    let rates = [("time (s)", 8), ("crank (rad/s)", 13), ("rocker (rad/s)", 14)];
+    common::heads(&[rates, [("crank's hinge (N)", 17), ("rocker's hinge (N)", 18), ("closing ball (N)", 16)]].concat());
     for Reading { time, rates: [a, b], forces: [p, q, r], .. } in readings.iter().step_by(100) {
-        println!("  {time:8.2}   {a:12.6} {b:12.6}       {p:9.4} {q:9.4} {r:9.4}");
+        println!("  {time:8.2}  {a:13.6}  {b:14.6}  {p:17.4}  {q:18.4}  {r:16.4}");
     }
 
     // The same linkage, cut at its other ball: the coupler hangs from the rocker.
@@ -176,6 +177,7 @@ fn film(readings: &[Reading]) -> Drawn<PathBuf> {
         strokes: &[(BLUE, 7.0), (INK, 7.0), (GREEN, 7.0)],
         trace: (1, 1, ORANGE),
         ground: &[(0.0, 0.0), seen(&Vector3::from(FAR))],
+        floor: &[],
     };
     film.save("spatial_loop_moving", &frames)
 }

@@ -159,14 +159,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("Sweeps: DOP853, tolerance 1e-13, {} steps. (41), (42): order 8, {} steps\n", run.steps, {
         substeps * (readings.len() - 1)
     });
-    println!(
-        "  time (s)   angles 1-2-3 of body 6 (rad)          attitudes differ (rad)  accelerations differ  energy error (J)"
-    );
+    let heads = [("time (s)", 8), ("θ₁ of body 6 (rad)", 18), ("θ₂ (rad)", 12), ("θ₃ (rad)", 12)];
+    let differ = [("attitudes differ (rad)", 22), ("accelerations differ", 20), ("energy error (J)", 16)];
+    common::heads(&[&heads[..], &differ[..]].concat());
     let initial = readings.first().ok_or("the start is always shown")?.energy;
     for Reading { time, angles, differences: [turned, off], energy } in readings.iter().step_by(20) {
         let [a, b, c] = angles[2];
         let error = energy - initial;
-        println!("  {time:8.2}   {a:11.8} {b:11.8} {c:11.8}   {turned:22.1e}  {off:20.1e}  {error:16.1e}");
+        println!("  {time:8.2}  {a:18.8}  {b:12.8}  {c:12.8}  {turned:22.1e}  {off:20.1e}  {error:16.1e}");
     }
     println!("\nAttitudes of two runs; angular accelerations at one state, relative.");
     println!("Picture: {}", draw(&readings)?.display());
@@ -194,8 +194,8 @@ fn draw(readings: &[Reading]) -> Drawn<PathBuf> {
         let logs = |which: usize| {
             readings.iter().skip(1).map(move |now| (now.time, now.differences[which].max(1e-17).log10()))
         };
-        let title = "Differences: attitudes of two runs (rad), accelerations at one state (relative); powers of ten";
-        let mut chart = common::chart(&lower, title, "time (s)", 0.0..END, -17.0..-11.0)?;
+        let title = "Differences: attitudes of two runs (rad), accelerations at one state (relative)";
+        let mut chart = common::powers(&lower, title, "time (s)", 0.0..END, -17.0..-11.0)?;
         common::curve(&mut chart, logs(0), line(ORANGE, 1.6))?;
         common::curve(&mut chart, logs(1), line(GREY, 1.4))?;
         common::legend(&lower, &[("attitudes", ORANGE), ("accelerations", GREY)])

@@ -63,9 +63,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
 
     println!("Y pendulum: a stem (1 m, 1 kg) with two arms (0.7 m, 0.8 kg; 0.5 m, 0.6 kg), g = 9.81 m/s²\n");
-    println!("  time (s)   angles of stem and arms (rad)      forces at their pins (N)");
+    let heads = [("time (s)", 8), ("stem (rad)", 10), ("long arm (rad)", 14), ("short arm (rad)", 15)];
+    common::heads(&[&heads[..], &[("stem (N)", 10), ("long arm (N)", 12), ("short arm (N)", 13)]].concat());
     for Reading { time, angles: [a, b, c], forces: [p, q, r], .. } in readings.iter().step_by(100) {
-        println!("  {time:8.2}  {a:10.6} {b:10.6} {c:10.6}   {p:8.4} {q:8.4} {r:8.4}");
+        println!("  {time:8.2}  {a:10.6}  {b:14.6}  {c:15.6}  {p:10.4}  {q:12.4}  {r:13.4}");
     }
 
     let run = pendulum.simulate(start, rule, 2.0, |_| ())?;

@@ -27,10 +27,11 @@
 
 pub mod laws;
 
-use crate::element::{Element, Space};
-pub use crate::ends::{Resting as ReversibleRoot, Unheld as ReversibleTip};
+use crate::element::{Element, Level, Space};
+pub use crate::ends::Resting as ReversibleRoot;
+use crate::ends::Tip;
 use crate::loading::{Load, LoadLaw};
-use crate::relation::Additive;
+use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Geometry, WrenchOf};
 use crate::shape::{PerAxes, Selective, Takes};
 use crate::space::FrameOf;
 use crate::walks::burden::Burden;
@@ -40,6 +41,7 @@ use crate::walks::pull_back::PullBack;
 use crate::walks::pull_loads::PullLoads;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
+use num_traits::Zero;
 
 /// A space whose elements know the costate sweep.
 pub trait Reversed: Space {
@@ -135,3 +137,66 @@ impl<S: Space, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> for 
 pub trait Burdened<S: Reversed, L>: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>> {}
 
 impl<S: Reversed, L, E: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>>> Burdened<S, L> for E {}
+
+/// Most numbers that a tip is made of.
+pub const TIP: usize = 4;
+
+/// One number for each force that holds a tip.
+pub type EachOf<S, P> = <<P as Tip<S>>::Closures as Closures>::Each<<S as Geometry>::Scalar>;
+
+/// A tip that nothing holds, or a ground that does not move: what is said here of a free one is nothing.
+///
+/// Each of the forces λ that hold it acts on the last body by a wrench c; the tip accelerates so that c · A is that of the ground.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run goes backward through the tip `{Self}`",
+    label = "not a tip that the costate sweep knows",
+    note = "it knows `Free`, and in the plane `Pinned`, `Clamped` and `Guided` at a place that does not move",
+    note = "run the same scene over jets or dual numbers instead"
+)]
+pub trait ReversibleTip<S: Reversed>: Tip<S> {
+    /// The wrench c of each unit force.
+    fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
+    /// The virtual velocity W, w of the tip.
+    fn stirred(stirred: &S::Stirred) -> AccelerationOf<S> {
+        let _ = stirred;
+        Acceleration::zero()
+    }
+    /// Virtual velocity of the outboard end of a body.
+    fn of_body(kept: &S::OnBody) -> S::Vector {
+        let _ = kept;
+        S::Vector::null()
+    }
+    /// Virtual velocity of the outboard side of a joint, where it is another than that of the inboard side.
+    fn of_joint(kept: &S::InJoint) -> S::Vector {
+        let _ = kept;
+        S::Vector::null()
+    }
+    /// What is carried inward from a tip that is weighed by ν in accelerations and by −λ in virtual velocities.
+    fn pulled(weight: WrenchOf<S>, force: WrenchOf<S>) -> S::Pulled {
+        let _ = (weight, force);
+        S::Pulled::null()
+    }
+    /// What is carried inward from a tip whose place and velocity have these costates.
+    fn felt(of_place: WrenchOf<S>, of_velocity: WrenchOf<S>) -> S::Felt {
+        let _ = (of_place, of_velocity);
+        S::Felt::null()
+    }
+    /// The numbers it is made of, zeros beyond.
+    fn numbers(&self) -> [S::Scalar; TIP] {
+        [S::Scalar::zero(); TIP]
+    }
+    /// Costates of these numbers, of what they change of the wrenches c in Σ ν c · A − λ c · W.
+    fn of_columns(
+        &self,
+        (weight, a): (&EachOf<S, Self>, &AccelerationOf<S>),
+        (force, w): (&EachOf<S, Self>, &AccelerationOf<S>),
+    ) -> [S::Scalar; TIP] {
+        let _ = (weight, a, force, w);
+        [S::Scalar::zero(); TIP]
+    }
+    /// Derivatives of Σ ν y by these numbers, y being the [residual](Tip::residual) in place, or that in velocity.
+    fn of_residual(&self, weight: &EachOf<S, Self>, frame: &FrameOf<S>, level: Level) -> [S::Scalar; TIP] {
+        let _ = (weight, frame, level);
+        [S::Scalar::zero(); TIP]
+    }
+}

@@ -6,6 +6,8 @@ use crate::names::Label;
 
 /// Why a scene, a sweep or a step was refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "'de: 'static")))]
 pub struct Error {
     /// Time of the instant (s), where there is one.
     pub time: Option<f64>,
@@ -17,6 +19,7 @@ pub struct Error {
 
 /// A place in a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Place {
     /// A station: the inboard end of the chain's k-th element (counted from 0 at the root, bodies and joints alike).
     Station(usize),
@@ -29,6 +32,7 @@ pub enum Place {
 /// What went wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Fault {
     /// A parameter that must be zero is not: the type of its element leaves it out.
     NotZero {
@@ -205,6 +209,7 @@ pub enum Fault {
 /// What is wrong with a trial step from a motion that is sound, so that a shorter step is tried: faults of these names.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Cause {
     /// The estimated error of the step exceeds the tolerance.
     Inaccurate,

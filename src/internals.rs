@@ -8,6 +8,11 @@ pub mod element {
     pub use crate::element::{Condense, Element, Given, InJoint, Posture, Space, Springs, Sweep};
     pub use crate::sweep::{Implicit, Reading};
 }
+#[cfg(feature = "alloc")]
+pub mod front {
+    pub use crate::sensitivity::front::parts::{NO_SEEDS, OfNumbers, by_start, efforts, held, seeded, state};
+    pub use alloc::vec::Vec;
+}
 pub mod planar {
     pub use crate::mechanics::planar::{Body, Joint};
 }

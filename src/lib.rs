@@ -1,10 +1,9 @@
 #![forbid(unsafe_code)]
 #![no_std]
-//! Multibody dynamics by the discrete-time transfer matrix method: a generic, const-dimension, compile-time library.
+#![cfg_attr(docsrs, feature(doc_cfg))] // labels of features, where documentation is built for all of them
+//! Multibody dynamics to embed in a program: a mechanical scene is a type, a step allocates nothing, and everything has derivatives.
 //!
-//! A program embeds a mechanical scene, steps it in time without allocating, asks for derivatives of anything with respect to
-//! anything by running the same code on dual numbers, and reads internal forces at every connection for free: they are the
-//! state.
+#![doc = concat!("<div>\n", include_str!("../docs/pictures/double_pendulum.svg"), "\n</div>")]
 //!
 //! ```
 //! use catena::planar::*;
@@ -18,13 +17,23 @@
 //! # Ok::<(), catena::Error>(())
 //! ```
 //!
-//! # The method
+//! # What do you want to do?
 //!
-//! Each element of a chain maps the state at its inboard end (motion, internal torque and force) to that at its outboard end.
-//! X. Rui, B. He, Y. Lu, W. Lu and G. Wang, *Discrete Time Transfer Matrix Method for Multibody System Dynamics*, Multibody
-//! System Dynamics 14 (2005), multiply these matrices and solve for the unknowns of the two ends; numbers of equations in these
-//! pages are theirs. This library takes accelerations as the unknowns, which makes the matrices exact, and condenses them by a
-//! symmetric Riccati sweep, which keeps its digits on chains of any length.
+//! | | |
+//! |---|---|
+//! | build a scene | [`planar`], [`spatial`]: bodies, joints, springs, ends; [`robot`]: arms and legged machines in axes of their bodies |
+//! | find out which number is whose | [`guide::numbering`], [`System::describe`](system::System::describe) |
+//! | close loops, hold tips | [`guide::loops`] |
+//! | let forces and torques act | [`guide::loads`], [`loading`] |
+//! | run it | [`simulate`]: output, events, saved runs, single steps, ensembles; [`guide::choosing_a_rule`], [`time`] |
+//! | set and read motions | [`guide::coordinates`], [`observe`], [`Motion`] |
+//! | find its rest, its vibrations | [`equilibrium`](system::System::equilibrium), [`modes`] |
+//! | differentiate it | [`guide::derivatives`], [`sensitivity`] |
+//! | run many at once | [`guide::lanes_and_threads`], [`scalar`] |
+//! | run it on a microcontroller, on time | [`guide::no_std`] |
+//! | add an element or a law | [`guide::own_elements`], [`extend`] |
+//! | write functions over scenes of any kind | [`system`] |
+//! | know how it works | [`guide::method`]; [`paper`], the formulation of 2005, apart from all others |
 //!
 //! # Conventions
 //!
@@ -36,42 +45,18 @@
 //! body. The relation uses F = (q, −m), the force and torque *on the outboard part*. A torque in a joint acts on the
 //! outboard body, and its opposite on the inboard one.
 //!
-//! # Where things are
-//!
-//! | module | what a user finds there |
-//! |---|---|
-//! | [`planar`], [`spatial`] | all that a scene in the plane or in space is made of: bodies, joints, springs, ends, loads, rules of time |
-//! | [`robot`] | arms and legged machines in space, in axes of their bodies: what a description has zeros of costs nothing; functions of arrays |
-//! | [`system`] | a scene and what can be asked of it; bounds for functions over scenes of any kind |
-//! | [`loading`] | what acts on a scene |
-//! | [`time`] | rules that step it, their coefficients and tolerances |
-//! | [`simulate`] | runs: output, events, observers, saved runs, single steps, ensembles |
-//! | [`observe`] | what is read from a motion |
-//! | [`modes`], [`sensitivity`] | frequencies and modes of vibration; derivatives of runs |
-//! | [`scalar`] | the numbers: real, dual, lanes, jets |
-//! | [`extend`] | elements, laws and walks of one's own |
-//! | [`paper`] | the formulation of 2005, apart from all others |
-//!
-//! # Floors
-//!
-//! A file imports from its own floor or lower ones. Modules that are not public hold what users need not name.
-//!
-//! | floor | modules |
-//! |---|---|
-//! | 0 | `scalar`, errors, names and numbers, [`StateVector`] and [`TransferMatrix`] |
-//! | 1 | [`Lift`], `mirror`, `relation` (the kernels), `time` (coefficients of the rules), dense algebra in the small |
-//! | 2 | `space`, `loading`, `sweep`, laws of springs, `shape` (what a chain is), `walks` (what is done along it), `visit`, `element` (the contract: read this first), `ends`, `transfer`, turning, motions, `sensitive` and `adjoint` (the contracts of derivatives), `series`, `release` and `kinematics` (what a joint says of itself, and how it moves) |
-//! | 3 | `chain` (composition: tuples, arrays, vectors, branches, networks), `counts`, `struts` |
-//! | 4 | `mechanics` (bodies, joints and ends in the plane and in space) |
-//! | 5 | `solve`, `observe` |
-//! | 6 | `system` |
-//! | 7 | `stepper`, `simulate`, `observers`, `modes`, `sensitivity`, `paper`, `extend` |
-//! | 8 | `planar`, `spatial`, `robot`: front pages, which nothing below reads |
-//!
 //! # Features
 //!
-//! `std` (default, modes of vibration), `alloc` (vectors of elements, static equilibrium), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes), `rayon` (ensembles of runs on all threads).
+//! `std` (default, modes of vibration), `alloc` (vectors of elements, static equilibrium), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes), `rayon` (ensembles of runs on all threads), `reproducible` (below), `serde` (scenes, motions and saved runs as data).
 //! Without `std` and `libm` the crate compiles but brings no numbers: implement [`Scalar`] for yours.
+//!
+//! # The same bits everywhere
+//!
+//! With feature `reproducible` a run of plain numbers or lanes has the same bits on every machine whose arithmetic is that of IEEE 754, in
+//! debug and release: no product is fused with a sum, sums have the order in which they are written, and elementary functions are those
+//! of this crate (sine and cosine) or of the crate `libm`, never the platform's. Not promised: bits of a not-a-number; dual numbers of
+//! `num-dual`; what a closure of yours computes by the platform's functions (take [`Scalar`]'s); frequencies and modes; x86 without SSE2.
+//! A program pays with fused multiply-add: on x86-64-v3 it takes more instructions.
 
 #[cfg(feature = "alloc")]
 extern crate alloc;
@@ -84,12 +69,16 @@ mod turning;
 mod adjoint;
 mod chain;
 mod counts;
+#[cfg(feature = "serde")]
+mod data;
 #[cfg(feature = "alloc")]
 mod dense;
 mod element;
 mod ends;
 mod error;
 pub mod extend;
+#[cfg(any(doc, doctest))]
+pub mod guide;
 #[doc(hidden)]
 pub mod internals;
 mod kinematics;
@@ -137,10 +126,13 @@ pub use nalgebra;
 pub use num_dual;
 
 pub use error::{Cause, Error, Fault, Place};
+#[doc(hidden)] // listed in `extend`
 pub use lift::Lift;
 pub use motion::Motion;
+#[doc(hidden)] // listed in `system`
 pub use names::{BodyNumbers, JointNumbers, Label, Which};
 pub use scalar::{Real, Scalar};
+#[doc(hidden)] // listed in `observe`
 pub use state::{StateVector, TransferMatrix};
 
 #[cfg(doctest)]

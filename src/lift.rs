@@ -62,6 +62,7 @@ for_each_tuple!(lift_tuple);
 /// catena::lift!(Wheel<T, A> { radius, axle });
 /// ```
 #[macro_export]
+#[doc(hidden)] // listed in `extend`
 macro_rules! lift {
     ($($Name:ident<T $(, $Part:ident)*> { $($field:ident),* $(,)? }),*) => {$(
         impl<T, U, $($Part),*> $crate::Lift<T, U> for $Name<T, $($Part),*>

@@ -1,5 +1,7 @@
 //! The motion of a scene at an instant: the user's value.
 
+#[cfg(feature = "serde")]
+mod data;
 mod flat;
 
 use crate::lift::Lift;

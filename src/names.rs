@@ -89,3 +89,21 @@ impl fmt::Debug for Label {
         write!(f, "\"{self}\"")
     }
 }
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Label {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+/// The text of the label: three dots after as many bytes as a label has room for are those of a name that is longer.
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Label {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = <&str>::deserialize(deserializer)?;
+        let cut = text.strip_suffix("...").filter(|_| text.len() > 23);
+        let label = Self::of(cut.unwrap_or(text));
+        Ok(if cut.is_some() { Self { length: label.length | 0x80, ..label } } else { label })
+    }
+}

@@ -5,6 +5,7 @@ mod doubts;
 mod in_turn;
 mod residuals;
 
+pub use crate::state::{StateVector, TransferMatrix};
 pub(crate) use doubts::doubts;
 #[cfg(feature = "alloc")]
 pub(crate) use residuals::each_residual;

@@ -6,6 +6,10 @@ use crate::ends::{Root, Tip};
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
 use crate::simulate::Now;
+#[cfg(feature = "std")]
+use crate::walks::parts::{Sort, parts};
+#[cfg(feature = "std")]
+use std::{format, string::String, vec::Vec};
 
 /// Looks at the instants of a run.
 ///
@@ -51,17 +55,20 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Observe<S, R
 
 /// Writes each instant as a line of CSV: time, then position, rate and acceleration of every joint coordinate, then energy.
 ///
-/// Numbers are written so that they read back exactly. Dual numbers and lanes write their real part.
+/// Columns are named after joints: by their names, by `joint_` and their numbers where they have none, and by both where several have
+/// the same. Where a joint has several coordinates, these are numbered. Numbers are written so that they read back exactly. Dual numbers
+/// and lanes write their real part.
 ///
 /// ```
 /// use catena::simulate::{Observe, Trace};
 /// use catena::planar::*;
-/// let pendulum = System::new(Pinned::origin(), Rod::uniform(1.0, 1.0), Free)?.with_gravity(9.81);
+/// let rod = Rod::uniform(1.0, 1.0);
+/// let pendulum = System::new(Pinned::origin(), (rod, Pin.named("elbow"), rod), Free)?.with_gravity(9.81);
 /// let mut trace = Trace::new(Vec::new());
-/// let start = pendulum.at_rest(&[-1.0])?;
+/// let start = pendulum.at_rest(&[-1.0, -0.5])?;
 /// pendulum.simulation(Rk4::step(1e-2)).every(0.1).run(start, 0.2, |now| trace.observe(now))?;
 /// let text = String::from_utf8(trace.finish()?)?;
-/// assert!(text.starts_with("time,position_0,rate_0,acceleration_0,energy\n0,-1,0,"));
+/// assert!(text.starts_with("time,joint_0_position,elbow_position,joint_0_rate,elbow_rate,joint_0_acceleration,"));
 /// assert_eq!(text.lines().count(), 4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -92,6 +99,68 @@ impl<W: std::io::Write> Trace<W> {
 }
 
 #[cfg(feature = "std")]
+impl<W: std::io::Write> Trace<W> {
+    /// Writes a line, and the names of its columns before the first.
+    fn line<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>>(
+        &mut self,
+        now: &Now<'_, S, R, C, P, L>,
+    ) -> std::io::Result<()> {
+        let Self { writer, started, .. } = self;
+        if !*started {
+            writeln!(writer, "{}", columns(now.system().elements()))?;
+            *started = true;
+        }
+        write!(writer, "{}", now.time().as_f64())?;
+        let (motion, mut outcome) = (now.motion(), Ok(()));
+        let mut note = |x: S::Scalar| {
+            if outcome.is_ok() {
+                outcome = write!(writer, ",{}", x.real().as_f64());
+            }
+        };
+        motion.position().visit(&mut note);
+        motion.rate().visit(&mut note);
+        motion.acceleration().visit(&mut note);
+        outcome?;
+        writeln!(writer, ",{}", now.energy().real().as_f64())
+    }
+}
+
+/// The names of all columns.
+#[cfg(feature = "std")]
+fn columns<S: Space, E: Element<S>>(elements: &E) -> String {
+    let mut joints = Vec::new();
+    parts(elements, &mut |part| {
+        if let Sort::Joint { coordinates, rates } = part.sort {
+            joints.push((part.name, coordinates, rates));
+        }
+    });
+    let mut text = String::from("time");
+    for what in ["position", "rate", "acceleration"] {
+        for (number, (name, coordinates, rates)) in joints.iter().enumerate() {
+            let alone = joints.iter().filter(|(other, ..)| other == name).count() == 1;
+            let label = match name {
+                Some(name) if alone => String::from(*name),
+                Some(name) => format!("{name}_{number}"),
+                None => format!("joint_{number}"),
+            };
+            let count = if what == "position" { *coordinates } else { *rates };
+            for k in 0..count {
+                let column = if count == 1 { format!("{label}_{what}") } else { format!("{label}_{what}_{k}") };
+                text.push(',');
+                text.push_str(&quoted(column));
+            }
+        }
+    }
+    text + ",energy"
+}
+
+/// A field of CSV, between quotation marks where it needs them.
+#[cfg(feature = "std")]
+fn quoted(field: String) -> String {
+    if field.contains([',', '"', '\n', '\r']) { format!("\"{}\"", field.replace('"', "\"\"")) } else { field }
+}
+
+#[cfg(feature = "std")]
 impl<W: std::io::Write, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Observe<S, R, C, P, L>
     for Trace<W>
 {
@@ -99,27 +168,6 @@ impl<W: std::io::Write, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loadi
         if self.outcome.is_err() {
             return;
         }
-        let motion = now.motion();
-        let mut numbers = std::vec![now.time().as_f64()];
-        let mut names = std::vec![std::string::String::from("time")];
-        let mut note = |name: &str, k: &mut usize, x: S::Scalar| {
-            numbers.push(x.real().as_f64());
-            names.push(std::format!("{name}_{k}"));
-            *k += 1;
-        };
-        let (mut p, mut r, mut a) = (0, 0, 0);
-        motion.position().visit(&mut |x| note("position", &mut p, x));
-        motion.rate().visit(&mut |x| note("rate", &mut r, x));
-        motion.acceleration().visit(&mut |x| note("acceleration", &mut a, x));
-        numbers.push(now.energy().real().as_f64());
-        names.push("energy".into());
-        let line: std::vec::Vec<_> = numbers.iter().map(std::string::ToString::to_string).collect();
-        self.outcome = (|| {
-            if !self.started {
-                writeln!(self.writer, "{}", names.join(","))?;
-                self.started = true;
-            }
-            writeln!(self.writer, "{}", line.join(","))
-        })();
+        self.outcome = self.line(now);
     }
 }

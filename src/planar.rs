@@ -11,19 +11,44 @@
 //! ```
 
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
-pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
 pub use crate::mechanics::planar::{
-    Acceleration, Attitude, Beam, BodyMotion, Clamped, ClosedLoop, Custom, ElasticHinge, Floating, Frame, Free, Ground,
-    GroundMotion, Guided, Inertia, Internal, JointMotion, Linear, Moving, Pin, Pinned, PointMass, Revolute, RigidBody,
-    Rod, Segments, Slider, Station, Turn, Turning, Unbalanced, Weld, Wrench, index,
+    Beam, ClosedLoop, Custom, ElasticHinge, Inertia, Linear, Pin, PointMass, Revolute, RigidBody, Rod, Segments,
+    Slider, Unbalanced, Weld,
 };
 pub use crate::relation::Absent;
 pub use crate::relation::planar::Planar;
-pub use crate::spring::{Spring, SpringLaw};
+pub use crate::spring::{DryFriction, Motor, Spring, SpringLaw, Stops};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
 pub use crate::sweep::Springs;
-pub use crate::time::{Adams, Auto, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4, Taylor, Vcabm};
+
+// Named by users as if they stood here.
+#[doc(hidden)]
+pub use self::{ends::*, loads::*, readings::*, rules::*};
+
+/// Ends of a scene, on ground that rests or moves. All are in [`planar`](crate::planar), too.
+pub mod ends {
+    pub use crate::mechanics::planar::{
+        Attitude, Clamped, Floating, Free, Ground, GroundMotion, Guided, Moving, Pinned, Turning,
+    };
+}
+
+/// What acts on a scene. All are in [`planar`](crate::planar), too; [`loading`](crate::loading) says more.
+pub mod loads {
+    pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
+}
+
+/// What is read from a motion. All are in [`planar`](crate::planar), too.
+pub mod readings {
+    pub use crate::mechanics::planar::{
+        Acceleration, BodyMotion, Frame, Internal, JointMotion, Station, Turn, Wrench, index,
+    };
+}
+
+/// Rules of time. All are in [`planar`](crate::planar), too; [`guide`](crate::guide::choosing_a_rule) says which to choose.
+pub mod rules {
+    pub use crate::time::{Adams, Auto, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4, Taylor, Vcabm};
+}
 
 /// A planar scene.
 pub type System<T, R, C, P> = crate::system::System<Planar<T>, R, C, P>;

@@ -36,21 +36,46 @@
 //! ```
 
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
-pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
 pub use crate::mechanics::spatial::{
-    Acceleration, Attitude, AttitudeMotion, Ball, Beam, BodyMotion, Clamped, ClosedLoop, Cylindrical, Effort,
-    ElasticBall, ElasticHinge, Floating, Frame, Free, Ground, GroundMotion, Hinged, Inertia, Internal, JointMotion,
-    Linear, Moving, Pinned, PointMass, Prismatic, Revolute, RigidBody, Rod, RotaryLaw, RotarySpring, Rotation,
-    Segments, Station, Turn, Turning, Universal, Weld, Wrench, index, maps,
+    Ball, Beam, ClosedLoop, Cylindrical, ElasticBall, ElasticHinge, Inertia, Linear, PointMass, Prismatic, Revolute,
+    RigidBody, Rod, RotaryLaw, RotarySpring, Rotation, Segments, Universal, Weld, maps,
 };
 pub use crate::relation::Absent;
 pub use crate::relation::spatial::Spatial;
 pub use crate::relation::spatial::algebra::{Columns, Symmetric3};
-pub use crate::spring::{Spring, SpringLaw};
+pub use crate::spring::{DryFriction, Motor, Spring, SpringLaw, Stops};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
 pub use crate::sweep::Springs;
-pub use crate::time::{Adams, Auto, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4, Vcabm};
+
+// Named by users as if they stood here.
+#[doc(hidden)]
+pub use self::{ends::*, loads::*, readings::*, rules::*};
+
+/// Ends of a scene, on ground that rests or moves. All are in [`spatial`](crate::spatial), too.
+pub mod ends {
+    pub use crate::mechanics::spatial::{
+        Attitude, AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning,
+    };
+}
+
+/// What acts on a scene. All are in [`spatial`](crate::spatial), too; [`loading`](crate::loading) says more.
+pub mod loads {
+    pub use crate::loading::{InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
+    pub use crate::mechanics::spatial::{Contact, Contacts, Effort, Heights, PlainContacts, Plane, Surface};
+}
+
+/// What is read from a motion. All are in [`spatial`](crate::spatial), too.
+pub mod readings {
+    pub use crate::mechanics::spatial::{
+        Acceleration, BodyMotion, Frame, Internal, JointMotion, Station, Turn, Wrench, index,
+    };
+}
+
+/// Rules of time. All are in [`spatial`](crate::spatial), too; [`guide`](crate::guide::choosing_a_rule) says which to choose.
+pub mod rules {
+    pub use crate::time::{Adams, Auto, Dop853, Dopri5, GeneralizedAlpha, Rk4, Sdirk4, Vcabm};
+}
 
 /// A spatial scene.
 pub type System<T, R, C, P> = crate::system::System<Spatial<T>, R, C, P>;

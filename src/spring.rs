@@ -1,4 +1,15 @@
-//! Springs and dampers along single coordinates of joints, in the plane and in space.
+//! Laws along single coordinates of joints, in the plane and in space: springs, dampers, friction, stops, motors.
+
+mod compression;
+mod friction;
+mod motor;
+mod several;
+mod stops;
+
+pub(crate) use compression::{Compression, above};
+pub use friction::DryFriction;
+pub use motor::Motor;
+pub use stops::Stops;
 
 use crate::element::{Reading, Springs};
 use crate::error::Fault;
@@ -19,6 +30,7 @@ use num_traits::Zero;
 /// assert_eq!(size_of_val(&Spring::none()), 0);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spring<K = Absent, D = Absent, P = Absent> {
     pub(crate) stiffness: K,
     pub(crate) damping: D,
@@ -76,7 +88,8 @@ impl<K: Copy, D: Copy, P> Spring<K, D, P> {
     }
 }
 
-/// What acts along a coordinate of a joint: a [`Spring`], nothing, or a law of the user's own.
+/// What acts along a coordinate of a joint: a [`Spring`], [`DryFriction`], [`Stops`], nothing, a law of the user's own, or several of
+/// them as a tuple.
 ///
 /// Explicit rules read its force. Implicit ones take it linearly implicitly, from its force and slopes where the last sweep has led: a
 /// law that is not linear is met as well as one that is, and rules keep their order where it is smooth. Slopes should not be negative
@@ -231,13 +244,24 @@ impl<T: Scalar, K: Coefficient<T>, D: Coefficient<T>, P: Term<T>> SpringLaw<T> f
 }
 
 /// Fails where a coefficient is NaN, infinite or negative.
-fn not_negative<T: Scalar>(parameter: &'static str, coefficient: impl Coefficient<T>) -> Result<(), Fault> {
+pub(crate) fn not_negative<T: Scalar>(parameter: &'static str, coefficient: impl Coefficient<T>) -> Result<(), Fault> {
     let value = coefficient.times_onto(T::one(), T::zero());
     if !value.is_finite() {
         return Err(Fault::NotFinite { parameter });
     }
     if value.real() < T::Real::zero() {
         return Err(Fault::Negative { parameter, value: value.real().as_f64() });
+    }
+    Ok(())
+}
+
+/// Fails where a number is NaN, infinite, negative or zero.
+pub(crate) fn positive<T: Scalar>(parameter: &'static str, number: T) -> Result<(), Fault> {
+    if !number.is_finite() {
+        return Err(Fault::NotFinite { parameter });
+    }
+    if number.real() <= T::Real::zero() {
+        return Err(Fault::NotPositive { parameter, value: number.real().as_f64() });
     }
     Ok(())
 }

@@ -18,6 +18,11 @@ pub trait Points<const D: usize>: Space {
 
 /// An end of a strut: a point of a body (its number, and the point in its axes from its inboard end), or of the ground (m).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "[T; D]: serde::Serialize", deserialize = "[T; D]: serde::Deserialize<'de>"))
+)]
 enum End<T, const D: usize> {
     Body(usize, [T; D]),
     Ground([T; D]),
@@ -39,6 +44,14 @@ enum End<T, const D: usize> {
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "[T; D]: serde::Serialize, T: serde::Serialize",
+        deserialize = "[T; D]: serde::Deserialize<'de>, T: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Strut<T, const D: usize> {
     ends: [End<T, D>; 2],
     stiffness: T,
@@ -114,6 +127,14 @@ fn norm<T: Scalar, const D: usize>(a: SVector<T, D>) -> T {
 /// stiffness does not enter the pivots of joints as that of a hinge does. A step must resolve its vibration: h ω < 2.8 for `Rk4`, and for
 /// implicit rules about as much. A strut sees the whole scene, which costs a walk more in each sweep, and nothing where there are none.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "[Strut<T, D>; N]: serde::Serialize, L: serde::Serialize",
+        deserialize = "[Strut<T, D>; N]: serde::Deserialize<'de>, L: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Struts<T, const D: usize, const N: usize, L = crate::loading::Unloaded> {
     struts: [Strut<T, D>; N],
     others: L,

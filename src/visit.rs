@@ -5,7 +5,7 @@ use crate::loading::Loading;
 use crate::relation::WrenchOf;
 use crate::release::Release;
 use crate::scalar::Scalar;
-use crate::shape::{PerBody, PerJoint, Shape};
+use crate::shape::{Body, PerBody, PerJoint, Shape};
 use crate::space::{FrameOf, Space};
 pub use crate::walks::look::look;
 use crate::walks::travel::{show, travel};
@@ -20,6 +20,11 @@ pub trait Visit<S: Space> {
 
     /// Meets a body.
     fn body(&mut self, body: &S::BodyMotion) -> Self::OnBody;
+    /// Meets a body, for those who want to know what it is.
+    #[inline(always)]
+    fn body_with<B: Body<S>>(&mut self, motion: &S::BodyMotion) -> Self::OnBody {
+        self.body(motion)
+    }
     /// Meets a joint.
     fn joint(&mut self, joint: &S::JointMotion) -> Self::InJoint;
     /// Meets a joint, for those who want to know what it lets move.
@@ -74,6 +79,10 @@ impl<S: Space, V: Visit<S>> Visit<S> for &mut V {
     #[inline(always)]
     fn body(&mut self, body: &S::BodyMotion) -> V::OnBody {
         (**self).body(body)
+    }
+    #[inline(always)]
+    fn body_with<B: Body<S>>(&mut self, motion: &S::BodyMotion) -> V::OnBody {
+        (**self).body_with::<B>(motion)
     }
     #[inline(always)]
     fn joint(&mut self, joint: &S::JointMotion) -> V::InJoint {

@@ -4,7 +4,7 @@
     target/rivals/bin/python benches/rivals/rivals.py
 
 Builds pinocchio.cpp against the package `pin` (a C++ compiler and Eigen 3 have to be there), runs Pinocchio and MuJoCo, and writes
-target/bench/rivals.csv. `cargo bench --bench work_precision` draws what it finds there beside Catena's own runs.
+benches/results/rivals.csv. `cargo run --release -p catena-precision --bin chains` draws what it finds there beside Catena's own runs.
 """
 
 import csv

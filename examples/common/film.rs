@@ -2,7 +2,7 @@
 //!
 //! Where readers ask for less motion they see the still: the whole path of the traced point, and the links as they are at the start.
 
-use super::{Drawn, GREY, INK};
+use super::{Drawn, FAINT, GREY, INK};
 use plotters::style::RGBColor;
 use std::fmt::Write;
 use std::ops::Range;
@@ -34,6 +34,8 @@ pub struct Film<'a> {
     pub trace: (usize, usize, RGBColor),
     /// Points that the ground holds.
     pub ground: &'a [(f64, f64)],
+    /// Faint lines behind all else: a floor.
+    pub floor: &'a [Vec<(f64, f64)>],
 }
 
 impl Film<'_> {
@@ -85,6 +87,10 @@ impl Film<'_> {
             self.title
         )?;
         writeln!(svg, r#"<text x="20" y="50" font-size="12.5" fill="{}">{}</text>"#, hex(GREY), self.subtitle)?;
+        for line in self.floor {
+            let points = self.points(line.iter().copied());
+            writeln!(svg, r#"<polyline points="{points}" stroke="{}" stroke-width="1"/>"#, hex(FAINT))?;
+        }
         for (k, (colour, width)) in self.strokes.iter().enumerate() {
             let radius = 0.85 * width;
             writeln!(

@@ -1,6 +1,7 @@
 //! What the examples share: the look of their pictures. No mechanics here.
 #![allow(dead_code)] // each example uses its share
 
+pub mod camera;
 pub mod film;
 
 use plotters::chart::{ChartBuilder, ChartContext};
@@ -55,7 +56,10 @@ pub fn picture(name: &str, (width, height): (u32, u32), draw: impl FnOnce(&Area)
 
 /// Writes a picture into target/ and returns where it is.
 pub fn save(name: &str, svg: &str) -> Drawn<PathBuf> {
-    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/target"));
+    // Of the repository, whichever package the example is in.
+    let package = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let root = package.ancestors().find(|folder| folder.join("examples/common").is_dir());
+    let folder = root.unwrap_or(&package).join("target");
     std::fs::create_dir_all(&folder)?;
     let path = folder.join(name).with_extension("svg");
     std::fs::write(&path, svg)?;
@@ -80,6 +84,27 @@ pub fn heading<'a>(area: &Area<'a>, title: &str, subtitle: &str) -> Drawn<Area<'
 
 /// A chart with a title above it and the name of the x axis below it.
 pub fn chart<'a>(area: &Area<'a>, title: &str, x_name: &str, x: Range<f64>, y: Range<f64>) -> Drawn<Chart<'a>> {
+    axes(area, title, x_name, (x, y), [number; 2])
+}
+
+/// The same of y by powers of ten: what is drawn are logarithms, what is written are powers.
+pub fn powers<'a>(area: &Area<'a>, title: &str, x_name: &str, x: Range<f64>, y: Range<f64>) -> Drawn<Chart<'a>> {
+    axes(area, title, x_name, (x, y), [number, power])
+}
+
+/// A chart both of whose axes are powers of ten.
+pub fn log_log<'a>(area: &Area<'a>, title: &str, x_name: &str, x: Range<f64>, y: Range<f64>) -> Drawn<Chart<'a>> {
+    axes(area, title, x_name, (x, y), [power; 2])
+}
+
+/// Axes whose labels are written so.
+fn axes<'a>(
+    area: &Area<'a>,
+    title: &str,
+    x_name: &str,
+    (x, y): (Range<f64>, Range<f64>),
+    [write_x, write_y]: [fn(f64) -> String; 2],
+) -> Drawn<Chart<'a>> {
     let (width, height) = area.dim_in_pixel();
     let bold = TextStyle { font: font(14.0, INK).font.style(FontStyle::Bold), ..font(14.0, INK) };
     area.draw(&Text::new(title.to_owned(), (pixels(24.0), pixels(8.0)), bold))?;
@@ -102,12 +127,35 @@ pub fn chart<'a>(area: &Area<'a>, title: &str, x_name: &str, x: Range<f64>, y: R
         .axis_style(line(GREY, 1.0))
         .x_labels(7)
         .y_labels(6)
-        .x_label_formatter(&|x| number(*x))
-        .y_label_formatter(&|y| number(*y))
+        .x_label_formatter(&|x| write_x(*x))
+        .y_label_formatter(&|y| write_y(*y))
         .set_all_tick_mark_size(pixels(4.0))
         .label_style(font(12.0, GREY))
         .draw()?;
     Ok(chart)
+}
+
+/// Prints the heads of a table's columns and a line below, each as wide as its numbers are printed.
+pub fn heads(columns: &[(&str, usize)]) {
+    let text: String = columns.iter().map(|(head, width)| format!("  {head:>width$}")).collect();
+    println!("{text}\n  {}", "-".repeat(text.chars().count().saturating_sub(2)));
+}
+
+/// A power of ten, by its exponent; none where that is not whole.
+pub fn power(exponent: f64) -> String {
+    let whole = exponent.round();
+    if (exponent - whole).abs() > 1e-6 {
+        return String::new();
+    }
+    let raised = |c: char| match c {
+        '-' => '⁻',
+        '0' => '⁰',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        c => char::from_u32(u32::from('⁴') + u32::from(c).saturating_sub(u32::from('4'))).unwrap_or(c),
+    };
+    format!("10{}", format!("{whole:.0}").chars().map(raised).collect::<String>())
 }
 
 /// A short number with a true minus sign.

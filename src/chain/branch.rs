@@ -31,6 +31,7 @@ use num_traits::Zero;
 ///
 /// Forces that hold the tip do not reach into an arm but through the motion of its station, so its gains know nothing of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Branch<A>(pub A);
 
 impl<S: Space, A: Shape<S>> Shape<S> for Branch<A> {
@@ -40,6 +41,7 @@ impl<S: Space, A: Shape<S>> Shape<S> for Branch<A> {
     const JOINTS: Option<usize> = A::JOINTS;
     const LOOPS: usize = A::LOOPS;
     const LINEAR: bool = A::LINEAR;
+    const OWN_AXES: bool = A::OWN_AXES;
     const SINES: usize = A::SINES;
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {

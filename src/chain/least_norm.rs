@@ -28,6 +28,7 @@ use crate::space::FrameOf;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LeastNorm<K>(pub K);
 
 impl<S: Space, K: Closing<S, Closures = Cut<L>>, const L: usize> Closing<S> for LeastNorm<K> {

@@ -32,6 +32,7 @@ use crate::space::FrameOf;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Named<E> {
     /// What is named.
     pub item: E,
@@ -56,6 +57,7 @@ impl<S: Space, E: Shape<S>> Shape<S> for Named<E> {
     const JOINTS: Option<usize> = E::JOINTS;
     const LOOPS: usize = E::LOOPS;
     const LINEAR: bool = E::LINEAR;
+    const OWN_AXES: bool = E::OWN_AXES;
     const SINES: usize = E::SINES;
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> E::Store<F> {

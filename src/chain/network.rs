@@ -47,6 +47,7 @@ use typenum::{Sum, Unsigned};
 /// rates through the gains of the sweep. An end of an arm between a joint and the closing joint must have inertia, as
 /// everywhere: cut a loop at a smooth joint, and let springs sit elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Network<M, A, K> {
     arms: (M, A),
     pub(super) closing: K,
@@ -82,6 +83,7 @@ impl<S: Space, M: Shape<S>, A: Shape<S>, K: Closing<S>> Shape<S> for Network<M, 
     const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
     const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
     const LINEAR: bool = M::LINEAR && A::LINEAR;
+    const OWN_AXES: bool = M::OWN_AXES || A::OWN_AXES;
     const SINES: usize = M::SINES.saturating_add(A::SINES);
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {

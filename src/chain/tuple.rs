@@ -66,6 +66,7 @@ macro_rules! chain_of {
                 deepest
             };
             const LINEAR: bool = true $(&& $A::LINEAR)*;
+            const OWN_AXES: bool = false $(|| $A::OWN_AXES)*;
             const SINES: usize = 0_usize $(.saturating_add($A::SINES))*;
 
             fn store<Stored: Field<S>>(&self, fill: Stored::Fill) -> Self::Store<Stored> {

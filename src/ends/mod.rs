@@ -110,7 +110,7 @@ pub trait Resting<S: Space>: Root<S> {}
 #[diagnostic::on_unimplemented(
     message = "the tip `{Self}` is held",
     label = "not a free tip",
-    note = "gradients of a run backward and `Taylor` know chains and trees whose tip is `Free`",
+    note = "`Taylor` knows chains and trees whose tip is `Free`",
     note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
 )]
 pub trait Unheld<S: Space>: Tip<S, Closures = Open> {}

@@ -5,6 +5,7 @@
 ///
 /// Its bodies, joints and coordinates are those of its parts, in their order: loads, readings and motions reach all of them.
 #[macro_export]
+#[doc(hidden)] // listed in `extend`
 macro_rules! compound {
     ([$($generics:tt)*] $Whole:ty { $parts:ident: $Parts:ty }) => {
         const _: () = {
@@ -42,6 +43,7 @@ macro_rules! compound {
                 const JOINTS: ::core::option::Option<usize> = <$Parts as $crate::internals::shape::Shape<Spaced>>::JOINTS;
                 const LOOPS: usize = <$Parts as $crate::internals::shape::Shape<Spaced>>::LOOPS;
                 const LINEAR: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::LINEAR;
+                const OWN_AXES: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::OWN_AXES;
                 const SINES: usize = <$Parts as $crate::internals::shape::Shape<Spaced>>::SINES;
 
                 fn store<Stored: $crate::internals::shape::Field<Spaced>>(&self, fill: Stored::Fill) -> Self::Store<Stored> {

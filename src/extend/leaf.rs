@@ -3,6 +3,7 @@
 /// Makes an element of a type that is a [`JointModel`](crate::extend::JointModel), in every space for which it is one. Generics come
 /// first: `catena::joint!([T: Scalar, K: Copy + Debug + 'static] Geared<T, K>)`.
 #[macro_export]
+#[doc(hidden)] // listed in `extend`
 macro_rules! joint {
     ([$($generics:tt)*] $Joint:ty) => {
         const _: () = {

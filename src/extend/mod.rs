@@ -113,6 +113,9 @@ pub use check::{Disagreement, Doubt, check_element};
 pub mod model {
     pub use crate::ends::{Held, Loose};
     pub use crate::kinematics::{check, condense, motion, recover, release};
+    pub use crate::lift::Lift;
+    #[doc(inline)]
+    pub use crate::{compound, joint, lift};
 }
 pub use crate::kinematics::{Acting, Driving, JointModel, Kinematics, Outboard, Resistance};
 pub use crate::relation::Geometry;

@@ -26,6 +26,8 @@ pub trait LoadLaw<M: Seen> {
     const ON: bool = true;
     /// Whether the load depends on time or motion, or is a [`list`](Self::list).
     const READS: bool = true;
+    /// Whether values on bodies say how they yield: see [`Loading::YIELDS`](super::Loading::YIELDS).
+    const YIELDS: bool = false;
     /// The load on the body or in the joint of a number.
     fn at(&self, time: RealOf<M::Space>, number: usize, motion: &M) -> Self::Value;
     /// Loads where they are a list.
@@ -44,6 +46,7 @@ pub trait LoadLaw<M: Seen> {
 
 /// Loads given as values: an array, a slice, a vector.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Values<V>(pub V);
 
 /// A function of time, number and motion as the law of what acts on bodies or in joints.

@@ -92,6 +92,7 @@ use crate::space::{RealOf, Space};
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Loads<B = Absent, J = Absent> {
     bodies: B,
     joints: J,
@@ -177,6 +178,7 @@ impl<S: Space, B: LoadLaw<S::BodyMotion, Value: Load<S>>, J: LoadLaw<S::JointMot
     type Seen = ();
     const ON: bool = B::ON || J::ON;
     const READS: bool = B::READS || J::READS;
+    const YIELDS: bool = B::YIELDS;
 
     fn unseen() {}
     fn nothing() -> (B::Value, J::Value) {

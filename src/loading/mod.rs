@@ -31,6 +31,10 @@ pub trait Loading<S: Space> {
     /// [`listed`](Self::on_bodies_listed).
     const READS: bool = true;
 
+    /// Whether loads on bodies say how they yield ([`Load`] with an inertia of its own in implicit sweeps): then they are read where the
+    /// last sweep has led.
+    const YIELDS: bool = false;
+
     /// Whether torques are listed, and [`in_joint`](Self::in_joint) numbers joints, for those of one coordinate alone.
     const BY_COORDINATE: bool = false;
 
@@ -75,12 +79,18 @@ fn count(expected: usize, given: usize) -> Result<(), Fault> {
 pub trait Load<S: Space>: Part {
     /// The load as a force (N) and a torque (N·m) about the body's inboard end.
     fn wrench(self) -> WrenchOf<S>;
+    /// The load in axes of its body, for bodies that take it so.
+    fn in_own_axes(self, body: &S::BodyMotion) -> Self;
 }
 
 impl<S: Space> Load<S> for Absent {
     #[inline(always)]
     fn wrench(self) -> WrenchOf<S> {
         Wrench::none()
+    }
+    #[inline(always)]
+    fn in_own_axes(self, _: &S::BodyMotion) -> Self {
+        self
     }
 }
 
@@ -89,10 +99,15 @@ impl<S: Space> Load<S> for WrenchOf<S> {
     fn wrench(self) -> Self {
         self
     }
+    #[inline(always)]
+    fn in_own_axes(self, body: &S::BodyMotion) -> Self {
+        S::own_axes(body, self)
+    }
 }
 
 /// No loads but gravity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Unloaded;
 
 impl<S: Space> Loading<S> for Unloaded {

@@ -10,6 +10,7 @@ use core::marker::PhantomData;
 /// With rates and accelerations this is the force that closes it. It belongs to the accelerations and is no coordinate: it is carried
 /// along in sums, but not counted, visited or replaced.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Tied<X, F> {
     /// Of the main arm and the side arm.
     pub arms: X,

@@ -55,6 +55,14 @@ impl<C: Closures, O: Closures> Closures for Looped<C, O> {
 
 /// What the elimination of the closure forces `O` of a loop leaves behind, where `C` ride on. Columns are of type `V`.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "O::Each<V>: serde::Serialize, O::Each<T>: serde::Serialize, O::Each<C::Each<T>>: serde::Serialize, O::Pairs<T>: serde::Serialize, O::Measure<T>: serde::Serialize",
+        deserialize = "O::Each<V>: serde::Deserialize<'de>, O::Each<T>: serde::Deserialize<'de>, O::Each<C::Each<T>>: serde::Deserialize<'de>, O::Pairs<T>: serde::Deserialize<'de>, O::Measure<T>: serde::Deserialize<'de>"
+    ))
+)]
 pub struct LoopGain<V: Copy, T: Scalar, C: Closures, O: Own> {
     /// w_k: each column as its elimination met it.
     pub(super) columns: O::Each<V>,

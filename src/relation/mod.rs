@@ -42,6 +42,7 @@ use core::fmt::Debug;
 ///
 /// A zero would not do: compilers may fold neither `x + 0.0` nor `0.0 * x`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Absent;
 
 /// A value that a scene may or may not have.

@@ -5,6 +5,7 @@ use core::ops::{Add, Neg, Sub};
 
 /// A force and a torque.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Wrench<V, A> {
     /// Force (N).
     pub force: V,
@@ -29,7 +30,7 @@ impl<V: Additive, A: Additive> Wrench<V, A> {
 impl<V: VectorSpace, A: Angular<V, Scalar = V::Scalar>> Wrench<V, A> {
     /// `self + factor · other`.
     #[inline(always)]
-    pub(super) fn plus_scaled(self, factor: V::Scalar, other: Self) -> Self {
+    pub(crate) fn plus_scaled(self, factor: V::Scalar, other: Self) -> Self {
         Self {
             force: self.force.plus_scaled(factor, other.force),
             torque: self.torque.plus_scaled(factor, other.torque),
@@ -102,6 +103,7 @@ impl<G: Geometry, C: Closures> Term<Full<G, C>> for WrenchOf<G> {
 
 /// Acceleration p of a station.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Acceleration<V, A> {
     /// Of its point (m/s²).
     pub linear: V,

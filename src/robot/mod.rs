@@ -37,18 +37,24 @@
 //! | `mass_matrix`, `mass_solved`, `mass_inverse` | M, M⁻¹ times a list, M⁻¹ |
 //! | `places`, `jacobian` | where bodies are; how a point moves with the joints |
 //! | `mass_centre`, `joint_energy` | |
+//! | `inverse_dynamics_derivatives`, `forward_dynamics_derivatives` | by positions, rates and torques |
+//! | `impact` | rates after a joint has struck a hard stop |
+//! | `snapshot`, `snapshot_afloat` | a [`Snapshot`]: points, Jacobians and their rates, mass matrix, inverse dynamics, centroidal momentum, the regressor; for bases that float, too |
 //!
-//! These are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base
+//! All but the last are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base
 //! that moves is taken at time zero. Angles out of range (400 000 rad), at which runs stop, are not refused here. None allocates; each is
 //! one walk outward, one inward, or both.
 //!
-//! Not yet: held tips, loops, loads on links, derivatives through kept gains, gradients backward: such scenes do not compile.
+//! Furniture of joints is laws ([`DryFriction`], [`Stops`], a tuple of laws), drives are [`Motor`]s that a controller asks. Loads on links
+//! are those of [`spatial`](crate::spatial), in inertial axes; points that touch the ground are [`Contacts`].
+//!
+//! Not yet: held tips, loops, derivatives through kept gains, gradients backward: such scenes do not compile.
 
 mod functions;
 
 pub use crate::mechanics::spatial::body_axes::{
-    AboutZ, AlongZ, Armature, Axis, Base, Bearing, BodyAxes, Hinge, Leaning, Level, Link, Offset, OnBody, OnGround,
-    Place, Quarter, Slide, Torques, Turned, Upright,
+    AboutZ, AlongZ, Armature, Axis, Base, Bearing, Block, BodyAxes, Hinge, Leaning, Level, Link, Offset, OnBody,
+    OnGround, Place, Quarter, Slide, Torques, Turned, Upright, Yielding,
 };
 pub use crate::spatial::*;
-pub use functions::{FixedBase, Tasks};
+pub use functions::{Afloat, ByState, FixedBase, MassMatrix, Regressor, SixRows, Snapshot, Tasks};

@@ -3,17 +3,37 @@
 //! Square roots, arctangents, exponentials, logarithms and powers come from the standard library, or with feature `libm` alone from that; sine
 //! and cosine are our own in either case (see `trig`). With neither feature the crate compiles, but no number of its
 //! own implements [`Scalar`], and a number of the user's has to.
+//!
+//! With feature `reproducible` products are nowhere fused, and all these but square roots, which are rounded exactly everywhere, come
+//! from `libm`: then bits do not depend on the machine.
 #![cfg(any(feature = "std", feature = "libm"))]
 
 use super::{Real, Scalar, trig};
 use num_traits::Float;
 
 /// Whether a fused multiply-add is one instruction. Elsewhere it is a call many times slower than two operations.
-pub(super) const FUSED: bool = cfg!(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")));
+///
+/// With feature `reproducible` nothing is fused, so that machines without that instruction compute the same.
+pub(super) const FUSED: bool =
+    cfg!(all(feature = "std", not(feature = "reproducible"), any(target_feature = "fma", target_arch = "aarch64")));
 
-/// One row per type: its sine and cosine.
+/// A function of the platform, or with feature `reproducible` that of `libm`, which is the same on all.
+macro_rules! elementary {
+    ($name:ident, $libm:ident($x:expr $(, $y:expr)?)) => {{
+        #[cfg(feature = "reproducible")]
+        {
+            libm::$libm($x $(, $y)?)
+        }
+        #[cfg(not(feature = "reproducible"))]
+        {
+            Float::$name($x $(, $y)?)
+        }
+    }};
+}
+
+/// One row per type: its sine and cosine, and what `libm` calls its elementary functions.
 macro_rules! plain_numbers {
-    ($($number:ident: $sin_cos:path;)*) => {$(
+    ($($number:ident: $sin_cos:path, $atan2:ident $exp:ident $log:ident $tanh:ident $pow:ident;)*) => {$(
         impl Scalar for $number {
             type Real = $number;
             const ANGLE_RANGE: $number = trig::ANGLE_RANGE as $number;
@@ -65,22 +85,22 @@ macro_rules! plain_numbers {
 
             #[inline(always)]
             fn atan2(self, x: $number) -> $number {
-                Float::atan2(self, x)
+                elementary!(atan2, $atan2(self, x))
             }
 
             #[inline(always)]
             fn exp(self) -> $number {
-                Float::exp(self)
+                elementary!(exp, $exp(self))
             }
 
             #[inline(always)]
             fn ln(self) -> $number {
-                Float::ln(self)
+                elementary!(ln, $log(self))
             }
 
             #[inline(always)]
             fn tanh(self) -> $number {
-                Float::tanh(self)
+                elementary!(tanh, $tanh(self))
             }
 
             #[inline(always)]
@@ -121,13 +141,13 @@ macro_rules! plain_numbers {
 
             #[inline(always)]
             fn powf(self, exponent: $number) -> $number {
-                Float::powf(self, exponent)
+                elementary!(powf, $pow(self, exponent))
             }
         }
     )*};
 }
 
 plain_numbers! {
-    f32: trig::sin_cos_single;
-    f64: trig::sin_cos;
+    f32: trig::sin_cos_single, atan2f expf logf tanhf powf;
+    f64: trig::sin_cos, atan2 exp log tanh pow;
 }

@@ -2,19 +2,31 @@
 //!
 //! Every lane gives the bits a plain number would give, for sine and cosine too.
 
+mod wider;
+
 use super::{Scalar, trig};
 use simba::simd::{SimdValue, WideF32x4, WideF32x8, WideF64x4};
-use wide::{f64x4, u64x4};
+use wide::{f64x4, f64x8, u64x4, u64x8};
+pub use wider::{WideF32x16, WideF64x8};
 
-impl trig::Quadrant for WideF64x4 {
-    #[inline(always)]
-    fn turn(self, sine: Self, negative_sine: Self, cosine: Self) -> (Self, Self) {
-        let bits = self.0.to_bits();
-        let odd = f64x4::from_bits(u64x4::ZERO - (bits & u64x4::ONE));
-        let sign = f64x4::from_bits(bits << 62_u32) & f64x4::splat(-0.0);
-        let turned = (odd.select(cosine.0, sine.0), odd.select(negative_sine.0, cosine.0));
-        (Self(turned.0 ^ sign), Self(turned.1 ^ sign))
-    }
+/// One row per bundle of `f64`: what holds it and its bits.
+macro_rules! quadrants {
+    ($($lanes:ident: $wide:ident $bits:ident;)*) => {$(
+        impl trig::Quadrant for $lanes {
+            #[inline(always)]
+            fn turn(self, sine: Self, negative_sine: Self, cosine: Self) -> (Self, Self) {
+                let bits = self.0.to_bits();
+                let odd = $wide::from_bits($bits::ZERO - (bits & $bits::ONE));
+                let sign = $wide::from_bits(bits << 62_u32) & $wide::splat(-0.0);
+                let turned = (odd.select(cosine.0, sine.0), odd.select(negative_sine.0, cosine.0));
+                (Self(turned.0 ^ sign), Self(turned.1 ^ sign))
+            }
+        }
+    )*};
+}
+quadrants! {
+    WideF64x4: f64x4 u64x4;
+    WideF64x8: f64x8 u64x8;
 }
 
 /// `f32` has its sine computed in `f64`, lane by lane in a form that compilers turn into vectors of `f64`.
@@ -65,7 +77,12 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
-                Self(self.0.mul_add(factor.0, addend.0))
+                // Where numbers are not fused lanes are not either.
+                if cfg!(feature = "reproducible") {
+                    self * factor + addend
+                } else {
+                    Self(self.0.mul_add(factor.0, addend.0))
+                }
             }
 
             #[inline(always)]
@@ -91,7 +108,7 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn atan2(self, x: Self) -> Self {
-                self.zip_map(x, $number::atan2)
+                self.zip_map(x, <$number as Scalar>::atan2)
             }
 
             #[inline(always)]
@@ -126,4 +143,6 @@ lanes! {
     WideF64x4 of f64, angle => trig::sin_cos(angle);
     WideF32x4 of f32, angle => sin_cos_by_lane!(angle);
     WideF32x8 of f32, angle => sin_cos_by_lane!(angle);
+    WideF64x8 of f64, angle => trig::sin_cos(angle);
+    WideF32x16 of f32, angle => sin_cos_by_lane!(angle);
 }

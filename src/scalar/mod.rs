@@ -1,7 +1,7 @@
 //! The numbers a scene is made of.
 //!
 //! One lean trait, [`Scalar`], stands for `f32` and `f64`, for dual numbers (feature `num-dual`) and for SIMD lanes
-//! (feature `simd`: `WideF64x4`, `WideF32x4`, `WideF32x8`); a [`Jet`] carries first derivatives without a feature. A scene has one scalar; its time and step size are the scalar's [`Real`].
+//! (feature `simd`: `WideF64x4`, `WideF64x8`, `WideF32x4`, `WideF32x8`, `WideF32x16`); a [`Jet`] carries first derivatives without a feature. A scene has one scalar; its time and step size are the scalar's [`Real`].
 //!
 //! A law written for any of them is differentiated by running it on dual numbers (of the `num-dual` that this crate brings):
 //!
@@ -40,11 +40,15 @@ mod float;
 mod jet;
 #[cfg(feature = "simd")]
 mod lanes;
+mod pack;
 mod powers;
 mod trig;
 
 pub(crate) use columns::{Block, columns};
 pub use jet::Jet;
+#[cfg(feature = "simd")]
+pub use lanes::{WideF32x16, WideF64x8};
+pub use pack::Pack;
 pub(crate) use powers::Powers;
 #[cfg(feature = "simd")]
 pub use simba::simd::{WideF32x4, WideF32x8, WideF64x4};

@@ -1,8 +1,9 @@
 //! Gradients of runs in the plane, along whatever parameters a scene is made of.
 
 use super::Gradient;
+use crate::adjoint::ReversibleTip;
 use crate::element::Element;
-use crate::ends::{Root, Tip};
+use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mechanics::planar::adjoint::{BODY, NUMBERS};
@@ -133,7 +134,7 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
     where
         R: Root<Planar<Jet<T, K>>>,
         C: Element<Planar<Jet<T, K>>>,
-        P: Tip<Planar<Jet<T, K>>>,
+        P: ReversibleTip<Planar<Jet<T, K>>>,
         Elements<Planar<Jet<T, K>>, R, C>: Takes<Planar<Jet<T, K>>, Along<T, K>>
             + Shape<
                 Planar<Jet<T, K>>,
@@ -155,6 +156,7 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
         walk.add(self.ground, ground.turn.angle);
         walk.add(self.place.x, ground.place.x);
         walk.add(self.place.y, ground.place.y);
+        self.tip.iter().zip(scene.tip().numbers()).for_each(|(by, number)| walk.add(*by, number));
         walk.add(self.gravity.x, scene.gravity().x);
         walk.add(self.gravity.y, scene.gravity().y);
         Ok(walk.sum)

@@ -1,6 +1,6 @@
 //! The gradient of a run.
 
-use crate::adjoint::Reversed;
+use crate::adjoint::{Reversed, TIP};
 use crate::element::Element;
 use crate::error::{Error, Fault, counted};
 use crate::mirror::Rate;
@@ -58,6 +58,8 @@ pub struct Gradient<S: Reversed, E: Element<S>> {
     pub(crate) law: ([S::Scalar; LAW], usize),
     /// By parameters of joints.
     pub(crate) joints: E::Store<PerJoint<S::OfJoint>>,
+    /// By numbers of the tip.
+    pub(crate) tip: [S::Scalar; TIP],
     /// Number of bodies and joints.
     pub(crate) entries: usize,
 }
@@ -71,6 +73,7 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
             gravity: S::Vector::null(),
             place: S::Vector::null(),
             ground: S::Angular::null(),
+            tip: [Additive::null(); TIP],
             law: ([Additive::null(); LAW], 0),
             bodies: elements.store::<PerBody<_>>(of_body),
             numbers: elements.store::<PerBody<_>>(of_number),

@@ -34,8 +34,18 @@
 //! # Backward
 //!
 //! One number, the cost, by all that a run depends on, lengths, masses, gravity, initial values, torques of every step, is cheaper backward:
-//! [`System::backward`](crate::System::backward) and [`Backward`], some 2.8 plain runs in the plane and three to four in space, however many
+//! [`System::backward`](crate::system::System::backward) and [`Backward`], some 2.8 plain runs in the plane and three to four in space, however many
 //! derivatives there are.
+//!
+//! Second derivatives need nothing else: [`Backward`] of a scene over `Jet<f64, 1>`, with the parts `eps` of its numbers, start and torques
+//! those of a direction, gives the gradient in the parts `re` and the product of the Hessian with the direction in the parts `eps`, for three
+//! to four gradients.
+//!
+//! # Either way
+//!
+//! [`differentiable!`](crate::differentiable!) makes a function of numbers of a run: [gradient](Differentiable::gradient),
+//! [Jacobian](Differentiable::jacobian), [products with the Hessian](Differentiable::hessian_times), the linearisation of a step. It goes forward
+//! or backward, whichever costs less for so many numbers, and says which. It allocates (feature `alloc`).
 //!
 //! # What it does not know
 //!
@@ -57,11 +67,15 @@ mod along;
 mod along_in_space;
 mod backward;
 mod forward;
+#[cfg(feature = "alloc")]
+pub(crate) mod front;
 mod gradient;
 mod stepper;
 
 pub use backward::{Backward, Checkpoints, Tape};
 pub use forward::{SensitiveWorkspace, Sensitivity};
+#[cfg(feature = "alloc")]
+pub use front::{Derivatives, Differentiable, Plan, Seeded, Way};
 pub use gradient::{Costate, Gradient};
 pub use stepper::SensitiveStepper;
 

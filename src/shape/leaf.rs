@@ -16,6 +16,9 @@ use num_traits::Zero;
     label = "not an element of `{S}`"
 )]
 pub trait Body<S: Space>: Copy + 'static {
+    /// Whether the body's condensation takes loads in axes of the body.
+    const OWN_AXES: bool = false;
+
     /// What resolving the body's posture reads of its shape.
     fn size(&self) -> S::Size;
     /// The acceleration of the body's outboard end, from that of its inboard end.
@@ -153,18 +156,19 @@ pub trait AsJoint<S: Space>: Shape<S> + Joint<S> {
 /// Gives bodies or joints of a space their shape: `leaf!(body [T: Scalar] Rod<T>: Planar<T>)`. No walk is named here.
 macro_rules! leaf {
     (body [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, true, 0, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, true, <Self as $crate::shape::Body<$S>>::OWN_AXES, 0, [$($generics)*] $Leaf, $S);
     };
     (joint [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, <Self as $crate::shape::Joint<$S>>::SINES, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, false, <Self as $crate::shape::Joint<$S>>::SINES, [$($generics)*] $Leaf, $S);
     };
-    ($As:ident, $In:ident, $meet:ident, $in:ident, $bodies:literal, $joints:literal, $linear:expr, $sines:expr, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
+    ($As:ident, $In:ident, $meet:ident, $in:ident, $bodies:literal, $joints:literal, $linear:expr, $own_axes:expr, $sines:expr, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
         impl<$($generics)*> $crate::shape::Shape<$S> for $Leaf {
             type Store<Stored: $crate::shape::Field<$S>> = Stored::$In<Self>;
 
             const BODIES: Option<usize> = Some($bodies);
             const JOINTS: Option<usize> = Some($joints);
             const LINEAR: bool = $linear;
+            const OWN_AXES: bool = $own_axes;
             const SINES: usize = $sines;
 
             fn store<Stored: $crate::shape::Field<$S>>(&self, fill: Stored::Fill) -> Stored::$In<Self> {

@@ -51,6 +51,8 @@ pub trait Shape<S: Space>: Clone + 'static {
     const SINES: usize = 0;
     /// Whether no law of a spring or damper inside has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
+    /// Whether a body inside takes loads in its own axes.
+    const OWN_AXES: bool = false;
 
     /// A store of a field.
     fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F>;

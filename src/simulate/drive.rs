@@ -85,7 +85,11 @@ where
     /// Takes up what another run has left.
     pub(super) fn take_up(&mut self, memory: &K::Memory) -> Result<(), Error> {
         self.check()?;
+        if !self.stepper.remembers(memory, &self.past) {
+            return Err(Error::new(Fault::Shape));
+        }
         self.stepper.restore(memory);
+        self.progress.fit(self.past.time, self.plan.rule.control, self.plan.every)?;
         // An event where it stands was seen.
         self.value = if self.progress.stopped { None } else { self.value(Shown::Past)? };
         self.progress.stopped = false;

@@ -5,7 +5,7 @@ use crate::scalar::Real;
 use crate::time::Control;
 
 /// So many steps of a given size, or samples, a run may have at most: at a tenth of a microsecond each they take hours.
-const MOST: f64 = 1e11;
+pub(super) const MOST: f64 = 1e11;
 
 /// Refuses times, steps, tolerances and intervals that make no run from `start` to `end` (s).
 pub(super) fn check<R: Real>(

@@ -66,6 +66,10 @@ where
 }
 
 impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, S, R, C, P, L> {
+    /// The scene.
+    pub fn system(&self) -> &'a System<S, R, C, P> {
+        self.system
+    }
     /// Time (s).
     pub fn time(&self) -> RealOf<S> {
         self.stepped.time()
@@ -111,6 +115,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, 
 
 /// How a run ended.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Run<M> {
     /// The last motion, as the method has left it: an implicit rule and `Vcabm` go on from its accelerations, and forces to be read have those
     /// of [`System::with_accelerations`].

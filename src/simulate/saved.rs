@@ -1,18 +1,24 @@
 //! Runs that are saved and go on later, bit by bit as if they had never stopped.
 
+#[cfg(feature = "serde")]
+mod data;
+
 use super::drive::Running;
+use super::limits::MOST;
 use super::trials::Trials;
 use super::{EventFunction, Interrupted, Now, Run, Simulation};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::Error;
+use crate::error::{Error, finite};
 use crate::scalar::Real;
 use crate::stepper::{Method, Stepper};
 use crate::system::{MotionOf, Runs, System};
+use crate::time::Control;
 use num_traits::{One, Zero};
 
 /// How far a run has come, besides its motion and what its stepper carries.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Progress<R> {
     /// When the run began (s): samples count from there.
     pub(super) start: R,
@@ -50,9 +56,45 @@ impl<R: Real> Progress<R> {
             sweeps: 0,
         }
     }
+
+    /// Fits a progress to the motion that a run goes on from: fixed steps of another size, or samples at another interval, count from there.
+    ///
+    /// # Errors
+    /// [`NotFinite`](crate::Fault::NotFinite) for numbers from which no run goes on, as they may be read from data.
+    pub(super) fn fit(&mut self, time: R, control: Control<R>, every: Option<R>) -> Result<(), Error> {
+        let Self { start, mark, size, samples, steps, rejected, sweeps, .. } = self;
+        let counts = [mark.1, *samples, *steps, *rejected, *sweeps].iter().all(|count| *count <= usize::MAX / 2);
+        let times = [*start, mark.0, *size].iter().all(|time| time.is_finite()) && *size >= R::zero() && *start <= time;
+        finite(counts && times && self.trials.is_sound(), "progress of a run")?;
+        let count = |n: usize| R::of(n as f64);
+        if let Control::Fixed(dt) = control {
+            let planned = mark.0 + dt * count(mark.1 + 1) - time;
+            if !(planned > R::zero() && planned < dt + dt) {
+                *mark = (time, 0);
+            }
+        }
+        if let Some(every) = every {
+            let next = *start + every * count(*samples) - time;
+            let rounding = (time.abs() + every) * R::EPSILON * R::of(1e6);
+            if !(next >= -rounding && next <= every + rounding) {
+                let passed = ((time - *start) / every).as_f64();
+                finite(passed <= MOST, "progress of a run")?;
+                *samples = (passed as usize).saturating_add(1);
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Where a run stands between two steps: a value to clone, to keep, and to [`resume`](Simulation::resume) from.
+///
+/// With the feature `serde` it is data, as scenes, motions, rules and errors are: it can be written in any format that keeps all bits of
+/// a number (of `serde_json` the feature `float_roundtrip`), and what is read goes on bit by bit as what was written. Scenes, motions and
+/// memories begin with the names of their types, such as `(Planar<f64>, Pinned<[f64; 2]>, (Rod<f64>, Pin, Rod<f64>), Free)`: others are
+/// refused by these names. A scene is checked as by [`System::new`], a saved run by [`resume`](Simulation::resume). Arrays have at most 32
+/// items, tuples 16; longer chains are vectors. Functions (moving ground, laws that are closures) are no data: such a scene
+/// is built anew, and its runs are data all the same. Names of elements and the words of errors are `&'static str`: what has any is
+/// read from text that lives as long as the program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Saved<M, K, R> {
     /// The last motion, with its accelerations.
@@ -131,7 +173,8 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
     /// end is the same up to its last step, which is cut to end there.
     ///
     /// # Errors
-    /// As [`begin`](Self::begin).
+    /// As [`begin`](Self::begin); [`Shape`](crate::Fault::Shape) for a run of another scene, [`NotFinite`](crate::Fault::NotFinite) for data
+    /// that no run has saved.
     #[allow(clippy::type_complexity)] // the types are those of the scene
     pub fn resume<O>(
         self,

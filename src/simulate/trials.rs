@@ -20,8 +20,15 @@ const DODGES: usize = 3;
 /// Trial steps that are shorter than the best one and no better, before that is taken.
 const WORSE: usize = 2;
 
+/// The cause of a rejection that was not written.
+#[cfg(feature = "serde")]
+fn unknown() -> (Cause, Option<Place>) {
+    (Cause::Inaccurate, None)
+}
+
 /// The trial steps of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Trials<R> {
     /// The error (as a multiple of the tolerance) that a step may have where shorter ones are no better, in a scene that closures hold
     /// together: near a place where they become dependent, errors rise as steps shrink.
@@ -29,6 +36,7 @@ pub(super) struct Trials<R> {
     /// How small a pivot of a closure may be at the end of a step there, as a share of its measure.
     least: R,
     /// What was wrong with the last one that was rejected, and where.
+    #[cfg_attr(feature = "serde", serde(skip, default = "unknown"))] // its words would have to outlive the text
     cause: (Cause, Option<Place>),
     /// The longest one accepted (s).
     longest: R,
@@ -52,7 +60,7 @@ impl<R: Real> Trials<R> {
     /// None yet, at a time (s), for a tolerance.
     pub(super) fn new(closed: bool, tolerance: R, time: R) -> Self {
         let (root, coarse) = (R::EPSILON.sqrt(), R::EPSILON.sqrt().sqrt());
-        let allowed = (R::of(STARTLING) * tolerance).min(coarse).max(root) / tolerance;
+        let allowed = (R::of(STARTLING) * tolerance.max(root)).min(coarse) / tolerance;
         Self {
             // A share δ² leaves roundings / δ³ of accelerations: that is to be no startling error.
             least: (R::EPSILON / (R::of(STARTLING) * tolerance)).powf(R::of(2.0 / 3.0)),
@@ -69,6 +77,12 @@ impl<R: Real> Trials<R> {
             dodges: 0,
             settled: false,
         }
+    }
+
+    /// Whether trials can go on from here: what was read as data may be anything.
+    pub(super) fn is_sound(&self) -> bool {
+        let counts = [self.count, self.worse, self.evasions, self.dodges];
+        counts.iter().all(|count| *count <= usize::MAX / 2) && self.mark.is_finite() && self.longest.is_finite()
     }
 
     /// Whether a step with an error as a multiple of the tolerance is to be taken.
@@ -146,8 +160,9 @@ impl<R: Real> Trials<R> {
     /// A step over a place where closures become dependent errs by where its stages happen to fall, and by the more the shorter it is:
     /// what rounding leaves open of the motion grows towards that place with the inverse square of the distance. So steps of about the
     /// same size are tried first. One that errs by far less is taken; and if shorter ones are no better the best one is, unless it errs
-    /// by more than a hundred tolerances and the root of rounding: at the place itself closures say no more of a position. Tolerances
-    /// coarser than the fourth root of rounding are kept.
+    /// by more than a hundred tolerances and a hundred roots of rounding: at the place itself closures say no more of a position than the
+    /// root, and an estimate is that of a step not yet led back to its closures. Tolerances coarser than the fourth root of rounding are
+    /// kept.
     pub(super) fn after(&mut self, size: R, error: R, factor: R) -> R {
         let shorter = size * factor.min(R::of(0.9));
         if self.allowed.is_none() || self.longest <= R::zero() {

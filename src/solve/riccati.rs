@@ -4,13 +4,13 @@
 //! of what lies outboard about a joint.
 
 use crate::element::{
-    Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, Reading, RealOf, Space,
-    Sweep, Visit, Watch,
+    Close, Condense, Coordinates, Element, Given, InJoint, Level, Load, Loading, OnBody, Posture, Reading, RealOf,
+    Space, Springs, Sweep, Visit, Watch,
 };
 use crate::ends::{Root, Tip};
 use crate::relation::{Acceleration, Closures, Part, Solvable};
 use crate::release::Release;
-use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
+use crate::shape::{Body, Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::space::FrameOf;
 use crate::visit::survey;
 use crate::walks::measure::gains;
@@ -118,7 +118,9 @@ pub fn sweep<S: Space, E, W, R, P>(
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
     sines(chain, position, x);
     let turn = chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
-    if const { W::Loads::ON && !W::Loads::READS } {
+    // Bodies that take loads in their own axes are told their attitudes.
+    let listed = const { W::Loads::ON && !W::Loads::READS && !(E::OWN_AXES && size_of::<OnBody<S, W>>() > 0) };
+    if listed {
         spread::to_bodies(chain, loads.on_bodies_listed(), on_bodies);
         if const { W::Loads::BY_COORDINATE } {
             spread::to_coordinates(chain, loads.in_joints_listed(), in_joints);
@@ -126,10 +128,19 @@ pub fn sweep<S: Space, E, W, R, P>(
             spread::to_joints(chain, loads.in_joints_listed(), in_joints);
         }
     } else if W::Loads::ON {
-        let motion = Coordinates { position, rate, acceleration };
-        let seen = survey(chain, *ground, motion, *loads);
-        let pass = LoadPass { loads: *loads, seen, time: *time, body: 0, joint: 0 };
-        travel(chain, *ground, motion, pass, on_bodies, in_joints);
+        let pass = |seen| LoadPass { loads: *loads, seen, time: *time, body: 0, joint: 0 };
+        if const { <W::Springs as Springs<S::Scalar>>::STIFF && W::Loads::YIELDS } {
+            // As laws of joints that are not linear: where the last sweep has led, with the accelerations that led there.
+            let Reading { position, rate, acceleration } = spring.reading;
+            let motion = Coordinates { position, rate, acceleration };
+            let fallen = FrameOf::<S> { acceleration: ground.falling(*gravity), ..*ground };
+            let seen = survey(chain, fallen, motion, *loads);
+            travel(chain, fallen, motion, pass(seen), on_bodies, in_joints);
+        } else {
+            let motion = Coordinates { position, rate, acceleration };
+            let seen = survey(chain, *ground, motion, *loads);
+            travel(chain, *ground, motion, pass(seen), on_bodies, in_joints);
+        }
     }
     // Chains of hinges are inlined as a whole: what was stored is then better read from where it stands than kept beside it, for registers
     // do not suffice for a copy: 5 % of an arm's sweep.
@@ -185,6 +196,11 @@ impl<S: Space, L: Loading<S>> Visit<S> for LoadPass<'_, S, L> {
         let load = self.loads.on_body(&self.seen, self.time, self.body, motion);
         self.body += 1;
         load
+    }
+    #[inline(always)]
+    fn body_with<B: Body<S>>(&mut self, motion: &S::BodyMotion) -> L::OnBody {
+        let load = self.body(motion);
+        if const { B::OWN_AXES } { load.in_own_axes(motion) } else { load }
     }
     #[inline(always)]
     fn joint(&mut self, motion: &S::JointMotion) -> L::InJoint {

@@ -71,6 +71,12 @@ pub trait Space: Geometry {
     fn end_station(frame: &FrameOf<Self>, internal: WrenchOf<Self>) -> Self::Station;
     /// Takes a load from the balance of forces at a body's inboard station.
     fn relieve(station: &mut Self::Station, load: WrenchOf<Self>);
+    /// A force and a torque in axes of their body. In the plane no body asks for that.
+    #[inline(always)]
+    fn own_axes(body: &Self::BodyMotion, load: WrenchOf<Self>) -> WrenchOf<Self> {
+        let _ = body;
+        load
+    }
     /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.
     fn balance(station: &mut Self::Station, outer: WrenchOf<Self>) -> WrenchOf<Self>;
     /// Kinetic energy of reflected inertia in a joint, and energy stored there (J).

@@ -58,6 +58,7 @@ impl Pece {
 
 /// What [`AdamsStepper`] carries from step to step: the motions that it wrote.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AdamsMemory<M> {
     /// A ring: at `newest` and after it motions of the past, `known` of them, and before it what the last step wrote, if it did.
     ring: [M; DEPTH + 1],
@@ -292,6 +293,11 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
 
     fn memory(&self) -> Self::Memory {
         self.memory.clone()
+    }
+
+    fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
+        let AdamsMemory { ring, newest, known, .. } = memory;
+        *newest <= DEPTH && *known <= DEPTH && ring.iter().all(|past| motion.fits(past))
     }
 
     fn restore(&mut self, memory: &Self::Memory) {

@@ -24,6 +24,7 @@ const MOST_PATIENCE: usize = 20_000;
 
 /// The rules that [`Auto`] chooses from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Chosen {
     /// [`Dop853`].
     Dop853,
@@ -35,6 +36,7 @@ pub enum Chosen {
 
 /// What is known of the pace of rules.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Race<R> {
     chosen: Chosen,
     /// The rule where nothing is stiff.
@@ -327,6 +329,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
 
 /// What [`AutoStepper`] carries from step to step.
 #[derive(Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AutoMemory<R, M, G> {
     race: Race<R>,
     sweeps: usize,

@@ -211,7 +211,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         let mut squares = [0.0; 2];
         macro_rules! estimates {
             ($($k:literal)*) => {$(
-                if let Some((of_position, of_rate)) = M::errors().get($k) {
+                if let Some((of_rate, of_position)) = M::errors().get($k) {
                     let (position, rate) = &mut self.estimate;
                     let (of_position, of_rate) = (&of_position[..=M::STAGES], &of_rate[..=M::STAGES]);
                     if Self::FEW {

@@ -40,6 +40,7 @@ pub struct ImplicitStepper<D: StiffDynamics<L>, L> {
 
 /// What [`ImplicitStepper`] carries from step to step: traces of the last two motions, and what joints keep from sweep to sweep.
 #[derive(Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ImplicitMemory<M, G> {
     traces: [M; 2],
     gains: G,
@@ -47,6 +48,7 @@ pub struct ImplicitMemory<M, G> {
 
 /// A motion, to be recognised by, and how far its auxiliary acceleration A is from the true one; no time before the first step.
 #[derive(Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Trace<R, P, V> {
     time: Option<R>,
     position: P,
@@ -284,6 +286,14 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
     fn memory(&self) -> Self::Memory {
         let traces = [self.last.clone(), self.before.clone()];
         ImplicitMemory { traces, gains: self.scene.gains(&self.stiff).clone() }
+    }
+
+    fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
+        let fits = |trace: &Trace<TimeIn<D, L>, D::Position, D::Rate>| {
+            motion.position.all(&trace.position, &mut |_, _| true)
+                && [&trace.rate, &trace.offset].iter().all(|rate| motion.rate.all(rate, &mut |_, _| true))
+        };
+        memory.traces.iter().all(fits) && self.scene.gains_fit(&memory.gains)
     }
 
     fn restore(&mut self, memory: &Self::Memory) {

@@ -216,6 +216,13 @@ pub trait Stepper<D: Dynamics<L>, L> {
     /// ```
     fn memory(&self) -> Self::Memory;
 
+    /// Whether a memory is one that this stepper can go on from at a motion: one that was read as data may be of a scene with vectors of
+    /// other lengths, or of none. [`Simulation::resume`](crate::simulate::Simulation::resume) refuses others.
+    fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
+        let _ = (memory, motion);
+        true
+    }
+
     /// Goes on from what another one carried.
     fn restore(&mut self, memory: &Self::Memory);
 }

@@ -240,6 +240,10 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
         self.scene.gains(&self.stiff).clone()
     }
 
+    fn remembers(&self, memory: &D::Gains, _: &MotionIn<D, L>) -> bool {
+        self.scene.gains_fit(memory)
+    }
+
     fn restore(&mut self, memory: &D::Gains) {
         self.scene.restore_gains(&mut self.stiff, memory);
     }

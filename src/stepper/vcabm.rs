@@ -312,6 +312,10 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
         self.memory.clone()
     }
 
+    fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
+        memory.sound(motion)
+    }
+
     fn restore(&mut self, memory: &Self::Memory) {
         self.memory.clone_from(memory);
     }

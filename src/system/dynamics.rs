@@ -114,6 +114,9 @@ pub trait StiffDynamics<L>: Dynamics<L> {
     /// The gains of a workspace: with them, what comes next in another workspace is the same, bit by bit.
     fn gains<'w>(&self, workspace: &'w Self::StiffWorkspace) -> &'w Self::Gains;
 
+    /// Whether gains are of a scene of this shape: only vectors can differ, in length.
+    fn gains_fit(&self, gains: &Self::Gains) -> bool;
+
     /// Puts gains into a workspace.
     fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains);
 

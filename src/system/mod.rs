@@ -2,6 +2,8 @@
 
 #[cfg(feature = "alloc")]
 mod assembly;
+#[cfg(feature = "serde")]
+mod data;
 mod describe;
 mod doubts;
 mod dynamics;
@@ -41,6 +43,7 @@ pub use crate::counts::Counted;
 pub use crate::element::Element;
 pub use crate::ends::{Root, Tip};
 pub use crate::mirror::{Position, Rate};
+pub use crate::names::{BodyNumbers, JointNumbers, Label, Which};
 pub use crate::space::{RealOf, Space};
 
 use crate::element::{Coordinates, Loading, SpaceOver, Unloaded};
@@ -127,6 +130,11 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// The chain between the ends.
     pub fn chain(&self) -> &C {
         &self.chain.1
+    }
+
+    /// The outboard end.
+    pub(crate) fn tip(&self) -> &P {
+        &self.tip
     }
 
     /// All elements as a sweep sees them: the root's joint and the chain.

@@ -100,6 +100,10 @@ impl<D: StiffDynamics<L>, L> StiffDynamics<L> for &D {
         (**self).gains(workspace)
     }
 
+    fn gains_fit(&self, gains: &Self::Gains) -> bool {
+        D::gains_fit(self, gains)
+    }
+
     fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains) {
         (**self).restore_gains(workspace, gains);
     }

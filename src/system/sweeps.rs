@@ -16,6 +16,7 @@ use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
 use crate::walks::broken::broken;
+use crate::walks::fits::gains_fit;
 use crate::walks::independent::independent;
 use crate::walks::travel::show;
 
@@ -187,7 +188,7 @@ where
     Elements<S, R, C>:
         Condense<S, P::Relation, Carrying<L, Implicit<RealOf<S>>, P::Closures>, Out: Close<S, P::Closures>>,
 {
-    const LINEAR: bool = <Elements<S, R, C> as Shape<S>>::LINEAR;
+    const LINEAR: bool = <Elements<S, R, C> as Shape<S>>::LINEAR && !L::YIELDS;
 
     type StiffWorkspace = Workspace<S, Elements<S, R, C>, Carrying<L, Implicit<RealOf<S>>, P::Closures>>;
 
@@ -195,6 +196,10 @@ where
 
     fn gains<'w>(&self, workspace: &'w Self::StiffWorkspace) -> &'w Self::Gains {
         &workspace.kept
+    }
+
+    fn gains_fit(&self, gains: &Self::Gains) -> bool {
+        gains_fit::<S, _, P::Closures>(&self.chain, gains)
     }
 
     fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains) {

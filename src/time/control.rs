@@ -6,6 +6,7 @@ use crate::sealed::Sealed;
 ///
 /// A [`Stepper`](crate::stepper::Stepper) takes the method alone, `Dop853` or `Rk4`: it is told the size of every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rule<M, R> {
     /// The method.
     pub method: M,
@@ -39,6 +40,7 @@ impl<M, R> IntoRule<R> for Rule<M, R> {
 
 /// A choice of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Control<R> {
     /// Steps of one size (s) (the last is shortened to end on time).
     Fixed(R),

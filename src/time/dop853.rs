@@ -7,6 +7,7 @@ use super::{Control, Rule};
 /// DOP853 (E. Hairer, S. P. Nørsett, G. Wanner 1993): order 8, twelve sweeps a step, error control, dense output of order 7 for
 /// three further sweeps where it is asked for. The default for smooth motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Dop853;
 
 impl Dop853 {

@@ -6,6 +6,7 @@ use super::{Control, Rule};
 /// DOPRI5 (J. R. Dormand, P. J. Prince 1980): order 5, six sweeps a step, error control, dense output of order 4 (L. F. Shampine
 /// 1986).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Dopri5;
 
 impl Dopri5 {

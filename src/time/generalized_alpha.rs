@@ -66,6 +66,8 @@ use crate::error::Fault;
 /// A step uses the acceleration at its start. Where hinges of 1e6 N·m/rad start strained by 0.01 rad, steps of 10 and 5 ms break
 /// down: such starts need error control, or [`Sdirk4`](super::Sdirk4).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(from = "Parameters", into = "Parameters"))]
 pub struct GeneralizedAlpha {
     pub(crate) alpha_m: f64,
     pub(crate) alpha_f: f64,
@@ -74,6 +76,37 @@ pub struct GeneralizedAlpha {
     pub(crate) sweeps: usize,
     /// What is wrong with the parameters: a step says so.
     pub(crate) fault: Option<Fault>,
+}
+
+/// The method as it is written. What is wrong with it is found anew.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+struct Parameters {
+    alpha_m: f64,
+    alpha_f: f64,
+    beta: f64,
+    gamma: f64,
+    sweeps: usize,
+}
+
+#[cfg(feature = "serde")]
+impl From<Parameters> for GeneralizedAlpha {
+    fn from(Parameters { alpha_m, alpha_f, beta, gamma, sweeps }: Parameters) -> Self {
+        let outside = "a rule of this family has αₘ ≤ αf ≤ ½";
+        let alphas = (-1.0..=0.5).contains(&alpha_m) && (alpha_m..=0.5).contains(&alpha_f);
+        let fault =
+            Fault::OutOfRange { parameter: "alpha_m", value: alpha_m, least: -1.0, most: alpha_f.min(0.5), outside };
+        let Self { fault: of_newmark, .. } = Self::newmark(beta, gamma);
+        let fault = of_newmark.or((!alphas).then_some(fault));
+        Self { alpha_m, alpha_f, beta, gamma, sweeps: sweeps.max(1), fault }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<GeneralizedAlpha> for Parameters {
+    fn from(GeneralizedAlpha { alpha_m, alpha_f, beta, gamma, sweeps, .. }: GeneralizedAlpha) -> Self {
+        Self { alpha_m, alpha_f, beta, gamma, sweeps }
+    }
 }
 
 /// The fault of γ below ½.

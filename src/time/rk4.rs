@@ -8,6 +8,7 @@ use super::{Control, Rule};
 /// Its dense output has order 3, so sampled values converge
 /// with order 4 like the steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rk4;
 
 impl Rk4 {

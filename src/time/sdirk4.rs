@@ -41,8 +41,31 @@ use super::{Control, Rule};
 /// whose highest frequency is ω (2 √(T / ρA) / l for beads l apart, √3 times that for uniform rods) fixed steps break from
 /// h ω = 1.1 on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(from = "Sweeps", into = "Sweeps"))]
 pub struct Sdirk4 {
     pub(crate) sweeps: usize,
+}
+
+/// The method as it is written.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+struct Sweeps {
+    sweeps: usize,
+}
+
+#[cfg(feature = "serde")]
+impl From<Sweeps> for Sdirk4 {
+    fn from(Sweeps { sweeps }: Sweeps) -> Self {
+        Self::new().with_sweeps(sweeps)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<Sdirk4> for Sweeps {
+    fn from(method: Sdirk4) -> Self {
+        Self { sweeps: method.sweeps }
+    }
 }
 
 impl Sdirk4 {

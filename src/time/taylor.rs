@@ -45,6 +45,7 @@ use super::{Control, Rule};
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Taylor<const P: usize>;
 
 impl<const P: usize> Taylor<P> {

@@ -52,8 +52,31 @@ pub(crate) const TERMS: usize = MOST + 2;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(from = "UpTo", into = "UpTo"))]
 pub struct Vcabm {
     most: usize,
+}
+
+/// The method as it is written.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+struct UpTo {
+    order: usize,
+}
+
+#[cfg(feature = "serde")]
+impl From<UpTo> for Vcabm {
+    fn from(UpTo { order }: UpTo) -> Self {
+        Self::new().up_to(order)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<Vcabm> for UpTo {
+    fn from(method: Vcabm) -> Self {
+        Self { order: method.most }
+    }
 }
 
 impl Default for Vcabm {

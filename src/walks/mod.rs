@@ -44,5 +44,6 @@ pub mod size;
 pub mod spread;
 pub mod steer;
 pub mod stir;
+pub mod swept;
 pub mod travel;
 pub mod unspread;

@@ -5,7 +5,10 @@ use crate::relation::Additive;
 use crate::shape::{Mut, PerAxes, PerBody, PerJoint, Positions, Rates, Ref, Selective, Walk};
 
 /// Carries G and F inward, sets the costates of positions and rates, and adds to those of parameters.
-pub struct PullBack;
+pub struct PullBack {
+    /// Whether laws of springs and dampers act: in corrections by closures nothing does but inertia.
+    pub laws: bool,
+}
 
 impl<S: Reversed> Walk<S> for PullBack {
     type Carried = S::Pulled;

@@ -90,7 +90,7 @@ impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
         (_, _, _, on_body, _): AtBody<'_, S, Self, B>,
     ) -> FrameOf<S> {
         let (motion, outboard) = body.motion(frame);
-        *on_body = self.0.body(&motion);
+        *on_body = self.0.body_with::<B>(&motion);
         outboard
     }
     #[inline(always)]

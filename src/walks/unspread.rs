@@ -10,32 +10,44 @@ pub fn from_joints<S: Space, E: Shape<S>, X: Copy + 'static>(
     rest: X,
     list: &mut [X],
 ) {
-    chain.outward(&mut Joints { list, rest }, (), (joints,));
+    let mut places = list.iter_mut();
+    let mut put = |value| {
+        if let Some(place) = places.next() {
+            *place = value;
+        }
+    };
+    each_joint(chain, joints, rest, &mut put);
 }
 
-/// Places that are left.
-struct Joints<'v, X> {
-    list: &'v mut [X],
+/// Tells the entries of joints, root to tip, and sets them to `rest`.
+pub fn each_joint<S: Space, E: Shape<S>, X: Copy + 'static>(
+    chain: &E,
+    joints: &mut E::Store<PerJoint<X>>,
+    rest: X,
+    report: &mut impl FnMut(X),
+) {
+    chain.outward(&mut Joints { report, rest }, (), (joints,));
+}
+
+/// Who is told.
+struct Joints<'v, X, F> {
+    report: &'v mut F,
     rest: X,
 }
 
-impl<X: Copy> Joints<'_, X> {
+impl<X: Copy, F: FnMut(X)> Joints<'_, X, F> {
     #[inline(always)]
     fn put(&mut self, entry: &mut X) {
-        let value = core::mem::replace(entry, self.rest);
-        if let Some((first, others)) = core::mem::take(&mut self.list).split_first_mut() {
-            *first = value;
-            self.list = others;
-        }
+        (self.report)(core::mem::replace(entry, self.rest));
     }
 }
 
-impl<S: Space, X: Copy + 'static> Walk<S> for Joints<'_, X> {
+impl<S: Space, X: Copy + 'static, F: FnMut(X)> Walk<S> for Joints<'_, X, F> {
     type Carried = ();
     type Stores = (Mut<PerJoint<X>>,);
 }
 
-impl<S: Space, X: Copy + 'static> Outward<S> for Joints<'_, X> {
+impl<S: Space, X: Copy + 'static, F: FnMut(X)> Outward<S> for Joints<'_, X, F> {
     alike!();
 
     #[inline(always)]

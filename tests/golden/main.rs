@@ -4,6 +4,24 @@
 //! and the commit names the scenes that changed, and why. Bits are those of targets without fused multiply-add; on others nothing is
 //! compared.
 
+/// Runs a scene, and records how it ends. What is done with these scenes is said here, so that they serve other tests, too.
+macro_rules! golden {
+    ($record:ident, $name:literal, $scene:expr, $start:expr, $rule:expr, $end:expr) => {
+        golden!($record, $name, $scene, $start, $rule, $end, &Unloaded)
+    };
+    ($record:ident, $name:literal, $scene:expr, $start:expr, $rule:expr, $end:expr, $loads:expr) => {{
+        let (scene, loads) = (&$scene, $loads);
+        let motion = scene.simulation($rule).loads(loads).run($start, $end, |_| ())?.motion;
+        let stations = scene.stations(&motion, loads).unwrap();
+        $record.add($name, &motion, stations.iter().flat_map($crate::record::Internal::numbers).collect());
+    }};
+}
+
+/// A scene that holds functions, and is no data.
+macro_rules! golden_of_functions {
+    ($($all:tt)*) => { golden!($($all)*) };
+}
+
 mod plane;
 mod record;
 mod space;

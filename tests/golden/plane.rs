@@ -5,20 +5,6 @@ use catena::Error;
 use catena::loading::Unloaded;
 use catena::planar::*;
 
-/// Runs a scene, and records how it ends.
-macro_rules! golden {
-    ($record:ident, $name:literal, $scene:expr, $start:expr, $rule:expr, $end:expr) => {
-        golden!($record, $name, $scene, $start, $rule, $end, &Unloaded)
-    };
-    ($record:ident, $name:literal, $scene:expr, $start:expr, $rule:expr, $end:expr, $loads:expr) => {{
-        let (scene, loads) = (&$scene, $loads);
-        let motion = scene.simulation($rule).loads(loads).run($start, $end, |_| ())?.motion;
-        let stations = scene.stations(&motion, loads).unwrap();
-        let numbers = |s: &Station<_>| [s.internal.force.x, s.internal.force.y, s.internal.torque];
-        $record.add($name, &motion, stations.iter().flat_map(numbers).collect());
-    }};
-}
-
 pub fn record(record: &mut Record) -> Result<(), Error> {
     open(record)?;
     stiff(record)?;
@@ -57,7 +43,7 @@ fn open(record: &mut Record) -> Result<(), Error> {
     let moving =
         |t: f64| GroundMotion { place: [0.1 * t, -t * t], velocity: [0.1, -2.0 * t], acceleration: [0.0, -2.0] };
     let scene = System::new(Pinned::on(Moving(moving)), (rod(), Pin, rod()), Free)?.with_gravity(9.81);
-    golden!(record, "root that moves, RK4", scene, scene.at_rest(&[-1.0, -0.5])?, Rk4::step(2e-3), 0.2);
+    golden_of_functions!(record, "root that moves, RK4", scene, scene.at_rest(&[-1.0, -0.5])?, Rk4::step(2e-3), 0.2);
     Ok(())
 }
 

@@ -27,6 +27,21 @@ impl Bits for f32 {
     }
 }
 
+/// Internal force and torque at a station.
+pub trait Internal<T> {
+    fn numbers(&self) -> Vec<T>;
+}
+impl<T: Scalar> Internal<T> for catena::planar::Station<T> {
+    fn numbers(&self) -> Vec<T> {
+        vec![self.internal.force.x, self.internal.force.y, self.internal.torque]
+    }
+}
+impl<T: Scalar> Internal<T> for catena::spatial::Station<T> {
+    fn numbers(&self) -> Vec<T> {
+        [self.internal.force, self.internal.torque].map(|v| [v.x, v.y, v.z]).concat()
+    }
+}
+
 /// The bits of finite numbers.
 fn words<T: Bits>(name: &str, numbers: Vec<T>) -> Vec<u64> {
     assert!(numbers.iter().all(|x| x.is_finite()), "{name} is not finite");

@@ -6,17 +6,6 @@ use catena::loading::Unloaded;
 use catena::spatial::*;
 use nalgebra::Vector3;
 
-/// Runs a scene, and records how it ends.
-macro_rules! golden {
-    ($record:ident, $name:literal, $scene:expr, $start:expr, $rule:expr, $end:expr) => {{
-        let scene = &$scene;
-        let motion = scene.simulation($rule).run($start, $end, |_| ())?.motion;
-        let stations = scene.stations(&motion, &Unloaded).unwrap();
-        let numbers = |s: &Station<_>| [s.internal.force, s.internal.torque].map(|v| [v.x, v.y, v.z]).concat();
-        $record.add($name, &motion, stations.iter().flat_map(numbers).collect());
-    }};
-}
-
 const TENSOR: [[f64; 3]; 3] = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]];
 
 fn rod() -> Rod<f64> {

@@ -1,10 +1,8 @@
 //! The formulation of 2005, against the equations it stands for, other integrations and the published figures.
 
 mod elements;
-mod motion;
 mod numbers;
 mod scenes;
-mod space;
 mod spatial;
 mod springs;
 mod topology;

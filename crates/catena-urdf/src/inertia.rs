@@ -5,6 +5,9 @@ use crate::algebra::{
 };
 use crate::model::Pose;
 
+/// The largest number (SI) of a body or place that a robot may have: masses times squares of lengths of all bodies are to be finite.
+pub(crate) const LARGEST: f64 = 1e60;
+
 /// Mass (kg), mass centre (m) and inertia tensor about it (kg·m²).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia {
@@ -51,8 +54,9 @@ impl Inertia {
         Self { mass, centre, tensor: plus(&tensor, &apart) }
     }
 
-    pub(crate) fn is_finite(&self) -> bool {
-        self.mass.is_finite() && self.centre.iter().chain(self.tensor.iter().flatten()).all(|x| x.is_finite())
+    /// Whether sums of products of these numbers are finite, as dynamics form them.
+    pub(crate) fn can_be_added(&self) -> bool {
+        [self.mass].iter().chain(&self.centre).chain(self.tensor.iter().flatten()).all(|x| x.abs() <= LARGEST)
     }
 
     /// Second moments ∫ x xᵀ dm = ½ tr J 1 − J about the mass centre, by principal directions. None of a body is negative; then

@@ -2,7 +2,7 @@
 
 use crate::algebra::{IDENTITY, Vector, ZERO, about, cross, scale, unit};
 use crate::error::{Error, Fault};
-use crate::inertia::Inertia;
+use crate::inertia::{Inertia, LARGEST};
 use crate::model::{Furniture, Joint, Kind, Link, Model, Pose};
 use crate::note::{Notes, Remark};
 use crate::options::{Base, Options};
@@ -47,7 +47,7 @@ pub fn robot(model: &Model, options: &Options, notes: &mut Notes) -> Result<Robo
     }
     check(&base, &bodies, &frames, notes)?;
     let (name, gravity, test, elements) = (model.name.clone(), options.gravity, options.test, options.elements);
-    Ok(Robot { name, base, bodies, frames, notes: Vec::new(), gravity, test, elements })
+    Ok(Robot { name, base, bodies, frames, notes: Vec::new(), gravity, test, elements, laws: options.laws })
 }
 
 /// Which link floats.
@@ -180,12 +180,12 @@ fn across(axis: Vector) -> (Vector, Vector) {
     (cross(second, axis), second)
 }
 
-/// Whether all numbers are finite, and which bodies no distribution of mass has.
+/// Whether no number is too large, and which bodies no distribution of mass has.
 fn check(base: &Option<Inertia>, bodies: &[Body], frames: &[Frame], notes: &mut Notes) -> Result<(), Error> {
     let name = |carrier| frames.iter().find(|frame| frame.carrier == carrier).map(|frame| frame.name.clone());
     let carried = |carrier| name(carrier).unwrap_or_default();
     let mut inertia = |inertia: &Inertia, line: Option<usize>, carrier| {
-        if !inertia.is_finite() {
+        if !inertia.can_be_added() {
             let of = format!("the body of {:?}", carried(carrier));
             return Err(Error { line, ..Error::new(Fault::Overflow { of }) });
         }
@@ -202,7 +202,7 @@ fn check(base: &Option<Inertia>, bodies: &[Body], frames: &[Frame], notes: &mut 
     }
     let poses = bodies.iter().map(|body| (&body.joint, body.pose)).chain(frames.iter().map(|f| (&f.name, f.pose)));
     for (name, pose) in poses {
-        if !pose.place.iter().all(|x| x.is_finite()) {
+        if !pose.place.iter().all(|x| x.abs() <= LARGEST) {
             return Err(Error::new(Fault::Overflow { of: format!("the place of {name:?}") }));
         }
     }

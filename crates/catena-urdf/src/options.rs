@@ -2,6 +2,7 @@
 
 use crate::algebra::Vector;
 use crate::frames::Frames;
+use crate::laws::Laws;
 
 /// What the root link is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,6 +43,7 @@ pub struct Options {
     pub(crate) gravity: Vector,
     pub(crate) test: bool,
     pub(crate) elements: Elements,
+    pub(crate) laws: Laws,
 }
 
 impl Default for Options {
@@ -64,6 +66,7 @@ impl Options {
             gravity,
             test: true,
             elements: Elements::Inertial,
+            laws: Laws::none(),
         }
     }
 
@@ -98,6 +101,11 @@ impl Options {
     /// In which elements of the library the module is written.
     pub fn elements(self, elements: Elements) -> Self {
         Self { elements, ..self }
+    }
+
+    /// Which furniture of the joints the scene acts by.
+    pub fn laws(self, laws: Laws) -> Self {
+        Self { laws, ..self }
     }
 
     /// Gravity (m/s²).

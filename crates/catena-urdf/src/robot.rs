@@ -2,6 +2,7 @@
 
 use crate::algebra::{Matrix, Vector, apply, times, transpose};
 use crate::inertia::Inertia;
+use crate::laws::Laws;
 use crate::model::{Furniture, Pose};
 use crate::note::Note;
 use crate::options::Elements;
@@ -17,6 +18,7 @@ pub struct Robot {
     pub(crate) gravity: Vector,
     pub(crate) test: bool,
     pub(crate) elements: Elements,
+    pub(crate) laws: Laws,
 }
 
 /// A body with the joint that moves it against its parent.

@@ -43,7 +43,9 @@ const PIECES: [&str; 28] = [
     "é\u{1F916}",
 ];
 
+/// So many cases, or as many as the environment says.
 fn bounded(cases: u32) -> ProptestConfig {
+    let cases = std::env::var("CATENA_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(cases);
     ProptestConfig { cases, max_shrink_iters: 128, failure_persistence: None, ..ProptestConfig::default() }
 }
 

@@ -50,6 +50,7 @@ use alloc::vec::Vec;
 /// X. Rui et al. 2005 have elastic beams in the library of elements from which a system is assembled (highlight 6), and divide
 /// the beams of their Examples 2 and 3 into rigid bodies with rotary springs between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Beam<T, E = Absent, D = Absent> {
     length: T,
     /// EI (N·m²).

@@ -16,6 +16,7 @@ use typenum::{U0, U1};
 
 /// Mass, mass centre and moment of inertia of a planar body.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Inertia<T> {
     /// Mass (kg).
     pub mass: T,

@@ -24,10 +24,19 @@ use nalgebra::Vector2;
 /// acceleration moves the coordinates too; put into the relation it would make it unsymmetric, so that of the sweep before is
 /// taken, which costs no order.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: serde::Serialize, X: serde::Serialize, Y: serde::Serialize",
+        deserialize = "T: serde::Deserialize<'de>, X: serde::Deserialize<'de>, Y: serde::Deserialize<'de>, T: num_traits::Zero"
+    ))
+)]
 pub struct Linear<T, X, Y, A = Inboard> {
     pub(super) x: X,
     pub(super) y: Y,
     /// Point mass (kg) that the outboard body lumps at its inboard end, in a scene.
+    #[cfg_attr(feature = "serde", serde(skip, default = "num_traits::zero"))]
     pub(super) lumped: T,
     axes: PhantomData<A>,
 }

@@ -74,6 +74,14 @@ impl<T: Scalar, K: Springs<T>> Rotation<T, K> for Absent {
 
 /// What eliminating rotation, y and x (in this order) leaves behind.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "HingeGain<T, C>: serde::Serialize, SlideGain<T, C>: serde::Serialize, Vector2<T>: serde::Serialize",
+        deserialize = "HingeGain<T, C>: serde::Deserialize<'de>, SlideGain<T, C>: serde::Deserialize<'de>, Vector2<T>: serde::Deserialize<'de>"
+    ))
+)]
 pub struct LinearGains<T: Copy, C: Closures> {
     rotation: HingeGain<T, C>,
     y: SlideGain<T, C>,

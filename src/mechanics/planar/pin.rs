@@ -16,6 +16,7 @@ use crate::scalar::Scalar;
 /// lies outboard about the pin, which is positive wherever mechanics is regular, so that the centre of percussion, where
 /// (40) of the paper breaks down, is nothing special.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pin;
 
 impl<T: Scalar> Joint<T> for Pin {

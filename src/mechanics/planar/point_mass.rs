@@ -20,10 +20,16 @@ use num_traits::Zero;
 /// assert_eq!(bob.inertia().centre, [1.5, 0.0]);
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: serde::Serialize", deserialize = "T: serde::Deserialize<'de>, T: num_traits::Zero"))
+)]
 pub struct PointMass<T> {
     length: T,
     mass: T,
     /// In a scene the mass together with what its outboard neighbour lumps there.
+    #[cfg_attr(feature = "serde", serde(skip, default = "num_traits::zero"))]
     lumped: T,
 }
 

@@ -19,6 +19,11 @@ use nalgebra::Vector2;
 /// assert_eq!(rod.inertia().about_centre, 1.0); // m l² / 12
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: serde::Serialize", deserialize = "T: serde::Deserialize<'de>, T: num_traits::Zero"))
+)]
 pub struct Rod<T> {
     length: T,
     /// Point mass at the inboard end, m (1 − η) with η the mass centre's share of the length.
@@ -28,6 +33,7 @@ pub struct Rod<T> {
     /// J′ = J_C + m η² l² − m η l².
     rest: T,
     /// Point mass at the outboard end, in a scene together with what its outboard neighbour lumps there.
+    #[cfg_attr(feature = "serde", serde(skip, default = "num_traits::zero"))]
     lumped: T,
 }
 

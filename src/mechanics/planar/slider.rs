@@ -24,10 +24,19 @@ use nalgebra::Vector2;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: serde::Serialize, S: serde::Serialize",
+        deserialize = "T: serde::Deserialize<'de>, S: serde::Deserialize<'de>, T: num_traits::Zero"
+    ))
+)]
 pub struct Slider<T, S = Absent> {
     pub(super) direction: T,
     pub(super) spring: S,
     /// Point mass that the outboard body lumps at its inboard end, in a scene.
+    #[cfg_attr(feature = "serde", serde(skip, default = "num_traits::zero"))]
     pub(super) lumped: T,
 }
 

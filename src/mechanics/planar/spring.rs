@@ -8,6 +8,7 @@ use crate::spring::SpringLaw;
 
 /// A law of the user's own about the axis of a hinge: see [`ElasticHinge::with`](super::ElasticHinge::with).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Custom<L>(pub L);
 
 impl<T: Scalar, L: SpringLaw<T>> SpringLaw<T> for Custom<L> {

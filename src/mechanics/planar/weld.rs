@@ -19,6 +19,7 @@ use crate::scalar::Scalar;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Weld<T> {
     angle: T,
 }

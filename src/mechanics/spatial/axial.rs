@@ -5,11 +5,11 @@ use crate::element::Implicit;
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::spatial::Way;
-use crate::relation::spatial::algebra::{Columns, dot, zero};
-use crate::scalar::Scalar;
+use crate::relation::spatial::algebra::{Columns, cross, dot, zero};
+use crate::scalar::{Real, Scalar};
 use core::fmt::Debug;
 use nalgebra::Vector3;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// Coordinates as a list: a number, or an array of numbers.
 pub trait Listed<T: Scalar, const K: usize>: Position<T, Rate = Self> + Rate<T> + Copy {
@@ -106,5 +106,25 @@ pub(super) fn check_axis<T: Scalar>(axis: Vector3<T>) -> Result<(), Fault> {
     if axis == zero::<Vector3<T>>() {
         return Err(Fault::NotPositive { parameter: "length of the axis", value: 0.0 });
     }
-    Ok(())
+    check_length("length of the axis", dot(axis, axis))
+}
+
+/// Rejects directions and quaternions whose length is not one, but for rounding, given its square: those that were read, and those whose
+/// square was too small for all its digits.
+pub(super) fn check_length<T: Scalar>(parameter: &'static str, square: T) -> Result<(), Fault> {
+    let (value, slack) = (square.real().sqrt(), T::Real::EPSILON.sqrt());
+    if (value - T::Real::one()).abs() <= slack {
+        return Ok(());
+    }
+    let outside = "turns would stretch bodies";
+    Err(Fault::OutOfRange { parameter, value: value.as_f64(), least: 1.0, most: 1.0, outside })
+}
+
+/// Whether these are axes at right angles, right-handed and of length one, but for rounding.
+pub(super) fn orthonormal<T: Scalar>(Columns { x, y, z }: &Columns<T>) -> bool {
+    // Rounding of any kind passes, a digit left out does not.
+    let slack = T::Real::EPSILON.sqrt();
+    let third = cross(*x, *y) - z;
+    let misses = [dot(*x, *x) - T::one(), dot(*y, *y) - T::one(), dot(*x, *y), third.x, third.y, third.z];
+    misses.into_iter().all(|miss| miss.real().abs() <= slack)
 }

@@ -18,6 +18,7 @@ use nalgebra::Vector3;
 /// inertia tensor of all that lies outboard about the joint, is positive definite wherever mechanics is regular; (40) of the paper
 /// inverts another matrix, which is singular at centres of percussion and at θ₂ = ±π/2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ball;
 
 impl<T: Scalar> Joint<T> for Ball {

@@ -43,6 +43,7 @@ use alloc::vec::Vec;
 /// Where a beam stretches and shears, it does so along the axes of the rod inboard of each spring: where it is strongly bent as
 /// well, that converges with 1/K.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Beam<T, E = Absent, D = Absent> {
     length: T,
     /// EI about y and z (N·m²).

@@ -18,11 +18,20 @@ use nalgebra::Vector3;
 /// [`System::at_rest`](crate::system::System::at_rest) takes the angle; [`Motion::set_coordinates_of`](crate::Motion::set_coordinates_of)
 /// sets both.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Vector3<T>: serde::Serialize, L: serde::Serialize, M: serde::Serialize",
+        deserialize = "Vector3<T>: serde::Deserialize<'de>, L: serde::Deserialize<'de>, M: serde::Deserialize<'de>, T: num_traits::Zero"
+    ))
+)]
 pub struct Cylindrical<T, L = Spring, M = Spring> {
     axis: Vector3<T>,
     along: L,
     about: M,
     /// In a scene, the point mass that its outboard neighbour lumps at the outboard point.
+    #[cfg_attr(feature = "serde", serde(skip, default = "num_traits::zero"))]
     lumped: T,
 }
 

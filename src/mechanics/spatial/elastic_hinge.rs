@@ -42,6 +42,7 @@ use nalgebra::Vector3;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ElasticHinge<R, L = Absent> {
     pub(super) rotary: R,
     pub(super) linear: L,

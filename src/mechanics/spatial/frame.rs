@@ -129,6 +129,11 @@ impl<T: Scalar> JointMotion<T> {
 }
 
 impl<T: Scalar> Space for Spatial<T> {
+    #[inline(always)]
+    fn own_axes(body: &BodyMotion<T>, load: Internal<T>) -> Internal<T> {
+        let attitude = &body.inboard.turn.attitude;
+        Internal { force: attitude.transposed(load.force), torque: attitude.transposed(load.torque) }
+    }
     /// Nothing: bodies form their postures while they are oriented.
     type Size = ();
     /// Axes of a body that needs them; for a joint its axes and its arm.

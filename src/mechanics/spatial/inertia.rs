@@ -11,6 +11,7 @@ use num_traits::Zero;
 
 /// Mass, mass centre and moments of inertia of a body in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Inertia<T> {
     /// Mass (kg).
     pub mass: T,
@@ -51,7 +52,7 @@ impl<T: Scalar> Inertia<T> {
         finite("mass centre", &self.centre)?;
         self.about_centre.iter().try_for_each(|row| finite("inertia tensor", row))?;
         let (j, slack) = (self.about_centre.map(|row| row.map(T::real)), self.slack());
-        if [(0, 1), (0, 2), (1, 2)].iter().any(|(a, b)| (j[*a][*b] - j[*b][*a]).abs() > slack) {
+        if [j[0][1] - j[1][0], j[0][2] - j[2][0], j[1][2] - j[2][1]].iter().any(|off| off.abs() > slack) {
             return Err(Fault::NotSymmetric { parameter: "inertia tensor" });
         }
         let least = SecondMoments::of(self).least_moment();

@@ -23,11 +23,20 @@ use nalgebra::Vector3;
 /// point, so m_O = m_I + d × q: (33)-(35) of the paper have m_O = m_I, which creates angular momentum. Momentum and energy are
 /// conserved, and nothing depends on where the scene is turned.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "X: serde::Serialize, Y: serde::Serialize, Z: serde::Serialize",
+        deserialize = "X: serde::Deserialize<'de>, Y: serde::Deserialize<'de>, Z: serde::Deserialize<'de>, T: num_traits::Zero"
+    ))
+)]
 pub struct Linear<T, X, Y, Z> {
     pub(super) x: X,
     pub(super) y: Y,
     pub(super) z: Z,
     /// Point mass (kg) that the outboard body lumps at its inboard end, in a scene.
+    #[cfg_attr(feature = "serde", serde(skip, default = "num_traits::zero"))]
     lumped: T,
 }
 
@@ -149,6 +158,14 @@ impl<T: Scalar, K: BallRule<T>, D: RotaryDamper<T>, P: Term<Vector3<T>>> RotaryE
 
 /// What eliminating rotation and displacement (in this order) leaves behind.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "BallGain<T, C>: serde::Serialize",
+        deserialize = "BallGain<T, C>: serde::Deserialize<'de>"
+    ))
+)]
 pub struct LinearGains<T: Copy, C: Closures> {
     rotation: BallGain<T, C>,
     displacement: BallGain<T, C>,

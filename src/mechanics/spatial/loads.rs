@@ -64,6 +64,7 @@ impl<T: Scalar> Points<3> for Spatial<T> {
 /// Generalised forces on the coordinates of a joint, in the order of its rates, ON the outboard body: torques (N·m) about axes,
 /// forces (N) along them; in a ball a torque in axes of the outboard body. What exceeds the coordinates has no effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Effort<T>(pub [T; 3]);
 
 impl<T: Scalar> Default for Effort<T> {

@@ -8,6 +8,7 @@ mod ball;
 mod beam;
 mod body;
 pub mod body_axes;
+mod contact;
 mod cylindrical;
 mod elastic_hinge;
 mod ends;
@@ -43,6 +44,7 @@ pub use adjoint::{Base, Inertial, OfJoint};
 pub use ball::Ball;
 pub use beam::{Beam, Segments};
 pub use body::{Body, Pose};
+pub use contact::{Contact, Contacts, Heights, PlainContacts, Plane, Surface};
 pub use cylindrical::Cylindrical;
 pub use elastic_hinge::{ElasticBall, ElasticHinge};
 pub use ends::{

@@ -18,10 +18,16 @@ use crate::scalar::Scalar;
 /// assert_eq!(bob.inertia().centre, [1.5, 0.0, 0.0]);
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: serde::Serialize", deserialize = "T: serde::Deserialize<'de>, T: num_traits::Zero"))
+)]
 pub struct PointMass<T> {
     pub(super) length: T,
     mass: T,
     /// In a scene the mass together with what its outboard neighbour lumps there.
+    #[cfg_attr(feature = "serde", serde(skip, default = "num_traits::zero"))]
     pub(super) lumped: T,
 }
 

@@ -18,10 +18,19 @@ use nalgebra::Vector3;
 ///
 /// [`System::at_rest`]: crate::system::System::at_rest
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Vector3<T>: serde::Serialize, L: serde::Serialize",
+        deserialize = "Vector3<T>: serde::Deserialize<'de>, L: serde::Deserialize<'de>, T: num_traits::Zero"
+    ))
+)]
 pub struct Prismatic<T, L = Spring> {
     axis: Vector3<T>,
     law: L,
     /// In a scene, the point mass that its outboard neighbour lumps at the outboard point.
+    #[cfg_attr(feature = "serde", serde(skip, default = "num_traits::zero"))]
     lumped: T,
 }
 

@@ -26,6 +26,14 @@ use nalgebra::Vector3;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Vector3<T>: serde::Serialize, L: serde::Serialize",
+        deserialize = "Vector3<T>: serde::Deserialize<'de>, L: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Revolute<T, L = Spring> {
     pub(super) axis: Vector3<T>,
     pub(super) law: L,

@@ -20,6 +20,12 @@ use nalgebra::Vector3;
 /// assert_eq!(body.inertia().mass, 1.0);
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: Scalar + serde::Serialize", deserialize = "T: Scalar + serde::Deserialize<'de>"))
+)]
+#[cfg_attr(feature = "serde", serde(from = "Given<T>", into = "Given<T>"))]
 pub struct RigidBody<T> {
     inertia: Inertia<T>,
     outboard: [T; 3],
@@ -29,6 +35,29 @@ pub struct RigidBody<T> {
     pub(super) moment: [T; 3],
     /// Point mass that its outboard neighbour lumps at the outboard end, in a scene.
     pub(super) lumped: T,
+}
+
+/// What a body is made from: what it is written as.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+struct Given<T> {
+    inertia: Inertia<T>,
+    outboard: [T; 3],
+}
+
+#[cfg(feature = "serde")]
+impl<T: Scalar> From<Given<T>> for RigidBody<T> {
+    fn from(given: Given<T>) -> Self {
+        let Inertia { mass, centre, about_centre } = given.inertia;
+        Self::new(mass, about_centre, centre, given.outboard)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<T: Scalar> From<RigidBody<T>> for Given<T> {
+    fn from(body: RigidBody<T>) -> Self {
+        Self { inertia: body.inertia, outboard: body.outboard }
+    }
 }
 
 impl<T: Scalar> RigidBody<T> {

@@ -20,6 +20,11 @@ use crate::scalar::{Real, Scalar};
 /// assert_eq!(rod.inertia().about_centre[0][0], 0.375); // m r² / 2
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: serde::Serialize", deserialize = "T: serde::Deserialize<'de>, T: num_traits::Zero"))
+)]
 pub struct Rod<T> {
     pub(super) length: T,
     /// Point mass at the inboard end, m (1 − η) with η the mass centre's share of the length.
@@ -33,6 +38,7 @@ pub struct Rod<T> {
     /// (J − J′) / l², along less across.
     pub(super) excess: T,
     /// Point mass at the outboard end, in a scene together with what its outboard neighbour lumps there.
+    #[cfg_attr(feature = "serde", serde(skip, default = "num_traits::zero"))]
     pub(super) lumped: T,
 }
 

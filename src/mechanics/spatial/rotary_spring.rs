@@ -17,6 +17,7 @@ use nalgebra::Vector3;
 /// The spring stores V = ½ (φ − φ₀)ᵀ K (φ − φ₀) for the rotation vector φ (rad) of the outboard body relative to the inboard one,
 /// with stiffnesses K along axes of the inboard body; the damper exerts −C ω, for the relative angular velocity ω.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RotarySpring<T, D = Absent, P = Absent> {
     pub(super) stiffness: [T; 3],
     pub(super) damping: D,

@@ -29,9 +29,39 @@ use num_traits::{One, Zero};
 /// assert!((tilted.angles()[1] - 0.2_f64).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: Scalar + serde::Serialize", deserialize = "T: Scalar + serde::Deserialize<'de>"))
+)]
+#[cfg_attr(feature = "serde", serde(try_from = "Quaternion<T>", into = "Quaternion<T>"))]
 pub struct Rotation<T> {
     pub(super) w: T,
     pub(super) v: Vector3<T>,
+}
+
+/// A rotation as it is written: `[w, x, y, z]`.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+struct Quaternion<T>([T; 4]);
+
+#[cfg(feature = "serde")]
+impl<T: Scalar> From<Rotation<T>> for Quaternion<T> {
+    fn from(rotation: Rotation<T>) -> Self {
+        Self(rotation.quaternion())
+    }
+}
+
+/// Bit by bit: a quaternion is not brought to length one, but has it.
+#[cfg(feature = "serde")]
+impl<T: Scalar> TryFrom<Quaternion<T>> for Rotation<T> {
+    type Error = Error;
+
+    fn try_from(Quaternion([w, x, y, z]): Quaternion<T>) -> Result<Self, Error> {
+        let v = Vector3::new(x, y, z);
+        super::axial::check_length("length of the quaternion", w * w + dot(v, v)).map_err(Error::new)?;
+        Ok(Self { w, v })
+    }
 }
 
 impl<T: Scalar> Default for Rotation<T> {

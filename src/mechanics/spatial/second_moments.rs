@@ -28,9 +28,9 @@ impl<R: Real> SecondMoments<R> {
         let mut matrix: [[R; 3]; 3] = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
         let mut axes = core::array::from_fn(|i| core::array::from_fn(|j| if i == j { R::one() } else { R::zero() }));
         for _ in 0..SWEEPS {
-            for (i, j) in [(0, 1), (0, 2), (1, 2)] {
-                turn(&mut matrix, &mut axes, i, j);
-            }
+            turn::<R, 0, 1>(&mut matrix, &mut axes);
+            turn::<R, 0, 2>(&mut matrix, &mut axes);
+            turn::<R, 1, 2>(&mut matrix, &mut axes);
         }
         Self { values: core::array::from_fn(|k| matrix[k][k]), axes }
     }
@@ -58,26 +58,27 @@ impl<R: Real> SecondMoments<R> {
     }
 }
 
-/// Turns axes `i` and `j` in their plane so that the entry between them vanishes.
-fn turn<R: Real>(matrix: &mut [[R; 3]; 3], axes: &mut [[R; 3]; 3], i: usize, j: usize) {
-    let off = matrix[i][j];
+/// Turns axes `I` and `J` in their plane so that the entry between them vanishes. They are constants, so that no compiler, however small
+/// its code is to be, asks whether there are such axes.
+fn turn<R: Real, const I: usize, const J: usize>(matrix: &mut [[R; 3]; 3], axes: &mut [[R; 3]; 3]) {
+    let off = matrix[I][J];
     if off == R::zero() {
         return;
     }
     // t = tan φ, the smaller root of t² + 2 t (m_jj − m_ii) / (2 m_ij) − 1 = 0.
-    let ratio = (matrix[j][j] - matrix[i][i]) / (off + off);
+    let ratio = (matrix[J][J] - matrix[I][I]) / (off + off);
     let tangent = (ratio.abs() + (ratio * ratio + R::one()).sqrt()).recip();
     let tangent = if ratio < R::zero() { -tangent } else { tangent };
     let cosine = (tangent * tangent + R::one()).sqrt().recip();
     let sine = tangent * cosine;
     for rows in [&mut *matrix, axes] {
         for row in rows {
-            (row[i], row[j]) = (cosine * row[i] - sine * row[j], sine * row[i] + cosine * row[j]);
+            (row[I], row[J]) = (cosine * row[I] - sine * row[J], sine * row[I] + cosine * row[J]);
         }
     }
-    let (a, b) = (matrix[i], matrix[j]);
+    let (a, b) = (matrix[I], matrix[J]);
     for k in 0..3 {
-        (matrix[i][k], matrix[j][k]) = (cosine * a[k] - sine * b[k], sine * a[k] + cosine * b[k]);
+        (matrix[I][k], matrix[J][k]) = (cosine * a[k] - sine * b[k], sine * a[k] + cosine * b[k]);
     }
 }
 

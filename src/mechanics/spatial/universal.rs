@@ -16,6 +16,14 @@ use nalgebra::Vector3;
 ///
 /// Its coordinates are the angles (rad) about these, zero where the axes of both bodies coincide.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Vector3<T>: serde::Serialize, L: serde::Serialize, M: serde::Serialize",
+        deserialize = "Vector3<T>: serde::Deserialize<'de>, L: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Universal<T, L = Spring, M = Spring> {
     axes: [Vector3<T>; 2],
     first: L,

@@ -1,5 +1,6 @@
 //! The rigid joint.
 
+use super::axial::orthonormal;
 use super::release::{self, Release};
 use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, joint::One, joint::Stored};
 use crate::element::{Condense, Given, Posture, Sweep};
@@ -20,6 +21,11 @@ use nalgebra::Vector3;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "Columns<T>: serde::Serialize", deserialize = "Columns<T>: serde::Deserialize<'de>"))
+)]
 pub struct Weld<T> {
     attitude: Columns<T>,
 }
@@ -68,8 +74,11 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     }
     fn check(&self) -> Result<(), Fault> {
         let Columns { x, y, z } = self.attitude;
-        let finite = is_finite(x) && is_finite(y) && is_finite(z);
-        if finite { Ok(()) } else { Err(Fault::NotFinite { parameter: "attitude" }) }
+        if !(is_finite(x) && is_finite(y) && is_finite(z)) {
+            return Err(Fault::NotFinite { parameter: "attitude" });
+        }
+        let fault = Fault::NotZero { parameter: "what the axes of a weld miss to be orthonormal and right-handed" };
+        if orthonormal(&self.attitude) { Ok(()) } else { Err(fault) }
     }
     #[inline(always)]
     fn recovered<C: Closures>(

@@ -87,6 +87,14 @@ impl<T: Scalar, C: Closures> Rigid<T> for Full<T, C> {
 
 /// What eliminating a rotation leaves behind: α = free + w · a + row · λ.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Vector2<T>: serde::Serialize, T: serde::Serialize, C::Each<T>: serde::Serialize",
+        deserialize = "Vector2<T>: serde::Deserialize<'de>, T: serde::Deserialize<'de>, C::Each<T>: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Gain<T: Copy, C: Closures = Open> {
     /// w = −s / S_mm (rad/m).
     pub per_acceleration: Vector2<T>,
@@ -163,6 +171,14 @@ impl<T: Scalar, C: Closures> HingeGain<T, C> {
 
 /// What eliminating a stiff rotation leaves behind: φ̈ = free + w · a + w_α α + row · λ.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Vector2<T>: serde::Serialize, T: serde::Serialize, C::Each<T>: serde::Serialize",
+        deserialize = "Vector2<T>: serde::Deserialize<'de>, T: serde::Deserialize<'de>, C::Each<T>: serde::Deserialize<'de>"
+    ))
+)]
 pub struct HingeGain<T: Copy, C: Closures = Open> {
     /// w (rad/m).
     pub per_acceleration: Vector2<T>,

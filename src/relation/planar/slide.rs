@@ -31,6 +31,14 @@ pub trait Slides<T: Scalar>: Relation<Planar<T>, WithMass = Self> {
 
 /// What eliminating a displacement leaves behind: ẍ = free + w · a + w_α α + row · λ.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Vector2<T>: serde::Serialize, T: serde::Serialize, C::Each<T>: serde::Serialize",
+        deserialize = "Vector2<T>: serde::Deserialize<'de>, T: serde::Deserialize<'de>, C::Each<T>: serde::Deserialize<'de>"
+    ))
+)]
 pub struct SlideGain<T: Copy, C: Closures> {
     /// w.
     pub per_acceleration: Vector2<T>,

@@ -48,6 +48,11 @@ pub fn is_finite<T: Scalar>(v: Vector3<T>) -> bool {
 
 /// A 3 × 3 matrix as three columns. That of an attitude holds the body's axes in inertial axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "Vector3<T>: serde::Serialize", deserialize = "Vector3<T>: serde::Deserialize<'de>"))
+)]
 pub struct Columns<T> {
     /// First column.
     pub x: Vector3<T>,
@@ -121,6 +126,7 @@ impl<T: Scalar, U: Scalar> Lift<T, U> for Columns<T> {
 
 /// A symmetric 3 × 3 matrix, one triangle stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Symmetric3<T> {
     /// Row x, column x.
     pub xx: T,

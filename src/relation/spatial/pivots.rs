@@ -147,6 +147,14 @@ pub(super) fn turned_out<T: Scalar, C: Closures, V: Copy, X: Copy>(
 
 /// What eliminating a rotation leaves behind: α = free + G a + rows · λ.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Columns<T>: serde::Serialize, Vector3<T>: serde::Serialize, C::Each<Vector3<T>>: serde::Serialize",
+        deserialize = "Columns<T>: serde::Deserialize<'de>, Vector3<T>: serde::Deserialize<'de>, C::Each<Vector3<T>>: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Gain<T: Copy, C: Closures = Open> {
     /// G = −H⁻¹ Kᵀ (rad/m).
     pub per_acceleration: Columns<T>,
@@ -183,6 +191,14 @@ impl<T: Scalar, C: Closures> Gain<T, C> {
 
 /// What eliminating a rotation relative to the inboard body leaves behind: β = free + G a + G_α α + rows · λ.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Gain<T, C>: serde::Serialize, Columns<T>: serde::Serialize",
+        deserialize = "Gain<T, C>: serde::Deserialize<'de>, Columns<T>: serde::Deserialize<'de>"
+    ))
+)]
 pub struct BallGain<T: Copy, C: Closures = Open> {
     /// All but G_α.
     pub absolute: Gain<T, C>,
@@ -224,6 +240,14 @@ impl<T: Scalar, C: Closures> BallGain<T, C> {
 
 /// What eliminating one coordinate leaves behind: q̈ = free + w · (a, α) + row · λ.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Vector3<T>: serde::Serialize, T: serde::Serialize, C::Each<T>: serde::Serialize",
+        deserialize = "Vector3<T>: serde::Deserialize<'de>, T: serde::Deserialize<'de>, C::Each<T>: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Pivot<T: Copy, C: Closures = Open> {
     /// w for the acceleration of the station.
     pub per_linear: Vector3<T>,

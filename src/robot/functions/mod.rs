@@ -1,7 +1,13 @@
 //! Functions of lists in the order of the joints: dynamics.
 
+mod derivatives;
+mod impact;
 mod mass;
 mod places;
+mod snapshot;
+
+pub use derivatives::ByState;
+pub use snapshot::{Afloat, MassMatrix, Regressor, SixRows, Snapshot};
 
 use crate::element::{Carrying, Condense, Element, Explicit, Given, Posture, Reading};
 use crate::ends::{Root, Tip};
@@ -10,6 +16,7 @@ use crate::mechanics::spatial::body_axes::composite::Composite;
 use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
 use crate::mechanics::spatial::body_axes::inverse::{Carried, Carrying as Load, Loaded, Resisting};
 use crate::mechanics::spatial::body_axes::places::{Places, Tally};
+use crate::mechanics::spatial::body_axes::solids::Solids;
 use crate::mechanics::spatial::body_axes::{Base, Stand, Torques};
 use crate::mechanics::spatial::{Clamped, Frame, Spatial};
 use crate::mirror::{Position, Rate};
@@ -64,6 +71,7 @@ pub trait Tasks<T: Scalar, const N: usize>:
     + Takes<S<T>, Outward<T, N>>
     + Takes<S<T>, Places<T, N>>
     + Takes<S<T>, Tally<T, N>>
+    + Takes<S<T>, Solids<T, N>>
 {
 }
 
@@ -81,6 +89,7 @@ impl<T: Scalar, const N: usize, C> Tasks<T, N> for C where
         + Takes<S<T>, Outward<T, N>>
         + Takes<S<T>, Places<T, N>>
         + Takes<S<T>, Tally<T, N>>
+        + Takes<S<T>, Solids<T, N>>
 {
 }
 

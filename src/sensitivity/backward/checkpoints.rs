@@ -49,7 +49,7 @@ pub struct Tape<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> 
     before: MotionOf<S, R, C, P>,
     /// Size of the step (s).
     size: RealOf<S>,
-    record: Record<S, Elements<S, R, C>, M>,
+    record: Record<S, Elements<S, R, C>, M, P::Closures>,
 }
 
 impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> Clone for Tape<S, R, C, P, M> {

@@ -11,12 +11,13 @@
 //! Where positions are curved, rules sum up coordinates of the step: then Q, V and λ are the costates of these, of their first and of their
 //! second derivatives, from and to which [`Position`] translates, and positions before the step get their share from each row.
 
+use super::projection::weigh;
 use super::steps::{ROWS, Record, Stage, Steps};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::{Additive, Wrench};
+use crate::relation::{Additive, Closures, Wrench};
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::shape::Takes;
@@ -46,10 +47,13 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M>,
+        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let (last, one) = (M::STAGES, RealOf::<S>::one());
+        if const { Self::HELD } {
+            self.pull_back_projection(past.time + step, past, record, gradient);
+        }
         self.of_position.as_mut()[last].set(&gradient.start.position);
         self.of_rate.as_mut()[last].set(&gradient.start.rate);
         if Self::CURVED {
@@ -76,6 +80,11 @@ where
                 position.transposed_acceleration(&past.position, &mut self.of_acceleration);
             }
             self.pull_back_stage(row, past, past.time + RealOf::<S>::of(M::node(row)) * step, record, gradient);
+            if let Some(room) = &self.room
+                && row + 1 == last
+            {
+                self.of_position.as_mut()[row].add(&room.of_stage);
+            }
             let (of_position, of_rate) = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
             let of_past = &mut gradient.start.position;
             if curved {
@@ -98,7 +107,7 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M>,
+        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
     ) -> S::Scalar {
         let (one, slopes) = (RealOf::<S>::one(), record.accelerations.as_ref());
         let mut sum = S::Scalar::zero();
@@ -125,26 +134,35 @@ where
         row: usize,
         past: &MotionOf<S, R, C, P>,
         time: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M>,
+        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let elements = self.scene.elements();
-        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, acceleration } =
-            &record.stages.as_ref()[row];
+        let stage = &record.stages.as_ref()[row];
+        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, acceleration, .. } = stage;
         let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (position, rate) };
         let slope = &record.accelerations.as_ref()[row];
         let acceleration = if Self::CURVED && row > 0 { acceleration } else { slope };
         let free = &mut self.of_acceleration;
-        elements.take(&mut Meet, Wrench::none(), (x, y, p, q, kept, pivots, free));
         let frame = self.scene.ground(time);
+        let ends = (elements, self.scene.tip());
+        let held = self.room.as_mut().map(|room| room.weights(ends, &frame, stage, free));
+        let (beyond, weight) = held.unwrap_or_else(|| (Wrench::none(), P::Closures::each(|_| S::Scalar::zero())));
+        elements.take(&mut Meet, beyond, (x, y, p, q, kept, pivots, &mut *free));
         let kept_of_them = (&mut self.on_bodies, &mut self.in_joints);
         let stores = (x, y, p, q, kept, (rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
-        elements.take(&mut Stir, S::at_ground(&frame), stores);
+        let stirred = elements.take(&mut Stir, S::at_ground(&frame), stores);
+        let mut pulled = S::Pulled::null();
+        if const { Self::HELD } {
+            let falling = frame.falling(self.scene.gravity());
+            let accelerations = (stage.reached, falling);
+            pulled = weigh(self.scene, (&weight, &stage.force), accelerations, &P::stirred(&stirred), gradient);
+        }
         let Gradient { bodies, joints, .. } = gradient;
         let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
         let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots);
         let stores = (x, y, p, q, (position, rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
-        let left = elements.take(&mut PullBack, S::Pulled::null(), stores);
+        let left = elements.take(&mut PullBack { laws: true }, pulled, stores);
         let (gravity, turn) = S::of_ground(&left, &frame);
         (gradient.gravity, gradient.ground) = (gradient.gravity + gravity, gradient.ground + turn);
         if const { L::ON } {

@@ -27,10 +27,16 @@ impl<S: Reversed, E: Element<S>, L: BodyLaw<S>> Seen<S, E, L> {
         Self { law, on_bodies, in_joints: elements.store::<PerJoint<_>>(()) }
     }
 
-    /// Finds frames of bodies, and the loads on them.
-    pub(super) fn see(&mut self, elements: &E, ground: FrameOf<S>, motion: Coordinates<'_, S, E>, time: RealOf<S>) {
+    /// Finds frames of bodies, and the loads on them; gives the frame of the tip.
+    pub(super) fn see(
+        &mut self,
+        elements: &E,
+        ground: FrameOf<S>,
+        motion: Coordinates<'_, S, E>,
+        time: RealOf<S>,
+    ) -> FrameOf<S> {
         let visit = Telling { law: self.law, time, body: 0 };
-        travel(elements, ground, motion, visit, &mut self.on_bodies, &mut self.in_joints);
+        travel(elements, ground, motion, visit, &mut self.on_bodies, &mut self.in_joints)
     }
 }
 

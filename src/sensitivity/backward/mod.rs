@@ -6,6 +6,7 @@ mod costates;
 mod events;
 mod linear;
 mod loads;
+mod projection;
 mod steps;
 
 use super::gradient::{Costate, Gradient};
@@ -62,7 +63,9 @@ use steps::{Record, Steps};
 /// # What it knows
 ///
 /// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs, in tuples, arrays, vectors
-/// and branches, named or not, from a `Pinned` or `Clamped` root that does not move to free tips. Springs may have dampers and rest values;
+/// and branches, named or not, from a `Pinned` or `Clamped` root that does not move to free tips, or to those that are `Pinned`, `Clamped` or
+/// `Guided` at a place that does not move. The projection that puts a tip back at the end of a step is part of the step, and of the
+/// gradient; places, angles and lines of tips are parameters. Forces that hold a tip are no part of states here: costs may not read them. Springs may have dampers and rest values;
 /// a law of the user's own in a hinge ([`ElasticHinge::with`](crate::planar::ElasticHinge::with)) goes backward by itself where it is
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
@@ -107,13 +110,15 @@ use steps::{Record, Steps};
 /// A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differed by 0.1
 /// from one measurement to the next, by 0.4 at most (3 rods on balls, once 3.3).
 ///
+/// Chains whose tip is pinned take more: 5.8 plain runs (instructions 6.9) for three rods and RK4, 5.2 (7.6) for twenty, x86-64-v3.
+///
 /// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs
 /// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which
 /// [few states](Self::gradient_between) are kept 2.7 (RK4, n = 20, a million steps); in space 1.8 and 2.8 (7 rigid bodies on revolutes, 3000
 /// steps). (Two cores shared with other work: times are the least of 400, of 2000, of one and of 15.)
 pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit, L = Absent> {
     steps: Steps<'s, S, R, C, P, M, L>,
-    record: Record<S, Elements<S, R, C>, M>,
+    record: Record<S, Elements<S, R, C>, M, P::Closures>,
     spare: MotionOf<S, R, C, P>,
     /// For gradients of which no parameters are asked.
     scratch: Gradient<S, Elements<S, R, C>>,

@@ -1,12 +1,13 @@
 //! Steps of a run with all that their stages keep for costates.
 
 use super::loads::Seen;
+use super::projection::{Projection, Room};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf};
-use crate::ends::Root;
+use crate::ends::{Root, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::{Additive, Open, Wrench};
+use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Open, Wrench};
 use crate::scalar::Real;
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape, Takes};
 use crate::stepper::displace::displace;
@@ -26,7 +27,7 @@ pub(super) const ROWS: usize = 16;
 
 /// What a stage of a step keeps for its costates.
 #[derive(Clone)]
-pub(super) struct Stage<S: Reversed, E: Element<S>> {
+pub(super) struct Stage<S: Reversed, E: Element<S>, X: Closures> {
     pub(super) x: E::Store<PerAxes<S::X>>,
     pub(super) y: E::Store<PerAxes<S::Y>>,
     pub(super) p: E::Store<PerAxes<S::P>>,
@@ -40,25 +41,32 @@ pub(super) struct Stage<S: Reversed, E: Element<S>> {
     pub(super) rate: E::Rate,
     /// Accelerations, where those of the step's coordinates are others.
     pub(super) acceleration: E::Rate,
+    /// Λ and λ of what holds the tip.
+    pub(super) compliance: X::Pairs<S::Scalar>,
+    pub(super) force: X::Each<S::Scalar>,
+    /// Acceleration of the tip.
+    pub(super) reached: AccelerationOf<S>,
 }
 
 /// A step with what its stages keep.
-pub(super) struct Record<S: Reversed, E: Element<S>, M: Explicit> {
-    pub(super) stages: M::Rows<Stage<S, E>>,
+pub(super) struct Record<S: Reversed, E: Element<S>, M: Explicit, X: Closures> {
+    pub(super) stages: M::Rows<Stage<S, E, X>>,
     pub(super) accelerations: M::Rows<E::Rate>,
+    /// What puts the tip back where it is held, if it is.
+    pub(super) projection: Option<Projection<S, E, X>>,
 }
 
-impl<S: Reversed, E: Element<S>, M: Explicit> Clone for Record<S, E, M> {
+impl<S: Reversed, E: Element<S>, M: Explicit, X: Closures> Clone for Record<S, E, M, X> {
     fn clone(&self) -> Self {
         let (mut stages, mut accelerations) =
             (M::rows(&self.stages.as_ref()[0]), M::rows(&self.accelerations.as_ref()[0]));
         stages.as_mut().clone_from_slice(self.stages.as_ref());
         accelerations.as_mut().clone_from_slice(self.accelerations.as_ref());
-        Self { stages, accelerations }
+        Self { stages, accelerations, projection: self.projection.clone() }
     }
 }
 
-impl<S: Reversed, E: Element<S>, M: Explicit> Record<S, E, M> {
+impl<S: Reversed, E: Element<S>, M: Explicit, X: Closures> Record<S, E, M, X> {
     /// Accelerations in which the step begins.
     pub(super) fn first(&self) -> &E::Rate {
         &self.accelerations.as_ref()[0]
@@ -66,7 +74,7 @@ impl<S: Reversed, E: Element<S>, M: Explicit> Record<S, E, M> {
 }
 
 /// What makes steps and pulls costates back through them.
-pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P, M: Explicit, L> {
+pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit, L> {
     /// What acts on bodies.
     pub(super) loads: Seen<S, Elements<S, R, C>, L>,
     pub(super) scene: &'s System<S, R, C, P>,
@@ -91,6 +99,8 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P, M: Explic
     /// Weights of each row's acceleration in the positions and rates of all rows: columns of the tableau.
     pub(super) weights: M::Rows<[[f64; ROWS]; 2]>,
     pub(super) nodes: [f64; ROWS],
+    /// Room for what holds the tip.
+    pub(super) room: Option<Room<S, Elements<S, R, C>>>,
 }
 
 impl<'s, S, R, C, P, M, L> Steps<'s, S, R, C, P, M, L>
@@ -104,6 +114,8 @@ where
     Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
     EffortOf<S>: Additive,
 {
+    /// Whether the tip is held.
+    pub(super) const HELD: bool = P::Closures::COUNT > 0;
     pub(super) const CURVED: bool = <PositionOf<S, R, C> as Position<S::Scalar>>::CURVED;
 
     pub(super) fn new(scene: &'s System<S, R, C, P>, law: L) -> Self {
@@ -136,11 +148,12 @@ where
             in_joints: elements.store::<PerJoint<_>>(in_joint),
             weights,
             nodes,
+            room: Self::HELD.then(|| Room::new(elements, scene.ground(RealOf::<S>::zero()))),
         }
     }
 
     /// Room for a step.
-    pub(super) fn record(&self) -> Record<S, Elements<S, R, C>, M> {
+    pub(super) fn record(&self) -> Record<S, Elements<S, R, C>, M, P::Closures> {
         let elements = self.scene.elements();
         let (x, y, p, q) = S::blank();
         let stage = Stage {
@@ -155,8 +168,12 @@ where
             position: elements.store::<Positions>(()),
             rate: self.zero.clone(),
             acceleration: self.zero.clone(),
+            compliance: P::Closures::no_pairs(),
+            force: P::Closures::each(|_| S::Scalar::zero()),
+            reached: Acceleration::zero(),
         };
-        Record { stages: M::rows(&stage), accelerations: M::rows(&self.zero) }
+        let projection = Self::HELD.then(|| Projection::new(elements, &self.zero));
+        Record { stages: M::rows(&stage), accelerations: M::rows(&self.zero), projection }
     }
 
     /// Takes the torques of a step: none where none are given, whatever an earlier run was given.
@@ -184,7 +201,7 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &mut Record<S, Elements<S, R, C>, M>,
+        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
     ) {
         for row in 0..M::STAGES {
             if row > 0 {
@@ -204,6 +221,9 @@ where
                 position.inverse_retract_acceleration(&past.position, rate, slope);
             }
         }
+        if const { Self::HELD } {
+            self.project(past, step, record);
+        }
     }
 
     /// The step to a time, from the past motion to the next, which has no accelerations.
@@ -211,19 +231,24 @@ where
         &mut self,
         time: RealOf<S>,
         past: &MotionOf<S, R, C, P>,
-        record: &mut Record<S, Elements<S, R, C>, M>,
+        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
         next: &mut MotionOf<S, R, C, P>,
     ) {
         let step = time - past.time;
         self.evaluate(past, step, record);
+        next.acceleration.set(&self.zero);
+        next.time = time;
+        if let Some(projection) = &record.projection {
+            next.position.clone_from(projection.place());
+            next.rate.set(&projection.rate);
+            return;
+        }
         let (row, room) = (M::STAGES, (&self.zero, &mut self.sum));
         let into = (&mut next.position, &mut next.rate);
         displace(past, record.accelerations.as_ref(), M::node(row), row_weights::<M>(row), step, room, into);
         if Self::CURVED {
             next.position.retract_rate(&past.position, &mut next.rate);
         }
-        next.acceleration.set(&self.zero);
-        next.time = time;
     }
 
     /// The sweep of a stage.
@@ -233,11 +258,11 @@ where
         row: usize,
         past: &MotionOf<S, R, C, P>,
         time: RealOf<S>,
-        record: &mut Record<S, Elements<S, R, C>, M>,
+        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
     ) {
         let (elements, ground) = (self.scene.elements(), self.scene.ground(time));
-        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, .. } =
-            &mut record.stages.as_mut()[row];
+        let stage = &mut record.stages.as_mut()[row];
+        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, .. } = stage;
         let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (&*position, &*rate) };
         S::pose(elements, position, rate, ground.turn, &self.sizes, x, y, p, q);
         elements.take(&mut Factor, S::nothing(), (x, y, p, q, (position, rate), &self.torques, kept, pivots));
@@ -247,6 +272,10 @@ where
         }
         let acceleration = &mut record.accelerations.as_mut()[row];
         let falling = ground.falling(self.scene.gravity());
-        elements.take(&mut Reach, falling, (x, y, p, q, kept, acceleration, (at_bodies, at_joints)));
+        let reached = elements.take(&mut Reach, falling, (x, y, p, q, kept, acceleration, (at_bodies, at_joints)));
+        if let Some(room) = &mut self.room {
+            stage.reached = reached;
+            room.hold((elements, self.scene.tip()), (&ground, falling), stage, acceleration);
+        }
     }
 }

@@ -31,6 +31,7 @@ const BRIDGE: usize = 3;
 
 /// What [`VcabmStepper`](super::VcabmStepper) carries from step to step.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct VcabmMemory<M, V, R> {
     /// A ring: at `newest` and after it motions of the past, and before it what the last step wrote, if it did.
     ring: [M; LENGTH],
@@ -80,6 +81,20 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
         }
     }
 
+    /// Whether a method can go on from it at a motion.
+    pub(super) fn sound(&self, motion: &Motion<T, P, C>) -> bool {
+        let Self { ring, newest, known, differences, sizes, change, made, order, wanted, .. } = self;
+        let fits = |rate: &P::Rate| motion.rate.all(rate, &mut |_, _| true);
+        let counts = *newest < LENGTH && *known <= KEPT && *made <= MOST && (1..=MOST).contains(order);
+        let advances = wanted.is_none_or(|size| size.is_finite() && size > Zero::zero());
+        counts
+            && advances
+            && sizes.iter().all(|size| size.is_finite())
+            && ring.iter().all(|past| motion.fits(past))
+            && differences.iter().all(fits)
+            && fits(change)
+    }
+
     /// The place in the ring of what the last step wrote.
     fn before(&self) -> usize {
         (self.newest + LENGTH - 1) % LENGTH
@@ -123,7 +138,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
             self.advance(first, room);
             self.failures = 0;
         } else if self.known > 0 && is(&self.ring[self.newest]) {
-            self.failures += usize::from(self.written);
+            self.failures = self.failures.saturating_add(usize::from(self.written));
             if self.failures >= FAILURES {
                 (self.known, self.order, self.starting, self.steady) = (1, 1, true, 0);
             }
@@ -256,13 +271,14 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
 
     /// Whether the next step could have one order more.
     pub(super) fn may_rise(&self) -> bool {
-        !self.starting && 2 * self.steady > self.made && self.known > self.made
+        !self.starting && self.steady > self.made / 2 && self.known > self.made
     }
 
     /// Chooses order and size of the next step from errors (as multiples of the tolerance) of the last one, had it had this order, the one
     /// below, the one above.
     pub(super) fn choose(&mut self, [own, lower, higher]: [Option<f64>; 3], dt: T::Real, most: usize) {
-        let order = self.made;
+        // After a step of another method, one that fails may be judged before it is kept: then no order has been made yet.
+        let order = self.made.max(1);
         let factor = |error: Option<f64>, order: usize| {
             error.map_or(0.0, |error| power(AIM / error.clamp(1e-30, 1e30), ((order + 1) as f64).recip()))
         };
@@ -287,7 +303,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
                 (best, longest) = (order + 1, risen);
             }
         }
-        self.steady = if best == order { self.steady + 1 } else { 0 };
+        self.steady = if best == order { self.steady.saturating_add(1) } else { 0 };
         let longer = if longest >= WORTH { longest.min(GROWTH) } else { longest.min(1.0) };
         self.order = best;
         self.wanted = Some(dt * T::Real::of(longer));

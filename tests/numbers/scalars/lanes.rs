@@ -1,6 +1,7 @@
 //! Lanes against plain numbers, bit for bit.
 
 use super::*;
+use catena::scalar::{WideF32x16, WideF64x8};
 use simba::simd::{WideF32x4, WideF32x8, WideF64x4};
 
 /// Every lane of a result has the bits of a plain computation; angles from 1e-3 to beyond the range, both signs.
@@ -41,6 +42,8 @@ fn every_lane_computes_what_a_plain_number_does() {
     lanes_compute_alone!(WideF64x4, f64, 4);
     lanes_compute_alone!(WideF32x4, f32, 4);
     lanes_compute_alone!(WideF32x8, f32, 8);
+    lanes_compute_alone!(WideF64x8, f64, 8);
+    lanes_compute_alone!(WideF32x16, f32, 16);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::names::{Scope, comment};
 use super::plan::{Part, Plan};
-use super::{list, number, structure};
+use super::{laws, list, number, structure};
 use crate::algebra::{Matrix, Vector, quaternion};
 use crate::inertia::Inertia;
 use crate::options::Elements;
@@ -39,15 +39,21 @@ pub fn imports(robot: &Robot, plan: &Plan) -> String {
     let slides = |slides: bool| robot.bodies.iter().any(|body| body.slides == slides);
     let welds = parts().any(|part| matches!(part, Part::Weld(_)));
     let fixed = robot.base.is_none();
+    let law = |name: &str| laws::uses(robot, name);
     let used = [
+        ("Absent", law("Spring")),
         ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
         ("Clamped", fixed),
+        ("DryFriction", law("DryFriction")),
         ("Effort", true),
         ("Free", true),
+        ("Motor", robot.laws.has_motors()),
         ("Prismatic", slides(true)),
         ("Revolute", slides(false)),
         ("RigidBody", true),
         ("Rotation", fixed || welds),
+        ("Spring", law("Spring")),
+        ("Stops", law("Stops")),
         ("System", true),
         ("Weld", welds),
     ];
@@ -60,20 +66,24 @@ fn local_imports(robot: &Robot, plan: &Plan) -> String {
     let parts = || plan.arms.iter().flat_map(|arm| &arm.parts);
     let slides = |slides: bool| robot.bodies.iter().any(|body| body.slides == slides);
     let [any, quarter, level] = structure::kinds(robot, robot.is_general());
+    let law = |name: &str| laws::uses(robot, name);
     let used = [
-        ("Absent", robot.base.is_none()),
+        ("Absent", robot.base.is_none() || law("Spring")),
         ("Base", robot.base.is_none()),
         ("BodyAxes", robot.base.is_some()),
         ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
+        ("DryFriction", law("DryFriction")),
         ("Effort", true),
         ("Free", true),
         ("Hinge", slides(false)),
         ("Level", level),
         ("Link", true),
+        ("Motor", robot.laws.has_motors()),
         ("OnGround", robot.base.is_none()),
         ("Quarter", quarter),
         ("Slide", slides(true)),
-        ("Spring", robot.base.is_none()),
+        ("Spring", robot.base.is_none() || law("Spring")),
+        ("Stops", law("Stops")),
         ("System", true),
         ("Turned", any),
     ];
@@ -113,9 +123,14 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
                     let body = &robot.bodies[*joint];
                     let structure::Joint { mask, offset, .. } = structure::joint(body, robot.is_general());
                     let kind = if body.slides { "Slide" } else { "Hinge" };
-                    let ground =
-                        if robot.base.is_none() && body.parent.is_none() { ", Spring, Absent, OnGround" } else { "" };
-                    (format!("{kind}<T, {offset}, 0b{mask:03b}{ground}>"), format!("joint {}", comment(&body.joint)))
+                    let grounded = robot.base.is_none() && body.parent.is_none();
+                    let law = laws::kind(robot, body).or_else(|| grounded.then(|| "Spring".to_owned()));
+                    let law = law.map_or(String::new(), |law| format!(", {law}"));
+                    let ground = if grounded { ", Absent, OnGround" } else { "" };
+                    (
+                        format!("{kind}<T, {offset}, 0b{mask:03b}{law}{ground}>"),
+                        format!("joint {}", comment(&body.joint)),
+                    )
                 }
                 Part::Base(_) => ("RigidBody<T>".to_owned(), title_of(robot, Carrier::Base)),
                 Part::Body(body, _) => ("RigidBody<T>".to_owned(), title_of(robot, Carrier::Body(*body))),
@@ -123,8 +138,9 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
                 Part::Weld(_) => ("Weld<T>".to_owned(), "a turn".to_owned()),
                 Part::Joint(joint) => {
                     let body = &robot.bodies[*joint];
-                    let kind = if body.slides { "Prismatic<T>" } else { "Revolute<T>" };
-                    (kind.to_owned(), format!("joint {}", comment(&body.joint)))
+                    let kind = if body.slides { "Prismatic" } else { "Revolute" };
+                    let law = laws::kind(robot, body).map_or(String::new(), |law| format!(", {law}"));
+                    (format!("{kind}<T{law}>"), format!("joint {}", comment(&body.joint)))
                 }
                 Part::Arm(arm) => (format!("Branch<{}<T>>", names.types[*arm]), String::new()),
                 Part::Rest(arm) => (format!("{}<T>", names.types[*arm]), String::new()),
@@ -184,6 +200,11 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
             false => (format!("{kind}<T>"), "(", ")"),
         };
         let ask = if fails { "?" } else { "" };
+        if number + 1 == plan.arms.len() {
+            text += "/// All elements, from root to tip: for a scene of one's own.\n";
+            text += if fails { "///\n/// # Errors\n/// Where a turn is none.\n" } else { "" };
+            text += "pub ";
+        }
         let _ = writeln!(text, "fn {name}<T: Scalar>() -> {kind} {{\n    {open}");
         for part in &arm.parts {
             let local = robot.elements != Elements::Inertial;
@@ -198,8 +219,9 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
                     let turned = turned.map_or(String::new(), |turned| format!(".turned({turned})"));
                     let ground = if robot.base.is_none() && body.parent.is_none() { ".grounded()" } else { "" };
                     format!(
-                        "{kind}::at::<0b{mask:03b}>({}){turned}{ground}, // {}",
+                        "{kind}::at::<0b{mask:03b}>({}){turned}{}{ground}, // {}",
                         vector(place),
+                        laws::with(robot, body),
                         comment(&body.joint)
                     )
                 }
@@ -213,7 +235,8 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
                 Part::Joint(joint) => {
                     let body = &robot.bodies[*joint];
                     let make = if body.slides { "Prismatic::along" } else { "Revolute::about" };
-                    format!("{make}({}), // {}", vector(body.axis), comment(&body.joint))
+                    let law = laws::with(robot, body);
+                    format!("{make}({}){law}, // {}", vector(body.axis), comment(&body.joint))
                 }
                 Part::Arm(arm) => format!("Branch({}(){ask})", names.functions[*arm]),
                 Part::Rest(arm) => format!("{}(){ask}", names.functions[*arm]),

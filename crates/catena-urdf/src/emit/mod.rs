@@ -2,6 +2,7 @@
 
 mod constants;
 mod elements;
+mod laws;
 mod names;
 mod plan;
 mod structure;
@@ -22,6 +23,7 @@ pub fn module(robot: &Robot, name: &str) -> String {
     text += &constants::joints(robot);
     text += &constants::frames(robot, &plan);
     text += &elements::constructors(robot, &plan);
+    text += &laws::motors(robot);
     text += "fn vector<T: Scalar>(numbers: [f64; 3]) -> [T; 3] {\n    numbers.map(T::literal)\n}\n\n";
     text += "fn tensor<T: Scalar>(rows: [[f64; 3]; 3]) -> [[T; 3]; 3] {\n    rows.map(vector)\n}\n";
     if robot.test {

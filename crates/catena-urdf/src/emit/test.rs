@@ -17,7 +17,9 @@ pub fn module(robot: &Robot) -> String {
     let count = offset + robot.bodies.len();
     // Accelerations unlike each other.
     let accelerations: Vec<f64> = (0..count).map(|k| 1.0 - 0.37 * (k % 7) as f64).collect();
-    let forces = robot.inverse_dynamics(&state, &accelerations, robot.gravity);
+    let mut forces = robot.inverse_dynamics(&state, &accelerations, robot.gravity);
+    let laws = robot.law_forces(&state.q, &state.rates);
+    forces[offset..].iter_mut().zip(laws).for_each(|(force, law)| *force -= law);
     let mass = robot.mass_matrix(&state);
     let attitude = quaternion(&state.attitude);
     let (mut positions, mut rates) = (Vec::new(), Vec::new());
@@ -93,7 +95,9 @@ fn local(robot: &Robot) -> String {
     let joints = robot.bodies.len();
     let torques: Vec<f64> = (0..joints).map(|k| 1.0 - 0.37 * (k % 7) as f64).collect();
     let bias = robot.inverse_dynamics(&state, &vec![0.0; offset + joints], robot.gravity);
-    let forces = std::iter::repeat_n(&0.0, offset).chain(&torques);
+    let laws = robot.law_forces(&state.q, &state.rates);
+    let driven = torques.iter().zip(laws).map(|(torque, law)| torque + law);
+    let forces = std::iter::repeat_n(0.0, offset).chain(driven);
     let right: Vec<f64> = forces.zip(bias).map(|(force, bias)| force - bias).collect();
     // A robot whose mass matrix has no inverse was refused when it was read.
     let accelerations = solve(&robot.mass_matrix(&state), &right).unwrap_or_default();

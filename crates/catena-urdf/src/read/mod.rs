@@ -6,10 +6,10 @@ mod joint;
 mod link;
 mod transmission;
 
-use crate::Options;
 use crate::error::{Error, Fault};
 use crate::model::{Joint, Kind, Link, Model};
 use crate::note::{Notes, Remark};
+use crate::{Laws, Options};
 use angles::Angles;
 use element::{Element, Lines};
 use std::collections::HashMap;
@@ -58,7 +58,7 @@ pub fn model(text: &str, options: &Options, notes: &mut Notes) -> Result<Model, 
         reader.transmission(element, &mut joints, &names)?;
     }
     check_mimics(&joints, &names)?;
-    tell_constants(&joints, reader.notes);
+    tell_constants(&joints, options.laws, reader.notes);
     Ok(Model { name: root.text("name").unwrap_or("robot").to_owned(), links, joints })
 }
 
@@ -106,14 +106,15 @@ fn check_mimics(joints: &[Joint], names: &HashMap<String, usize>) -> Result<(), 
     Ok(())
 }
 
-/// Furniture that the scene's joints have no laws for yet.
-fn tell_constants(joints: &[Joint], notes: &mut Notes) {
+/// Furniture that the scene does not act by.
+fn tell_constants(joints: &[Joint], laws: Laws, notes: &mut Notes) {
     for Joint { line, name, kind, furniture, .. } in joints {
+        let (limits, slides) = (furniture.lower.is_finite() || furniture.upper.is_finite(), *kind == Kind::Prismatic);
         let has = [
-            ("a limit of position", furniture.lower.is_finite() || furniture.upper.is_finite()),
+            ("a limit of position", limits && laws.stops_of(furniture, slides).is_none()),
             ("a limit of effort or velocity", furniture.effort.is_finite() || furniture.velocity.is_finite()),
-            ("damping", furniture.damping != 0.0),
-            ("dry friction", furniture.friction != 0.0),
+            ("damping", furniture.damping != 0.0 && laws.damping_of(furniture).is_none()),
+            ("dry friction", furniture.friction != 0.0 && laws.friction_of(furniture, slides).is_none()),
             ("a reduction", furniture.reduction.is_some()),
         ];
         if *kind == Kind::Fixed {

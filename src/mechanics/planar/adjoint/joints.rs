@@ -201,7 +201,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for ElasticHinge
     #[inline(always)]
     fn take(
         &self,
-        _: &mut PullBack,
+        walk: &mut PullBack,
         outer: Pulled<T>,
         (.., (position, rate, _, w), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
             '_,
@@ -211,7 +211,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for ElasticHinge
         >,
     ) -> Pulled<T> {
         let turned = outer.turned(kept.turning);
-        let of_law = self.rotary.pull_back(*position, *rate, *w, sums);
+        let of_law = if walk.laws { self.rotary.pull_back(*position, *rate, *w, sums) } else { [T::zero(); 2] };
         (*of_position, *of_rate) = (turned[0] + of_law[0], turned[1] + of_law[1]);
         outer.summed(Some(turned))
     }

@@ -39,8 +39,8 @@ type Read<T> = Jet<T, READ>;
 pub struct Felt<T> {
     /// Of its place, of its velocity, of its virtual velocity.
     pub(super) place: Vector2<T>,
-    velocity: Vector2<T>,
-    stirring: Vector2<T>,
+    pub(super) velocity: Vector2<T>,
+    pub(super) stirring: Vector2<T>,
     /// Of angle and rate of what turns with the inboard body.
     pub(super) turn: [T; 2],
 }

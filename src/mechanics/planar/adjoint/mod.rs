@@ -1,6 +1,7 @@
 //! The costate sweep in the plane: what is carried and kept.
 
 mod bodies;
+mod ends;
 mod joints;
 mod laws;
 mod loads;

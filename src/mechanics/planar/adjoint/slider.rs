@@ -101,7 +101,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Stir> for Slider<T, L> {
 impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for Slider<T, L> {
     fn take(
         &self,
-        _: &mut PullBack,
+        walk: &mut PullBack,
         outer: Pulled<T>,
         (x, y, p, q, (position, rate, acceleration, w), (_, a, _, kept, _), (_, sums), (of_position, of_rate)): Of<
             '_,
@@ -119,7 +119,8 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for Slider<T, L>
         let (along_line, pull, push) = (dot(line, momentum), dot(beside, momentum), dot(beside, force));
         let spin2 = turning.rate * turning.rate;
         let twice = two * turning.rate;
-        let of_law = self.spring.pull_back(*position, *rate, *w, &mut sums[2..]);
+        let none = [T::zero(); 2];
+        let of_law = if walk.laws { self.spring.pull_back(*position, *rate, *w, &mut sums[2..]) } else { none };
         *of_position = of_law[0] + spin2 * along_line - turning.acceleration * pull - turning.stirring * push;
         *of_rate = of_law[1] - twice * pull;
         let line_turns = [twice * *rate * along_line - *acceleration * pull - *w * push, -(two * *rate * pull)];

@@ -43,6 +43,7 @@ impl<T: Scalar, F: Fn(T::Real) -> [T; 3]> Attitude<T> for Turning<F> {
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Clamped<G, A> {
     /// Place of the end (m).
     pub place: G,

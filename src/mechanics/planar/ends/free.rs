@@ -11,6 +11,7 @@ use nalgebra::Vector2;
 
 /// An end on which nothing acts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Free;
 
 /// The joint of a chain that floats: coordinates x, y (m) and the absolute angle of its first body (rad), against which nothing

@@ -10,6 +10,7 @@ use crate::relation::planar::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
+use num_traits::Zero;
 
 /// An end that slides along a straight line of the ground and does not turn against it. The ground may move as a given function
 /// of time, like that of a [`Clamped`] end.
@@ -26,6 +27,7 @@ use nalgebra::Vector2;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Guided<G, A, T> {
     ground: Clamped<G, A>,
     line: T,
@@ -57,6 +59,23 @@ impl<G, A, T: Scalar> Guided<G, A, T> {
         self.ground.verify::<T>()?;
         let fault = Error::new(Fault::NotFinite { parameter: "direction of the line" });
         if self.line.is_finite() { Ok(()) } else { Err(fault) }
+    }
+
+    /// The ground, and the direction of the line against it (rad).
+    pub(in crate::mechanics::planar) fn parts(&self) -> (Clamped<G, A>, T)
+    where
+        Clamped<G, A>: Copy,
+    {
+        (self.ground, self.line)
+    }
+
+    /// Normal to the line of a ground that does not move.
+    pub(in crate::mechanics::planar) fn across(&self) -> Vector2<T>
+    where
+        G: Ground<T, 2>,
+        A: Attitude<T>,
+    {
+        self.normal(&self.ground.frame(T::Real::zero()))
     }
 
     /// Normal to the line.

@@ -24,6 +24,7 @@ use num_traits::Zero;
 /// }));
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pinned<G> {
     /// Where.
     pub place: G,

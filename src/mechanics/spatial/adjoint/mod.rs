@@ -2,6 +2,7 @@
 
 mod ball;
 mod bodies;
+mod ends;
 mod inertial;
 mod loads;
 mod revolute;

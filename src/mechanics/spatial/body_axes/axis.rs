@@ -91,6 +91,7 @@ pub type Slide<T, C = Level, const PLACE: u8 = 0, L = Spring, A = Absent, B = On
 
 /// A joint of one coordinate about or along the z axis of the body that it carries: a [`Hinge`] or a [`Slide`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Axis<T, M, C = Level, const PLACE: u8 = 0, L = Spring, A = Absent, B = OnBody> {
     pub(super) place: [T; 3],
     pub(super) offset: C,

@@ -1,14 +1,14 @@
 //! A rigid body in its own axes.
 
+use super::loaded::OnLink;
 use super::number::{Number, Triangle, Triple, apply_onto, cross_onto, masked, more, rows, triangle, triple, values};
 use super::relation::{Alone, Local};
 use super::through::Solid;
 use crate::counts::Counted;
-use crate::element::{Condense, Element, Given, Loading, Posture, Sweep};
+use crate::element::{Condense, Element, Given, Loading, OnBody, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
 use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
-use crate::relation::Absent;
 use crate::relation::spatial::Empty;
 use crate::relation::spatial::algebra::{Columns, zero};
 use crate::scalar::{Real, Scalar};
@@ -32,12 +32,32 @@ use typenum::{U0, U1};
 /// assert_eq!(link.inertia(), plain.inertia());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: Scalar + serde::Serialize", deserialize = "T: Scalar + serde::Deserialize<'de>"))
+)]
+#[cfg_attr(feature = "serde", serde(from = "Inertia<T>", into = "Inertia<T>"))]
 pub struct Link<T, const MOMENT: u8 = 7, const TENSOR: u8 = 63> {
     inertia: Inertia<T>,
     /// m r_C (kg·m).
     moment: [T; 3],
     /// About the origin (kg·m²): xx, yy, zz, yz, xz, xy.
     tensor: [T; 6],
+}
+
+#[cfg(feature = "serde")]
+impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> From<Inertia<T>> for Link<T, MOMENT, TENSOR> {
+    fn from(Inertia { mass, centre, about_centre }: Inertia<T>) -> Self {
+        Self::new(mass, centre, about_centre)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> From<Link<T, MOMENT, TENSOR>> for Inertia<T> {
+    fn from(link: Link<T, MOMENT, TENSOR>) -> Self {
+        link.inertia
+    }
 }
 
 impl<T: Scalar> Link<T> {
@@ -147,6 +167,8 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Solid<T> for Link<T, MOMENT,
 }
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> crate::shape::Body<Spatial<T>> for Link<T, MOMENT, TENSOR> {
+    const OWN_AXES: bool = true;
+
     fn size(&self) {}
     #[inline(always)]
     fn shifted(&self, inboard: Acceleration<T>, _: PostureOf<'_, Spatial<T>>) -> Acceleration<T> {
@@ -219,25 +241,25 @@ impl<T, const MOMENT: u8, const TENSOR: u8> Counted for Link<T, MOMENT, TENSOR> 
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8, W> Condense<Spatial<T>, Empty, W> for Link<T, MOMENT, TENSOR>
 where
-    W: Sweep<Spatial<T>, Loads: Loading<Spatial<T>, OnBody = Absent>>,
+    W: Sweep<Spatial<T>, Loads: Loading<Spatial<T>, OnBody: OnLink<T>>>,
 {
-    type Out = Alone<T, MOMENT, TENSOR>;
+    type Out = <OnBody<Spatial<T>, W> as OnLink<T>>::Alone<MOMENT, TENSOR>;
 
     #[inline(always)]
     fn condense(
         &self,
         _: Empty,
         posture: Posture<'_, Spatial<T>, Self>,
-        _: Given<'_, Spatial<T>, Self, W>,
+        given: Given<'_, Spatial<T>, Self, W>,
         (): &mut (),
     ) -> Self::Out {
-        self.alone([posture.y[0].into(), posture.y[1].into()])
+        given.on_bodies.on_alone(self.alone([posture.y[0].into(), posture.y[1].into()]), given.springs)
     }
 }
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8, W> Condense<Spatial<T>, Local<T>, W> for Link<T, MOMENT, TENSOR>
 where
-    W: Sweep<Spatial<T>, Loads: Loading<Spatial<T>, OnBody = Absent>>,
+    W: Sweep<Spatial<T>, Loads: Loading<Spatial<T>, OnBody: OnLink<T>>>,
 {
     type Out = Local<T>;
 
@@ -246,10 +268,11 @@ where
         &self,
         outer: Local<T>,
         posture: Posture<'_, Spatial<T>, Self>,
-        _: Given<'_, Spatial<T>, Self, W>,
+        given: Given<'_, Spatial<T>, Self, W>,
         (): &mut (),
     ) -> Local<T> {
-        outer.with(self.alone([posture.y[0].into(), posture.y[1].into()]))
+        let relation = outer.with(self.alone([posture.y[0].into(), posture.y[1].into()]));
+        given.on_bodies.on_others(relation, given.springs)
     }
 }
 

@@ -32,10 +32,12 @@ use typenum::U0;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BodyAxes;
 
 /// The joint of a [`Base`], whose axes are inertial ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Upright;
 
 /// The matrix of an attitude.
@@ -208,6 +210,7 @@ impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T>, W> for Upri
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Base<T> {
     /// Where the robot begins (m).
     pub place: [T; 3],

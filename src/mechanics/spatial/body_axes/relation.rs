@@ -44,6 +44,7 @@ pub trait Outboard<T: Scalar>: Copy {
 
 /// What eliminating a coordinate leaves behind: q̈ = free − a · (its gains) − α · (its gains), in axes of the outboard body.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Gains<T> {
     /// For the acceleration of the body's origin.
     pub linear: [T; 3],
@@ -92,7 +93,7 @@ fn own<T: Scalar>(mass: T, moment: Triple<T>, tensor: Triangle<T>, force: Triple
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Alone<T, MOMENT, TENSOR> {
     #[inline(always)]
-    fn parts(self) -> Sparse<T> {
+    pub(super) fn parts(self) -> Sparse<T> {
         let (moment, tensor) = (masked(MOMENT, self.moment), triangle(TENSOR, self.tensor));
         let force = if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(self.force) };
         own(self.mass, moment, tensor, force, triple(self.torque))
@@ -132,6 +133,17 @@ impl<T: Scalar> Local<T> {
     pub fn with_body(self, mass: T, moment: Triple<T>, tensor: Triangle<T>) -> Self {
         let none = [Number::zero(); 3];
         self.sparse().plus(&own(mass, moment, tensor, none, none)).dense()
+    }
+
+    /// Force and torque for accelerations of the origin and of the body.
+    #[inline(always)]
+    pub(super) fn answer(&self, [a, angular]: [Vector3<T>; 2]) -> [Vector3<T>; 2] {
+        let dot = |row: [T; 3], v: Vector3<T>| row[0].mul_add(v.x, row[1].mul_add(v.y, row[2] * v.z));
+        let by = |rows: [[T; 3]; 3], v: Vector3<T>| Vector3::new(dot(rows[0], v), dot(rows[1], v), dot(rows[2], v));
+        let whole = |[xx, yy, zz, yz, xz, xy]: [T; 6]| [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        let [x, y, z] = self.coupling;
+        let back = [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]];
+        [by(whole(self.linear), a) + by(self.coupling, angular), by(back, a) + by(whole(self.angular), angular)]
     }
 
     /// In inertial axes, of which `attitude` holds those of the body.

@@ -18,6 +18,7 @@ use crate::scalar::Scalar;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Torques<V>(pub V);
 
 impl<T: Scalar> Drive<T> for T {

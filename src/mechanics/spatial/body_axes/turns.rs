@@ -4,9 +4,10 @@ use super::number::{Number, Rows, triple};
 use crate::error::Fault;
 use crate::lift::{Lift, lift};
 use crate::mechanics::spatial::Rotation;
+use crate::mechanics::spatial::axial::{check_length, orthonormal};
 use crate::mechanics::spatial::inertia::finite;
-use crate::relation::spatial::algebra::{Columns, cross, dot};
-use crate::scalar::{Real, Scalar};
+use crate::relation::spatial::algebra::Columns;
+use crate::scalar::Scalar;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 
@@ -25,6 +26,7 @@ pub trait Offset<T: Scalar>: Copy + Debug + 'static {
 
 /// No turn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Level;
 
 /// One of the 24 turns of a cube: the body's x axis points along an axis of the parent, and so do the two others.
@@ -38,10 +40,12 @@ pub struct Level;
 /// # let _: LayZAlongY = Quarter::<30>;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quarter<const CODE: u8>;
 
 /// A turn by an angle (rad) about the parent's x axis: what is left of any turn once axes are chosen as Denavit and Hartenberg do.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Leaning<T> {
     cosine: T,
     sine: T,
@@ -49,6 +53,11 @@ pub struct Leaning<T> {
 
 /// Any turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "Columns<T>: serde::Serialize", deserialize = "Columns<T>: serde::Deserialize<'de>"))
+)]
 pub struct Turned<T> {
     axes: Columns<T>,
 }
@@ -131,7 +140,8 @@ impl<T: Scalar> Offset<T> for Leaning<T> {
         [[i, o, o], [o, c, s.negated()], [o, s, c]]
     }
     fn check(&self) -> Result<(), Fault> {
-        finite("turn of a body's axes", &[self.cosine, self.sine])
+        finite("turn of a body's axes", &[self.cosine, self.sine])?;
+        check_length("turn of a body's axes", self.cosine * self.cosine + self.sine * self.sine)
     }
 }
 
@@ -144,14 +154,8 @@ impl<T: Scalar> Offset<T> for Turned<T> {
     fn check(&self) -> Result<(), Fault> {
         let Columns { x, y, z } = self.axes;
         [x, y, z].into_iter().try_for_each(|axis| finite("turn of a body's axes", &[axis.x, axis.y, axis.z]))?;
-        // Rounding of any kind passes, a digit left out does not.
-        let slack = T::Real::EPSILON.sqrt();
-        let third = cross(x, y) - z;
-        let misses = [dot(x, x) - T::one(), dot(y, y) - T::one(), dot(x, y), third.x, third.y, third.z];
-        if misses.into_iter().all(|miss| miss.real().abs() <= slack) {
-            return Ok(());
-        }
-        Err(Fault::NotZero { parameter: "what a turn's axes miss to be orthonormal and right-handed" })
+        let fault = Fault::NotZero { parameter: "what a turn's axes miss to be orthonormal and right-handed" };
+        if orthonormal(&self.axes) { Ok(()) } else { Err(fault) }
     }
 }
 

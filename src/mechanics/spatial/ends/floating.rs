@@ -13,6 +13,7 @@ use nalgebra::Vector3;
 /// The joint of a chain that floats: place and attitude of its first body, whose rates are the velocity in inertial and the angular
 /// velocity in body axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Floating<T> {
     /// Point mass that the first body lumps at its inboard end.
     lumped: T,

@@ -13,6 +13,7 @@ use nalgebra::Vector3;
 
 /// An end on which nothing acts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Free;
 
 impl<T: Scalar> Root<Spatial<T>> for Free {

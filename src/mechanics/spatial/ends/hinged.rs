@@ -2,11 +2,11 @@
 
 use super::{Attitude, Clamped, Compliance, Ground};
 use crate::ends::{Held, Loose, Root, Tip};
-use crate::error::{Error, Place};
+use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
-use crate::mechanics::spatial::axial::{check_axis, unit};
+use crate::mechanics::spatial::axial::{check_axis, orthonormal, unit};
 use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Revolute, Rotation, Spatial, Turn};
-use crate::relation::spatial::algebra::{cross, dot, zero};
+use crate::relation::spatial::algebra::{Columns, cross, dot, zero};
 use crate::relation::spatial::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
 use crate::scalar::{Real, Scalar};
@@ -35,6 +35,14 @@ use nalgebra::Vector3;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "Clamped<G, A>: serde::Serialize, Vector3<T>: serde::Serialize",
+        deserialize = "Clamped<G, A>: serde::Deserialize<'de>, Vector3<T>: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Hinged<G, A, T> {
     ground: Clamped<G, A>,
     axis: Vector3<T>,
@@ -70,6 +78,11 @@ impl<G, A, T: Scalar> Hinged<G, A, T> {
         A: Attitude<T>,
     {
         check_axis(self.axis).map_err(Error::new)?;
+        let [first, second] = self.across;
+        if !orthonormal(&Columns { x: first, y: second, z: self.axis }) {
+            let parameter = "what the directions across an axis miss to be orthonormal and right-handed";
+            return Err(Error::new(Fault::NotZero { parameter }));
+        }
         self.ground.verify::<T>()
     }
 

@@ -71,6 +71,13 @@ fn function(name: &str, times: usize) -> Outcome {
             "places" => _ = black_box(arm.places(q)?),
             "jacobian" => _ = black_box(arm.jacobian(q, 6, [0.0, 0.0, 0.1])?),
             "mass_centre" => _ = black_box(arm.mass_centre(q)?),
+            "inverse_dynamics_derivatives" => _ = black_box(arm.inverse_dynamics_derivatives(q, v, x)?),
+            "forward_dynamics_derivatives" => _ = black_box(arm.forward_dynamics_derivatives(q, v, x)?),
+            "snapshot" => _ = black_box(arm.snapshot(q, v)?),
+            "snapshot: inverse_dynamics" => _ = black_box(arm.snapshot(q, v)?.inverse_dynamics(&[0.0; 6], x)),
+            "snapshot: mass_matrix" => _ = black_box(arm.snapshot(q, v)?.mass_matrix()),
+            "snapshot: centroidal_momentum" => _ = black_box(arm.snapshot(q, v)?.centroidal_momentum()),
+            "snapshot: regressor" => _ = black_box(arm.snapshot(q, v)?.regressor(&[0.0; 6], x)),
             "joint_energy" => _ = black_box(arm.joint_energy(q, v)?),
             name => return Err(name.into()),
         }
@@ -118,7 +125,12 @@ fn main() -> Outcome {
     }
     println!("\n| function of lists, arm7 | instructions |\n|---|---:|");
     let lists = ["forward_dynamics", "inverse_dynamics", "bias", "gravity_torques", "mass_matrix", "mass_solved"];
-    for name in lists.into_iter().chain(["mass_inverse", "places", "jacobian", "mass_centre", "joint_energy"]) {
+    let others = ["mass_inverse", "places", "jacobian", "mass_centre", "joint_energy"];
+    let derivatives = ["inverse_dynamics_derivatives", "forward_dynamics_derivatives", "snapshot"];
+    let of_snapshots = ["inverse_dynamics", "mass_matrix", "centroidal_momentum", "regressor"];
+    let of_snapshots = of_snapshots.map(|name| format!("snapshot: {name}"));
+    let names = lists.into_iter().chain(others).chain(derivatives).chain(of_snapshots.iter().map(String::as_str));
+    for name in names {
         println!("| {name} | {} |", instructions("functions", name)?);
     }
     Ok(())

@@ -8,15 +8,13 @@ use std::path::Path;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// Time and sweeps against error, one row a scene.
-pub fn draw(path: &Path, scenes: &[Scene]) -> Result<(), Box<dyn Error>> {
-    let root = SVGBackend::new(path, (1200, 520 * scenes.len() as u32)).into_drawing_area();
+/// Time and sweeps against error.
+pub fn draw(path: &Path, scene: &Scene) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::new(path, (1200, 620)).into_drawing_area();
     root.fill(&WHITE)?;
-    let panels = root.split_evenly((scenes.len(), 2));
-    for (scene, panels) in scenes.iter().zip(panels.chunks(2)) {
-        panel(&panels[0], scene, "time, ms", |point| point.seconds * 1e3, false)?;
-        panel(&panels[1], scene, "sweeps", |point| point.sweeps as f64, true)?;
-    }
+    let (left, right) = root.split_horizontally(600);
+    panel(&left, scene, "time, ms", |point| point.seconds * 1e3, false)?;
+    panel(&right, scene, "sweeps", |point| point.sweeps as f64, true)?;
     root.present()?;
     Ok(())
 }
@@ -26,13 +24,19 @@ fn colour(series: &Series) -> RGBAColor {
     let colour = match (series.rival.as_deref().unwrap_or(&series.rule), series.control) {
         ("Pinocchio", _) => RGBColor(0, 158, 115),
         ("MuJoCo", _) => RGBColor(204, 121, 167),
+        ("RK4", _) => RGBColor(0, 0, 0),
+        ("DOPRI5", "fixed") => RGBColor(86, 180, 233),
+        ("DOPRI5", _) => RGBColor(0, 114, 178),
+        ("DOP853", "fixed") => RGBColor(230, 159, 0),
+        ("DOP853", _) => RGBColor(213, 94, 0),
         ("Adams", "fixed") => RGBColor(190, 190, 120),
         ("Adams", _) => RGBColor(130, 130, 40),
-        ("Rk4", _) => RGBColor(0, 0, 0),
-        ("Dopri5", "fixed") => RGBColor(86, 180, 233),
-        ("Dopri5", _) => RGBColor(0, 114, 178),
-        (_, "fixed") => RGBColor(230, 159, 0),
-        _ => RGBColor(213, 94, 0),
+        ("Vcabm", _) => RGBColor(120, 60, 160),
+        ("Taylor 16", _) => RGBColor(200, 0, 60),
+        ("generalised-alpha", "fixed") => RGBColor(170, 170, 170),
+        ("generalised-alpha", _) => RGBColor(100, 100, 100),
+        ("SDIRK4", "fixed") => RGBColor(150, 210, 170),
+        _ => RGBColor(40, 140, 80),
     };
     colour.mix(if series.scalar == "f32" { 0.35 } else { 1.0 })
 }
@@ -73,7 +77,8 @@ fn panel(
     }
     if legend {
         let mut labels = chart.configure_series_labels();
-        labels.background_style(WHITE.mix(0.8)).border_style(BLACK.mix(0.3)).label_font(("sans-serif", 12)).draw()?;
+        labels.position(SeriesLabelPosition::LowerLeft).background_style(WHITE.mix(0.8));
+        labels.border_style(BLACK.mix(0.3)).label_font(("sans-serif", 10)).draw()?;
     }
     Ok(())
 }

@@ -1,5 +1,4 @@
 //! The paper's scheme on a double pendulum: which rule has which order in angles and forces, what dies and what stays.
-#![cfg(feature = "std")]
 
 use catena::loading::Unloaded;
 use catena::paper::*;

@@ -1,5 +1,4 @@
 //! The paper's scheme in space: orders in angles and forces, solvers and slots against each other, what is refused and why.
-#![cfg(feature = "std")]
 
 use catena::loading::Unloaded;
 use catena::paper::{

@@ -1,0 +1,73 @@
+//! Laws of joints as types and values, and motors.
+
+use super::number;
+use crate::laws::{Laws, Stops};
+use crate::robot::{Body, Robot};
+use std::fmt::Write;
+
+/// Types and values of the laws of a joint.
+fn laws(laws: Laws, body: &Body) -> Vec<(&'static str, String)> {
+    let literal = |x: f64| format!("T::literal({})", number(x));
+    let mut list = Vec::new();
+    if let Some(damping) = laws.damping_of(&body.furniture) {
+        list.push(("Spring<Absent, T>", format!("Spring::damping({})", literal(damping))));
+    }
+    if let Some([force, speed]) = laws.friction_of(&body.furniture, body.slides) {
+        list.push(("DryFriction<T>", format!("DryFriction::new({}, {})", literal(force), literal(speed))));
+    }
+    if let Some(Stops { range, stiffness, depth, damping }) = laws.stops_of(&body.furniture, body.slides) {
+        let ([lower, upper], [k, w, c]) = (range.map(literal), [stiffness, depth, damping].map(literal));
+        list.push(("Stops<T, T>", format!("Stops::between([{lower}, {upper}], {k}, {w}).damped({c})")));
+    }
+    list
+}
+
+/// One, or a tuple.
+fn several<S: AsRef<str>>(list: &[S]) -> Option<String> {
+    match list {
+        [] => None,
+        [one] => Some(one.as_ref().to_owned()),
+        list => Some(format!("({})", list.iter().map(AsRef::as_ref).collect::<Vec<_>>().join(", "))),
+    }
+}
+
+/// The type of a joint's law, if it has one.
+pub fn kind(robot: &Robot, body: &Body) -> Option<String> {
+    several(&laws(robot.laws, body).iter().map(|(kind, _)| *kind).collect::<Vec<_>>())
+}
+
+/// What gives a joint its law.
+pub fn with(robot: &Robot, body: &Body) -> String {
+    let value = several(&laws(robot.laws, body).into_iter().map(|(_, value)| value).collect::<Vec<_>>());
+    value.map_or(String::new(), |value| format!(".with({value})"))
+}
+
+/// Whether a law of this name is used: `Spring` and `Absent` by dampers.
+pub fn uses(robot: &Robot, name: &str) -> bool {
+    robot.bodies.iter().any(|body| laws(robot.laws, body).iter().any(|(kind, _)| kind.contains(name)))
+}
+
+/// The function that gives motors.
+pub fn motors(robot: &Robot) -> String {
+    let mut text = String::new();
+    if !robot.laws.has_motors() {
+        return text;
+    }
+    let count = robot.bodies.len();
+    let _ = writeln!(text, "/// Motors of the joints, where limits of effort and velocity are known.");
+    let _ = writeln!(text, "pub fn motors<T: Scalar>() -> [Option<Motor<T>>; {count}] {{\n    [");
+    for body in &robot.bodies {
+        let Some([effort, velocity, ratio]) = robot.laws.motor_of(&body.furniture) else {
+            text += "        None,\n";
+            continue;
+        };
+        let [peak, free, stall] = [effort / ratio, velocity * ratio, 10.0 * effort / ratio].map(number);
+        let _ = writeln!(
+            text,
+            "        Some(Motor::new(T::literal({peak}), T::literal({free})).stalling_at(T::literal({stall})).geared(T::literal({}))),",
+            number(ratio)
+        );
+    }
+    text += "    ]\n}\n\n";
+    text
+}

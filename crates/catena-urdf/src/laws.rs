@@ -1,0 +1,113 @@
+//! What of the furniture of joints becomes laws of a scene's joints.
+
+use crate::model::Furniture;
+use crate::robot::{Body, Robot};
+
+/// Which furniture of joints the scene acts by; the default is none. Limits, damping and friction of the description are constants of
+/// the module in any case.
+///
+/// ```
+/// use catena_urdf::Laws;
+/// // Friction sets in over 0.01 rad/s (or m/s); stops over 0.02 rad (2 mm), with damping 1 s/rad (10 s/m).
+/// let laws = Laws::none().damping().friction([0.01, 0.01]).stops([0.02, 0.002], [1.0, 10.0]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[must_use]
+pub struct Laws {
+    damping: bool,
+    friction: Option<[f64; 2]>,
+    stops: Option<[[f64; 2]; 2]>,
+    motors: bool,
+}
+
+/// A compliant stop at both limits of a joint.
+pub(crate) struct Stops {
+    pub range: [f64; 2],
+    pub stiffness: f64,
+    pub depth: f64,
+    pub damping: f64,
+}
+
+impl Laws {
+    /// None.
+    pub fn none() -> Self {
+        Self::default()
+    }
+
+    /// Viscous damping acts: `Spring::damping`.
+    pub fn damping(self) -> Self {
+        Self { damping: true, ..self }
+    }
+
+    /// Dry friction acts, `DryFriction`, and sets in over a speed: of hinges (rad/s), of slides (m/s).
+    pub fn friction(self, speeds: [f64; 2]) -> Self {
+        Self { friction: Some(speeds), ..self }
+    }
+
+    /// Limits act, as compliant `Stops` that bear the joint's largest effort at a depth beyond them: of hinges (rad), of slides (m); with
+    /// damping (s/rad, s/m). A joint without both limits or without a limit of effort has none.
+    pub fn stops(self, depths: [f64; 2], dampings: [f64; 2]) -> Self {
+        Self { stops: Some([depths, dampings]), ..self }
+    }
+
+    /// Limits of effort and velocity, and reductions, become a function `motors()` of the module: a `Motor` for each joint with both limits
+    /// and a reduction (one where none is written), for a controller to ask. Its torque falls to zero over the last tenth of the velocity.
+    pub fn motors(self) -> Self {
+        Self { motors: true, ..self }
+    }
+
+    /// Whether the module has motors.
+    pub(crate) fn has_motors(self) -> bool {
+        self.motors
+    }
+
+    pub(crate) fn damping_of(self, furniture: &Furniture) -> Option<f64> {
+        (self.damping && furniture.damping != 0.0).then_some(furniture.damping)
+    }
+
+    /// Force of sliding, and speed.
+    pub(crate) fn friction_of(self, furniture: &Furniture, slides: bool) -> Option<[f64; 2]> {
+        let speeds = self.friction.filter(|_| furniture.friction != 0.0)?;
+        Some([furniture.friction, speeds[usize::from(slides)]])
+    }
+
+    pub(crate) fn stops_of(self, furniture: &Furniture, slides: bool) -> Option<Stops> {
+        let [depth, damping] = self.stops?.map(|each| each[usize::from(slides)]);
+        let Furniture { lower, upper, effort, .. } = *furniture;
+        let bounded = lower.is_finite() && upper.is_finite() && lower < upper && effort.is_finite() && effort > 0.0;
+        // Over its depth a stop gives way by half of that.
+        bounded.then_some(Stops { range: [lower, upper], stiffness: 2.0 * effort / depth, depth, damping })
+    }
+
+    /// Peak torque of the joint, free velocity and ratio.
+    pub(crate) fn motor_of(self, furniture: &Furniture) -> Option<[f64; 3]> {
+        let Furniture { effort, velocity, reduction, .. } = *furniture;
+        let known = |x: f64| x.is_finite() && x > 0.0;
+        let ratio = reduction.unwrap_or(1.0);
+        (self.motors && known(effort) && known(velocity) && known(ratio)).then_some([effort, velocity, ratio])
+    }
+}
+
+/// The force of stops, end by end.
+fn pushed(Stops { range: [lower, upper], stiffness, depth, damping }: &Stops, q: f64, rate: f64) -> f64 {
+    let push = |over: f64, speed: f64| {
+        let x = (over / depth).clamp(0.0, 1.0);
+        let compressed = depth * (x.powi(3) - 0.5 * x.powi(4)) + (over - depth).max(0.0);
+        stiffness * compressed * (1.0 + damping * speed).max(0.0)
+    };
+    push(lower - q, -rate) - push(q - upper, rate)
+}
+
+impl Robot {
+    /// What the laws of the joints exert (N·m, N) at coordinates and rates: zeros where the module has none. Inverse dynamics is without.
+    pub fn law_forces(&self, q: &[f64], rates: &[f64]) -> Vec<f64> {
+        let of = |(body, (q, rate)): (&Body, (&f64, &f64))| {
+            let damping = self.laws.damping_of(&body.furniture).map_or(0.0, |damping| damping * rate);
+            let friction = self.laws.friction_of(&body.furniture, body.slides);
+            let friction = friction.map_or(0.0, |[force, speed]| force * (rate / speed).tanh());
+            let stops = self.laws.stops_of(&body.furniture, body.slides);
+            stops.map_or(0.0, |stops| pushed(&stops, *q, *rate)) - damping - friction
+        };
+        self.bodies.iter().zip(q.iter().zip(rates)).map(of).collect()
+    }
+}

@@ -1,0 +1,41 @@
+//! Steps with their Jacobians, several rows at a time: those found row by row.
+
+use catena::planar::*;
+use catena::scalar::Pack;
+
+/// Both ways, with `N` rows at a time.
+fn both<const N: usize>() {
+    type P<const N: usize> = Pack<f64, N>;
+    let rod = Rod::uniform(0.8, 1.3);
+    let hinge = ElasticHinge::rotary(4.0).damped(0.2);
+    let scene = System::new(Pinned::origin(), (rod, hinge, rod, Pin, rod), Free).unwrap().with_gravity(9.81);
+    let mut now = scene.at_rest(&[-1.0, -0.5, 0.3]).unwrap().at_time(0.7);
+    now.set_rates(&[0.5, -1.0, 0.8]).unwrap();
+    let torques = [0.3, -0.8, 0.2];
+    let (mut next, mut a, mut b) = (now, [0.0_f64; 36], [0.0; 18]);
+    scene.backward(Dopri5).linearised_step(&now, 0.04, &torques, &mut next, &mut a, &mut b).unwrap();
+    let (packed, start) = (scene.lift(P::<N>::of), now.lift(P::<N>::of));
+    let (mut end, mut by_state, mut by_torques) = (start, [f64::NAN; 36], [f64::NAN; 18]);
+    let mut backward = packed.backward(Dopri5);
+    let torques = torques.map(Pack::of);
+    for _ in 0..2 {
+        backward.linearised_step_in_rows(&start, 0.04, &torques, &mut end, &mut by_state, &mut by_torques).unwrap();
+        let far = a
+            .iter()
+            .zip(&by_state)
+            .chain(b.iter().zip(&by_torques))
+            .find(|(x, y)| (*x - *y).is_nan() || (*x - *y).abs() >= 1e-13);
+        assert!(far.is_none(), "{N}: {far:?} in {a:?}, {by_state:?}");
+        let ends =
+            end.coordinates().into_iter().chain(end.rates()).zip(next.coordinates().into_iter().chain(next.rates()));
+        ends.for_each(|(x, y)| assert!(x.0.iter().all(|x| (x - y).abs() < 1e-14)));
+    }
+    let fault = backward.linearised_step_in_rows(&start, 0.04, &torques, &mut end, &mut [0.0; 35], &mut []);
+    assert!(matches!(fault.unwrap_err().fault, catena::Fault::Count { expected: 36, given: 35 }));
+}
+
+#[test]
+fn rows_at_a_time_are_rows_one_by_one() {
+    both::<1>();
+    both::<4>();
+}

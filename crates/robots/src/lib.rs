@@ -1,0 +1,6 @@
+//! Robots of `catena-urdf` with the furniture of their joints as laws. The tests in their modules run with those of this package.
+
+include!(concat!(env!("OUT_DIR"), "/arm7.rs"));
+include!(concat!(env!("OUT_DIR"), "/arm7_bare.rs"));
+include!(concat!(env!("OUT_DIR"), "/quadruped.rs"));
+include!(concat!(env!("OUT_DIR"), "/cart.rs"));

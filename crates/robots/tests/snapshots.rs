@@ -1,0 +1,181 @@
+//! Snapshots of robots on bases that are fixed and that float, against a dense robot.
+
+#[path = "../../../tests/it/robots/kit.rs"]
+mod kit;
+
+use catena::robot::*;
+use catena_oracle::Noise;
+use catena_oracle::space::robot as plain;
+use catena_oracle::space::{Matrix, Vector};
+use kit::{agree, fixed, floating, list, plain_fixed, plain_floating};
+use nalgebra::{DMatrix, DVector};
+
+const DIRECT: f64 = 1e-13;
+
+/// Rows of six of all coordinates: those of the base first, where it floats.
+fn columns<const N: usize>(rows: &SixRows<f64, N>, floats: bool) -> Vec<[f64; 6]> {
+    let base = if floats { &rows.base[..] } else { &[] };
+    base.iter().chain(&rows.joints).copied().collect()
+}
+
+/// A snapshot against the dense robot at the same state, with these rates of all coordinates.
+fn check<const N: usize>(
+    now: &Snapshot<f64, N>,
+    robot: &plain::Robot,
+    at: &plain::Instant,
+    rates: &[f64],
+    noise: &mut Noise,
+) -> Result<(), catena::Error> {
+    let (floats, offset) = (robot.base.is_some(), robot.offset());
+    let size = offset + N;
+    let speed = DVector::from_column_slice(rates);
+
+    // Points: places, Jacobians, and what rates alone accelerate.
+    let bodies = at.base.iter().map(|body| (None, body)).chain((0..N).map(|k| (Some(k), &at.bodies[k])));
+    for (joint, body) in bodies {
+        let local: [f64; 3] = list(noise, 0.5);
+        let arm = body.attitude * Vector::from(local);
+        let [place, velocity] = now.point(joint, local)?;
+        agree(place.as_slice(), (body.place + arm).as_slice(), DIRECT);
+        agree(velocity.as_slice(), (body.velocity + body.spin.cross(&arm)).as_slice(), DIRECT);
+        let jacobian = columns(&now.jacobian(joint, local)?, floats);
+        let mut right = vec![];
+        for k in 0..size {
+            let turn = Vector::from_column_slice(body.of_turn.column(k).as_slice());
+            let velocity = Vector::from_column_slice(body.of_place.column(k).as_slice()) + turn.cross(&arm);
+            right.extend(velocity.iter().chain(turn.iter()).copied());
+        }
+        agree(jacobian.as_flattened(), &right, DIRECT);
+        let changing = columns(&now.jacobian_rate(joint, local)?, floats);
+        let mut sum = [0.0; 6];
+        changing.iter().zip(rates).for_each(|(row, rate)| (0..6).for_each(|i| sum[i] += row[i] * rate));
+        let linear = body.linear + body.angular.cross(&arm) + body.spin.cross(&body.spin.cross(&arm));
+        let right: Vec<f64> = linear.iter().chain(body.angular.iter()).copied().collect();
+        agree(&sum, &right, DIRECT);
+    }
+
+    // Mass matrix and inverse dynamics, with dampers and reflected inertias.
+    let MassMatrix { base, coupling, joints } = now.mass_matrix();
+    let mass = DMatrix::from_fn(size, size, |i, k| match (i < offset, k < offset) {
+        (true, true) => base[i][k],
+        (true, false) => coupling[k - offset][i],
+        (false, true) => coupling[i - offset][k],
+        (false, false) => joints[i - offset][k - offset],
+    });
+    agree(mass.as_slice(), at.mass.as_slice(), DIRECT);
+    let seconds: Vec<f64> = (0..size).map(|_| 2.0 * noise.next()).collect();
+    let mut of_base = [0.0; 6];
+    of_base[..offset].copy_from_slice(&seconds[..offset]);
+    let of_joints: [f64; N] = std::array::from_fn(|k| seconds[offset + k]);
+    let (wrench, torques) = now.inverse_dynamics(&of_base, &of_joints);
+    let mut right = &at.mass * DVector::from_vec(seconds.clone()) + &at.bias;
+    (0..N).for_each(|k| right[offset + k] += robot.parts[k].damping * rates[offset + k]);
+    let found: Vec<f64> = wrench[..offset].iter().chain(&torques).copied().collect();
+    agree(&found, right.as_slice(), DIRECT);
+
+    // The regressor times the parameters, without dampers and reflected inertias.
+    let (regressor, (of, parameters)) = (now.regressor(&of_base, &of_joints), now.parameters());
+    let times = |row: &[f64; 10], by: &[f64; 10]| row.iter().zip(by).map(|(a, b)| a * b).sum::<f64>();
+    let of_bodies = |row: &[[f64; 10]; N]| row.iter().zip(&parameters).map(|(row, by)| times(row, by)).sum::<f64>();
+    let rows = (0..offset).map(|i| times(&regressor.base[i], &of) + of_bodies(&regressor.on_base[i]));
+    let found: Vec<f64> = rows.chain(regressor.joints.iter().map(of_bodies)).collect();
+    for k in 0..N {
+        let part = &robot.parts[k];
+        right[offset + k] -= part.damping * rates[offset + k] + part.armature * of_joints[k];
+    }
+    agree(&found, right.as_slice(), DIRECT);
+
+    // Mass centre and momentum.
+    let (centre, whole) = now.mass_centre();
+    agree(centre.as_slice(), at.centre.as_slice(), DIRECT);
+    let (base, joints) = now.mass_centre_jacobian();
+    let found: Vec<f64> = base[..offset].iter().chain(&joints).flatten().copied().collect();
+    agree(&found, at.of_centre.as_slice(), DIRECT);
+    let parts = robot.parts.iter().zip(&at.bodies).map(|(p, b)| (b, p.mass, p.centre, p.tensor));
+    let base = robot.base.zip(at.base.as_ref()).map(|(p, b)| (b, p.mass, p.centre, p.tensor));
+    let (mut sum, mut momentum, mut angular) = (0.0, Vector::zeros(), Vector::zeros());
+    for (body, mass, local, tensor) in base.into_iter().chain(parts) {
+        let (arm, tensor): (Vector, Matrix) =
+            (body.attitude * local, body.attitude * tensor * body.attitude.transpose());
+        let velocity = body.velocity + body.spin.cross(&arm);
+        sum += mass;
+        momentum += velocity * mass;
+        angular += (body.place + arm - at.centre).cross(&velocity) * mass + tensor * body.spin;
+    }
+    let [found, turning] = now.centroidal_momentum();
+    agree(&[whole], &[sum], DIRECT);
+    agree(found.as_slice(), momentum.as_slice(), DIRECT);
+    agree(turning.as_slice(), angular.as_slice(), DIRECT);
+    assert!((momentum - (&at.of_centre * speed) * sum).norm() < 1e-12);
+    Ok(())
+}
+
+#[test]
+fn on_the_ground() -> Result<(), catena::Error> {
+    let (scene, plain, mut noise) = (fixed()?, plain_fixed(), Noise::new(31));
+    for _ in 0..20 {
+        let [q, v]: [[f64; 6]; 2] = std::array::from_fn(|_| list(&mut noise, 2.0));
+        check(&scene.snapshot(&q, &v)?, &plain, &plain.at(&q, &v), &v, &mut noise)?;
+    }
+    assert!(scene.snapshot(&[0.0; 5], &[0.0; 5]).is_err());
+    assert!(scene.snapshot(&[0.0; 6], &[0.0; 6])?.jacobian(Some(6), [0.0; 3]).is_err());
+    Ok(())
+}
+
+#[test]
+fn afloat() -> Result<(), catena::Error> {
+    let (scene, mut noise) = (floating()?, Noise::new(32));
+    for _ in 0..20 {
+        let [q, v]: [[f64; 5]; 2] = std::array::from_fn(|_| list(&mut noise, 2.0));
+        let [place, velocity, spin, angles]: [[f64; 3]; 4] = std::array::from_fn(|_| list(&mut noise, 1.0));
+        let attitude = Rotation::from_angles(angles);
+        let plain = plain_floating(place, &attitude, [velocity, spin]);
+        let mut start = scene.motion();
+        let coordinates: Vec<f64> = place.into_iter().chain(attitude.quaternion()).chain(q).collect();
+        start.set_coordinates(&coordinates)?;
+        let rates: Vec<f64> = velocity.into_iter().chain(spin).chain(v).collect();
+        let start = scene.with_rates(start, &rates)?;
+        let base = scene.body_motions(&start)?.get(0).map(|body| Afloat::of(body)).expect("a base");
+        check(&scene.snapshot_afloat(base, &q, &v)?, &plain, &plain.at(&q, &v), &rates, &mut noise)?;
+    }
+    Ok(())
+}
+
+/// Against central differences of the dense robot: h² of the third derivative, and rounding over h.
+#[test]
+fn derivatives_by_states_and_torques() -> Result<(), catena::Error> {
+    const STEP: f64 = 1e-5;
+    const TOLERANCE: f64 = 1e-8;
+    let (scene, plain, mut noise) = (fixed()?, plain_fixed(), Noise::new(33));
+    for _ in 0..10 {
+        let [q, v, x]: [[f64; 6]; 3] = std::array::from_fn(|_| list(&mut noise, 2.0));
+        let moved = |list: [f64; 6], k: usize, by: f64| {
+            let mut moved = list;
+            moved[k] += by;
+            moved
+        };
+        let forward = |q: &[f64; 6], v: &[f64; 6], x: &[f64; 6]| plain.forward_dynamics(q, v, x);
+        let inverse = |q: &[f64; 6], v: &[f64; 6]| {
+            let (now, dampers) = (plain.at(q, v), plain.parts.iter().zip(v).map(|(part, v)| part.damping * v));
+            &now.mass * DVector::from_column_slice(&x) + now.bias + DVector::from_iterator(6, dampers)
+        };
+        let (state, by_torques) = scene.forward_dynamics_derivatives(&q, &v, &x)?;
+        let taken = scene.inverse_dynamics_derivatives(&q, &v, &x)?;
+        for k in 0..6 {
+            let column = |rows: &[[f64; 6]; 6]| rows.map(|row| row[k]);
+            let change = |f: &dyn Fn(f64) -> DVector<f64>| (f(STEP) - f(-STEP)) / (2.0 * STEP);
+            let pairs = [
+                (column(&state.positions), change(&|h| forward(&moved(q, k, h), &v, &x))),
+                (column(&state.rates), change(&|h| forward(&q, &moved(v, k, h), &x))),
+                (column(&by_torques), change(&|h| forward(&q, &v, &moved(x, k, h)))),
+                (column(&taken.positions), change(&|h| inverse(&moved(q, k, h), &v))),
+                (column(&taken.rates), change(&|h| inverse(&q, &moved(v, k, h)))),
+            ];
+            for (found, right) in pairs {
+                let size = 1.0 + right.amax();
+                found.iter().zip(right.iter()).for_each(|(x, y)| catena_oracle::near(*x, *y, TOLERANCE * size));
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,43 @@
+//! Choosing a rule of time: by what the scene is, then by the error that it may have.
+//!
+//! | the scene | the rule | why |
+//! |---|---|---|
+//! | anything, to begin with | `Dop853::tolerance(1e-9)` | order 8, dense output, twelve sweeps a step |
+//! | rods, bodies, pins and rotary springs in the plane under gravity alone | `Taylor::<16>::tolerance(1e-12)` | one sweep's gains for all orders: 1.7 to 4.8 times less time than DOP853 |
+//! | many bodies, costly loads | `Vcabm::new().tolerance(1e-9)` | one sweep a step |
+//! | a controller's step of fixed size | `Rk4::step(1e-3)` | four sweeps, the same time always |
+//! | stiff springs, vibration not of interest | `GeneralizedAlpha::new(0.8).step(1e-2)` | steps as long as the motion, whatever the stiffness |
+//! | stiff springs, to more digits | `Sdirk4::new().step(1e-2)` | order 4 at any stiffness |
+//! | thousands of runs from near starts | `Rk4::step(..)` in lanes | lanes share their steps: see [`lanes_and_threads`](super::lanes_and_threads) |
+//!
+//! All are in [`planar`](crate::planar) and [`spatial`](crate::spatial); [`time`](crate::time) has what each is made of.
+//!
+//! # What an error costs
+//!
+//! A higher order wins sooner than one thinks: what an error of 1e-9 costs by order 8 an order of 4 pays for 1e-6.
+//!
+//! ```
+//! use catena::planar::*;
+//! let rod = Rod::uniform(1.0, 1.0);
+//! let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+//! let start = || pendulum.at_rest(&[-1.0, -0.5]);
+//! let exact = pendulum.simulate(start()?, Taylor::<20>::tolerance(1e-15), 2.0, |_| ())?.motion;
+//! let error = |rates: Vec<f64>| (rates[1] - exact.rates()[1]).abs(); // (rad/s)
+//!
+//! let by_rk4 = pendulum.simulate(start()?, Rk4::step(2e-3), 2.0, |_| ())?;
+//! let by_dop853 = pendulum.simulate(start()?, Dop853::tolerance(1e-10), 2.0, |_| ())?;
+//! assert!(error(by_dop853.motion.rates()) < error(by_rk4.motion.rates()) && by_dop853.sweeps < by_rk4.sweeps / 3);
+//! # Ok::<(), catena::Error>(())
+//! ```
+//!
+//! # Tolerances
+//!
+//! A tolerance is that of each step, absolute (rad, m, and these per second) and relative; errors of a run add up, and where the motion is
+//! chaotic they grow. Halve what you ask for and compare: two runs that agree to six digits have them. Below rounding
+//! (2.2e-16) a tolerance is refused.
+//!
+//! # Stiffness
+//!
+//! An explicit rule needs steps below some 2.8 / ω (RK4) of the fastest vibration, seen or not. If a run takes far more steps
+//! than its motion has turns, ask [`modes`](crate::system::System::modes) for the highest frequency, and take an implicit rule. On taut
+//! ropes the stiffness is that of tension, which implicit rules do not know: see their pages.

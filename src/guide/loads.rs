@@ -1,0 +1,50 @@
+//! Loads by example: friction, a motor, wind, a stop, contact with the ground.
+//!
+//! A load is a function of time and of the motion of a body or joint. In a joint it gives a torque on the outboard body (N·m; a force, N, where
+//! the joint slides), on a body a force at a point (inertial axes) and a torque.
+//!
+//! ```
+//! use catena::Scalar;
+//! use catena::planar::*;
+//! let rod = Rod::uniform(1.0, 1.0); // (m), (kg)
+//! let arm = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+//! let (shoulder, elbow) = (0, 1); // numbers of joints
+//!
+//! let loads = Loads::none()
+//!     .in_joints(|time: f64, joint, motion: &JointMotion<f64>| {
+//!         // Dry friction, a sign without a jump (a rule has no trouble with it), and viscous friction.
+//!         let friction = -0.2 * (50.0 * motion.rate()).tanh() - 0.05 * motion.rate();
+//!         match joint {
+//!             _ if joint == shoulder => friction + 2.0 * (3.0 * time).sin(), // a motor (N·m)
+//!             _ if joint == elbow => {
+//!                 // A stop at an elbow of 2 rad: a spring that acts beyond it.
+//!                 let beyond = (motion.angle().abs() - 2.0).max(0.0);
+//!                 friction - 500.0 * beyond * motion.angle().signum()
+//!             }
+//!             _ => friction,
+//!         }
+//!     })
+//!     .on_bodies(|_, _, motion: &BodyMotion<f64>| {
+//!         let end = motion.point([1.0, 0.0]); // the rod's end: place (m), velocity (m/s)
+//!         // Wind along x, and a ground 1.8 m below that pushes back and damps.
+//!         let wind = 0.1 * (4.0 - end.velocity.x);
+//!         let depth = (-1.8 - end.place.y).max(0.0);
+//!         let ground = (1e4 * depth - 20.0 * end.velocity.y * f64::from(depth > 0.0)).max(0.0);
+//!         motion.force_at([1.0, 0.0], [wind, ground])
+//!     });
+//! let start = arm.at_rest(&[-0.3, -0.2])?;
+//! let run = arm.simulation(Dop853::tolerance(1e-6)).loads(&loads).run(start, 1.0, |_| ())?;
+//! assert!(run.steps < 2000);
+//! # Ok::<(), catena::Error>(())
+//! ```
+//!
+//! | wanted | take |
+//! |---|---|
+//! | torques that are known numbers, as from a controller | `Loads::none().torques([..])`: one for each joint, no walk |
+//! | a spring or damper in a joint | `ElasticHinge`, `Slider::with`: implicit rules know its stiffness, loads they do not |
+//! | a law of one's own in a joint, known to implicit rules | [`SpringLaw`](crate::planar::SpringLaw) |
+//! | a spring between two points of bodies | [`Strut`](crate::planar::Strut) |
+//! | the instant of touching | an [event](crate::simulate::Simulation::event), then a new start |
+//!
+//! Contact by a spring is stiff: explicit rules shorten their steps while it lasts. What is proportional to a sign jumps, and error control
+//! then hunts for the jump: smooth it, as above.

@@ -1,0 +1,30 @@
+//! Loops: arms that meet again, tips that the ground holds, and what to do if they do not close.
+//!
+//! | the mechanism | how it is written |
+//! |---|---|
+//! | its last body is held by the ground | the tip: `Pinned::at(0.8, 0.0)` instead of `Free` |
+//! | two arms meet in a joint | `Network::new(main, side, Pin)` in the chain |
+//! | an arm comes back to its own body | `ClosedLoop` |
+//! | loops in a row | networks within side arms of networks |
+//! | the ground holds several arms | a `Clamped` root, arms that begin with `RigidBody::massless` |
+//!
+//! A guess does not have to close: `assembled` closes it by the least change of coordinates, or says by how much it cannot.
+//!
+//! ```
+//! use catena::planar::*;
+//! let bar = |length: f64| Rod::uniform(length, length);
+//! let four_bar = System::new(Pinned::origin(), (bar(0.3), Pin, bar(0.9), Pin, bar(0.6)), Pinned::at(0.8, 0.0))?;
+//! let four_bar = four_bar.with_gravity(9.81);
+//! let start = four_bar.assembled(four_bar.at_rest(&[1.0, 0.2, -1.5])?, &Unloaded)?; // angles are guesses (rad)
+//! let run = four_bar.simulate(start, Dop853::tolerance(1e-9), 1.0, |_| ())?;
+//! let tip = four_bar.stations(&run.motion, &Unloaded)?.tip().frame.place;
+//! assert!((tip.x - 0.8).abs() < 1e-12 && tip.y.abs() < 1e-12); // closed to rounding at every step
+//! # Ok::<(), catena::Error>(())
+//! ```
+//!
+//! [`assembled_holding`](crate::system::System::assembled_holding) keeps coordinates that are given, a crank's angle for one.
+//!
+//! **Redundant closures.** Loops in space often close more than they have to: a flat four-bar of revolutes holds each of three things twice.
+//! That is [`RedundantClosures`](crate::Fault::RedundantClosures), with the name of one; close such a loop by a ball, or by
+//! [`LeastNorm`](crate::planar::LeastNorm), which shares the forces out. Some mechanisms meet places where closures become dependent
+//! for an instant (dead points): steps are taken over these.

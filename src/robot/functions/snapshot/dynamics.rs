@@ -1,0 +1,188 @@
+//! Inverse dynamics, mass matrix, mass centre and momentum of a robot at an instant.
+
+use super::{Moving, SixRows, Snapshot, six, units};
+use crate::mechanics::spatial::body_axes::solids::Parameters;
+use crate::relation::spatial::algebra::{Columns, Symmetric3, centripetal, cross, dot, zero};
+use crate::scalar::Scalar;
+use core::ops::Add;
+use nalgebra::Vector3;
+
+/// The mass matrix of a robot: of the base, between base and joints, and of the joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MassMatrix<T, const N: usize> {
+    /// Of the base, for its velocity in inertial axes and its angular velocity in its own.
+    pub base: [[T; 6]; 6],
+    /// Force and torque on the base for the acceleration of each joint.
+    pub coupling: [[T; 6]; N],
+    /// Of the joints, with reflected inertias.
+    pub joints: [[T; N]; N],
+}
+
+/// Mass, first moment and tensor about an origin, inertial axes.
+#[derive(Clone, Copy)]
+struct Inertial<T> {
+    mass: T,
+    moment: Vector3<T>,
+    tensor: Symmetric3<T>,
+}
+
+impl<T: Scalar> Inertial<T> {
+    fn of(body: &Moving<T>) -> Self {
+        let [mass, x, y, z, xx, yy, zz, yz, xz, xy]: Parameters<T> = body.parameters;
+        let attitude = &body.place.attitude;
+        let tensor = Symmetric3 { xx, xy, xz, yy, yz, zz }.turned(attitude);
+        Self { mass, moment: attitude.apply(Vector3::new(x, y, z)), tensor }
+    }
+
+    /// About another origin, to which this one stands by an arm.
+    fn shifted(self, arm: Vector3<T>) -> Self {
+        let Self { mass, moment, tensor } = self;
+        let (h, d) = (moment, arm);
+        let whole = h + h + d * mass;
+        let square = dot(d, whole);
+        // J + (2 h·d + m d²) 1 − (h dᵀ + d hᵀ + m d dᵀ).
+        let of = |a: T, i: usize, k: usize| {
+            let dyad = (h[i] * d[k] + d[i] * h[k]) + mass * d[i] * d[k];
+            a + if i == k { square - dyad } else { -dyad }
+        };
+        let Symmetric3 { xx, xy, xz, yy, yz, zz } = tensor;
+        let (xx, xy, xz) = (of(xx, 0, 0), of(xy, 0, 1), of(xz, 0, 2));
+        let tensor = Symmetric3 { xx, xy, xz, yy: of(yy, 1, 1), yz: of(yz, 1, 2), zz: of(zz, 2, 2) };
+        Self { mass, moment: h + d * mass, tensor }
+    }
+
+    /// Momentum, and angular momentum about the origin, of a velocity and an angular velocity.
+    fn moved(&self, [velocity, spin]: [Vector3<T>; 2]) -> [Vector3<T>; 2] {
+        let momentum = velocity * self.mass + cross(spin, self.moment);
+        [momentum, cross(self.moment, velocity) + self.tensor.apply(spin)]
+    }
+}
+
+impl<T: Scalar> Add for Inertial<T> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let (mass, moment) = (self.mass + other.mass, self.moment + other.moment);
+        Self { mass, moment, tensor: self.tensor + other.tensor }
+    }
+}
+
+impl<T: Scalar, const N: usize> Snapshot<T, N> {
+    /// What a force and a torque about the origin of the body on a joint are along the joint.
+    pub(super) fn along(&self, joint: usize, [force, torque]: [Vector3<T>; 2]) -> T {
+        dot(self.bodies[joint].place.attitude.z, if self.slides[joint] { force } else { torque })
+    }
+
+    /// From the parent's origin to the body's.
+    pub(super) fn arm(&self, joint: usize) -> Vector3<T> {
+        self.bodies[joint].place.place - self.parent(joint).place.place
+    }
+
+    /// Force (inertial axes) and torque (axes of the base) on the base.
+    pub(super) fn on_base(&self, [force, torque]: [Vector3<T>; 2]) -> [T; 6] {
+        six([force, self.base.place.attitude.transposed(torque)])
+    }
+
+    /// Motion of a body for a rate of one of its joint.
+    fn unit(&self, joint: usize) -> [Vector3<T>; 2] {
+        let axis = self.bodies[joint].place.attitude.z;
+        if self.slides[joint] { [axis, zero()] } else { [zero(), axis] }
+    }
+
+    /// What accelerations take, with gravity: a force on the base (N, inertial axes) and a torque about its origin (N·m, its axes), and torques
+    /// (N·m, N) of the joints, less what their laws exert, with reflected inertias. Accelerations of the base are those of its velocity
+    /// in inertial axes and of its angular velocity in its own; of a fixed base zeros.
+    pub fn inverse_dynamics(&self, base: &[T; 6], seconds: &[T; N]) -> ([T; 6], [T; N]) {
+        let (of_base, all) = self.accelerations(base, seconds);
+        let taken = |body: &Moving<T>, p: [Vector3<T>; 2]| {
+            let inertial = Inertial::of(body);
+            let [force, torque] = inertial.moved(p);
+            let gyroscopic = cross(body.spin, inertial.tensor.apply(body.spin));
+            [force + centripetal(body.spin, inertial.moment), torque + gyroscopic]
+        };
+        let mut loads: [_; N] = core::array::from_fn(|k| taken(&self.bodies[k], all[k]));
+        let (mut whole, mut torques) = (taken(&self.base, of_base), [T::zero(); N]);
+        for k in (0..N).rev() {
+            let [force, torque] = loads[k];
+            torques[k] = self.inertias[k].mul_add(seconds[k], self.along(k, loads[k])) - self.laws[k];
+            let sum = loads.get_mut(self.parents[k]).unwrap_or(&mut whole);
+            *sum = [sum[0] + force, sum[1] + torque + cross(self.arm(k), force)];
+        }
+        (self.on_base(whole), torques)
+    }
+
+    /// Inertias of bodies with all that they carry.
+    fn composites(&self) -> (Inertial<T>, [Inertial<T>; N]) {
+        let mut all: [_; N] = core::array::from_fn(|k| Inertial::of(&self.bodies[k]));
+        let mut whole = Inertial::of(&self.base);
+        for k in (0..N).rev() {
+            let shifted = all[k].shifted(self.arm(k));
+            let sum = all.get_mut(self.parents[k]).unwrap_or(&mut whole);
+            *sum = *sum + shifted;
+        }
+        (whole, all)
+    }
+
+    /// Motions of the base for rates of one.
+    fn units_of_base(&self) -> [[Vector3<T>; 2]; 6] {
+        let ([x, y, z], [a, b, c], o) = (units(), self.axes(), zero());
+        [[x, o], [y, o], [z, o], [o, a], [o, b], [o, c]]
+    }
+
+    /// The mass matrix (kg, kg·m, kg·m²): with forces and torques as in [`inverse_dynamics`](Self::inverse_dynamics).
+    pub fn mass_matrix(&self) -> MassMatrix<T, N> {
+        let (whole, all) = self.composites();
+        let (o, base) = (T::zero(), self.units_of_base().map(|unit| self.on_base(whole.moved(unit))));
+        let mut matrix = MassMatrix { base, coupling: [[o; 6]; N], joints: [[o; N]; N] };
+        for (k, outboard) in all.into_iter().enumerate() {
+            let [force, mut torque] = outboard.moved(self.unit(k));
+            let mut next = k;
+            while next < N {
+                let entry = self.along(next, [force, torque]);
+                (matrix.joints[k][next], matrix.joints[next][k]) = (entry, entry);
+                torque += cross(self.arm(next), force);
+                next = self.parents[next];
+            }
+            matrix.coupling[k] = self.on_base([force, torque]);
+            matrix.joints[k][k] += self.inertias[k];
+        }
+        matrix
+    }
+
+    /// The mass centre of all links (m), and their mass (kg).
+    pub fn mass_centre(&self) -> (Vector3<T>, T) {
+        let (whole, _) = self.composites();
+        (self.base.place.place + whole.moment * whole.mass.recip(), whole.mass)
+    }
+
+    /// The matrix of centroidal momentum: momentum (kg·m/s) and angular momentum about the mass centre (N·m·s), inertial axes, for a rate of one.
+    pub fn momentum_matrix(&self) -> SixRows<T, N> {
+        let (whole, all) = self.composites();
+        let centre = self.base.place.place + whole.moment * whole.mass.recip();
+        let about = |place: Vector3<T>, [p, angular]: [Vector3<T>; 2]| six([p, angular + cross(place - centre, p)]);
+        SixRows {
+            base: self.units_of_base().map(|unit| about(self.base.place.place, whole.moved(unit))),
+            joints: core::array::from_fn(|k| about(self.bodies[k].place.place, all[k].moved(self.unit(k)))),
+        }
+    }
+
+    /// The Jacobian of the mass centre (m/s, inertial axes): of the base, and of the joints.
+    pub fn mass_centre_jacobian(&self) -> ([[T; 3]; 6], [[T; 3]; N]) {
+        let (SixRows { base, joints }, (_, mass)) = (self.momentum_matrix(), self.mass_centre());
+        let of = |[x, y, z, ..]: [T; 6]| [x, y, z].map(|x| x / mass);
+        (base.map(of), joints.map(of))
+    }
+
+    /// Momentum (kg·m/s), and angular momentum about the mass centre (N·m·s), of all links, inertial axes.
+    pub fn centroidal_momentum(&self) -> [Vector3<T>; 2] {
+        let SixRows { base, joints } = self.momentum_matrix();
+        let Columns { x, y, z } = self.base.place.attitude;
+        let (v, w) = (self.base.velocity, self.base.spin);
+        let rates = [v.x, v.y, v.z, dot(x, w), dot(y, w), dot(z, w)];
+        let mut sum = [T::zero(); 6];
+        for (column, rate) in base.iter().zip(&rates).chain(joints.iter().zip(&self.rates)) {
+            sum.iter_mut().zip(column).for_each(|(sum, entry)| *sum = entry.mul_add(*rate, *sum));
+        }
+        let [a, b, c, d, e, f] = sum;
+        [Vector3::new(a, b, c), Vector3::new(d, e, f)]
+    }
+}

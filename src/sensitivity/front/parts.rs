@@ -1,0 +1,117 @@
+//! What a run as a function of numbers is put together from: seeds, efforts, states.
+
+use super::{Seeded, WIDTH};
+use crate::element::{Element, RealOf, Space};
+use crate::ends::{Root, Tip};
+use crate::error::Error;
+use crate::loading::EffortOf;
+use crate::mechanics::spatial::Effort;
+use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
+use crate::relation::{Additive, Closures};
+use crate::scalar::{Jet, Scalar};
+use crate::sensitive::Varied;
+use crate::system::{MotionOf, System};
+use alloc::vec::Vec;
+
+/// As the number that is the first seed: none is.
+pub const NO_SEEDS: usize = usize::MAX / 2;
+
+/// Numbers with seeds: input `first` is seed 0.
+pub fn seeded<T: Scalar>(x: &[T], first: usize) -> Vec<Seeded<T>> {
+    x.iter().enumerate().map(|(k, x)| Jet::seed(*x, k.wrapping_sub(first))).collect()
+}
+
+/// An effort in a joint, from numbers.
+pub trait OfNumbers<T>: Sized {
+    /// How many.
+    const COUNT: usize;
+    /// Takes them.
+    fn of(numbers: &[T]) -> Self;
+    /// Gives them.
+    fn add_to(&self, list: &mut Vec<T>);
+}
+
+impl<T: Scalar> OfNumbers<T> for T {
+    const COUNT: usize = 1;
+    fn of(numbers: &[T]) -> T {
+        numbers[0]
+    }
+    fn add_to(&self, list: &mut Vec<T>) {
+        list.push(*self);
+    }
+}
+
+impl<T: Scalar> OfNumbers<T> for Effort<T> {
+    const COUNT: usize = 3;
+    fn of(numbers: &[T]) -> Self {
+        Self([numbers[0], numbers[1], numbers[2]])
+    }
+    fn add_to(&self, list: &mut Vec<T>) {
+        list.extend(self.0);
+    }
+}
+
+/// Efforts in the joints of a scene, from a list of numbers.
+pub fn efforts<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>>(
+    _: &System<S, R, C, P>,
+    numbers: &[S::Scalar],
+) -> Vec<EffortOf<S>>
+where
+    EffortOf<S>: OfNumbers<S::Scalar>,
+{
+    numbers.chunks_exact(EffortOf::<S>::COUNT).map(EffortOf::<S>::of).collect()
+}
+
+/// The efforts held over a step.
+pub fn held<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>>(
+    scene: &System<S, R, C, P>,
+    efforts: &[EffortOf<S>],
+    step: usize,
+) -> Vec<EffortOf<S>>
+where
+    EffortOf<S>: Additive,
+{
+    let joints = scene.joints();
+    let from = if efforts.len() == joints { 0 } else { step * joints };
+    efforts.get(from..from + joints).map_or_else(|| alloc::vec![EffortOf::<S>::null(); joints], <[_]>::to_vec)
+}
+
+/// A motion of plain numbers as one of a scene over jets, with seeds in its state from number `first` on.
+pub fn state<T: Scalar, S, R, C, P>(
+    scene: &System<S, R, C, P>,
+    (time, coordinates, rates): (RealOf<S>, &[T], &[T]),
+    first: usize,
+) -> Result<MotionOf<S, R, C, P>, Error>
+where
+    S: Varied<Scalar = Seeded<T>> + Space<Scalar = Seeded<T>>,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+{
+    let lifted = |list: &[T]| list.iter().map(|x| Jet::of(*x)).collect::<Vec<_>>();
+    let mut motion = scene.motion().at_time(time);
+    motion.set_coordinates(&lifted(coordinates))?;
+    motion.set_rates(&lifted(rates))?;
+    Ok(scene.with_seeds(motion, first))
+}
+
+/// What a costate of a start does along the seeds of that start.
+pub fn by_start<T: Scalar, P: Position<Seeded<T>>, C: Closures>(
+    start: &Motion<Seeded<T>, P, C>,
+    by_position: &[T],
+    by_rate: &[T],
+) -> [T; WIDTH] {
+    let (mut still, mut displacement) = (start.position().clone(), start.rate().clone());
+    still.replace(&mut |x| Jet::of(x.re));
+    start.position().apart(&still, &mut displacement);
+    let mut sum = [T::zero(); WIDTH];
+    for (list, by) in [(&displacement, by_position), (start.rate(), by_rate)] {
+        let mut by = by.iter();
+        list.visit(&mut |x| {
+            let by = by.next().copied().unwrap_or(T::zero());
+            sum.iter_mut().zip(x.eps).for_each(|(sum, eps)| *sum += by * eps);
+        });
+    }
+    sum
+}

@@ -1,0 +1,116 @@
+//! A macro that makes functions of numbers of runs.
+
+/// Makes a [`Differentiable`](crate::sensitivity::Differentiable) of a run: a function of a list of numbers, the inputs, to some others,
+/// the outputs.
+///
+/// It is given a name for the type of numbers, a [`Plan`](crate::sensitivity::Plan), a block that makes a scene and the motion in which
+/// the run begins, a pair, from the inputs that are no torques (it may use `?` on this crate's errors), and one that is met before the
+/// first step and after each step: it may change the outputs `y`, zeros at first, by what it reads of the scene and of positions and rates.
+/// Both are compiled for several kinds of numbers: constants in them are `Number::literal(1.0)`. An example:
+/// [`gradient`](crate::sensitivity::Differentiable::gradient).
+#[macro_export]
+macro_rules! differentiable {
+    ($Number:ident, $plan:expr, |$x:ident| $scene:expr, |$step:pat_param, $of:pat_param, $now:pat_param, $y:ident| $outputs:expr $(,)?) => {{
+        #[allow(unused_imports)]
+        use $crate::scalar::Scalar as _;
+        let plan: $crate::sensitivity::Plan<_> = $plan;
+        macro_rules! ways {
+            ($T:ty, $N:ty) => {{
+                let forward = move |x: &[$T], first: usize| -> ::core::result::Result<_, $crate::Error> {
+                    use $crate::internals::front;
+                    #[allow(dead_code)]
+                    type $Number = $N;
+                    let (numbers, none) = (front::seeded(x, first), <$N>::literal(0.0));
+                    let (inputs, torques) = numbers.split_at(numbers.len().saturating_sub(plan.torques));
+                    let make = |$x: &[$N]| -> ::core::result::Result<_, $crate::Error> { Ok($scene) };
+                    let (system, mut now) = make(inputs)?;
+                    let efforts = front::efforts(&system, torques);
+                    let (mut next, mut stepper) = (now.clone(), system.stepper(plan.method));
+                    let mut list = front::Vec::new();
+                    list.resize(plan.outputs, none);
+                    for step in 0..=plan.steps {
+                        {
+                            let ($step, $of, $now, $y) = (step, &system, &now, &mut list[..]);
+                            $outputs;
+                        }
+                        if step < plan.steps {
+                            let held = front::held(&system, &efforts, step);
+                            stepper.step(&now, &$crate::loading::Loads::none().efforts(held), plan.step, &mut next)?;
+                            ::core::mem::swap(&mut now, &mut next);
+                        }
+                    }
+                    Ok(list)
+                };
+                let backward = move |x: &[$T]| -> ::core::result::Result<_, $crate::Error> {
+                    use $crate::internals::front;
+                    let (inputs, torques) = x.split_at(x.len().saturating_sub(plan.torques));
+                    let (system, start) = {
+                        #[allow(dead_code)]
+                        type $Number = $T;
+                        let make = |$x: &[$T]| -> ::core::result::Result<_, $crate::Error> { Ok($scene) };
+                        make(inputs)?
+                    };
+                    #[allow(dead_code)]
+                    type $Number = $N;
+                    let make = |$x: &[$N]| -> ::core::result::Result<_, $crate::Error> { Ok($scene) };
+                    // Without seeds, and with eight of them each.
+                    let (still, _) = make(&front::seeded(inputs, front::NO_SEEDS))?;
+                    let mut scenes = front::Vec::new();
+                    for first in (0..inputs.len()).step_by(8) {
+                        scenes.push(make(&front::seeded(inputs, first))?);
+                    }
+                    let efforts = front::efforts(&system, torques);
+                    let (mut by_efforts, mut states) = (efforts.clone(), front::Vec::new());
+                    states.resize(plan.steps + 1, start.clone());
+                    let mut run = system.backward(plan.method);
+                    run.run(&start, plan.step, plan.steps, &efforts, &mut states)?;
+                    let (rates, none) = (start.rate_count(), <$N>::literal(0.0));
+                    let (mut values, mut rows) = (front::Vec::new(), front::Vec::new());
+                    for output in 0..plan.outputs {
+                        let mut value = none.re;
+                        let mut row = front::Vec::new();
+                        row.resize(8 * scenes.len(), none.re);
+                        let gradient = run.gradient(&efforts, &states, &mut by_efforts, |step, state, by| {
+                            let numbers = (state.coordinates(), state.rates());
+                            let mut slopes = front::Vec::new();
+                            // By the state, then by what the outputs read of the scene itself.
+                            let by_state = (0..2 * rates).step_by(8).map(|first| (&still, first, None));
+                            let by_inputs = scenes.iter().enumerate().map(|(k, made)| (&made.0, front::NO_SEEDS, Some(k)));
+                            for (scene, first, block) in by_state.chain(by_inputs) {
+                                let now = front::state(scene, (state.time(), &numbers.0, &numbers.1), first)?;
+                                let mut list = front::Vec::new();
+                                list.resize(plan.outputs, none);
+                                {
+                                    let ($step, $of, $now, $y) = (step, scene, &now, &mut list[..]);
+                                    $outputs;
+                                }
+                                let found = list[output];
+                                if let Some(k) = block {
+                                    row[8 * k..].iter_mut().zip(found.eps).for_each(|(sum, slope)| *sum += slope);
+                                } else {
+                                    slopes.extend(found.eps);
+                                    value += if first == 0 { found.re } else { none.re };
+                                }
+                            }
+                            by.add(&slopes[..rates], &slopes[rates..2 * rates])
+                        })?;
+                        let by = (gradient.by_position(), gradient.by_rate());
+                        for ((scene, start), part) in scenes.iter().zip(row.chunks_exact_mut(8)) {
+                            let (along, by) = (gradient.along(scene)?, front::by_start(start, &by.0, &by.1));
+                            part.iter_mut().zip(along).zip(by).for_each(|((sum, a), b)| *sum += a + b);
+                        }
+                        row.truncate(inputs.len());
+                        by_efforts.iter().for_each(|effort| front::OfNumbers::add_to(effort, &mut row));
+                        values.push(value);
+                        rows.push(row);
+                    }
+                    Ok((values, rows))
+                };
+                (forward, backward)
+            }};
+        }
+        let first = ways!(f64, $crate::sensitivity::Seeded<f64>);
+        let second = ways!($crate::scalar::Jet<f64, 1>, $crate::sensitivity::Seeded<$crate::scalar::Jet<f64, 1>>);
+        $crate::sensitivity::Differentiable::new(plan.outputs, first.0, first.1, second.0, second.1)
+    }};
+}

@@ -1,0 +1,96 @@
+//! Electric motors: what torque they can give.
+
+use super::{above, not_negative, positive};
+use crate::error::Fault;
+use crate::lift::lift;
+use crate::scalar::{Real, Scalar};
+
+/// An electric motor behind a gear: how much of a torque asked for it gives at a speed. All numbers but the ratio are those of the motor's
+/// own shaft.
+///
+/// The torque is at most `peak`, and where it drives at most `stall` (1 − v/`free`), which falls to zero at the free speed: beyond that
+/// the motor can only brake, by its peak torque or less.
+///
+/// It is no law of a joint: a law knows position and rate, not what is asked for. Give what comes of it as a load (a value for each
+/// joint, [`Loads::efforts`](crate::loading::Loads::efforts), or a function of the motion,
+/// [`Loads::in_joints`](crate::loading::Loads::in_joints)), so that derivatives and readings know it as they know any load; and the
+/// [reflected inertia](Self::reflected_inertia) to the joint. A joint in [body axes](crate::robot) takes it as `geared`.
+///
+/// Implicit rules read it at the motion predicted, as any load. The torque is continuous, its slope is not at the limits: rules of any
+/// order meet these with order two, as steps of a controller do.
+///
+/// ```
+/// use catena::planar::Motor;
+/// let motor = Motor::new(2.0, 300.0).stalling_at(3.0).geared(50.0).with_rotor(1e-4); // (N·m), (rad/s), (kg·m²)
+/// assert_eq!(motor.torque(70.0, 1.0), 70.0); // 1.4 of 2 N·m
+/// assert_eq!(motor.torque(400.0, 1.0), 100.0); // its peak
+/// assert_eq!(motor.torque(400.0, 5.0), 25.0); // 250 rad/s leave a sixth of 3 N·m
+/// assert_eq!(motor.torque(-400.0, 5.0), -100.0); // it brakes as well as ever
+/// assert_eq!(motor.reflected_inertia(), 0.25);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motor<T> {
+    peak: T,
+    stall: T,
+    free: T,
+    ratio: T,
+    rotor: T,
+}
+
+impl<T: Scalar> Motor<T> {
+    /// Of a peak torque (N·m) and a free speed (rad/s), without gear; it stalls at its peak torque.
+    pub fn new(peak: T, free: T) -> Self {
+        Self { peak, stall: peak, free, ratio: T::one(), rotor: T::zero() }
+    }
+
+    /// With a torque (N·m) that it would give at rest without the limit of its peak.
+    #[must_use]
+    pub fn stalling_at(self, torque: T) -> Self {
+        Self { stall: torque, ..self }
+    }
+
+    /// With a gear: turns of the motor a turn of the joint; for a slide rad/m.
+    #[must_use]
+    pub fn geared(self, ratio: T) -> Self {
+        Self { ratio, ..self }
+    }
+
+    /// With the inertia of a rotor (kg·m²).
+    #[must_use]
+    pub fn with_rotor(self, inertia: T) -> Self {
+        Self { rotor: inertia, ..self }
+    }
+
+    /// What it gives in the joint (N·m, N) of what is asked for there, at a rate of the joint (rad/s, m/s).
+    pub fn torque(&self, wanted: T, rate: T) -> T {
+        let share = rate * self.ratio / self.free;
+        let bound = |left: T| above(least(self.peak, self.stall * left)) * self.ratio;
+        let [forward, backward] = [bound(T::one() - share), bound(T::one() + share)];
+        least(forward, -least(backward, -wanted))
+    }
+
+    /// Inertia of the rotor as the joint feels it (kg·m², kg): times the square of the ratio.
+    pub fn reflected_inertia(&self) -> T {
+        self.rotor * self.ratio * self.ratio
+    }
+
+    /// Rejects numbers that make no motor.
+    ///
+    /// # Errors
+    /// [`Fault::NotPositive`], [`Fault::NotFinite`], [`Fault::Negative`].
+    pub fn check(&self) -> Result<(), Fault> {
+        positive("peak torque of a motor", self.peak)?;
+        positive("stall torque of a motor", self.stall)?;
+        positive("free speed of a motor", self.free)?;
+        positive("ratio of a gear", self.ratio)?;
+        not_negative("inertia of a rotor", self.rotor)
+    }
+}
+
+/// The lesser of two, without a branch.
+#[inline(always)]
+fn least<T: Scalar>(a: T, b: T) -> T {
+    (a + b - (a - b).abs()).scale(T::Real::of(0.5))
+}
+
+lift!(Motor { peak, stall, free, ratio, rotor });
