@@ -315,6 +315,10 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
         AutoMemory { race: self.race, sweeps: self.sweeps(), multi: self.multi.memory(), stiff: self.stiff.memory() }
     }
 
+    fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
+        self.multi.remembers(&memory.multi, motion) && self.stiff.remembers(&memory.stiff, motion)
+    }
+
     fn restore(&mut self, memory: &Self::Memory) {
         self.race = memory.race;
         // Sweeps are counted from where this stepper stands, which may be before any of those that were saved.
