@@ -11,7 +11,7 @@ use super::{Control, Rule};
 /// kept. The one that has lost is tried again after 400 sweeps, and after twice as many each time that it loses again.
 /// [`AutoStepper::chosen`](crate::simulate::AutoStepper::chosen) tells which rule makes the steps, during a run
 /// [`Running::stepper`](crate::simulate::Running::stepper). [`Taylor`](super::Taylor) is not among them, for a scene must be known to it by
-/// type: where `Taylor::<24>::knows(&scene)` compiles, that rule is quicker than all of these unless the scene is stiff.
+/// type: where `Taylor::<24>::knows(&scene)` compiles, that rule is quicker than all of these on pins, unless the scene is stiff.
 ///
 /// It chooses under error control. A stepper that is told its steps takes the rule for what is not stiff.
 ///
@@ -42,6 +42,7 @@ use super::{Control, Rule};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Auto;
 
 impl Auto {
