@@ -19,7 +19,7 @@ use num_traits::{One, Zero};
 pub struct Pack<T, const N: usize>(pub [T; N]);
 
 impl<T: Scalar, const N: usize> Pack<T, N> {
-    /// The same number everywhere.
+    /// One number everywhere.
     #[inline(always)]
     pub fn of(number: T) -> Self {
         Self([number; N])

@@ -61,7 +61,7 @@ impl<T: Scalar> Motor<T> {
         Self { rotor: inertia, ..self }
     }
 
-    /// What it gives in the joint (N·m, N) of what is asked for there, at a rate of the joint (rad/s, m/s).
+    /// Torque in the joint (N·m, N) that the motor gives of the one that is wanted there, at a rate of the joint (rad/s, m/s).
     pub fn torque(&self, wanted: T, rate: T) -> T {
         let share = rate * self.ratio / self.free;
         let bound = |left: T| above(least(self.peak, self.stall * left)) * self.ratio;

@@ -8,13 +8,25 @@ use std::path::Path;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// Time and sweeps against error.
+/// Time and sweeps against error, and which line is whose.
 pub fn draw(path: &Path, scene: &Scene) -> Result<(), Box<dyn Error>> {
-    let root = SVGBackend::new(path, (1200, 620)).into_drawing_area();
+    let root = SVGBackend::new(path, (1380, 600)).into_drawing_area();
     root.fill(&WHITE)?;
-    let (left, right) = root.split_horizontally(600);
-    panel(&left, scene, "time, ms", |point| point.seconds * 1e3, false)?;
-    panel(&right, scene, "sweeps", |point| point.sweeps as f64, true)?;
+    let (panels, names) = root.split_horizontally(1180);
+    let (left, right) = panels.split_horizontally(590);
+    panel(&left, scene, "time, ms", |point| point.seconds * 1e3)?;
+    panel(&right, scene, "sweeps", |point| point.sweeps as f64)?;
+    let font = ("sans-serif", 13);
+    let mut y = 50;
+    for series in scene.series.iter().filter(|series| series.scalar == "f64") {
+        let name = series.name();
+        names.draw(&PathElement::new([(4, y + 6), (26, y + 6)], colour(series).stroke_width(2)))?;
+        names.draw(&Text::new(name.trim_end_matches(" f64").to_owned(), (32, y), font))?;
+        y += 20;
+    }
+    if scene.series.iter().any(|series| series.scalar == "f32") {
+        names.draw(&Text::new("pale: f32", (32, y + 6), font))?;
+    }
     root.present()?;
     Ok(())
 }
@@ -38,20 +50,14 @@ fn colour(series: &Series) -> RGBAColor {
         ("SDIRK4", "fixed") => RGBColor(150, 210, 170),
         _ => RGBColor(40, 140, 80),
     };
-    colour.mix(if series.scalar == "f32" { 0.35 } else { 1.0 })
+    colour.mix(if series.scalar == "f32" { 0.25 } else { 1.0 })
 }
 
-fn panel(
-    area: &Area<'_>,
-    scene: &Scene,
-    work: &str,
-    value: impl Fn(&Point) -> f64,
-    legend: bool,
-) -> Result<(), Box<dyn Error>> {
+fn panel(area: &Area<'_>, scene: &Scene, work: &str, value: impl Fn(&Point) -> f64) -> Result<(), Box<dyn Error>> {
     let shown = |point: &&Point| point.error.is_finite() && point.error < 1.0 && value(point) > 0.0;
     let all = || scene.series.iter().flat_map(|series| &series.points).filter(&shown).map(&value);
     let (low, high) = all().fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
-    let caption = format!("{}, {} s: {work} against error", scene.name, scene.end);
+    let caption = format!("{}: {work} against error", scene.name);
     let mut chart = ChartBuilder::on(area)
         .caption(caption, ("sans-serif", 18))
         .margin(12)
@@ -69,16 +75,8 @@ fn panel(
         let colour = colour(series);
         let points: Vec<(f64, f64)> =
             series.points.iter().filter(&shown).map(|point| (point.error.max(1e-13), value(point))).collect();
-        chart
-            .draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?
-            .label(series.name())
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2)));
+        chart.draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?;
         chart.draw_series(points.into_iter().map(|point| Circle::new(point, 2, colour.filled())))?;
-    }
-    if legend {
-        let mut labels = chart.configure_series_labels();
-        labels.position(SeriesLabelPosition::LowerLeft).background_style(WHITE.mix(0.8));
-        labels.border_style(BLACK.mix(0.3)).label_font(("sans-serif", 10)).draw()?;
     }
     Ok(())
 }

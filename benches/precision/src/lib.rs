@@ -6,7 +6,7 @@
 //! cargo run --release -p catena-precision --bin mechanisms    # heavy top, four-bar, Andrews' mechanism, an arm of seven joints
 //! ```
 //!
-//! Words on the command line choose scenes by parts of their names. Each scene's runs go to `benches/results/precision/SCENE-TARGET.csv`,
+//! `--bin pictures` draws all files anew without running anything. Words on the command line choose scenes by parts of their names. Each scene's runs go to `benches/results/precision/SCENE-TARGET.csv`,
 //! with a diagram beside it; runs of other libraries that `benches/rivals/rivals.py` left in `benches/results/rivals.csv` stand in both.
 //! With `RUSTFLAGS="-C target-cpu=x86-64-v3"` the target is that.
 
@@ -46,7 +46,7 @@ pub struct Series {
 
 /// A scene and what is known of its motion.
 pub struct Scene {
-    name: &'static str,
+    name: String,
     bodies: usize,
     /// When runs end (s).
     end: f64,
@@ -89,7 +89,7 @@ pub fn agreed(name: &str, values: [Option<f64>; 2]) -> f64 {
 impl Scene {
     /// A scene by its name, number of bodies, end of runs (s), reference at the end and its unit.
     pub fn new(name: &'static str, bodies: usize, end: f64, reference: f64, unit: &'static str) -> Self {
-        Self { name, bodies, end, reference, unit, series: Vec::new() }
+        Self { name: name.to_owned(), bodies, end, reference, unit, series: Vec::new() }
     }
 
     pub fn end(&self) -> f64 {
@@ -140,6 +140,36 @@ impl Scene {
         diagram::draw(&directory.join(format!("{name}-{TARGET}.svg")), &self)?;
         self.print();
         Ok(())
+    }
+
+    /// Draws what a file of runs holds, without running anything.
+    ///
+    /// # Errors
+    /// Those of files and of drawing.
+    pub fn redraw(csv: &Path) -> Result<(), Box<dyn Error>> {
+        let text = fs::read_to_string(csv)?;
+        let mut scene = Self::new("", 0, 0.0, 0.0, "rad or m");
+        for line in text.lines().skip(1) {
+            let fields: Vec<&str> = line.split(',').collect();
+            let [name, library, rule, control, scalar, _, parameter, sweeps, error, seconds] = fields[..] else {
+                continue;
+            };
+            scene.name = name.to_owned();
+            let rival = (library != "Catena").then(|| library.to_owned());
+            let control = if control == "fixed" { "fixed" } else { "controlled" };
+            let scalar = if scalar == "f32" { "f32" } else { "f64" };
+            let key = |s: &Series| (s.rival.clone(), s.rule.clone(), s.control, s.scalar);
+            let own = (rival.clone(), rule.to_owned(), control, scalar);
+            let (parameter, sweeps) = (parameter.parse()?, sweeps.parse()?);
+            let point = Point { parameter, sweeps, error: error.parse()?, seconds: seconds.parse()? };
+            match scene.series.iter_mut().find(|series| key(series) == own) {
+                Some(series) => series.points.push(point),
+                None => {
+                    scene.series.push(Series { rival, rule: rule.to_owned(), control, scalar, points: vec![point] })
+                }
+            }
+        }
+        diagram::draw(&csv.with_extension("svg"), &scene)
     }
 
     /// Runs of other libraries, if they are there.

@@ -161,7 +161,7 @@ pub fn skip(rows: &Rows) -> String {
     text
 }
 
-/// Milliseconds to three errors, a table for each scene and target. A run counts if the next finer one is as good: errors may vanish by
+/// Milliseconds and sweeps to three errors, a table for each scene and target. A run counts if the next finer one is as good: errors may vanish by
 /// chance where they change sign.
 pub fn precision(rows: &Rows) -> String {
     const LEVELS: [f64; 3] = [1e-3, 1e-6, 1e-9];
@@ -171,17 +171,24 @@ pub fn precision(rows: &Rows) -> String {
         let of_scene = |row: &&&Row| row.get("scene") == scene[0] && row.get("target") == scene[1];
         let own: Vec<&Row> = all.iter().filter(of_scene).copied().collect();
         let names = LEVELS.map(|level| format!("{level:.0e}"));
-        text += &head([format!("{}, {}: ms to an error of", scene[0], scene[1])].into_iter().chain(names).collect());
+        text += &head(
+            [format!("{}, {}: ms (sweeps) to an error of", scene[0], scene[1])].into_iter().chain(names).collect(),
+        );
         for rule in Rows::distinct(&own, &["library", "rule", "control", "scalar"]) {
             let columns = ["library", "rule", "control", "scalar"];
             let same = |row: &&&Row| columns.iter().zip(&rule).all(|(column, part)| row.get(column) == *part);
-            let points: Vec<[f64; 2]> =
-                own.iter().filter(same).map(|row| [row.number("error"), 1e3 * row.number("seconds")]).collect();
-            let time = |level: f64| {
+            let points = own.iter().filter(same);
+            let points: Vec<[f64; 3]> =
+                points.map(|row| [row.number("error"), 1e3 * row.number("seconds"), row.number("sweeps")]).collect();
+            let best = |level: f64| {
                 let good = points.windows(2).filter(|pair| pair[0][0] <= level && pair[1][0] <= level);
-                good.map(|pair| pair[0][1]).min_by(f64::total_cmp)
+                good.map(|pair| pair[0]).min_by(|a, b| a[1].total_cmp(&b[1]))
             };
-            let times = LEVELS.map(|level| time(level).map_or("–".to_owned(), figures));
+            let times = LEVELS.map(|level| match best(level) {
+                Some([_, time, sweeps]) if sweeps > 0.0 => format!("{} ({sweeps:.0})", figures(time)),
+                Some([_, time, _]) => figures(time),
+                None => "–".to_owned(),
+            });
             let name = if rule[0] == "Catena" { rule[1..].join(" ") } else { rule[..2].join(", ") };
             text += &line(std::iter::once(name).chain(times));
         }

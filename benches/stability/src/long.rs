@@ -17,6 +17,7 @@ const MARKS: [usize; 5] = [1_000, 10_000, 100_000, 1_000_000, 10_000_000];
 type Drift = Vec<[f64; 3]>;
 
 /// Steps a scene and reads it some thousand times between marks, which are `stretch` times as many steps apart.
+#[allow(clippy::type_complexity)] // types are those of the scene
 fn drift<S, R, C, P, M>(
     scene: &System<S, R, C, P>,
     start: &MotionOf<S, R, C, P>,

@@ -46,7 +46,7 @@ impl Tallies {
 }
 
 /// One run of one scene.
-#[allow(clippy::too_many_arguments)] // what is run, by what, who it is
+#[allow(clippy::too_many_arguments, clippy::type_complexity)] // what is run, by what, who it is; types are those of the scene
 fn trial<S, R, C, P, M>(
     tallies: &mut Tallies,
     kind: &'static str,

@@ -39,10 +39,10 @@ fn solve<T: Scalar, const C: usize>(mut a: [[T; 3]; 3], mut b: [[T; C]; 3]) -> [
         }
     }
     for k in (0..3).rev() {
-        for j in 0..C {
+        b[k] = from_fn(|j| {
             let known = (k + 1..3).fold(T::zero(), |sum, i| sum + a[k][i] * b[i][j]);
-            b[k][j] = (b[k][j] - known) / a[k][k];
-        }
+            (b[k][j] - known) / a[k][k]
+        });
     }
     b
 }

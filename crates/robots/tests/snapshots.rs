@@ -135,7 +135,7 @@ fn afloat() -> Result<(), catena::Error> {
         start.set_coordinates(&coordinates)?;
         let rates: Vec<f64> = velocity.into_iter().chain(spin).chain(v).collect();
         let start = scene.with_rates(start, &rates)?;
-        let base = scene.body_motions(&start)?.get(0).map(|body| Afloat::of(body)).expect("a base");
+        let base = scene.body_motions(&start)?.get(0).map(Afloat::of).expect("a base");
         check(&scene.snapshot_afloat(base, &q, &v)?, &plain, &plain.at(&q, &v), &rates, &mut noise)?;
     }
     Ok(())

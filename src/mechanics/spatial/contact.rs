@@ -21,8 +21,8 @@ pub trait Surface<T: Scalar> {
 ///
 /// ```
 /// use catena::spatial::{Plane, Surface};
-/// assert_eq!(Plane::level(0.5).below([3.0, 4.0, 0.0]), (0.5, [0.0, 0.0, 1.0]));
-/// let slope = Plane::through([0.0; 3], [-0.6, 0.0, 0.8]); // a point (m), a unit normal
+/// assert_eq!(Plane::level(0.5_f64).below([3.0, 4.0, 0.0]), (0.5, [0.0, 0.0, 1.0]));
+/// let slope = Plane::through([0.0_f64; 3], [-0.6, 0.0, 0.8]); // a point (m), a unit normal
 /// assert!((slope.below([1.0, 0.0, 0.75]).0).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,14 +132,15 @@ lift!(Contact { stiffness, depth, damping, friction, speed });
 /// ```
 /// use catena::robot::*;
 /// let inertia = [[0.01, 0.0, 0.0], [0.0, 0.01, 0.0], [0.0, 0.0, 0.01]];
-/// let body = Link::general(1.0, [0.0, 0.0, 0.3], inertia); // slides along the vertical
+/// let body = Link::general(1.0_f64, [0.0, 0.0, 0.3], inertia); // slides along the vertical
 /// let hopper = System::new(Base::origin(), (Slide::level(), body), Free)?.with_gravity([0.0, 0.0, -9.81]);
 /// let law = Contact::new(1e4, 1e-4).damped(2.0).rubbing(0.7, 0.01); // (N/m), (m), (s/m), (m/s)
 /// let contacts = Contacts::of([(0, [0.0, 0.0, 0.0])], Plane::level(-0.1), law); // the origin of body 0
 /// let rule = Sdirk4::new().tolerance(1e-6);
 /// let run = hopper.simulation(rule).loads(&Loads::none().on_bodies_by(contacts)).run(hopper.motion(), 3.0, |_| ())?;
-/// let [body] = [hopper.body_motions(&run.motion)?.get(0).unwrap()];
-/// assert!((contacts.force(0, &body)[2] - 9.81).abs() < 1e-2); // it stands
+/// let bodies = hopper.body_motions(&run.motion)?;
+/// let body = bodies.get(0).unwrap();
+/// assert!((contacts.force(0, body)[2] - 9.81).abs() < 1e-2); // it stands
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -51,7 +51,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     ///
     /// ```
     /// use catena::robot::*;
-    /// let link = Link::general(3.0, [0.0, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.01]]);
+    /// let link = Link::general(3.0_f64, [0.0, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.01]]);
     /// let elbow = Hinge::at::<4>([0.0, 0.0, 0.4]).turned(Quarter::<30>).with(Spring::damping(0.5));
     /// let arm = System::new(Base::origin(), (Hinge::level().grounded(), link, elbow, link), Free)?;
     /// let (q, v, torques) = ([0.3, -0.4], [1.0, 0.5], [2.0, -1.0]);

@@ -15,13 +15,13 @@ macro_rules! wider {
         impl $Lanes {
             pub(super) const ONE: Self = Self($wide::ONE);
 
-            /// The same number in all lanes.
+            /// A bundle with one number in all lanes.
             #[inline(always)]
             pub fn splat(number: $number) -> Self {
                 Self($wide::splat(number))
             }
 
-            /// The numbers in the lanes.
+            /// Numbers of the lanes, in order.
             #[inline(always)]
             pub fn into_arr(self) -> [$number; $count] {
                 self.0.to_array()

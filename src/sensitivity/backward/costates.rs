@@ -146,7 +146,10 @@ where
         let free = &mut self.of_acceleration;
         let frame = self.scene.ground(time);
         let ends = (elements, self.scene.tip());
-        let held = self.room.as_mut().map(|room| room.weights(ends, &frame, stage, free));
+        let held = self.room.as_mut().map(|room| {
+            room.costates.set(free);
+            room.weights(ends, &frame, stage)
+        });
         let (beyond, weight) = held.unwrap_or_else(|| (Wrench::none(), P::Closures::each(|_| S::Scalar::zero())));
         elements.take(&mut Meet, beyond, (x, y, p, q, kept, pivots, &mut *free));
         let kept_of_them = (&mut self.on_bodies, &mut self.in_joints);

@@ -81,6 +81,8 @@ pub(super) struct Room<S: Reversed, E: Element<S>> {
     p: E::Store<PerAxes<S::P>>,
     q: E::Store<PerAxes<S::Q>>,
     zero: E::Rate,
+    /// Costates, and what is solved for.
+    pub(super) costates: E::Rate,
     solved: E::Rate,
     correction: E::Rate,
     of_position: E::Rate,
@@ -152,6 +154,7 @@ impl<S: Reversed, E: Reversible<S>> Room<S, E> {
             y: elements.store::<PerAxes<_>>(y),
             p: elements.store::<PerAxes<_>>(p),
             q: elements.store::<PerAxes<_>>(q),
+            costates: zero.clone(),
             solved: zero.clone(),
             correction: zero.clone(),
             of_position: zero.clone(),
@@ -214,15 +217,14 @@ impl<S: Reversed, E: Reversible<S>> Room<S, E> {
         stage.reached = elements.take(&mut Reach, ground.1, stores);
     }
 
-    /// ν for costates of accelerations, and the wrench at the tip with which an inward walk begins.
+    /// ν for the costates in the room, and the wrench at the tip with which an inward walk begins.
     pub(super) fn weights<P: ReversibleTip<S>>(
         &mut self,
         (elements, tip): (&E, &P),
         ground: &FrameOf<S>,
         stage: &Stage<S, E, P::Closures>,
-        costates: &E::Rate,
     ) -> (WrenchOf<S>, EachOf<S, P>) {
-        self.solved.set(costates);
+        self.solved.set(&self.costates);
         let yielded = self.stir::<P>(elements, ground, stage, Wrench::none());
         let weights = P::Closures::solve(&stage.compliance, &along(tip, &yielded));
         (wrench(tip, &weights), weights)
@@ -296,10 +298,10 @@ where
             swept::<S, P, _>(elements, kept, &mut room.at_bodies, &mut room.at_joints);
             // w and ν.
             let start = &mut gradient.start;
-            let mut costates = if let Level::Place = level { start.position.clone() } else { start.rate.clone() };
-            opposite::<S, _>(&mut costates);
-            let (beyond, weights) = room.weights((elements, tip), &ground, stage, &costates);
-            room.solved.set(&costates);
+            room.costates.set(if let Level::Place = level { &start.position } else { &start.rate });
+            opposite::<S, _>(&mut room.costates);
+            let (beyond, weights) = room.weights((elements, tip), &ground, stage);
+            room.solved.set(&room.costates);
             let stirred = room.stir::<P>(elements, &ground, stage, beyond);
             // What the stage's M and Γ change of x.
             let Room { sizes, x, y, p, q, solved, correction, of_position, of_rate, on_bodies, in_joints, .. } = room;

@@ -29,7 +29,7 @@ macro_rules! bars {
         let rod = |length: $T| Rod::uniform(length, length);
         let chain = (rod(0.5), Pin, rod(1.2), Pin, rod(0.9));
         let system = System::new(Pinned::origin(), chain, Pinned::at(1.0 as $T, 0.0))?.with_gravity(9.81 as $T);
-        let start = system.assembled(system.at_rest(&[1.0471975512 as $T, 0.3, -2.0])?, &Unloaded)?;
+        let start = system.assembled(system.at_rest(&[std::f64::consts::FRAC_PI_3 as $T, 0.3, -2.0])?, &Unloaded)?;
         (system, start, Unloaded)
     }};
 }

@@ -219,7 +219,10 @@ macro_rules! flat {
     };
 }
 
-const FAMILIES: [(&str, fn(&mut Draw) -> Option<f64>); 9] = [
+/// The largest deviation of a scene of a family.
+type Family = fn(&mut Draw) -> Option<f64>;
+
+const FAMILIES: [(&str, Family); 9] = [
     ("rods on pins", |draw| {
         let parameters = [draw.rods(3), vec![draw.gravity()]].concat();
         worst!(planar, parameters, draw.angles(3), draw.rates(3), 3, 1, |x| {

@@ -69,9 +69,8 @@ fn solve(mut a: Vec<Vec<D>>, mut b: Vec<D>) -> Vec<D> {
         b.swap(k, pivot);
         for i in k + 1..n {
             let share = a[i][k] / a[k][k];
-            for j in k..n {
-                a[i][j] = a[i][j] - share * a[k][j];
-            }
+            let row = a[k].clone();
+            a[i].iter_mut().zip(row).skip(k).for_each(|(x, pivot)| *x = *x - share * pivot);
             b[i] = b[i] - share * b[k];
         }
     }

@@ -78,7 +78,7 @@ impl<T: Scalar> ReversibleTip<Planar<T>> for Clamped<[T; 2], T> {
     }
 }
 
-/// Its numbers are place, angle, and direction of the line against it, by which the normal n of the line turns: n′ = −ẑ×ᵀ n.
+/// Numbers of a guide are place, angle, and direction of the line against it, by which the normal n of the line turns: n′ = −ẑ×ᵀ n.
 impl<T: Scalar> ReversibleTip<Planar<T>> for Guided<[T; 2], T, T> {
     fn columns(&self) -> [Wrench<T>; 2] {
         [force(self.across()), Wrench { force: Vector2::null(), torque: T::one() }]

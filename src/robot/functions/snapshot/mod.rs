@@ -24,7 +24,7 @@ use num_traits::Zero;
 /// Where a base is that floats, and how it moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Afloat<T> {
-    /// Its place and attitude.
+    /// Place and attitude of the base.
     pub place: Place<T>,
     /// Velocity of its origin (m/s), inertial axes.
     pub velocity: Vector3<T>,
@@ -69,11 +69,11 @@ pub struct SixRows<T, const N: usize> {
 ///
 /// ```
 /// use catena::robot::*;
-/// let link = Link::general(3.0, [0.0, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.01]]);
+/// let link = Link::general(3.0_f64, [0.0, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.01]]);
 /// let legs = [Branch((Hinge::at::<7>([0.3, 0.2, -0.1]), link)), Branch((Hinge::at::<7>([-0.3, 0.2, -0.1]), link))];
 /// let robot = System::new(Free, (BodyAxes, link, legs), Free)?.with_gravity([0.0, 0.0, -9.81]);
 /// let start = robot.motion();
-/// let base = Afloat::of(&robot.body_motions(&start)?.get(0).unwrap());
+/// let base = Afloat::of(robot.body_motions(&start)?.get(0).unwrap());
 /// let now = robot.snapshot_afloat(base, &[0.3, -0.2], &[1.0, 0.5])?;
 /// let (centre, mass) = now.mass_centre();
 /// let [momentum, angular] = now.centroidal_momentum(); // (kg·m/s, N·m·s), about the mass centre
