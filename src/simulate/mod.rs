@@ -24,8 +24,8 @@ use core::fmt;
 pub use crate::observers::Trace;
 pub use crate::observers::{EnergyDrift, Observe};
 pub use crate::stepper::{
-    AdamsMemory, AdamsStepper, ExplicitStepper, ImplicitMemory, ImplicitStepper, Method, MotionIn, SdirkStepper,
-    Stepper, StepperOf, TaylorStepper, TimeIn, VcabmMemory, VcabmStepper,
+    AdamsMemory, AdamsStepper, AutoMemory, AutoStepper, Chosen, ExplicitStepper, ImplicitMemory, ImplicitStepper,
+    Method, MotionIn, SdirkStepper, Stepper, StepperOf, TaylorStepper, TimeIn, VcabmMemory, VcabmStepper,
 };
 pub use drive::Running;
 #[cfg(feature = "rayon")]

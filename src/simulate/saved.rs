@@ -213,6 +213,11 @@ where
         &self.past
     }
 
+    /// The stepper, to be asked what its rule knows of itself.
+    pub fn stepper(&self) -> &K {
+        &self.stepper
+    }
+
     /// Steps until one ends at a time (s) or later, which cuts none of them short.
     ///
     /// # Errors

@@ -16,7 +16,7 @@ pub struct ExplicitStepper<D: Dynamics<L>, L, M: Explicit> {
     pub(super) workspace: D::Workspace,
     /// Accelerations of the rows: of the past motion, of the stages, of the next motion, of stages for the dense output.
     pub(super) slopes: M::Rows<D::Rate>,
-    stage: (D::Position, D::Rate),
+    pub(super) stage: (D::Position, D::Rate),
     still: MotionIn<D, L>,
     zero: D::Rate,
     /// Room for increments of positions, and for estimates of errors.

@@ -1,6 +1,7 @@
 //! Steppers: what a rule needs for one scene, and the step itself.
 
 mod adams;
+mod auto;
 pub(crate) mod displace;
 pub(crate) mod explicit;
 mod implicit;
@@ -16,6 +17,7 @@ use crate::system::Dynamics;
 use num_traits::Zero;
 
 pub use adams::{AdamsMemory, AdamsStepper};
+pub use auto::{AutoMemory, AutoStepper, Chosen};
 pub use explicit::ExplicitStepper;
 pub use implicit::{ImplicitMemory, ImplicitStepper};
 pub use sdirk::SdirkStepper;

@@ -64,6 +64,11 @@ impl<D: Dynamics<L>, L> Method<D, L> for Vcabm {
 }
 
 impl<D: Dynamics<L>, L> VcabmStepper<D, L> {
+    /// Whether the next step has a low order although enough motions are remembered.
+    pub(super) fn is_low(&self, order: usize) -> bool {
+        self.own && self.memory.is_low(order)
+    }
+
     /// Predicts, evaluates, corrects; and evaluates once more in steps of a given size.
     fn leap(
         &mut self,

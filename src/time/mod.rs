@@ -1,6 +1,7 @@
 //! Rules that advance a motion in time: coefficients only, no mechanics.
 
 mod adams;
+mod auto;
 mod control;
 mod dop853;
 mod dop853_table;
@@ -14,6 +15,7 @@ pub(crate) mod vcabm;
 
 pub use adams::Adams;
 pub(crate) use adams::Weights;
+pub use auto::Auto;
 pub use control::{Control, IntoRule, Rule};
 pub use dop853::Dop853;
 pub use dopri5::Dopri5;

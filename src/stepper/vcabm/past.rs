@@ -264,6 +264,11 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
         self.wanted = None;
     }
 
+    /// Whether the next step has a low order, and not because steps have just begun.
+    pub(super) fn is_low(&self, order: usize) -> bool {
+        !self.starting && self.order <= order
+    }
+
     /// Whether the next step could have one order more.
     pub(super) fn may_rise(&self) -> bool {
         !self.starting && self.steady > self.made / 2 && self.known > self.made

@@ -1,6 +1,7 @@
 //! Motion in time: references, orders, conservation.
 
 mod adams;
+mod auto;
 mod double_pendulum;
 mod driven_sliders;
 mod endless_runs;

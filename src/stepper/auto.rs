@@ -1,0 +1,342 @@
+//! Steps by the rule that leads a motion farthest for its sweeps.
+
+use super::{ExplicitStepper, Method, MotionIn, SdirkStepper, Stepper, TimeIn, VcabmStepper};
+use crate::error::Error;
+use crate::mirror::{Position, Rate};
+use crate::scalar::{Real, Scalar};
+use crate::system::StiffDynamics;
+use crate::time::{Auto, Dop853, Sdirk4, Vcabm};
+
+/// From so many coordinates on, where none is a turn in space, what a multistep method does beside its sweeps is worth their number.
+const MANY: usize = 8;
+/// Share of the limit of stability from which on steps by DOP853 look limited by it: h λ, which is about 6 there.
+const LIMITED: f64 = 2.5;
+/// Multistep methods that stiffness limits fall to orders up to this one.
+const LOW: usize = 3;
+/// So many steps that look limited before another rule is tried; two that do not undo one that does.
+const SUSPICIONS: usize = 5;
+/// Steps and sweeps of a rule before its pace is measured, and those over which it is.
+const SETTLING: [usize; 2] = [3, 36];
+const WINDOW: [usize; 2] = [4, 48];
+/// Sweeps before a rule that has lost is tried again: at first, and at most.
+const PATIENCE: usize = 400;
+const MOST_PATIENCE: usize = 20_000;
+
+/// The rules that [`Auto`] chooses from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Chosen {
+    /// [`Dop853`].
+    Dop853,
+    /// [`Vcabm`].
+    Vcabm,
+    /// [`Sdirk4`].
+    Sdirk4,
+}
+
+/// What is known of the pace of rules.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Race<R> {
+    chosen: Chosen,
+    /// The rule where nothing is stiff.
+    plain: Chosen,
+    /// When the present motion and the last one written were, and whose they are.
+    from: (Option<R>, Chosen),
+    written: (Option<R>, Chosen),
+    /// How many steps have been accepted since the rule was chosen or the measurement began, and twice how many look limited by stability,
+    /// less those that do not.
+    taken: usize,
+    suspicious: usize,
+    /// Whether the last step looks so.
+    limited: bool,
+    /// Sweeps before the rule was chosen; where the measurement began, if it did: time, and sweeps.
+    since: usize,
+    mark: Option<(R, usize)>,
+    /// Time (s) a sweep, of the plain rule and of the other one, and size (s) of the last step by the plain one.
+    pace: [f64; 2],
+    size: Option<R>,
+    /// Whether the rule is on trial, and sweeps before the other one is tried again.
+    trial: bool,
+    patience: usize,
+}
+
+/// Steps by [`Auto`].
+pub struct AutoStepper<D: StiffDynamics<L>, L> {
+    single: ExplicitStepper<D, L, Dop853>,
+    multi: VcabmStepper<D, L>,
+    stiff: SdirkStepper<D, L>,
+    race: Race<TimeIn<D, L>>,
+    resumed: bool,
+    room: D::Rate,
+}
+
+impl<D: StiffDynamics<L> + Clone, L> Method<D, L> for Auto {
+    type Stepper = AutoStepper<D, L>;
+
+    fn stepper(&self, scene: D) -> AutoStepper<D, L> {
+        let still = scene.still();
+        let mut count = 0;
+        still.rate.visit(&mut |_| count += 1);
+        let plain = if count >= MANY && !D::Position::CURVED { Chosen::Vcabm } else { Chosen::Dop853 };
+        AutoStepper {
+            single: Dop853.stepper(scene.clone()),
+            multi: Vcabm::new().stepper(scene.clone()),
+            stiff: Sdirk4::new().stepper(scene),
+            race: Race {
+                chosen: plain,
+                plain,
+                from: (None, plain),
+                written: (None, plain),
+                taken: 0,
+                suspicious: 0,
+                limited: false,
+                since: 0,
+                mark: None,
+                pace: [0.0; 2],
+                size: None,
+                trial: false,
+                patience: PATIENCE,
+            },
+            resumed: false,
+            room: still.rate,
+        }
+    }
+}
+
+/// Calls the stepper of a rule.
+macro_rules! of {
+    ($chosen:expr, $self:ident, |$stepper:ident| $call:expr) => {
+        match $chosen {
+            Chosen::Dop853 => {
+                let $stepper = &mut $self.single;
+                $call
+            }
+            Chosen::Vcabm => {
+                let $stepper = &mut $self.multi;
+                $call
+            }
+            Chosen::Sdirk4 => {
+                let $stepper = &mut $self.stiff;
+                $call
+            }
+        }
+    };
+}
+
+impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
+    /// The rule that makes the next step.
+    pub fn chosen(&self) -> Chosen {
+        self.race.chosen
+    }
+
+    /// Takes a rule.
+    fn choose(&mut self, chosen: Chosen, trial: bool) {
+        let sweeps = self.sweeps();
+        let race = &mut self.race;
+        (race.chosen, race.trial, race.since, race.mark) = (chosen, trial, sweeps, None);
+        (race.taken, race.suspicious, race.limited) = (0, 0, false);
+    }
+
+    /// After a step that was accepted: goes on, tries the other rule, or returns from a trial that has lost.
+    fn judge(&mut self, time: TimeIn<D, L>) {
+        let sweeps = self.sweeps();
+        let race = &mut self.race;
+        race.taken += 1;
+        race.suspicious = if race.limited { race.suspicious + 2 } else { race.suspicious.saturating_sub(1) };
+        let (stiff, plain) = (race.chosen == Chosen::Sdirk4, race.plain);
+        let (begun, [steps, least]) = match race.mark {
+            None => (race.since, SETTLING),
+            Some((_, begun)) => (begun, WINDOW),
+        };
+        if race.taken >= steps && sweeps.wrapping_sub(begun) >= least {
+            let measured = race.mark.replace((time, sweeps));
+            race.taken = 0;
+            if let Some((start, begun)) = measured {
+                let pace = (time - start).as_f64() / sweeps.wrapping_sub(begun).max(1) as f64;
+                race.pace[usize::from(stiff)] = pace;
+                if race.trial && pace < race.pace[usize::from(!stiff)] {
+                    race.patience = (2 * race.patience).min(MOST_PATIENCE);
+                    return self.choose(if stiff { plain } else { Chosen::Sdirk4 }, false);
+                }
+                if race.trial {
+                    (race.trial, race.patience) = (false, PATIENCE);
+                }
+            }
+        }
+        let rested = !race.trial && sweeps.wrapping_sub(race.since) >= race.patience;
+        let limited = race.suspicious >= 2 * SUSPICIONS && (rested || race.pace[1] == 0.0);
+        if stiff && rested {
+            self.choose(plain, true);
+        } else if !stiff && limited && race.pace[0] > 0.0 {
+            self.choose(Chosen::Sdirk4, true);
+        }
+    }
+
+    /// Whether stability seems to have limited the last step by DOP853, whose last stage and end are at one time: by how much accelerations
+    /// differ there as positions and rates do (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.2, for systems of first
+    /// order).
+    fn limited(&mut self, next: &MotionIn<D, L>, dt: TimeIn<D, L>) -> bool {
+        let Self { single, room, .. } = self;
+        let square = |a: &D::Rate, b: &D::Rate| {
+            let mut sum = 0.0;
+            a.all(b, &mut |x, y| {
+                let difference = (x - y).real().as_f64();
+                sum += difference * difference;
+                true
+            });
+            sum
+        };
+        let (slopes, (position, rate)) = (single.slopes.as_ref(), &single.stage);
+        let [.., last, end] = &slopes[..=12] else { return false };
+        next.position.apart(position, room);
+        let mut moved = 0.0;
+        room.visit(&mut |x| moved += x.real().as_f64() * x.real().as_f64());
+        let root = |x: f64| Scalar::sqrt(TimeIn::<D, L>::of(x)).as_f64();
+        let dt = dt.as_f64();
+        let (pushed, moved, turned) = (root(square(last, end)), root(moved), root(square(rate, &next.rate)));
+        dt * dt * pushed > LIMITED * (moved + dt * turned)
+    }
+}
+
+impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
+    const SETTLED: bool = false;
+
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+        self.stiff.admit(past, loads, dt, next)
+    }
+
+    fn begin(&mut self, _: &MotionIn<D, L>, _: &L) {
+        self.resumed = false;
+    }
+
+    fn resume(&mut self, _: &MotionIn<D, L>) {
+        self.resumed = true;
+    }
+
+    fn make(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &mut MotionIn<D, L>,
+    ) -> Result<(), Error> {
+        let Race { chosen, plain, from, written, .. } = &mut self.race;
+        let now = Some(past.time);
+        if written.0 == now {
+            *from = *written;
+        } else if from.0 != now {
+            *from = (now, *plain);
+        }
+        // Implicit steps leave other accelerations than the true ones.
+        let settled = self.resumed && from.1 != Chosen::Sdirk4;
+        *written = (Some(past.time + dt), *chosen);
+        of!(*chosen, self, |stepper| {
+            if settled {
+                stepper.resume(past);
+            } else {
+                stepper.begin(past, loads);
+            }
+            stepper.make(past, loads, dt, next)
+        })
+    }
+
+    fn propose(&mut self, past: &MotionIn<D, L>, loads: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
+        let before = self.race.chosen;
+        if self.race.written.0 == Some(past.time) {
+            self.judge(past.time);
+        }
+        let Race { chosen, plain, size, .. } = self.race;
+        let proposed = of!(chosen, self, |stepper| stepper.propose(past, loads, tolerance));
+        if chosen == plain && before != plain { size } else { proposed }
+    }
+
+    fn error(
+        &mut self,
+        past: &MotionIn<D, L>,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        tolerance: TimeIn<D, L>,
+    ) -> Option<TimeIn<D, L>> {
+        let chosen = self.race.chosen;
+        let error = of!(chosen, self, |stepper| stepper.error(past, dt, next, tolerance));
+        self.race.limited = match chosen {
+            Chosen::Dop853 => self.limited(next, dt),
+            Chosen::Vcabm => self.multi.is_low(LOW),
+            Chosen::Sdirk4 => false,
+        };
+        if chosen == self.race.plain {
+            self.race.size = Some(dt);
+        }
+        error
+    }
+
+    fn error_order(&self) -> f64 {
+        match self.race.chosen {
+            Chosen::Dop853 => self.single.error_order(),
+            Chosen::Vcabm => self.multi.error_order(),
+            Chosen::Sdirk4 => self.stiff.error_order(),
+        }
+    }
+
+    fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {
+        match self.race.chosen {
+            Chosen::Dop853 => self.single.firm(next, least),
+            Chosen::Vcabm => self.multi.firm(next, least),
+            Chosen::Sdirk4 => true,
+        }
+    }
+
+    fn interpolate(
+        &mut self,
+        past: &MotionIn<D, L>,
+        loads: &L,
+        dt: TimeIn<D, L>,
+        next: &MotionIn<D, L>,
+        theta: f64,
+        between: &mut MotionIn<D, L>,
+    ) {
+        let made = self.race.written.1;
+        of!(made, self, |stepper| stepper.interpolate(past, loads, dt, next, theta, between));
+    }
+
+    fn sweeps(&self) -> usize {
+        self.single.sweeps() + self.multi.sweeps() + self.stiff.sweeps()
+    }
+
+    /// The race, and what multistep and implicit methods carry.
+    type Memory = AutoMemory<
+        TimeIn<D, L>,
+        <VcabmStepper<D, L> as Stepper<D, L>>::Memory,
+        <SdirkStepper<D, L> as Stepper<D, L>>::Memory,
+    >;
+
+    fn memory(&self) -> Self::Memory {
+        AutoMemory { race: self.race, sweeps: self.sweeps(), multi: self.multi.memory(), stiff: self.stiff.memory() }
+    }
+
+    fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
+        self.multi.remembers(&memory.multi, motion) && self.stiff.remembers(&memory.stiff, motion)
+    }
+
+    fn restore(&mut self, memory: &Self::Memory) {
+        self.race = memory.race;
+        // Sweeps are counted from where this stepper stands, which may be before any of those that were saved.
+        let own = self.sweeps();
+        let shifted = |sweeps: usize| own.wrapping_add(sweeps).wrapping_sub(memory.sweeps);
+        self.race.since = shifted(memory.race.since);
+        self.race.mark = memory.race.mark.map(|(time, sweeps)| (time, shifted(sweeps)));
+        self.multi.restore(&memory.multi);
+        self.stiff.restore(&memory.stiff);
+    }
+}
+
+/// What [`AutoStepper`] carries from step to step.
+#[derive(Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct AutoMemory<R, M, G> {
+    race: Race<R>,
+    sweeps: usize,
+    multi: M,
+    stiff: G,
+}
