@@ -24,7 +24,7 @@ use super::{Control, Rule};
 /// | three rods on balls, 2 s | `Vcabm`, 1.27 | `Dop853`, 1.01 | `Dop853`, 1.01 | `Dop853`, 1.01 |
 /// | four rods, damped hinges of 1e3 N·m/rad, 1 s | `Sdirk4`, 1.23 | `Dop853`, 1.06 | `Dop853`, 1.13 | |
 /// | the same with 1e5 N·m/rad | `Sdirk4`, 1.38 | `Sdirk4`, 0.78 | `Sdirk4`, 0.59 | |
-/// | twenty rods, damped hinges of 20 N·m/rad, 1 s | `Sdirk4`, 1.31 | `Sdirk4`, 1.14 | `Sdirk4`, 1.06 (sweeps) | |
+/// | twenty rods, damped hinges of 20 N·m/rad, 1 s | `Sdirk4`, 1.31 | `Sdirk4`, 1.14 | `Sdirk4`, 1.06 in sweeps, up to 2.35 in time on a busy machine | |
 ///
 /// Runs of less than a thousand sweeps lose most: a rule must make some steps before it can be judged. Where vibration dies away, implicit
 /// steps at first and explicit ones later are quicker than either alone.
