@@ -4,5 +4,6 @@ mod at_random;
 mod dense;
 mod front;
 mod held;
+mod held_runs;
 mod rows;
 mod second;
