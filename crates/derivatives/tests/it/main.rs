@@ -3,6 +3,7 @@
 mod at_random;
 mod dense;
 mod front;
+mod front_edges;
 mod held;
 mod held_runs;
 mod rows;
