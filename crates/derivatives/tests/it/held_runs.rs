@@ -46,7 +46,7 @@ fn slope(x: f64, of: impl Fn(f64) -> f64) -> f64 {
 macro_rules! stepped {
     ($gravity:expr, $method:expr, $sizes:expr, $loads:expr) => {{
         let ((scene, mut now), loads) = (scene!($gravity), $loads);
-        let (mut next, mut stepper) = (now.clone(), scene.stepper($method));
+        let (mut next, mut stepper) = (now, scene.stepper($method));
         for h in $sizes {
             stepper.step(&now, &loads, h, &mut next).unwrap();
             core::mem::swap(&mut now, &mut next);
@@ -68,8 +68,8 @@ fn on_tapes() {
     let mut backward = scene.backward(Rk4);
     let torques: Vec<f64> = (0..4 * STEPS).map(|k| 0.3 * (0.7 * k as f64).sin()).collect();
     let plan = Checkpoints { step: H, steps: STEPS, every: 2 };
-    let (mut states, mut few) = (vec![start.clone(); STEPS + 1], vec![start.clone(); plan.states()]);
-    let (mut tape, mut end) = (vec![backward.tape(); STEPS], start.clone());
+    let (mut states, mut few) = (vec![start; STEPS + 1], vec![start; plan.states()]);
+    let (mut tape, mut end) = (vec![backward.tape(); STEPS], start);
     let mut by = [(); 3].map(|()| vec![f64::NAN; torques.len()]);
     backward.run(&start, H, STEPS, &torques, &mut states).unwrap();
     let all = backward.gradient(&torques, &states, &mut by[0], at_end!(STEPS)).unwrap();
@@ -82,7 +82,7 @@ fn on_tapes() {
         slope(9.81, |g| {
             let torques = |k: usize| Loads::none().torques(torques[4 * k..][..4].to_vec());
             let (scene, mut now) = scene!(g);
-            let (mut next, mut stepper) = (now.clone(), scene.stepper(Rk4));
+            let (mut next, mut stepper) = (now, scene.stepper(Rk4));
             for k in 0..STEPS {
                 stepper.step(&now, &torques(k), H, &mut next).unwrap();
                 core::mem::swap(&mut now, &mut next);
@@ -103,7 +103,7 @@ fn on_tapes() {
 fn without_steps() {
     let (scene, start) = scene!(9.81);
     let mut backward = scene.backward(Rk4);
-    let (states, plan) = ([start.clone()], Checkpoints { step: H, steps: 0, every: 1 });
+    let (states, plan) = ([start], Checkpoints { step: H, steps: 0, every: 1 });
     let mut by = [[7.0; 4]; 3];
     backward.gradient(&[], &states, &mut by[0], at_end!(0)).unwrap();
     backward.gradient_between(plan, &[], &states, &mut [], &mut by[1], at_end!(0)).unwrap();
@@ -115,7 +115,7 @@ fn without_steps() {
 fn to_an_event() {
     let level = {
         let (scene, start) = scene!(9.81);
-        let mut states = vec![start.clone(); STEPS + 1];
+        let mut states = vec![start; STEPS + 1];
         scene.backward(Rk4).run(&start, H, STEPS, &[], &mut states).unwrap();
         0.4 * states[3].coordinates()[0] + 0.6 * states[4].coordinates()[0]
     };
@@ -123,7 +123,7 @@ fn to_an_event() {
     macro_rules! cut {
         ($gravity:expr, |$backward:ident, $states:ident, $steps:ident| $then:expr) => {{
             let (scene, start) = scene!($gravity);
-            let (mut $backward, mut $states) = (scene.backward(Rk4), vec![start.clone(); STEPS + 1]);
+            let (mut $backward, mut $states) = (scene.backward(Rk4), vec![start; STEPS + 1]);
             $backward.run(&start, H, STEPS, &[], &mut $states).unwrap();
             let $steps = $backward.cut(&[], &mut $states, |state| state.coordinates()[0] - level).unwrap().unwrap();
             $then
@@ -149,7 +149,7 @@ fn to_an_event() {
 #[test]
 fn under_error_control() {
     let (scene, start) = scene!(9.81);
-    let (mut backward, mut states) = (scene.backward(Dopri5), vec![start.clone(); 200]);
+    let (mut backward, mut states) = (scene.backward(Dopri5), vec![start; 200]);
     let steps = backward.run_adaptive(&start, 1e-7, 0.12, &[], &mut states).unwrap();
     let states = &states[..=steps];
     let sizes: Vec<f64> = states.windows(2).map(|pair| pair[1].time() - pair[0].time()).collect();
@@ -175,7 +175,7 @@ impl<T: Scalar> LoadLaw<BodyMotion<T>> for Drag<T> {
 #[test]
 fn under_loads() {
     let (scene, start) = scene!(9.81);
-    let (mut backward, mut states) = (scene.backward(Rk4).under(Drag { drag: 0.7 }), vec![start.clone(); STEPS + 1]);
+    let (mut backward, mut states) = (scene.backward(Rk4).under(Drag { drag: 0.7 }), vec![start; STEPS + 1]);
     backward.run(&start, H, STEPS, &[], &mut states).unwrap();
     let gradient = backward.gradient(&[], &states, &mut [], at_end!(STEPS)).unwrap();
     let value = |g: f64, drag: f64| stepped!(g, Rk4, [H; STEPS], Loads::none().on_bodies_by(Drag { drag }));
@@ -188,7 +188,7 @@ fn under_loads() {
 fn tips_held_twice() {
     let scene = System::new(Pinned::origin(), Rod::uniform(1.0, 1.0), Pinned::at(1.0, 0.0)).unwrap().with_gravity(9.81);
     let start = scene.at_rest(&[0.0]).unwrap();
-    let (mut backward, mut states, mut end) = (scene.backward(Rk4), vec![start.clone(); 3], start.clone());
+    let (mut backward, mut states, mut end) = (scene.backward(Rk4), vec![start; 3], start);
     let (mut tape, plan) = (vec![backward.tape(); 2], Checkpoints { step: H, steps: 2, every: 1 });
     let refused = |found: Result<(), Error>| {
         let found = found.map_err(|error| error.fault);
