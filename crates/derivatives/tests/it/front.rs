@@ -88,6 +88,7 @@ fn both_ways_in_space() {
     x.extend((0..14).map(|k| 0.5 * (k as f64).sin()));
     agree!(made(plan), x.clone());
     // A number more than one step takes.
+    x.push(0.1);
     for way in [Way::Forward, Way::Backward] {
         let fault = made(Plan { torques: 7, ..plan }).jacobian_by(&x, way).unwrap_err().fault;
         assert!(matches!(fault, catena::Fault::Count { expected: 18, given: 7 }), "{fault:?}");
