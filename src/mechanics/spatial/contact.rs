@@ -244,7 +244,6 @@ where
     G: Surface<T>,
 {
     type Value = Yielding<T>;
-    const YIELDS: bool = true;
 
     #[inline(always)]
     fn at(&self, _: T::Real, number: usize, body: &BodyMotion<T>) -> Yielding<T> {

@@ -169,6 +169,7 @@ impl<T: Scalar> Part for Yielding<T> {
 }
 
 impl<T: Scalar> Load<Spatial<T>> for Yielding<T> {
+    const YIELDS: bool = true;
     #[inline(always)]
     fn wrench(self) -> Wrench<T> {
         self.wrench
