@@ -1,5 +1,6 @@
 //! Steps by the predictor and corrector of Adams, Bashforth and Moulton.
 
+use super::between::complete;
 use super::displace::{displace, gather, mean_square};
 use super::explicit::ExplicitStepper;
 use super::{Method, MotionIn, Stepper, TimeIn};
@@ -279,10 +280,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
             position.retract_rate(&past.position, rate);
         }
         between.time = past.time + TimeIn::<D, L>::of(theta) * dt;
-        start.scene.project(between, &mut start.workspace);
-        let Motion { time, position, rate, acceleration, multipliers } = between;
-        *multipliers = start.scene.accelerations(*time, position, rate, loads, &mut start.workspace, acceleration);
-        start.sweeps += 1;
+        start.sweeps += complete(&start.scene, between, loads, &mut start.workspace);
     }
 
     fn sweeps(&self) -> usize {

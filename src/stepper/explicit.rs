@@ -1,5 +1,6 @@
 //! Steps by explicit methods.
 
+use super::between::complete;
 use super::displace::{displace, gather, gather_few, mean_square};
 use super::{Method, MotionIn, Stepper, TimeIn, of_stage};
 use crate::error::{Error, Fault};
@@ -270,10 +271,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
             position.retract_rate(&past.position, rate);
         }
         between.time = past.time + TimeIn::<D, L>::of(theta) * dt;
-        self.scene.project(between, &mut self.workspace);
-        let Motion { time, position, rate, acceleration, multipliers } = between;
-        *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
-        self.sweeps += 1;
+        self.sweeps += complete(&self.scene, between, loads, &mut self.workspace);
     }
 
     fn sweeps(&self) -> usize {

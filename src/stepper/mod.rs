@@ -2,6 +2,7 @@
 
 mod adams;
 mod auto;
+mod between;
 pub(crate) mod displace;
 pub(crate) mod explicit;
 mod implicit;

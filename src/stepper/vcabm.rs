@@ -2,6 +2,7 @@
 
 mod past;
 
+use super::between::complete;
 use super::displace::{displace, gather};
 use super::explicit::ExplicitStepper;
 use super::{Method, MotionIn, Stepper, TimeIn};
@@ -296,10 +297,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
             position.retract_rate(&past.position, rate);
         }
         between.time = past.time + real(theta) * dt;
-        start.scene.project(between, &mut start.workspace);
-        let Motion { time, position, rate, acceleration, multipliers } = between;
-        *multipliers = start.scene.accelerations(*time, position, rate, loads, &mut start.workspace, acceleration);
-        start.sweeps += 1;
+        start.sweeps += complete(&start.scene, between, loads, &mut start.workspace);
     }
 
     fn sweeps(&self) -> usize {

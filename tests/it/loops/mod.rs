@@ -4,6 +4,7 @@ mod andrews;
 mod assembly;
 mod assembly_held;
 mod bennett;
+mod between_steps;
 mod ladders;
 mod numbers;
 mod plane;
