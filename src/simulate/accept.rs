@@ -37,12 +37,9 @@ where
                     mark + dt * RealOf::<S>::of((count + 1) as f64) - self.past.time
                 }
                 Control::Tolerance(tolerance) => {
-                    // What a method proposes it has found wanting, if a step was rejected.
-                    let proposed = match self.progress.careful {
-                        true => None,
-                        false => self.stepper.propose(&self.past, self.plan.loads, tolerance),
-                    };
-                    let wanted = proposed.unwrap_or(self.progress.size);
+                    // What a method proposes it has found wanting, if a step was rejected; asked, it knows the tolerance.
+                    let proposed = self.stepper.propose(&self.past, self.plan.loads, tolerance);
+                    let wanted = proposed.filter(|_| !self.progress.careful).unwrap_or(self.progress.size);
                     self.plan.longest.map_or(wanted, |longest| wanted.min(longest))
                 }
             };

@@ -91,7 +91,7 @@ where
         self.stepper.restore(memory);
         self.progress.fit(self.past.time, self.plan.rule.control, self.plan.every)?;
         // An event where it stands was seen.
-        self.value = if self.progress.stopped { None } else { self.value(Shown::Past)? };
+        self.value = if self.progress.at_event { None } else { self.value(Shown::Past)? };
         self.progress.stopped = false;
         Ok(())
     }
@@ -108,14 +108,16 @@ where
         if last {
             self.next.time = self.end;
         }
-        self.progress.steps += 1;
-        self.progress.mark.1 += 1;
         let next_value = self.value(Shown::Next)?;
-        if let Outcome::Stop = self.shown(self.progress.start, size, [self.value, next_value])? {
-            self.progress.stopped = true;
+        let outcome = self.shown(self.progress.start, size, [self.value, next_value])?;
+        self.progress.steps += 1;
+        if let Outcome::Stop = outcome {
+            (self.progress.stopped, self.progress.at_event) = (true, true);
             self.progress.mark = (self.past.time, 0);
             return Ok(false);
         }
+        self.progress.at_event = false;
+        self.progress.mark.1 += 1;
         self.value = next_value;
         core::mem::swap(&mut self.past, &mut self.next);
         Ok(true)

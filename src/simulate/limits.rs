@@ -14,6 +14,9 @@ pub(super) fn check<R: Real>(
     every: Option<R>,
     longest: Option<R>,
 ) -> Result<(), Error> {
+    if !start.is_finite() {
+        return Err(Error::new(Fault::NotFinite { parameter: "start of the run" }));
+    }
     if !end.is_finite() || end < start {
         return Err(Error::new(Fault::NotFinite { parameter: "end of the run after its start" }));
     }

@@ -32,6 +32,8 @@ pub struct Progress<R> {
     pub(super) trials: Trials<R>,
     /// Whether an event has ended the run.
     pub(super) stopped: bool,
+    /// Whether the motion is that of an event which did, wherever the run is to end now.
+    pub(super) at_event: bool,
     /// Number of the next sample.
     pub(super) samples: usize,
     pub(super) steps: usize,
@@ -50,6 +52,7 @@ impl<R: Real> Progress<R> {
             careful: false,
             trials,
             stopped: false,
+            at_event: false,
             samples: 1,
             steps: 0,
             rejected: 0,
@@ -69,7 +72,9 @@ impl<R: Real> Progress<R> {
         let count = |n: usize| R::of(n as f64);
         if let Control::Fixed(dt) = control {
             let planned = mark.0 + dt * count(mark.1 + 1) - time;
-            if !(planned > R::zero() && planned < dt + dt) {
+            // Times are rounded; a last step may have been cut to its end.
+            let rounding = (dt * R::of(1e6) + (time.abs() + mark.0.abs()) * R::of(8.0)) * R::EPSILON;
+            if (planned - dt).abs() > rounding {
                 *mark = (time, 0);
             }
         }

@@ -10,6 +10,8 @@ const ADVANCE: f64 = 1e-6;
 
 /// An error that is no matter of the step's size, as a multiple of the tolerance: the step met it unawares.
 const STARTLING: f64 = 100.0;
+/// The largest error that is kept: infinity is no data.
+const LARGEST: f64 = 1e30;
 /// Steps somewhat shorter that are tried first where closures may have become dependent within such a step, and by how much.
 const EVASIONS: usize = 5;
 const SHORTER: f64 = 0.8;
@@ -168,6 +170,7 @@ impl<R: Real> Trials<R> {
         if self.allowed.is_none() || self.longest <= R::zero() {
             return shorter;
         }
+        let error = error.min(R::of(LARGEST));
         self.last = error;
         match self.best {
             Some((_, least)) if error >= least => self.worse += 1,

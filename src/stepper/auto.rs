@@ -50,7 +50,8 @@ pub struct Race<R> {
     suspicious: usize,
     /// Whether the last step looks so.
     limited: bool,
-    /// Sweeps before the rule was chosen; where the measurement began, if it did: time, and sweeps.
+    /// Sweeps that steps have taken; those before the rule was chosen; where the measurement began, if it did: time, and sweeps.
+    sweeps: usize,
     since: usize,
     mark: Option<(R, usize)>,
     /// Time (s) a sweep, of the plain rule and of the other one, and size (s) of the last step by the plain one.
@@ -59,6 +60,19 @@ pub struct Race<R> {
     /// Whether the rule is on trial, and sweeps before the other one is tried again.
     trial: bool,
     patience: usize,
+}
+
+impl<R: Real> Race<R> {
+    /// Whether it can go on: what was read as data may be anything.
+    fn is_sound(&self) -> bool {
+        let Self { taken, suspicious, sweeps, since, mark, pace, size, patience, .. } = self;
+        [taken, suspicious, sweeps].iter().all(|count| **count <= usize::MAX / 2)
+            && *since <= *sweeps
+            && mark.is_none_or(|(time, begun)| time.is_finite() && begun <= *sweeps)
+            && pace.iter().all(|pace| pace.is_finite())
+            && size.is_none_or(|size| size.is_finite() && size > R::zero())
+            && *patience <= MOST_PATIENCE
+    }
 }
 
 /// Steps by [`Auto`].
@@ -91,6 +105,7 @@ impl<D: StiffDynamics<L> + Clone, L> Method<D, L> for Auto {
                 taken: 0,
                 suspicious: 0,
                 limited: false,
+                sweeps: 0,
                 since: 0,
                 mark: None,
                 pace: [0.0; 2],
@@ -132,16 +147,15 @@ impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
 
     /// Takes a rule.
     fn choose(&mut self, chosen: Chosen, trial: bool) {
-        let sweeps = self.sweeps();
         let race = &mut self.race;
-        (race.chosen, race.trial, race.since, race.mark) = (chosen, trial, sweeps, None);
+        (race.chosen, race.trial, race.since, race.mark) = (chosen, trial, race.sweeps, None);
         (race.taken, race.suspicious, race.limited) = (0, 0, false);
     }
 
     /// After a step that was accepted: goes on, tries the other rule, or returns from a trial that has lost.
     fn judge(&mut self, time: TimeIn<D, L>) {
-        let sweeps = self.sweeps();
         let race = &mut self.race;
+        let sweeps = race.sweeps;
         race.taken += 1;
         race.suspicious = if race.limited { race.suspicious + 2 } else { race.suspicious.saturating_sub(1) };
         let (stiff, plain) = (race.chosen == Chosen::Sdirk4, race.plain);
@@ -149,11 +163,11 @@ impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
             None => (race.since, SETTLING),
             Some((_, begun)) => (begun, WINDOW),
         };
-        if race.taken >= steps && sweeps.wrapping_sub(begun) >= least {
+        if race.taken >= steps && sweeps - begun >= least {
             let measured = race.mark.replace((time, sweeps));
             race.taken = 0;
             if let Some((start, begun)) = measured {
-                let pace = (time - start).as_f64() / sweeps.wrapping_sub(begun).max(1) as f64;
+                let pace = (time - start).as_f64() / (sweeps - begun).max(1) as f64;
                 race.pace[usize::from(stiff)] = pace;
                 if race.trial && pace < race.pace[usize::from(!stiff)] {
                     race.patience = (2 * race.patience).min(MOST_PATIENCE);
@@ -164,7 +178,7 @@ impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
                 }
             }
         }
-        let rested = !race.trial && sweeps.wrapping_sub(race.since) >= race.patience;
+        let rested = !race.trial && sweeps - race.since >= race.patience;
         let limited = race.suspicious >= 2 * SUSPICIONS && (rested || race.pace[1] == 0.0);
         if stiff && rested {
             self.choose(plain, true);
@@ -231,13 +245,17 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
         // Implicit steps leave other accelerations than the true ones.
         let settled = self.resumed && from.1 != Chosen::Sdirk4;
         *written = (Some(past.time + dt), *chosen);
+        // Samples take sweeps, too, whatever the rule.
         of!(*chosen, self, |stepper| {
+            let before = stepper.sweeps();
             if settled {
                 stepper.resume(past);
             } else {
                 stepper.begin(past, loads);
             }
-            stepper.make(past, loads, dt, next)
+            let made = stepper.make(past, loads, dt, next);
+            self.race.sweeps += stepper.sweeps() - before;
+            made
         })
     }
 
@@ -312,20 +330,16 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
     >;
 
     fn memory(&self) -> Self::Memory {
-        AutoMemory { race: self.race, sweeps: self.sweeps(), multi: self.multi.memory(), stiff: self.stiff.memory() }
+        AutoMemory { race: self.race, multi: self.multi.memory(), stiff: self.stiff.memory() }
     }
 
     fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
-        self.multi.remembers(&memory.multi, motion) && self.stiff.remembers(&memory.stiff, motion)
+        let remembered = self.multi.remembers(&memory.multi, motion) && self.stiff.remembers(&memory.stiff, motion);
+        remembered && memory.race.is_sound() && memory.race.plain == self.race.plain
     }
 
     fn restore(&mut self, memory: &Self::Memory) {
         self.race = memory.race;
-        // Sweeps are counted from where this stepper stands, which may be before any of those that were saved.
-        let own = self.sweeps();
-        let shifted = |sweeps: usize| own.wrapping_add(sweeps).wrapping_sub(memory.sweeps);
-        self.race.since = shifted(memory.race.since);
-        self.race.mark = memory.race.mark.map(|(time, sweeps)| (time, shifted(sweeps)));
         self.multi.restore(&memory.multi);
         self.stiff.restore(&memory.stiff);
     }
@@ -336,7 +350,6 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AutoMemory<R, M, G> {
     race: Race<R>,
-    sweeps: usize,
     multi: M,
     stiff: G,
 }

@@ -42,6 +42,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Method<D, L> for Taylor<P> {
     type Stepper = TaylorStepper<D, L, P>;
 
     fn stepper(&self, scene: D) -> TaylorStepper<D, L, P> {
+        const { Self::KNOWN };
         let still = scene.still();
         TaylorStepper {
             series: scene.series(),
@@ -204,6 +205,14 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
     fn begin(&mut self, _: &MotionIn<D, L>, _: &L) {
         if D::LOADED {
             (self.begun, self.expanded) = (false, false);
+        }
+    }
+
+    /// Loads have changed if accelerations are not those that the series begins with.
+    fn resume(&mut self, past: &MotionIn<D, L>) {
+        if D::LOADED {
+            let same = |begun: &MotionIn<D, L>| past.acceleration.all(&begun.acceleration, &mut Scalar::is_identical);
+            (self.begun, self.expanded) = (self.begun && same(&self.ahead), self.expanded && same(&self.origin));
         }
     }
 

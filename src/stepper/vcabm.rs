@@ -189,7 +189,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
             return Ok(());
         }
         let usable = memory.usable(size);
-        let order = if self.controlled { memory.order.min(usable) } else { self.most };
+        let order = if self.controlled { memory.order.min(usable).min(self.most) } else { self.most };
         self.own = order <= usable;
         self.order = order.min(usable);
         let count = usable.min(self.order + 1);

@@ -1,6 +1,6 @@
 //! The Newmark family: generalised-α, Newmark and the trapezoidal rule, linearly implicit.
 
-use super::{Control, Rule};
+use super::{Control, MOST_SWEEPS, Rule};
 use crate::error::Fault;
 
 /// The generalised-α family in the form that balances forces at the end of the step (M. Arnold, O. Brüls 2007): second order,
@@ -98,7 +98,7 @@ impl From<Parameters> for GeneralizedAlpha {
             Fault::OutOfRange { parameter: "alpha_m", value: alpha_m, least: -1.0, most: alpha_f.min(0.5), outside };
         let Self { fault: of_newmark, .. } = Self::newmark(beta, gamma);
         let fault = of_newmark.or((!alphas).then_some(fault));
-        Self { alpha_m, alpha_f, beta, gamma, sweeps: sweeps.max(1), fault }
+        Self { alpha_m, alpha_f, beta, gamma, sweeps: sweeps.clamp(1, MOST_SWEEPS), fault }
     }
 }
 
@@ -151,10 +151,10 @@ impl GeneralizedAlpha {
         Self::newmark(0.25, 0.5)
     }
 
-    /// Another number of sweeps a step, at least one.
+    /// Another number of sweeps a step, from one to a thousand.
     #[must_use]
     pub fn with_sweeps(self, sweeps: usize) -> Self {
-        Self { sweeps: sweeps.max(1), ..self }
+        Self { sweeps: sweeps.clamp(1, MOST_SWEEPS), ..self }
     }
 
     /// Steps of a fixed size (s).

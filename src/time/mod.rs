@@ -26,3 +26,6 @@ pub use sdirk4::Sdirk4;
 pub use tableau::{ErrorWeights, Explicit, Tableau};
 pub use taylor::Taylor;
 pub use vcabm::Vcabm;
+
+/// So many sweeps a step or stage may take at most: more no motion asks for, and a step should end.
+const MOST_SWEEPS: usize = 1000;

@@ -1,7 +1,7 @@
 //! The singly diagonally implicit Runge-Kutta method of Hairer and Wanner, order 4.
 
 use super::tableau::{ErrorWeights, Tableau};
-use super::{Control, Rule};
+use super::{Control, MOST_SWEEPS, Rule};
 
 /// SDIRK4 (E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, table IV.6.5): order 4 in positions, rates and
 /// forces, five implicit stages, L-stable, with an embedded method of order 3 for error control. For stiff hinges where accuracy
@@ -74,10 +74,10 @@ impl Sdirk4 {
         Self { sweeps: 3 }
     }
 
-    /// Another number of sweeps a stage, at least one; the first stage makes one more.
+    /// Another number of sweeps a stage, from one to a thousand; the first stage makes one more.
     #[must_use]
     pub fn with_sweeps(self, sweeps: usize) -> Self {
-        Self { sweeps: sweeps.max(1) }
+        Self { sweeps: sweeps.clamp(1, MOST_SWEEPS) }
     }
 
     /// Steps of a fixed size (s).

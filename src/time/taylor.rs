@@ -17,7 +17,7 @@ use super::{Control, Rule};
 /// Positions within a step are polynomials of an order one higher, and so is what is sampled.
 ///
 /// `P` is the order of steps of a fixed size. Under error control it is the highest: the tolerance chooses the order, 8 at 1e-3, 11 at
-/// 1e-5, 14 at 1e-7, 17 at 1e-9, 20 at 1e-11, 24 at 1e-13, so that `Taylor::<24>` suits any. Orders not taken cost room, no time.
+/// 1e-5, 14 at 1e-7, 17 at 1e-9, 21 at 1e-11, 24 at 1e-13, so that `Taylor::<24>` suits any. Orders not taken cost room, no time.
 ///
 /// Orders within three of these cost a tenth more time at most; 12 instead of 24 at 1e-13 costs 60 %. Steps of a given size that are longer
 /// than the series reaches diverge.
@@ -52,7 +52,7 @@ pub struct Taylor<const P: usize>;
 
 impl<const P: usize> Taylor<P> {
     /// Whether there is such an order: fewer coefficients tell no radius, more are lost in rounding.
-    const KNOWN: () = assert!(P >= 8 && P <= 30, "a Taylor series has an order from 8 to 30");
+    pub(crate) const KNOWN: () = assert!(P >= 8 && P <= 30, "a Taylor series has an order from 8 to 30");
 
     /// Steps of a fixed size (s), of order `P`.
     pub fn step<R>(size: R) -> Rule<Self, R> {

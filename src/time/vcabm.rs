@@ -183,6 +183,8 @@ impl Coefficients {
         for i in 1..TERMS {
             self.scale[i] = self.scale[i - 1] * ratio[i - 1];
         }
+        // Nor is it kept: of one difference it would be infinite, which is no data.
+        self.scale[count.clamp(1, TERMS)..].fill(0.0);
         self.whole = self.all();
     }
 
