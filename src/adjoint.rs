@@ -28,7 +28,6 @@
 pub mod laws;
 
 use crate::element::{Element, Level, Space};
-pub use crate::ends::Resting as ReversibleRoot;
 use crate::ends::Tip;
 use crate::loading::{Load, LoadLaw};
 use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Geometry, WrenchOf};

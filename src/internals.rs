@@ -10,7 +10,9 @@ pub mod element {
 }
 #[cfg(feature = "alloc")]
 pub mod front {
-    pub use crate::sensitivity::front::parts::{NO_SEEDS, OfNumbers, by_start, efforts, held, seeded, state};
+    pub use crate::sensitivity::front::parts::{
+        NO_SEEDS, OfNumbers, by_start, efforts, held, known, seeded, shown, split, state, time_after,
+    };
     pub use alloc::vec::Vec;
 }
 pub mod planar {

@@ -193,7 +193,8 @@ pub fn release<S: Space, J: JointModel<S>>(
     if let Some(coordinate) = &mut release.coordinates[0] {
         let preload = model.resistance(S::Scalar::zero(), S::Scalar::zero()).force;
         let inertia = model.reflected_inertia();
-        *coordinate = Freedom { inertia, ..coordinate.against(model.resistance(*position, *rate), preload) };
+        let resisted = coordinate.against(model.resistance(*position, *rate), preload);
+        *coordinate = Freedom { inertia, linear: J::LINEAR, ..resisted };
     }
     release
 }

@@ -63,19 +63,22 @@ pub struct Freedom<S: Space> {
     pub inertia: S::Scalar,
     /// Whether loads in the joint act on it, in order.
     pub driven: bool,
+    /// Whether what resists is affine in position and rate.
+    pub linear: bool,
 }
 
 impl<S: Space> Freedom<S> {
     /// A coordinate that nothing resists.
     pub fn smooth(way: Way, axis: S::Vector) -> Self {
         let zero = Additive::null();
-        Self { way, axis, resistance: Resistance::none(), preload: zero, inertia: zero, driven: true }
+        Self { way, axis, resistance: Resistance::none(), preload: zero, inertia: zero, driven: true, linear: true }
     }
 
     /// This coordinate against the law of a spring.
     #[must_use]
-    pub fn sprung(self, law: &impl SpringLaw<S::Scalar>, [position, rate]: [S::Scalar; 2]) -> Self {
-        self.against(Resistance::of(law, position, rate), law.force(Additive::null(), Additive::null()))
+    pub fn sprung<L: SpringLaw<S::Scalar>>(self, law: &L, [position, rate]: [S::Scalar; 2]) -> Self {
+        let preload = law.force(Additive::null(), Additive::null());
+        Self { linear: L::LINEAR, ..self.against(Resistance::of(law, position, rate), preload) }
     }
 
     /// This coordinate, but no loads in the joint act on it.

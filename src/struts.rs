@@ -146,7 +146,7 @@ impl<T, const D: usize, const N: usize> Struts<T, D, N> {
         Self { struts, others: crate::loading::Unloaded }
     }
 
-    /// Other loads besides.
+    /// Other loads besides. Loads that yield, as contacts do, do not compile here: make them [`plain`](crate::spatial::Contacts::plain).
     pub fn and<L>(self, others: L) -> Struts<T, D, N, L> {
         Struts { struts: self.struts, others }
     }
@@ -174,6 +174,7 @@ where
     const SURVEYS: bool = true;
 
     fn nothing() -> (WrenchOf<S>, L::InJoint) {
+        const { assert!(!L::YIELDS, "beside struts loads do not yield: take contacts as `plain` ones") }
         (Wrench::none(), L::nothing().1)
     }
     fn unseen() -> Self::Seen {

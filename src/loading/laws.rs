@@ -26,8 +26,6 @@ pub trait LoadLaw<M: Seen> {
     const ON: bool = true;
     /// Whether the load depends on time or motion, or is a [`list`](Self::list).
     const READS: bool = true;
-    /// Whether values on bodies say how they yield: see [`Loading::YIELDS`](super::Loading::YIELDS).
-    const YIELDS: bool = false;
     /// The load on the body or in the joint of a number.
     fn at(&self, time: RealOf<M::Space>, number: usize, motion: &M) -> Self::Value;
     /// Loads where they are a list.

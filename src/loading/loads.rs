@@ -178,7 +178,6 @@ impl<S: Space, B: LoadLaw<S::BodyMotion, Value: Load<S>>, J: LoadLaw<S::JointMot
     type Seen = ();
     const ON: bool = B::ON || J::ON;
     const READS: bool = B::READS || J::READS;
-    const YIELDS: bool = B::YIELDS;
 
     fn unseen() {}
     fn nothing() -> (B::Value, J::Value) {

@@ -33,7 +33,7 @@ pub trait Loading<S: Space> {
 
     /// Whether loads on bodies say how they yield ([`Load`] with an inertia of its own in implicit sweeps): then they are read where the
     /// last sweep has led.
-    const YIELDS: bool = false;
+    const YIELDS: bool = <Self::OnBody as Load<S>>::YIELDS;
 
     /// Whether torques are listed, and [`in_joint`](Self::in_joint) numbers joints, for those of one coordinate alone.
     const BY_COORDINATE: bool = false;
@@ -77,6 +77,8 @@ fn count(expected: usize, given: usize) -> Result<(), Fault> {
 
 /// A load on a body, or [`Absent`].
 pub trait Load<S: Space>: Part {
+    /// Whether the load says how it yields.
+    const YIELDS: bool = false;
     /// The load as a force (N) and a torque (N·m) about the body's inboard end.
     fn wrench(self) -> WrenchOf<S>;
     /// The load in axes of its body, for bodies that take it so.

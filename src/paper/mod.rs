@@ -121,7 +121,7 @@
 //! welds and hinges with rotary springs, in the plane also with linear ones, between two bodies or on ground that clamps the root. These
 //! push along inertial axes and hand on m as it is, as (33) to (35) have it:
 //! [`in_unbalanced_axes`](crate::planar::ElasticHinge::in_unbalanced_axes). Refused, with the place, are linear springs whose force has a
-//! moment, and with them all of space's, joints that slide, joints about axes in space but at the ends, joints next to
+//! moment, and with them all of space's, laws that are not linear, joints that slide, joints about axes in space but at the ends, joints next to
 //! ends that hold an attitude, and chains that branch. [`JointScheme`] runs
 //! chains in the plane with free tips, without linear springs.
 

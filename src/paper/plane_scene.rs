@@ -5,7 +5,7 @@ use super::expansion::Expansion;
 use super::link::End;
 use super::orient::{Axes, Spring};
 use super::parts::{Item, Start};
-use super::scene::{Chain, Met, Scene, Slots, refuse_inertia, trace};
+use super::scene::{Chain, Met, Scene, Slots, refuse_others, trace};
 use crate::element::{Element, Load, Loading};
 use crate::ends::{Pairs, Root, Tip};
 use crate::error::{Error, Fault, Place};
@@ -79,7 +79,7 @@ where
             items.push(match element {
                 Met::Joint(joint, release) => {
                     let refused = |fault| Error::new(fault).at_station(k.saturating_sub(1));
-                    refuse_inertia(release).map_err(refused)?;
+                    refuse_others(release).map_err(refused)?;
                     let mut linear = None;
                     if let Some(slide) = release.of(Way::Slide).next() {
                         if k > 0 {

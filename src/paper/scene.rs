@@ -97,10 +97,16 @@ pub(super) enum Met<S: Space> {
     Joint(S::JointMotion, Release<S>),
 }
 
-/// Refuses what stands in no matrix of the paper: reflected inertia.
-pub(super) fn refuse_inertia<S: Space>(release: &Release<S>) -> Result<(), Fault> {
-    let reflects = release.coordinates.iter().flatten().any(|coordinate| coordinate.inertia.real() > Zero::zero());
-    if reflects { Err(Fault::Unsupported { what: "reflected inertia in a joint" }) } else { Ok(()) }
+/// Refuses what stands in no matrix of the paper: reflected inertia, and laws whose slopes change.
+pub(super) fn refuse_others<S: Space>(release: &Release<S>) -> Result<(), Fault> {
+    let mut coordinates = release.coordinates.iter().flatten();
+    if coordinates.clone().any(|coordinate| coordinate.inertia.real() > Zero::zero()) {
+        return Err(Fault::Unsupported { what: "reflected inertia in a joint" });
+    }
+    if coordinates.all(|coordinate| coordinate.linear) {
+        return Ok(());
+    }
+    Err(Fault::Unsupported { what: "a law that is not linear" })
 }
 
 /// The elements of a motion, the root's joint first.

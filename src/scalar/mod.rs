@@ -86,7 +86,8 @@ pub trait Scalar:
     /// The constant `value`: no derivatives, the same in every lane.
     fn constant(value: Self::Real) -> Self;
 
-    /// The number on which decisions are made: a dual's real part, the lane of largest magnitude (NaN if any lane is NaN).
+    /// The number on which decisions are made: a dual's real part, the lane of largest magnitude (NaN if any lane is NaN), the
+    /// first number of a [`Pack`].
     fn real(self) -> Self::Real;
 
     /// Whether every part is finite: derivative parts and all lanes included.

@@ -116,6 +116,10 @@ impl<T: Scalar, const N: usize> Scalar for Pack<T, N> {
         self.0.iter().fold(true, |finite, x| finite & x.is_finite())
     }
     #[inline(always)]
+    fn is_identical(self, other: Self) -> bool {
+        self.0.iter().zip(other.0).all(|(x, y)| x.is_identical(y))
+    }
+    #[inline(always)]
     fn scale(self, factor: T::Real) -> Self {
         self.each(|x| x.scale(factor))
     }
@@ -130,7 +134,7 @@ impl<T: Scalar, const N: usize> Scalar for Pack<T, N> {
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let first = self.first();
-        if self.0.iter().all(|x| *x == first) {
+        if self.0.iter().all(|x| x.is_identical(first)) {
             let (sine, cosine) = first.sin_cos();
             return (Self::of(sine), Self::of(cosine));
         }

@@ -18,14 +18,14 @@
 //! # Ok::<(), catena::Error>(())
 //! ```
 //!
-//! # What it saves
+//! # What going through gains saves
 //!
 //! In the plane, instructions of a step of RK4 with derivatives are 2.4 to 5 times fewer than over `num-dual`'s numbers for chains of
 //! twenty, and for all initial values 1.6 to 2.9 times fewer than over jets by the rule itself; more columns at a time
 //! are better than several runs. For few derivatives of short chains, and in space for fewer than about ten, jets by the rule itself cost
 //! as little or less. BENCHMARKS.md has the figures.
 //!
-//! # What it knows
+//! # What goes through gains
 //!
 //! Tuples, arrays and vectors of elements, and branches, with a free tip; in the plane all bodies, `Pin`, `Weld` and `ElasticHinge` with a
 //! rotary spring; in space all bodies, `Ball`, `Weld`, `Revolute` and `Universal` with springs; roots of these. Loads may depend on seeds
@@ -47,9 +47,9 @@
 //! [Jacobian](Differentiable::jacobian), [products with the Hessian](Differentiable::hessian_times), the linearisation of a step. It goes forward
 //! or backward, whichever costs less for so many numbers, and says which. It allocates (feature `alloc`).
 //!
-//! # What it does not know
+//! # What does not go through gains
 //!
-//! What it does not know is an error of the compiler: held tips, loops, `Free` roots, joints that slide, springs of balls, and implicit
+//! What a rule [`through_gains`](Rule::through_gains) does not know is an error of the compiler: held tips (which go [backward](Backward)), loops, `Free` roots, joints that slide, springs of balls, and implicit
 //! rules. Such scenes are differentiated by the rule itself.
 //!
 //! ```compile_fail,E0277

@@ -15,7 +15,9 @@ use crate::scalar::{Real, Scalar};
 /// and Nonlinear Dynamics 11 (2016): (B − F) w / (¼ w² + ¾)² more, with w = u̇/(4 v), which is largest, B, at u̇ = 4 v.
 ///
 /// The force is smooth, so all rules keep their order where steps resolve v. Explicit steps h are stable while h F/(v m) stays below 2 to
-/// 3, with the inertia m that the coordinate moves; implicit ones know the slope, and are as stable as on a damper. No energy comes of it.
+/// 3, with the inertia m that the coordinate moves; implicit ones know the slope, and are as stable as on a damper. Where the force of
+/// breaking away falls off, from 4 v on, the slope is negative, by (B − F)/(9 v) at most (at 4√3 v): there h (B − F)/(9 v m) must stay well
+/// below 1 for any rule. No energy comes of it.
 ///
 /// ```
 /// use catena::planar::*;

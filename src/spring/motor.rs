@@ -3,7 +3,7 @@
 use super::{above, not_negative, positive};
 use crate::error::Fault;
 use crate::lift::lift;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 
 /// An electric motor behind a gear: how much of a torque asked for it gives at a speed. All numbers but the ratio are those of the motor's
 /// own shaft.
@@ -61,7 +61,8 @@ impl<T: Scalar> Motor<T> {
         Self { rotor: inertia, ..self }
     }
 
-    /// Torque in the joint (N·m, N) that the motor gives of the one that is wanted there, at a rate of the joint (rad/s, m/s).
+    /// Torque in the joint (N·m, N) that the motor gives of the one that is wanted there, at a rate of the joint (rad/s, m/s). Both must
+    /// be finite, and [`check`](Self::check) is the caller's to ask: no scene knows the motor.
     pub fn torque(&self, wanted: T, rate: T) -> T {
         let share = rate * self.ratio / self.free;
         let bound = |left: T| above(least(self.peak, self.stall * left)) * self.ratio;
@@ -87,10 +88,10 @@ impl<T: Scalar> Motor<T> {
     }
 }
 
-/// The lesser of two, without a branch.
+/// A limit or what is less, without a branch: the limit itself, to a rounding, however large the other one is.
 #[inline(always)]
-fn least<T: Scalar>(a: T, b: T) -> T {
-    (a + b - (a - b).abs()).scale(T::Real::of(0.5))
+fn least<T: Scalar>(limit: T, other: T) -> T {
+    limit - above(limit - other)
 }
 
 lift!(Motor { peak, stall, free, ratio, rotor });

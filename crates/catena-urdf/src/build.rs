@@ -15,6 +15,7 @@ impl Options {
     /// # Errors
     /// What is wrong with it, and at which line.
     pub fn read(&self, text: &str) -> Result<Robot, Error> {
+        self.laws.check()?;
         let mut notes = Notes::default();
         let model = read::model(text, self, &mut notes)?;
         let mut robot = lump::robot(&model, self, &mut notes)?;

@@ -64,6 +64,20 @@ pub enum Fault {
         /// Text of the attribute.
         text: String,
     },
+    /// A number that must not be negative is.
+    Negative {
+        /// The attribute.
+        attribute: &'static str,
+        /// Value of the attribute.
+        value: f64,
+    },
+    /// A number of [`Laws`](crate::Laws) makes no mechanics.
+    Law {
+        /// The number, and what it must be.
+        what: &'static str,
+        /// Value of the number.
+        value: f64,
+    },
     /// A list of numbers has the wrong length.
     Count {
         /// The attribute.
@@ -202,6 +216,8 @@ impl fmt::Display for Fault {
             }
             Self::NotANumber { attribute, text } => write!(f, "{attribute} is no number: {text:?}"),
             Self::NotFinite { attribute, text } => write!(f, "{attribute} is not finite: {text:?}"),
+            Self::Negative { attribute, value } => write!(f, "{attribute} is negative: {value}"),
+            Self::Law { what, value } => write!(f, "{what}, not {value}"),
             Self::Count { attribute, expected, given } => {
                 write!(f, "{attribute} takes {expected} numbers, but has {given}")
             }

@@ -1,5 +1,6 @@
 //! What of the furniture of joints becomes laws of a scene's joints.
 
+use crate::error::{Error, Fault};
 use crate::model::Furniture;
 use crate::robot::{Body, Robot};
 
@@ -54,6 +55,20 @@ impl Laws {
     /// and a reduction (one where none is written), for a controller to ask. Its torque falls to zero over the last tenth of the velocity.
     pub fn motors(self) -> Self {
         Self { motors: true, ..self }
+    }
+
+    /// Rejects numbers that make no mechanics.
+    pub(crate) fn check(self) -> Result<(), Error> {
+        let speeds = ("a speed over which friction sets in must be positive", self.friction.unwrap_or([1.0; 2]));
+        let [depths, dampings] = self.stops.unwrap_or([[1.0; 2], [0.0; 2]]);
+        let depths = ("a depth of stops must be positive", depths);
+        let not = |(what, values): (_, [f64; 2]), fits: fn(f64) -> bool| {
+            let wrong = values.into_iter().find(|value| !(value.is_finite() && fits(*value)));
+            wrong.map_or(Ok(()), |value| Err(Error::new(Fault::Law { what, value })))
+        };
+        not(speeds, |x| x > 0.0)?;
+        not(depths, |x| x > 0.0)?;
+        not(("damping of stops must be zero or more", dampings), |x| x >= 0.0)
     }
 
     /// Whether the module has motors.

@@ -1,6 +1,6 @@
 //! What is read, what is lumped, what is noted, and at which lines.
 
-use catena_urdf::{Base, Carrier, Frames, Options, Remark, Robot, module};
+use catena_urdf::{Base, Carrier, Frames, Laws, Options, Remark, Robot, module};
 
 const ARM: &str = include_str!("../robots/arm7.urdf");
 const QUADRUPED: &str = include_str!("../robots/quadruped.urdf");
@@ -168,4 +168,21 @@ fn furniture_stands_among_the_constants() {
 fn a_module_has_no_test_where_none_is_wanted() {
     assert!(module(&read(ARM, Options::new()), "arm").contains("#[cfg(test)]"));
     assert!(!module(&read(ARM, Options::new().without_test()), "arm").contains("#[cfg(test)]"));
+}
+
+#[test]
+fn furniture_of_planar_joints_is_left_out_with_a_note() {
+    let dynamics =
+        "<dynamics damping=\"3.0\" friction=\"0.5\"/>\n    <limit effort=\"10\" velocity=\"1\"/>\n  </joint>";
+    let planar = CART.find("  <joint name=\"drive\"").expect("the drive");
+    let end = planar + CART[planar..].find("</joint>").expect("its end");
+    let text = format!("{}{dynamics}{}", &CART[..end], &CART[end + "</joint>".len()..]);
+    for laws in [Laws::none(), Laws::none().damping().friction([0.01; 2]).stops([0.1; 2], [0.0; 2])] {
+        let robot = Options::new().repair().laws(laws).read(&text).expect("a cart");
+        let notes: Vec<_> = robot.notes().iter().map(|note| note.remark.to_string()).collect();
+        for element in ["limit", "dynamics"] {
+            let note = format!("<{element}> in <joint type=\"planar\"> is left out");
+            assert!(notes.contains(&note), "{note}: {notes:?}");
+        }
+    }
 }

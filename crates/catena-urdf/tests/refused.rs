@@ -1,6 +1,6 @@
 //! Descriptions that must be refused, each with the message that its first line says.
 
-use catena_urdf::Options;
+use catena_urdf::{Laws, Options};
 use std::error::Error;
 use std::fs;
 
@@ -17,5 +17,22 @@ fn each_is_refused_with_its_message() -> Result<(), Box<dyn Error>> {
         count += 1;
     }
     assert!(count >= 24, "{count} files");
+    Ok(())
+}
+
+#[test]
+fn laws_that_make_no_mechanics_are_refused() -> Result<(), Box<dyn Error>> {
+    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/refused/negative_damping.urdf"))?;
+    let text = text.replace("-0.1", "0.1");
+    let read = |laws: Laws| Options::new().laws(laws).read(&text).map(|_| ()).map_err(|error| error.to_string());
+    let (friction, stops) = (|x, y| read(Laws::none().friction([x, y])), |a, b| read(Laws::none().stops(a, b)));
+    assert_eq!(friction(0.01, 0.01), Ok(()));
+    assert_eq!(stops([0.1, 0.1], [0.0, 0.0]), Ok(()));
+    let speed = |value: f64| Err(format!("a speed over which friction sets in must be positive, not {value}"));
+    assert_eq!(friction(0.0, 0.01), speed(0.0));
+    assert_eq!(friction(0.01, f64::NAN), speed(f64::NAN));
+    assert_eq!(stops([0.1, -0.1], [0.0; 2]), Err("a depth of stops must be positive, not -0.1".to_owned()));
+    assert_eq!(stops([f64::INFINITY, 0.1], [0.0; 2]), Err("a depth of stops must be positive, not inf".to_owned()));
+    assert_eq!(stops([0.1; 2], [0.0, -1.0]), Err("damping of stops must be zero or more, not -1".to_owned()));
     Ok(())
 }

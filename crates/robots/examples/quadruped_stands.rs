@@ -54,7 +54,6 @@ struct Acting {
 
 impl LoadLaw<BodyMotion<f64>> for Acting {
     type Value = Yielding<f64>;
-    const YIELDS: bool = true;
     fn at(&self, time: f64, number: usize, body: &BodyMotion<f64>) -> Yielding<f64> {
         let contact = self.ground.at(time, number, body);
         let push = if number == 0 { body.force_at([0.0; 3], self.push) } else { Wrench::default() };

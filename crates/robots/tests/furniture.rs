@@ -71,6 +71,40 @@ fn forces_slopes_and_energies() {
     const { assert!(!<Laws as SpringLaw<f64>>::LINEAR) };
 }
 
+/// The steepest fall of the force of breaking away, as the documentation has it.
+#[test]
+fn friction_falls_by_no_more_than_said() {
+    let law = DryFriction::new(SLIDING, SPEED).breaking_away(BREAKING);
+    let slope = |rate: f64| law.pivot(0.0, rate, shares(0.0, 1.0));
+    let (most, at) = ((BREAKING - SLIDING) / (9.0 * SPEED), 4.0 * 3.0_f64.sqrt() * SPEED);
+    near(slope(at), -most, 1e-4 * most);
+    (0..2000).for_each(|k| assert!(slope(0.01 * f64::from(k)) > -1.001 * most));
+}
+
+/// The paper's schemes have one slope for a whole run, read at its start.
+#[test]
+fn the_paper_refuses_laws_that_are_not_linear() -> Result<(), Error> {
+    use catena::{Place, loading::Unloaded, paper};
+    let scheme = paper::Scheme::new(paper::GeneralizedAlpha::new(0.8));
+    let refused = Some((Fault::Unsupported { what: "a law that is not linear" }, Some(Place::Station(1))));
+    let told = |error: Error| (error.fault, error.place);
+    let (rod, stops) = (planar::Rod::uniform(0.5, 1.0), Stops::between(RANGE, STIFFNESS, DEPTH));
+    let chain = (rod, planar::ElasticHinge::with(stops), rod);
+    let scene = planar::System::new(planar::Pinned::origin(), chain, planar::Free)?;
+    let start = scene.motion();
+    assert_eq!(scheme.start(&scene, &start, &Unloaded, 0.01).map_err(told).err(), refused);
+    let joints = paper::JointScheme::new(paper::GeneralizedAlpha::new(0.8));
+    assert_eq!(joints.start(&scene, &start, &Unloaded, 0.01).map_err(told).err(), refused);
+    let chain = (rod, planar::ElasticHinge::with(Spring::damping(VISCOUS)), rod);
+    let scene = planar::System::new(planar::Pinned::origin(), chain, planar::Free)?;
+    assert!(scheme.start(&scene, &scene.motion(), &Unloaded, 0.01).is_ok());
+    let rod = catena::spatial::Rod::uniform(0.5, 0.05, 1.0);
+    let chain = (rod, catena::spatial::Revolute::about([0.0, 0.0, 1.0]).with(stops), rod);
+    let scene = catena::spatial::System::new(catena::spatial::Pinned::origin(), chain, catena::spatial::Free)?;
+    assert_eq!(scheme.start(&scene, &scene.motion(), &Unloaded, 0.01).map_err(told).err(), refused);
+    Ok(())
+}
+
 /// Shares of stiffness and damping in a pivot.
 fn shares(position: f64, rate: f64) -> Implicit<f64> {
     Implicit { position, rate }
@@ -87,6 +121,11 @@ fn motors_give_what_they_can() {
         let most = 50.0 * f64::min(2.0, 3.0 * (1.0 - share)).max(0.0);
         let least = -50.0 * f64::min(2.0, 3.0 * (1.0 + share)).max(0.0);
         near(motor.torque(wanted, rate), wanted.clamp(least, most), 1e-12);
+        // However much is asked for.
+        for huge in [1e18, 1e20, 1e300] {
+            near(motor.torque(huge, rate), most, 1e-12);
+            near(motor.torque(-huge, rate), least, 1e-12);
+        }
     }
     assert_eq!(
         Motor::new(0.0, 1.0).check(),

@@ -122,6 +122,31 @@ fn on_the_ground() -> Result<(), catena::Error> {
     Ok(())
 }
 
+/// The ground moves as a given function of time: what a snapshot says that accelerations take is what the scene says.
+#[test]
+fn on_ground_that_moves() -> Result<(), catena::Error> {
+    let place = Moving(|t: f64| GroundMotion {
+        place: [0.1, 0.2, 0.3],
+        velocity: [0.4, -0.3, 0.2],
+        acceleration: [1.5 + t, -2.0, 0.7],
+    });
+    let attitude = Turning(|t: f64| AttitudeMotion {
+        attitude: Rotation::from_angles([0.3, 0.2, -0.4]),
+        spin: [0.5, -0.8, 1.2],
+        acceleration: [2.0 + t, 1.0, -3.0],
+    });
+    let link = Link::general(1.3, [0.1, -0.05, 0.2], [[0.3, 0.01, 0.02], [0.01, 0.4, 0.03], [0.02, 0.03, 0.2]]);
+    let chain = (BodyAxes, Hinge::level(), link, Slide::at::<7>([0.2, 0.1, 0.3]).turned(Quarter::<8>), link);
+    let scene = System::new(Clamped::on(place, attitude), chain, Free)?.with_gravity(kit::GRAVITY);
+    let mut noise = Noise::new(33);
+    for _ in 0..10 {
+        let [q, v, a]: [[f64; 2]; 3] = std::array::from_fn(|_| list(&mut noise, 2.0));
+        let (_, found) = scene.snapshot(&q, &v)?.inverse_dynamics(&[0.0; 6], &a);
+        agree(&found, &scene.inverse_dynamics(&q, &v, &a)?, DIRECT);
+    }
+    Ok(())
+}
+
 #[test]
 fn afloat() -> Result<(), catena::Error> {
     let (scene, mut noise) = (floating()?, Noise::new(32));

@@ -7,7 +7,7 @@ use crate::lift::lift;
 use crate::loading::LoadLaw;
 use crate::relation::Additive;
 use crate::relation::spatial::algebra::{cross, dot};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::spring::{Compression, above, not_negative, positive};
 use nalgebra::Vector3;
 
@@ -15,6 +15,13 @@ use nalgebra::Vector3;
 pub trait Surface<T: Scalar> {
     /// How far a place (m, inertial axes) is below the surface (m, negative above it), and the unit normal out of the surface there.
     fn below(&self, place: [T; 3]) -> (T, [T; 3]);
+    /// Rejects a surface whose normals are known not to be unit vectors.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    fn check(&self) -> Result<(), Fault> {
+        Ok(())
+    }
 }
 
 /// A plane as a surface.
@@ -49,6 +56,17 @@ impl<T: Scalar> Surface<T> for Plane<T> {
     fn below(&self, place: [T; 3]) -> (T, [T; 3]) {
         (self.offset - dot(Vector3::from(self.normal), Vector3::from(place)), self.normal)
     }
+    fn check(&self) -> Result<(), Fault> {
+        finite("height of a plane", &[self.offset])?;
+        finite("normal of a plane", &self.normal)?;
+        let normal = Vector3::from(self.normal);
+        let (value, rounding) = (dot(normal, normal).sqrt().real().as_f64(), 1e-6);
+        if (value - 1.0).abs() <= rounding {
+            return Ok(());
+        }
+        let (least, most, outside) = (1.0 - rounding, 1.0 + rounding, "friction would not be along the plane");
+        Err(Fault::OutOfRange { parameter: "length of the normal of a plane", value, least, most, outside })
+    }
 }
 
 lift!(Plane { normal, offset });
@@ -79,7 +97,7 @@ impl<T: Scalar, F: Fn(T, T) -> [T; 3]> Surface<T> for Heights<F> {
 /// Pressed in by x (m) a point is pushed out by N = k d(x) (1 + c ẋ), and never pulled (K. H. Hunt and F. R. E. Crossley, 1975), with
 /// a stiffness k (N/m) that sets in over a depth w (m) as that of [`Stops`](crate::spatial::Stops), and damping c (s/m). Friction is
 /// −μ N v/√(v² + v₀²) of the velocity v along the surface: it has no jump, so that at rest what pulls by P creeps, by about v₀ P/(μ N).
-/// Energy only falls.
+/// On planes energy only falls; on curved [`Heights`] to the order of depth times curvature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<T> {
     stiffness: T,
@@ -121,8 +139,9 @@ lift!(Contact { stiffness, depth, damping, friction, speed });
 /// Points of bodies that may touch a surface, as a load on these: for links of a [`robot`](crate::robot).
 ///
 /// Each point is the number of a body and a place on it (m, body axes from the inboard end). Implicit rules take contacts linearly
-/// implicitly, as springs of joints. Slopes leave out how friction grows with the normal force, and how the normal turns; sweeps
-/// converge to the forces themselves. By [`Sdirk4`](crate::time::Sdirk4) feet stand at steps that resolve neither the
+/// implicitly, as springs of joints. Slopes leave out how friction grows with the normal force, and how the normal turns, and that friction
+/// levels off along the way of sliding, for which they take the secant, μ N/√(v² + v₀²); sweeps converge to the forces themselves, but
+/// slowly between v₀ and 3 v₀. By [`Sdirk4`](crate::time::Sdirk4) feet stand at steps that resolve neither the
 /// stiffness nor friction at rest; by `GeneralizedAlpha`, which remembers accelerations, they chatter there. Explicit rules are
 /// stable below some 2.8 √(m/k) and 2.8 m v₀/(μ N), with the mass m that a point moves. In body axes loads see complete kinematics, which
 /// costs a walk more in each sweep.
@@ -166,6 +185,10 @@ impl<P, G, C> Contacts<P, G, C> {
     }
 }
 
+fn finite<T: Scalar>(parameter: &'static str, list: &[T]) -> Result<(), Fault> {
+    if list.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(Fault::NotFinite { parameter }) }
+}
+
 /// What a point meets.
 struct Touch<T> {
     force: Vector3<T>,
@@ -186,7 +209,8 @@ where
         self.points.as_ref().get(point).map_or([T::zero(); 3], of)
     }
 
-    /// The energy (J) stored at a point; zero where there is no such point.
+    /// The energy (J) stored at a point; zero where there is no such point. On planes it is the potential of the force without damping and
+    /// friction; on curved [`Heights`] to the order of depth times curvature.
     pub fn energy(&self, point: usize, body: &BodyMotion<T>) -> T {
         let of = |(_, at): &(usize, [T; 3])| {
             let (below, _) = self.surface.below(body.point(*at).place.into());
@@ -231,6 +255,8 @@ where
 
     fn fits(&self, bodies: usize) -> Result<(), Fault> {
         self.law.check()?;
+        self.surface.check()?;
+        self.points.as_ref().iter().try_for_each(|(_, at)| finite("point of a contact", at))?;
         match self.points.as_ref().iter().find(|(body, _)| *body >= bodies) {
             Some((body, _)) => Err(Fault::NoSuchBody { body: *body, bodies }),
             None => Ok(()),
@@ -244,7 +270,6 @@ where
     G: Surface<T>,
 {
     type Value = Yielding<T>;
-    const YIELDS: bool = true;
 
     #[inline(always)]
     fn at(&self, _: T::Real, number: usize, body: &BodyMotion<T>) -> Yielding<T> {

@@ -16,17 +16,17 @@ pub type Release<T> = crate::release::Release<Spatial<T>>;
 /// With turns about the axes of a body, against a law.
 fn turning<T: Scalar>(release: Release<T>, axes: &Columns<T>, turns: [Turning<T>; 3]) -> Release<T> {
     let axes = [axes.x, axes.y, axes.z].into_iter().zip(turns);
-    axes.fold(release, |release, (axis, (resistance, preload))| {
-        release.with(Freedom::smooth(Way::Turn, axis).against(resistance, preload))
+    axes.fold(release, |release, (axis, (resistance, preload, linear))| {
+        release.with(Freedom { linear, ..Freedom::smooth(Way::Turn, axis).against(resistance, preload) })
     })
 }
 
-/// What resists a turn, and its preload.
-type Turning<T> = (Resistance<T>, T);
+/// What resists a turn, its preload, and whether it is linear.
+type Turning<T> = (Resistance<T>, T, bool);
 
 /// Nothing.
 fn freely<T: Scalar>() -> [Turning<T>; 3] {
-    [(Resistance::none(), T::zero()); 3]
+    [(Resistance::none(), T::zero(), true); 3]
 }
 
 /// A rotary law along the axes of the outboard body.
@@ -37,7 +37,7 @@ fn resisting<T: Scalar, R: RotaryLaw<T>>(law: &R, position: &Rotation<T>, rate: 
     let along = [x, y, z].map(|axis| [stiffness, damping].map(|slope| dot(axis, slope.apply(axis))));
     core::array::from_fn(|k| {
         let [stiffness, damping] = along[k];
-        (Resistance { force: force[k], stiffness, damping }, unturned[k])
+        (Resistance { force: force[k], stiffness, damping }, unturned[k], R::LINEAR)
     })
 }
 
@@ -121,7 +121,8 @@ pub(super) fn axial<T: Scalar, J: Axial<T, K>, const K: usize>(
         let [stiffness, damping] = slopes::<T, _>(|springs| joint.pivot(k, position[k], rate[k], springs));
         let resistance = Resistance { force: joint.force(k, position[k], rate[k]), stiffness, damping };
         let preload = joint.force(k, zero, zero);
-        release = release.with(Freedom::smooth(J::WAYS[k], relative.axes[k]).against(resistance, preload));
+        let freedom = Freedom::smooth(J::WAYS[k], relative.axes[k]).against(resistance, preload);
+        release = release.with(Freedom { linear: J::LINEAR, ..freedom });
     }
     release
 }

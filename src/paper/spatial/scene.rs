@@ -13,7 +13,7 @@ use crate::paper::link::{End, dot};
 use crate::paper::orient::{Axes, Orient, Spring};
 use crate::paper::parts::{Item, Start};
 use crate::paper::plane_scene::list;
-use crate::paper::scene::{Chain, Met, Scene, Slots, refuse_inertia, trace};
+use crate::paper::scene::{Chain, Met, Scene, Slots, refuse_others, trace};
 use crate::relation::{Closures, Term};
 use crate::release::Way;
 use crate::scalar::{Real, Scalar};
@@ -201,7 +201,7 @@ where
         };
         let refused = |fault| Error::new(fault).at_station(k.saturating_sub(1));
         let unsupported = |what| Err(refused(Fault::Unsupported { what }));
-        refuse_inertia(release).map_err(refused)?;
+        refuse_others(release).map_err(refused)?;
         if release.coordinates.iter().flatten().any(|coordinate| coordinate.preload.real() != T::Real::zero()) {
             return unsupported("a spring with a rest value in space");
         }

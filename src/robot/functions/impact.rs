@@ -4,7 +4,7 @@ use super::{FixedBase, S, Tasks};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::system::System;
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
@@ -33,7 +33,8 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// ```
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints, or `joint` no number of one.
+    /// [`Fault::Count`] where `N` is not the number of joints, [`Fault::NoSuchJoint`] where `joint` is no number of one,
+    /// [`Fault::OutOfRange`] for a restitution outside of 0 to 1.
     pub fn impact<const N: usize>(
         &self,
         q: &[T; N],
@@ -45,9 +46,15 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
+        self.has_joints(N)?;
+        let value = restitution.real().as_f64();
+        if !(0.0..=1.0).contains(&value) {
+            let (parameter, outside) = ("restitution", "a stop would pull, or give energy");
+            return Err(Error::new(Fault::OutOfRange { parameter, value, least: 0.0, most: 1.0, outside }));
+        }
         let mut unit = [T::zero(); N];
         let (Some(own), Some(rate)) = (unit.get_mut(joint), v.get(joint)) else {
-            return Err(Error::new(Fault::Count { expected: N, given: joint }));
+            return Err(Error::new(Fault::NoSuchJoint { joint, joints: N }));
         };
         *own = T::one();
         let column = self.mass_solved(q, &unit)?;

@@ -49,7 +49,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// angular velocity (rad/s) of the body, inertial axes, for a rate of one.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints, or `joint` no number of one.
+    /// [`Fault::Count`] where `N` is not the number of joints, [`Fault::NoSuchJoint`] where `joint` is no number of one.
     pub fn jacobian<const N: usize>(&self, q: &[T; N], joint: usize, point: [T; 3]) -> Result<[[T; 6]; N], Error>
     where
         R: FixedBase<T>,
@@ -58,7 +58,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         self.has_joints(N)?;
         let Places { places, parents, slides, .. } = self.placed(q);
         let Some(body) = places.get(joint) else {
-            return Err(Error::new(Fault::Count { expected: N, given: joint }));
+            return Err(Error::new(Fault::NoSuchJoint { joint, joints: N }));
         };
         let point = body.attitude.apply_onto(Vector3::from(point), body.place);
         let mut columns = [[T::zero(); 6]; N];

@@ -1,8 +1,9 @@
 //! Runs under error control, their accepted steps kept for gradients.
 
 use super::Backward;
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
+use crate::ends::Resting;
 use crate::error::{Error, Fault};
 use crate::loading::{EffortOf, LoadLaw, Loads, Seen};
 use crate::mirror::Rate;
@@ -34,7 +35,7 @@ impl<M: Seen> LoadLaw<M> for Held<'_, M::Load> {
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: ReversibleRoot<S>,
+    R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,

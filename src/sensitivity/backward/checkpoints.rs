@@ -2,9 +2,9 @@
 
 use super::steps::Record;
 use super::{Backward, CostateOf};
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
-use crate::ends::{Root, Tip};
+use crate::ends::{Resting, Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
@@ -61,7 +61,7 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> Clone for T
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: ReversibleRoot<S>,
+    R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,
@@ -91,6 +91,7 @@ where
         if !(self.fits(start) && states.iter().all(|state| state.fits(start))) {
             return Err(Error::new(Fault::Shape));
         }
+        self.independent(start)?;
         states[0].copy_state(start);
         for k in 1..states.len() {
             let [past, next, ..] = &mut states[k - 1..] else { break };
@@ -155,7 +156,7 @@ where
         if !(states.iter().all(|state| self.fits(state)) && rooms.all(|room| self.fits(room))) {
             return Err(Error::new(Fault::Shape));
         }
-        let mut gradient = self.begin();
+        let mut gradient = self.begin(by_torques);
         let ([start, ..], [.., last]) = (states, states) else { return Ok(gradient) };
         let clock = (start.time, plan.step);
         cost(plan.steps, last, &mut gradient.start)?;
@@ -190,6 +191,7 @@ where
         if !(self.fits(start) && self.fits(end) && tape.iter().all(|room| self.fits(&room.before))) {
             return Err(Error::new(Fault::Shape));
         }
+        self.independent(start)?;
         self.onto_tape((start.time, step), start, 0..steps, torques, tape);
         end.copy_state(if steps > 0 { &self.spare } else { start });
         let motions = tape.iter().map(|room| &room.before).chain([&*end]);
@@ -217,7 +219,7 @@ where
         if !(self.fits(end) && tape.iter().all(|room| self.fits(&room.before))) {
             return Err(Error::new(Fault::Shape));
         }
-        let mut gradient = self.begin();
+        let mut gradient = self.begin(by_torques);
         cost(steps, end, &mut gradient.start)?;
         self.back_from_tape(0..steps, tape, by_torques, &mut gradient, &mut cost)?;
         complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);

@@ -13,8 +13,9 @@
 
 use super::projection::weigh;
 use super::steps::{ROWS, Record, Stage, Steps};
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf};
+use crate::ends::Resting;
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Additive, Closures, Wrench};
@@ -34,7 +35,7 @@ use num_traits::{One, Zero};
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: ReversibleRoot<S>,
+    R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,

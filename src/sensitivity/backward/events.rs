@@ -11,8 +11,9 @@
 use super::loads::depend_on_time;
 use super::steps::Steps;
 use super::{Backward, CostateOf};
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf, Unloaded};
+use crate::ends::Resting;
 use crate::error::{Error, Fault, finite};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
@@ -27,7 +28,7 @@ use num_traits::Zero;
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: ReversibleRoot<S>,
+    R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,
@@ -132,7 +133,7 @@ where
                 return Err(Error::new(Fault::Unsupported { what }));
             }
         }
-        let mut gradient = self.begin();
+        let mut gradient = self.begin(by_torques);
         let scratch = &mut self.scratch;
         scratch.start = gradient.start.clone();
         cost(states.len() - 1, last, &mut gradient.start)?;

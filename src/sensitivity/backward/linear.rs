@@ -1,8 +1,9 @@
 //! Steps with their Jacobians.
 
 use super::Backward;
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
+use crate::ends::Resting;
 use crate::error::{Error, Fault, counted};
 use crate::loading::{EffortOf, Seen};
 use crate::mirror::Rate;
@@ -16,7 +17,7 @@ use num_traits::{One, Zero};
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: ReversibleRoot<S>,
+    R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,
@@ -43,6 +44,7 @@ where
         if by_torques > 0 {
             counted(rows * joints, by_torques)?;
         }
+        self.independent(past)?;
         self.steps.take_torques(torques, 0);
         self.steps.give_torques(&mut [], 0);
         self.steps.step_to(past.time + size, past, &mut self.record, next);
@@ -69,12 +71,12 @@ where
     /// # What it costs
     ///
     /// Each row is a costate that is pulled back through the stages of the step, which are evaluated once: with RK4 and n rods on pins
-    /// 3.9, 11 and 29 to 34 plain steps for n = 2, 7 and 20 (x86-64-v3, all 2n × 3n entries, two cores shared with other work). Several rows
+    /// 6.6, 9.8 and 28.6 plain steps for n = 2, 7 and 20 (x86-64-v3, all 2n × 3n entries, two cores shared with other work). Several rows
     /// at once cost less: [`linearised_step_in_rows`](Self::linearised_step_in_rows).
     ///
     /// # Errors
     /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; [`Fault::NonFiniteMotion`] or
-    /// [`Fault::AngleOutOfRange`].
+    /// [`Fault::AngleOutOfRange`]; [`Fault::RedundantClosures`] where the step begins with a tip held twice in the same way.
     pub fn linearised_step(
         &mut self,
         past: &MotionOf<S, R, C, P>,
@@ -122,8 +124,8 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
-    /// With RK4, n rods on pins and four rows at a time 3.6, 4.3 and 10.6 plain steps for n = 2, 7 and 20, where row by row takes 6.6, 9.8 and
-    /// 28.6 (x86-64-v3, two cores shared with other work).
+    /// With RK4, n rods on pins and four rows at a time 3.6, 4.3 and 10.6 plain steps for n = 2, 7 and 20 (x86-64-v3, two cores shared with other
+    /// work). `N` is one or more, or the program does not compile.
     ///
     /// # Errors
     /// As [`linearised_step`](Self::linearised_step).
@@ -140,10 +142,11 @@ where
         S: Geometry<Scalar = Pack<T, N>>,
         S::JointMotion: Seen<Load = Pack<T, N>>,
     {
+        const { assert!(N > 0, "no rows at a time") };
         let (rows, joints) = (2 * past.rate_count(), self.steps.scene.joints());
         self.begin_linear(past, size, torques, next, (by_state.len(), by_torques.len()))?;
         let end = past.time + size;
-        for first in (0..rows).step_by(N.max(1)) {
+        for first in (0..rows).step_by(N) {
             let mut count = 0;
             let mut unit = |_| {
                 count += 1;

@@ -10,13 +10,13 @@ mod projection;
 mod steps;
 
 use super::gradient::{Costate, Gradient};
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
-use crate::ends::{Root, Tip};
+use crate::ends::{Resting, Root, Tip};
 use crate::error::{Error, Fault, counted};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
-use crate::relation::{Absent, Additive, Geometry};
+use crate::relation::{Absent, Additive, Closures, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 use crate::time::Explicit;
@@ -134,7 +134,7 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// See [`sensitivity::Backward`](crate::sensitivity::Backward).
     pub fn backward<M: Explicit>(&self, method: M) -> Backward<'_, S, R, C, P, M>
     where
-        R: ReversibleRoot<S>,
+        R: Resting<S>,
         P: ReversibleTip<S>,
         Elements<S, R, C>: Reversible<S> + Burdened<S, Absent>,
         Self: Runs<Unloaded, S, R, C, P>,
@@ -147,7 +147,7 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 impl<'s, S, R, C, P, M, L> Backward<'s, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: ReversibleRoot<S>,
+    R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,
@@ -220,7 +220,8 @@ where
     ///
     /// # Errors
     /// [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of another scene;
-    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time.
+    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip
+    /// twice in the same way.
     pub fn run(
         &mut self,
         start: &MotionOf<S, R, C, P>,
@@ -237,6 +238,7 @@ where
         if !(self.fits(start) && states.iter().all(|state| state.fits(start))) {
             return Err(Error::new(Fault::Shape));
         }
+        self.independent(start)?;
         states[0].copy_state(start);
         for k in 0..steps {
             let [past, next, ..] = &mut states[k..] else { break };
@@ -268,7 +270,7 @@ where
     ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
         let last = self.check(torques, states)?;
         self.admits(states.len() - 1, by_torques.len())?;
-        let mut gradient = self.begin();
+        let mut gradient = self.begin(by_torques);
         cost(states.len() - 1, last, &mut gradient.start)?;
         self.pull_back(torques, states, by_torques, &mut gradient, cost)?;
         Ok(gradient)
@@ -296,8 +298,9 @@ where
         Ok(())
     }
 
-    /// No gradient yet, nor what an earlier one has left of torques where its cost has failed.
-    fn begin(&mut self) -> Gradient<S, Elements<S, R, C>> {
+    /// No gradient yet, by torques neither, nor what an earlier one has left of torques where its cost has failed.
+    fn begin(&mut self, by_torques: &mut [EffortOf<S>]) -> Gradient<S, Elements<S, R, C>> {
+        by_torques.fill(EffortOf::<S>::null());
         self.steps.give_torques(&mut [], 0);
         Gradient::none(self.steps.scene.elements(), &self.steps.zero)
     }
@@ -319,6 +322,16 @@ where
     /// Whether a motion is one of this scene.
     fn fits(&self, motion: &MotionOf<S, R, C, P>) -> bool {
         fits(self.steps.scene.elements(), &motion.position, &motion.rate)
+    }
+
+    /// Refuses a motion whose tip is held twice in the same way, in which runs begin.
+    fn independent(&mut self, start: &MotionOf<S, R, C, P>) -> Result<(), Error> {
+        if const { P::Closures::COUNT == 0 } {
+            return Ok(());
+        }
+        let scene = self.steps.scene;
+        self.spare.copy_state(start);
+        scene.accelerate(&mut self.spare, &Unloaded, &mut scene.workspace())
     }
 
     /// Refuses lists of torques of another length.

@@ -18,9 +18,9 @@
 //! which is the costate sweep at rest, x for accelerations, G = ν, F = −κ at the tip, without springs.
 
 use super::steps::{Stage, Steps};
-use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, Level, RealOf};
-use crate::ends::Root;
+use crate::ends::{Resting, Root};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Solvable, Wrench, WrenchOf};
@@ -234,7 +234,7 @@ impl<S: Reversed, E: Reversible<S>> Room<S, E> {
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: ReversibleRoot<S>,
+    R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,

@@ -2,9 +2,9 @@
 
 use super::loads::Seen;
 use super::projection::{Projection, Room};
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleRoot, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf};
-use crate::ends::{Root, Tip};
+use crate::ends::{Resting, Root, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Open, Wrench};
@@ -106,7 +106,7 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
 impl<'s, S, R, C, P, M, L> Steps<'s, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: ReversibleRoot<S>,
+    R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit,

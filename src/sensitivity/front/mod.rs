@@ -58,7 +58,7 @@ pub struct Derivatives<T = f64> {
 impl Way {
     /// The cheaper way for so many inputs and outputs, and what it costs in runs without derivatives.
     pub fn cheaper(inputs: usize, outputs: usize) -> (Self, f64) {
-        let forward = FORWARD * inputs.div_ceil(WIDTH) as f64;
+        let forward = FORWARD * inputs.div_ceil(WIDTH).max(1) as f64;
         let backward = 1.0 + BACKWARD * outputs as f64;
         if forward < backward { (Self::Forward, forward) } else { (Self::Backward, backward) }
     }
@@ -115,7 +115,9 @@ where
     /// ```
     ///
     /// # Errors
-    /// Those of the scene's constructor, of the run, and of [`Backward`](super::Backward).
+    /// Those of the scene's constructor, of the run, and of [`Backward`](super::Backward); [`Fault::Count`](crate::Fault::Count) where the
+    /// plan's torques are more than the inputs, or fit neither one step nor all; [`Fault::NotFinite`](crate::Fault::NotFinite) where an output
+    /// is no number, as are those that read accelerations.
     pub fn jacobian(&self, x: &[f64]) -> Result<Derivatives, Error> {
         self.jacobian_by(x, Way::cheaper(x.len(), self.outputs).0)
     }
@@ -157,7 +159,7 @@ where
         Ok((value, found))
     }
 
-    /// The second derivatives of each output times a direction: how the [Jacobian](Self::jacobian) changes along it. One product costs
+    /// Each output, and its second derivatives times a direction, in rows: how the [Jacobian](Self::jacobian) changes along it. One product costs
     /// some three Jacobians, however many inputs there are: it is found the same way, on jets of one derivative along the direction.
     ///
     /// ```
@@ -190,9 +192,9 @@ where
         let along: Vec<_> = x.iter().zip(direction).map(|(re, eps)| Jet { re: *re, eps: [*eps] }).collect();
         let way = Way::cheaper(x.len(), self.outputs).0;
         let found = derivatives(&along, self.outputs, way, &self.second_forward, &self.second_backward)?;
-        let part = |list: Vec<Jet<f64, 1>>| list.into_iter().map(|jet| jet.eps[0]).collect();
-        let rows = found.rows.into_iter().map(part).collect();
-        Ok(Derivatives { values: part(found.values), rows, way, runs: 3.0 * found.runs })
+        let rows = found.rows.into_iter().map(|row| row.into_iter().map(|jet| jet.eps[0]).collect()).collect();
+        let values = found.values.into_iter().map(|jet| jet.re).collect();
+        Ok(Derivatives { values, rows, way, runs: 3.0 * found.runs })
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{Seeded, WIDTH};
 use crate::element::{Element, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::Error;
+use crate::error::{Error, Fault, counted, finite};
 use crate::loading::EffortOf;
 use crate::mechanics::spatial::Effort;
 use crate::mirror::{Position, Rate};
@@ -52,15 +52,46 @@ impl<T: Scalar> OfNumbers<T> for Effort<T> {
     }
 }
 
-/// Efforts in the joints of a scene, from a list of numbers.
+/// Inputs of a scene, and torques, which are the last ones.
+pub fn split<T>(numbers: &[T], torques: usize) -> Result<(&[T], &[T]), Error> {
+    let given = numbers.len();
+    let parts = given.checked_sub(torques).and_then(|inputs| numbers.split_at_checked(inputs));
+    parts.ok_or(Error::new(Fault::Count { expected: torques, given }))
+}
+
+/// The time after so many steps of a size, without the rounding of a running sum.
+pub fn time_after(start: f64, size: f64, steps: usize) -> f64 {
+    start + size * steps as f64
+}
+
+/// A motion as outputs may read it: accelerations, and the forces that hold its tip, are NaN, for costates know nothing of them.
+pub fn shown<T: Scalar, P: Position<T>, C: Closures>(mut motion: Motion<T, P, C>) -> Motion<T, P, C> {
+    let unknown = T::literal(f64::NAN);
+    motion.acceleration.replace(&mut |_| unknown);
+    motion.multipliers = C::each(|_| unknown);
+    motion
+}
+
+/// Refuses outputs that are no numbers.
+pub fn known<T: Scalar>(outputs: &[T]) -> Result<(), Error> {
+    finite(outputs.iter().all(|y| y.is_finite()), "output of a run (of positions and rates)")
+}
+
+/// Efforts in the joints of a scene over one step or all steps, or none, from a list of numbers.
 pub fn efforts<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>>(
-    _: &System<S, R, C, P>,
+    scene: &System<S, R, C, P>,
     numbers: &[S::Scalar],
-) -> Vec<EffortOf<S>>
+    steps: usize,
+) -> Result<Vec<EffortOf<S>>, Error>
 where
     EffortOf<S>: OfNumbers<S::Scalar>,
 {
-    numbers.chunks_exact(EffortOf::<S>::COUNT).map(EffortOf::<S>::of).collect()
+    let (count, given) = (EffortOf::<S>::COUNT, numbers.len());
+    let all = count * scene.joints();
+    if given > 0 && given != all {
+        counted(all.saturating_mul(steps), given)?;
+    }
+    Ok(numbers.chunks_exact(count).map(EffortOf::<S>::of).collect())
 }
 
 /// The efforts held over a step.
@@ -93,7 +124,7 @@ where
     let mut motion = scene.motion().at_time(time);
     motion.set_coordinates(&lifted(coordinates))?;
     motion.set_rates(&lifted(rates))?;
-    Ok(scene.with_seeds(motion, first))
+    Ok(shown(scene.with_seeds(motion, first)))
 }
 
 /// What a costate of a start does along the seeds of that start.

@@ -5,7 +5,10 @@
 ///
 /// It is given a name for the type of numbers, a [`Plan`](crate::sensitivity::Plan), a block that makes a scene and the motion in which
 /// the run begins, a pair, from the inputs that are no torques (it may use `?` on this crate's errors), and one that is met before the
-/// first step and after each step: it may change the outputs `y`, zeros at first, by what it reads of the scene and of positions and rates.
+/// first step and after each step: it may change `y`, zeros each time, by what it reads of the scene, of the time and of positions and rates.
+/// An output is the sum of what is left in its place over all these times. Accelerations, and the forces that hold a tip, are NaN there, and
+/// outputs that are not finite an error ([`Fault::NotFinite`](crate::Fault::NotFinite)).
+///
 /// Both are compiled for several kinds of numbers: constants in them are `Number::literal(1.0)`. An example:
 /// [`gradient`](crate::sensitivity::Differentiable::gradient).
 #[macro_export]
@@ -21,29 +24,35 @@ macro_rules! differentiable {
                     #[allow(dead_code)]
                     type $Number = $N;
                     let (numbers, none) = (front::seeded(x, first), <$N>::literal(0.0));
-                    let (inputs, torques) = numbers.split_at(numbers.len().saturating_sub(plan.torques));
+                    let (inputs, torques) = front::split(&numbers, plan.torques)?;
                     let make = |$x: &[$N]| -> ::core::result::Result<_, $crate::Error> { Ok($scene) };
                     let (system, mut now) = make(inputs)?;
-                    let efforts = front::efforts(&system, torques);
-                    let (mut next, mut stepper) = (now.clone(), system.stepper(plan.method));
+                    let efforts = front::efforts(&system, torques, plan.steps)?;
+                    let (begin, mut next, mut stepper) = (now.time(), now.clone(), system.stepper(plan.method));
                     let mut list = front::Vec::new();
                     list.resize(plan.outputs, none);
                     for step in 0..=plan.steps {
+                        let (shown, mut part) = (front::shown(now.clone()), front::Vec::new());
+                        part.resize(plan.outputs, none);
                         {
-                            let ($step, $of, $now, $y) = (step, &system, &now, &mut list[..]);
+                            let ($step, $of, $now, $y) = (step, &system, &shown, &mut part[..]);
                             $outputs;
                         }
+                        front::known(&part)?;
+                        list.iter_mut().zip(part).for_each(|(sum, y)| *sum += y);
                         if step < plan.steps {
                             let held = front::held(&system, &efforts, step);
-                            stepper.step(&now, &$crate::loading::Loads::none().efforts(held), plan.step, &mut next)?;
+                            let end = front::time_after(begin, plan.step, step + 1);
+                            stepper.step(&now, &$crate::loading::Loads::none().efforts(held), end - now.time(), &mut next)?;
                             ::core::mem::swap(&mut now, &mut next);
+                            now = now.at_time(end);
                         }
                     }
                     Ok(list)
                 };
                 let backward = move |x: &[$T]| -> ::core::result::Result<_, $crate::Error> {
                     use $crate::internals::front;
-                    let (inputs, torques) = x.split_at(x.len().saturating_sub(plan.torques));
+                    let (inputs, torques) = front::split(x, plan.torques)?;
                     let (system, start) = {
                         #[allow(dead_code)]
                         type $Number = $T;
@@ -59,7 +68,7 @@ macro_rules! differentiable {
                     for first in (0..inputs.len()).step_by(8) {
                         scenes.push(make(&front::seeded(inputs, first))?);
                     }
-                    let efforts = front::efforts(&system, torques);
+                    let efforts = front::efforts(&system, torques, plan.steps)?;
                     let (mut by_efforts, mut states) = (efforts.clone(), front::Vec::new());
                     states.resize(plan.steps + 1, start.clone());
                     let mut run = system.backward(plan.method);
@@ -73,8 +82,8 @@ macro_rules! differentiable {
                         let gradient = run.gradient(&efforts, &states, &mut by_efforts, |step, state, by| {
                             let numbers = (state.coordinates(), state.rates());
                             let mut slopes = front::Vec::new();
-                            // By the state, then by what the outputs read of the scene itself.
-                            let by_state = (0..2 * rates).step_by(8).map(|first| (&still, first, None));
+                            // By the state, and the value, of no coordinates too; then by what the outputs read of the scene itself.
+                            let by_state = (0..(2 * rates).max(1)).step_by(8).map(|first| (&still, first, None));
                             let by_inputs = scenes.iter().enumerate().map(|(k, made)| (&made.0, front::NO_SEEDS, Some(k)));
                             for (scene, first, block) in by_state.chain(by_inputs) {
                                 let now = front::state(scene, (state.time(), &numbers.0, &numbers.1), first)?;
@@ -84,6 +93,7 @@ macro_rules! differentiable {
                                     let ($step, $of, $now, $y) = (step, scene, &now, &mut list[..]);
                                     $outputs;
                                 }
+                                front::known(&list)?;
                                 let found = list[output];
                                 if let Some(k) = block {
                                     row[8 * k..].iter_mut().zip(found.eps).for_each(|(sum, slope)| *sum += slope);

@@ -101,6 +101,12 @@ impl<'a> Element<'a> {
         self.text(attribute).map(|text| self.parse(attribute, text.trim())).transpose()
     }
 
+    /// A number that must not be negative, zero where it is not written.
+    pub fn not_negative(&self, attribute: &'static str) -> Result<f64, Error> {
+        let value = self.number(attribute)?.unwrap_or(0.0);
+        if value < 0.0 { Err(self.fail(Fault::Negative { attribute, value })) } else { Ok(value) }
+    }
+
     pub fn needed_number(&self, attribute: &'static str) -> Result<f64, Error> {
         self.parse(attribute, self.needed_text(attribute)?.trim())
     }

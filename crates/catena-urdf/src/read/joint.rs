@@ -61,8 +61,8 @@ impl Reader<'_> {
         }
         if let Some(dynamics) = element.child("dynamics")? {
             dynamics.leaves_out_all_but(&[], &["damping", "friction"], self.notes);
-            furniture.damping = dynamics.number("damping")?.unwrap_or(0.0);
-            furniture.friction = dynamics.number("friction")?.unwrap_or(0.0);
+            furniture.damping = dynamics.not_negative("damping")?;
+            furniture.friction = dynamics.not_negative("friction")?;
         }
         if let Some(mimic) = element.child("mimic")? {
             mimic.leaves_out_all_but(&[], &["joint", "multiplier", "offset"], self.notes);

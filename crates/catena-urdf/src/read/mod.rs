@@ -117,7 +117,23 @@ fn tell_constants(joints: &[Joint], laws: Laws, notes: &mut Notes) {
             ("dry friction", furniture.friction != 0.0 && laws.friction_of(furniture, slides).is_none()),
             ("a reduction", furniture.reduction.is_some()),
         ];
-        if *kind == Kind::Fixed {
+        let inside = match kind {
+            Kind::Fixed => continue,
+            Kind::Planar => Some("joint type=\"planar\""),
+            Kind::Floating => Some("joint type=\"floating\""),
+            _ => None,
+        };
+        // What these become has no furniture at all.
+        if let Some(inside) = inside {
+            let has = [
+                ("limit", furniture.effort.is_finite() || furniture.velocity.is_finite()),
+                ("dynamics", furniture.damping != 0.0 || furniture.friction != 0.0),
+                ("mimic", furniture.mimic.is_some()),
+                ("mechanicalReduction", furniture.reduction.is_some()),
+            ];
+            for (element, _) in has.into_iter().filter(|(_, has)| *has) {
+                notes.add(*line, Remark::LeftOut { element: element.to_owned(), inside: inside.to_owned() });
+            }
             continue;
         }
         has.into_iter().filter(|(_, has)| *has).for_each(|(what, _)| notes.add(*line, Remark::ConstantOnly { what }));

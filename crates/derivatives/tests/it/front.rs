@@ -22,6 +22,7 @@ macro_rules! agree {
             let x: Vec<f64> = x.iter().zip(&direction).map(|(x, d)| x + e * d).collect();
             run.jacobian(&x).unwrap()
         };
+        alike(&forward.values, &products.values, 1e-13);
         let (up, down) = (at(1e-5), at(-1e-5));
         for (k, row) in forward.rows.iter().enumerate() {
             alike(row, &backward.rows[k], 1e-12);
@@ -64,30 +65,38 @@ fn both_ways_in_the_plane() {
 fn both_ways_in_space() {
     use catena::spatial::*;
     let plan = Plan { method: Rk4, step: 0.05, steps: 3, torques: 6, outputs: 1 };
-    let run = catena::differentiable!(
-        Number,
-        plan,
-        |x| {
-            let rod = Rod::uniform(x[0], Number::literal(0.2), x[1]);
-            let zero = Number::literal(0.0);
-            let hinge = Revolute::about([x[2], x[3], Number::literal(1.0)]);
-            let root = Pinned::on([zero; 3]);
-            let scene = System::new(root, (rod, hinge, rod), Free)?.with_gravity([zero, x[4], x[5]]);
-            let start = scene.with_rates(scene.at_rest(&x[6..10])?, &x[10..14])?;
-            (scene, start)
-        },
-        |step, scene, now, y| {
-            let place = scene.stations(now, &Unloaded).unwrap().tip().frame.place;
-            y[0] += place.dot(&place) * place.z * Number::literal(if step == 3 { 1.0 } else { 0.1 });
-        }
-    );
+    let made = |plan: Plan<Rk4>| {
+        catena::differentiable!(
+            Number,
+            plan,
+            |x| {
+                let rod = Rod::uniform(x[0], Number::literal(0.2), x[1]);
+                let zero = Number::literal(0.0);
+                let hinge = Revolute::about([x[2], x[3], Number::literal(1.0)]);
+                let root = Pinned::on([zero; 3]);
+                let scene = System::new(root, (rod, hinge, rod), Free)?.with_gravity([zero, x[4], x[5]]);
+                let start = scene.with_rates(scene.at_rest(&x[6..10])?, &x[10..14])?;
+                (scene, start)
+            },
+            |step, scene, now, y| {
+                let place = scene.stations(now, &Unloaded).unwrap().tip().frame.place;
+                y[0] += place.dot(&place) * place.z * Number::literal(if step == 3 { 1.0 } else { 0.1 });
+            }
+        )
+    };
     let mut x = vec![0.8, 1.1, 0.3, 0.2, 1.0, -9.0];
     x.extend((0..14).map(|k| 0.5 * (k as f64).sin()));
-    agree!(run, x);
+    agree!(made(plan), x.clone());
+    // A number more than one step takes.
+    for way in [Way::Forward, Way::Backward] {
+        let fault = made(Plan { torques: 7, ..plan }).jacobian_by(&x, way).unwrap_err().fault;
+        assert!(matches!(fault, catena::Fault::Count { expected: 18, given: 7 }), "{fault:?}");
+    }
 }
 
 #[test]
 fn counts_decide() {
+    assert_eq!(Way::cheaper(0, 10), (Way::Forward, 6.0));
     assert_eq!(Way::cheaper(3, 10).0, Way::Forward);
     assert_eq!(Way::cheaper(3, 1).0, Way::Backward);
     assert_eq!(Way::cheaper(600, 10).0, Way::Backward);

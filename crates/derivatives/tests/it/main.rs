@@ -3,6 +3,8 @@
 mod at_random;
 mod dense;
 mod front;
+mod front_edges;
 mod held;
+mod held_runs;
 mod rows;
 mod second;

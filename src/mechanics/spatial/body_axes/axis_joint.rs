@@ -164,7 +164,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         let resistance = Resistance { force: self.law.force(q, v), stiffness, damping };
         let preload = self.law.force(T::zero(), T::zero());
         let freedom = Freedom::smooth(way, n).against(resistance, preload);
-        release.with(Freedom { inertia: self.armature.number().value(), ..freedom })
+        release.with(Freedom { inertia: self.armature.number().value(), linear: L::LINEAR, ..freedom })
     }
     fn check(&self) -> Result<(), Fault> {
         finite("place of a joint", &self.place)?;

@@ -164,11 +164,16 @@ impl<T: Scalar> Additive for Yielding<T> {
 
 impl<T: Scalar> Part for Yielding<T> {
     fn is_finite(self) -> bool {
-        Part::is_finite(self.wrench)
+        let finite = |list: &[T]| list.iter().all(|x| Scalar::is_finite(*x));
+        let slopes = [self.stiffness, self.damping];
+        let slopes =
+            slopes.iter().all(|b| finite(&b.linear) && finite(b.coupling.as_flattened()) && finite(&b.angular));
+        Part::is_finite(self.wrench) && slopes
     }
 }
 
 impl<T: Scalar> Load<Spatial<T>> for Yielding<T> {
+    const YIELDS: bool = true;
     #[inline(always)]
     fn wrench(self) -> Wrench<T> {
         self.wrench

@@ -90,7 +90,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
 
     /// What accelerations take, with gravity: a force on the base (N, inertial axes) and a torque about its origin (N·m, its axes), and torques
     /// (N·m, N) of the joints, less what their laws exert, with reflected inertias. Accelerations of the base are those of its velocity
-    /// in inertial axes and of its angular velocity in its own; of a fixed base zeros.
+    /// in inertial axes and of its angular velocity in its own; of a fixed base those beyond the motion of its ground, zeros.
     pub fn inverse_dynamics(&self, base: &[T; 6], seconds: &[T; N]) -> ([T; 6], [T; N]) {
         let (of_base, all) = self.accelerations(base, seconds);
         let taken = |body: &Moving<T>, p: [Vector3<T>; 2]| {

@@ -92,13 +92,15 @@ pub struct Snapshot<T, const N: usize> {
     /// Forces of the joints' laws, and reflected inertias.
     laws: [T; N],
     inertias: [T; N],
-    gravity: Vector3<T>,
+    /// Acceleration of the ground that carries a fixed base, and its angular acceleration, less gravity.
+    carried: [Vector3<T>; 2],
 }
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     fn seen<const N: usize>(
         &self,
         Afloat { place, velocity, spin }: Afloat<T>,
+        [linear, angular]: [Vector3<T>; 2],
         q: &[T; N],
         v: &[T; N],
     ) -> Result<Snapshot<T, N>, Error>
@@ -115,7 +117,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         Takes::<S<T>, Solids<T, N>>::take(chain, &mut solids, usize::MAX, ());
         let spin = place.attitude.apply(spin);
         let base = Moving { place, velocity, spin, parameters: solids.base };
-        let (mut bodies, rates, gravity) = ([base; N], *v, self.gravity());
+        let (mut bodies, rates, carried) = ([base; N], *v, [linear - self.gravity(), angular]);
         for k in 0..N {
             let parent = bodies.get(parents[k]).copied().unwrap_or(base);
             let (place, axis, rate) = (places[k], places[k].attitude.z, rates[k]);
@@ -126,7 +128,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
             };
             bodies[k] = Moving { place, velocity, spin, parameters: solids.bodies[k] };
         }
-        Ok(Snapshot { base, bodies, parents, slides, rates, laws, inertias, gravity })
+        Ok(Snapshot { base, bodies, parents, slides, rates, laws, inertias, carried })
     }
 
     /// A robot whose base is fixed, at positions and rates of its joints.
@@ -138,9 +140,11 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
-        let Frame { place, velocity, turn, .. } = self.ground(T::Real::zero());
+        let ground = self.ground(T::Real::zero());
+        let Frame { place, velocity, turn, acceleration } = ground;
         let spin = turn.attitude.transposed(turn.spin);
-        self.seen(Afloat { place: Place { place, attitude: turn.attitude }, velocity, spin }, q, v)
+        let base = Afloat { place: Place { place, attitude: turn.attitude }, velocity, spin };
+        self.seen(base, [acceleration.linear, acceleration.angular], q, v)
     }
 }
 
@@ -158,7 +162,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
-        self.seen(base, q, v)
+        self.seen(base, [zero(); 2], q, v)
     }
 }
 
@@ -176,7 +180,7 @@ fn units<T: Scalar>() -> [Vector3<T>; 3] {
 impl<T: Scalar, const N: usize> Snapshot<T, N> {
     fn body(&self, joint: Option<usize>) -> Result<&Moving<T>, Error> {
         let Some(joint) = joint else { return Ok(&self.base) };
-        self.bodies.get(joint).ok_or_else(|| Error::new(Fault::Count { expected: N, given: joint }))
+        self.bodies.get(joint).ok_or_else(|| Error::new(Fault::NoSuchJoint { joint, joints: N }))
     }
 
     fn parent(&self, joint: usize) -> &Moving<T> {
@@ -192,7 +196,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     /// Place (m) and velocity (m/s) of a point (m, axes of its body) of the body on a joint, or of the base.
     ///
     /// # Errors
-    /// [`Fault::Count`] for the number of no joint.
+    /// [`Fault::NoSuchJoint`] for the number of no joint.
     pub fn point(&self, joint: Option<usize>, point: [T; 3]) -> Result<[Vector3<T>; 2], Error> {
         let body = self.body(joint)?;
         let arm = body.place.attitude.apply(Vector3::from(point));
@@ -203,7 +207,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     /// (rad/s) of the body, inertial axes, for a rate of one.
     ///
     /// # Errors
-    /// [`Fault::Count`] for the number of no joint.
+    /// [`Fault::NoSuchJoint`] for the number of no joint.
     pub fn jacobian(&self, joint: Option<usize>, point: [T; 3]) -> Result<SixRows<T, N>, Error> {
         let [place, _] = self.point(joint, point)?;
         let none = zero();
@@ -226,7 +230,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     /// How fast the [Jacobian](Self::jacobian) changes: the acceleration of the point is J q̈ + J̇ q̇.
     ///
     /// # Errors
-    /// [`Fault::Count`] for the number of no joint.
+    /// [`Fault::NoSuchJoint`] for the number of no joint.
     pub fn jacobian_rate(&self, joint: Option<usize>, point: [T; 3]) -> Result<SixRows<T, N>, Error> {
         let [place, velocity] = self.point(joint, point)?;
         let none = zero();
@@ -252,7 +256,8 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     fn accelerations(&self, base: &[T; 6], seconds: &[T; N]) -> ([Vector3<T>; 2], [[Vector3<T>; 2]; N]) {
         let [ax, ay, az, bx, by, bz] = *base;
         let angular = self.base.place.attitude.apply(Vector3::new(bx, by, bz));
-        let base = [Vector3::new(ax, ay, az) - self.gravity, angular];
+        let [felt, carried] = self.carried;
+        let base = [Vector3::new(ax, ay, az) + felt, angular + carried];
         let mut all = [base; N];
         for k in 0..N {
             let (parent, [a, angular]) = (self.parent(k), all.get(self.parents[k]).copied().unwrap_or(base));

@@ -1,0 +1,122 @@
+//! Edges of the front door, the same both ways: outputs left at each step, no steps, torques that fit nothing, accelerations, times.
+
+use catena::planar::*;
+use catena::sensitivity::{Derivatives, Plan, Way};
+use catena::{Error, Fault};
+
+/// What the output reads.
+#[derive(Clone, Copy, PartialEq)]
+enum Read {
+    /// The second angle, assigned whatever the step.
+    Angle,
+    /// That, from one second on.
+    Late,
+    /// An acceleration.
+    Acceleration,
+}
+
+/// Two rods by their first angles and torques: forward and backward.
+fn both(steps: usize, torques: usize, read: Read, x: &[f64]) -> [Result<Derivatives, Error>; 2] {
+    let plan = Plan { method: Rk4, step: 0.1, steps, torques, outputs: 1 };
+    let run = catena::differentiable!(
+        Number,
+        plan,
+        |x| {
+            let rod = Rod::uniform(Number::literal(1.0), Number::literal(1.0));
+            let arm = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(Number::literal(9.81));
+            let start = arm.at_rest(&x[..2])?;
+            (arm, start)
+        },
+        |_, _, now, y| match read {
+            Read::Angle => y[0] = now.coordinates()[1],
+            Read::Late if now.time() >= 1.0 => y[0] = now.coordinates()[1],
+            Read::Late => {}
+            Read::Acceleration => y[0] = now.acceleration().0,
+        }
+    );
+    [Way::Forward, Way::Backward].map(|way| run.jacobian_by(x, way))
+}
+
+/// Both ways agree; gives one of them.
+fn agreed(steps: usize, torques: usize, read: Read, x: &[f64]) -> Derivatives {
+    let [forward, backward] = both(steps, torques, read, x).map(Result::unwrap);
+    let numbers = |of: &Derivatives| [&of.values[..], &of.rows[0][..]].concat();
+    let (a, b) = (numbers(&forward), numbers(&backward));
+    assert!(a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-11), "{a:?} not {b:?}");
+    backward
+}
+
+/// Second angles after steps of a plain run.
+fn angles(steps: usize) -> Vec<f64> {
+    let rod = Rod::uniform(1.0, 1.0);
+    let arm = System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap().with_gravity(9.81);
+    let (mut now, mut stepper) = (arm.at_rest(&[-1.0, -0.5]).unwrap(), arm.stepper(Rk4));
+    let mut list = vec![now.coordinates()[1]];
+    for _ in 0..steps {
+        let past = now;
+        stepper.step(&past, &Unloaded, 0.1, &mut now).unwrap();
+        list.push(now.coordinates()[1]);
+    }
+    list
+}
+
+#[test]
+fn outputs_are_sums_of_what_is_left_at_each_step() {
+    let found = agreed(3, 0, Read::Angle, &[-1.0, -0.5]);
+    let sum: f64 = angles(3).iter().sum();
+    assert!((found.values[0] - sum).abs() < 1e-12, "{} not {sum}", found.values[0]);
+}
+
+#[test]
+fn times_are_the_same_both_ways() {
+    let found = agreed(10, 0, Read::Late, &[-1.0, -0.5]);
+    assert!((found.values[0] - angles(10)[10]).abs() < 1e-12);
+}
+
+#[test]
+fn no_steps_know_no_torques() {
+    for torques in [0, 2] {
+        let found = agreed(0, torques, Read::Angle, &[-1.0, -0.5, 0.3, 0.4][..2 + torques]);
+        assert_eq!(found.rows[0], [0.0, 1.0, 0.0, 0.0][..2 + torques]);
+    }
+}
+
+#[test]
+fn torques_fit_a_step_or_all() {
+    for (torques, count) in [(5, (6, 5)), (1, (6, 1)), (9, (9, 7))] {
+        for found in both(3, torques, Read::Angle, &[0.1; 7]) {
+            let fault = found.unwrap_err().fault;
+            assert!(matches!(fault, Fault::Count { expected, given } if (expected, given) == count), "{fault:?}");
+        }
+    }
+    assert!(both(3, 2, Read::Angle, &[0.1; 4]).iter().all(Result::is_ok));
+}
+
+#[test]
+fn accelerations_are_no_outputs() {
+    for found in both(2, 0, Read::Acceleration, &[-1.0, -0.5]) {
+        assert!(matches!(found.unwrap_err().fault, Fault::NotFinite { .. }));
+    }
+}
+
+#[test]
+fn scenes_without_coordinates_have_values() {
+    let plan = Plan { method: Rk4, step: 0.1, steps: 2, torques: 0, outputs: 1 };
+    let run = catena::differentiable!(
+        Number,
+        plan,
+        |x| {
+            let zero = Number::literal(0.0);
+            let beam = System::new(Clamped::at(zero, zero, zero), Rod::uniform(x[0], x[0]), Free)?;
+            let start = beam.motion();
+            (beam, start)
+        },
+        |step, beam, now, y| if step == 2 {
+            y[0] = beam.stations(now, &Unloaded).unwrap().tip().frame.place.x;
+        }
+    );
+    for way in [Way::Forward, Way::Backward] {
+        let found = run.jacobian_by(&[0.7], way).unwrap();
+        assert!((found.values[0] - 0.7).abs() < 1e-15 && (found.rows[0][0] - 1.0).abs() < 1e-15, "{found:?}");
+    }
+}

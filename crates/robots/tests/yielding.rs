@@ -1,0 +1,110 @@
+//! Loads that yield, by a law of the user's own; contacts that are no mechanics; impacts that are none.
+
+use catena::robot::*;
+use catena::{Error, Fault};
+
+type Hopper = System<f64, Base<f64>, (Slide<f64>, Link<f64>), Free>;
+
+/// A body of 1 kg on a vertical slide.
+fn hopper() -> Result<Hopper, Error> {
+    let link = Link::general(1.0, [0.0; 3], [[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]]);
+    Ok(System::new(Base::origin(), (Slide::level(), link), Free)?.with_gravity([0.0, 0.0, -9.81]))
+}
+
+/// Bears the weight, and damps.
+#[derive(Clone, Copy)]
+struct Held;
+
+impl LoadLaw<BodyMotion<f64>> for Held {
+    type Value = Yielding<f64>;
+    fn at(&self, _: f64, _: usize, body: &BodyMotion<f64>) -> Yielding<f64> {
+        let force = [0.0, 0.0, 9.81 - 100.0 * body.inboard.velocity.z];
+        let damping = Block::at([0.0; 3].into(), [0.0, 0.0, 1.0].into(), 100.0, 100.0);
+        Yielding::new(body.force_at([0.0; 3], force), Block::zero(), damping)
+    }
+}
+
+#[test]
+fn a_law_that_yields_adds_no_weight() -> Result<(), Error> {
+    let (scene, loads) = (hopper()?, Loads::none().on_bodies_by(Held));
+    let start = scene.at_joints(&[0.0], &[0.3])?;
+    let end = scene.simulation(Sdirk4::new().step(0.01)).loads(&loads).run(start, 1.0, |_| ())?.motion;
+    let (mut rates, position) = ([0.0; 1], end.coordinates()[0]);
+    end.rates_into(&mut rates)?;
+    let mut accelerations = vec![];
+    catena::system::Rate::visit(end.acceleration(), &mut |x: f64| accelerations.push(x));
+    println!("at {position}, {rates:?}, {accelerations:?}");
+    assert!(rates[0].abs() < 1e-10 && accelerations[0].abs() < 1e-8);
+    assert!((position - 0.003).abs() < 1e-6); // v₀ m/c
+    Ok(())
+}
+
+/// Yields by what is no number.
+#[derive(Clone, Copy)]
+struct Broken(usize);
+
+impl LoadLaw<BodyMotion<f64>> for Broken {
+    type Value = Yielding<f64>;
+    fn at(&self, _: f64, _: usize, _: &BodyMotion<f64>) -> Yielding<f64> {
+        let mut block = Block::zero();
+        match self.0 % 3 {
+            0 => block.linear[2] = f64::NAN,
+            1 => block.coupling[2][1] = f64::INFINITY,
+            _ => block.angular[5] = f64::NAN,
+        }
+        let [stiffness, damping] = if self.0 < 3 { [block, Block::zero()] } else { [Block::zero(), block] };
+        Yielding::new(Wrench::default(), stiffness, damping)
+    }
+}
+
+#[test]
+fn slopes_that_are_not_finite_are_named() -> Result<(), Error> {
+    let scene = hopper()?;
+    for k in 0..6 {
+        let loads = Loads::none().on_bodies_by(Broken(k));
+        let run =
+            scene.simulation(GeneralizedAlpha::new(0.8).step(0.01)).loads(&loads).run(scene.motion(), 1.0, |_| ());
+        let fault = run.map(|_| ()).map_err(|stopped| Error::from(stopped).fault);
+        println!("{k}: {fault:?}");
+        // Those that the slide does not feel do no harm.
+        assert!(matches!(fault, Err(Fault::NonFiniteLoad)) || fault.is_ok() && k % 3 != 0, "{k}: {fault:?}");
+    }
+    Ok(())
+}
+
+#[test]
+fn surfaces_and_points_that_are_none_are_refused() -> Result<(), Error> {
+    let (scene, law) = (hopper()?, Contact::new(1e4, 1e-3).rubbing(0.5, 0.01));
+    let fault = |point: [f64; 3], normal: [f64; 3]| {
+        let contacts = Contacts::of([(0, point)], Plane::through([0.0; 3], normal), law);
+        let refused = scene.with_accelerations(scene.motion(), &Loads::none().on_bodies_by(contacts));
+        let plain = scene.with_accelerations(scene.motion(), &Loads::none().on_bodies_by(contacts.plain()));
+        let (refused, plain) = (refused.map_err(|error| error.fault).err(), plain.map_err(|error| error.fault).err());
+        assert_eq!(refused.is_some(), plain.is_some());
+        refused
+    };
+    assert_eq!(fault([0.0; 3], [-0.6, 0.0, 0.8]), None);
+    assert!(matches!(fault([0.0; 3], [0.0, 0.0, 2.0]), Some(Fault::OutOfRange { value: 2.0, .. })));
+    assert!(matches!(fault([0.0; 3], [0.0; 3]), Some(Fault::OutOfRange { value: 0.0, .. })));
+    assert!(matches!(fault([0.0; 3], [0.0, f64::NAN, 1.0]), Some(Fault::NotFinite { .. })));
+    assert!(matches!(fault([0.0, f64::INFINITY, 0.0], [0.0, 0.0, 1.0]), Some(Fault::NotFinite { .. })));
+    Ok(())
+}
+
+#[test]
+fn impacts_that_are_none_are_refused() -> Result<(), Error> {
+    let scene = hopper()?;
+    let fault = |joint, restitution| {
+        scene.impact(&[0.0], &[1.0], joint, restitution).map(|(rates, _)| rates).map_err(|error| error.fault)
+    };
+    assert_eq!(fault(0, 0.5), Ok([-0.5]));
+    assert_eq!(fault(1, 0.5), Err(Fault::NoSuchJoint { joint: 1, joints: 1 }));
+    for restitution in [-0.1, 1.1] {
+        assert!(matches!(fault(0, restitution), Err(Fault::OutOfRange { value, .. }) if value == restitution));
+    }
+    assert!(matches!(fault(0, f64::NAN), Err(Fault::OutOfRange { .. })));
+    let missing = Some(Fault::NoSuchJoint { joint: 1, joints: 1 });
+    assert_eq!(scene.jacobian(&[0.0], 1, [0.0; 3]).map_err(|error| error.fault).err(), missing);
+    assert_eq!(scene.snapshot(&[0.0], &[0.0])?.point(Some(1), [0.0; 3]).map_err(|error| error.fault).err(), missing);
+    Ok(())
+}
