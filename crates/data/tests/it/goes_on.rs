@@ -159,7 +159,7 @@ fn samples_do_not_decide_a_race() -> Result<(), Error> {
     let (rod, hinge) = (Rod::uniform(0.3, 0.3), ElasticHinge::rotary(1e5).damped(6.0));
     let scene = System::new(Pinned::origin(), (rod, [(hinge, rod); 3]), Free)?.with_gravity(9.81);
     let start = scene.at_rest(&[-0.5; 4])?;
-    let alone = scene.simulation(Auto::tolerance(1e-5)).run(start.clone(), 0.3, |_| ())?;
+    let alone = scene.simulation(Auto::tolerance(1e-5)).run(start, 0.3, |_| ())?;
     let sampled = scene.simulation(Auto::tolerance(1e-5)).every(3e-4).run(start, 0.3, |_| ())?;
     assert!(sampled.sweeps > alone.sweeps + 900);
     assert_eq!((sampled.steps, bits(&sampled.motion)), (alone.steps, bits(&alone.motion)));
