@@ -63,7 +63,7 @@ pub struct Race<R> {
 }
 
 impl<R: Real> Race<R> {
-    /// Whether it can go on: what was read as data may be anything.
+    /// Whether a race can go on: what was read as data may be anything.
     fn is_sound(&self) -> bool {
         let Self { taken, suspicious, sweeps, since, mark, pace, size, patience, .. } = self;
         [taken, suspicious, sweeps].iter().all(|count| **count <= usize::MAX / 2)
