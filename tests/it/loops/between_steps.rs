@@ -19,7 +19,7 @@ fn samples_of_a_parallelogram_that_is_all_but_flat_keep_its_energy() -> Result<(
             let run = scene.simulation(Dop853::tolerance(tolerance));
             let run = if let Some(interval) = interval { run.every(interval) } else { run };
             let mut worst = 0.0_f64;
-            let ended = run.run(start.clone(), 20.0, |now| worst = worst.max((now.energy() - all).abs()));
+            let ended = run.run(start, 20.0, |now| worst = worst.max((now.energy() - all).abs()));
             ended.map(|_| worst).map_err(|stopped| stopped.error)
         };
         let (steps, samples) = (drift(None)?, drift(Some(0.01))?);

@@ -38,12 +38,12 @@ macro_rules! stiff {
 fn what_is_stiff_takes_little_more_than_by_an_implicit_rule() -> Result<(), Box<dyn Error>> {
     let scene = stiff!(1e5);
     let start = scene.at_rest(&[-0.5; 4])?;
-    let mut run = scene.simulation(Auto::tolerance(1e-5)).begin(start.clone(), 1.0, |_| ())?;
+    let mut run = scene.simulation(Auto::tolerance(1e-5)).begin(start, 1.0, |_| ())?;
     assert_eq!(run.stepper().chosen(), Chosen::Dop853);
     run.until(0.7)?;
     assert_eq!(run.stepper().chosen(), Chosen::Sdirk4);
     let auto = run.finish()?;
-    let alone = scene.simulate(start.clone(), Sdirk4::new().tolerance(1e-5), 1.0, |_| ())?;
+    let alone = scene.simulate(start, Sdirk4::new().tolerance(1e-5), 1.0, |_| ())?;
     let finer = scene.simulate(start, Sdirk4::new().tolerance(1e-7), 1.0, |_| ())?;
     println!("{} sweeps, {} by Sdirk4", auto.sweeps, alone.sweeps);
     assert!(10 * auto.sweeps < 14 * alone.sweeps);
@@ -59,7 +59,7 @@ fn runs_that_are_saved_go_on_bit_by_bit() -> Result<(), Box<dyn Error>> {
     let start = scene.at_rest(&[-0.5; 4])?;
     let simulation = || scene.simulation(Auto::tolerance(1e-5));
     for time in [0.002, 0.02, 0.3] {
-        let mut run = simulation().begin(start.clone(), 0.6, |_| ())?;
+        let mut run = simulation().begin(start, 0.6, |_| ())?;
         run.until(time)?;
         let saved = run.save();
         let whole = run.finish()?;
