@@ -39,10 +39,6 @@ impl<T: Scalar, const K: usize> Walk<Planar<Jet<T, K>>> for Along<T, K> {
 
 impl<T: Scalar, const K: usize> Selective<Planar<Jet<T, K>>> for Along<T, K> {
     const OUTWARD: bool = true;
-
-    fn branch(&mut self, (): (), go: impl FnOnce(&mut Self, ())) {
-        go(self, ());
-    }
 }
 
 macro_rules! bodies {

@@ -18,12 +18,18 @@ pub trait Selective<S: Space>: Walk<S> {
     /// then, which a compiler sees if the kind is a number.
     const LAST_APART: bool = false;
 
-    /// What goes on where an arm leaves the chain; `go` is the way through the arm.
+    /// What goes on where an arm leaves the chain; `go` is the way through the arm. What an outward walk carries goes both ways; an inward
+    /// one has to say how what comes from the arm joins the chain, or it does not compile.
+    #[inline(always)]
     fn branch(
         &mut self,
         carried: Self::Carried,
         go: impl FnOnce(&mut Self, Self::Carried) -> Self::Carried,
-    ) -> Self::Carried;
+    ) -> Self::Carried {
+        const { assert!(Self::OUTWARD, "an inward walk says how arms join the chain") };
+        go(self, carried);
+        carried
+    }
 }
 
 /// An element that takes a selective walk.

@@ -1,11 +1,15 @@
 //! Steps by the rule that leads a motion farthest for its sweeps.
 
+mod race;
+
 use super::{ExplicitStepper, Method, MotionIn, SdirkStepper, Stepper, TimeIn, VcabmStepper};
 use crate::error::Error;
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
 use crate::system::StiffDynamics;
 use crate::time::{Auto, Dop853, Sdirk4, Vcabm};
+pub use race::Chosen;
+use race::Race;
 
 /// From so many coordinates on, where none is a turn in space, what a multistep method does beside its sweeps is worth their number.
 const MANY: usize = 8;
@@ -13,67 +17,6 @@ const MANY: usize = 8;
 const LIMITED: f64 = 2.5;
 /// Multistep methods that stiffness limits fall to orders up to this one.
 const LOW: usize = 3;
-/// So many steps that look limited before another rule is tried; two that do not undo one that does.
-const SUSPICIONS: usize = 5;
-/// Steps and sweeps of a rule before its pace is measured, and those over which it is.
-const SETTLING: [usize; 2] = [3, 36];
-const WINDOW: [usize; 2] = [4, 48];
-/// Sweeps before a rule that has lost is tried again: at first, and at most.
-const PATIENCE: usize = 400;
-const MOST_PATIENCE: usize = 20_000;
-
-/// The rules that [`Auto`] chooses from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Chosen {
-    /// [`Dop853`].
-    Dop853,
-    /// [`Vcabm`].
-    Vcabm,
-    /// [`Sdirk4`].
-    Sdirk4,
-}
-
-/// What is known of the pace of rules.
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Race<R> {
-    chosen: Chosen,
-    /// The rule where nothing is stiff.
-    plain: Chosen,
-    /// When the present motion and the last one written were, and whose they are.
-    from: (Option<R>, Chosen),
-    written: (Option<R>, Chosen),
-    /// How many steps have been accepted since the rule was chosen or the measurement began, and twice how many look limited by stability,
-    /// less those that do not.
-    taken: usize,
-    suspicious: usize,
-    /// Whether the last step looks so.
-    limited: bool,
-    /// Sweeps that steps have taken; those before the rule was chosen; where the measurement began, if it did: time, and sweeps.
-    sweeps: usize,
-    since: usize,
-    mark: Option<(R, usize)>,
-    /// Time (s) a sweep, of the plain rule and of the other one, and size (s) of the last step by the plain one.
-    pace: [f64; 2],
-    size: Option<R>,
-    /// Whether the rule is on trial, and sweeps before the other one is tried again.
-    trial: bool,
-    patience: usize,
-}
-
-impl<R: Real> Race<R> {
-    /// Whether a race can go on: what was read as data may be anything.
-    fn is_sound(&self) -> bool {
-        let Self { taken, suspicious, sweeps, since, mark, pace, size, patience, .. } = self;
-        [taken, suspicious, sweeps].iter().all(|count| **count <= usize::MAX / 2)
-            && *since <= *sweeps
-            && mark.is_none_or(|(time, begun)| time.is_finite() && begun <= *sweeps)
-            && pace.iter().all(|pace| pace.is_finite())
-            && size.is_none_or(|size| size.is_finite() && size > R::zero())
-            && *patience <= MOST_PATIENCE
-    }
-}
 
 /// Steps by [`Auto`].
 pub struct AutoStepper<D: StiffDynamics<L>, L> {
@@ -97,22 +40,7 @@ impl<D: StiffDynamics<L> + Clone, L> Method<D, L> for Auto {
             single: Dop853.stepper(scene.clone()),
             multi: Vcabm::new().stepper(scene.clone()),
             stiff: Sdirk4::new().stepper(scene),
-            race: Race {
-                chosen: plain,
-                plain,
-                from: (None, plain),
-                written: (None, plain),
-                taken: 0,
-                suspicious: 0,
-                limited: false,
-                sweeps: 0,
-                since: 0,
-                mark: None,
-                pace: [0.0; 2],
-                size: None,
-                trial: false,
-                patience: PATIENCE,
-            },
+            race: Race::of(plain),
             resumed: false,
             room: still.rate,
         }
@@ -143,48 +71,6 @@ impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
     /// The rule that makes the next step.
     pub fn chosen(&self) -> Chosen {
         self.race.chosen
-    }
-
-    /// Takes a rule.
-    fn choose(&mut self, chosen: Chosen, trial: bool) {
-        let race = &mut self.race;
-        (race.chosen, race.trial, race.since, race.mark) = (chosen, trial, race.sweeps, None);
-        (race.taken, race.suspicious, race.limited) = (0, 0, false);
-    }
-
-    /// After a step that was accepted: goes on, tries the other rule, or returns from a trial that has lost.
-    fn judge(&mut self, time: TimeIn<D, L>) {
-        let race = &mut self.race;
-        let sweeps = race.sweeps;
-        race.taken += 1;
-        race.suspicious = if race.limited { race.suspicious + 2 } else { race.suspicious.saturating_sub(1) };
-        let (stiff, plain) = (race.chosen == Chosen::Sdirk4, race.plain);
-        let (begun, [steps, least]) = match race.mark {
-            None => (race.since, SETTLING),
-            Some((_, begun)) => (begun, WINDOW),
-        };
-        if race.taken >= steps && sweeps - begun >= least {
-            let measured = race.mark.replace((time, sweeps));
-            race.taken = 0;
-            if let Some((start, begun)) = measured {
-                let pace = (time - start).as_f64() / (sweeps - begun).max(1) as f64;
-                race.pace[usize::from(stiff)] = pace;
-                if race.trial && pace < race.pace[usize::from(!stiff)] {
-                    race.patience = (2 * race.patience).min(MOST_PATIENCE);
-                    return self.choose(if stiff { plain } else { Chosen::Sdirk4 }, false);
-                }
-                if race.trial {
-                    (race.trial, race.patience) = (false, PATIENCE);
-                }
-            }
-        }
-        let rested = !race.trial && sweeps - race.since >= race.patience;
-        let limited = race.suspicious >= 2 * SUSPICIONS && (rested || race.pace[1] == 0.0);
-        if stiff && rested {
-            self.choose(plain, true);
-        } else if !stiff && limited && race.pace[0] > 0.0 {
-            self.choose(Chosen::Sdirk4, true);
-        }
     }
 
     /// Whether stability seems to have limited the last step by DOP853, whose last stage and end are at one time: by how much accelerations
@@ -262,7 +148,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
     fn propose(&mut self, past: &MotionIn<D, L>, loads: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
         let before = self.race.chosen;
         if self.race.written.0 == Some(past.time) {
-            self.judge(past.time);
+            self.race.judge(past.time);
         }
         let Race { chosen, plain, size, .. } = self.race;
         let proposed = of!(chosen, self, |stepper| stepper.propose(past, loads, tolerance));

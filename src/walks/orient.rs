@@ -15,10 +15,4 @@ impl<S: Reversed> Walk<S> for Orient {
 
 impl<S: Reversed> Selective<S> for Orient {
     const OUTWARD: bool = true;
-
-    #[inline(always)]
-    fn branch(&mut self, chain: S::Turn, go: impl FnOnce(&mut Self, S::Turn) -> S::Turn) -> S::Turn {
-        go(self, chain);
-        chain
-    }
 }

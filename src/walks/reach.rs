@@ -23,14 +23,4 @@ impl<S: Reversed> Walk<S> for Reach {
 
 impl<S: Reversed> Selective<S> for Reach {
     const OUTWARD: bool = true;
-
-    #[inline(always)]
-    fn branch(
-        &mut self,
-        chain: AccelerationOf<S>,
-        go: impl FnOnce(&mut Self, AccelerationOf<S>) -> AccelerationOf<S>,
-    ) -> AccelerationOf<S> {
-        go(self, chain);
-        chain
-    }
 }

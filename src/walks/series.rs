@@ -33,12 +33,6 @@ impl<S: Expandable, const N: usize> Walk<S> for Begin<N> {
 
 impl<S: Expandable, const N: usize> Selective<S> for Begin<N> {
     const OUTWARD: bool = true;
-
-    #[inline(always)]
-    fn branch(&mut self, chain: S::Turn, go: impl FnOnce(&mut Self, S::Turn) -> S::Turn) -> S::Turn {
-        go(self, chain);
-        chain
-    }
 }
 
 impl<S: Expandable, const N: usize> Walk<S> for Articulate<N> {
@@ -82,16 +76,6 @@ impl<S: Expandable, const N: usize> Walk<S> for Swing<S, N> {
 
 impl<S: Expandable, const N: usize> Selective<S> for Swing<S, N> {
     const OUTWARD: bool = true;
-
-    #[inline(always)]
-    fn branch(
-        &mut self,
-        chain: AccelerationOf<S>,
-        go: impl FnOnce(&mut Self, AccelerationOf<S>) -> AccelerationOf<S>,
-    ) -> AccelerationOf<S> {
-        go(self, chain);
-        chain
-    }
 }
 
 /// Finds the coefficients of efforts in all joints.

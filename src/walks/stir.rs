@@ -25,10 +25,4 @@ impl<S: Reversed> Walk<S> for Stir {
 
 impl<S: Reversed> Selective<S> for Stir {
     const OUTWARD: bool = true;
-
-    #[inline(always)]
-    fn branch(&mut self, chain: S::Stirred, go: impl FnOnce(&mut Self, S::Stirred) -> S::Stirred) -> S::Stirred {
-        go(self, chain);
-        chain
-    }
 }

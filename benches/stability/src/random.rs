@@ -94,6 +94,31 @@ fn trial<S, R, C, P, M>(
     }
 }
 
+/// What a motion is out of balance by, the worst of what the block hands to `note`, in torques over the largest force times the farthest
+/// place; of a tip that is held, its acceleration, too, over the largest.
+macro_rules! worst {
+    ($scene:expr, $motion:expr, $held:expr, |$stations:ident, $note:ident| $joints:block) => {{
+        let $stations = $scene.stations($motion, &Unloaded)?;
+        let (mut force, mut reach) = (1e-300_f64, 1e-300_f64);
+        for station in $stations.iter().chain([$stations.root(), $stations.tip()]) {
+            force = force.max(station.internal.force.norm());
+            reach = reach.max(station.frame.place.norm());
+        }
+        let mut worst = 0.0;
+        let mut more = |off: f64| worst = if off.is_nan() || off > worst { off } else { worst };
+        let mut $note = |torque: f64| more(torque / (force * reach));
+        $joints
+        if $held {
+            let tip = $stations.tip().frame.acceleration.linear.norm();
+            let bodies = $scene.body_motions($motion)?;
+            let most = bodies.iter().map(|body| body.outboard().acceleration.linear.norm()).fold(1e-300_f64, f64::max);
+            more(tip / most);
+        }
+        Ok(worst)
+    }};
+}
+use worst;
+
 /// Runs a scene by every rule; where it says so by Taylor series as well.
 macro_rules! rules {
     (@ $name:literal, $rule:expr; $tallies:ident, $kind:expr, $seed:ident, $scene:ident, $start:ident, $balance:expr) => {

@@ -8,7 +8,7 @@ use catena::system::Rate;
 use catena_oracle::Noise;
 use catena_oracle::space::Vector;
 use catena_oracle::space::robot::Instant;
-use kit::{agree, fixed, floating, list, plain_fixed, plain_floating};
+use kit::{Drift, agree, drift, fixed, floating, list, plain_fixed};
 
 /// A force and a torque (inertial axes) at the inboard end of each body.
 fn wrenches<const N: usize>(noise: &mut Noise) -> [Wrench<f64>; N] {
@@ -58,15 +58,7 @@ fn wrenches_on_links_of_a_fixed_robot() -> Result<(), catena::Error> {
 fn wrenches_on_links_of_a_floating_robot() -> Result<(), catena::Error> {
     let (scene, mut noise) = (floating()?, Noise::new(12));
     for _ in 0..50 {
-        let [q, v]: [[f64; 5]; 2] = std::array::from_fn(|_| list(&mut noise, 2.0));
-        let [place, velocity, spin, angles]: [[f64; 3]; 4] = std::array::from_fn(|_| list(&mut noise, 1.0));
-        let attitude = Rotation::from_angles(angles);
-        let plain = plain_floating(place, &attitude, [velocity, spin]);
-        let mut start = scene.motion();
-        let coordinates: Vec<f64> = place.into_iter().chain(attitude.quaternion()).chain(q).collect();
-        start.set_coordinates(&coordinates)?;
-        let rates: Vec<f64> = velocity.into_iter().chain(spin).chain(v).collect();
-        let start = scene.with_rates(start, &rates)?;
+        let Drift { start, plain, q, v } = drift(&scene, &mut noise)?;
         let wrenches = wrenches::<6>(&mut noise);
         let right = plain.forward_dynamics(&q, &v, &generalised(&plain.at(&q, &v), &wrenches));
         let moving = scene.with_accelerations(start, &Loads::none().wrenches(wrenches))?;

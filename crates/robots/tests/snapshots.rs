@@ -4,10 +4,11 @@
 mod kit;
 
 use catena::robot::*;
+use catena::system::Rate;
 use catena_oracle::Noise;
 use catena_oracle::space::robot as plain;
 use catena_oracle::space::{Matrix, Vector};
-use kit::{agree, fixed, floating, list, plain_fixed, plain_floating};
+use kit::{Drift, agree, drift, fixed, floating, list, plain_fixed};
 use nalgebra::{DMatrix, DVector};
 
 const DIRECT: f64 = 1e-13;
@@ -151,15 +152,9 @@ fn on_ground_that_moves() -> Result<(), catena::Error> {
 fn afloat() -> Result<(), catena::Error> {
     let (scene, mut noise) = (floating()?, Noise::new(32));
     for _ in 0..20 {
-        let [q, v]: [[f64; 5]; 2] = std::array::from_fn(|_| list(&mut noise, 2.0));
-        let [place, velocity, spin, angles]: [[f64; 3]; 4] = std::array::from_fn(|_| list(&mut noise, 1.0));
-        let attitude = Rotation::from_angles(angles);
-        let plain = plain_floating(place, &attitude, [velocity, spin]);
-        let mut start = scene.motion();
-        let coordinates: Vec<f64> = place.into_iter().chain(attitude.quaternion()).chain(q).collect();
-        start.set_coordinates(&coordinates)?;
-        let rates: Vec<f64> = velocity.into_iter().chain(spin).chain(v).collect();
-        let start = scene.with_rates(start, &rates)?;
+        let Drift { start, plain, q, v } = drift(&scene, &mut noise)?;
+        let mut rates = vec![];
+        start.rate().visit(&mut |x: f64| rates.push(x));
         let base = scene.body_motions(&start)?.get(0).map(Afloat::of).expect("a base");
         check(&scene.snapshot_afloat(base, &q, &v)?, &plain, &plain.at(&q, &v), &rates, &mut noise)?;
     }

@@ -11,7 +11,7 @@
 //! Where positions are curved, rules sum up coordinates of the step: then Q, V and λ are the costates of these, of their first and of their
 //! second derivatives, from and to which [`Position`] translates, and positions before the step get their share from each row.
 
-use super::projection::weigh;
+use super::held::weigh;
 use super::steps::{ROWS, Record, Stage, Steps};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf};

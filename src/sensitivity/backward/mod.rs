@@ -4,6 +4,7 @@ mod adaptive;
 mod checkpoints;
 mod costates;
 mod events;
+mod held;
 mod linear;
 mod loads;
 mod projection;

@@ -1,7 +1,8 @@
 //! Steps of a run with all that their stages keep for costates.
 
+use super::held::Room;
 use super::loads::Seen;
-use super::projection::{Projection, Room};
+use super::projection::Projection;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf};
 use crate::ends::{Resting, Root, Tip};

@@ -1,6 +1,8 @@
 //! Robots with all kinds of joints, turns and zeros, as scenes and as plain lists.
 
 use catena::robot::*;
+use catena::spatial::Spatial;
+use catena::system::MotionOf;
 use catena_oracle::space::robot as plain;
 use catena_oracle::space::{Matrix, Vector, about};
 use catena_oracle::{Noise, near};
@@ -144,7 +146,7 @@ pub fn plain_fixed() -> plain::Robot {
     plain::Robot { base: None, parts, gravity: Vector::from(GRAVITY) }
 }
 
-pub fn plain_floating(place: [f64; 3], attitude: &Rotation<f64>, [velocity, spin]: [[f64; 3]; 2]) -> plain::Robot {
+fn plain_floating(place: [f64; 3], attitude: &Rotation<f64>, [velocity, spin]: [[f64; 3]; 2]) -> plain::Robot {
     let (mass, centre, tensor) = body(0);
     let base = plain::Base {
         mass,
@@ -156,6 +158,27 @@ pub fn plain_floating(place: [f64; 3], attitude: &Rotation<f64>, [velocity, spin
         spin: Vector::from(spin),
     };
     plain::Robot { base: Some(base), parts: parts(None), gravity: Vector::from(GRAVITY) }
+}
+
+/// The floating robot in a motion at random, and the dense robot in the same one.
+pub struct Drift {
+    pub start: MotionOf<Spatial<f64>, Free, (BodyAxes, Tree), Free>,
+    pub plain: plain::Robot,
+    /// Coordinates and rates of joints.
+    pub q: [f64; 5],
+    pub v: [f64; 5],
+}
+
+pub fn drift(scene: &Floating, noise: &mut Noise) -> Result<Drift, catena::Error> {
+    let [q, v]: [[f64; 5]; 2] = std::array::from_fn(|_| list(noise, 2.0));
+    let [place, velocity, spin, angles]: [[f64; 3]; 4] = std::array::from_fn(|_| list(noise, 1.0));
+    let attitude = Rotation::from_angles(angles);
+    let plain = plain_floating(place, &attitude, [velocity, spin]);
+    let mut start = scene.motion();
+    let coordinates: Vec<f64> = place.into_iter().chain(attitude.quaternion()).chain(q).collect();
+    start.set_coordinates(&coordinates)?;
+    let rates: Vec<f64> = velocity.into_iter().chain(spin).chain(v).collect();
+    Ok(Drift { start: scene.with_rates(start, &rates)?, plain, q, v })
 }
 
 /// Numbers in −size .. size.

@@ -1,6 +1,6 @@
 //! Accelerations, and their readings.
 
-use super::kit::{agree, fixed, floating, list, plain_fixed, plain_floating};
+use super::kit::{Drift, agree, drift, fixed, floating, list, plain_fixed};
 use catena::robot::*;
 use catena::system::Rate;
 use catena_oracle::Noise;
@@ -32,15 +32,8 @@ fn accelerations_of_a_tree_on_the_ground() -> Result<(), catena::Error> {
 fn accelerations_of_a_tree_that_floats() -> Result<(), catena::Error> {
     let (scene, mut noise) = (floating()?, Noise::new(2));
     for _ in 0..100 {
-        let [q, v, torques]: [[f64; 5]; 3] = std::array::from_fn(|_| list(&mut noise, 2.0));
-        let [place, velocity, spin, angles]: [[f64; 3]; 4] = std::array::from_fn(|_| list(&mut noise, 1.0));
-        let attitude = Rotation::from_angles(angles);
-        let plain = plain_floating(place, &attitude, [velocity, spin]);
-        let mut start = scene.motion();
-        let coordinates: Vec<f64> = place.into_iter().chain(attitude.quaternion()).chain(q).collect();
-        start.set_coordinates(&coordinates)?;
-        let rates: Vec<f64> = velocity.into_iter().chain(spin).chain(v).collect();
-        let start = scene.with_rates(start, &rates)?;
+        let Drift { start, plain, q, v } = drift(&scene, &mut noise)?;
+        let torques: [f64; 5] = list(&mut noise, 2.0);
         let moving = scene.with_accelerations(start, &Loads::none().efforts(efforts::<7>(&torques)))?;
         let (mut found, now) = (vec![], plain.at(&q, &v));
         moving.acceleration().visit(&mut |x: f64| found.push(x));

@@ -1,6 +1,6 @@
 //! Scenes at random in the plane.
 
-use super::{Tallies, rules, size, trial};
+use super::{Tallies, rules, size, trial, worst};
 use catena::planar::*;
 use catena::system::{Element, MotionOf, Root, Tip};
 use catena_oracle::Noise;
@@ -28,34 +28,17 @@ where
     C: Element<Planar<f64>>,
     P: Tip<Planar<f64>>,
 {
-    let stations = scene.stations(motion, &Unloaded)?;
-    let (mut force, mut reach) = (1e-300_f64, 1e-300_f64);
-    for station in stations.iter().chain([stations.root(), stations.tip()]) {
-        force = force.max(station.internal.force.norm());
-        reach = reach.max(station.frame.place.norm());
-    }
-    let mut worst = 0.0;
-    let mut note = |off: f64| {
-        if off.is_nan() || off > worst {
-            worst = off;
+    worst!(scene, motion, held, |stations, note| {
+        for k in 0..scene.joints() {
+            let numbers = scene.joint(k)?;
+            let Some(station) = stations.joint(numbers) else { continue };
+            let coordinate = match motion.coordinates_of::<1>(numbers) {
+                Ok([coordinate]) => coordinate,
+                Err(_) => continue, // a floating root
+            };
+            note((station.torque_outboard() - spring(k, coordinate)).abs());
         }
-    };
-    for k in 0..scene.joints() {
-        let numbers = scene.joint(k)?;
-        let Some(station) = stations.joint(numbers) else { continue };
-        let coordinate = match motion.coordinates_of::<1>(numbers) {
-            Ok([coordinate]) => coordinate,
-            Err(_) => continue, // a floating root
-        };
-        note((station.torque_outboard() - spring(k, coordinate)).abs() / (force * reach));
-    }
-    if held {
-        let tip = stations.tip().frame.acceleration.linear.norm();
-        let bodies = scene.body_motions(motion)?;
-        let most = bodies.iter().fold(1e-300_f64, |most, body| most.max(body.outboard().acceleration.linear.norm()));
-        note(tip / most);
-    }
-    Ok(worst)
+    })
 }
 
 fn none(_: usize, _: f64) -> f64 {

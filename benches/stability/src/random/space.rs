@@ -1,6 +1,6 @@
 //! Scenes at random in space.
 
-use super::{Tallies, rules, size, trial};
+use super::{Tallies, rules, size, trial, worst};
 use catena::nalgebra::Vector3;
 use catena::spatial::*;
 use catena::system::{Element, MotionOf, Root, Tip};
@@ -36,34 +36,16 @@ where
     C: Element<Spatial<f64>>,
     P: Tip<Spatial<f64>>,
 {
-    let stations = scene.stations(motion, &Unloaded)?;
-    let (mut force, mut reach) = (1e-300_f64, 1e-300_f64);
-    for station in stations.iter().chain([stations.root(), stations.tip()]) {
-        force = force.max(station.internal.force.norm());
-        reach = reach.max(station.frame.place.norm());
-    }
-    let mut worst = 0.0;
-    let mut note = |off: f64| {
-        if off.is_nan() || off > worst {
-            worst = off;
+    worst!(scene, motion, held, |stations, note| {
+        for k in skipped..scene.joints() {
+            let Some(station) = stations.joint(scene.joint(k)?) else { continue };
+            let torque = station.torque_outboard();
+            note(match free(k) {
+                Some(axis) => station.frame.turn.attitude.apply(axis).dot(&torque).abs(),
+                None => torque.norm(),
+            });
         }
-    };
-    for k in skipped..scene.joints() {
-        let Some(station) = stations.joint(scene.joint(k)?) else { continue };
-        let torque = station.torque_outboard();
-        let off = match free(k) {
-            Some(axis) => station.frame.turn.attitude.apply(axis).dot(&torque).abs(),
-            None => torque.norm(),
-        };
-        note(off / (force * reach));
-    }
-    if held {
-        let tip = stations.tip().frame.acceleration.linear.norm();
-        let bodies = scene.body_motions(motion)?;
-        let most = bodies.iter().fold(1e-300_f64, |most, body| most.max(body.outboard().acceleration.linear.norm()));
-        note(tip / most);
-    }
-    Ok(worst)
+    })
 }
 
 const DOWN: [f64; 3] = [0.0, 0.0, -9.81];

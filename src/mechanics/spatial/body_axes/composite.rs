@@ -43,7 +43,7 @@ impl<T: Scalar> Whole<T> {
     }
 }
 
-through!([const N: usize] Composite<T, N>, Whole<T>, outward false, |walk, chain, go| {
+through!([const N: usize] Composite<T, N>, Whole<T>, inward, |walk, chain, go| {
     let beyond = Whole::nothing(walk.next);
     let arm = go(walk, beyond);
     chain.with(arm.mass, triple(arm.moment), &triangle(63, arm.tensor))

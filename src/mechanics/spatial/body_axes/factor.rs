@@ -15,7 +15,7 @@ pub struct Factor<T, const N: usize> {
     pub next: usize,
 }
 
-through!([const N: usize] Factor<T, N>, Local<T>, outward false, |walk, chain, go| {
+through!([const N: usize] Factor<T, N>, Local<T>, inward, |walk, chain, go| {
     let arm = go(walk, Local::promote(Empty));
     chain.join(arm)
 });
@@ -54,7 +54,7 @@ pub struct Inward<T, const N: usize> {
     pub next: usize,
 }
 
-through!([const N: usize] Inward<T, N>, [[T; 3]; 2], outward false, |walk, chain, go| {
+through!([const N: usize] Inward<T, N>, [[T; 3]; 2], inward, |walk, chain, go| {
     let arm = go(walk, [[T::zero(); 3]; 2]);
     [values(sum(triple(chain[0]), triple(arm[0]))), values(sum(triple(chain[1]), triple(arm[1])))]
 });

@@ -69,7 +69,7 @@ pub struct Carrying<T, const N: usize> {
     pub next: usize,
 }
 
-through!([const N: usize] Carrying<T, N>, [[T; 3]; 2], outward false, |walk, chain, go| {
+through!([const N: usize] Carrying<T, N>, [[T; 3]; 2], inward, |walk, chain, go| {
     let arm = go(walk, [[T::zero(); 3]; 2]);
     [values(sum(triple(chain[0]), triple(arm[0]))), values(sum(triple(chain[1]), triple(arm[1])))]
 });

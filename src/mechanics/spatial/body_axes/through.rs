@@ -63,30 +63,33 @@ impl<T: Scalar, W: Through<T>> Takes<Spatial<T>, W> for BodyAxes {
     }
 }
 
-/// A walk through a robot, made of the plain walk and what it does where an arm leaves.
+/// A walk through a robot, made of the plain walk and, where it goes inward, of what it does where an arm leaves.
 macro_rules! through {
-    ([$($generics:tt)*] $Walk:ty, $Carried:ty, outward $outward:literal, |$walk:ident, $carried:ident, $go:ident| $branch:expr) => {
-        impl<T: Scalar, $($generics)*> $crate::shape::Walk<$crate::mechanics::spatial::Spatial<T>> for $Walk {
-            type Carried = $Carried;
-            type Stores = ();
-        }
-
-        #[allow(clippy::unused_unit)] // a walk that carries nothing
-        impl<T: Scalar, $($generics)*> $crate::shape::Selective<$crate::mechanics::spatial::Spatial<T>> for $Walk {
-            const OUTWARD: bool = $outward;
+    ([$($generics:tt)*] $Walk:ty, $Carried:ty, inward, |$walk:ident, $carried:ident, $go:ident| $branch:expr) => {
+        $crate::mechanics::spatial::body_axes::through::through!(@ [$($generics)*] $Walk, $Carried, {
+            const OUTWARD: bool = false;
 
             #[inline(always)]
             fn branch(&mut self, $carried: $Carried, $go: impl FnOnce(&mut Self, $Carried) -> $Carried) -> $Carried {
                 let $walk = self;
                 $branch
             }
-        }
+        });
     };
     ([$($generics:tt)*] $Walk:ty, $Carried:ty, outward) => {
-        $crate::mechanics::spatial::body_axes::through::through!([$($generics)*] $Walk, $Carried, outward true, |walk, carried, go| {
-            let _ = go(walk, carried);
-            carried
+        $crate::mechanics::spatial::body_axes::through::through!(@ [$($generics)*] $Walk, $Carried, {
+            const OUTWARD: bool = true;
         });
+    };
+    (@ [$($generics:tt)*] $Walk:ty, $Carried:ty, { $($items:tt)* }) => {
+        impl<T: Scalar, $($generics)*> $crate::shape::Walk<$crate::mechanics::spatial::Spatial<T>> for $Walk {
+            type Carried = $Carried;
+            type Stores = ();
+        }
+
+        impl<T: Scalar, $($generics)*> $crate::shape::Selective<$crate::mechanics::spatial::Spatial<T>> for $Walk {
+            $($items)*
+        }
     };
 }
 pub(crate) use through;
