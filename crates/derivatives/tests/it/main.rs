@@ -4,7 +4,9 @@ mod at_random;
 mod dense;
 mod front;
 mod front_edges;
+#[macro_use]
 mod held;
 mod held_runs;
+mod loops;
 mod rows;
 mod second;
