@@ -9,7 +9,7 @@ use crate::loading::{EffortOf, LoadLaw, Loads, Seen};
 use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::system::{Elements, MotionOf, Runs, System};
-use crate::time::{Control, Explicit, Rule};
+use crate::time::{Control, Explicit, Rule, Staged};
 
 /// Loads on bodies, and torques that are held over a run.
 type UnderHeld<'t, S, L> = Loads<L, Held<'t, EffortOf<S>>>;
@@ -38,9 +38,9 @@ where
     R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
-    M: Explicit,
+    M: Explicit + Staged,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
