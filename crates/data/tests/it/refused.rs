@@ -80,7 +80,7 @@ fn parameters_that_make_no_mechanics_are_refused() -> Result<(), Error> {
 
 #[test]
 fn laws_motors_and_contacts_are_data() -> Result<(), Error> {
-    type Hinge = ElasticHinge<f64, (DryFriction<f64, f64>, Stops<f64, f64>)>;
+    type Hinge = ElasticHinge<Custom<(DryFriction<f64, f64>, Stops<f64, f64>)>>;
     type Leg = System<f64, Place, (Rod<f64>, Hinge, Rod<f64>), Free>;
     let laws = (DryFriction::new(0.2, 0.01).breaking_away(0.3), Stops::between([-0.3, 2.0], 2e3, 0.02).damped(0.5));
     let rod = Rod::uniform(0.5, 1.0);
