@@ -51,7 +51,8 @@ where
     /// would have been given.
     ///
     /// # Errors
-    /// [`Fault::Count`], which says how many states are needed, once the run has come to its end, or how many torques; those of the run.
+    /// [`Fault::Count`], which says how many states are needed, once the run has come to its end, or how many torques; [`Fault::Unsupported`] for a method
+    /// that does not estimate its errors, as `Rk4`; those of the run.
     pub fn run_adaptive<'t>(
         &mut self,
         start: &MotionOf<S, R, C, P>,

@@ -75,7 +75,7 @@ where
         Tape { before: self.steps.scene.motion(), size: RealOf::<S>::zero(), record: self.steps.record() }
     }
 
-    /// As [`run`](Self::run), keeping few states.
+    /// As [`run`](Self::run), keeping few states, the last of which has no accelerations but zeros.
     ///
     /// # Errors
     /// As [`run`](Self::run).

@@ -216,6 +216,8 @@ where
     /// step begins. `torques` are those in all joints (the root's first), held over the first step, then those over the second, and so on;
     /// or those of one step, held over all; or none.
     ///
+    /// The last state has no accelerations but zeros: `with_accelerations` finds them.
+    ///
     /// A step ends at a multiple of its size after the start, without the rounding of a running sum, as in
     /// [`simulate`](System::simulate).
     ///

@@ -6,5 +6,6 @@ mod front;
 mod front_edges;
 mod held;
 mod held_runs;
+mod recognised;
 mod rows;
 mod second;
