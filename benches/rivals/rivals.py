@@ -105,7 +105,7 @@ def main():
     for name, kind, bodies, end, reference in SCENES:
         rows += [(name, *run) for run in pinocchio(binary, kind, bodies, end, reference)]
         rows += [(name, *run) for run in run_mujoco(kind, bodies, end, reference)]
-    with open(OUT / "rivals.csv", "w", newline="") as file:
+    with open(HERE.parent / "results" / "rivals.csv", "w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(["scene", "library", "rule", "step_or_tolerance", "error", "seconds"])
         writer.writerows(rows)

@@ -32,4 +32,4 @@
 //! of a scene, [`into_stepper`](crate::system::System::into_stepper) puts the scene inside. A closure in a scene has no name; a law or load as
 //! a struct has.
 //!
-//! Only explicit rules with fixed steps take the same time always. Angles beyond 1e5 rad or so are refused: wrap them now and then.
+//! Only explicit rules with fixed steps take the same time always. Angles beyond 4e5 rad are refused: wrap them now and then.
