@@ -18,7 +18,7 @@ use nalgebra::Vector3;
 /// Pressed in by x (m) a point is pushed out by N = k d(x) (1 + c ẋ), and never pulled (K. H. Hunt and F. R. E. Crossley, 1975), with
 /// a stiffness k (N/m) that sets in over a depth w (m) as that of [`Stops`](crate::spatial::Stops), and damping c (s/m). Friction is
 /// −μ N v/√(v² + v₀²) of the velocity v along the surface: it has no jump, so that at rest what pulls by P creeps, by about v₀ P/(μ N).
-/// On planes energy only falls; on curved [`Heights`] to the order of depth times curvature.
+/// On planes energy only falls; on curved [`Heights`](super::Heights) to the order of depth times curvature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contact<T> {
@@ -130,7 +130,7 @@ where
     }
 
     /// The energy (J) stored at a point; zero where there is no such point. On planes it is the potential of the force without damping and
-    /// friction; on curved [`Heights`] to the order of depth times curvature.
+    /// friction; on curved [`Heights`](super::Heights) to the order of depth times curvature.
     pub fn energy(&self, point: usize, body: &BodyMotion<T>) -> T {
         let of = |(_, at): &(usize, [T; 3])| {
             let (below, _) = self.surface.below(body.point(*at).place.into());
