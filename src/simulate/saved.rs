@@ -105,7 +105,7 @@ impl<R: Real> Progress<R> {
 pub struct Saved<M, K, R> {
     /// The last motion, with its accelerations as the method has left them.
     pub motion: M,
-    /// The same with those that scene and loads caused, where they are others: where others are caused when the run goes on, these differ.
+    /// Motion with those that scene and loads caused, where they are others: where others are caused when the run goes on, these differ.
     pub caused: Option<M>,
     /// What the stepper carries.
     pub memory: K,
