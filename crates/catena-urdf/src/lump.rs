@@ -57,7 +57,7 @@ enum Floats {
     Root,
     /// The only child of a root without mass.
     Child,
-    /// It would, but is fixed.
+    /// A child that would float, but is fixed.
     FixedChild,
 }
 
