@@ -73,6 +73,7 @@ mod counts;
 mod data;
 #[cfg(feature = "alloc")]
 mod dense;
+mod driven;
 mod element;
 mod ends;
 mod error;

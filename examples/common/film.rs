@@ -125,6 +125,8 @@ impl Film<'_> {
         let (low, end) = (height - 14.0, width - 20.0);
         let pace = if (span - shown).abs() < 1e-9 {
             "as fast as in truth".to_owned()
+        } else if shown < span {
+            format!("{} times faster", short(span / shown))
         } else {
             format!("{} times slower", short(shown / span))
         };
@@ -158,10 +160,11 @@ impl Film<'_> {
         let points = self.points(way);
         let line = format!(r#"points="{points}" stroke="{}" stroke-width="1.3" stroke-opacity="0.75""#, hex(colour));
         let left: Vec<_> = gone.iter().map(|gone| format!("{:.0}", all - gone)).collect();
+        let beyond = all + 20.0; // browsers round lengths: no next dash at the end of the way
         writeln!(svg, r#"<polyline class="still" {line}/>"#)?;
         writeln!(
             svg,
-            r#"<polyline class="moving" {line} stroke-dasharray="{all:.0}" stroke-dashoffset="{all:.0}"><animate attributeName="stroke-dashoffset" {again} values="{}"/></polyline>"#,
+            r#"<polyline class="moving" {line} stroke-dasharray="{all:.0} {beyond:.0}" stroke-dashoffset="{all:.0}"><animate attributeName="stroke-dashoffset" {again} values="{}"/></polyline>"#,
             left.join(";")
         )?;
         Ok(())

@@ -11,7 +11,7 @@
 //! | stiff springs, to more digits | `Sdirk4::new().step(1e-2)` | order 4 at any stiffness |
 //! | thousands of runs from near starts | `Rk4::step(..)` in lanes | lanes share their steps: see [`lanes_and_threads`](super::lanes_and_threads) |
 //!
-//! All are in [`planar`](crate::planar) and [`spatial`](crate::spatial); [`time`](crate::time) has what each is made of.
+//! All are in [`planar`](crate::planar), all but `Taylor` in [`spatial`](crate::spatial); [`time`](crate::time) has what each is made of.
 //!
 //! # What an error costs
 //!

@@ -7,7 +7,7 @@
 //! | one number by everything (tuning, identification, optimal control) | [`System::backward`](crate::system::System::backward) | three runs, five to six where a tip is held, however many derivatives |
 //! | outputs by inputs, either way, whichever costs less; products with the Hessian | [`differentiable!`](crate::differentiable!) | it says |
 //! | Jacobians of single steps (iterative LQR, filters) | [`linearised_step`](crate::sensitivity::Backward::linearised_step), [`linearised_step_in_rows`](crate::sensitivity::Backward::linearised_step_in_rows) | less, several rows at a time |
-//! | stiffness and mass about a rest | [`System::modes`](crate::system::System::modes), `linearised` | |
+//! | stiffness and mass about a rest | [`System::modes`](crate::system::System::modes), which has shapes and frequencies | |
 //!
 //! Forward, a scene is built over another number, and nothing else changes:
 //!

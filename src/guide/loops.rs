@@ -25,6 +25,7 @@
 //! [`assembled_holding`](crate::system::System::assembled_holding) keeps coordinates that are given, a crank's angle for one.
 //!
 //! **Redundant closures.** Loops in space often close more than they have to: a flat four-bar of revolutes holds each of three things twice.
-//! That is [`RedundantClosures`](crate::Fault::RedundantClosures), with the name of one; close such a loop by a ball, or by
+//! That is [`RedundantClosures`](crate::Fault::RedundantClosures), with the name of one; make one of its joints a
+//! [`Universal`](crate::spatial::Universal) and close it by a [`Ball`](crate::spatial::Ball), or close it by
 //! [`LeastNorm`](crate::planar::LeastNorm), which shares the forces out. Some mechanisms meet places where closures become dependent
 //! for an instant (dead points): steps are taken over these.

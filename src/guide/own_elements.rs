@@ -2,7 +2,7 @@
 //!
 //! | wanted | take | lines |
 //! |---|---|---|
-//! | a law along a coordinate: a stop, a stiffening spring | [`SpringLaw`](crate::planar::SpringLaw) in `ElasticHinge::with`, `Slider::with` | 15 |
+//! | a law along a coordinate: a stiffening spring, a magnet | [`SpringLaw`](crate::planar::SpringLaw) in `ElasticHinge::with`, `Slider::with` | 15 |
 //! | a joint: a geared motor, a magnet | [`extend::JointModel`](crate::extend::JointModel) | 40 |
 //! | a body with something inside | a struct of elements, [`compound!`](crate::compound) | 40 |
 //! | a root that moves as a function says | [`Moving`](crate::planar::Moving) | 5 |

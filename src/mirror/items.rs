@@ -155,6 +155,10 @@ macro_rules! mirror_items {
             fn normalise(&mut self) -> bool {
                 self.iter_mut().fold(true, |good, item| item.normalise() && good)
             }
+            #[inline]
+            fn set_clocks(&mut self, time: T::Real) {
+                self.iter_mut().for_each(|item| item.set_clocks(time));
+            }
         }
     };
 }

@@ -8,11 +8,13 @@
 //! Combinations are written out for each number of terms. One function over an array of terms would have to take the array
 //! apart at every item of every tuple, and a compiler spends more time on that than on all mechanics of a long chain.
 
+mod clock;
 mod items;
 mod number;
 mod tied;
 mod tuple;
 
+pub use clock::Clock;
 pub use tied::{Tied, TiedPosition};
 
 use crate::scalar::Scalar;
@@ -97,6 +99,12 @@ pub trait Position<T: Scalar>: Clone {
     /// Brings numbers that were replaced to what they must be, a quaternion to length one; whether that can be done.
     fn normalise(&mut self) -> bool {
         true
+    }
+
+    /// Sets the clocks of driven coordinates to the time (s) of the motion.
+    #[inline(always)]
+    fn set_clocks(&mut self, time: T::Real) {
+        let _ = time;
     }
 
     /// Whether ⊕ is more than a sum: then the numbers displaced by are coordinates of the step, whose time derivatives a rule sums

@@ -133,6 +133,10 @@ impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
         self.arms.normalise()
     }
     #[inline(always)]
+    fn set_clocks(&mut self, time: T::Real) {
+        self.arms.set_clocks(time);
+    }
+    #[inline(always)]
     fn retract_rate(&self, from: &Self, rate: &mut Self::Rate) {
         self.arms.retract_rate(&from.arms, &mut rate.arms);
     }

@@ -142,6 +142,10 @@ macro_rules! mirror_tuple {
             fn normalise(&mut self) -> bool {
                 true $(& self.$i.normalise())*
             }
+            #[inline(always)]
+            fn set_clocks(&mut self, _at: T::Real) {
+                $(self.$i.set_clocks(_at);)*
+            }
         }
     };
 }

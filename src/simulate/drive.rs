@@ -134,7 +134,7 @@ where
         }
         let (size, last) = self.accepted()?;
         if last {
-            self.next.time = self.end;
+            self.next.set_time(self.end);
         }
         let next_value = self.value(Shown::Next)?;
         let outcome = self.shown(self.progress.start, size, [self.value, next_value])?;

@@ -33,6 +33,7 @@ pub trait Surface<T: Scalar> {
 /// assert!((slope.below([1.0, 0.0, 0.75]).0).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Plane<T> {
     normal: [T; 3],
     offset: T,
@@ -99,6 +100,7 @@ impl<T: Scalar, F: Fn(T, T) -> [T; 3]> Surface<T> for Heights<F> {
 /// −μ N v/√(v² + v₀²) of the velocity v along the surface: it has no jump, so that at rest what pulls by P creeps, by about v₀ P/(μ N).
 /// On planes energy only falls; on curved [`Heights`] to the order of depth times curvature.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contact<T> {
     stiffness: T,
     depth: T,
@@ -163,6 +165,7 @@ lift!(Contact { stiffness, depth, damping, friction, speed });
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contacts<P, G, C> {
     points: P,
     surface: G,
@@ -171,6 +174,7 @@ pub struct Contacts<P, G, C> {
 
 /// [`Contacts`] as loads that do not say how they yield: for bodies in inertial axes, too.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PlainContacts<P, G, C>(Contacts<P, G, C>);
 
 impl<P, G, C> Contacts<P, G, C> {

@@ -126,6 +126,13 @@ fn resisting<T: Scalar, const N: usize, C: Tasks<T, N>>(chain: &C, q: &[T; N], v
     walk
 }
 
+/// Refuses numbers that are not finite.
+#[inline(always)]
+fn finite<T: Scalar>(list: &[T]) -> Result<(), Error> {
+    let finite = list.iter().fold(true, |all, x| all & x.is_finite()); // without branches
+    if finite { Ok(()) } else { Err(Error::new(Fault::NonFiniteMotion)) }
+}
+
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// A motion with these coordinates and rates of all joints of a robot whose base is fixed, in their order.
     ///
@@ -137,17 +144,24 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         self.with_rates(motion, v)
     }
 
-    /// The ground in axes of the robot's base: acceleration as felt (less gravity), angular velocity and acceleration.
-    fn felt(&self) -> [[T; 3]; 3] {
+    /// The ground in axes of the robot's base, as it is felt: what gravity takes, if only that is asked for, or acceleration less gravity,
+    /// angular velocity and acceleration.
+    fn felt(&self, resting: bool) -> Carried<T> {
         let Frame { turn, acceleration, .. } = self.ground(T::Real::zero());
         let of = |vector: Vector3<T>| turn.attitude.transposed(vector).into();
-        [of(acceleration.linear - self.gravity()), of(turn.spin), of(acceleration.angular)]
+        let still = [T::zero(); 3];
+        let (linear, spin, angular) = match resting {
+            true => (of(-self.gravity()), still, still),
+            false => (of(acceleration.linear - self.gravity()), of(turn.spin), of(acceleration.angular)),
+        };
+        Carried { spin, linear, angular, own: usize::MAX }
     }
 
-    /// Forces of joints.
+    /// Forces of joints on a ground.
     #[inline(always)]
     fn forces<const N: usize, const RATES: bool, const SECONDS: bool>(
         &self,
+        ground: Carried<T>,
         stands: &[Stand<T>; N],
         rates: &[T; N],
         seconds: &[T; N],
@@ -155,7 +169,6 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     where
         C: Tasks<T, N> + Takes<S<T>, Loaded<T, N, RATES, SECONDS>>,
     {
-        let [linear, spin, angular] = self.felt();
         let still = [T::zero(); 3];
         let mut out = Loaded::<T, N, RATES, SECONDS> {
             stands: *stands,
@@ -164,7 +177,6 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
             loads: [[still; 2]; N],
             next: 0,
         };
-        let ground = Carried { spin, linear, angular, own: usize::MAX };
         Takes::<S<T>, Loaded<T, N, RATES, SECONDS>>::take(self.chain(), &mut out, ground, ());
         let mut inward = Load { stands: *stands, loads: out.loads, forces: [T::zero(); N], next: N };
         Takes::<S<T>, Load<T, N>>::take(self.chain(), &mut inward, [still; 2], ());
@@ -177,8 +189,8 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         counted(coordinates(self.chain()), count)
     }
 
-    /// Accelerations q̈ of the joints (rad/s², m/s²) from positions, rates and torques (N·m, N): those of the scene at rest of its ground,
-    /// in gravity, with the springs and dampers of the joints.
+    /// Accelerations q̈ of the joints (rad/s², m/s²) from positions, rates and torques (N·m, N): those of the scene at time zero, in
+    /// gravity, with the springs and dampers of the joints.
     ///
     /// # Errors
     /// [`Fault::Count`] where `N` is not the number of joints; [`Fault::NonFiniteMotion`] where something came out not finite.
@@ -189,7 +201,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         self.has_joints(N)?;
         let seconds = self.swept(q, v, torques);
-        if seconds.iter().all(|x| x.is_finite()) { Ok(seconds) } else { Err(Error::new(Fault::NonFiniteMotion)) }
+        finite(&seconds).map(|()| seconds)
     }
 
     /// A sweep whose stores live no longer than itself.
@@ -247,7 +259,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// the joints do, with reflected inertias.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
+    /// As [`forward_dynamics`](Self::forward_dynamics).
     pub fn inverse_dynamics<const N: usize>(&self, q: &[T; N], v: &[T; N], seconds: &[T; N]) -> Result<[T; N], Error>
     where
         R: FixedBase<T>,
@@ -255,18 +267,18 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         self.has_joints(N)?;
         let own = resisting(self.chain(), q, v);
-        let mut forces = self.forces::<N, true, true>(&own.stands, v, seconds);
+        let mut forces = self.forces::<N, true, true>(self.felt(false), &own.stands, v, seconds);
         for (k, force) in forces.iter_mut().enumerate() {
             *force = own.inertias[k].mul_add(seconds[k], *force) - own.laws[k];
         }
-        Ok(forces)
+        finite(&forces).map(|()| forces)
     }
 
     /// Torques (N·m, N) that keep all joints from accelerating at positions and rates: C q̇ + g, less what springs and dampers do. So
     /// M q̈ = τ − bias.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
+    /// As [`forward_dynamics`](Self::forward_dynamics).
     pub fn bias<const N: usize>(&self, q: &[T; N], v: &[T; N]) -> Result<[T; N], Error>
     where
         R: FixedBase<T>,
@@ -274,15 +286,15 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         self.has_joints(N)?;
         let own = resisting(self.chain(), q, v);
-        let mut forces = self.forces::<N, true, false>(&own.stands, v, v);
+        let mut forces = self.forces::<N, true, false>(self.felt(false), &own.stands, v, v);
         forces.iter_mut().zip(own.laws).for_each(|(force, law)| *force -= law);
-        Ok(forces)
+        finite(&forces).map(|()| forces)
     }
 
-    /// Torques (N·m, N) that hold the robot at rest against gravity, without springs.
+    /// Torques (N·m, N) that hold the robot at rest against gravity, without springs, on a ground that rests.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
+    /// As [`forward_dynamics`](Self::forward_dynamics).
     pub fn gravity_torques<const N: usize>(&self, q: &[T; N]) -> Result<[T; N], Error>
     where
         R: FixedBase<T>,
@@ -290,6 +302,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         self.has_joints(N)?;
         let own = resisting(self.chain(), q, q);
-        Ok(self.forces::<N, false, false>(&own.stands, q, q))
+        let forces = self.forces::<N, false, false>(self.felt(true), &own.stands, q, q);
+        finite(&forces).map(|()| forces)
     }
 }
