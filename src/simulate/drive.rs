@@ -4,7 +4,7 @@ use super::crossing::crossing;
 use super::{EventFunction, Find, Now, Progress, Simulation, limits, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, finite};
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
@@ -89,8 +89,11 @@ where
     #[allow(clippy::type_complexity)] // the types are those of the scene
     pub(super) fn take_up(&mut self, memory: &K::Memory, caused: Option<&MotionOf<S, R, C, P>>) -> Result<(), Error> {
         self.check()?;
-        if caused.is_some_and(|caused| !caused.fits(&self.past)) {
-            return Err(Error::new(Fault::Shape));
+        if let Some(caused) = caused {
+            finite(caused.is_finite(), "saved run")?;
+            if !caused.fits(&self.past) {
+                return Err(Error::new(Fault::Shape));
+            }
         }
         if !self.stepper.remembers(memory, &self.past) {
             return Err(Error::new(Fault::Shape));
