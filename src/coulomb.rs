@@ -23,9 +23,9 @@ use typenum::{U0, U1};
 /// about to; they end a step there, so that rules keep their order, and rules that remember motions begin anew. A run finds
 /// the modes of its start from its rates. Steps of a [`Stepper`] of one's own change no mode: [`DryFriction`] is the smooth law for these.
 ///
-/// Any joint with one coordinate can have such friction, in the plane and in space, and a spring, damper or law beside it. Of gradients runs
-/// know nothing across changes of mode: over numbers with derivatives, and over lanes, they are refused. An equilibrium is not sought among
-/// the many positions in which a joint sticks: coordinates of such joints stay where they are.
+/// Any joint with one coordinate can have such friction, in the plane and in space, and a spring, damper or law beside it. Runs over numbers
+/// with derivatives, and over lanes, are refused: changes of mode have none of these. Equilibria are not sought among the many positions in
+/// which a joint sticks.
 ///
 /// ```
 /// use catena::planar::*;
@@ -80,21 +80,12 @@ impl<J, T: Scalar, L> Coulomb<J, T, L> {
     {
         let (q, v) = (position.coordinate, rate.rate);
         let law = Resistance::of(&self.law, q, v);
-        let friction = match mode(position, rate) {
+        let friction = match position.mode_at(rate) {
             Mode::Sticks => friction * self.breaking,
             slips => -(slips.sign::<T>() * self.sliding),
         };
         let resistance = Resistance { force: law.force + friction, ..law };
         Acting { resistance, energy: self.law.energy(q), inertia: T::zero() }
-    }
-}
-
-/// What a joint does: what moves does not stick, whatever its motion says that was made by hand.
-#[inline(always)]
-fn mode<T: Scalar>(position: &Sticking<T>, rate: &Slip<T>) -> Mode {
-    match position.mode {
-        Mode::Sticks => Mode::of(rate.rate),
-        slips => slips,
     }
 }
 
@@ -206,7 +197,7 @@ impl<S: Space, J: Kinematics<S>, L: SpringLaw<S::Scalar>> Joint<S> for Coulomb<J
     }
     fn release(&self, motion: &S::JointMotion, position: &Self::Position, rate: &Self::Rate) -> Release<S> {
         let mut release = self.joint.release(motion, &position.coordinate, &rate.rate);
-        if mode(position, rate) == Mode::Sticks {
+        if position.mode_at(rate) == Mode::Sticks {
             return release.driven(S::Scalar::zero());
         }
         if let Some(coordinate) = &mut release.coordinates[0] {
@@ -221,13 +212,10 @@ impl<S: Space, J: Kinematics<S>, L: SpringLaw<S::Scalar>> Joint<S> for Coulomb<J
         self.law.check()?;
         positive("friction", self.sliding)?;
         positive("friction at which a joint breaks away", self.breaking)?;
-        if self.breaking.real() >= self.sliding.real() {
-            return Ok(());
-        }
         let (value, least) = (self.breaking.real().as_f64(), self.sliding.real().as_f64());
-        let parameter = "friction at which a joint breaks away";
+        let (most, parameter) = (f64::INFINITY, "friction at which a joint breaks away");
         let outside = "a joint would stick and slip at once";
-        Err(Fault::OutOfRange { parameter, value, least, most: f64::INFINITY, outside })
+        if value >= least { Ok(()) } else { Err(Fault::OutOfRange { parameter, value, least, most, outside }) }
     }
 }
 
@@ -295,7 +283,7 @@ where
         let led = Reading { position: &led.coordinate, rate: &led_rate.rate, acceleration: &acceleration.rate };
         let [force, pivot] = read(&self.law, (position.coordinate, rate.rate), led, springs);
         let (force, outer, none) = (in_joints.onto(force), outer.whole(), S::Scalar::zero());
-        let mode = mode(position, rate);
+        let mode = position.mode_at(rate);
         if mode == Mode::Sticks {
             let mut loose = [(); 2].map(|()| J::kept::<Outer::Closures>());
             let [free, pushed] = &mut loose;

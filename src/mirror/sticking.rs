@@ -9,12 +9,12 @@ use num_traits::Zero;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Mode {
-    /// It does not move.
+    /// The joint does not move.
     #[default]
     Sticks,
-    /// Its rate is positive.
+    /// A slip at positive rate.
     SlipsForward,
-    /// Its rate is negative.
+    /// A slip at negative rate.
     SlipsBack,
 }
 
@@ -44,7 +44,7 @@ impl Mode {
 pub struct Sticking<T> {
     /// The coordinate (rad, m).
     pub coordinate: T,
-    /// What it does: kept through steps, changed between them.
+    /// What the joint does: kept through steps, changed between them.
     pub mode: Mode,
 }
 
@@ -58,6 +58,14 @@ pub struct Slip<T> {
     pub rate: T,
     /// With an acceleration: the friction that makes the coordinate stick, ON the outboard body, as a share of that at which it breaks away.
     pub friction: T,
+}
+
+impl<T: Scalar> Sticking<T> {
+    /// What the joint does at a rate: what moves does not stick, whatever a motion says that was made by hand.
+    #[inline(always)]
+    pub(crate) fn mode_at(&self, rate: &Slip<T>) -> Mode {
+        if self.mode == Mode::Sticks { Mode::of(rate.rate) } else { self.mode }
+    }
 }
 
 impl<T: Scalar> Slip<T> {
