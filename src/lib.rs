@@ -68,6 +68,7 @@ mod turning;
 
 mod adjoint;
 mod chain;
+mod coulomb;
 mod counts;
 #[cfg(feature = "serde")]
 mod data;
