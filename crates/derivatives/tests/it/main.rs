@@ -7,7 +7,7 @@ mod front_edges;
 #[macro_use]
 mod held;
 mod held_runs;
-mod recognised;
 mod loops;
+mod recognised;
 mod rows;
 mod second;
