@@ -33,6 +33,7 @@ use num_traits::Zero;
 /// | `Revolute`, `Universal`, `Prismatic`, `Cylindrical` | relative angles (rad) and displacements (m) | rates of these |
 /// | spatial root `Free` | place and attitude of the first body, absolute | velocity, inertial axes; angular velocity, body axes |
 /// | `Weld`, what closes a loop, `Driven` | none | none |
+/// | `Coulomb` | those of its joint | those of its joint |
 ///
 /// Set by what bodies do, whatever their joints store, motions are by [`with_body_orientation`](crate::system::System::with_body_orientation)
 /// and [`with_body_spin`](crate::system::System::with_body_spin) (one body, by number or name), by

@@ -75,7 +75,7 @@ impl Film<'_> {
         let mut svg = String::new();
         writeln!(
             svg,
-            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" role="img">"#
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" style="max-width:100%;height:auto" role="img">"#
         )?;
         writeln!(svg, "<title>{}</title><desc>{}</desc>", self.title, self.subtitle)?;
         svg.push_str("<style>text{font-family:Helvetica,Arial,sans-serif}polyline{fill:none;stroke-linecap:round;stroke-linejoin:round}.still{display:none}@media(prefers-reduced-motion:reduce){.moving{display:none}.still{display:inline}}</style>\n");

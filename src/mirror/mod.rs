@@ -11,10 +11,12 @@
 mod clock;
 mod items;
 mod number;
+mod sticking;
 mod tied;
 mod tuple;
 
 pub use clock::Clock;
+pub use sticking::{Mode, Slip, Sticking};
 pub use tied::{Tied, TiedPosition};
 
 use crate::scalar::Scalar;
@@ -105,6 +107,19 @@ pub trait Position<T: Scalar>: Clone {
     #[inline(always)]
     fn set_clocks(&mut self, time: T::Real) {
         let _ = time;
+    }
+
+    /// Whether a coordinate sticks and slips.
+    const STICKS: bool = false;
+
+    /// Shows each coordinate that sticks and slips: its mode and rate, to be changed, and its acceleration and friction.
+    fn each_mode(
+        &mut self,
+        rate: &mut Self::Rate,
+        acceleration: &Self::Rate,
+        visit: &mut impl FnMut(&mut Mode, &mut T, [T; 2]),
+    ) {
+        let _ = (rate, acceleration, visit);
     }
 
     /// Whether ⊕ is more than a sum: then the numbers displaced by are coordinates of the step, whose time derivatives a rule sums

@@ -4,7 +4,7 @@ use super::crossing::crossing;
 use super::{EventFunction, Find, Now, Progress, Simulation, limits, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, finite};
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
@@ -54,6 +54,7 @@ where
 
     /// Refuses what makes no run, and motions of another scene.
     fn check(&mut self) -> Result<(), Error> {
+        self.sticks_by_numbers()?;
         let system = self.plan.system;
         system.fits(&self.past)?;
         system.loadable(self.plan.loads)?;
@@ -73,6 +74,9 @@ where
         let mut workspace = Dynamics::<L>::workspace(system);
         // In a copy: a run that cannot start gives the start back as it was.
         system.accelerate(&mut self.next, self.plan.loads, &mut workspace)?;
+        if const { Self::STICKS } {
+            self.settle_modes(None)?;
+        }
         core::mem::swap(&mut self.past, &mut self.next);
         let size = match self.plan.rule.control {
             Control::Fixed(dt) => dt,
@@ -89,8 +93,11 @@ where
     #[allow(clippy::type_complexity)] // the types are those of the scene
     pub(super) fn take_up(&mut self, memory: &K::Memory, caused: Option<&MotionOf<S, R, C, P>>) -> Result<(), Error> {
         self.check()?;
-        if caused.is_some_and(|caused| !caused.fits(&self.past)) {
-            return Err(Error::new(Fault::Shape));
+        if let Some(caused) = caused {
+            finite(caused.is_finite(), "saved run")?;
+            if !caused.fits(&self.past) {
+                return Err(Error::new(Fault::Shape));
+            }
         }
         if !self.stepper.remembers(memory, &self.past) {
             return Err(Error::new(Fault::Shape));
@@ -132,11 +139,15 @@ where
         if self.progress.stopped || self.past.time >= self.end {
             return Ok(false);
         }
-        let (size, last) = self.accepted()?;
+        let (mut size, mut last) = self.accepted()?;
+        let cut = if const { Self::STICKS } { self.cut(size)? } else { None };
+        if let Some(shorter) = cut {
+            (size, last) = (shorter, false);
+        }
         if last {
             self.next.set_time(self.end);
         }
-        let next_value = self.value(Shown::Next)?;
+        let mut next_value = self.value(Shown::Next)?;
         let outcome = self.shown(self.progress.start, size, [self.value, next_value])?;
         self.progress.steps += 1;
         if let Outcome::Stop = outcome {
@@ -146,6 +157,11 @@ where
         }
         self.progress.at_event = false;
         self.progress.mark.1 += 1;
+        if const { Self::STICKS } && cut.is_some() {
+            self.switch()?;
+            self.progress.mark = (self.next.time, 0);
+            next_value = self.value(Shown::Next)?;
+        }
         self.value = next_value;
         core::mem::swap(&mut self.past, &mut self.next);
         Ok(true)

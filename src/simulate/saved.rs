@@ -105,7 +105,8 @@ impl<R: Real> Progress<R> {
 pub struct Saved<M, K, R> {
     /// The last motion, with its accelerations as the method has left them.
     pub motion: M,
-    /// Motion with those that scene and loads caused, where they are others: where others are caused when the run goes on, these differ.
+    /// That motion with the accelerations that scene and loads caused, where the method has left others: a run that goes on compares them with
+    /// those that are caused then.
     pub caused: Option<M>,
     /// What the stepper carries.
     pub memory: K,

@@ -17,7 +17,7 @@ use crate::ends::{Resting, Root, Tip};
 use crate::error::{Error, Fault, counted};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
-use crate::relation::{Absent, Additive, Closures, Geometry};
+use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 use crate::time::Explicit;
@@ -137,7 +137,7 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         R: Resting<S>,
         P: ReversibleTip<S>,
-        Elements<S, R, C>: Reversible<S> + Burdened<S, Absent>,
+        Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, Absent, P::Closures>,
         Self: Runs<Unloaded, S, R, C, P>,
         EffortOf<S>: Additive,
     {
@@ -153,7 +153,7 @@ where
     P: ReversibleTip<S>,
     M: Explicit,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
@@ -207,7 +207,7 @@ where
     /// the same loads (RK4, twenty rods on pins, drag on each; x86-64-v3). Room is made anew.
     pub fn under<N: BodyLaw<S>>(self, law: N) -> Backward<'s, S, R, C, P, M, N>
     where
-        Elements<S, R, C>: Burdened<S, N>,
+        Elements<S, R, C>: Burdened<S, N, P::Closures>,
     {
         Backward::new(self.steps.scene, self.method, law)
     }
@@ -327,9 +327,9 @@ where
         fits(self.steps.scene.elements(), &motion.position, &motion.rate)
     }
 
-    /// Refuses a motion whose tip is held twice in the same way, in which runs begin.
+    /// Refuses a motion whose tip is held, or one of whose loops is closed, twice in the same way, in which runs begin.
     fn independent(&mut self, start: &MotionOf<S, R, C, P>) -> Result<(), Error> {
-        if const { P::Closures::COUNT == 0 } {
+        if const { System::<S, R, C, P>::CLOSED == 0 } {
             return Ok(());
         }
         let scene = self.steps.scene;
