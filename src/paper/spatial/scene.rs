@@ -84,7 +84,10 @@ where
             return unsupported("a root that turns about two axes").map_err(|error| error.at(Place::Root));
         }
         if L::SURVEYS {
-            return Err(Error::new(Fault::Unsupported { what: "loads between bodies" }));
+            return unsupported("loads between bodies");
+        }
+        if L::BY_COORDINATE {
+            return unsupported("torques listed by coordinate: take `Loads::efforts`");
         }
         let motion = self.with_accelerations(motion.clone(), loads)?;
         let met = trace(self, &motion)?;
