@@ -152,13 +152,12 @@ fn draw(readings: &[Reading]) -> Drawn<PathBuf> {
 
 /// Hub and arm as they move.
 fn film(readings: &[Reading]) -> Drawn<PathBuf> {
-    let frames: Vec<_> =
-        readings.iter().step_by(3).map(|now| vec![now.places[1..].to_vec(), now.places[..2].to_vec()]).collect();
+    let frames: Vec<_> = readings.iter().map(|now| vec![now.places[1..].to_vec(), now.places[..2].to_vec()]).collect();
     let film = Film {
         title: "A satellite turns itself",
-        subtitle: "Nothing holds it: the arm goes its rounds, and the hub turns.",
-        view: (-2.1..2.7, -2.4..1.8),
-        scale: 95.0,
+        subtitle: "Nothing holds it: the arm goes round, and the hub turns.",
+        view: (-0.7..2.8, -1.0..2.3),
+        scale: 135.0,
         seconds: [ROUND * ROUNDS as f64, 12.0],
         strokes: &[(BLUE, 7.0), (INK, 8.5)],
         trace: (0, 2, ORANGE),
