@@ -86,9 +86,6 @@ where
         if L::SURVEYS {
             return unsupported("loads between bodies");
         }
-        if L::BY_COORDINATE {
-            return unsupported("torques listed by coordinate: take `Loads::efforts`");
-        }
         let motion = self.with_accelerations(motion.clone(), loads)?;
         let met = trace(self, &motion)?;
         let joint = |k: usize| matches!(met.get(k), Some(Met::Joint(..)));
