@@ -29,9 +29,11 @@ pub mod laws;
 
 use crate::element::{Element, Level, Space};
 use crate::ends::Tip;
-use crate::loading::{Load, LoadLaw};
-use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Geometry, WrenchOf};
-use crate::shape::{PerAxes, Selective, Takes};
+use crate::loading::{EffortOf, Load, LoadLaw};
+use crate::relation::{
+    Acceleration, AccelerationOf, Additive, Closures, Cuts, Geometry, LoopGain, Looped, Open, Own, WrenchOf,
+};
+use crate::shape::{Closing, PerAxes, Selective, Takes};
 use crate::space::FrameOf;
 use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
@@ -44,8 +46,8 @@ use num_traits::Zero;
 
 /// A space whose elements know the costate sweep.
 pub trait Reversed: Space {
-    /// What lies outboard, S and e.
-    type Outboard: Copy;
+    /// What lies outboard, S and e, and W, Λ and y₀ of closure forces.
+    type Outboard<C: Closures>: Copy;
     /// The inverse of the pivot of a joint.
     type Pivot: Copy + 'static;
     /// What is carried outward: virtual velocity, and what turns the body on the inboard side.
@@ -83,9 +85,18 @@ pub trait Reversed: Space {
     );
 
     /// Nothing, beyond a free tip.
-    fn nothing() -> Self::Outboard;
+    fn nothing() -> Self::Outboard<Open>;
     /// What lies beyond a station of which an arm leaves.
-    fn join(chain: Self::Outboard, arm: Self::Outboard) -> Self::Outboard;
+    fn join<C: Closures>(chain: Self::Outboard<C>, arm: Self::Outboard<Open>) -> Self::Outboard<C>;
+    /// What lies beyond a station where the arms of a loop begin, without the forces that close it.
+    #[allow(clippy::type_complexity)] // what is left, and how it is found again
+    fn settle<C: Closures, O: Own>(
+        main: Self::Outboard<Looped<C, O>>,
+        side: Self::Outboard<O>,
+        measure: O::Measure<Self::Scalar>,
+    ) -> (Self::Outboard<C>, LoopGain<WrenchOf<Self>, Self::Scalar, C, O>);
+    /// W, Λ and y₀ of what lies outboard.
+    fn cuts<C: Closures>(outboard: &Self::Outboard<C>) -> Cuts<WrenchOf<Self>, Self::Scalar, C>;
     /// No pivot yet.
     fn no_pivot() -> Self::Pivot;
     /// Where the outward walk begins: a ground that does not move virtually.
@@ -105,24 +116,24 @@ pub trait Reversed: Space {
 }
 
 /// Elements that take all walks of the costate sweep.
-pub trait Reversible<S: Reversed>:
+pub trait Reversible<S: Reversed, C: Closures>:
     Element<S>
     + Takes<S, S::Poses>
-    + Takes<S, Factor>
-    + Takes<S, Reach>
-    + Takes<S, Meet>
-    + Takes<S, Stir>
+    + Takes<S, Factor<C>>
+    + Takes<S, Reach<S::Scalar, C>>
+    + Takes<S, Meet<S::Scalar, C>>
+    + Takes<S, Stir<S::Scalar, C>>
     + Takes<S, PullBack>
 {
 }
 
-impl<S: Reversed, E> Reversible<S> for E where
+impl<S: Reversed, C: Closures, E> Reversible<S, C> for E where
     E: Element<S>
         + Takes<S, S::Poses>
-        + Takes<S, Factor>
-        + Takes<S, Reach>
-        + Takes<S, Meet>
-        + Takes<S, Stir>
+        + Takes<S, Factor<C>>
+        + Takes<S, Reach<S::Scalar, C>>
+        + Takes<S, Meet<S::Scalar, C>>
+        + Takes<S, Stir<S::Scalar, C>>
         + Takes<S, PullBack>
 {
 }
@@ -133,29 +144,22 @@ pub trait BodyLaw<S: Space>: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy {}
 impl<S: Space, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> for L {}
 
 /// Elements through which costates go backward under loads on bodies.
-pub trait Burdened<S: Reversed, L>: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>> {}
+pub trait Burdened<S: Reversed, L, C: Closures>:
+    Takes<S, Burden<S::Scalar, C>> + Takes<S, PullLoads<L, S::Scalar>>
+{
+}
 
-impl<S: Reversed, L, E: Takes<S, Burden> + Takes<S, PullLoads<L, S::Scalar>>> Burdened<S, L> for E {}
+impl<S: Reversed, L, C: Closures, E> Burdened<S, L, C> for E where
+    E: Takes<S, Burden<S::Scalar, C>> + Takes<S, PullLoads<L, S::Scalar>>
+{
+}
 
 /// Most numbers that a tip is made of.
 pub const TIP: usize = 4;
 
-/// One number for each force that holds a tip.
-pub type EachOf<S, P> = <<P as Tip<S>>::Closures as Closures>::Each<<S as Geometry>::Scalar>;
-
-/// A tip that nothing holds, or a ground that does not move: what is said here of a free one is nothing.
-///
-/// Each of the forces λ that hold it acts on the last body by a wrench c; the tip accelerates so that c · A is that of the ground.
-#[diagnostic::on_unimplemented(
-    message = "no gradient of a run goes backward through the tip `{Self}`",
-    label = "not a tip that the costate sweep knows",
-    note = "it knows `Free`, and in the plane `Pinned`, `Clamped` and `Guided` at a place that does not move",
-    note = "run the same scene over jets or dual numbers instead"
-)]
-pub trait ReversibleTip<S: Reversed>: Tip<S> {
-    /// The wrench c of each unit force.
-    fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
-    /// The virtual velocity W, w of the tip.
+/// What the kinematics of a space say where something is held: of an end that is free, nothing.
+pub trait Holds<S: Reversed> {
+    /// The virtual velocity W, w of a station.
     fn stirred(stirred: &S::Stirred) -> AccelerationOf<S> {
         let _ = stirred;
         Acceleration::zero()
@@ -170,16 +174,58 @@ pub trait ReversibleTip<S: Reversed>: Tip<S> {
         let _ = kept;
         S::Vector::null()
     }
-    /// What is carried inward from a tip that is weighed by ν in accelerations and by −λ in virtual velocities.
+    /// What is carried inward from an end that is weighed by ν in accelerations and by −λ in virtual velocities.
     fn pulled(weight: WrenchOf<S>, force: WrenchOf<S>) -> S::Pulled {
         let _ = (weight, force);
         S::Pulled::null()
     }
-    /// What is carried inward from a tip whose place and velocity have these costates.
+    /// What is carried inward from an end whose place and velocity have these costates.
     fn felt(of_place: WrenchOf<S>, of_velocity: WrenchOf<S>) -> S::Felt {
         let _ = (of_place, of_velocity);
         S::Felt::null()
     }
+}
+
+/// A joint that closes loops: of each of its forces λ a wrench c acts on the end of the side arm, and the opposite on that of the main one.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run goes backward around a loop that `{Self}` closes",
+    label = "not a joint that the costate sweep knows to close loops",
+    note = "it knows `Pin` and `Weld` of the plane",
+    note = "run the same scene over jets or dual numbers instead"
+)]
+pub trait ReversibleClosing<S: Reversed>: Closing<S> + Holds<S> {
+    /// What lies beyond the ends of the main arm and of the side arm, under a torque in the joint; and what the joint passes on but for λ.
+    #[allow(clippy::type_complexity)] // three of them
+    fn close_off<C: Closures>(
+        &self,
+        outer: S::Outboard<C>,
+        effort: &EffortOf<S>,
+    ) -> (S::Outboard<Looped<C, Self::Closures>>, S::Outboard<Self::Closures>, WrenchOf<S>);
+    /// The wrench c of each unit force.
+    fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
+    /// Adds the costate of the torque in the joint, for virtual velocities of both ends.
+    fn of_effort(&self, side: &S::Stirred, main: &S::Stirred, sum: &mut EffortOf<S>);
+    /// Takes from `sums` the derivatives of Σ ν y by the numbers of the joint, y being the [residual](Closing::residual).
+    fn of_residual(&self, weights: &<Self::Closures as Closures>::Each<S::Scalar>, level: Level, sums: &mut S::OfJoint);
+}
+
+/// One number for each force that holds a tip.
+pub type EachOf<S, P> = <<P as Tip<S>>::Closures as Closures>::Each<<S as Geometry>::Scalar>;
+
+/// A tip that nothing holds, or a ground that does not move: what is said here of a free one is nothing.
+///
+/// Each of the forces λ that hold it acts on the last body by a wrench c; the tip accelerates so that c · A is that of the ground.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run goes backward through the tip `{Self}`",
+    label = "not a tip that the costate sweep knows",
+    note = "it knows `Free`, and in the plane `Pinned`, `Clamped` and `Guided` at a place that does not move",
+    note = "run the same scene over jets or dual numbers instead"
+)]
+pub trait ReversibleTip<S: Reversed>: Tip<S> + Holds<S> {
+    /// What lies beyond the last body, for the acceleration of the ground.
+    fn beyond(&self, still: &AccelerationOf<S>) -> S::Outboard<Self::Closures>;
+    /// The wrench c of each unit force.
+    fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
     /// The numbers it is made of, zeros beyond.
     fn numbers(&self) -> [S::Scalar; TIP] {
         [S::Scalar::zero(); TIP]

@@ -1,8 +1,8 @@
-//! Selective walks through tuples, arrays, vectors, arms and names.
+//! Selective walks through tuples, arrays, vectors, arms, loops and names.
 
-use super::{Branch, Named};
+use super::{Branch, Named, Network};
 use crate::element::Space;
-use crate::shape::{Nth, Of, SameInArms, Selective, Slot, Takes, take_items};
+use crate::shape::{Arm, Around, Closing, Main, Nth, Of, Parallel, Selective, Side, Slot, Takes, take_items};
 use crate::tuples::for_each_tuple;
 
 /// Pairs are the links of arrays and vectors: what they carry need not pass through memory.
@@ -49,11 +49,32 @@ impl<S: Space, W: Selective<S>, A: Takes<S, W>> Takes<S, W> for alloc::vec::Vec<
     }
 }
 
-impl<S: Space, W: Selective<S, Stores: SameInArms<S>>, A: Takes<S, W>> Takes<S, W> for Branch<A> {
+impl<S: Space, W: Selective<S>, A: Takes<S, W::In<Arm>>> Takes<S, W> for Branch<A> {
     #[inline]
     fn take(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
         let stores = W::Stores::arm::<Self>(stores);
         walk.branch(carried, |walk, carried| self.0.take(walk, carried, stores))
+    }
+}
+
+impl<S, W, M, A, K> Takes<S, W> for Network<M, A, K>
+where
+    S: Space,
+    K: Closing<S>,
+    W: Around<S, K>,
+    M: Takes<S, W::In<Main<K::Closures>>>,
+    A: Takes<S, W::In<Side<K::Closures>>>,
+{
+    #[inline]
+    fn take(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+        let (main, side, closing) = W::Stores::fork::<Self>(stores);
+        walk.around(
+            self.closing_joint(),
+            carried,
+            closing,
+            |walk, carried| self.main().take(walk, carried, main),
+            |walk, carried| self.side().take(walk, carried, side),
+        )
     }
 }
 

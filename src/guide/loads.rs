@@ -12,7 +12,7 @@
 //!
 //! let loads = Loads::none()
 //!     .in_joints(|time: f64, joint, motion: &JointMotion<f64>| {
-//!         // Dry friction, a sign without a jump (a rule has no trouble with it), and viscous friction.
+//!         // Dry friction, a sign without a jump, which rules like, and viscous friction.
 //!         let friction = -0.2 * (50.0 * motion.rate()).tanh() - 0.05 * motion.rate();
 //!         match joint {
 //!             _ if joint == shoulder => friction + 2.0 * (3.0 * time).sin(), // a motor (N·m)

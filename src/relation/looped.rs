@@ -235,6 +235,24 @@ impl<V: Copy, T: Scalar, C: Closures, O: Own> LoopGain<V, T, C, O> {
         &self.gap
     }
 
+    /// What the elimination makes of y more, of whatever else acts in the arms: y as it would have met it, and what that adds to y of the
+    /// forces that ride on; `take(w, y/Λ)` takes w y/Λ from e.
+    #[inline(always)]
+    pub fn absorbed(&self, gap: &O::Each<T>, riding: C::Each<T>, take: impl FnMut(V, T)) -> (O::Each<T>, C::Each<T>) {
+        let reduced = O::reduced(self, gap);
+        let shares = O::zip(&reduced, &self.inverse, |gap, inverse| gap * inverse);
+        O::zip(&self.columns, &shares, take);
+        let mut riding = riding;
+        O::zip(&self.riding, &reduced, |row, gap| riding = C::zip(&riding, &row, |sum, x| (-x).mul_add(gap, sum)));
+        (reduced, riding)
+    }
+
+    /// With more of y, as the elimination would have met it.
+    #[inline(always)]
+    pub fn burden(&mut self, more: &O::Each<T>) {
+        self.gap = O::zip(&self.gap, more, |gap, more| gap + more);
+    }
+
     /// Λ of the loop, its station held.
     pub fn compliance(&self) -> &O::Pairs<T> {
         &self.compliance

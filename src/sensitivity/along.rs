@@ -9,7 +9,9 @@ use crate::lift::Lift;
 use crate::mechanics::planar::adjoint::{BODY, NUMBERS};
 use crate::mechanics::planar::{Base, Body, ElasticHinge, Pin, Planar, PointMass, RigidBody, Rod, Slider, Weld};
 use crate::scalar::{Jet, Scalar};
-use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk};
+use crate::shape::{
+    Around, AtClosing, Closing, Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms,
+};
 use crate::spring::SpringLaw;
 use crate::system::{Elements, System};
 use num_traits::Zero;
@@ -30,6 +32,18 @@ impl<T: Scalar, const K: usize> Along<T, K> {
             *sum += costate * part;
         }
     }
+
+    /// Adds what a joint does, number by number, as [`Lift`] meets them.
+    fn add_joint(&mut self, joint: &impl Lift<Jet<T, K>, T>, by: &[T]) {
+        let mut numbers = 0;
+        joint.lift(&mut |number: Jet<T, K>| {
+            by.get(numbers).into_iter().for_each(|costate| self.add(*costate, number));
+            numbers += 1;
+            number.re
+        });
+        self.most = self.most.max(numbers);
+        self.met += 1;
+    }
 }
 
 impl<T: Scalar, const K: usize> Walk<Planar<Jet<T, K>>> for Along<T, K> {
@@ -38,7 +52,24 @@ impl<T: Scalar, const K: usize> Walk<Planar<Jet<T, K>>> for Along<T, K> {
 }
 
 impl<T: Scalar, const K: usize> Selective<Planar<Jet<T, K>>> for Along<T, K> {
-    const OUTWARD: bool = true;
+    alike_in_arms!();
+}
+
+impl<T: Scalar, K: Closing<Planar<Jet<T, N>>> + Lift<Jet<T, N>, T>, const N: usize> Around<Planar<Jet<T, N>>, K>
+    for Along<T, N>
+{
+    fn around(
+        &mut self,
+        closing: &K,
+        (): (),
+        ((), (), by): AtClosing<'_, Planar<Jet<T, N>>, Self, K>,
+        main: impl FnOnce(&mut Self, ()),
+        side: impl FnOnce(&mut Self, ()),
+    ) {
+        main(self, ());
+        side(self, ());
+        self.add_joint(closing, by);
+    }
 }
 
 macro_rules! bodies {
@@ -69,7 +100,6 @@ macro_rules! bodies {
 }
 bodies!(Rod, RigidBody, PointMass);
 
-/// Joints: number by number, as [`Lift`] meets them.
 macro_rules! joints {
     ($([$($L:ident)?] $Joint:ty),*) => {$(
         impl<T: Scalar, const K: usize $(, $L)?> Takes<Planar<Jet<T, K>>, Along<T, K>> for $Joint
@@ -77,14 +107,7 @@ macro_rules! joints {
             $($L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,)?
         {
             fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
-                let mut numbers = 0;
-                self.lift(&mut |number: Jet<T, K>| {
-                    by.get(numbers).into_iter().for_each(|costate| walk.add(*costate, number));
-                    numbers += 1;
-                    number.re
-                });
-                walk.most = walk.most.max(numbers);
-                walk.met += 1;
+                walk.add_joint(self, by);
             }
         }
     )*};

@@ -9,7 +9,7 @@ use crate::lift::Lift;
 use crate::mechanics::spatial::{Ball, Base, Inertial, OfJoint, PointMass, Revolute, RigidBody, Rod, Spatial, Weld};
 use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};
-use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk};
+use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms};
 use crate::spring::SpringLaw;
 use crate::system::{Elements, System};
 use nalgebra::Vector3;
@@ -34,7 +34,7 @@ impl<T: Scalar, const K: usize> Walk<Spatial<Jet<T, K>>> for Along<T, K> {
 }
 
 impl<T: Scalar, const K: usize> Selective<Spatial<Jet<T, K>>> for Along<T, K> {
-    const OUTWARD: bool = true;
+    alike_in_arms!();
 }
 
 macro_rules! bodies {

@@ -16,12 +16,12 @@ mod slot;
 mod walk;
 
 pub use closing::{Closing, Ends};
-pub use field::{Arm, Field, Kept, Main, PerAxes, PerBody, PerJoint, Positions, Rates, Side, Way};
+pub use field::{Arm, Field, Kept, Main, PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Side, Way};
 pub(crate) use leaf::leaf;
 pub use leaf::{AsBody, AsJoint, Body, Joint, JointPosture, Native, PostureOf};
 pub use part::{Aside, ClosingEntry, Items, MainStore, Member, Nth, OwnOf, Parallel, SideStore};
-pub(crate) use selective::{SameInArms, take_items};
-pub use selective::{Selective, Takes};
+pub use selective::{Around, CarriedIn, Selective, Takes};
+pub(crate) use selective::{alike_in_arms, take_items};
 pub use slot::{Held, Mut, Ref, Slot};
 pub(crate) use walk::alike;
 pub use walk::{

@@ -4,9 +4,10 @@
 //! say. A selective walk asks more: what it does at a body or a joint is an implementation of [`Takes`] for that type, composites hand it
 //! on, and a chain with an element that has none does not compile.
 
-use super::field::Arm;
+use super::closing::Closing;
+use super::field::{Arm, Main, Side, Way};
 use super::slot::Slot;
-use super::walk::{Of, Walk};
+use super::walk::{AtClosing, Of, Walk};
 use super::{Items, Shape};
 use crate::space::Space;
 
@@ -18,25 +19,70 @@ pub trait Selective<S: Space>: Walk<S> {
     /// then, which a compiler sees if the kind is a number.
     const LAST_APART: bool = false;
 
+    /// The walk in an arm.
+    type In<Y: Way>: Selective<S, Stores = <Self::Stores as Slot<S>>::In<Y>>;
+
     /// What goes on where an arm leaves the chain; `go` is the way through the arm. What an outward walk carries goes both ways; an inward
-    /// one has to say how what comes from the arm joins the chain, or it does not compile.
-    #[inline(always)]
+    /// one has to say how what comes from the arm joins the chain.
     fn branch(
         &mut self,
         carried: Self::Carried,
-        go: impl FnOnce(&mut Self, Self::Carried) -> Self::Carried,
-    ) -> Self::Carried {
-        const { assert!(Self::OUTWARD, "an inward walk says how arms join the chain") };
-        go(self, carried);
-        carried
-    }
+        go: impl FnOnce(&mut Self::In<Arm>, CarriedIn<S, Self, Arm>) -> CarriedIn<S, Self, Arm>,
+    ) -> Self::Carried;
+}
+
+/// What a selective walk carries in an arm.
+pub type CarriedIn<S, W, Y> = <<W as Selective<S>>::In<Y> as Walk<S>>::Carried;
+
+/// An outward walk that is the same in arms.
+macro_rules! alike_in_arms {
+    () => {
+        const OUTWARD: bool = true;
+        type In<Y: $crate::shape::Way> = Self;
+
+        #[inline(always)]
+        fn branch(
+            &mut self,
+            carried: Self::Carried,
+            go: impl FnOnce(&mut Self, Self::Carried) -> Self::Carried,
+        ) -> Self::Carried {
+            go(self, carried);
+            carried
+        }
+    };
+}
+pub(crate) use alike_in_arms;
+
+/// A selective walk that goes around loops which a joint of type `K` closes.
+#[diagnostic::on_unimplemented(
+    message = "a loop that `{K}` closes takes no walk `{Self}`: no gradient of a run goes backward around it, or `Taylor` knows no series of its motion",
+    label = "not a loop that this walk knows",
+    note = "gradients know loops of the plane that a `Pin` or a `Weld` closes",
+    note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
+)]
+pub trait Around<S: Space, K: Closing<S>>: Selective<S> {
+    /// Meets arms in parallel: `main` and `side` are the ways through both.
+    fn around(
+        &mut self,
+        closing: &K,
+        carried: Self::Carried,
+        at: AtClosing<'_, S, Self, K>,
+        main: impl FnOnce(
+            &mut Self::In<Main<K::Closures>>,
+            CarriedIn<S, Self, Main<K::Closures>>,
+        ) -> CarriedIn<S, Self, Main<K::Closures>>,
+        side: impl FnOnce(
+            &mut Self::In<Side<K::Closures>>,
+            CarriedIn<S, Self, Side<K::Closures>>,
+        ) -> CarriedIn<S, Self, Side<K::Closures>>,
+    ) -> Self::Carried;
 }
 
 /// An element that takes a selective walk.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` takes no walk `{W}`: no gradient of a run goes backward through it, or `Taylor` knows no series of its motion",
     label = "not known to this walk",
-    note = "gradients know `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld` and `Revolute`, in tuples, arrays, vectors and branches, with names or without; `Taylor` knows those of the plane",
+    note = "gradients know `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider`, `ElasticHinge` without linear springs and `Network` of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld` and `Revolute`, in tuples, arrays, vectors and branches, with names or without; `Taylor` knows those of the plane but for `Network`",
     note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
 )]
 pub trait Takes<S: Space, W: Walk<S>>: Shape<S> {
@@ -77,8 +123,3 @@ where
     }
     carried
 }
-
-/// The stores of a walk in an arm are those outside: no closure forces make a difference.
-pub(crate) trait SameInArms<S: Space>: Slot<S, In<Arm> = Self> {}
-
-impl<S: Space, X: Slot<S, In<Arm> = X>> SameInArms<S> for X {}

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "alloc")]
 mod assembly;
+mod corrections;
 #[cfg(feature = "serde")]
 mod data;
 mod describe;
@@ -28,6 +29,7 @@ mod turning;
 
 #[cfg(feature = "alloc")]
 pub use assembly::{Assembled, AssembledOf, Holding};
+pub(crate) use corrections::{Corrections, MOST_CORRECTIONS};
 pub use describe::Description;
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;

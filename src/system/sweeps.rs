@@ -1,5 +1,6 @@
 //! The sweeps of a scene, how its tip is put back where it is held, and what went wrong where.
 
+use super::corrections::{Corrections, MOST_CORRECTIONS};
 use super::dynamics::{Dynamics, Held, Runs, StiffDynamics};
 use crate::element::{
     Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Level, Loading, Reading, RealOf, Space, Sweep,
@@ -233,14 +234,9 @@ where
     }
 }
 
-/// Corrections of a motion with loops at most.
-const MOST_CORRECTIONS: usize = 12;
-/// How long (in roundings of coordinates) a correction may be that needs no other: those that follow are shorter by far.
-const ROUNDINGS: f64 = 4.0;
-
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Whether there are loops.
-    pub(super) const LOOPED: bool = <Elements<S, R, C> as Shape<S>>::LOOPS > 0;
+    pub(crate) const LOOPED: bool = <Elements<S, R, C> as Shape<S>>::LOOPS > 0;
     /// How deep closures are nested: loops, and the ground to which a tip is held.
     pub(crate) const CLOSED: usize = C::LOOPS + (P::Closures::COUNT > 0) as usize;
 
@@ -256,41 +252,27 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         // The gains belong to a configuration nearby, so one correction leaves an error of second order: twice. And where loops are
         // nested, an outer one closes by what inner ones miss no more. Near where a loop is straight it takes more of them.
         let most = if Self::LOOPED { MOST_CORRECTIONS } else { Self::CLOSED };
-        let (mut last, mut size) = (RealOf::<S>::INFINITY, RealOf::<S>::of(1.0));
+        let mut corrections = Corrections::<S::Scalar>::begin();
         if Self::LOOPED {
-            motion.position.visit(&mut |x| size = x.real().abs().max(size));
+            motion.position.visit(&mut |x| corrections.see(x));
         }
         for count in 0..=most {
             let [place, _] = self.residual(motion);
             let ground = self.root.ground(motion.time);
             if let Some(step) = correction(&self.chain, ground, coordinates(motion), Level::Place, &place, workspace) {
                 motion.position.displace(step);
-                if Self::LOOPED {
-                    let mut length = RealOf::<S>::of(0.0);
-                    step.visit(&mut |x| {
-                        let x = if x.is_finite() { x.real().abs() } else { RealOf::<S>::INFINITY };
-                        length = x.max(length);
-                    });
-                    let before = core::mem::replace(&mut last, length);
-                    if length > size {
-                        break;
-                    }
-                    // Also where rounding moves it to and fro.
-                    let short = size * RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS);
-                    if count >= Self::CLOSED && (length <= short || length >= before) {
-                        break;
-                    }
+                if Self::LOOPED && (corrections.end(step, count >= Self::CLOSED) || corrections.overshoot()) {
+                    break;
                 }
             }
         }
-        // After a step that is far too long no short correction closes a loop: that is no motion, and such steps are refused.
-        if Self::LOOPED && last > size * RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.25)) {
+        if Self::LOOPED && corrections.lead_nowhere() {
             motion.position.replace(&mut |_| S::Scalar::constant(RealOf::<S>::INFINITY));
         }
         // Velocities are linear, but the gains are not of this very place: near where closures depend on each other it takes more than two.
-        let (mut last, mut size) = (RealOf::<S>::INFINITY, RealOf::<S>::of(1.0));
+        let mut corrections = Corrections::<S::Scalar>::begin();
         if Self::LOOPED {
-            motion.rate.visit(&mut |x| size = x.real().abs().max(size));
+            motion.rate.visit(&mut |x| corrections.see(x));
         }
         for count in 1..=most {
             let [_, velocity] = self.residual(motion);
@@ -298,14 +280,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let level = Level::Velocity;
             if let Some(step) = correction(&self.chain, ground, coordinates(motion), level, &velocity, workspace) {
                 motion.rate.add(step);
-                if Self::LOOPED {
-                    let mut length = RealOf::<S>::of(0.0);
-                    step.visit(&mut |x| length = x.real().abs().max(length));
-                    let before = core::mem::replace(&mut last, length);
-                    let short = size * RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS);
-                    if count >= Self::CLOSED && (length <= short || length >= before) {
-                        break;
-                    }
+                if Self::LOOPED && corrections.end(step, count >= Self::CLOSED) {
+                    break;
                 }
             }
         }

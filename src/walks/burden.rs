@@ -1,14 +1,17 @@
 //! What loads on bodies add to the gains of joints.
 
-use crate::adjoint::Reversed;
-use crate::relation::{Open, Wrench, WrenchOf};
-use crate::shape::{Kept, Mut, PerAxes, PerBody, PerJoint, Ref, Selective, Walk};
+use super::meet::Meet;
+use crate::adjoint::{Reversed, ReversibleClosing};
+use crate::relation::{Closures, Open, Wrench, WrenchOf};
+use crate::shape::{
+    Arm, Around, AtClosing, Kept, Main, Mut, PerAxes, PerBody, PerJoint, Ref, Selective, Side, Walk, Way,
+};
 use crate::space::FrameOf;
 
-/// Adds loads on bodies to gains that were found without: as [`Meet`](super::meet::Meet), which solves for other right-hand sides.
-pub struct Burden;
+/// Adds loads on bodies to gains that were found without: as [`Meet`], which solves for other right-hand sides.
+pub struct Burden<T: Copy, C: Closures = Open>(pub Meet<T, C>);
 
-impl<S: Reversed> Walk<S> for Burden {
+impl<S: Reversed, C: Closures> Walk<S> for Burden<S::Scalar, C> {
     /// The force that what lies outboard misses.
     type Carried = WrenchOf<S>;
     /// Posture; loads; gains and pivots.
@@ -18,16 +21,48 @@ impl<S: Reversed> Walk<S> for Burden {
         Ref<PerAxes<S::P>>,
         Ref<PerAxes<S::Q>>,
         Ref<PerBody<(FrameOf<S>, WrenchOf<S>)>>,
-        Mut<Kept<Open>>,
+        Mut<Kept<C>>,
         Ref<PerJoint<S::Pivot>>,
     );
 }
 
-impl<S: Reversed> Selective<S> for Burden {
+impl<S: Reversed, C: Closures> Selective<S> for Burden<S::Scalar, C> {
     const OUTWARD: bool = false;
+    type In<Y: Way> = Burden<S::Scalar, Y::Forces<C>>;
 
     #[inline(always)]
-    fn branch(&mut self, chain: WrenchOf<S>, go: impl FnOnce(&mut Self, WrenchOf<S>) -> WrenchOf<S>) -> WrenchOf<S> {
-        chain + go(self, Wrench::none())
+    fn branch(
+        &mut self,
+        chain: WrenchOf<S>,
+        go: impl FnOnce(&mut Self::In<Arm>, WrenchOf<S>) -> WrenchOf<S>,
+    ) -> WrenchOf<S> {
+        chain + go(&mut Burden(Meet::nothing()), Wrench::none())
+    }
+}
+
+impl<S: Reversed, C: Closures, K: ReversibleClosing<S>> Around<S, K> for Burden<S::Scalar, C> {
+    fn around(
+        &mut self,
+        _: &K,
+        outer: WrenchOf<S>,
+        (.., (gain, _), _): AtClosing<'_, S, Self, K>,
+        main: impl FnOnce(&mut Self::In<Main<K::Closures>>, WrenchOf<S>) -> WrenchOf<S>,
+        side: impl FnOnce(&mut Self::In<Side<K::Closures>>, WrenchOf<S>) -> WrenchOf<S>,
+    ) -> WrenchOf<S> {
+        let within = |walk: &mut Meet<_, _>, outer| {
+            let mut burden = Burden(core::mem::replace(walk, Meet::nothing()));
+            let inner = main(&mut burden, outer);
+            *walk = burden.0;
+            inner
+        };
+        let aside = |walk: &mut Meet<_, _>, outer| {
+            let mut burden = Burden(core::mem::replace(walk, Meet::nothing()));
+            let inner = side(&mut burden, outer);
+            *walk = burden.0;
+            inner
+        };
+        let (wrench, [_, reduced]) = self.0.settle::<S, K::Closures>(gain, outer, within, aside);
+        gain.burden(&reduced);
+        wrench
     }
 }

@@ -1,7 +1,7 @@
 //! Postures, where costates read more of them than sweeps do.
 
 use crate::adjoint::Reversed;
-use crate::shape::{Mut, PerAxes, Positions, Rates, Ref, Selective, Walk};
+use crate::shape::{Mut, PerAxes, Positions, Rates, Ref, Selective, Walk, alike_in_arms};
 
 /// Carries the orientation outward, and stores what all other walks read.
 pub struct Orient;
@@ -14,5 +14,5 @@ impl<S: Reversed> Walk<S> for Orient {
 }
 
 impl<S: Reversed> Selective<S> for Orient {
-    const OUTWARD: bool = true;
+    alike_in_arms!();
 }

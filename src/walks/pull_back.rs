@@ -1,8 +1,10 @@
 //! Costates of positions, rates and parameters, from the virtual power of each body.
 
-use crate::adjoint::Reversed;
-use crate::relation::Additive;
-use crate::shape::{Mut, PerAxes, PerBody, PerJoint, Positions, Rates, Ref, Selective, Walk};
+use crate::adjoint::{Reversed, ReversibleClosing};
+use crate::relation::{Additive, Closures, Wrench, WrenchOf};
+use crate::shape::{
+    Around, AtClosing, Mut, PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Ref, Selective, Walk, Way,
+};
 
 /// Carries G and F inward, sets the costates of positions and rates, and adds to those of parameters.
 pub struct PullBack {
@@ -13,7 +15,8 @@ pub struct PullBack {
 impl<S: Reversed> Walk<S> for PullBack {
     type Carried = S::Pulled;
     /// Posture; positions, rates, accelerations and w; accelerations of the outboard ends of bodies and joints, and what
-    /// [`Stir`](super::stir::Stir) and [`Factor`](super::factor::Factor) have kept; costates of parameters, positions and rates.
+    /// [`Stir`](super::stir::Stir) and [`Factor`](super::factor::Factor) have kept, −ν and λ of loops; costates of parameters, positions
+    /// and rates.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
@@ -26,6 +29,7 @@ impl<S: Reversed> Walk<S> for PullBack {
             Ref<PerBody<S::OnBody>>,
             Ref<PerJoint<S::InJoint>>,
             Ref<PerJoint<S::Pivot>>,
+            (Ref<PerClosure>, Ref<PerClosure>),
         ),
         (Mut<PerBody<S::OfBody>>, Mut<PerJoint<S::OfJoint>>),
         (Mut<Rates>, Mut<Rates>),
@@ -34,9 +38,36 @@ impl<S: Reversed> Walk<S> for PullBack {
 
 impl<S: Reversed> Selective<S> for PullBack {
     const OUTWARD: bool = false;
+    type In<Y: Way> = Self;
 
     #[inline(always)]
     fn branch(&mut self, chain: S::Pulled, go: impl FnOnce(&mut Self, S::Pulled) -> S::Pulled) -> S::Pulled {
         chain + go(self, S::Pulled::null())
     }
+}
+
+impl<S: Reversed, K: ReversibleClosing<S>> Around<S, K> for PullBack {
+    /// The ends of both arms are weighed by ν in accelerations and by −λ in virtual velocities, one against the other.
+    fn around(
+        &mut self,
+        closing: &K,
+        outer: S::Pulled,
+        (.., (.., (minus_weights, forces)), _, _): AtClosing<'_, S, Self, K>,
+        main: impl FnOnce(&mut Self, S::Pulled) -> S::Pulled,
+        side: impl FnOnce(&mut Self, S::Pulled) -> S::Pulled,
+    ) -> S::Pulled {
+        let (weight, force) = (-total(closing, minus_weights), total(closing, forces));
+        let side = side(self, K::pulled(weight, force));
+        main(self, outer + K::pulled(-weight, -force)) + side
+    }
+}
+
+/// The wrench of closure forces on the end of the side arm.
+pub(super) fn total<S: Reversed, K: ReversibleClosing<S>>(
+    closing: &K,
+    forces: &<K::Closures as Closures>::Each<S::Scalar>,
+) -> WrenchOf<S> {
+    let mut sum = Wrench::none();
+    K::Closures::zip(&closing.columns(), forces, |column, force| sum = WrenchOf::<S>::plus_scaled(sum, force, column));
+    sum
 }

@@ -1,9 +1,13 @@
 //! Costates of positions, rates and parameters, from what loads on bodies read.
 
-use crate::adjoint::Reversed;
-use crate::relation::{Additive, WrenchOf};
+use super::pull_back::total;
+use crate::adjoint::{Reversed, ReversibleClosing};
+use crate::element::Level;
+use crate::relation::{Additive, Wrench, WrenchOf};
 use crate::scalar::Scalar;
-use crate::shape::{Mut, PerAxes, PerBody, PerJoint, Positions, Rates, Ref, Selective, Walk};
+use crate::shape::{
+    Around, AtClosing, Mut, PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Ref, Selective, Walk, Way,
+};
 use crate::space::FrameOf;
 
 /// Carries costates of places and velocities inward, and adds to those of positions, rates and parameters.
@@ -14,6 +18,8 @@ pub struct PullLoads<L, T: Scalar> {
     pub time: T::Real,
     /// The number of the body that was met last.
     pub body: usize,
+    /// Of what the ends of loops miss costates are given.
+    pub level: Level,
     /// Costates of the numbers of the law, and how many it has.
     pub of_law: ([T; LAW], usize),
 }
@@ -23,15 +29,15 @@ pub const LAW: usize = 6;
 
 impl<S: Reversed, L> Walk<S> for PullLoads<L, S::Scalar> {
     type Carried = S::Felt;
-    /// Posture; positions, rates and w; frames of bodies and what [`Stir`](super::stir::Stir) has kept; costates of parameters, positions
-    /// and rates.
+    /// Posture; positions, rates and w; frames of bodies, what [`Stir`](super::stir::Stir) has kept, and costates −ν of what the ends of loops
+    /// miss; costates of parameters, positions and rates.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
         Ref<PerAxes<S::P>>,
         Ref<PerAxes<S::Q>>,
         (Ref<Positions>, Ref<Rates>, Ref<Rates>),
-        (Ref<PerBody<(FrameOf<S>, WrenchOf<S>)>>, Ref<PerBody<S::OnBody>>, Ref<PerJoint<S::InJoint>>),
+        (Ref<PerBody<(FrameOf<S>, WrenchOf<S>)>>, Ref<PerBody<S::OnBody>>, Ref<PerJoint<S::InJoint>>, Ref<PerClosure>),
         (Mut<PerBody<S::OfNumbers>>, Mut<PerJoint<S::OfJoint>>),
         (Mut<Rates>, Mut<Rates>),
     );
@@ -39,9 +45,31 @@ impl<S: Reversed, L> Walk<S> for PullLoads<L, S::Scalar> {
 
 impl<S: Reversed, L> Selective<S> for PullLoads<L, S::Scalar> {
     const OUTWARD: bool = false;
+    type In<Y: Way> = Self;
 
     #[inline(always)]
     fn branch(&mut self, chain: S::Felt, go: impl FnOnce(&mut Self, S::Felt) -> S::Felt) -> S::Felt {
         chain + go(self, S::Felt::null())
+    }
+}
+
+impl<S: Reversed, L, K: ReversibleClosing<S>> Around<S, K> for PullLoads<L, S::Scalar> {
+    fn around(
+        &mut self,
+        closing: &K,
+        outer: S::Felt,
+        (.., (.., minus_weights), (_, sums), _): AtClosing<'_, S, Self, K>,
+        main: impl FnOnce(&mut Self, S::Felt) -> S::Felt,
+        side: impl FnOnce(&mut Self, S::Felt) -> S::Felt,
+    ) -> S::Felt {
+        let (weight, none) = (-total(closing, minus_weights), Wrench::none());
+        let felt = |weight| match self.level {
+            Level::Place => K::felt(weight, none),
+            Level::Velocity => K::felt(none, weight),
+        };
+        let (on_side, on_main) = (felt(weight), felt(-weight));
+        closing.of_residual(minus_weights, self.level, sums);
+        let side = side(self, on_side);
+        main(self, outer + on_main) + side
     }
 }

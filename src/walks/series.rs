@@ -4,7 +4,7 @@ use crate::relation::{AccelerationOf, Part, Wrench, WrenchOf};
 use crate::series::{ExpandLoads, Expandable, Order};
 use crate::shape::{
     AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Outward, PerAxes, PerJoint, Positions, Rates, Ref,
-    Selective, Walk, alike,
+    Selective, Walk, Way, alike, alike_in_arms,
 };
 use crate::space::{RealOf, Space};
 use core::marker::PhantomData;
@@ -32,7 +32,7 @@ impl<S: Expandable, const N: usize> Walk<S> for Begin<N> {
 }
 
 impl<S: Expandable, const N: usize> Selective<S> for Begin<N> {
-    const OUTWARD: bool = true;
+    alike_in_arms!();
 }
 
 impl<S: Expandable, const N: usize> Walk<S> for Articulate<N> {
@@ -42,6 +42,7 @@ impl<S: Expandable, const N: usize> Walk<S> for Articulate<N> {
 
 impl<S: Expandable, const N: usize> Selective<S> for Articulate<N> {
     const OUTWARD: bool = false;
+    type In<Y: Way> = Self;
 
     #[inline(always)]
     fn branch(
@@ -61,6 +62,7 @@ impl<S: Expandable, Q: Part, const N: usize> Walk<S> for Push<S, Q, N> {
 
 impl<S: Expandable, Q: Part, const N: usize> Selective<S> for Push<S, Q, N> {
     const OUTWARD: bool = false;
+    type In<Y: Way> = Self;
 
     #[inline(always)]
     fn branch(&mut self, chain: WrenchOf<S>, go: impl FnOnce(&mut Self, WrenchOf<S>) -> WrenchOf<S>) -> WrenchOf<S> {
@@ -75,10 +77,10 @@ impl<S: Expandable, const N: usize> Walk<S> for Swing<S, N> {
 }
 
 impl<S: Expandable, const N: usize> Selective<S> for Swing<S, N> {
-    const OUTWARD: bool = true;
+    alike_in_arms!();
 }
 
-/// Finds the coefficients of efforts in all joints.
+/// Finds the coefficients of efforts in all joints, and whether they are those that were there.
 pub struct Recite<'l, S: Space, L, const N: usize> {
     /// What acts.
     pub loads: &'l L,
@@ -86,6 +88,8 @@ pub struct Recite<'l, S: Space, L, const N: usize> {
     pub time: RealOf<S>,
     /// The number of the next joint.
     pub joint: usize,
+    /// Whether those of the joints before were there.
+    pub same: bool,
 }
 
 impl<S: Space, L: ExpandLoads<S>, const N: usize> Walk<S> for Recite<'_, S, L, N> {
@@ -95,7 +99,8 @@ impl<S: Space, L: ExpandLoads<S>, const N: usize> Walk<S> for Recite<'_, S, L, N
 
 impl<S: Space, L: ExpandLoads<S>, const N: usize> Recite<'_, S, L, N> {
     fn meet(&mut self, efforts: &mut [L::InJoint; N]) {
-        *efforts = self.loads.in_joint_over_time(self.time, self.joint);
+        let before = core::mem::replace(efforts, self.loads.in_joint_over_time(self.time, self.joint));
+        self.same &= before.iter().zip(&*efforts).all(|(before, now)| before.is_same(*now));
         self.joint += 1;
     }
 }

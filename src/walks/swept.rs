@@ -1,6 +1,6 @@
 //! Virtual velocities of bodies and joints, as walks want accelerations of stations.
 
-use crate::adjoint::{Reversed, ReversibleTip};
+use crate::adjoint::{Holds, Reversed};
 use crate::shape::{AtBody, AtJoint, Body, Joint, Mut, Outward, PerBody, PerJoint, Ref, Shape, Walk, alike};
 use core::marker::PhantomData;
 
@@ -11,7 +11,7 @@ type Kept<'k, S, E> = (
 );
 
 /// Copies what [`Stir`](super::stir::Stir) has kept to where [`PullBack`](super::pull_back::PullBack) reads accelerations.
-pub fn swept<S: Reversed, P: ReversibleTip<S>, E: Shape<S>>(
+pub fn swept<S: Reversed, P: Holds<S>, E: Shape<S>>(
     chain: &E,
     (on_bodies, in_joints): Kept<'_, S, E>,
     at_bodies: &mut E::Store<PerBody<S::Vector>>,
@@ -28,7 +28,7 @@ impl<S: Reversed, P> Walk<S> for Swept<P> {
         (Ref<PerBody<S::OnBody>>, Ref<PerJoint<S::InJoint>>, Mut<PerBody<S::Vector>>, Mut<PerJoint<S::Vector>>);
 }
 
-impl<S: Reversed, P: ReversibleTip<S>> Outward<S> for Swept<P> {
+impl<S: Reversed, P: Holds<S>> Outward<S> for Swept<P> {
     alike!();
 
     fn body<B: Body<S>>(&mut self, _: &B, (): (), (kept, (), reached, ()): AtBody<'_, S, Self, B>) {

@@ -47,7 +47,7 @@ pub struct SlideGain<T: Copy, C: Closures> {
     /// Acceleration at a station that does not accelerate (m/s²).
     pub free: T,
     /// Acceleration for each closure force.
-    per_closure: C::Each<T>,
+    pub per_closure: C::Each<T>,
 }
 
 impl<T: Scalar, C: Closures> SlideGain<T, C> {

@@ -40,7 +40,7 @@ where
     P: ReversibleTip<S>,
     M: Explicit,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
@@ -51,7 +51,8 @@ where
     /// would have been given.
     ///
     /// # Errors
-    /// [`Fault::Count`], which says how many states are needed, once the run has come to its end, or how many torques; those of the run.
+    /// [`Fault::Count`], which says how many states are needed, once the run has come to its end, or how many torques; [`Fault::Unsupported`] for a method
+    /// that does not estimate its errors, as `Rk4`; those of the run.
     pub fn run_adaptive<'t>(
         &mut self,
         start: &MotionOf<S, R, C, P>,

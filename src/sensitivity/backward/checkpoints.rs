@@ -66,7 +66,7 @@ where
     P: ReversibleTip<S>,
     M: Explicit,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
@@ -75,7 +75,7 @@ where
         Tape { before: self.steps.scene.motion(), size: RealOf::<S>::zero(), record: self.steps.record() }
     }
 
-    /// As [`run`](Self::run), keeping few states.
+    /// As [`run`](Self::run), keeping few states, the last of which has no accelerations but zeros.
     ///
     /// # Errors
     /// As [`run`](Self::run).

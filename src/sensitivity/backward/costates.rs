@@ -11,14 +11,14 @@
 //! Where positions are curved, rules sum up coordinates of the step: then Q, V and λ are the costates of these, of their first and of their
 //! second derivatives, from and to which [`Position`] translates, and positions before the step get their share from each row.
 
-use super::held::weigh;
+use super::held::{opposite, weigh};
 use super::steps::{ROWS, Record, Stage, Steps};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
-use crate::element::{Coordinates, Element, RealOf};
+use crate::element::{Coordinates, Element, Level, RealOf};
 use crate::ends::Resting;
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::{Additive, Closures, Wrench};
+use crate::relation::{Additive, Solvable, Wrench};
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::shape::Takes;
@@ -40,7 +40,7 @@ where
     P: ReversibleTip<S>,
     M: Explicit,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
     EffortOf<S>: Additive,
 {
     /// From the costates after a step to those before it: the columns of the tableau, from the last to the first.
@@ -52,7 +52,7 @@ where
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let (last, one) = (M::STAGES, RealOf::<S>::one());
-        if const { Self::HELD } {
+        if const { Self::CLOSED > 0 } {
             self.pull_back_projection(past.time + step, past, record, gradient);
         }
         self.of_position.as_mut()[last].set(&gradient.start.position);
@@ -140,22 +140,20 @@ where
     ) {
         let elements = self.scene.elements();
         let stage = &record.stages.as_ref()[row];
-        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, acceleration, .. } = stage;
+        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, in_loops, position, rate, acceleration, .. } =
+            stage;
         let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (position, rate) };
         let slope = &record.accelerations.as_ref()[row];
         let acceleration = if Self::CURVED && row > 0 { acceleration } else { slope };
         let free = &mut self.of_acceleration;
         let frame = self.scene.ground(time);
-        let ends = (elements, self.scene.tip());
-        let held = self.room.as_mut().map(|room| {
-            room.costates.set(free);
-            room.weights(ends, &frame, stage)
-        });
-        let (beyond, weight) = held.unwrap_or_else(|| (Wrench::none(), P::Closures::each(|_| S::Scalar::zero())));
-        elements.take(&mut Meet, beyond, (x, y, p, q, kept, pivots, &mut *free));
-        let kept_of_them = (&mut self.on_bodies, &mut self.in_joints);
+        let mut walk = Meet::nothing();
+        elements.take(&mut walk, Wrench::none(), (x, y, p, q, kept, pivots, &mut *free, &mut self.in_loops));
+        let weight = P::Closures::solve(&stage.compliance, &walk.gaps);
+        let kept_of_them = (&mut self.on_bodies, &mut self.in_joints, &mut self.in_loops);
         let stores = (x, y, p, q, kept, (rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
-        let stirred = elements.take(&mut Stir, S::at_ground(&frame), stores);
+        let forces = opposite::<S, P::Closures>(&weight);
+        let stirred = elements.take(&mut Stir { forces }, S::at_ground(&frame), stores);
         let mut pulled = S::Pulled::null();
         if const { Self::HELD } {
             let falling = frame.falling(self.scene.gravity());
@@ -164,7 +162,7 @@ where
         }
         let Gradient { bodies, joints, .. } = gradient;
         let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots);
+        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots, (&self.in_loops, in_loops));
         let stores = (x, y, p, q, (position, rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
         let left = elements.take(&mut PullBack { laws: true }, pulled, stores);
         let (gravity, turn) = S::of_ground(&left, &frame);
@@ -173,9 +171,10 @@ where
             let motion = Coordinates { position, rate, acceleration: &self.zero };
             self.loads.see(elements, frame, motion, time);
             let Gradient { numbers, joints, law, .. } = gradient;
-            let mut walk = PullLoads { law: self.loads.law, time, body: elements.bodies(), of_law: *law };
+            let (law_of, level) = (self.loads.law, Level::Place);
+            let mut walk = PullLoads { law: law_of, time, body: elements.bodies(), level, of_law: *law };
             let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-            let kept_of_them = (&self.loads.on_bodies, &self.on_bodies, &self.in_joints);
+            let kept_of_them = (&self.loads.on_bodies, &self.on_bodies, &self.in_joints, &self.no_loops);
             let stores = (x, y, p, q, (position, rate, &self.of_acceleration), kept_of_them, (numbers, joints), start);
             let felt = elements.take(&mut walk, S::Felt::null(), stores);
             *law = walk.of_law;

@@ -33,12 +33,13 @@ where
     P: ReversibleTip<S>,
     M: Explicit,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
     /// Cuts the first step of a run in which a function of the motion crosses zero, so that it is zero at the step's end, and gives the
-    /// number of steps up to there; none where it does not cross. States beyond that of this number are those of no run.
+    /// number of steps up to there; none where it does not cross. That of this number has no
+    /// accelerations but zeros; those beyond are of no run.
     ///
     /// # Errors
     /// [`Fault::Count`] for torques of another number, [`Fault::Shape`] for motions of another scene, [`Fault::NotFinite`] where the function

@@ -1,4 +1,4 @@
-//! Tips that are held: the forces that hold them in a stage.
+//! Tips that are held and loops that are closed: the forces that do it in a stage.
 //!
 //! The accelerations of a stage solve M a + c − τ − Γᵀλ = 0, Γ a + γ = target, and costates the same system with other right-hand sides:
 //!
@@ -6,28 +6,26 @@
 //! M w + Γᵀν = λ_a        Γ w = 0        P = w · R + ν · (Γ a + γ − target)
 //! ```
 //!
-//! so that at the tip the costate sweep begins with G = ν and F = −λ. Both are solved by the elimination of the open chain: Γᵀ is a wrench at
-//! the tip, which an inward walk begins with, and Λ = Γ M⁻¹ Γᵀ comes of one for each force.
+//! so that where something is held the costate sweep begins with G = ν and F = −λ: at a tip, at the end of the side arm of a loop, and with
+//! the opposite at the end of the main arm. Both systems are solved by one elimination, whose relations carry columns for closure forces as
+//! those of a sweep do.
 
 use super::steps::Stage;
 use crate::adjoint::{EachOf, Reversed, Reversible, ReversibleTip};
 use crate::element::Element;
 use crate::ends::Root;
 use crate::loading::EffortOf;
-use crate::mirror::Rate;
 use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Solvable, Wrench, WrenchOf};
 use crate::sensitivity::Gradient;
-use crate::shape::{PerAxes, PerBody, PerJoint, Rates, Takes};
+use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, Rates};
 use crate::space::FrameOf;
 use crate::system::{Elements, System};
-use crate::walks::burden::Burden;
 use crate::walks::meet::Meet;
-use crate::walks::reach::Reach;
+use crate::walks::singled::loops;
 use crate::walks::size::sizes;
 use crate::walks::stir::Stir;
-use num_traits::{One, Zero};
 
-/// Room for walks that find what holds a tip.
+/// Room for walks that close what is to be closed.
 pub(super) struct Room<S: Reversed, E: Element<S>> {
     /// A posture besides those of stages.
     pub(super) sizes: E::Store<PerAxes<S::Size>>,
@@ -48,23 +46,24 @@ pub(super) struct Room<S: Reversed, E: Element<S>> {
     pub(super) in_joints: E::Store<PerJoint<S::InJoint>>,
     pub(super) at_bodies: E::Store<PerBody<S::Vector>>,
     pub(super) at_joints: E::Store<PerJoint<S::Vector>>,
-    unloaded: E::Store<PerBody<Loaded<S>>>,
     pub(super) efforts: E::Store<PerJoint<EffortOf<S>>>,
+    /// Number of loops.
+    pub(super) loops: usize,
+    /// Of loops: nothing; by what their ends miss each other, and by what costates part them; forces of a correction and of its costate;
+    /// costates of what they miss.
+    pub(super) nothing: E::Store<PerClosure>,
+    pub(super) missed: E::Store<PerClosure>,
+    pub(super) parted: E::Store<PerClosure>,
+    pub(super) forces: E::Store<PerClosure>,
+    pub(super) of_forces: E::Store<PerClosure>,
+    pub(super) weights: E::Store<PerClosure>,
 }
-
-/// Where a body is, and the wrench on it.
-type Loaded<S> = (FrameOf<S>, WrenchOf<S>);
 
 /// Σ ν c.
 pub(super) fn wrench<S: Reversed, P: ReversibleTip<S>>(tip: &P, weights: &EachOf<S, P>) -> WrenchOf<S> {
     let mut sum = Wrench::none();
     P::Closures::zip(&tip.columns(), weights, |column, weight| sum = WrenchOf::<S>::plus_scaled(sum, weight, column));
     sum
-}
-
-/// c · A for each c.
-fn along<S: Reversed, P: ReversibleTip<S>>(tip: &P, acceleration: &AccelerationOf<S>) -> EachOf<S, P> {
-    P::Closures::map(&tip.columns(), |column| column.work(acceleration))
 }
 
 /// What the costate sweep begins with at a tip weighed by ν and −λ, and what these do to gravity and to the numbers of the tip.
@@ -94,10 +93,15 @@ pub(super) fn add<T: Additive, const K: usize>(sums: &mut [T; K], more: [T; K]) 
     sums.iter_mut().zip(more).for_each(|(sum, more)| *sum = *sum + more);
 }
 
-impl<S: Reversed, E: Reversible<S>> Room<S, E> {
-    pub(super) fn new(elements: &E, ground: FrameOf<S>) -> Self {
+/// −x for each.
+pub(super) fn opposite<S: Reversed, C: Closures>(each: &C::Each<S::Scalar>) -> C::Each<S::Scalar> {
+    C::map(each, |x| -x)
+}
+
+impl<S: Reversed, E: Element<S>> Room<S, E> {
+    pub(super) fn new(elements: &E) -> Self {
         let ((x, y, p, q), (on_body, in_joint)) = (S::blank(), S::untouched());
-        let zero = elements.store::<Rates>(());
+        let (zero, nothing) = (elements.store::<Rates>(()), elements.store::<PerClosure>(()));
         Self {
             sizes: sizes(elements),
             x: elements.store::<PerAxes<_>>(x),
@@ -115,68 +119,47 @@ impl<S: Reversed, E: Reversible<S>> Room<S, E> {
             in_joints: elements.store::<PerJoint<_>>(in_joint),
             at_bodies: elements.store::<PerBody<_>>(S::Vector::null()),
             at_joints: elements.store::<PerJoint<_>>(S::Vector::null()),
-            unloaded: elements.store::<PerBody<_>>((ground, Wrench::none())),
             efforts: elements.store::<PerJoint<_>>(EffortOf::<S>::null()),
+            loops: loops(elements),
+            missed: nothing.clone(),
+            parted: nothing.clone(),
+            forces: nothing.clone(),
+            of_forces: nothing.clone(),
+            weights: nothing.clone(),
+            nothing,
         }
     }
 
-    /// Solves M w = λ for the costates in `solved`, less a wrench at the tip; gives W and w of the tip.
+    /// The inward half of M w + Γᵀν = x̄ for the costates in the room, which they become; gives what a tip that is held needs of −ν for it to
+    /// stay.
+    pub(super) fn meet<P: ReversibleTip<S>>(&mut self, elements: &E, stage: &Stage<S, E, P::Closures>) -> EachOf<S, P>
+    where
+        E: Reversible<S, P::Closures>,
+    {
+        let Stage { x, y, p, q, kept, pivots, .. } = stage;
+        let mut walk = Meet::nothing();
+        elements.take(&mut walk, Wrench::none(), (x, y, p, q, kept, pivots, &mut self.costates, &mut self.parted));
+        P::Closures::solve(&stage.compliance, &opposite::<S, P::Closures>(&walk.gaps))
+    }
+
+    /// The outward half, of what is solved for, where these forces act at the tip, and of the forces of loops or of those of their costates;
+    /// gives W and w of the tip.
     pub(super) fn stir<P: ReversibleTip<S>>(
         &mut self,
         elements: &E,
         ground: &FrameOf<S>,
         stage: &Stage<S, E, P::Closures>,
-        wrench: WrenchOf<S>,
-    ) -> AccelerationOf<S> {
-        let Stage { x, y, p, q, kept, pivots, .. } = stage;
-        let Self { zero, solved, correction, on_bodies, in_joints, efforts, .. } = self;
-        elements.take(&mut Meet, wrench, (x, y, p, q, kept, pivots, &mut *solved));
-        let stores = (x, y, p, q, kept, (&*zero, &*correction, &mut *solved), (on_bodies, in_joints), efforts);
-        P::stirred(&elements.take(&mut Stir, S::at_ground(ground), stores))
-    }
-
-    /// Finds λ of a stage whose tip would accelerate by `reached` without, and the accelerations with it.
-    pub(super) fn hold<P: ReversibleTip<S>>(
-        &mut self,
-        (elements, tip): (&E, &P),
-        ground: (&FrameOf<S>, AccelerationOf<S>),
-        stage: &mut Stage<S, E, P::Closures>,
-        acceleration: &mut E::Rate,
-    ) where
-        E: Takes<S, Burden>,
+        forces: EachOf<S, P>,
+        of_costates: bool,
+    ) -> AccelerationOf<S>
+    where
+        E: Reversible<S, P::Closures>,
     {
-        stage.compliance = P::Closures::no_pairs();
-        for j in 0..P::Closures::COUNT {
-            let mut count = 0;
-            let unit: EachOf<S, P> = P::Closures::each(|_| {
-                count += 1;
-                if count == j + 1 { S::Scalar::one() } else { S::Scalar::zero() }
-            });
-            self.solved.set(&self.zero);
-            let yielded = self.stir::<P>(elements, ground.0, stage, -wrench(tip, &unit));
-            let minus = P::Closures::map(&along(tip, &yielded), |x| -x);
-            stage.compliance = P::Closures::minus_outer(&stage.compliance, &minus, &unit);
-        }
-        let (demand, free) = (along(tip, &ground.1), along(tip, &stage.reached));
-        let demand = P::Closures::zip(&demand, &free, |demand, free| demand - free);
-        stage.force = P::Closures::solve(&stage.compliance, &demand);
-        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, .. } = stage;
-        let beyond = -wrench(tip, &stage.force);
-        elements.take(&mut Burden, beyond, (x, y, p, q, &self.unloaded, &mut *kept, pivots));
-        let stores = (&*x, &*y, &*p, &*q, &*kept, acceleration, (at_bodies, at_joints));
-        stage.reached = elements.take(&mut Reach, ground.1, stores);
-    }
-
-    /// ν for the costates in the room, and the wrench at the tip with which an inward walk begins.
-    pub(super) fn weights<P: ReversibleTip<S>>(
-        &mut self,
-        (elements, tip): (&E, &P),
-        ground: &FrameOf<S>,
-        stage: &Stage<S, E, P::Closures>,
-    ) -> (WrenchOf<S>, EachOf<S, P>) {
-        self.solved.set(&self.costates);
-        let yielded = self.stir::<P>(elements, ground, stage, Wrench::none());
-        let weights = P::Closures::solve(&stage.compliance, &along(tip, &yielded));
-        (wrench(tip, &weights), weights)
+        let Stage { x, y, p, q, kept, .. } = stage;
+        let Self { zero, solved, correction, on_bodies, in_joints, efforts, .. } = self;
+        let in_loops = if of_costates { &mut self.of_forces } else { &mut self.forces };
+        let stores =
+            (x, y, p, q, kept, (&*zero, &*correction, &mut *solved), (on_bodies, in_joints, in_loops), efforts);
+        P::stirred(&elements.take(&mut Stir { forces }, S::at_ground(ground), stores))
     }
 }

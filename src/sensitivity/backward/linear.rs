@@ -22,7 +22,7 @@ where
     P: ReversibleTip<S>,
     M: Explicit,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
@@ -51,7 +51,7 @@ where
         Ok(())
     }
 
-    /// A step of a size (s) with its Jacobians: with x the positions of all n coordinates and then their rates, u the torques in all m joints
+    /// A step of a size (s), whose end `next` has no accelerations but zeros, with its Jacobians: with x the positions of all n coordinates and then their rates, u the torques in all m joints
     /// (the root's first) held over the step, A = ∂x′/∂x (2n × 2n) and B = ∂x′/∂u (2n × m), row by row. No torques stand for zeros; a list
     /// for B may be empty.
     ///

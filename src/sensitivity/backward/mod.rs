@@ -17,7 +17,7 @@ use crate::ends::{Resting, Root, Tip};
 use crate::error::{Error, Fault, counted};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
-use crate::relation::{Absent, Additive, Closures, Geometry};
+use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 use crate::time::Explicit;
@@ -64,9 +64,12 @@ use steps::{Record, Steps};
 /// # What it knows
 ///
 /// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs, in tuples, arrays, vectors
-/// and branches, named or not, from a `Pinned` or `Clamped` root that does not move to free tips, or to those that are `Pinned`, `Clamped` or
-/// `Guided` at a place that does not move. The projection that puts a tip back at the end of a step is part of the step, and of the
-/// gradient; places, angles and lines of tips are parameters. Forces that hold a tip are no part of states here: costs may not read them. Springs may have dampers and rest values;
+/// and branches, named or not, and in loops that a `Pin` or a `Weld` closes (`Network`, `ClosedLoop`), nested or not, from a `Pinned` or
+/// `Clamped` root that does not move to free tips, or to those that are `Pinned`, `Clamped` or `Guided` at a place that does not move. The
+/// projection that puts a tip back and closes loops at the end of a step is part of the step, and of the gradient, as many corrections as it
+/// takes; places, angles and lines of tips are parameters. Forces that hold a tip or close a loop are no part of states here: costs may not
+/// read them. Initial coordinates are derived by as if each could be changed alone: a length, changed at fixed coordinates, opens a loop, which
+/// the first step closes. Springs may have dampers and rest values;
 /// a law of the user's own in a hinge ([`ElasticHinge::with`](crate::planar::ElasticHinge::with)) goes backward by itself where it is
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
@@ -111,7 +114,9 @@ use steps::{Record, Steps};
 /// A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differed by 0.1
 /// from one measurement to the next, by 0.4 at most (3 rods on balls, once 3.3).
 ///
-/// Chains whose tip is pinned take more: 5.8 plain runs (instructions 6.9) for three rods and RK4, 5.2 (7.6) for twenty, x86-64-v3.
+/// Chains whose tip is pinned take more: 5.0 plain runs (instructions 6.7) for three rods and RK4, 5.4 (6.8) for twenty, x86-64-v3. A four-bar
+/// linkage takes 6.6 (DOP853 5.3), a rod with one window of four rods 6.1, with two in a row 6.4, with five 8.9: for each correction of a
+/// projection costates walk once for each loop.
 ///
 /// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs
 /// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which
@@ -137,7 +142,7 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         R: Resting<S>,
         P: ReversibleTip<S>,
-        Elements<S, R, C>: Reversible<S> + Burdened<S, Absent>,
+        Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, Absent, P::Closures>,
         Self: Runs<Unloaded, S, R, C, P>,
         EffortOf<S>: Additive,
     {
@@ -153,7 +158,7 @@ where
     P: ReversibleTip<S>,
     M: Explicit,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
@@ -207,7 +212,7 @@ where
     /// the same loads (RK4, twenty rods on pins, drag on each; x86-64-v3). Room is made anew.
     pub fn under<N: BodyLaw<S>>(self, law: N) -> Backward<'s, S, R, C, P, M, N>
     where
-        Elements<S, R, C>: Burdened<S, N>,
+        Elements<S, R, C>: Burdened<S, N, P::Closures>,
     {
         Backward::new(self.steps.scene, self.method, law)
     }
@@ -216,13 +221,15 @@ where
     /// step begins. `torques` are those in all joints (the root's first), held over the first step, then those over the second, and so on;
     /// or those of one step, held over all; or none.
     ///
+    /// The last state has no accelerations but zeros: `with_accelerations` finds them.
+    ///
     /// A step ends at a multiple of its size after the start, without the rounding of a running sum, as in
     /// [`simulate`](System::simulate).
     ///
     /// # Errors
     /// [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of another scene;
-    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip
-    /// twice in the same way.
+    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip,
+    /// or closes a loop, twice in the same way.
     pub fn run(
         &mut self,
         start: &MotionOf<S, R, C, P>,
@@ -325,9 +332,9 @@ where
         fits(self.steps.scene.elements(), &motion.position, &motion.rate)
     }
 
-    /// Refuses a motion whose tip is held twice in the same way, in which runs begin.
+    /// Refuses a motion whose tip is held, or one of whose loops is closed, twice in the same way, in which runs begin.
     fn independent(&mut self, start: &MotionOf<S, R, C, P>) -> Result<(), Error> {
-        if const { P::Closures::COUNT == 0 } {
+        if const { System::<S, R, C, P>::CLOSED == 0 } {
             return Ok(());
         }
         let scene = self.steps.scene;

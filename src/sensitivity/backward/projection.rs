@@ -1,67 +1,71 @@
-//! The projection at the end of a step of a tip that is held.
+//! The projection at the end of a step of a tip that is held and of loops that are closed.
 //!
-//! The end of a step is put back by what the last stage knows of M, Γ and Λ ([`held`](super::held)): two corrections x of positions and one of
+//! The end of a step is put back by what the last stage knows of M, Γ and Λ ([`held`](super::held)): corrections x of positions, and then of
 //! rates, M x = Γᵀκ with κ = Λ⁻¹ y, y being what the tip misses. With x̄ their costates,
 //!
 //! ```text
 //! M w + Γᵀν = x̄        Γ w = 0        ȳ = ν        of the stage: −∂/∂q (w · M x + ν · Γ x − κ · Γ w)
 //! ```
 //!
-//! which is the costate sweep at rest, x for accelerations, G = ν, F = −κ at the tip, without springs.
+//! which is the costate sweep at rest, x for accelerations, G = ν, F = −κ at the tip, without springs. A loop closes without moving the
+//! station where it begins, so each has a system of its own, of what moves with it: M and Γ of its arms and of all that lies outboard, where
+//! other loops stay closed. Corrections are as many as a stepper makes, and costates go back through each.
 
-use super::held::{Room, add, wrench};
+use super::held::{Room, add, opposite, wrench};
 use super::steps::{Record, Steps};
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
-use crate::element::{Coordinates, Element, Level, RealOf};
+use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip};
+use crate::element::{Coordinates, Element, Level, Posture, RealOf};
 use crate::ends::Resting;
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::{Additive, Closures, Solvable, Wrench};
+use crate::relation::{Acceleration, Additive, Closures, Solvable, Wrench};
+use crate::scalar::{Real, Scalar};
 use crate::sensitivity::Gradient;
 use crate::shape::{Positions, Takes};
 use crate::stepper::displace::displace;
 use crate::stepper::explicit::row_weights;
-use crate::system::{Elements, MotionOf};
+use crate::system::{Corrections, Elements, MOST_CORRECTIONS, MotionOf, PositionOf, RateOf};
 use crate::time::Explicit;
 use crate::walks::look::look;
+use crate::walks::missed::missed;
 use crate::walks::pull_back::PullBack;
 use crate::walks::pull_loads::PullLoads;
+use crate::walks::restore::restore;
+use crate::walks::singled::{self, Left, single};
 use crate::walks::stir::Stir;
 use crate::walks::swept::swept;
 use num_traits::Zero;
 
-/// Corrections of positions; after them one of rates.
-const PASSES: usize = 2;
+/// Most positions, or rates, of a projection: before it, and after each correction.
+const PLACES: usize = MOST_CORRECTIONS + 2;
 
 /// The projection at the end of a step.
 #[derive(Clone)]
-pub(super) struct Projection<S: Reversed, E: Element<S>, X: Closures> {
-    /// Positions before each correction, and after the last.
-    places: [E::Position; PASSES + 1],
-    /// Rates before their correction, and after it.
-    missing: E::Rate,
-    pub(super) rate: E::Rate,
-    /// κ of each correction of positions, and of that of rates.
-    forces: [X::Each<S::Scalar>; PASSES + 1],
+pub(super) struct Projection<S: Reversed, E: Element<S>> {
+    /// Positions before each correction, and after the last; how many corrections there were.
+    places: [E::Position; PLACES],
+    moves: usize,
+    /// Rates before each correction, and after the last; how many corrections there were.
+    rates: [E::Rate; PLACES],
+    changes: usize,
 }
 
-impl<S: Reversed, E: Element<S>, X: Closures> Projection<S, E, X> {
+impl<S: Reversed, E: Element<S>> Projection<S, E> {
     pub(super) fn new(elements: &E, zero: &E::Rate) -> Self {
         let place = elements.store::<Positions>(());
-        let forces = core::array::from_fn(|_| X::each(|_| S::Scalar::zero()));
         let places = core::array::from_fn(|_| place.clone());
-        Self { places, missing: zero.clone(), rate: zero.clone(), forces }
+        Self { places, moves: 0, rates: core::array::from_fn(|_| zero.clone()), changes: 0 }
     }
 
     /// Positions after the last correction.
     pub(super) fn place(&self) -> &E::Position {
-        &self.places[PASSES]
+        &self.places[self.moves]
     }
-}
 
-/// −x for each number.
-fn opposite<S: Reversed, V: Rate<S::Scalar>>(list: &mut V) {
-    list.replace(&mut |x| -x);
+    /// Rates after the last correction.
+    pub(super) fn rate(&self) -> &E::Rate {
+        &self.rates[self.changes]
+    }
 }
 
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
@@ -72,10 +76,10 @@ where
     P: ReversibleTip<S>,
     M: Explicit,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
     EffortOf<S>: Additive,
 {
-    /// The end of a step, and its projection.
+    /// The end of a step, and its projection: as a stepper makes it.
     pub(super) fn project(
         &mut self,
         past: &MotionOf<S, R, C, P>,
@@ -86,23 +90,47 @@ where
         let (elements, tip, time) = (self.scene.elements(), self.scene.tip(), past.time + step);
         let (ground, stage) = (self.scene.ground(time), &record.stages.as_ref()[M::STAGES - 1]);
         let (row, slopes) = (M::STAGES, record.accelerations.as_ref());
-        let Projection { places, missing, rate, forces } = projection;
+        let Projection { places, moves, rates, changes } = projection;
         let (of, sums) = ((M::node(row), row_weights::<M>(row)), (&self.zero, &mut self.sum));
-        displace(past, slopes, of.0, of.1, step, sums, (&mut places[0], &mut *missing));
-        for pass in 0..=PASSES {
-            let at = Coordinates { position: &places[pass], rate: &*missing, acceleration: &self.zero };
+        displace(past, slopes, of.0, of.1, step, sums, (&mut places[0], &mut rates[0]));
+        let most = if Self::LOOPED { MOST_CORRECTIONS } else { Self::CLOSED };
+        let (none, into) = (&self.zero, &mut room.correction);
+        let correct = |level: Level, position: &_, rate: &_, correction: &mut _| {
+            let at = Coordinates { position, rate, acceleration: none };
             let [place, velocity] = tip.residual(time, &look(elements, ground, at));
-            let missed = if pass < PASSES { place } else { velocity };
-            forces[pass] = P::Closures::solve(&stage.compliance, &missed);
-            room.solved.set(&self.zero);
-            room.stir::<P>(elements, &ground, stage, -wrench(tip, &forces[pass]));
-            opposite::<S, _>(&mut room.solved);
-            if let [before, after, ..] = &mut places[pass..] {
-                after.clone_from(before);
-                after.displace(&room.solved);
-            } else {
-                rate.set(missing);
-                rate.add(&room.solved);
+            let residual = if let Level::Place = level { place } else { velocity };
+            let force = P::Closures::solve(&stage.compliance, &opposite::<S, P::Closures>(&residual));
+            let posture = Posture { x: &stage.x, y: &stage.y, p: &stage.p, q: &stage.q };
+            let (still, kept) = (Acceleration::zero(), &stage.kept);
+            restore::<S, _, P::Closures>(elements, ground, at, level, still, posture, kept, force, correction);
+        };
+        let mut corrections = Corrections::<S::Scalar>::begin();
+        places[0].visit(&mut |x| corrections.see(x));
+        *moves = 0;
+        for count in 0..=most {
+            let [before, after, ..] = &mut places[count..] else { break };
+            correct(Level::Place, before, &rates[0], into);
+            after.clone_from(before);
+            after.displace(into);
+            *moves = count + 1;
+            if Self::LOOPED && (corrections.end(into, count >= Self::CLOSED) || corrections.overshoot()) {
+                break;
+            }
+        }
+        if Self::LOOPED && corrections.lead_nowhere() {
+            places[*moves].replace(&mut |_| S::Scalar::constant(RealOf::<S>::INFINITY));
+        }
+        let mut corrections = Corrections::<S::Scalar>::begin();
+        rates[0].visit(&mut |x| corrections.see(x));
+        *changes = 0;
+        for count in 1..=most {
+            let [before, after, ..] = &mut rates[count - 1..] else { break };
+            correct(Level::Velocity, &places[*moves], before, into);
+            after.set(before);
+            after.add(into);
+            *changes = count;
+            if Self::LOOPED && corrections.end(into, count >= Self::CLOSED) {
+                break;
             }
         }
     }
@@ -116,58 +144,111 @@ where
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let (Some(room), Some(projection)) = (&mut self.room, &record.projection) else { return };
+        room.of_stage.set(&self.zero);
+        let Projection { places, moves, rates, changes } = projection;
+        for rate in rates[..*changes].iter().rev() {
+            self.pull_back_correction(Level::Velocity, (&places[*moves], rate), time, past, record, gradient);
+        }
+        for place in places[..*moves].iter().rev() {
+            self.pull_back_correction(Level::Place, (place, &rates[0]), time, past, record, gradient);
+        }
+    }
+
+    /// From the costates after a correction to those before it.
+    fn pull_back_correction(
+        &mut self,
+        level: Level,
+        (place, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
+        time: RealOf<S>,
+        past: &MotionOf<S, R, C, P>,
+        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        gradient: &mut Gradient<S, Elements<S, R, C>>,
+    ) {
+        let Some(room) = &mut self.room else { return };
         let (elements, tip, ground) = (self.scene.elements(), self.scene.tip(), self.scene.ground(time));
         let (row, zero) = (M::STAGES - 1, &self.zero);
         let stage = &record.stages.as_ref()[row];
         let position = if row == 0 { &past.position } else { &stage.position };
-        room.of_stage.set(zero);
-        for (pass, force) in projection.forces.iter().enumerate().rev() {
-            let level = if pass < PASSES { Level::Place } else { Level::Velocity };
-            // The correction x, and how it moves all stations.
+        // What is missed, and costates of the correction that takes it away.
+        let at = Coordinates { position: place, rate, acceleration: zero };
+        let frame = missed(elements, ground, at, level, &mut room.missed);
+        let [of_place, of_rate] = tip.residual(time, &frame);
+        let residual = if let Level::Place = level { of_place } else { of_rate };
+        let start = &gradient.start;
+        room.costates.set(if let Level::Place = level { &start.position } else { &start.rate });
+        room.costates.replace(&mut |x| -x);
+        let held = room.meet::<P>(elements, stage);
+        room.weights.clone_from(&room.nothing);
+        let none: EachOf<S, P> = P::Closures::each(|_| S::Scalar::zero());
+        let mut weights = none;
+        // The tip, and loop by loop.
+        for closure in usize::from(!Self::HELD)..=room.loops {
+            let number = closure.checked_sub(1);
             room.solved.set(zero);
-            let moved = room.stir::<P>(elements, &ground, stage, -wrench(tip, force));
+            room.forces.clone_from(&room.missed);
+            let mut force = none;
+            if let Some(number) = number {
+                single::<S, _>(elements, number, Left::Own, &mut room.solved, &mut room.forces);
+            } else {
+                room.forces.clone_from(&room.nothing);
+                force = P::Closures::solve(&stage.compliance, &residual);
+            }
+            // The correction x, and how it moves all stations.
+            let moved = room.stir::<P>(elements, &ground, stage, force, false);
             room.correction.set(&room.solved);
             let kept = (&room.on_bodies, &room.in_joints);
             swept::<S, P, _>(elements, kept, &mut room.at_bodies, &mut room.at_joints);
             // w and ν.
-            let start = &mut gradient.start;
-            room.costates.set(if let Level::Place = level { &start.position } else { &start.rate });
-            opposite::<S, _>(&mut room.costates);
-            let (beyond, weights) = room.weights((elements, tip), &ground, stage);
             room.solved.set(&room.costates);
-            let stirred = room.stir::<P>(elements, &ground, stage, beyond);
+            room.of_forces.clone_from(&room.parted);
+            let mut minus_weight = none;
+            if let Some(number) = number {
+                single::<S, _>(elements, number, Left::Moving, &mut room.solved, &mut room.of_forces);
+            } else {
+                minus_weight = held;
+                weights = opposite::<S, P::Closures>(&held);
+            }
+            let stirred = room.stir::<P>(elements, &ground, stage, minus_weight, true);
             // What the stage's M and Γ change of x.
             let Room { sizes, x, y, p, q, solved, correction, of_position, of_rate, on_bodies, in_joints, .. } = room;
             S::pose(elements, position, zero, ground.turn, sizes, x, y, p, q);
-            let pulled = P::pulled(wrench(tip, &weights), wrench(tip, force));
-            let reached = (&room.at_bodies, &room.at_joints, &*on_bodies, &*in_joints, &stage.pivots);
+            let mut pulled = S::Pulled::null();
+            if number.is_none() {
+                pulled = P::pulled(wrench(tip, &weights), wrench(tip, &force));
+                add(&mut gradient.tip, tip.of_columns((&weights, &moved), (&force, &stirred)));
+            }
+            let in_loops = (&room.of_forces, &room.forces);
+            let reached = (&room.at_bodies, &room.at_joints, &*on_bodies, &*in_joints, &stage.pivots, in_loops);
             let motion = (position, zero, &*correction, &*solved);
             let sums = (&mut gradient.bodies, &mut gradient.joints);
             let stores = (&*x, &*y, &*p, &*q, motion, reached, sums, (&mut *of_position, of_rate));
             let left = elements.take(&mut PullBack { laws: false }, pulled, stores);
             room.of_stage.add(of_position);
             gradient.ground = gradient.ground + S::of_ground(&left, &ground).1;
-            add(&mut gradient.tip, tip.of_columns((&weights, &moved), (force, &stirred)));
-            // What the tip misses.
-            let (place, rate) = (&projection.places[pass], &projection.missing);
-            S::pose(elements, place, rate, ground.turn, sizes, x, y, p, q);
-            let at = Coordinates { position: place, rate, acceleration: zero };
-            let frame = self.loads.see(elements, ground, at, time);
-            solved.set(zero);
-            let kept = (&mut *on_bodies, &mut *in_joints);
-            let stores = (&*x, &*y, &*p, &*q, &stage.kept, (rate, zero, &mut *solved), kept, &mut room.efforts);
-            elements.take(&mut Stir, S::at_ground(&ground), stores);
-            let mut walk = PullLoads { law: self.loads.law, time, body: elements.bodies(), of_law: gradient.law };
-            let nothing = Wrench::none();
-            let felt = if let Level::Place = level { P::felt(beyond, nothing) } else { P::felt(nothing, beyond) };
-            let start = (&mut gradient.start.position, &mut gradient.start.rate);
-            let seen = (&self.loads.on_bodies, &*on_bodies, &*in_joints);
-            let sums = (&mut gradient.numbers, &mut gradient.joints);
-            let felt = elements.take(&mut walk, felt, (&*x, &*y, &*p, &*q, (place, rate, &*solved), seen, sums, start));
-            gradient.law = walk.of_law;
-            let (of_place, turn) = S::of_place(&felt);
-            (gradient.place, gradient.ground) = (gradient.place + of_place, gradient.ground + turn);
-            add(&mut gradient.tip, tip.of_residual(&weights, &frame, level));
+            if let Some(number) = number {
+                single::<S, _>(elements, number, Left::Own, &mut room.solved, &mut room.of_forces);
+                singled::add::<S, _>(elements, &room.of_forces, &mut room.weights);
+            }
         }
+        // What is missed.
+        let Room { sizes, x, y, p, q, solved, on_bodies, in_joints, .. } = room;
+        S::pose(elements, place, rate, ground.turn, sizes, x, y, p, q);
+        let frame = self.loads.see(elements, ground, at, time);
+        solved.set(zero);
+        room.forces.clone_from(&room.nothing);
+        let kept = (&mut *on_bodies, &mut *in_joints, &mut room.forces);
+        let stores = (&*x, &*y, &*p, &*q, &stage.kept, (rate, zero, &mut *solved), kept, &mut room.efforts);
+        elements.take(&mut Stir { forces: none }, S::at_ground(&ground), stores);
+        let mut walk = PullLoads { law: self.loads.law, time, body: elements.bodies(), level, of_law: gradient.law };
+        let (beyond, nothing) = (wrench(tip, &weights), Wrench::none());
+        let felt = if let Level::Place = level { P::felt(beyond, nothing) } else { P::felt(nothing, beyond) };
+        let start = (&mut gradient.start.position, &mut gradient.start.rate);
+        let seen = (&self.loads.on_bodies, &*on_bodies, &*in_joints, &room.weights);
+        let sums = (&mut gradient.numbers, &mut gradient.joints);
+        let felt = elements.take(&mut walk, felt, (&*x, &*y, &*p, &*q, (place, rate, &*solved), seen, sums, start));
+        gradient.law = walk.of_law;
+        let (of_place, turn) = S::of_place(&felt);
+        (gradient.place, gradient.ground) = (gradient.place + of_place, gradient.ground + turn);
+        add(&mut gradient.tip, tip.of_residual(&weights, &frame, level));
     }
 }

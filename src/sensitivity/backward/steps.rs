@@ -8,9 +8,9 @@ use crate::element::{Coordinates, Element, RealOf};
 use crate::ends::{Resting, Root, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Open, Wrench};
+use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Cuts, Solvable, Wrench};
 use crate::scalar::Real;
-use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Shape, Takes};
+use crate::shape::{Kept, PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Shape, Takes};
 use crate::stepper::displace::displace;
 use crate::stepper::explicit::row_weights;
 use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
@@ -18,6 +18,7 @@ use crate::time::Explicit;
 use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
 use crate::walks::measure::gains;
+use crate::walks::meet::Meet;
 use crate::walks::reach::Reach;
 use crate::walks::size::sizes;
 use crate::walks::{spread, unspread};
@@ -33,7 +34,7 @@ pub(super) struct Stage<S: Reversed, E: Element<S>, X: Closures> {
     pub(super) y: E::Store<PerAxes<S::Y>>,
     pub(super) p: E::Store<PerAxes<S::P>>,
     pub(super) q: E::Store<PerAxes<S::Q>>,
-    pub(super) kept: E::Store<Kept<Open>>,
+    pub(super) kept: E::Store<Kept<X>>,
     pub(super) pivots: E::Store<PerJoint<S::Pivot>>,
     /// Accelerations of the outboard ends of bodies and joints.
     pub(super) at_bodies: E::Store<PerBody<S::Vector>>,
@@ -42,6 +43,8 @@ pub(super) struct Stage<S: Reversed, E: Element<S>, X: Closures> {
     pub(super) rate: E::Rate,
     /// Accelerations, where those of the step's coordinates are others.
     pub(super) acceleration: E::Rate,
+    /// λ of loops.
+    pub(super) in_loops: E::Store<PerClosure>,
     /// Λ and λ of what holds the tip.
     pub(super) compliance: X::Pairs<S::Scalar>,
     pub(super) force: X::Each<S::Scalar>,
@@ -53,8 +56,8 @@ pub(super) struct Stage<S: Reversed, E: Element<S>, X: Closures> {
 pub(super) struct Record<S: Reversed, E: Element<S>, M: Explicit, X: Closures> {
     pub(super) stages: M::Rows<Stage<S, E, X>>,
     pub(super) accelerations: M::Rows<E::Rate>,
-    /// What puts the tip back where it is held, if it is.
-    pub(super) projection: Option<Projection<S, E, X>>,
+    /// What puts the tip back where it is held and closes loops, if there is something.
+    pub(super) projection: Option<Projection<S, E>>,
 }
 
 impl<S: Reversed, E: Element<S>, M: Explicit, X: Closures> Clone for Record<S, E, M, X> {
@@ -97,10 +100,13 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     pub(super) zero: <Elements<S, R, C> as Element<S>>::Rate,
     pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
     pub(super) in_joints: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<S::InJoint>>,
+    /// −ν of loops, and nothing of them.
+    pub(super) in_loops: <Elements<S, R, C> as Shape<S>>::Store<PerClosure>,
+    pub(super) no_loops: <Elements<S, R, C> as Shape<S>>::Store<PerClosure>,
     /// Weights of each row's acceleration in the positions and rates of all rows: columns of the tableau.
     pub(super) weights: M::Rows<[[f64; ROWS]; 2]>,
     pub(super) nodes: [f64; ROWS],
-    /// Room for what holds the tip.
+    /// Room for what holds the tip and closes loops.
     pub(super) room: Option<Room<S, Elements<S, R, C>>>,
 }
 
@@ -112,11 +118,15 @@ where
     P: ReversibleTip<S>,
     M: Explicit,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S> + Burdened<S, L>,
+    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
     EffortOf<S>: Additive,
 {
     /// Whether the tip is held.
     pub(super) const HELD: bool = P::Closures::COUNT > 0;
+    /// Whether there are loops.
+    pub(super) const LOOPED: bool = System::<S, R, C, P>::LOOPED;
+    /// How deep closures are nested.
+    pub(super) const CLOSED: usize = System::<S, R, C, P>::CLOSED;
     pub(super) const CURVED: bool = <PositionOf<S, R, C> as Position<S::Scalar>>::CURVED;
 
     pub(super) fn new(scene: &'s System<S, R, C, P>, law: L) -> Self {
@@ -147,9 +157,11 @@ where
             zero,
             on_bodies: elements.store::<PerBody<_>>(on_body),
             in_joints: elements.store::<PerJoint<_>>(in_joint),
+            in_loops: elements.store::<PerClosure>(()),
+            no_loops: elements.store::<PerClosure>(()),
             weights,
             nodes,
-            room: Self::HELD.then(|| Room::new(elements, scene.ground(RealOf::<S>::zero()))),
+            room: (Self::CLOSED > 0).then(|| Room::new(elements)),
         }
     }
 
@@ -169,11 +181,12 @@ where
             position: elements.store::<Positions>(()),
             rate: self.zero.clone(),
             acceleration: self.zero.clone(),
+            in_loops: elements.store::<PerClosure>(()),
             compliance: P::Closures::no_pairs(),
             force: P::Closures::each(|_| S::Scalar::zero()),
             reached: Acceleration::zero(),
         };
-        let projection = Self::HELD.then(|| Projection::new(elements, &self.zero));
+        let projection = (Self::CLOSED > 0).then(|| Projection::new(elements, &self.zero));
         Record { stages: M::rows(&stage), accelerations: M::rows(&self.zero), projection }
     }
 
@@ -222,7 +235,7 @@ where
                 position.inverse_retract_acceleration(&past.position, rate, slope);
             }
         }
-        if const { Self::HELD } {
+        if const { Self::CLOSED > 0 } {
             self.project(past, step, record);
         }
     }
@@ -241,7 +254,7 @@ where
         next.time = time;
         if let Some(projection) = &record.projection {
             next.position.clone_from(projection.place());
-            next.rate.set(&projection.rate);
+            next.rate.set(projection.rate());
             return;
         }
         let (row, room) = (M::STAGES, (&self.zero, &mut self.sum));
@@ -263,20 +276,23 @@ where
     ) {
         let (elements, ground) = (self.scene.elements(), self.scene.ground(time));
         let stage = &mut record.stages.as_mut()[row];
-        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, position, rate, .. } = stage;
+        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, in_loops, position, rate, .. } = stage;
         let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (&*position, &*rate) };
         S::pose(elements, position, rate, ground.turn, &self.sizes, x, y, p, q);
-        elements.take(&mut Factor, S::nothing(), (x, y, p, q, (position, rate), &self.torques, kept, pivots));
+        let falling = ground.falling(self.scene.gravity());
+        let (beyond, motion) = (self.scene.tip().beyond(&falling), (position, rate));
+        let chain = elements.take(&mut Factor::new(), beyond, (x, y, p, q, motion, &self.torques, &mut *kept, pivots));
+        let mut burden = Burden(Meet::nothing());
         if const { L::ON } {
             self.loads.see(elements, ground, Coordinates { position, rate, acceleration: &self.zero }, time);
-            elements.take(&mut Burden, Wrench::none(), (x, y, p, q, &self.loads.on_bodies, kept, pivots));
+            elements.take(&mut burden, Wrench::none(), (x, y, p, q, &self.loads.on_bodies, &mut *kept, pivots));
         }
-        let acceleration = &mut record.accelerations.as_mut()[row];
-        let falling = ground.falling(self.scene.gravity());
-        let reached = elements.take(&mut Reach, falling, (x, y, p, q, kept, acceleration, (at_bodies, at_joints)));
-        if let Some(room) = &mut self.room {
-            stage.reached = reached;
-            room.hold((elements, self.scene.tip()), (&ground, falling), stage, acceleration);
-        }
+        let Cuts { columns, compliance, gap } = S::cuts(&chain);
+        let demand = P::Closures::zip(&columns, &gap, |column, gap| column.work(&falling) - gap);
+        let demand = P::Closures::zip(&demand, &burden.0.gaps, |demand, gap| demand - gap);
+        (stage.compliance, stage.force) = (compliance, P::Closures::solve(&compliance, &demand));
+        let (mut walk, acceleration) = (Reach { forces: stage.force }, &mut record.accelerations.as_mut()[row]);
+        stage.reached =
+            elements.take(&mut walk, falling, (x, y, p, q, &*kept, acceleration, (at_bodies, at_joints, in_loops)));
     }
 }

@@ -5,7 +5,7 @@ use catena::planar::*;
 use catena::scalar::Jet;
 
 /// What a cost reads of one coordinate and its rate at a step.
-fn share<T: Scalar<Real = f64>>(step: usize, last: usize, i: usize, q: T, v: T) -> T {
+pub fn share<T: Scalar<Real = f64>>(step: usize, last: usize, i: usize, q: T, v: T) -> T {
     let weight = 1.0 + 0.1 * i as f64;
     if step == last { q.scale(weight) + (v * v).scale(0.5) } else { (q * v).scale(0.05 * weight) }
 }

@@ -4,7 +4,11 @@ mod at_random;
 mod dense;
 mod front;
 mod front_edges;
+#[macro_use]
 mod held;
 mod held_runs;
+mod loop_runs;
+mod loops;
+mod recognised;
 mod rows;
 mod second;

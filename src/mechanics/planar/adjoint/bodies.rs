@@ -19,8 +19,8 @@
 use super::{Kind, OnBody, Outboard, Pulled, Stirred};
 use crate::mechanics::planar::body::{Base, Pose};
 use crate::mechanics::planar::{Acceleration, Body, Planar, PointMass, RigidBody, Rod, Wrench};
-use crate::relation::Empty;
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
+use crate::relation::{Closures, Empty};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::factor::Factor;
@@ -32,13 +32,12 @@ use nalgebra::Vector2;
 
 /// Condenses what lies outboard of a body.
 #[inline(always)]
-fn factor<T: Scalar>(body: &impl Body<T>, pose: Pose<T>, outer: Outboard<T>) -> Outboard<T> {
-    let relation = match outer.kind {
-        Kind::Nothing => body.condense(Empty, pose),
+fn factor<T: Scalar, C: Closures>(body: &impl Body<T>, pose: Pose<T>, outer: Outboard<T, C>) -> Outboard<T, C> {
+    Outboard::rigid(match outer.kind {
+        Kind::Nothing => body.condense(Empty, pose).cut(outer.relation.cuts),
         Kind::Pin => body.condense(outer.pin(), pose),
         Kind::Rigid => body.condense(outer.relation, pose),
-    };
-    Outboard { kind: Kind::Rigid, relation }
+    })
 }
 
 /// Carries G and F over a body whose outboard end accelerates by `a`.
@@ -89,25 +88,25 @@ fn pull_back<T: Scalar, B: Body<T>>(
 
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
-        impl<T: Scalar> Takes<Planar<T>, Factor> for $Body<T> {
+        impl<T: Scalar, C: Closures> Takes<Planar<T>, Factor<C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Factor,
-                outer: Outboard<T>,
-                (&x, &y, &p, &q, ..): Of<'_, Planar<T>, Factor, Self>,
-            ) -> Outboard<T> {
+                _: &mut Factor<C>,
+                outer: Outboard<T, C>,
+                (&x, &y, &p, &q, ..): Of<'_, Planar<T>, Factor<C>, Self>,
+            ) -> Outboard<T, C> {
                 factor(self, Pose { x, y, p, q }, outer)
             }
         }
 
-        impl<T: Scalar> Takes<Planar<T>, Reach> for $Body<T> {
+        impl<T: Scalar, C: Closures> Takes<Planar<T>, Reach<T, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Reach,
+                _: &mut Reach<T, C>,
                 inner: Acceleration<T>,
-                (&x, &y, &p, &q, .., (reached, ())): Of<'_, Planar<T>, Reach, Self>,
+                (&x, &y, &p, &q, .., (reached, (), ())): Of<'_, Planar<T>, Reach<T, C>, Self>,
             ) -> Acceleration<T> {
                 let [d, centripetal] = self.arm(Pose { x, y, p, q });
                 let outer = inner.shifted(d, centripetal);
@@ -116,26 +115,26 @@ macro_rules! bodies {
             }
         }
 
-        impl<T: Scalar> Takes<Planar<T>, Meet> for $Body<T> {
+        impl<T: Scalar, C: Closures> Takes<Planar<T>, Meet<T, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Meet,
+                _: &mut Meet<T, C>,
                 outer: Wrench<T>,
-                (&x, &y, &p, &q, ..): Of<'_, Planar<T>, Meet, Self>,
+                (&x, &y, &p, &q, ..): Of<'_, Planar<T>, Meet<T, C>, Self>,
             ) -> Wrench<T> {
                 let [d, _] = self.arm(Pose { x, y, p, q });
                 Wrench { torque: plus_dot(outer.torque, normal(d), outer.force), ..outer }
             }
         }
 
-        impl<T: Scalar> Takes<Planar<T>, Stir> for $Body<T> {
+        impl<T: Scalar, C: Closures> Takes<Planar<T>, Stir<T, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Stir,
+                _: &mut Stir<T, C>,
                 inner: Stirred<T>,
-                (&x, &y, &p, &q, .., (met, ()), _): Of<'_, Planar<T>, Stir, Self>,
+                (&x, &y, &p, &q, .., (met, (), ()), _): Of<'_, Planar<T>, Stir<T, C>, Self>,
             ) -> Stirred<T> {
                 let [d, _] = self.arm(Pose { x, y, p, q });
                 let (velocity, turning) = (inner.velocity.swung(d), inner.turning);

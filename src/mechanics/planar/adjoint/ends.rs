@@ -1,33 +1,31 @@
-//! The costate sweep in the plane: tips.
+//! The costate sweep in the plane: tips, and what holds in general.
 
-use super::{Felt, OnBody, Pulled, Stirred};
-use crate::adjoint::{ReversibleTip, TIP};
+use super::{AtJoint, Felt, Kind, OnBody, Outboard, Pulled, Stirred};
+use crate::adjoint::{Holds, Reversed, ReversibleTip, TIP};
 use crate::element::Level;
-use crate::mechanics::planar::{Acceleration, Clamped, Frame, Free, Guided, Pinned, Planar, Wrench};
-use crate::relation::Additive;
+use crate::ends::Tip;
+use crate::mechanics::planar::{Acceleration, Clamped, Frame, Free, Guided, Pin, Pinned, Planar, Weld, Wrench};
 use crate::relation::planar::algebra::{dot, normal};
+use crate::relation::{Additive, Closures};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
-
-impl<T: Scalar> ReversibleTip<Planar<T>> for Free {
-    fn columns(&self) {}
-}
 
 /// A force without a torque.
 fn force<T: Scalar>(force: Vector2<T>) -> Wrench<T> {
     Wrench { force, torque: T::zero() }
 }
 
-/// What all tips that are held say of the kinematics of the plane.
-macro_rules! kinematics {
-    () => {
+/// What the kinematics of the plane say, whatever is held.
+macro_rules! holds {
+    ($($End:ty),*) => {$(
+        impl<T: Scalar> Holds<Planar<T>> for $End {
         fn stirred(stirred: &Stirred<T>) -> Acceleration<T> {
             stirred.velocity
         }
         fn of_body(kept: &OnBody<T>) -> Vector2<T> {
             kept.velocity
         }
-        fn of_joint(kept: &super::AtJoint<T>) -> Vector2<T> {
+        fn of_joint(kept: &AtJoint<T>) -> Vector2<T> {
             kept.velocity
         }
         /// Torques do not turn with the body, and so are not seen.
@@ -38,7 +36,30 @@ macro_rules! kinematics {
             let turn = [of_place.torque, of_velocity.torque];
             Felt { place: of_place.force, velocity: of_velocity.force, turn, ..Felt::null() }
         }
+        }
+    )*};
+}
+holds!(Free, Pinned<[T; 2]>, Clamped<[T; 2], T>, Guided<[T; 2], T, T>, Pin, Weld<T>);
+
+/// What lies beyond the last body where a tip is held: λ acts on the body, and c · A of the body is that of the ground.
+macro_rules! beyond {
+    ($kind:ident) => {
+        fn beyond(&self, still: &Acceleration<T>) -> Outboard<T, <Self as Tip<Planar<T>>>::Closures> {
+            let columns = <Self as Tip<Planar<T>>>::Closures::map(&self.columns(), |column| -column);
+            Outboard::cut(
+                Kind::$kind,
+                columns,
+                <Self as Tip<Planar<T>>>::Closures::map(&columns, |column| column.work(still)),
+            )
+        }
     };
+}
+
+impl<T: Scalar> ReversibleTip<Planar<T>> for Free {
+    fn beyond(&self, _: &Acceleration<T>) -> Outboard<T> {
+        Planar::nothing()
+    }
+    fn columns(&self) {}
 }
 
 impl<T: Scalar> ReversibleTip<Planar<T>> for Pinned<[T; 2]> {
@@ -46,7 +67,7 @@ impl<T: Scalar> ReversibleTip<Planar<T>> for Pinned<[T; 2]> {
         let (zero, one) = (T::zero(), T::one());
         [force(Vector2::new(one, zero)), force(Vector2::new(zero, one))]
     }
-    kinematics!();
+    beyond!(Pin);
     fn numbers(&self) -> [T; TIP] {
         let [x, y] = self.place;
         [x, y, T::zero(), T::zero()]
@@ -65,7 +86,7 @@ impl<T: Scalar> ReversibleTip<Planar<T>> for Clamped<[T; 2], T> {
         let [x, y] = Pinned::on(self.place).columns();
         [x, y, Wrench { force: Vector2::null(), torque: T::one() }]
     }
-    kinematics!();
+    beyond!(Rigid);
     fn numbers(&self) -> [T; TIP] {
         let [x, y] = self.place;
         [x, y, self.attitude, T::zero()]
@@ -83,7 +104,7 @@ impl<T: Scalar> ReversibleTip<Planar<T>> for Guided<[T; 2], T, T> {
     fn columns(&self) -> [Wrench<T>; 2] {
         [force(self.across()), Wrench { force: Vector2::null(), torque: T::one() }]
     }
-    kinematics!();
+    beyond!(Rigid);
     fn numbers(&self) -> [T; TIP] {
         let (Clamped { place: [x, y], attitude }, line) = self.parts();
         [x, y, attitude, line]

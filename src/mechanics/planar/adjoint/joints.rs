@@ -3,6 +3,7 @@
 use super::laws::ReversibleLaw;
 use super::{Outboard, Pulled, Stirred, Turning};
 use crate::mechanics::planar::{Acceleration, ElasticHinge, Pin, Planar, Weld, Wrench};
+use crate::relation::Closures;
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
@@ -12,14 +13,14 @@ use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 
-impl<T: Scalar> Takes<Planar<T>, Factor> for Pin {
+impl<T: Scalar, C: Closures> Takes<Planar<T>, Factor<C>> for Pin {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Factor,
-        outer: Outboard<T>,
-        (.., torque, gain, pivot): Of<'_, Planar<T>, Factor, Self>,
-    ) -> Outboard<T> {
+        _: &mut Factor<C>,
+        outer: Outboard<T, C>,
+        (.., torque, gain, pivot): Of<'_, Planar<T>, Factor<C>, Self>,
+    ) -> Outboard<T, C> {
         // The same quotient as in the elimination: it is formed once.
         *pivot = outer.relation.angular.recip();
         let (relation, found) = outer.relation.pinned(*torque);
@@ -28,44 +29,45 @@ impl<T: Scalar> Takes<Planar<T>, Factor> for Pin {
     }
 }
 
-impl<T: Scalar> Takes<Planar<T>, Reach> for Pin {
+impl<T: Scalar, C: Closures> Takes<Planar<T>, Reach<T, C>> for Pin {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Reach,
+        walk: &mut Reach<T, C>,
         inner: Acceleration<T>,
-        (.., gain, acceleration, _): Of<'_, Planar<T>, Reach, Self>,
+        (.., gain, acceleration, _): Of<'_, Planar<T>, Reach<T, C>, Self>,
     ) -> Acceleration<T> {
-        *acceleration = gain.angular(inner.linear, &());
+        *acceleration = gain.angular(inner.linear, &walk.forces);
         Acceleration { angular: *acceleration, ..inner }
     }
 }
 
-impl<T: Scalar> Takes<Planar<T>, Meet> for Pin {
+impl<T: Scalar, C: Closures> Takes<Planar<T>, Meet<T, C>> for Pin {
     /// D w + u · W + m = λ, with w = free + gain · W.
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Meet,
+        walk: &mut Meet<T, C>,
         outer: Wrench<T>,
-        (.., gain, pivot, costate): Of<'_, Planar<T>, Meet, Self>,
+        (.., gain, pivot, costate, _): Of<'_, Planar<T>, Meet<T, C>, Self>,
     ) -> Wrench<T> {
         let left = *costate - outer.torque;
         *costate = left * *pivot;
+        walk.part(&gain.per_closure, left);
         Wrench { force: add_scaled(outer.force, -left, gain.per_acceleration), torque: T::zero() }
     }
 }
 
-impl<T: Scalar> Takes<Planar<T>, Stir> for Pin {
+impl<T: Scalar, C: Closures> Takes<Planar<T>, Stir<T, C>> for Pin {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Stir,
+        walk: &mut Stir<T, C>,
         inner: Stirred<T>,
-        (.., gain, (rate, acceleration, free), _, torque): Of<'_, Planar<T>, Stir, Self>,
+        (.., gain, (rate, acceleration, free), _, torque): Of<'_, Planar<T>, Stir<T, C>, Self>,
     ) -> Stirred<T> {
         let linear = inner.velocity.linear;
-        let w = plus_dot(*free, gain.per_acceleration, linear);
+        let w = C::plus_dot(plus_dot(*free, gain.per_acceleration, linear), &gain.per_closure, &walk.forces);
         // A torque acts on the outboard body and against the inboard one.
         *torque += w - inner.velocity.angular;
         *free = w;
@@ -88,30 +90,40 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Pin {
     }
 }
 
-impl<T: Scalar> Takes<Planar<T>, Factor> for Weld<T> {
+impl<T: Scalar, C: Closures> Takes<Planar<T>, Factor<C>> for Weld<T> {
     #[inline(always)]
-    fn take(&self, _: &mut Factor, outer: Outboard<T>, _: Of<'_, Planar<T>, Factor, Self>) -> Outboard<T> {
+    fn take(&self, _: &mut Factor<C>, outer: Outboard<T, C>, _: Of<'_, Planar<T>, Factor<C>, Self>) -> Outboard<T, C> {
         outer
     }
 }
 
-impl<T: Scalar> Takes<Planar<T>, Reach> for Weld<T> {
+impl<T: Scalar, C: Closures> Takes<Planar<T>, Reach<T, C>> for Weld<T> {
     #[inline(always)]
-    fn take(&self, _: &mut Reach, inner: Acceleration<T>, _: Of<'_, Planar<T>, Reach, Self>) -> Acceleration<T> {
+    fn take(
+        &self,
+        _: &mut Reach<T, C>,
+        inner: Acceleration<T>,
+        _: Of<'_, Planar<T>, Reach<T, C>, Self>,
+    ) -> Acceleration<T> {
         inner
     }
 }
 
-impl<T: Scalar> Takes<Planar<T>, Meet> for Weld<T> {
+impl<T: Scalar, C: Closures> Takes<Planar<T>, Meet<T, C>> for Weld<T> {
     #[inline(always)]
-    fn take(&self, _: &mut Meet, outer: Wrench<T>, _: Of<'_, Planar<T>, Meet, Self>) -> Wrench<T> {
+    fn take(&self, _: &mut Meet<T, C>, outer: Wrench<T>, _: Of<'_, Planar<T>, Meet<T, C>, Self>) -> Wrench<T> {
         outer
     }
 }
 
-impl<T: Scalar> Takes<Planar<T>, Stir> for Weld<T> {
+impl<T: Scalar, C: Closures> Takes<Planar<T>, Stir<T, C>> for Weld<T> {
     #[inline(always)]
-    fn take(&self, _: &mut Stir, inner: Stirred<T>, (.., ((), kept), _): Of<'_, Planar<T>, Stir, Self>) -> Stirred<T> {
+    fn take(
+        &self,
+        _: &mut Stir<T, C>,
+        inner: Stirred<T>,
+        (.., ((), kept, _), _): Of<'_, Planar<T>, Stir<T, C>, Self>,
+    ) -> Stirred<T> {
         kept.turning = inner.turning;
         inner
     }
@@ -124,21 +136,21 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Weld<T> {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (.., (.., kept, _), (_, sums), _): Of<'_, Planar<T>, PullBack, Self>,
+        (.., (.., kept, _, _), (_, sums), _): Of<'_, Planar<T>, PullBack, Self>,
     ) -> Pulled<T> {
         sums[0] += outer.turned(kept.turning)[0];
         outer
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Factor> for ElasticHinge<L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Factor<C>> for ElasticHinge<L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Factor,
-        outer: Outboard<T>,
-        (.., (position, rate), torque, gain, pivot): Of<'_, Planar<T>, Factor, Self>,
-    ) -> Outboard<T> {
+        _: &mut Factor<C>,
+        outer: Outboard<T, C>,
+        (.., (position, rate), torque, gain, pivot): Of<'_, Planar<T>, Factor<C>, Self>,
+    ) -> Outboard<T, C> {
         *pivot = outer.relation.angular.recip();
         let (relation, found) = outer.relation.pinned(*torque + self.rotary.force(*position, *rate));
         gain.absolute(found);
@@ -146,46 +158,47 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Factor> for ElasticHinge<L
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Reach> for ElasticHinge<L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Reach<T, C>> for ElasticHinge<L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Reach,
+        walk: &mut Reach<T, C>,
         inner: Acceleration<T>,
-        (.., gain, acceleration, _): Of<'_, Planar<T>, Reach, Self>,
+        (.., gain, acceleration, _): Of<'_, Planar<T>, Reach<T, C>, Self>,
     ) -> Acceleration<T> {
-        let angular = gain.angular(inner.linear, &());
+        let angular = gain.angular(inner.linear, &walk.forces);
         *acceleration = angular - inner.angular;
         Acceleration { angular, ..inner }
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Meet> for ElasticHinge<L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Meet<T, C>> for ElasticHinge<L> {
     /// As a pin for the absolute w; the costate itself is a torque between the bodies.
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Meet,
+        walk: &mut Meet<T, C>,
         outer: Wrench<T>,
-        (.., gain, pivot, costate): Of<'_, Planar<T>, Meet, Self>,
+        (.., gain, pivot, costate, _): Of<'_, Planar<T>, Meet<T, C>, Self>,
     ) -> Wrench<T> {
         let torque = *costate;
         let left = torque - outer.torque;
         *costate = left * *pivot;
+        walk.part(&gain.per_closure, left);
         Wrench { force: add_scaled(outer.force, -left, gain.per_acceleration), torque }
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Stir> for ElasticHinge<L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Stir<T, C>> for ElasticHinge<L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Stir,
+        walk: &mut Stir<T, C>,
         inner: Stirred<T>,
-        (.., gain, (rate, acceleration, free), (_, kept), torque): Of<'_, Planar<T>, Stir, Self>,
+        (.., gain, (rate, acceleration, free), (_, kept, _), torque): Of<'_, Planar<T>, Stir<T, C>, Self>,
     ) -> Stirred<T> {
         let Acceleration { linear, angular } = inner.velocity;
-        let w = plus_dot(*free, gain.per_acceleration, linear);
+        let w = C::plus_dot(plus_dot(*free, gain.per_acceleration, linear), &gain.per_closure, &walk.forces);
         *free = w - angular;
         *torque += *free;
         let inboard = inner.turning;
@@ -203,7 +216,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for ElasticHinge
         &self,
         walk: &mut PullBack,
         outer: Pulled<T>,
-        (.., (position, rate, _, w), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
+        (.., (position, rate, _, w), (.., kept, _, _), (_, sums), (of_position, of_rate)): Of<
             '_,
             Planar<T>,
             PullBack,

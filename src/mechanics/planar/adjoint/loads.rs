@@ -15,12 +15,11 @@ use crate::mechanics::planar::axes::{Axes, Inboard};
 use crate::mechanics::planar::{
     Acceleration, BodyMotion, ElasticHinge, Frame, Pin, Planar, PointMass, RigidBody, Rod, Slider, Turn, Weld, Wrench,
 };
-use crate::relation::Additive;
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
+use crate::relation::{Additive, Closures};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{Body, Of, Takes};
 use crate::walks::burden::Burden;
-use crate::walks::meet::Meet;
 use crate::walks::pull_loads::{LAW, PullLoads};
 use core::ops::Add;
 use nalgebra::Vector2;
@@ -66,14 +65,14 @@ impl<T: Scalar> Additive for Felt<T> {
 
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
-        impl<T: Scalar> Takes<Planar<T>, Burden> for $Body<T> {
+        impl<T: Scalar, C: Closures> Takes<Planar<T>, Burden<T, C>> for $Body<T> {
             fn take(
                 &self,
-                _: &mut Burden,
+                walk: &mut Burden<T, C>,
                 outer: Wrench<T>,
-                (x, y, p, q, (_, load), ..): Of<'_, Planar<T>, Burden, Self>,
+                (x, y, p, q, (_, load), ..): Of<'_, Planar<T>, Burden<T, C>, Self>,
             ) -> Wrench<T> {
-                let inner = self.take(&mut Meet, outer, (x, y, p, q, &(), &(), &mut ()));
+                let inner = self.take(&mut walk.0, outer, (x, y, p, q, &(), &(), &mut (), &mut ()));
                 inner - *load
             }
         }
@@ -86,7 +85,7 @@ macro_rules! bodies {
                 &self,
                 walk: &mut PullLoads<L, T>,
                 outer: Felt<T>,
-                (.., ((frame, _), met, ()), (sums, ()), _): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
+                (.., ((frame, _), met, (), ()), (sums, ()), _): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
             ) -> Felt<T> {
                 walk.body = walk.body.saturating_sub(1);
                 let mut seed = MOTION;
@@ -134,15 +133,15 @@ bodies!(Rod, RigidBody, PointMass);
 /// Joints with one coordinate: what they eliminate of a costate they eliminate of a load.
 macro_rules! joints {
     ($([$($L:ident)?] $Joint:ty),*) => {$(
-        impl<T: Scalar $(, $L: ReversibleLaw<T>)?> Takes<Planar<T>, Burden> for $Joint {
+        impl<T: Scalar, C: Closures $(, $L: ReversibleLaw<T>)?> Takes<Planar<T>, Burden<T, C>> for $Joint {
             fn take(
                 &self,
-                _: &mut Burden,
+                walk: &mut Burden<T, C>,
                 outer: Wrench<T>,
-                (x, y, p, q, (), gain, pivot): Of<'_, Planar<T>, Burden, Self>,
+                (x, y, p, q, (), gain, pivot): Of<'_, Planar<T>, Burden<T, C>, Self>,
             ) -> Wrench<T> {
                 let mut more = T::zero();
-                let inner = self.take(&mut Meet, outer, (x, y, p, q, gain, pivot, &mut more));
+                let inner = self.take(&mut walk.0, outer, (x, y, p, q, gain, pivot, &mut more, &mut ()));
                 gain.free += more;
                 inner
             }
@@ -151,8 +150,8 @@ macro_rules! joints {
 }
 joints!([] Pin, [R] ElasticHinge<R>, [R] Slider<T, R>);
 
-impl<T: Scalar> Takes<Planar<T>, Burden> for Weld<T> {
-    fn take(&self, _: &mut Burden, outer: Wrench<T>, _: Of<'_, Planar<T>, Burden, Self>) -> Wrench<T> {
+impl<T: Scalar, C: Closures> Takes<Planar<T>, Burden<T, C>> for Weld<T> {
+    fn take(&self, _: &mut Burden<T, C>, outer: Wrench<T>, _: Of<'_, Planar<T>, Burden<T, C>, Self>) -> Wrench<T> {
         outer
     }
 }
@@ -201,7 +200,7 @@ impl<T: Scalar, L, R: ReversibleLaw<T>> Takes<Planar<T>, PullLoads<L, T>> for Sl
         &self,
         _: &mut PullLoads<L, T>,
         outer: Felt<T>,
-        (x, y, p, q, (_, rate, w), (.., kept), (_, sums), (of_position, of_rate)): Of<
+        (x, y, p, q, (_, rate, w), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
             '_,
             Planar<T>,
             PullLoads<L, T>,

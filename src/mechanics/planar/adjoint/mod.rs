@@ -5,6 +5,7 @@ mod ends;
 mod joints;
 mod laws;
 mod loads;
+mod loops;
 mod slider;
 
 pub(crate) use laws::NUMBERS;
@@ -14,9 +15,9 @@ use loads::Felt;
 use super::body::Base;
 use crate::adjoint::Reversed;
 use crate::element::Element;
-use crate::mechanics::planar::{Acceleration, BodyMotion, Frame, Planar, Turn};
-use crate::relation::Additive;
+use crate::mechanics::planar::{Acceleration, BodyMotion, Frame, Planar, Turn, Wrench};
 use crate::relation::planar::{Full, Point};
+use crate::relation::{Additive, Closures, Cuts, Join, LoopGain, Looped, Open, Own, Settle};
 use crate::scalar::Scalar;
 use crate::shape::PerAxes;
 use crate::walks::factor::Factor;
@@ -25,9 +26,9 @@ use nalgebra::Vector2;
 
 /// What lies outboard of a station, with a kind: bodies save what a pin or a free tip leaves out.
 #[derive(Clone, Copy)]
-pub struct Outboard<T: Scalar> {
+pub struct Outboard<T: Scalar, C: Closures = Open> {
     kind: Kind,
-    relation: Full<T>,
+    relation: Full<T, C>,
 }
 
 /// What there is of a relation.
@@ -41,16 +42,38 @@ enum Kind {
     Rigid,
 }
 
-impl<T: Scalar> Outboard<T> {
+impl Kind {
+    /// What there is of a sum.
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Nothing, kind) | (kind, Self::Nothing) => kind,
+            (Self::Pin, Self::Pin) => Self::Pin,
+            _ => Self::Rigid,
+        }
+    }
+}
+
+impl<T: Scalar, C: Closures> Outboard<T, C> {
     /// Of a pin with a torque in it.
     #[inline(always)]
-    fn of_pin(Point { mass, offset, torque, .. }: Point<T, T>) -> Self {
-        let relation = Full { linear: mass, force: offset, torque, ..Full::massless() };
-        Self { kind: Kind::Pin, relation }
+    fn of_pin(Point { mass, offset, torque, cuts }: Point<T, T, C>) -> Self {
+        let massless = Full::massless().cut(cuts.mapped(Wrench::of_force));
+        Self { kind: Kind::Pin, relation: Full { linear: mass, force: offset, torque, ..massless } }
+    }
+    /// All of a relation.
+    #[inline(always)]
+    fn rigid(relation: Full<T, C>) -> Self {
+        Self { kind: Kind::Rigid, relation }
+    }
+    /// Nothing but closure forces.
+    #[inline(always)]
+    fn cut(kind: Kind, columns: C::Each<Wrench<T>>, gap: C::Each<T>) -> Self {
+        Self { kind, relation: Full::massless().cut(Cuts::at_tip(columns, gap)) }
     }
     /// The relation of a pin.
     #[inline(always)]
-    fn pin(&self) -> Point<T, T> {
+    fn pin(&self) -> Point<T, T, C> {
         let Full { linear, force, torque, cuts, .. } = self.relation;
         Point { mass: linear, offset: force, torque, cuts: cuts.mapped(|w| w.force) }
     }
@@ -166,7 +189,7 @@ impl<T: Scalar> Additive for Pulled<T> {
 }
 
 impl<T: Scalar> Reversed for Planar<T> {
-    type Outboard = Outboard<T>;
+    type Outboard<C: Closures> = Outboard<T, C>;
     type Pivot = T;
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
@@ -199,14 +222,21 @@ impl<T: Scalar> Reversed for Planar<T> {
         Outboard { kind: Kind::Nothing, relation: Full::massless() }
     }
     #[inline(always)]
-    fn join(chain: Outboard<T>, arm: Outboard<T>) -> Outboard<T> {
-        use crate::relation::Join;
-        let kind = match (chain.kind, arm.kind) {
-            (Kind::Nothing, kind) | (kind, Kind::Nothing) => kind,
-            (Kind::Pin, Kind::Pin) => Kind::Pin,
-            _ => Kind::Rigid,
-        };
-        Outboard { kind, relation: chain.relation.join(arm.relation) }
+    fn join<C: Closures>(chain: Outboard<T, C>, arm: Outboard<T>) -> Outboard<T, C> {
+        Outboard { kind: chain.kind.and(arm.kind), relation: chain.relation.join(arm.relation) }
+    }
+    #[inline(always)]
+    fn settle<C: Closures, O: Own>(
+        main: Outboard<T, Looped<C, O>>,
+        side: Outboard<T, O>,
+        measure: O::Measure<T>,
+    ) -> (Outboard<T, C>, LoopGain<Wrench<T>, T, C, O>) {
+        let (relation, gain) = main.relation.settle(side.relation, measure);
+        (Outboard { kind: main.kind.and(side.kind), relation }, gain)
+    }
+    #[inline(always)]
+    fn cuts<C: Closures>(outboard: &Outboard<T, C>) -> Cuts<Wrench<T>, T, C> {
+        outboard.relation.cuts
     }
     fn no_pivot() -> T {
         T::zero()

@@ -16,9 +16,10 @@
 //! and the direction of the line has θ̄ of these.
 
 use super::laws::ReversibleLaw;
-use super::{Kind, Outboard, Pulled, Stirred};
+use super::{Outboard, Pulled, Stirred};
 use crate::mechanics::planar::axes::{Axes, Inboard, across};
 use crate::mechanics::planar::{Acceleration, Planar, Slider, Wrench};
+use crate::relation::Closures;
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::relation::planar::along;
 use crate::scalar::Scalar;
@@ -29,67 +30,69 @@ use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Factor> for Slider<T, L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Factor<C>> for Slider<T, L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Factor,
-        outer: Outboard<T>,
-        (x, y, p, q, (position, rate), force, gain, pivot): Of<'_, Planar<T>, Factor, Self>,
-    ) -> Outboard<T> {
+        _: &mut Factor<C>,
+        outer: Outboard<T, C>,
+        (x, y, p, q, (position, rate), force, gain, pivot): Of<'_, Planar<T>, Factor<C>, Self>,
+    ) -> Outboard<T, C> {
         let offset = Inboard::offset(x, y, p, q);
         let linear = outer.relation.linear.along(offset.direction);
         *pivot = (linear.xx + self.lumped).recip();
         let force = *force + self.spring.force(*position, *rate);
         let relation = self.loosen(outer.relation, offset, force, T::zero(), gain);
-        Outboard { kind: Kind::Rigid, relation }
+        Outboard::rigid(relation)
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Reach> for Slider<T, L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Reach<T, C>> for Slider<T, L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Reach,
+        walk: &mut Reach<T, C>,
         inner: Acceleration<T>,
-        (x, y, p, q, gain, acceleration, (_, reached)): Of<'_, Planar<T>, Reach, Self>,
+        (x, y, p, q, gain, acceleration, (_, reached, _)): Of<'_, Planar<T>, Reach<T, C>, Self>,
     ) -> Acceleration<T> {
         let offset = Inboard::offset(x, y, p, q);
         let carried = inner.shifted(offset.arm, offset.acceleration);
-        *acceleration = gain.relative(along(carried.linear, offset.direction), carried.angular, &());
+        *acceleration = gain.relative(along(carried.linear, offset.direction), carried.angular, &walk.forces);
         *reached = add_scaled(carried.linear, *acceleration, offset.direction);
         Acceleration { linear: *reached, ..carried }
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Meet> for Slider<T, L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Meet<T, C>> for Slider<T, L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Meet,
+        walk: &mut Meet<T, C>,
         outer: Wrench<T>,
-        (x, y, p, q, gain, pivot, costate): Of<'_, Planar<T>, Meet, Self>,
+        (x, y, p, q, gain, pivot, costate, _): Of<'_, Planar<T>, Meet<T, C>, Self>,
     ) -> Wrench<T> {
         let offset = Inboard::offset(x, y, p, q);
         let left = *costate - dot(offset.direction, outer.force);
         *costate = left * *pivot;
+        walk.part(&gain.per_closure, left);
         let force = add_scaled(outer.force, -left, across(gain.per_acceleration, offset.direction));
         let torque = (-left).mul_add(gain.per_angular, outer.torque);
         Wrench { force, torque: plus_dot(torque, normal(offset.arm), force) }
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Stir> for Slider<T, L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Stir<T, C>> for Slider<T, L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Stir,
+        walk: &mut Stir<T, C>,
         inner: Stirred<T>,
-        (x, y, p, q, gain, (_, _, free), (_, kept), force): Of<'_, Planar<T>, Stir, Self>,
+        (x, y, p, q, gain, (_, _, free), (_, kept, _), force): Of<'_, Planar<T>, Stir<T, C>, Self>,
     ) -> Stirred<T> {
         let offset = Inboard::offset(x, y, p, q);
         let carried = inner.velocity.swung(offset.arm);
-        let w = *free + gain.homogeneous().relative(along(carried.linear, offset.direction), carried.angular, &());
+        let w =
+            *free + gain.homogeneous().relative(along(carried.linear, offset.direction), carried.angular, &walk.forces);
         *free = w;
         *force += w;
         kept.turning = inner.turning;
@@ -103,7 +106,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for Slider<T, L>
         &self,
         walk: &mut PullBack,
         outer: Pulled<T>,
-        (x, y, p, q, (position, rate, acceleration, w), (_, a, _, kept, _), (_, sums), (of_position, of_rate)): Of<
+        (x, y, p, q, (position, rate, acceleration, w), (_, a, _, kept, _, _), (_, sums), (of_position, of_rate)): Of<
             '_,
             Planar<T>,
             PullBack,

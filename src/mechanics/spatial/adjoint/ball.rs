@@ -51,13 +51,13 @@ impl<T: Scalar> Takes<Spatial<T>, Factor> for Ball {
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, Reach> for Ball {
+impl<T: Scalar> Takes<Spatial<T>, Reach<T>> for Ball {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Reach,
+        _: &mut Reach<T>,
         inner: Acceleration<T>,
-        (attitude, .., gain, acceleration, _): Of<'_, Spatial<T>, Reach, Self>,
+        (attitude, .., gain, acceleration, _): Of<'_, Spatial<T>, Reach<T>, Self>,
     ) -> Acceleration<T> {
         let angular = gain.angular(inner.linear, &());
         *acceleration = attitude.transposed(angular).into();
@@ -65,14 +65,14 @@ impl<T: Scalar> Takes<Spatial<T>, Reach> for Ball {
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, Meet> for Ball {
+impl<T: Scalar> Takes<Spatial<T>, Meet<T>> for Ball {
     /// H w + Kᵀ W + e_m = A λ, with w = free + G W and G = −H⁻¹ Kᵀ; what is left in place of λ is free, in inertial axes.
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Meet,
+        _: &mut Meet<T>,
         outer: Wrench<T>,
-        (attitude, .., gain, pivot, costate): Of<'_, Spatial<T>, Meet, Self>,
+        (attitude, .., gain, pivot, costate, _): Of<'_, Spatial<T>, Meet<T>, Self>,
     ) -> Wrench<T> {
         let left = attitude.apply(Vector3::from(*costate)) - outer.torque;
         *costate = pivot.factor.solve(left).into();
@@ -80,13 +80,13 @@ impl<T: Scalar> Takes<Spatial<T>, Meet> for Ball {
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, Stir> for Ball {
+impl<T: Scalar> Takes<Spatial<T>, Stir<T>> for Ball {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Stir,
+        _: &mut Stir<T>,
         Stirred { velocity, turning: inner }: Stirred<T>,
-        (attitude, .., gain, (rate, acceleration, free), ((), kept), torque): Of<'_, Spatial<T>, Stir, Self>,
+        (attitude, .., gain, (rate, acceleration, free), ((), kept, _), torque): Of<'_, Spatial<T>, Stir<T>, Self>,
     ) -> Stirred<T> {
         let stirring = gain.per_acceleration.apply_onto(velocity, Vector3::from(*free));
         torque.0 = attitude.transposed_onto(stirring - inner.stirring, Vector3::from(torque.0)).into();
@@ -102,7 +102,7 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Ball {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (attitude, .., (.., inner, pivot), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullBack, Self>,
+        (attitude, .., (.., inner, pivot, _), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
         let torque = pivot.torque;
         let turn = cross(torque, inner.stirring);

@@ -91,13 +91,13 @@ macro_rules! bodies {
             }
         }
 
-        impl<T: Scalar> Takes<Spatial<T>, Reach> for $Body<T> {
+        impl<T: Scalar> Takes<Spatial<T>, Reach<T>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Reach,
+                _: &mut Reach<T>,
                 inner: Acceleration<T>,
-                (_, _, &arm, &centripetal, .., (reached, ())): Of<'_, Spatial<T>, Reach, Self>,
+                (_, _, &arm, &centripetal, .., (reached, (), ())): Of<'_, Spatial<T>, Reach<T>, Self>,
             ) -> Acceleration<T> {
                 let outer = inner.shifted(arm, centripetal);
                 *reached = outer.linear;
@@ -105,25 +105,25 @@ macro_rules! bodies {
             }
         }
 
-        impl<T: Scalar> Takes<Spatial<T>, Meet> for $Body<T> {
+        impl<T: Scalar> Takes<Spatial<T>, Meet<T>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Meet,
+                _: &mut Meet<T>,
                 outer: Wrench<T>,
-                (_, _, &arm, ..): Of<'_, Spatial<T>, Meet, Self>,
+                (_, _, &arm, ..): Of<'_, Spatial<T>, Meet<T>, Self>,
             ) -> Wrench<T> {
                 Wrench { torque: cross_onto(arm, outer.force, outer.torque), ..outer }
             }
         }
 
-        impl<T: Scalar> Takes<Spatial<T>, Stir> for $Body<T> {
+        impl<T: Scalar> Takes<Spatial<T>, Stir<T>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Stir,
+                _: &mut Stir<T>,
                 inner: Stirred<T>,
-                (_, _, &arm, .., (met, ()), _): Of<'_, Spatial<T>, Stir, Self>,
+                (_, _, &arm, .., (met, (), ()), _): Of<'_, Spatial<T>, Stir<T>, Self>,
             ) -> Stirred<T> {
                 let turning = inner.turning;
                 let velocity = cross_onto(turning.stirring, arm, inner.velocity);

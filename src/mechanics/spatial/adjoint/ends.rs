@@ -1,9 +1,15 @@
 //! The costate sweep in space: tips.
 
-use crate::adjoint::ReversibleTip;
-use crate::mechanics::spatial::{Free, Spatial};
+use super::Outboard;
+use crate::adjoint::{Holds, Reversed, ReversibleTip};
+use crate::mechanics::spatial::{Acceleration, Free, Spatial};
 use crate::scalar::Scalar;
 
+impl<T: Scalar> Holds<Spatial<T>> for Free {}
+
 impl<T: Scalar> ReversibleTip<Spatial<T>> for Free {
+    fn beyond(&self, _: &Acceleration<T>) -> Outboard<T> {
+        Spatial::nothing()
+    }
     fn columns(&self) {}
 }

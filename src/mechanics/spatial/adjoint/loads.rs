@@ -10,8 +10,8 @@ use crate::walks::pull_loads::PullLoads;
 
 macro_rules! unloaded {
     ($([$($L:ident)?] $Element:ty),*) => {$(
-        impl<T: Scalar, $($L: ReversibleLaw<T>)?> Takes<Spatial<T>, Burden> for $Element {
-            fn take(&self, _: &mut Burden, outer: Wrench<T>, _: Of<'_, Spatial<T>, Burden, Self>) -> Wrench<T> {
+        impl<T: Scalar, $($L: ReversibleLaw<T>)?> Takes<Spatial<T>, Burden<T>> for $Element {
+            fn take(&self, _: &mut Burden<T>, outer: Wrench<T>, _: Of<'_, Spatial<T>, Burden<T>, Self>) -> Wrench<T> {
                 outer
             }
         }

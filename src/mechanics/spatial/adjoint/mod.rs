@@ -12,10 +12,10 @@ pub use inertial::{Base, Inertial};
 
 use crate::adjoint::Reversed;
 use crate::element::Element;
-use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Spatial, Turn};
+use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Spatial, Turn, Wrench};
 use crate::relation::spatial::algebra::{Columns, Factor3, cross, cross_onto, zero};
 use crate::relation::spatial::{Couple, Full, Point};
-use crate::relation::{Absent, Additive, Join};
+use crate::relation::{Absent, Additive, Closures, Cuts, Join, LoopGain, Looped, Open, Own, Settle};
 use crate::scalar::Scalar;
 use crate::shape::{PerAxes, Takes};
 use crate::walks::orient::Orient;
@@ -24,9 +24,9 @@ use nalgebra::Vector3;
 
 /// What lies outboard of a station, with a kind: bodies save what a ball or a free tip leaves out.
 #[derive(Clone, Copy)]
-pub struct Outboard<T: Scalar> {
+pub struct Outboard<T: Scalar, C: Closures = Open> {
     kind: Kind,
-    relation: Full<T>,
+    relation: Full<T, C>,
 }
 
 /// What there is of a relation.
@@ -38,6 +38,18 @@ enum Kind {
     Ball,
     /// All of it.
     Rigid,
+}
+
+impl Kind {
+    /// What there is of a sum.
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Nothing, kind) | (kind, Self::Nothing) => kind,
+            (Self::Ball, Self::Ball) => Self::Ball,
+            _ => Self::Rigid,
+        }
+    }
 }
 
 impl<T: Scalar> Outboard<T> {
@@ -167,7 +179,7 @@ pub struct OfJoint<T> {
 }
 
 impl<T: Scalar> Reversed for Spatial<T> {
-    type Outboard = Outboard<T>;
+    type Outboard<C: Closures> = Outboard<T, C>;
     type Pivot = Pivot<T>;
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
@@ -200,13 +212,21 @@ impl<T: Scalar> Reversed for Spatial<T> {
         Outboard { kind: Kind::Nothing, relation: Full::massless() }
     }
     #[inline(always)]
-    fn join(chain: Outboard<T>, arm: Outboard<T>) -> Outboard<T> {
-        let kind = match (chain.kind, arm.kind) {
-            (Kind::Nothing, kind) | (kind, Kind::Nothing) => kind,
-            (Kind::Ball, Kind::Ball) => Kind::Ball,
-            _ => Kind::Rigid,
-        };
-        Outboard { kind, relation: chain.relation.join(arm.relation) }
+    fn join<C: Closures>(chain: Outboard<T, C>, arm: Outboard<T>) -> Outboard<T, C> {
+        Outboard { kind: chain.kind.and(arm.kind), relation: chain.relation.join(arm.relation) }
+    }
+    #[inline(always)]
+    fn settle<C: Closures, O: Own>(
+        main: Outboard<T, Looped<C, O>>,
+        side: Outboard<T, O>,
+        measure: O::Measure<T>,
+    ) -> (Outboard<T, C>, LoopGain<Wrench<T>, T, C, O>) {
+        let (relation, gain) = main.relation.settle(side.relation, measure);
+        (Outboard { kind: main.kind.and(side.kind), relation }, gain)
+    }
+    #[inline(always)]
+    fn cuts<C: Closures>(outboard: &Outboard<T, C>) -> Cuts<Wrench<T>, T, C> {
+        outboard.relation.cuts
     }
     fn no_pivot() -> Pivot<T> {
         Pivot { factor: Factor3::of_number(T::one()), torque: zero() }

@@ -56,13 +56,13 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Factor> for Revolute<T, L
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Reach> for Revolute<T, L> {
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Reach<T>> for Revolute<T, L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Reach,
+        _: &mut Reach<T>,
         inner: Acceleration<T>,
-        (axes, bias, .., [gain], acceleration, _): Of<'_, Spatial<T>, Reach, Self>,
+        (axes, bias, .., [gain], acceleration, _): Of<'_, Spatial<T>, Reach<T>, Self>,
     ) -> Acceleration<T> {
         let angular = inner.angular + bias[1];
         *acceleration = gain.acceleration(inner.linear, angular, &());
@@ -70,14 +70,14 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Reach> for Revolute<T, L>
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Meet> for Revolute<T, L> {
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Meet<T>> for Revolute<T, L> {
     /// Δ q̇_w + U · (W, w_I) + s · m = λ, with q̇_w = free + gain · (W, w_I).
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Meet,
+        _: &mut Meet<T>,
         outer: Wrench<T>,
-        (axes, .., [gain], pivot, costate): Of<'_, Spatial<T>, Meet, Self>,
+        (axes, .., [gain], pivot, costate, _): Of<'_, Spatial<T>, Meet<T>, Self>,
     ) -> Wrench<T> {
         let left = *costate - dot(axes.x, outer.torque);
         *costate = left * pivot.factor.number();
@@ -88,13 +88,13 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Meet> for Revolute<T, L> 
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Stir> for Revolute<T, L> {
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Stir<T>> for Revolute<T, L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Stir,
+        _: &mut Stir<T>,
         Stirred { velocity, turning: inner }: Stirred<T>,
-        (axes, bias, .., [gain], (rate, acceleration, free), ((), kept), torque): Of<'_, Spatial<T>, Stir, Self>,
+        (axes, bias, .., [gain], (rate, acceleration, free), ((), kept, _), torque): Of<'_, Spatial<T>, Stir<T>, Self>,
     ) -> Stirred<T> {
         let axis = axes.x;
         let own = dot_onto(gain.per_linear, velocity, dot_onto(gain.per_angular, inner.stirring, *free));
@@ -116,7 +116,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T,
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (axes, .., (angle, rate, acceleration, own), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
+        (axes, .., (angle, rate, acceleration, own), (.., kept, _, _), (_, sums), (of_position, of_rate)): Of<
             '_,
             Spatial<T>,
             PullBack,

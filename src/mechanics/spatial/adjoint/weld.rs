@@ -31,23 +31,28 @@ impl<T: Scalar> Takes<Spatial<T>, Factor> for Weld<T> {
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, Reach> for Weld<T> {
+impl<T: Scalar> Takes<Spatial<T>, Reach<T>> for Weld<T> {
     #[inline(always)]
-    fn take(&self, _: &mut Reach, inner: Acceleration<T>, _: Of<'_, Spatial<T>, Reach, Self>) -> Acceleration<T> {
+    fn take(&self, _: &mut Reach<T>, inner: Acceleration<T>, _: Of<'_, Spatial<T>, Reach<T>, Self>) -> Acceleration<T> {
         inner
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, Meet> for Weld<T> {
+impl<T: Scalar> Takes<Spatial<T>, Meet<T>> for Weld<T> {
     #[inline(always)]
-    fn take(&self, _: &mut Meet, outer: Wrench<T>, _: Of<'_, Spatial<T>, Meet, Self>) -> Wrench<T> {
+    fn take(&self, _: &mut Meet<T>, outer: Wrench<T>, _: Of<'_, Spatial<T>, Meet<T>, Self>) -> Wrench<T> {
         outer
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, Stir> for Weld<T> {
+impl<T: Scalar> Takes<Spatial<T>, Stir<T>> for Weld<T> {
     #[inline(always)]
-    fn take(&self, _: &mut Stir, inner: Stirred<T>, (.., ((), kept), _): Of<'_, Spatial<T>, Stir, Self>) -> Stirred<T> {
+    fn take(
+        &self,
+        _: &mut Stir<T>,
+        inner: Stirred<T>,
+        (.., ((), kept, _), _): Of<'_, Spatial<T>, Stir<T>, Self>,
+    ) -> Stirred<T> {
         *kept = inner.turning;
         inner
     }
@@ -60,7 +65,7 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Weld<T> {
         &self,
         _: &mut PullBack,
         outer: Pulled<T>,
-        (attitude, .., (.., kept, _), (_, sums), _): Of<'_, Spatial<T>, PullBack, Self>,
+        (attitude, .., (.., kept, _, _), (_, sums), _): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
         sums.turn = attitude.transposed_onto(outer.turned(*kept), sums.turn);
         outer

@@ -68,6 +68,7 @@ macro_rules! through {
     ([$($generics:tt)*] $Walk:ty, $Carried:ty, inward, |$walk:ident, $carried:ident, $go:ident| $branch:expr) => {
         $crate::mechanics::spatial::body_axes::through::through!(@ [$($generics)*] $Walk, $Carried, {
             const OUTWARD: bool = false;
+            type In<Y: $crate::shape::Way> = Self;
 
             #[inline(always)]
             fn branch(&mut self, $carried: $Carried, $go: impl FnOnce(&mut Self, $Carried) -> $Carried) -> $Carried {
@@ -78,7 +79,7 @@ macro_rules! through {
     };
     ([$($generics:tt)*] $Walk:ty, $Carried:ty, outward) => {
         $crate::mechanics::spatial::body_axes::through::through!(@ [$($generics)*] $Walk, $Carried, {
-            const OUTWARD: bool = true;
+            $crate::shape::alike_in_arms!();
         });
     };
     (@ [$($generics:tt)*] $Walk:ty, $Carried:ty, { $($items:tt)* }) => {
