@@ -16,6 +16,8 @@ mod inverse;
 mod joints;
 #[path = "parts/measure.rs"]
 mod measure;
+#[path = "parts/record.rs"]
+mod record;
 #[path = "parts/scenes.rs"]
 mod scenes;
 #[path = "parts/scenes_in_space.rs"]
@@ -34,6 +36,9 @@ use std::error::Error;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+/// What counts are compared with.
+const RECORD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/results/counts.csv");
+
 fn main() -> Result<(), Box<dyn Error>> {
     let mut rows = rows();
     let by_hand = rows.len();
@@ -45,8 +50,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["repeat", name, times] => repeat(&rows, name, times.parse()?),
         ["wall", ..] => rows.iter().zip(wall(&rows)).for_each(|(row, ns)| println!("{}\t{ns}", row.name())),
-        ["--quick", "--against", other] => quick(rows, Some(Path::new(other)))?,
-        ["--quick"] => quick(rows, None)?,
+        ["--quick", "--against", other] => drop(quick(rows, Some(Path::new(other)))?),
+        ["--check", "--against", other] => record::check(Path::new(RECORD), &quick(rows, Some(Path::new(other)))?)?,
+        ["--record", "--against", other] => record::write(Path::new(RECORD), &quick(rows, Some(Path::new(other)))?)?,
+        ["--quick"] => drop(quick(rows, None)?),
         ["--against", other] => tables(&rows, [by_hand, in_plane], Some(Path::new(other)))?,
         _ => tables(&rows, [by_hand, in_plane], None)?, // cargo hands arguments of its own
     }
@@ -113,7 +120,7 @@ fn counted(program: &Path, rows: &[Row], target: &str) -> Vec<f64> {
 }
 
 /// Instructions of short chains of rods alone.
-fn quick(mut rows: Vec<Row>, other: Option<&Path>) -> Result<(), Box<dyn Error>> {
+fn quick(mut rows: Vec<Row>, other: Option<&Path>) -> Result<record::Counts, Box<dyn Error>> {
     rows.retain(|row| row.scene == "rods" && row.bodies <= 20);
     println!("Library and hand agree to {:.1e} of the largest acceleration.", check(&rows)?);
     let this: PathBuf = std::env::current_exe()?;
@@ -121,7 +128,8 @@ fn quick(mut rows: Vec<Row>, other: Option<&Path>) -> Result<(), Box<dyn Error>>
     let mut columns = vec![uncounted(counted(&this, &rows, "this build"))];
     columns.extend(other.map(|other| uncounted(counted(other, &rows, "other build"))));
     print(&rows, 0..rows.len(), &columns, "hand");
-    Ok(())
+    let own = |k: usize| columns.iter().map(|column| column.instructions[k]).collect();
+    Ok(rows.iter().enumerate().map(|(k, row)| (row.name().replace(',', ""), own(k))).collect())
 }
 
 /// Measures all rows. The first ones, as many as `by_hand`, have loops by hand to compare to; the others in the plane compare to

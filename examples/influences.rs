@@ -77,8 +77,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     tip(values)?;
     let plain = clock.elapsed();
 
-    println!("The tip after {END} s stands at x = {:.6} m. It moves by", place.x.re);
-    println!("\n                            by gains     by the rule    difference   a unit of");
+    println!(
+        "The tip after {END} s stands at x = {:.6} m. Its derivatives, in m per unit of the parameter\n",
+        place.x.re
+    );
+    common::heads(&[("by", 24), ("unit", 9), ("through gains", 14), ("by the rule", 12), ("by a difference", 16)]);
     for (i, (name, unit, value)) in PARAMETERS.iter().enumerate() {
         let h = 1e-5 * value.abs();
         let moved = |by: f64| {
@@ -87,7 +90,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             tip(values)
         };
         let difference = (moved(h)?[0] - moved(-h)?[0]) / (2.0 * h);
-        println!("  {name:24} {:12.7}  {:12.7}  {difference:12.7}   {unit}", place.x.eps[i], same.x.eps[i]);
+        println!("  {name:>24}  {unit:>9}  {:14.7}  {:12.7}  {difference:16.7}", place.x.eps[i], same.x.eps[i]);
     }
     println!(
         "\nA plain run takes {plain:.1?}, one with derivatives {through:.1?} through gains and {itself:.1?} by the rule."
@@ -108,7 +111,7 @@ fn draw(path: &[nalgebra::Vector2<Number>]) -> Drawn<PathBuf> {
             path.iter().enumerate().map(|(i, place)| (i as f64 * EVERY, place.x.eps[k].scale(share))).collect()
         };
         let range = common::range(curves.iter().flat_map(|(k, _)| over(*k)).map(|(_, y)| y), 0.08);
-        let mut chart = common::chart(&area, "change of x (mm)", "time (s)", 0.0..END, range)?;
+        let mut chart = common::chart(&area, "Change of x (mm)", "time (s)", 0.0..END, range)?;
         common::legend(&area, &curves.map(|(k, colour)| (PARAMETERS[k].0, colour)))?;
         for (k, colour) in curves {
             common::curve(&mut chart, over(k), line(colour, 1.8))?;

@@ -200,14 +200,7 @@ fn draw(n: usize, firsts: &[First]) -> Drawn<PathBuf> {
         svg,
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" role="img">"#
     )?;
-    writeln!(
-        svg,
-        "<style>text{{font:12px Helvetica,Arial,sans-serif;fill:{grey}}}.m{{text-anchor:middle}}.e{{text-anchor:end}}"
-    )?;
-    writeln!(
-        svg,
-        ".title{{font-size:21px;font-weight:bold;fill:{ink}}}.wide{{font-size:13.5px}}.b{{font-weight:bold;fill:{ink}}}</style>"
-    )?;
+    writeln!(svg, "<style>text{{font-family:Helvetica,Arial,sans-serif;fill:{grey}}}</style>")?;
     writeln!(svg, r#"<rect width="{width}" height="{height}" fill="white"/>"#)?;
     let scale = side / n as f64;
     let turned = format!("translate({left} {low}) scale({scale} -{scale}) translate(0 0.5)");
@@ -221,31 +214,33 @@ fn draw(n: usize, firsts: &[First]) -> Drawn<PathBuf> {
         around.map(|(inner, outer)| format!("{:.1},{:.1}", place(left, inner), place(top, -outer))).collect();
     writeln!(svg, r#"<polygon points="{}" fill="none" stroke="{ink}" stroke-width="1.2"/>"#, points.join(" "))?;
 
-    let mut text = |x: f64, y: f64, class: &str, text: &str| {
-        writeln!(svg, r#"<text x="{x}" y="{y}" class="{class}">{text}</text>"#)
+    let mut text = |x: f64, y: f64, look: &str, text: &str| {
+        writeln!(svg, r#"<text x="{x}" y="{y}" font-size={look}>{text}</text>"#)
     };
-    text(24.0, 34.0, "title", "Which rod turns over first")?;
+    let (plain, middle, end) = (r#""12""#, r#""12" text-anchor="middle""#, r#""12" text-anchor="end""#);
+    let [bold, large] = [12, 21].map(|size| format!(r#""{size}" font-weight="bold" style="fill:{ink}""#));
+    text(24.0, 34.0, &large, "Which rod turns over first")?;
     let subtitle = format!(
         "A double pendulum let go from rest, {n} × {n} starts. Within the line no rod has the energy to turn over."
     );
-    text(24.0, 58.0, "wide", &subtitle)?;
+    text(24.0, 58.0, r#""13.5""#, &subtitle)?;
     for (k, name) in ["−180°", "−90°", "0°", "90°", "180°"].into_iter().enumerate() {
         let along = 0.25 * side * k as f64;
-        text(left + along, low + 18.0, "m", name)?;
-        text(left - 6.0, low + 4.0 - along, "e", name)?;
+        text(left + along, low + 18.0, middle, name)?;
+        text(left - 6.0, low + 4.0 - along, end, name)?;
     }
-    text(right, low + 38.0, "e", "inner rod from hanging")?;
-    text(left, top - 7.0, "", "outer rod from hanging")?;
+    text(right, low + 38.0, end, "inner rod from hanging")?;
+    text(left, top - 7.0, plain, "outer rod from hanging")?;
     let key = [
         ("neither", 96.0, 0..1),
         ("inner rod", 148.0, 1..1 + SHADES),
         ("outer rod", 276.0, 1 + SHADES..1 + 2 * SHADES),
     ];
     for (name, y, shades) in key.clone() {
-        text(right + 20.0, y, "b", name)?;
+        text(right + 20.0, y, &bold, name)?;
         for (k, _) in shades.skip_while(|shade| *shade == 0).enumerate() {
             let until = format!("by {:.1} s", END / SHADES as f64 * (k + 1) as f64);
-            text(right + 48.0, y + 19.5 + 18.0 * k as f64, "", &until)?;
+            text(right + 48.0, y + 19.5 + 18.0 * k as f64, plain, &until)?;
         }
     }
     for (k, y, shade) in

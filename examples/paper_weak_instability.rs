@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 }
             }
             println!(
-                "  {:28} {:6} {}",
+                "  {:>22}  {:8}  {:>19}",
                 $name,
                 $dt,
                 off.map_or("stays".to_owned(), |t| format!("1 rad off at {t:.2} s"))
@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             curves.push(($name, points, $colour));
         }};
     }
-    println!("  rule                           step");
+    common::heads(&[("rule", 22), ("step (s)", 8), ("outcome", 19)]);
     curve!("γ = ½, 10 ms", Newmark::new(0.25, 0.5), 0.01, ORANGE);
     curve!("γ = ½, 5 ms", Newmark::new(0.25, 0.5), 0.005, blend(ORANGE, INK, 0.4));
     curve!("γ = ½, 2 ms", Newmark::new(0.25, 0.5), 0.002, INK);
@@ -71,6 +71,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
         Ok(())
     })?;
-    println!("Picture: {}", picture.display());
+    println!("\nPicture: {}", picture.display());
     Ok(())
 }

@@ -165,15 +165,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     bar.finish_and_clear();
-    println!("round         cost   share of the change   missed at the end");
+    common::heads(&[("round", 5), ("cost", 10), ("share of the change", 19), ("missed (rad, m, per s)", 22)]);
     let shown = rows.len().div_ceil(12);
     for (i, (round, cost, share, missed)) in rows.iter().enumerate() {
         if i % shown == 0 || i + 1 == rows.len() {
-            println!("{round:5}   {cost:10.5}   {share:19.3}   {missed:17.5}");
+            println!("  {round:5}  {cost:10.5}  {share:19.3}  {missed:22.5}");
         }
     }
     let most = plan.forces.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
-    println!("Largest force {most:.1} N, {:.1?} in all.", clock.elapsed());
+    println!("\nLargest force {most:.1} N, {:.1?} in all.", clock.elapsed());
     // The upper rod is pushed on the way to standing still.
     let gain = regulator(&scene)?;
     let mut top = plan.states[SWING];
@@ -194,12 +194,13 @@ fn draw(plan: &Plan, held: &Plan) -> Drawn<PathBuf> {
             "A cart with two rods, every 0.1 s from hanging (grey) to standing (black), and the way of the tip.";
         let area = common::heading(area, "Swing up", subtitle)?;
         let (upper, lower) = area.split_vertically(common::pixels(464.0));
-        let mut chart = common::chart(&upper, "height (m)", "x (m)", -1.75..1.75, -1.0..1.05)?;
+        let mut chart = common::chart(&upper, "Height (m)", "x (m)", -1.75..1.75, -1.0..1.05)?;
         links(&mut chart, plan)?;
         let all = || plan.states.iter().chain(&held.states[1..]).enumerate().map(|(k, state)| (k as f64 * H, state));
         let end = H * (SWING + HOLD) as f64;
         let range = common::range(all().flat_map(|(_, s)| [s[0], s[1] - FRAC_PI_2, s[2] - FRAC_PI_2]), 0.08);
-        let mut chart = common::chart(&lower, "from upright (rad), from the middle (m)", "time (s)", 0.0..end, range)?;
+        let mut chart =
+            common::chart(&lower, "Rods from upright (rad), cart from the middle (m)", "time (s)", 0.0..end, range)?;
         common::legend(&lower, &[("cart", GREEN), ("lower rod", BLUE), ("upper rod", ORANGE)])?;
         for (i, from, colour) in [(0, 0.0, GREEN), (1, FRAC_PI_2, BLUE), (2, FRAC_PI_2, ORANGE)] {
             common::curve(&mut chart, all().map(|(time, state)| (time, state[i] - from)), line(colour, 1.8))?;

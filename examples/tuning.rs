@@ -128,11 +128,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     bar.finish_and_clear();
-    println!("round   root mean square of the tip (mm)   largest change (mm)");
+    common::heads(&[("round", 5), ("root mean square of the tip (mm)", 32), ("largest change (mm)", 19)]);
     for (round, mean, change) in rows {
-        println!("{round:5}   {:32.3}   {:19.3}", 1e3 * mean.sqrt(), 1e3 * change);
+        println!("  {round:5}  {:32.3}  {:19.3}", 1e3 * mean.sqrt(), 1e3 * change);
     }
-    println!("{} runs of {} steps with their gradients: {:.1?}", ROUNDS + 1, PLAN.steps, clock.elapsed());
+    println!("\n{} runs of {} steps with their gradients: {:.1?}", ROUNDS + 1, PLAN.steps, clock.elapsed());
     println!("Picture: {}", draw(&thicknesses, &at_first, &heights)?.display());
     Ok(())
 }
@@ -143,7 +143,7 @@ fn draw(thicknesses: &Thicknesses, at_first: &[f64], heights: &[f64]) -> Drawn<P
         let area = common::heading(area, "Tuning", subtitle)?;
         let (upper, lower) = area.split_vertically(common::pixels(200.0));
         let length = N as f64 * PIECE;
-        let mut chart = common::chart(&upper, "thickness (mm)", "from the hub (m)", 0.0..length, -3.0..3.0)?;
+        let mut chart = common::chart(&upper, "Thickness (mm)", "from the hub (m)", 0.0..length, -3.0..3.0)?;
         common::legend(&upper, &[("at first", BLUE), ("tuned", ORANGE)])?;
         for (profile, colour) in [(&[THICKNESS; N], BLUE), (thicknesses, ORANGE)] {
             for side in [0.5, -0.5] {
@@ -156,7 +156,7 @@ fn draw(thicknesses: &Thicknesses, at_first: &[f64], heights: &[f64]) -> Drawn<P
         }
         let end = PLAN.step * PLAN.steps as f64;
         let all = at_first.iter().chain(heights).map(|y| 1e3 * y);
-        let mut chart = common::chart(&lower, "tip (mm)", "time (s)", 0.0..end, common::range(all, 0.08))?;
+        let mut chart = common::chart(&lower, "Tip (mm)", "time (s)", 0.0..end, common::range(all, 0.08))?;
         for (list, colour) in [(at_first, BLUE), (heights, ORANGE)] {
             let share = end / (list.len() - 1) as f64;
             let points = list.iter().enumerate().map(|(k, y)| (share * k as f64, 1e3 * y));

@@ -83,7 +83,7 @@ pub enum Fault {
     },
     /// Two axes of a joint are parallel.
     ParallelAxes,
-    /// Nothing resists the rotation in a joint: what lies outboard of it has no inertia about it.
+    /// Nothing resists the motion in a joint: what lies outboard of it has no inertia about its axis, or no mass along it.
     SingularJoint,
     /// A load (force or torque) is NaN or infinite.
     NonFiniteLoad,

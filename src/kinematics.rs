@@ -68,6 +68,15 @@ pub trait Kinematics<S: Space>: Joint<S, Position = S::Scalar, Rate = S::Scalar>
         resistance: S::Scalar,
         kept: &mut Self::Kept<C>,
     ) -> Full<S, C>;
+    /// Lets the coordinate accelerate as given, whatever acts: the relation of the inboard side, and gains by which
+    /// [`recover`](crate::shape::Joint::recover) gives that q̈ after an implicit sweep.
+    fn drive<C: Closures>(
+        &self,
+        outer: Full<S, C>,
+        posture: JointPosture<'_, S, Self>,
+        acceleration: S::Scalar,
+        kept: &mut Self::Kept<C>,
+    ) -> Full<S, C>;
     /// The motion of such a joint under a model.
     fn under(motion: S::JointMotion, model: Acting<S::Scalar>) -> S::JointMotion;
 }

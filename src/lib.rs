@@ -12,14 +12,16 @@
 //! let rod = Rod::uniform(length, 1.0); // length (m), mass (kg)
 //! let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
 //! let start = pendulum.at_rest(&[-1.0, -0.5])?; // absolute angles (rad)
-//! let end = 6.0 * (length / 9.81).sqrt(); // (s); of `1.0` without `_f64` the compiler could not take a root (E0689)
-//! pendulum.simulate(start, Dop853::tolerance(1e-12), end, |now| println!("{:.3} {:?}", now.time(), now.angles()))?;
+//! let end = 6.0 * (length / 9.81).sqrt(); // (s); without `_f64` there is no root (E0689)
+//! pendulum.simulate(start, Dop853::tolerance(1e-12), end, |now| {
+//!     println!("{:.3} {:?}", now.time(), now.angles());
+//! })?;
 //! # Ok::<(), catena::Error>(())
 //! ```
 //!
 //! # What do you want to do?
 //!
-//! | | |
+//! | to | see |
 //! |---|---|
 //! | build a scene | [`planar`], [`spatial`]: bodies, joints, springs, ends; [`robot`]: arms and legged machines in axes of their bodies |
 //! | find out which number is whose | [`guide::numbering`], [`System::describe`](system::System::describe) |
@@ -47,7 +49,17 @@
 //!
 //! # Features
 //!
-//! `std` (default, modes of vibration), `alloc` (vectors of elements, static equilibrium), `libm` (numbers without `std`), `num-dual` (dual numbers), `simd` (lanes), `rayon` (ensembles of runs on all threads), `reproducible` (below), `serde` (scenes, motions and saved runs as data).
+//! | feature | brings |
+//! |---|---|
+//! | `std` (default) | modes of vibration, traces, and all that follows with it |
+//! | `alloc` | vectors of elements, static equilibrium |
+//! | `libm` | numbers without `std` |
+//! | `num-dual` | dual numbers |
+//! | `simd` | lanes: several scenes at once |
+//! | `rayon` | ensembles of runs on all threads |
+//! | `reproducible` | the same bits everywhere, below |
+//! | `serde` | scenes, motions and saved runs as data |
+//!
 //! Without `std` and `libm` the crate compiles but brings no numbers: implement [`Scalar`] for yours.
 //!
 //! # The same bits everywhere
@@ -68,11 +80,13 @@ mod turning;
 
 mod adjoint;
 mod chain;
+mod coulomb;
 mod counts;
 #[cfg(feature = "serde")]
 mod data;
 #[cfg(feature = "alloc")]
 mod dense;
+mod driven;
 mod element;
 mod ends;
 mod error;

@@ -32,7 +32,8 @@ use num_traits::Zero;
 /// | spatial `ElasticHinge` | displacement if it has linear springs, relative attitude | rate of that, relative angular velocity |
 /// | `Revolute`, `Universal`, `Prismatic`, `Cylindrical` | relative angles (rad) and displacements (m) | rates of these |
 /// | spatial root `Free` | place and attitude of the first body, absolute | velocity, inertial axes; angular velocity, body axes |
-/// | `Weld`, what closes a loop | none | none |
+/// | `Weld`, what closes a loop, `Driven` | none | none |
+/// | `Coulomb` | those of its joint | those of its joint |
 ///
 /// Set by what bodies do, whatever their joints store, motions are by [`with_body_orientation`](crate::system::System::with_body_orientation)
 /// and [`with_body_spin`](crate::system::System::with_body_spin) (one body, by number or name), by
@@ -56,8 +57,15 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
 
     /// Sets the time (s).
     #[must_use]
-    pub fn at_time(self, time: T::Real) -> Self {
-        Self { time, ..self }
+    pub fn at_time(mut self, time: T::Real) -> Self {
+        self.set_time(time);
+        self
+    }
+
+    /// Sets the time (s), also where driven coordinates keep it.
+    pub(crate) fn set_time(&mut self, time: T::Real) {
+        self.time = time;
+        self.position.set_clocks(time);
     }
 
     /// Positions of the joint coordinates, in the shape of the scene.

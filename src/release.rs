@@ -1,7 +1,7 @@
 //! What a joint says of itself at an instant: what it lets move, and what resists it there.
 
-use crate::relation::Additive;
 pub use crate::relation::Way;
+use crate::relation::{Additive, VectorSpace};
 use crate::scalar::Scalar;
 use crate::space::Space;
 use crate::spring::SpringLaw;
@@ -105,6 +105,8 @@ pub struct Release<S: Space> {
     pub swings: bool,
     /// Whether the moments on the joint's sides differ by that of its force, m_O = m_I + d × q.
     pub balanced: bool,
+    /// Whether a drive moves the joint, whose acceleration is part of c then.
+    pub driven: bool,
     /// c: what the outboard point accelerates by besides the inboard body (m/s²).
     pub linear: S::Vector,
     /// c: angular acceleration of the outboard body besides the inboard one (rad/s²).
@@ -115,7 +117,7 @@ impl<S: Space> Release<S> {
     /// A joint that lets nothing move.
     pub fn nothing() -> Self {
         let (linear, angular) = (Additive::null(), Additive::null());
-        Self { coordinates: [None; 6], carries: true, swings: true, balanced: true, linear, angular }
+        Self { coordinates: [None; 6], carries: true, swings: true, balanced: true, driven: false, linear, angular }
     }
 
     /// With another coordinate.
@@ -125,6 +127,18 @@ impl<S: Space> Release<S> {
             *free = Some(freedom);
         }
         self
+    }
+
+    /// With its coordinate driven at a second derivative: no freedom, but part of c.
+    #[must_use]
+    pub(crate) fn driven(self, second: S::Scalar) -> Self {
+        let Self { coordinates: [freedom, ..], linear, angular, .. } = self;
+        let still = Self { coordinates: [None; 6], driven: true, ..self };
+        match freedom {
+            Some(Freedom { way: Way::Slide, axis, .. }) => Self { linear: linear.plus_scaled(second, axis), ..still },
+            Some(Freedom { way: Way::Turn, axis, .. }) => Self { angular: angular + S::about(axis, second), ..still },
+            None => still,
+        }
     }
 
     /// Coordinates of the joint, and the effort of a load on each.

@@ -147,6 +147,7 @@ impl<T, const D: usize, const N: usize> Struts<T, D, N> {
     }
 
     /// Other loads besides. Loads that yield, as contacts do, do not compile here: make them [`plain`](crate::spatial::Contacts::plain).
+    /// Nor do [`Torques`](crate::robot::Torques), which number joints of one coordinate: take [`Loads::efforts`](crate::loading::Loads::efforts).
     pub fn and<L>(self, others: L) -> Struts<T, D, N, L> {
         Struts { struts: self.struts, others }
     }
@@ -175,6 +176,7 @@ where
 
     fn nothing() -> (WrenchOf<S>, L::InJoint) {
         const { assert!(!L::YIELDS, "beside struts loads do not yield: take contacts as `plain` ones") }
+        const { assert!(!L::BY_COORDINATE, "beside struts joints are numbered from the root's on: take `Loads::efforts`") }
         (Wrench::none(), L::nothing().1)
     }
     fn unseen() -> Self::Seen {

@@ -1,6 +1,6 @@
 //! Writes modules of the robots of `catena-urdf`, with the furniture of their joints as laws.
 
-use catena_urdf::{Elements, Laws, Options, module};
+use catena_urdf::{Base, Elements, Laws, Options, module};
 use std::error::Error;
 use std::path::Path;
 
@@ -9,7 +9,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let local = Options::new().elements(Elements::Local).laws(laws);
     write("arm7", "arm7", &local)?;
     write("arm7", "arm7_bare", &Options::new().elements(Elements::Local))?;
-    write("quadruped", "quadruped", &local.snap(1e-4))?;
+    write("quadruped", "quadruped", &local.clone().snap(1e-4))?;
+    write("humanoid", "humanoid", &local.base(Base::Floating))?;
     write("cart", "cart", &Options::new().repair().laws(laws))?;
     Ok(())
 }

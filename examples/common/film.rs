@@ -75,7 +75,7 @@ impl Film<'_> {
         let mut svg = String::new();
         writeln!(
             svg,
-            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" role="img">"#
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" style="max-width:100%;height:auto" role="img">"#
         )?;
         writeln!(svg, "<title>{}</title><desc>{}</desc>", self.title, self.subtitle)?;
         svg.push_str("<style>text{font-family:Helvetica,Arial,sans-serif}polyline{fill:none;stroke-linecap:round;stroke-linejoin:round}.still{display:none}@media(prefers-reduced-motion:reduce){.moving{display:none}.still{display:inline}}</style>\n");
@@ -125,6 +125,8 @@ impl Film<'_> {
         let (low, end) = (height - 14.0, width - 20.0);
         let pace = if (span - shown).abs() < 1e-9 {
             "as fast as in truth".to_owned()
+        } else if shown < span {
+            format!("{} times faster", short(span / shown))
         } else {
             format!("{} times slower", short(shown / span))
         };
@@ -158,10 +160,11 @@ impl Film<'_> {
         let points = self.points(way);
         let line = format!(r#"points="{points}" stroke="{}" stroke-width="1.3" stroke-opacity="0.75""#, hex(colour));
         let left: Vec<_> = gone.iter().map(|gone| format!("{:.0}", all - gone)).collect();
+        let beyond = all + 20.0; // browsers round lengths: no next dash at the end of the way
         writeln!(svg, r#"<polyline class="still" {line}/>"#)?;
         writeln!(
             svg,
-            r#"<polyline class="moving" {line} stroke-dasharray="{all:.0}" stroke-dashoffset="{all:.0}"><animate attributeName="stroke-dashoffset" {again} values="{}"/></polyline>"#,
+            r#"<polyline class="moving" {line} stroke-dasharray="{all:.0} {beyond:.0}" stroke-dashoffset="{all:.0}"><animate attributeName="stroke-dashoffset" {again} values="{}"/></polyline>"#,
             left.join(";")
         )?;
         Ok(())

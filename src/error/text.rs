@@ -21,11 +21,18 @@ impl fmt::Display for Fault {
                 write!(f, "no body has these moments of inertia: one exceeds the sum of the others by {excess} kg m2")
             }
             Fault::ParallelAxes => write!(f, "the axes of the joint are parallel"),
-            Fault::SingularJoint => write!(f, "nothing resists the rotation in this joint (no inertia outboard of it)"),
+            Fault::SingularJoint => write!(
+                f,
+                "nothing resists the motion in this joint (what lies outboard has no mass or inertia along or about it)"
+            ),
             Fault::NonFiniteLoad => write!(f, "a load is not finite"),
             Fault::NonFiniteMotion => write!(f, "the motion is no longer finite"),
-            Fault::AngleOutOfRange { angle } => write!(f, "the angle {angle} rad is out of range"),
-            Fault::StepTooSmall { step, cause } => write!(f, "a step of {step} s no longer advances time: {cause}"),
+            Fault::AngleOutOfRange { angle } => {
+                write!(f, "the angle {angle} rad lies beyond 4e5 rad, where sines lose digits: wrap it")
+            }
+            Fault::StepTooSmall { step, cause } => {
+                write!(f, "steps have become too small (the last: {step} s): {cause}")
+            }
             Fault::NoSuchBody { body, bodies } => {
                 write!(f, "there is no body {body}: the scene has {bodies}, from 0 on")
             }
@@ -39,7 +46,9 @@ impl fmt::Display for Fault {
             Fault::ImpossibleTurn { residual } => {
                 write!(f, "this joint cannot turn its body so: it misses by {residual} (rad, or rad/s)")
             }
-            Fault::Count { expected, given } => write!(f, "{expected} values needed, {given} given"),
+            Fault::Count { expected, given } => {
+                write!(f, "a list of {expected} values is needed, one of {given} is given")
+            }
             Fault::NoBodies => write!(f, "the chain has no body"),
             Fault::Shape => write!(f, "the motion belongs to a scene of another shape"),
             Fault::RedundantClosures { closure, independent, of } => {
@@ -53,18 +62,26 @@ impl fmt::Display for Fault {
                 "no transfer matrix exists: the joint is the centre of percussion of what lies outboard; sweep instead"
             ),
             Fault::NotClosed { residual } => {
-                write!(f, "what is held together cannot be brought there from this guess: it misses by {residual}")
+                write!(
+                    f,
+                    "what is held together cannot be brought there from this guess: it misses by {residual} (m, or rad)"
+                )
             }
             Fault::ImpossibleHold { what, residual } => {
-                write!(f, "nothing closes from this guess with the {what} that are to stay: it misses by {residual}")
+                write!(
+                    f,
+                    "nothing closes from this guess with the {what} that are to stay: it misses by {residual} (m or rad; of rates, m/s or rad/s)"
+                )
             }
             Fault::NoEquilibrium { residual } => {
                 write!(
                     f,
-                    "no equilibrium found from this guess: an acceleration of {residual} is left; guess nearer, or let a run with dampers come to rest and begin there"
+                    "no equilibrium found from this guess: an acceleration of {residual} (rad/s2, or m/s2) is left; guess nearer, or let a run with dampers come to rest and begin there"
                 )
             }
-            Fault::NotAtRest { distance } => write!(f, "the motion is not at rest: rest is about {distance} away"),
+            Fault::NotAtRest { distance } => {
+                write!(f, "the motion is not at rest: rest is about {distance} (rad, or m) away")
+            }
             Fault::NotConservative { asymmetry } => {
                 write!(f, "forces have no potential: the stiffness is asymmetric by {asymmetry}")
             }

@@ -7,15 +7,18 @@
 //! | rods, bodies, pins, sliders and springs in the plane, torques over time | `Taylor::<24>::tolerance(1e-12)` | one sweep's gains for all orders: 1.2 to 2.8 times less time than DOP853 where no joint slides or is driven |
 //! | many bodies, costly loads | `Vcabm::new().tolerance(1e-9)` | one sweep a step |
 //! | a controller's step of fixed size | `Rk4::step(1e-3)` | four sweeps, the same time always |
-//! | stiff springs, vibration not of interest | `GeneralizedAlpha::new(0.8).step(1e-2)` | steps as long as the motion, whatever the stiffness |
+//! | stiff springs, vibration not of interest | `GeneralizedAlpha::new(0.8)` `.step(1e-2)` | steps as long as the motion, whatever the stiffness |
 //! | stiff springs, to more digits | `Sdirk4::new().step(1e-2)` | order 4 at any stiffness |
 //! | thousands of runs from near starts | `Rk4::step(..)` in lanes | lanes share their steps: see [`lanes_and_threads`](super::lanes_and_threads) |
 //!
-//! All are in [`planar`](crate::planar) and [`spatial`](crate::spatial); [`time`](crate::time) has what each is made of.
+//! All are in [`planar`](crate::planar), all but `Taylor` in [`spatial`](crate::spatial); [`time`](crate::time) has what each is made of.
 //!
 //! # What an error costs
 //!
-//! A higher order wins sooner than one thinks: what an error of 1e-9 costs by order 8 an order of 4 pays for 1e-6.
+#![doc = concat!("<div>\n", include_str!("../../docs/pictures/work_precision.svg"), "\n</div>")]
+//!
+//! Each rule under error control, RK4 with fixed steps; the motions are not stiff, and implicit rules pay without gain. A higher order wins
+//! sooner than one thinks: what an error of 1e-9 costs by order 8 an order of 4 pays for 1e-6.
 //!
 //! ```
 //! use catena::planar::*;
@@ -27,7 +30,8 @@
 //!
 //! let by_rk4 = pendulum.simulate(start()?, Rk4::step(2e-3), 2.0, |_| ())?;
 //! let by_dop853 = pendulum.simulate(start()?, Dop853::tolerance(1e-10), 2.0, |_| ())?;
-//! assert!(error(by_dop853.motion.rates()) < error(by_rk4.motion.rates()) && by_dop853.sweeps < by_rk4.sweeps / 3);
+//! assert!(error(by_dop853.motion.rates()) < error(by_rk4.motion.rates()));
+//! assert!(by_dop853.sweeps < by_rk4.sweeps / 3);
 //! # Ok::<(), catena::Error>(())
 //! ```
 //!

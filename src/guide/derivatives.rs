@@ -7,7 +7,7 @@
 //! | one number by everything (tuning, identification, optimal control) | [`System::backward`](crate::system::System::backward) | three runs, five to nine where a tip is held or loops are closed, however many derivatives |
 //! | outputs by inputs, either way, whichever costs less; products with the Hessian | [`differentiable!`](crate::differentiable!) | it says |
 //! | Jacobians of single steps (iterative LQR, filters) | [`linearised_step`](crate::sensitivity::Backward::linearised_step), [`linearised_step_in_rows`](crate::sensitivity::Backward::linearised_step_in_rows) | less, several rows at a time |
-//! | stiffness and mass about a rest | [`System::modes`](crate::system::System::modes), `linearised` | |
+//! | stiffness and mass about a rest | [`System::modes`](crate::system::System::modes), which has shapes and frequencies | |
 //!
 //! Forward, a scene is built over another number, and nothing else changes:
 //!
@@ -17,7 +17,9 @@
 //! type Number = Jet<f64, 1>;
 //! /// Angle of a rod (rad) after a second, for its length (m).
 //! fn angle<T: Scalar<Real = f64>>(length: T) -> Result<T, catena::Error> {
-//!     let rod = System::new(Pinned::origin(), Rod::uniform(length, T::literal(1.0)), Free)?.with_gravity(T::literal(9.81));
+//!     let [mass, gravity] = [1.0, 9.81].map(T::literal); // (kg), (m/s²)
+//!     let rod = System::new(Pinned::origin(), Rod::uniform(length, mass), Free)?;
+//!     let rod = rod.with_gravity(gravity);
 //!     let run = rod.simulate(rod.at_rest(&[T::literal(-1.0)])?, Rk4::step(1e-3), 1.0, |_| ())?;
 //!     Ok(run.motion.coordinates()[0])
 //! }
@@ -34,7 +36,8 @@
 //! let rod = Rod::uniform(1.0, 1.0);
 //! let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
 //! let start = pendulum.at_rest(&[-1.0, -0.5])?;
-//! let (torques, mut by_torques) = ([0.0; 2 * 100], [0.0; 2 * 100]); // (N·m), in both pins at each step
+//! // Torques in both pins at each step (N·m).
+//! let (torques, mut by_torques) = ([0.0; 2 * 100], [0.0; 2 * 100]);
 //! let mut states = vec![start.clone(); 101];
 //! let mut backward = pendulum.backward(Rk4);
 //! backward.run(&start, 0.01, 100, &torques, &mut states)?;

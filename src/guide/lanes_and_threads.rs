@@ -12,7 +12,8 @@
 //! /// Angles (rad) after a second, of four rods let go at four angles.
 //! fn four(starts: [&f64; 4]) -> Result<[f64; 4], catena::Error> {
 //!     let number = WideF64x4::literal;
-//!     let rod = System::new(Pinned::origin(), Rod::uniform(number(1.0), number(1.0)), Free)?.with_gravity(number(9.81));
+//!     let rod = Rod::uniform(number(1.0), number(1.0));
+//!     let rod = System::new(Pinned::origin(), rod, Free)?.with_gravity(number(9.81));
 //!     let start = rod.at_rest(&[WideF64x4::from(starts.map(|start| *start))])?;
 //!     let run = rod.simulate(start, Rk4::step(1e-2), 1.0, |_| ())?;
 //!     Ok(run.motion.coordinates()[0].into_arr())

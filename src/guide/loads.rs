@@ -12,7 +12,7 @@
 //!
 //! let loads = Loads::none()
 //!     .in_joints(|time: f64, joint, motion: &JointMotion<f64>| {
-//!         // Dry friction, a sign without a jump (a rule has no trouble with it), and viscous friction.
+//!         // Dry friction, a sign without a jump, which rules like, and viscous friction.
 //!         let friction = -0.2 * (50.0 * motion.rate()).tanh() - 0.05 * motion.rate();
 //!         match joint {
 //!             _ if joint == shoulder => friction + 2.0 * (3.0 * time).sin(), // a motor (N·m)
@@ -42,6 +42,9 @@
 //! |---|---|
 //! | torques that are known numbers, as from a controller | `Loads::none().torques([..])`: one for each joint, no walk |
 //! | a spring or damper in a joint | `ElasticHinge`, `Slider::with`: implicit rules know its stiffness, loads they do not |
+//! | dry friction and stops in a joint, known to implicit rules | [`DryFriction`](crate::planar::DryFriction), [`Stops`](crate::planar::Stops): laws for `ElasticHinge::with`, several as a tuple |
+//! | what a geared motor can give of a torque asked for | [`Motor`](crate::planar::Motor) |
+//! | feet on the ground, in space | [`Contacts`](crate::spatial::Contacts) |
 //! | a law of one's own in a joint, known to implicit rules | [`SpringLaw`](crate::planar::SpringLaw) |
 //! | a spring between two points of bodies | [`Strut`](crate::planar::Strut) |
 //! | the instant of touching | an [event](crate::simulate::Simulation::event), then a new start |

@@ -13,18 +13,21 @@
 //! ```
 //! use catena::planar::*;
 //! let bar = |length: f64| Rod::uniform(length, length);
-//! let four_bar = System::new(Pinned::origin(), (bar(0.3), Pin, bar(0.9), Pin, bar(0.6)), Pinned::at(0.8, 0.0))?;
+//! let chain = (bar(0.3), Pin, bar(0.9), Pin, bar(0.6));
+//! let four_bar = System::new(Pinned::origin(), chain, Pinned::at(0.8, 0.0))?;
 //! let four_bar = four_bar.with_gravity(9.81);
-//! let start = four_bar.assembled(four_bar.at_rest(&[1.0, 0.2, -1.5])?, &Unloaded)?; // angles are guesses (rad)
+//! let guess = four_bar.at_rest(&[1.0, 0.2, -1.5])?; // (rad)
+//! let start = four_bar.assembled(guess, &Unloaded)?;
 //! let run = four_bar.simulate(start, Dop853::tolerance(1e-9), 1.0, |_| ())?;
 //! let tip = four_bar.stations(&run.motion, &Unloaded)?.tip().frame.place;
-//! assert!((tip.x - 0.8).abs() < 1e-12 && tip.y.abs() < 1e-12); // closed to rounding at every step
+//! assert!((tip.x - 0.8).abs() < 1e-12 && tip.y.abs() < 1e-12); // closed to rounding
 //! # Ok::<(), catena::Error>(())
 //! ```
 //!
 //! [`assembled_holding`](crate::system::System::assembled_holding) keeps coordinates that are given, a crank's angle for one.
 //!
 //! **Redundant closures.** Loops in space often close more than they have to: a flat four-bar of revolutes holds each of three things twice.
-//! That is [`RedundantClosures`](crate::Fault::RedundantClosures), with the name of one; close such a loop by a ball, or by
+//! That is [`RedundantClosures`](crate::Fault::RedundantClosures), with the name of one; make one of its joints a
+//! [`Universal`](crate::spatial::Universal) and close it by a [`Ball`](crate::spatial::Ball), or close it by
 //! [`LeastNorm`](crate::planar::LeastNorm), which shares the forces out. Some mechanisms meet places where closures become dependent
 //! for an instant (dead points): steps are taken over these.

@@ -18,8 +18,9 @@
 //!     let mut next = now.clone();
 //!     for _ in 0..1000 {
 //!         let [shoulder, elbow] = [now.rate().0, now.rate().1.1];
-//!         let torques = Loads::none().torques([-0.5 * shoulder, -0.5 * (elbow - shoulder)]); // (N·m)
-//!         stepper.step(&now, &torques, 1e-3, &mut next)?; // a step that fails leaves `now` as it was
+//!         let torques = [-0.5 * shoulder, -0.5 * (elbow - shoulder)]; // (N·m)
+//!         // A step that fails leaves `now` as it was.
+//!         stepper.step(&now, &Loads::none().torques(torques), 1e-3, &mut next)?;
 //!         core::mem::swap(&mut now, &mut next);
 //!     }
 //!     Ok(now.rate().0)
@@ -32,4 +33,4 @@
 //! of a scene, [`into_stepper`](crate::system::System::into_stepper) puts the scene inside. A closure in a scene has no name; a law or load as
 //! a struct has.
 //!
-//! Only explicit rules with fixed steps take the same time always. Angles beyond 1e5 rad or so are refused: wrap them now and then.
+//! Only explicit rules with fixed steps take the same time always. Angles beyond 4e5 rad are refused: wrap them now and then.

@@ -2,7 +2,7 @@
 //!
 //! | wanted | take | lines |
 //! |---|---|---|
-//! | a law along a coordinate: a stop, a stiffening spring | [`SpringLaw`](crate::planar::SpringLaw) in `ElasticHinge::with`, `Slider::with` | 15 |
+//! | a law along a coordinate: a stiffening spring, a magnet | [`SpringLaw`](crate::planar::SpringLaw) in `ElasticHinge::with`, `Slider::with` | 15 |
 //! | a joint: a geared motor, a magnet | [`extend::JointModel`](crate::extend::JointModel) | 40 |
 //! | a body with something inside | a struct of elements, [`compound!`](crate::compound) | 40 |
 //! | a root that moves as a function says | [`Moving`](crate::planar::Moving) | 5 |
@@ -23,18 +23,20 @@
 //!         -self.0 * angle - self.1 * angle * angle * angle
 //!     }
 //!     fn pivot(&self, angle: f64, _: f64, springs: impl Springs<f64>) -> f64 {
-//!         springs.pivot(self.0 + 3.0 * self.1 * angle * angle, Absent) // its slope, and no damping
+//!         springs.pivot(self.0 + 3.0 * self.1 * angle * angle, Absent) // slope, no damping
 //!     }
 //!     fn energy(&self, angle: f64) -> f64 {
 //!         0.5 * self.0 * angle * angle + 0.25 * self.1 * angle.powi(4)
 //!     }
 //!     fn check(&self) -> Result<(), Fault> {
-//!         if self.0 >= 0.0 { Ok(()) } else { Err(Fault::Negative { parameter: "stiffness", value: self.0 }) }
+//!         let fault = Fault::Negative { parameter: "stiffness", value: self.0 };
+//!         if self.0 >= 0.0 { Ok(()) } else { Err(fault) }
 //!     }
 //! }
 //!
 //! let rod = Rod::uniform(0.5, 1.0);
-//! let scene = System::new(Clamped::at(0.0, 0.0, 0.0), (ElasticHinge::with(Stiffening(10.0, 40.0)), rod), Free)?;
+//! let hinge = ElasticHinge::with(Stiffening(10.0, 40.0));
+//! let scene = System::new(Clamped::at(0.0, 0.0, 0.0), (hinge, rod), Free)?;
 //! let start = scene.at_rest(&[0.4])?;
 //! let energy = scene.budget(&start)?.energy();
 //! let run = scene.simulate(start, Dop853::tolerance(1e-10), 1.0, |_| ())?;

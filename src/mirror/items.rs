@@ -1,7 +1,7 @@
 //! Arrays and vectors of mirrors. Mirrors of different lengths change as far as all of them go; motions are compared with
 //! their scene before they come here.
 
-use super::{Position, Rate, Term};
+use super::{Mode, Position, Rate, Term};
 use crate::scalar::Scalar;
 
 /// One implementation for everything that derefs to a slice of mirrors.
@@ -72,6 +72,7 @@ macro_rules! mirror_items {
             type Rate = $rates;
 
             const CURVED: bool = A::CURVED;
+            const STICKS: bool = A::STICKS;
 
             #[inline]
             fn drift_0(&mut self, from: &Self, (time, rate): Term<'_, T, Self::Rate>) {
@@ -154,6 +155,20 @@ macro_rules! mirror_items {
             #[inline]
             fn normalise(&mut self) -> bool {
                 self.iter_mut().fold(true, |good, item| item.normalise() && good)
+            }
+            fn each_mode(
+                &mut self,
+                rate: &mut Self::Rate,
+                acceleration: &Self::Rate,
+                visit: &mut impl FnMut(&mut Mode, &mut T, [T; 2]),
+            ) {
+                for ((item, rate), acceleration) in self.iter_mut().zip(rate).zip(acceleration) {
+                    item.each_mode(rate, acceleration, visit);
+                }
+            }
+            #[inline]
+            fn set_clocks(&mut self, time: T::Real) {
+                self.iter_mut().for_each(|item| item.set_clocks(time));
             }
         }
     };

@@ -8,11 +8,15 @@
 //! Combinations are written out for each number of terms. One function over an array of terms would have to take the array
 //! apart at every item of every tuple, and a compiler spends more time on that than on all mechanics of a long chain.
 
+mod clock;
 mod items;
 mod number;
+mod sticking;
 mod tied;
 mod tuple;
 
+pub use clock::Clock;
+pub use sticking::{Mode, Slip, Sticking};
 pub use tied::{Tied, TiedPosition};
 
 use crate::scalar::Scalar;
@@ -97,6 +101,25 @@ pub trait Position<T: Scalar>: Clone {
     /// Brings numbers that were replaced to what they must be, a quaternion to length one; whether that can be done.
     fn normalise(&mut self) -> bool {
         true
+    }
+
+    /// Sets the clocks of driven coordinates to the time (s) of the motion.
+    #[inline(always)]
+    fn set_clocks(&mut self, time: T::Real) {
+        let _ = time;
+    }
+
+    /// Whether a coordinate sticks and slips.
+    const STICKS: bool = false;
+
+    /// Shows each coordinate that sticks and slips: its mode and rate, to be changed, and its acceleration and friction.
+    fn each_mode(
+        &mut self,
+        rate: &mut Self::Rate,
+        acceleration: &Self::Rate,
+        visit: &mut impl FnMut(&mut Mode, &mut T, [T; 2]),
+    ) {
+        let _ = (rate, acceleration, visit);
     }
 
     /// Whether ⊕ is more than a sum: then the numbers displaced by are coordinates of the step, whose time derivatives a rule sums

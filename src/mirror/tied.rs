@@ -1,6 +1,6 @@
 //! The mirror of a loop: coordinates of its arms, and with accelerations the forces that close it.
 
-use super::{Position, Rate, Term};
+use super::{Mode, Position, Rate, Term};
 use crate::lift::Lift;
 use crate::scalar::Scalar;
 use core::marker::PhantomData;
@@ -85,6 +85,7 @@ impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
     type Rate = Tied<X::Rate, F>;
 
     const CURVED: bool = X::CURVED;
+    const STICKS: bool = X::STICKS;
 
     #[inline(always)]
     fn drift_0(&mut self, from: &Self, (time, rate): Term<'_, T, Self::Rate>) {
@@ -131,6 +132,18 @@ impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
     #[inline(always)]
     fn normalise(&mut self) -> bool {
         self.arms.normalise()
+    }
+    fn each_mode(
+        &mut self,
+        rate: &mut Self::Rate,
+        acceleration: &Self::Rate,
+        visit: &mut impl FnMut(&mut Mode, &mut T, [T; 2]),
+    ) {
+        self.arms.each_mode(&mut rate.arms, &acceleration.arms, visit);
+    }
+    #[inline(always)]
+    fn set_clocks(&mut self, time: T::Real) {
+        self.arms.set_clocks(time);
     }
     #[inline(always)]
     fn retract_rate(&self, from: &Self, rate: &mut Self::Rate) {

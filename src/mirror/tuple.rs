@@ -1,6 +1,6 @@
 //! Tuples of mirrors, for the arities that chains have, and the mirror of a body: `()`.
 
-use super::{Position, Rate, Term};
+use super::{Mode, Position, Rate, Term};
 use crate::scalar::Scalar;
 use crate::tuples::for_each_tuple;
 
@@ -63,6 +63,7 @@ macro_rules! mirror_tuple {
             type Rate = ($($A::Rate,)*);
 
             const CURVED: bool = false $(|| $A::CURVED)*;
+            const STICKS: bool = false $(|| $A::STICKS)*;
 
             #[inline(always)]
             fn drift_0(&mut self, _from: &Self, (_time, _rate): Term<'_, T, Self::Rate>) {
@@ -141,6 +142,18 @@ macro_rules! mirror_tuple {
             #[inline(always)]
             fn normalise(&mut self) -> bool {
                 true $(& self.$i.normalise())*
+            }
+            fn each_mode(
+                &mut self,
+                _rate: &mut Self::Rate,
+                _acceleration: &Self::Rate,
+                _visit: &mut impl FnMut(&mut Mode, &mut T, [T; 2]),
+            ) {
+                $(self.$i.each_mode(&mut _rate.$i, &_acceleration.$i, _visit);)*
+            }
+            #[inline(always)]
+            fn set_clocks(&mut self, _at: T::Real) {
+                $(self.$i.set_clocks(_at);)*
             }
         }
     };

@@ -97,8 +97,11 @@ pub(super) enum Met<S: Space> {
     Joint(S::JointMotion, Release<S>),
 }
 
-/// Refuses what stands in no matrix of the paper: reflected inertia, and laws whose slopes change.
+/// Refuses what stands in no matrix of the paper: drives, reflected inertia, and laws whose slopes change.
 pub(super) fn refuse_others<S: Space>(release: &Release<S>) -> Result<(), Fault> {
+    if release.driven {
+        return Err(Fault::Unsupported { what: "a driven joint" });
+    }
     let mut coordinates = release.coordinates.iter().flatten();
     if coordinates.clone().any(|coordinate| coordinate.inertia.real() > Zero::zero()) {
         return Err(Fault::Unsupported { what: "reflected inertia in a joint" });

@@ -41,6 +41,19 @@ impl<G: Geometry> Full<G> {
     }
 }
 
+impl<G: Geometry, C: Closures> Full<G, C> {
+    /// Where the station has an angular acceleration besides that of the station that takes its place.
+    #[inline(always)]
+    pub fn turning(self, angular: G::Angular) -> Self {
+        Self {
+            force: G::coupled_onto(&self.coupling, angular, self.force),
+            torque: self.angular.apply_onto(angular, self.torque),
+            cuts: self.cuts.turned(|w| w, |gap, w| gap - G::Angular::dot(w.torque, angular)),
+            ..self
+        }
+    }
+}
+
 impl<G: Geometry, C: Closures> Relation<G> for Full<G, C> {
     type Closures = C;
     type WithMass = Self;

@@ -40,6 +40,10 @@ pub trait Geometry: Sealed + Copy + Debug + PartialEq + 'static {
     fn swung_onto(d: Self::Vector, moved: &Self::Coupling, h: Self::Inertia) -> Self::Inertia;
     /// H + d~ K′ + (d~ K)ᵀ, for K′ = K − L d~.
     fn steiner(d: Self::Vector, k: &Self::Coupling, moved: &Self::Coupling, h: Self::Inertia) -> Self::Inertia;
+    /// A turn about a unit vector; in the plane about ẑ, whatever the vector.
+    fn about(axis: Self::Vector, angle: Self::Scalar) -> Self::Angular;
+    /// `sum` + K α.
+    fn coupled_onto(k: &Self::Coupling, a: Self::Angular, sum: Self::Vector) -> Self::Vector;
     /// The relation of a point mass at the vector d, which has the acceleration c besides: mostly zeros.
     fn of_lump(mass: Self::Scalar, d: Self::Vector, c: Self::Vector) -> Full<Self>;
 }

@@ -49,10 +49,19 @@ pub struct Absent;
 pub trait Part: Copy + Debug + 'static {
     /// Whether the value is finite; nothing is.
     fn is_finite(self) -> bool;
+
+    /// Whether two values are known to be the same, derivative parts included; nothing is nothing.
+    fn is_same(self, other: Self) -> bool {
+        let _ = other;
+        false
+    }
 }
 
 impl Part for Absent {
     fn is_finite(self) -> bool {
+        true
+    }
+    fn is_same(self, _: Self) -> bool {
         true
     }
 }
@@ -60,6 +69,9 @@ impl Part for Absent {
 impl<T: Scalar> Part for T {
     fn is_finite(self) -> bool {
         Scalar::is_finite(self)
+    }
+    fn is_same(self, other: Self) -> bool {
+        Scalar::is_identical(self, other)
     }
 }
 

@@ -43,13 +43,15 @@ where
                     self.plan.longest.map_or(wanted, |longest| wanted.min(longest))
                 }
             };
-            // The last step lands on the end; it may be longer by rounding.
+            // The last step lands on the end; it may be longer by rounding, in `f32` by a thousandth.
             let remaining = self.end - self.past.time;
-            let last = remaining <= planned * (one + RealOf::<S>::EPSILON * RealOf::<S>::of(1e6));
+            let rounding = (RealOf::<S>::EPSILON * RealOf::<S>::of(1e6)).min(RealOf::<S>::of(1e-3));
+            let last = remaining <= planned * (one + rounding);
             let size = if last { remaining } else { planned };
-            if let Control::Tolerance(_) = self.plan.rule.control {
-                let counted = self.progress.trials.count(self.past.time, size);
-                counted.map_err(|error| self.named(error))?;
+            if let Control::Tolerance(tolerance) = self.plan.rule.control
+                && let Err(error) = self.progress.trials.count(self.past.time, size)
+            {
+                return Err(self.given_up(error, tolerance));
             }
             let outcome = self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next);
             let Control::Tolerance(tolerance) = self.plan.rule.control else {
@@ -105,11 +107,12 @@ where
     fn judge(&mut self, outcome: Result<(), Error>, size: RealOf<S>, tolerance: RealOf<S>) -> Result<RealOf<S>, Error> {
         let Self { stepper, past, next, progress: Progress { trials, .. }, .. } = self;
         let mut estimate = |size_of: &MotionOf<S, R, C, P>| {
-            let error = stepper.error(past, size, size_of, tolerance).unwrap_or(RealOf::<S>::zero());
-            if error.is_finite() { error } else { RealOf::<S>::INFINITY }
+            let unknown = Fault::Unsupported { what: "error control by a method that does not estimate its errors" };
+            let error = stepper.error(past, size, size_of, tolerance).ok_or(Error::new(unknown))?;
+            Ok::<_, Error>(if error.is_finite() { error } else { RealOf::<S>::INFINITY })
         };
         let Err(refused) = outcome else {
-            let error = estimate(next);
+            let error = estimate(next)?;
             if !trials.accepts(error) {
                 trials.inaccurate();
             } else if trials.startled()
@@ -123,7 +126,7 @@ where
         trials.failed(refused)?;
         if let Fault::AngleOutOfRange { .. } = refused.fault {
             // A step that is far too long may leap anywhere: its error by the size of the past motion says so.
-            let leap = estimate(past);
+            let leap = estimate(past)?;
             return if leap > RealOf::<S>::one() { Ok(leap) } else { Err(refused) };
         }
         Ok(RealOf::<S>::INFINITY)
@@ -148,7 +151,16 @@ where
         system.accelerate(&mut self.between, self.plan.loads, &mut system.workspace())
     }
 
-    /// This error; closures that have become dependent where a run does not come on are named.
+    /// This error, after which the run may be tried again as from a start: what was in its way may be gone. Closures that have become
+    /// dependent where it does not come on are named.
+    #[cold]
+    fn given_up(&mut self, error: Error, tolerance: RealOf<S>) -> Error {
+        self.progress.size = self.first_step(tolerance);
+        self.progress.trials.renew(self.past.time);
+        self.named(error)
+    }
+
+    /// This error, with the closures that have become dependent.
     fn named(&mut self, error: Error) -> Error {
         let Fault::StepTooSmall { step, cause: Cause::Inaccurate } = error.fault else { return error };
         let (system, mut workspace) = (self.plan.system, self.plan.system.workspace());

@@ -1,17 +1,18 @@
 //! A run under way: its steps, samples by dense output, location of events.
 
 use super::crossing::crossing;
-use super::trials::Trials;
 use super::{EventFunction, Find, Now, Progress, Simulation, limits, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, finite};
+use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::Dynamics;
 use crate::system::{MotionOf, Runs, System};
 use crate::time::Control;
 use core::cell::OnceCell;
+use num_traits::One;
 
 /// A run under way, step by step: made by [`begin`](Simulation::begin) and [`resume`](Simulation::resume).
 pub struct Running<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L, M, E, K, O> {
@@ -26,6 +27,9 @@ pub struct Running<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L, M, E, 
     /// The value of the event function at the past motion.
     pub(super) value: Option<S::Scalar>,
 }
+
+/// The share of a first step after an event from which on another is looked for: it has left the zero where it began.
+const DEPARTED: f64 = 1e-3;
 
 /// What came of a step.
 enum Outcome {
@@ -50,6 +54,7 @@ where
 
     /// Refuses what makes no run, and motions of another scene.
     fn check(&mut self) -> Result<(), Error> {
+        self.sticks_by_numbers()?;
         let system = self.plan.system;
         system.fits(&self.past)?;
         system.loadable(self.plan.loads)?;
@@ -69,31 +74,61 @@ where
         let mut workspace = Dynamics::<L>::workspace(system);
         // In a copy: a run that cannot start gives the start back as it was.
         system.accelerate(&mut self.next, self.plan.loads, &mut workspace)?;
+        if const { Self::STICKS } {
+            self.settle_modes(None)?;
+        }
         core::mem::swap(&mut self.past, &mut self.next);
         let size = match self.plan.rule.control {
             Control::Fixed(dt) => dt,
             Control::Tolerance(tolerance) => self.first_step(tolerance),
         };
-        let (Control::Fixed(chosen) | Control::Tolerance(chosen)) = self.plan.rule.control;
-        let trials = Trials::new(System::<S, R, C, P>::CLOSED > 0, chosen, self.past.time);
-        self.progress = Progress::at(self.past.time, size, trials);
+        self.progress = Progress::at(self.past.time, size);
+        self.progress.trials.under(self.plan.rule.control, System::<S, R, C, P>::CLOSED > 0);
         self.show(Shown::Past, false);
         self.value = self.value(Shown::Past)?;
         Ok(())
     }
 
-    /// Takes up what another run has left.
-    pub(super) fn take_up(&mut self, memory: &K::Memory) -> Result<(), Error> {
+    /// Takes up what another run has left: its memory, and what scene and loads caused where the method has left other accelerations.
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    pub(super) fn take_up(&mut self, memory: &K::Memory, caused: Option<&MotionOf<S, R, C, P>>) -> Result<(), Error> {
         self.check()?;
+        if let Some(caused) = caused {
+            finite(caused.is_finite(), "saved run")?;
+            if !caused.fits(&self.past) {
+                return Err(Error::new(Fault::Shape));
+            }
+        }
         if !self.stepper.remembers(memory, &self.past) {
             return Err(Error::new(Fault::Shape));
         }
         self.stepper.restore(memory);
-        self.progress.fit(self.past.time, self.plan.rule.control, self.plan.every)?;
+        let control = self.plan.rule.control;
+        self.progress.fit(self.past.time, control, self.plan.every)?;
+        self.progress.trials.under(control, System::<S, R, C, P>::CLOSED > 0);
+        self.adapt(caused);
         // An event where it stands was seen.
         self.value = if self.progress.at_event { None } else { self.value(Shown::Past)? };
         self.progress.stopped = false;
         Ok(())
+    }
+
+    /// Where scene, loads or motion are others than those that were saved, accelerations are: they jump. A method that has left others than
+    /// those `caused` goes on from them after the same jump.
+    fn adapt(&mut self, caused: Option<&MotionOf<S, R, C, P>>) {
+        let now = settled(self.plan.system, self.plan.loads, &self.past);
+        let left = &mut self.past;
+        let before = caused.map_or(&left.acceleration, |caused| &caused.acceleration);
+        if before.all(&now.acceleration, &mut Scalar::is_identical) {
+            return;
+        }
+        if let Some(caused) = caused {
+            let (one, stepped) = (RealOf::<S>::one(), left.acceleration.clone());
+            left.acceleration.mix_2(&stepped, (one, &now.acceleration), (-one, &caused.acceleration));
+        } else {
+            left.acceleration.set(&now.acceleration);
+        }
+        left.multipliers = now.multipliers;
     }
 
     /// The next step that is accepted; `false` where the run has ended, at its end or at an event.
@@ -104,11 +139,15 @@ where
         if self.progress.stopped || self.past.time >= self.end {
             return Ok(false);
         }
-        let (size, last) = self.accepted()?;
-        if last {
-            self.next.time = self.end;
+        let (mut size, mut last) = self.accepted()?;
+        let cut = if const { Self::STICKS } { self.cut(size)? } else { None };
+        if let Some(shorter) = cut {
+            (size, last) = (shorter, false);
         }
-        let next_value = self.value(Shown::Next)?;
+        if last {
+            self.next.set_time(self.end);
+        }
+        let mut next_value = self.value(Shown::Next)?;
         let outcome = self.shown(self.progress.start, size, [self.value, next_value])?;
         self.progress.steps += 1;
         if let Outcome::Stop = outcome {
@@ -118,6 +157,11 @@ where
         }
         self.progress.at_event = false;
         self.progress.mark.1 += 1;
+        if const { Self::STICKS } && cut.is_some() {
+            self.switch()?;
+            self.progress.mark = (self.next.time, 0);
+            next_value = self.value(Shown::Next)?;
+        }
         self.value = next_value;
         core::mem::swap(&mut self.past, &mut self.next);
         Ok(true)
@@ -152,8 +196,13 @@ where
     /// Shows what there is to see of an accepted step: samples, an event, its end.
     fn shown(&mut self, start: RealOf<S>, size: RealOf<S>, values: [Option<S::Scalar>; 2]) -> Result<Outcome, Error> {
         let crossing = match values.map(|value| value.map(|value| value.real().as_f64())) {
-            [Some(before), Some(after)] if before != 0.0 && before * after <= 0.0 => {
-                Some(self.crossing(size, [before, after])?)
+            [before, Some(after)] => {
+                let (from, before) = match before {
+                    Some(before) => (0.0, before),
+                    None => (DEPARTED, self.value_at(size, DEPARTED)?),
+                };
+                let crosses = before != 0.0 && before * after <= 0.0;
+                crosses.then(|| self.crossing(size, from, [before, after])).transpose()?
             }
             _ => None,
         };
@@ -197,12 +246,16 @@ where
         }
     }
 
-    /// The share of the step at which the event function crosses zero.
-    fn crossing(&mut self, size: RealOf<S>, values: [f64; 2]) -> Result<f64, Error> {
-        crossing(values, |theta| {
-            self.interpolate(size, theta);
-            Ok(self.value(Shown::Between)?.map_or(0.0, |value| value.real().as_f64()))
-        })
+    /// The value of the event function at a share of the step.
+    fn value_at(&mut self, size: RealOf<S>, theta: f64) -> Result<f64, Error> {
+        self.interpolate(size, theta);
+        Ok(self.value(Shown::Between)?.map_or(0.0, |value| value.real().as_f64()))
+    }
+
+    /// The share of the step at which the event function crosses zero, after a share at which and at the end of which it has these values.
+    fn crossing(&mut self, size: RealOf<S>, from: f64, values: [f64; 2]) -> Result<f64, Error> {
+        let share = |part: f64| from + (1.0 - from) * part;
+        Ok(share(crossing(values, |part| self.value_at(size, share(part)))?))
     }
 }
 

@@ -17,9 +17,10 @@ pub(super) fn check<R: Real>(
     if !start.is_finite() {
         return Err(Error::new(Fault::NotFinite { parameter: "start of the run" }));
     }
-    if !end.is_finite() || end < start {
-        return Err(Error::new(Fault::NotFinite { parameter: "end of the run after its start" }));
+    if !end.is_finite() {
+        return Err(Error::new(Fault::NotFinite { parameter: "end of the run" }));
     }
+    at_least("end of the run", end.as_f64(), start.as_f64(), "it lies before the start")?;
     let (Control::Fixed(chosen) | Control::Tolerance(chosen)) = control;
     let numbers =
         [("step size or tolerance", Some(chosen)), ("interval between samples", every), ("longest step", longest)];

@@ -8,6 +8,7 @@ mod drive;
 mod ensemble;
 mod limits;
 mod saved;
+mod stick;
 mod trials;
 
 use crate::element::{Budget, Element, Loading, RealOf, Space, Unloaded};

@@ -6,15 +6,16 @@ mod data;
 use super::drive::Running;
 use super::limits::MOST;
 use super::trials::Trials;
-use super::{EventFunction, Interrupted, Now, Run, Simulation};
+use super::{EventFunction, Interrupted, Now, Run, Simulation, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, finite};
-use crate::scalar::Real;
+use crate::mirror::Rate;
+use crate::scalar::{Real, Scalar};
 use crate::stepper::{Method, Stepper};
 use crate::system::{MotionOf, Runs, System};
 use crate::time::Control;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 /// How far a run has come, besides its motion and what its stepper carries.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,13 +45,13 @@ pub struct Progress<R> {
 
 impl<R: Real> Progress<R> {
     /// The progress of a run which begins at a time (s), with the size of its first step (s).
-    pub(super) fn at(start: R, size: R, trials: Trials<R>) -> Self {
+    pub(super) fn at(start: R, size: R) -> Self {
         Self {
             start,
             mark: (start, 0),
             size,
             careful: false,
-            trials,
+            trials: Trials::new(start),
             stopped: false,
             at_event: false,
             samples: 1,
@@ -80,7 +81,7 @@ impl<R: Real> Progress<R> {
         }
         if let Some(every) = every {
             let next = *start + every * count(*samples) - time;
-            let rounding = (time.abs() + every) * R::EPSILON * R::of(1e6);
+            let rounding = every * R::of(1e-9) + (start.abs() + time.abs() + every) * R::EPSILON * R::of(8.0);
             if !(next >= -rounding && next <= every + rounding) {
                 let passed = ((time - *start) / every).as_f64();
                 finite(passed <= MOST, "progress of a run")?;
@@ -102,8 +103,11 @@ impl<R: Real> Progress<R> {
 /// read from text that lives as long as the program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Saved<M, K, R> {
-    /// The last motion, with its accelerations.
+    /// The last motion, with its accelerations as the method has left them.
     pub motion: M,
+    /// That motion with the accelerations that scene and loads caused, where the method has left others: a run that goes on compares them with
+    /// those that are caused then.
+    pub caused: Option<M>,
     /// What the stepper carries.
     pub memory: K,
     /// Steps, samples and the size of the next step.
@@ -164,7 +168,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
         O: FnMut(&Now<'_, S, R, C, P, L>),
     {
-        let begun = Progress::at(start.time, Zero::zero(), Trials::new(false, One::one(), start.time));
+        let begun = Progress::at(start.time, Zero::zero());
         let mut run = self.running(start, end, observe, begun);
         match run.start() {
             Ok(()) => Ok(run),
@@ -174,8 +178,12 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
 
     /// The rest of a run that was saved: the same, bit by bit, if scene, loads, rule, samples and end are. Only steps that follow are shown.
     ///
-    /// After an event that ended it, it goes on from there: the event is not found again, and fixed steps count from it. A run to another
-    /// end is the same up to its last step, which is cut to end there.
+    /// After an event that ended it, it goes on from there: the event is not found again, and fixed steps count from it. Another event is
+    /// looked for after the first thousandth of the first step. A run to another end is the same up to its last step, which is cut to end
+    /// there.
+    ///
+    /// Scene (gravity, for example), loads and motion (rates after an impact) may have changed, tolerance and step size too: steps begin with
+    /// accelerations that belong to them, and methods that remember motions begin anew where these have jumped.
     ///
     /// # Errors
     /// As [`begin`](Self::begin); [`Shape`](crate::Fault::Shape) for a run of another scene, [`NotFinite`](crate::Fault::NotFinite) for data
@@ -194,7 +202,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         O: FnMut(&Now<'_, S, R, C, P, L>),
     {
         let mut run = self.running(saved.motion, end, observe, saved.progress);
-        match run.take_up(&saved.memory) {
+        match run.take_up(&saved.memory, saved.caused.as_ref()) {
             Ok(()) => Ok(run),
             Err(error) => Err(Interrupted { error, last: run.past }),
         }
@@ -235,7 +243,10 @@ where
     /// The state of the run, to be gone on from.
     pub fn save(&self) -> SavedOf<S, R, C, P, K::Memory> {
         let progress = Progress { sweeps: self.sweeps(), ..self.progress };
-        Saved { motion: self.past.clone(), memory: self.stepper.memory(), progress }
+        let caused = settled(self.plan.system, self.plan.loads, &self.past);
+        let other = !caused.acceleration.all(&self.past.acceleration, &mut Scalar::is_identical);
+        let caused = (other && caused.is_finite()).then_some(caused);
+        Saved { motion: self.past.clone(), caused, memory: self.stepper.memory(), progress }
     }
 
     fn sweeps(&self) -> usize {

@@ -2,6 +2,7 @@
 
 use crate::error::{Cause, Error, Fault, Place};
 use crate::scalar::Real;
+use crate::time::Control;
 
 /// In so many trial steps a run must advance by more than [`ADVANCE`].
 const WINDOW: usize = 1000;
@@ -59,14 +60,11 @@ pub(super) struct Trials<R> {
 }
 
 impl<R: Real> Trials<R> {
-    /// None yet, at a time (s), for a tolerance.
-    pub(super) fn new(closed: bool, tolerance: R, time: R) -> Self {
-        let (root, coarse) = (R::EPSILON.sqrt(), R::EPSILON.sqrt().sqrt());
-        let allowed = (R::of(STARTLING) * tolerance.max(root)).min(coarse) / tolerance;
+    /// None yet, at a time (s).
+    pub(super) fn new(time: R) -> Self {
         Self {
-            // A share δ² leaves roundings / δ³ of accelerations: that is to be no startling error.
-            least: (R::EPSILON / (R::of(STARTLING) * tolerance)).powf(R::of(2.0 / 3.0)),
-            allowed: (closed && tolerance < coarse).then_some(allowed),
+            allowed: None,
+            least: R::zero(),
             cause: (Cause::Inaccurate, None),
             longest: R::zero(),
             mark: time,
@@ -79,6 +77,24 @@ impl<R: Real> Trials<R> {
             dodges: 0,
             settled: false,
         }
+    }
+
+    /// These under a control of steps, whatever it was before.
+    pub(super) fn under(&mut self, control: Control<R>, closed: bool) {
+        (self.allowed, self.least) = (None, R::zero());
+        if let Control::Tolerance(tolerance) = control {
+            let (root, coarse) = (R::EPSILON.sqrt(), R::EPSILON.sqrt().sqrt());
+            let allowed = (R::of(STARTLING) * tolerance.max(root)).min(coarse) / tolerance;
+            self.allowed = (closed && tolerance < coarse).then_some(allowed);
+            // A share δ² leaves roundings / δ³ of accelerations: that is to be no startling error.
+            self.least = (R::EPSILON / (R::of(STARTLING) * tolerance)).powf(R::of(2.0 / 3.0));
+        }
+    }
+
+    /// None since a time (s): the run is tried again.
+    pub(super) fn renew(&mut self, time: R) {
+        (self.mark, self.count) = (time, 0);
+        self.taken(R::zero());
     }
 
     /// Whether trials can go on from here: what was read as data may be anything.

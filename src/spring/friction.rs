@@ -28,6 +28,7 @@ use crate::scalar::{Real, Scalar};
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct DryFriction<T, B = Absent> {
     sliding: T,
     speed: T,

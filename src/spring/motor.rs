@@ -29,6 +29,7 @@ use crate::scalar::Scalar;
 /// assert_eq!(motor.reflected_inertia(), 0.25);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motor<T> {
     peak: T,
     stall: T,

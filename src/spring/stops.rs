@@ -29,6 +29,7 @@ use crate::scalar::{Real, Scalar};
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stops<T, C = Absent> {
     middle: T,
     /// From the middle to either end.

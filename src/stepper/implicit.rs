@@ -59,13 +59,13 @@ pub struct Trace<R, P, V> {
 }
 
 impl<R: Real, P, V> Trace<R, P, V> {
-    /// Whether the trace is of this motion.
+    /// Whether the trace is of this motion. Dual numbers with other derivative parts are other numbers.
     fn is_of<T: Scalar<Real = R>, C: Closures>(&self, motion: &Motion<T, P, C>) -> bool
     where
         P: Position<T, Rate = V>,
         V: Rate<T>,
     {
-        let mut same = |a, b| a == b;
+        let mut same = Scalar::is_identical;
         self.time == Some(motion.time)
             && self.position.all(&motion.position, &mut same)
             && self.rate.all(&motion.rate, &mut same)

@@ -26,6 +26,8 @@ pub struct TaylorStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
     /// Motion at which the next series has begun: the end of the last step.
     ahead: MotionIn<D, L>,
     begun: bool,
+    /// The time around which the series knows the loads (s).
+    known: TimeIn<D, L>,
     /// How many coefficients are found: `P`, or fewer where a tolerance asks for no more.
     order: usize,
     /// Coefficients of the accelerations.
@@ -56,6 +58,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Method<D, L> for Taylor<P> {
             expanded: false,
             reached: None,
             begun: false,
+            known: Zero::zero(),
             order: P,
             sweeps: 0,
         }
@@ -109,11 +112,14 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
     fn open(&mut self, loads: &L) {
         let Motion { time, position, rate, acceleration, .. } = &mut self.ahead;
         self.scene.begin(*time, position, rate, loads, &mut self.series, acceleration);
-        self.begun = true;
+        (self.begun, self.known) = (true, *time);
     }
 
-    /// Makes the series that of a motion.
+    /// Makes the series that of a motion under loads, which may be others than before.
     fn expand(&mut self, past: &MotionIn<D, L>, loads: &L) -> Result<(), Error> {
+        if D::LOADED && (self.begun || self.expanded) && !self.scene.recite(self.known, loads, &mut self.series) {
+            (self.begun, self.expanded) = (false, false);
+        }
         if self.expanded && Self::same(&self.origin, past) {
             return Ok(());
         }
@@ -199,21 +205,6 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
     fn admit(&self, past: &MotionIn<D, L>, loads: &L, _: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
         self.scene.admits(loads)?;
         if past.fits(&self.ahead) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
-    }
-
-    /// Loads may have changed since the series began.
-    fn begin(&mut self, _: &MotionIn<D, L>, _: &L) {
-        if D::LOADED {
-            (self.begun, self.expanded) = (false, false);
-        }
-    }
-
-    /// Loads have changed if accelerations are not those that the series begins with.
-    fn resume(&mut self, past: &MotionIn<D, L>) {
-        if D::LOADED {
-            let same = |begun: &MotionIn<D, L>| past.acceleration.all(&begun.acceleration, &mut Scalar::is_identical);
-            (self.begun, self.expanded) = (self.begun && same(&self.ahead), self.expanded && same(&self.origin));
-        }
     }
 
     fn make(

@@ -81,6 +81,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             set(&mut direction, unit(n, j));
             let mut at = |reach| {
                 there.position.drift_0(&still.position, (reach, &direction));
+                there.position.set_clocks(still.time);
                 self.weighted(&there, &still.acceleration)
             };
             let (ahead, back) = (at(step), at(-step));

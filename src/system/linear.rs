@@ -235,6 +235,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 for sign in [1.0, -1.0] {
                     let reach = step * RealOf::<S>::of(sign * steps);
                     place.drift_0(&still.position, (reach, &direction));
+                    place.set_clocks(still.time);
                     let (here, there) = ((&still.position, &still.rate), (&place, &still.rate));
                     let weight = RealOf::<S>::of(sign * weight) / step;
                     for ((at, spring), change) in [(there, here), (here, there)].into_iter().zip(&mut changes) {

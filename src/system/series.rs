@@ -35,6 +35,9 @@ pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
 
     /// Finds coefficients of the accelerations from order 1 on, one order after the other.
     fn expand(&self, series: &mut Self::Series, accelerations: &mut [Self::Rate]);
+
+    /// Whether the efforts of a series that began at a time are those of these loads, which they are from now on.
+    fn recite(&self, time: <Self::Scalar as Scalar>::Real, loads: &L, series: &mut Self::Series) -> bool;
 }
 
 /// Room for the series of a scene.
@@ -107,10 +110,10 @@ where
         acceleration: &mut RateOf<S, R, C>,
     ) {
         let ground = Root::ground(&self.root, time);
-        let SeriesRoom { sizes, x, y, p, q, axes, joints, efforts } = series;
         if L::ON {
-            self.chain.outward(&mut Recite::<S, L, N> { loads, time, joint: 0 }, (), (efforts,));
+            SeriesDynamics::<L, N>::recite(self, time, loads, series);
         }
+        let SeriesRoom { sizes, x, y, p, q, axes, joints, .. } = series;
         self.chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
         self.chain.take(&mut Begin::<N>, ground.turn, (x, y, (position, rate), (axes, joints)));
         self.chain.take(&mut Articulate::<N>, S::nothing(), (axes, joints));
@@ -122,6 +125,12 @@ where
         for (k, acceleration) in accelerations.iter_mut().enumerate() {
             self.coefficients_of(k + 1, Acceleration::zero(), series, acceleration);
         }
+    }
+
+    fn recite(&self, time: RealOf<S>, loads: &L, series: &mut Self::Series) -> bool {
+        let mut recital = Recite::<S, L, N> { loads, time, joint: 0, same: true };
+        self.chain.outward(&mut recital, (), (&mut series.efforts,));
+        recital.same
     }
 }
 
@@ -146,5 +155,8 @@ impl<D: SeriesDynamics<L, N>, L, const N: usize> SeriesDynamics<L, N> for &D {
     }
     fn expand(&self, series: &mut Self::Series, accelerations: &mut [Self::Rate]) {
         D::expand(self, series, accelerations);
+    }
+    fn recite(&self, time: <Self::Scalar as Scalar>::Real, loads: &L, series: &mut Self::Series) -> bool {
+        D::recite(self, time, loads, series)
     }
 }

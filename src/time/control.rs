@@ -4,6 +4,8 @@ use crate::sealed::Sealed;
 
 /// A method and its choice of steps, for example `Dop853::tolerance(1e-12)` or `Rk4::step(1e-3)`: what a run is made by.
 ///
+/// A method that does not estimate its errors, as `Rk4`, is refused under [`Control::Tolerance`] when its run makes the first step.
+///
 /// A [`Stepper`](crate::stepper::Stepper) takes the method alone, `Dop853` or `Rk4`: it is told the size of every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -80,7 +80,7 @@ impl<S: Expandable, const N: usize> Selective<S> for Swing<S, N> {
     alike_in_arms!();
 }
 
-/// Finds the coefficients of efforts in all joints.
+/// Finds the coefficients of efforts in all joints, and whether they are those that were there.
 pub struct Recite<'l, S: Space, L, const N: usize> {
     /// What acts.
     pub loads: &'l L,
@@ -88,6 +88,8 @@ pub struct Recite<'l, S: Space, L, const N: usize> {
     pub time: RealOf<S>,
     /// The number of the next joint.
     pub joint: usize,
+    /// Whether those of the joints before were there.
+    pub same: bool,
 }
 
 impl<S: Space, L: ExpandLoads<S>, const N: usize> Walk<S> for Recite<'_, S, L, N> {
@@ -97,7 +99,8 @@ impl<S: Space, L: ExpandLoads<S>, const N: usize> Walk<S> for Recite<'_, S, L, N
 
 impl<S: Space, L: ExpandLoads<S>, const N: usize> Recite<'_, S, L, N> {
     fn meet(&mut self, efforts: &mut [L::InJoint; N]) {
-        *efforts = self.loads.in_joint_over_time(self.time, self.joint);
+        let before = core::mem::replace(efforts, self.loads.in_joint_over_time(self.time, self.joint));
+        self.same &= before.iter().zip(&*efforts).all(|(before, now)| before.is_same(*now));
         self.joint += 1;
     }
 }

@@ -14,7 +14,7 @@ pub fn draw(path: &Path, scene: &Scene) -> Result<(), Box<dyn Error>> {
     root.fill(&WHITE)?;
     let (panels, names) = root.split_horizontally(1180);
     let (left, right) = panels.split_horizontally(590);
-    panel(&left, scene, "time, ms", |point| point.seconds * 1e3)?;
+    panel(&left, scene, "time (ms)", |point| point.seconds * 1e3)?;
     panel(&right, scene, "sweeps", |point| point.sweeps as f64)?;
     let font = ("sans-serif", 13);
     let mut y = 50;
@@ -66,7 +66,7 @@ fn panel(area: &Area<'_>, scene: &Scene, work: &str, value: impl Fn(&Point) -> f
         .build_cartesian_2d((1e-13..1.0).log_scale(), (0.8 * low..1.25 * high).log_scale())?;
     let power = |x: &f64| format!("{x:.0e}");
     let mut mesh = chart.configure_mesh();
-    mesh.x_desc(format!("error, {}", scene.unit))
+    mesh.x_desc(format!("error ({})", scene.unit))
         .y_desc(work)
         .x_label_formatter(&power)
         .y_label_formatter(&power)

@@ -47,6 +47,7 @@ macro_rules! run_rules {
         add!("Adams" "fixed", steps(1.0), Adams::step);
         add!("Adams" "controlled", tolerances, Adams::tolerance);
         add!("Vcabm" "controlled", tolerances, |tolerance| Vcabm::default().tolerance(tolerance));
+        add!("Auto" "controlled", tolerances, Auto::tolerance);
         add!("generalised-alpha" "fixed", steps(1.0), |step| GeneralizedAlpha::new(0.8).step(step));
         add!("generalised-alpha" "controlled", tolerances, |tolerance| GeneralizedAlpha::new(0.8).tolerance(tolerance));
         add!("SDIRK4" "fixed", steps(2.0), |step| Sdirk4::new().step(step));

@@ -1,10 +1,12 @@
-//! Writes the tables of BENCHMARKS.md from the files in `benches/results`: what stands between `<!-- NAME -->` and `<!-- end -->`.
+//! Writes the tables of BENCHMARKS.md from the files in `benches/results`: what stands between `<!-- NAME -->` and `<!-- end -->`, and the
+//! picture of run time against error.
 //!
 //! ```text
 //! cargo run -p catena-report              # writes
 //! cargo run -p catena-report -- --check   # fails where something would change
 //! ```
 
+mod picture;
 mod tables;
 
 use std::error::Error;
@@ -45,10 +47,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         let table = if rows.0.is_empty() { "Not measured yet.\n".to_owned() } else { make(&rows) };
         text.replace_range(start..start + length, &format!("\n{table}\n"));
     }
+    let pictured = root.join("docs/pictures/work_precision.svg");
+    let drawn = picture::draw(&Rows::read(&root.join("benches/results"), "precision")?)?;
     if !check {
         std::fs::write(page, text)?;
-    } else if text != before {
-        return Err("BENCHMARKS.md is not what the files in benches/results say: cargo run -p catena-report".into());
+        std::fs::write(pictured, drawn)?;
+    } else if text != before || std::fs::read_to_string(pictured)? != drawn {
+        let what = "BENCHMARKS.md or its picture is not what the files in benches/results say";
+        return Err(format!("{what}: cargo run -p catena-report").into());
     }
     Ok(())
 }

@@ -7,10 +7,10 @@ use std::path::Path;
 pub struct Row(Vec<(String, String)>);
 
 impl Row {
-    fn get(&self, column: &str) -> &str {
+    pub fn get(&self, column: &str) -> &str {
         self.0.iter().find(|(name, _)| name == column).map_or("", |(_, value)| value)
     }
-    fn number(&self, column: &str) -> f64 {
+    pub fn number(&self, column: &str) -> f64 {
         self.get(column).parse().unwrap_or(f64::NAN)
     }
 }

@@ -15,7 +15,7 @@ impl Options {
     /// # Errors
     /// What is wrong with it, and at which line.
     pub fn read(&self, text: &str) -> Result<Robot, Error> {
-        self.laws.check()?;
+        self.check()?;
         let mut notes = Notes::default();
         let model = read::model(text, self, &mut notes)?;
         let mut robot = lump::robot(&model, self, &mut notes)?;
@@ -46,7 +46,7 @@ impl Options {
         }
         let folder = std::env::var("OUT_DIR").map_err(|error| failed(&"OUT_DIR", &error))?;
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
-        let target = Path::new(&folder).join(&*name).with_extension("rs");
+        let target = Path::new(&folder).join(format!("{name}.rs"));
         std::fs::write(&target, emit::module(&robot, &name)).map_err(|error| failed(&target.display(), &error))?;
         Ok(robot)
     }

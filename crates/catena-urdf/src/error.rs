@@ -71,7 +71,7 @@ pub enum Fault {
         /// Value of the attribute.
         value: f64,
     },
-    /// A number of [`Laws`](crate::Laws) makes no mechanics.
+    /// A number of [`Options`](crate::Options) or [`Laws`](crate::Laws) makes no mechanics.
     Law {
         /// The number, and what it must be.
         what: &'static str,

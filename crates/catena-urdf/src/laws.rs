@@ -1,7 +1,8 @@
 //! What of the furniture of joints becomes laws of a scene's joints.
 
-use crate::error::{Error, Fault};
+use crate::error::Error;
 use crate::model::Furniture;
+use crate::options::fits;
 use crate::robot::{Body, Robot};
 
 /// Which furniture of joints the scene acts by; the default is none. Limits, damping and friction of the description are constants of
@@ -52,28 +53,29 @@ impl Laws {
     }
 
     /// Limits of effort and velocity, and reductions, become a function `motors()` of the module: a `Motor` for each joint with both limits
-    /// and a reduction (one where none is written), for a controller to ask. Its torque falls to zero over the last tenth of the velocity.
+    /// and a reduction (one where none is written, without its sign), for a controller to ask; a note where they make no motor. Its torque
+    /// falls to zero over the last tenth of the velocity.
     pub fn motors(self) -> Self {
         Self { motors: true, ..self }
     }
 
     /// Rejects numbers that make no mechanics.
     pub(crate) fn check(self) -> Result<(), Error> {
-        let speeds = ("a speed over which friction sets in must be positive", self.friction.unwrap_or([1.0; 2]));
         let [depths, dampings] = self.stops.unwrap_or([[1.0; 2], [0.0; 2]]);
-        let depths = ("a depth of stops must be positive", depths);
-        let not = |(what, values): (_, [f64; 2]), fits: fn(f64) -> bool| {
-            let wrong = values.into_iter().find(|value| !(value.is_finite() && fits(*value)));
-            wrong.map_or(Ok(()), |value| Err(Error::new(Fault::Law { what, value })))
-        };
-        not(speeds, |x| x > 0.0)?;
-        not(depths, |x| x > 0.0)?;
-        not(("damping of stops must be zero or more", dampings), |x| x >= 0.0)
+        fits("a speed over which friction sets in must be positive", self.friction.unwrap_or([1.0; 2]), |x| x > 0.0)?;
+        fits("a depth of stops must be positive", depths, |x| x > 0.0)?;
+        fits("damping of stops must be zero or more", dampings, |x| x >= 0.0)
     }
 
     /// Whether the module has motors.
     pub(crate) fn has_motors(self) -> bool {
         self.motors
+    }
+
+    /// Whether limits are written of which no motor comes, though motors are wanted.
+    pub(crate) fn lacks_motor(self, furniture: &Furniture) -> bool {
+        let limited = furniture.effort.is_finite() || furniture.velocity.is_finite();
+        self.motors && limited && self.motor_of(furniture).is_none()
     }
 
     pub(crate) fn damping_of(self, furniture: &Furniture) -> Option<f64> {
@@ -98,7 +100,8 @@ impl Laws {
     pub(crate) fn motor_of(self, furniture: &Furniture) -> Option<[f64; 3]> {
         let Furniture { effort, velocity, reduction, .. } = *furniture;
         let known = |x: f64| x.is_finite() && x > 0.0;
-        let ratio = reduction.unwrap_or(1.0);
+        // A motor that turns the other way gives as much.
+        let ratio = reduction.map_or(1.0, f64::abs);
         (self.motors && known(effort) && known(velocity) && known(ratio)).then_some([effort, velocity, ratio])
     }
 }

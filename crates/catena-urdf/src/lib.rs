@@ -17,12 +17,18 @@
 //! The program:
 //!
 //! ```ignore
+//! use catena::spatial::*;
+//!
 //! include!(concat!(env!("OUT_DIR"), "/arm.rs")); // a module `arm`
 //!
-//! let robot = arm::scene::<f64>()?; // or f32, dual numbers, lanes
-//! let mut torques = [0.0; arm::JOINTS.len()];
-//! torques[arm::joint::ELBOW] = 12.0;
-//! let moving = robot.with_accelerations(robot.motion(), &Loads::none().efforts(arm::efforts(torques)))?;
+//! fn main() -> Result<(), catena::Error> {
+//!     let robot = arm::scene::<f64>()?; // or f32, dual numbers, lanes
+//!     let mut torques = [0.0; arm::JOINTS.len()];
+//!     torques[arm::joint::ELBOW] = 12.0; // (N·m)
+//!     let moving = robot.with_accelerations(robot.motion(), &Loads::none().efforts(arm::efforts(torques)))?;
+//!     println!("{:?}", moving.acceleration());
+//!     Ok(())
+//! }
 //! ```
 //!
 //! # What it does

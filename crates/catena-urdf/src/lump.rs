@@ -41,7 +41,7 @@ pub fn robot(model: &Model, options: &Options, notes: &mut Notes) -> Result<Robo
         frames.push(Frame { name: model.links[link].name.clone(), carrier, pose });
     }
     let Lump { base, bodies, notes, .. } = lump;
-    let base = if floats == Floats::None { None } else { Some(base.unwrap_or(Inertia::NONE)) };
+    let base = matches!(floats, Floats::Root | Floats::Child).then(|| base.unwrap_or(Inertia::NONE));
     if bodies.is_empty() && base.is_none() {
         return Err(Error::new(Fault::NothingMoves));
     }
@@ -57,6 +57,8 @@ enum Floats {
     Root,
     /// The only child of a root without mass.
     Child,
+    /// A child that would float, but is fixed.
+    FixedChild,
 }
 
 fn floats(model: &Model, options: &Options, order: &[(usize, Option<usize>)]) -> Floats {
@@ -68,6 +70,7 @@ fn floats(model: &Model, options: &Options, order: &[(usize, Option<usize>)]) ->
         _ => false,
     };
     match options.base {
+        Base::Fixed if massless && only => Floats::FixedChild,
         Base::Written | Base::Floating if massless && only => Floats::Child,
         Base::Floating => Floats::Root,
         Base::Written | Base::Fixed => Floats::None,
@@ -111,6 +114,7 @@ impl Lump<'_> {
                 let (carrier, _) = self.body(joint, "/second", true, other, carrier, Pose::IDENTITY);
                 self.body(joint, "", false, joint.axis, carrier, Pose::IDENTITY)
             }
+            Kind::Floating if floats == Floats::FixedChild && carrier == Carrier::Ground => (carrier, pose),
             // The coordinates of the base are its place and attitude in axes of the ground, wherever the joint puts it.
             Kind::Floating if floats == Floats::Child && carrier == Carrier::Ground => {
                 if joint.origin != Pose::IDENTITY {

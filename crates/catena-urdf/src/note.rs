@@ -40,6 +40,11 @@ pub enum Remark {
         /// The joint.
         joint: String,
     },
+    /// A joint has limits of effort or velocity, but none of both that is positive, or a reduction of zero: it has no motor.
+    NoMotor {
+        /// The joint.
+        joint: String,
+    },
     /// The lower limit lies above the upper one.
     LimitsReversed {
         /// The joint.
@@ -120,6 +125,12 @@ impl fmt::Display for Remark {
                 write!(f, "{what} is among the constants of the module; its scene does not act by it")
             }
             Self::NoLimits { joint } => write!(f, "joint {joint:?} has no <limit>, and is taken as unlimited"),
+            Self::NoMotor { joint } => {
+                write!(
+                    f,
+                    "joint {joint:?} has no motor: that takes limits of effort and velocity above zero, and a reduction"
+                )
+            }
             Self::LimitsReversed { joint } => write!(f, "joint {joint:?} has its lower limit above its upper one"),
             Self::MimicFree { joint, of } => {
                 write!(f, "joint {joint:?} follows {of:?}: among the constants; in the scene it moves by itself")

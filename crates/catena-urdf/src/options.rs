@@ -1,6 +1,7 @@
 //! How a description is read.
 
 use crate::algebra::Vector;
+use crate::error::{Error, Fault};
 use crate::frames::Frames;
 use crate::laws::Laws;
 
@@ -11,7 +12,7 @@ pub enum Base {
     /// Fixed to the ground; but where it has no mass, and a floating joint as its only one, it is the ground, and its child floats.
     #[default]
     Written,
-    /// Fixed to the ground.
+    /// Fixed to the ground, and so is what would float as written.
     Fixed,
     /// Floating.
     Floating,
@@ -87,7 +88,7 @@ impl Options {
         Self { base, ..self }
     }
 
-    /// How axes of bodies are chosen.
+    /// How axes of bodies are chosen. In [`Elements::Local`] and [`Elements::LocalGeneral`] the joints choose them: this has no effect there.
     pub fn frames(self, frames: Frames) -> Self {
         Self { frames, ..self }
     }
@@ -117,4 +118,22 @@ impl Options {
     pub fn without_test(self) -> Self {
         Self { test: false, ..self }
     }
+
+    /// Rejects numbers that make no mechanics.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        fits("a tolerance of right angles must be zero or more", [self.snap], |x| x >= 0.0)?;
+        fits("where a joint is held must be finite", self.held.iter().map(|(_, at)| *at), |_| true)?;
+        fits("gravity must be finite", self.gravity, |_| true)?;
+        self.laws.check()
+    }
+}
+
+/// Rejects numbers that are not finite, or do not fit.
+pub(crate) fn fits(
+    what: &'static str,
+    values: impl IntoIterator<Item = f64>,
+    fits: fn(f64) -> bool,
+) -> Result<(), Error> {
+    let wrong = values.into_iter().find(|value| !(value.is_finite() && fits(*value)));
+    wrong.map_or(Ok(()), |value| Err(Error::new(Fault::Law { what, value })))
 }

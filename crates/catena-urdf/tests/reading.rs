@@ -118,8 +118,50 @@ fn the_base_floats_where_written_or_wanted() {
     assert!(read(HUMANOID, Options::new()).base().is_none());
     let pelvis = read(HUMANOID, Options::new().base(Base::Floating));
     assert_eq!(pelvis.base().map(|base| base.mass), Some(5.2));
-    let error = Options::new().base(Base::Fixed).read(QUADRUPED).expect_err("a floating joint");
-    assert_eq!(error.line, Some(line(QUADRUPED, "type=\"floating\"")));
+}
+
+#[test]
+fn a_floating_joint_of_a_fixed_base_is_a_fixed_one() {
+    let still = QUADRUPED.replace("type=\"floating\"", "type=\"fixed\"");
+    let fixed = read(QUADRUPED, Options::new().base(Base::Fixed));
+    let expected = read(&still, Options::new());
+    assert!(fixed.base().is_none());
+    assert_eq!((fixed.bodies(), fixed.frames()), (expected.bodies(), expected.frames()));
+}
+
+#[test]
+fn each_joint_with_limits_has_a_motor_or_a_note() {
+    let joint = |name: &str, limit: &str, reduction: &str| {
+        format!(
+            r#"<link name="{name}"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+            <joint name="{name}" type="continuous"><parent link="ground"/><child link="{name}"/>{limit}</joint>
+            <transmission name="{name}"><type>simple</type><joint name="{name}"/><actuator name="{name}">
+            <mechanicalReduction>{reduction}</mechanicalReduction></actuator></transmission>"#
+        )
+    };
+    let limit = r#"<limit effort="50" velocity="3"/>"#;
+    let text = [
+        joint("geared", limit, "79.2"),
+        joint("reversed", limit, "-79.2"),
+        joint("without", limit, "0"),
+        joint("weak", r#"<limit effort="0" velocity="3"/>"#, "1"),
+        joint("slow", r#"<limit effort="50"/>"#, "1"),
+        joint("free", "", "1"),
+    ];
+    let text = format!("<robot name=\"r\"><link name=\"ground\"/>{}</robot>", text.concat());
+    let robot = read(&text, Options::new().laws(Laws::none().motors()));
+    let written = module(&robot, "r");
+    let motors: Vec<_> = written.lines().map(str::trim).skip_while(|line| !line.contains("pub fn motors")).collect();
+    assert!(motors[2].starts_with("Some(Motor::new(") && motors[2].ends_with(".geared(T::literal(79.2))),"));
+    assert_eq!(motors[2], motors[3]);
+    assert_eq!(motors[4..8], ["None,"; 4]);
+    let without = robot.notes().iter().filter_map(|note| match &note.remark {
+        Remark::NoMotor { joint } => Some(joint.as_str()),
+        _ => None,
+    });
+    assert_eq!(without.collect::<Vec<_>>(), ["without", "weak", "slow"]);
+    let remarks = read(&text, Options::new());
+    assert!(!remarks.notes().iter().any(|note| matches!(note.remark, Remark::NoMotor { .. })));
 }
 
 #[test]

@@ -36,3 +36,19 @@ fn laws_that_make_no_mechanics_are_refused() -> Result<(), Box<dyn Error>> {
     assert_eq!(stops([0.1; 2], [0.0, -1.0]), Err("damping of stops must be zero or more, not -1".to_owned()));
     Ok(())
 }
+
+#[test]
+fn options_that_are_no_numbers_are_refused() -> Result<(), Box<dyn Error>> {
+    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/refused/negative_damping.urdf"))?;
+    let text = text.replace("-0.1", "0.1");
+    let read = |options: Options| options.read(&text).map(|_| ()).map_err(|error| error.to_string());
+    for (value, said) in [(f64::NAN, "NaN"), (f64::INFINITY, "inf")] {
+        let held = format!("where a joint is held must be finite, not {said}");
+        assert_eq!(read(Options::new().hold("j", value)), Err(held));
+        let gravity = format!("gravity must be finite, not {said}");
+        assert_eq!(read(Options::new().gravity([0.0, value, -9.81])), Err(gravity));
+        let snap = format!("a tolerance of right angles must be zero or more, not {said}");
+        assert_eq!(read(Options::new().snap(value)), Err(snap));
+    }
+    Ok(())
+}

@@ -123,7 +123,7 @@ fn draw(fit: &Fit, at_first: &[f64]) -> Drawn<PathBuf> {
     common::picture("identify", (760, 620), |area| {
         let subtitle = "Angles measured, of the model as it was guessed, and of the model that fits them best.";
         let mut rest = common::heading(area, "Six parameters from noisy angles", subtitle)?;
-        for (joint, title) in ["first link (rad)", "first hinge (rad)", "second hinge (rad)"].into_iter().enumerate() {
+        for (joint, title) in ["First link (rad)", "First hinge (rad)", "Second hinge (rad)"].into_iter().enumerate() {
             let (panel, below) = rest.split_vertically(common::pixels(180.0));
             let time = |k: usize| STEP * (EVERY * k) as f64;
             let part = |list: &[f64]| -> Vec<(f64, f64)> {

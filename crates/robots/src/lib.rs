@@ -3,4 +3,5 @@
 include!(concat!(env!("OUT_DIR"), "/arm7.rs"));
 include!(concat!(env!("OUT_DIR"), "/arm7_bare.rs"));
 include!(concat!(env!("OUT_DIR"), "/quadruped.rs"));
+include!(concat!(env!("OUT_DIR"), "/humanoid.rs"));
 include!(concat!(env!("OUT_DIR"), "/cart.rs"));

@@ -1,4 +1,4 @@
-//! Loads that yield, by a law of the user's own; contacts that are no mechanics; impacts that are none.
+//! Loads that yield, by a law of the user's own; contacts that are no mechanics; impacts and lists of numbers that are none.
 
 use catena::robot::*;
 use catena::{Error, Fault};
@@ -106,5 +106,73 @@ fn impacts_that_are_none_are_refused() -> Result<(), Error> {
     let missing = Some(Fault::NoSuchJoint { joint: 1, joints: 1 });
     assert_eq!(scene.jacobian(&[0.0], 1, [0.0; 3]).map_err(|error| error.fault).err(), missing);
     assert_eq!(scene.snapshot(&[0.0], &[0.0])?.point(Some(1), [0.0; 3]).map_err(|error| error.fault).err(), missing);
+    Ok(())
+}
+
+type Arm = (Hinge<f64>, Link<f64>, Hinge<f64, Level, 1>, Link<f64>);
+
+/// An arm whose last joint is resisted by `last` (kg) alone.
+fn arm(last: f64) -> Result<System<f64, Base<f64>, Arm, Free>, Error> {
+    let link = |mass: f64| {
+        let inertia = [[0.1 * mass, 0.0, 0.0], [0.0, 0.1 * mass, 0.0], [0.0, 0.0, 0.1 * mass]];
+        Link::general(mass, [0.2, 0.0, 0.0], inertia)
+    };
+    let chain = (Hinge::level(), link(3.0), Hinge::at::<1>([0.4, 0.0, 0.0]), link(last));
+    Ok(System::new(Base::origin(), chain, Free)?.with_gravity([0.0, -9.81, 0.0]))
+}
+
+#[test]
+fn functions_of_lists_refuse_what_comes_out_not_finite() -> Result<(), Error> {
+    let (light, arm, nan) = (arm(0.0)?, arm(1.0)?, f64::NAN);
+    let (q, v) = ([0.3, -0.4], [1.0, 0.5]);
+    let refused = Err(Fault::NonFiniteMotion);
+    // Nothing resists the last joint.
+    assert_eq!(light.forward_dynamics(&q, &v, &v).map(|_| ()).map_err(|error| error.fault), refused);
+    assert_eq!(light.mass_solved(&q, &v).map(|_| ()).map_err(|error| error.fault), refused);
+    assert_eq!(light.mass_inverse(&q).map(|_| ()).map_err(|error| error.fault), refused);
+    assert_eq!(light.impact(&q, &v, 1, 0.5).map(|_| ()).map_err(|error| error.fault), refused);
+    assert_eq!(light.forward_dynamics_derivatives(&q, &v, &v).map(|_| ()).map_err(|error| error.fault), refused);
+    assert!(light.mass_matrix(&q).is_ok() && light.inverse_dynamics(&q, &v, &v).is_ok());
+    // Positions and rates that are none.
+    for list in [[0.3, nan], [0.3, f64::INFINITY]] {
+        let faults = [
+            arm.mass_solved(&list, &v).map(|_| ()),
+            arm.mass_solved(&q, &list).map(|_| ()),
+            arm.mass_inverse(&list).map(|_| ()),
+            arm.mass_matrix(&list).map(|_| ()),
+            arm.impact(&list, &v, 1, 0.5).map(|_| ()),
+            arm.impact(&q, &list, 1, 0.5).map(|_| ()),
+            arm.inverse_dynamics(&list, &v, &v).map(|_| ()),
+            arm.inverse_dynamics(&q, &list, &v).map(|_| ()),
+            arm.inverse_dynamics(&q, &v, &list).map(|_| ()),
+            arm.inverse_dynamics_derivatives(&q, &list, &v).map(|_| ()),
+            arm.bias(&q, &list).map(|_| ()),
+            arm.gravity_torques(&list).map(|_| ()),
+            arm.places(&list).map(|_| ()),
+            arm.jacobian(&list, 0, [0.0; 3]).map(|_| ()),
+            arm.mass_centre(&list).map(|_| ()),
+            arm.joint_energy(&list, &v).map(|_| ()),
+            arm.joint_energy(&q, &list).map(|_| ()),
+            arm.snapshot(&list, &v).map(|_| ()),
+            arm.snapshot(&q, &list).map(|_| ()),
+        ];
+        for (k, fault) in faults.into_iter().enumerate() {
+            assert_eq!(fault.map_err(|error| error.fault), refused, "{k}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn gravity_torques_know_gravity_alone() -> Result<(), Error> {
+    let link = Link::general(2.0, [0.2, 0.1, 0.3], [[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]]);
+    let chain = (BodyAxes, Hinge::level(), link);
+    let shaken = Moving(|_: f64| GroundMotion { place: [0.0; 3], velocity: [1.0; 3], acceleration: [3.0, -2.0, 1.0] });
+    let gravity = [0.0, -9.81, 0.0];
+    let shaken = System::new(Clamped::on(shaken, Rotation::identity()), chain, Free)?.with_gravity(gravity);
+    let resting = System::new(Clamped::origin(), chain, Free)?.with_gravity(gravity);
+    assert_eq!(shaken.gravity_torques(&[0.4])?, resting.gravity_torques(&[0.4])?);
+    let bias: [f64; 2] = [shaken.bias(&[0.4], &[0.0])?[0], resting.bias(&[0.4], &[0.0])?[0]];
+    assert!((bias[0] - bias[1]).abs() > 0.1, "{bias:?}");
     Ok(())
 }

@@ -119,6 +119,7 @@ where
         sought.acceleration.replace(&mut |_| 0.0);
         for _ in 0..60 {
             led.position.drift_0(&sought.position, (springs.position, &sought.acceleration));
+            led.position.set_clocks(sought.time);
             led.rate.mix_1(&sought.rate, (springs.rate, &sought.acceleration));
             let here = (&sought.position, &sought.rate);
             let acceleration = sought.acceleration.clone();
@@ -129,6 +130,7 @@ where
             sought.acceleration.set(&led.acceleration);
         }
         led.position.drift_0(&sought.position, (springs.position, &sought.acceleration));
+        led.position.set_clocks(sought.time);
         led.rate.mix_1(&sought.rate, (springs.rate, &sought.acceleration));
         let what =
             "implicit sweep against virtual power: a pivot that does not match, or slopes that are not the law's";
@@ -220,6 +222,7 @@ where
         let at = |reach: f64| {
             let mut there = self.motion.clone();
             there.position.drift_0(&self.motion.position, (reach, along));
+            there.position.set_clocks(self.motion.time);
             there.rate.mix_1(&self.motion.rate, (reach, &across));
             self.scene.with_accelerations(there, &Unloaded).map(|there| numbers(&there.acceleration))
         };

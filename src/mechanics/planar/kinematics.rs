@@ -26,7 +26,7 @@ impl<T: Scalar, M: Term<T>> Driving<Planar<T>> for M {
 
 /// Kinematics of joints: what differs is the elimination, and where the force of a model is read.
 macro_rules! kinematics {
-    ($($Joint:ty { $eliminate:expr, $spring:expr })*) => {$(
+    ($($Joint:ty { $eliminate:expr, $drive:expr, $spring:expr })*) => {$(
         impl<T: Scalar> Kinematics<Planar<T>> for $Joint {
             fn lump(&mut self, mass: T) -> T {
                 Joint::lump(self, mass)
@@ -69,6 +69,19 @@ macro_rules! kinematics {
                 let offset = <Self as Joint<T>>::Axes::offset::<T>(x, y, p, q);
                 $eliminate(self, outer, offset, force, resistance, kept)
             }
+            #[inline(always)]
+            fn drive<C: Closures>(
+                &self,
+                outer: Full<T, C>,
+                (x, y, p, q): JointPosture<'_, Planar<T>, Self>,
+                acceleration: T,
+                kept: &mut <Self as Joint<T>>::Kept<C>,
+            ) -> Full<T, C> {
+                let offset = <Self as Joint<T>>::Axes::offset::<T>(x, y, p, q);
+                *kept = <Self as Joint<T>>::kept::<C>();
+                (kept.per_angular, kept.free) = (T::zero(), acceleration);
+                $drive(self, outer, offset, acceleration)
+            }
             fn under(motion: JointMotion<T>, Acting { resistance, energy, inertia }: Acting<T>) -> JointMotion<T> {
                 let (torque, force) = $spring(resistance.force);
                 JointMotion { spring: SpringState { torque, force, energy }, inertia, ..motion }
@@ -83,7 +96,8 @@ kinematics! {
             *kept = gain;
             relation
         },
+        |_: &Self, outer: Full<T, C>, (), acceleration| outer.turning(acceleration),
         |torque| (torque, [T::zero(); 2])
     }
-    Slider<T> { Slider::loosen, |force| (T::zero(), [force, T::zero()]) }
+    Slider<T> { Slider::loosen, Slider::carry, |force| (T::zero(), [force, T::zero()]) }
 }

@@ -5,7 +5,7 @@ use super::{Acceleration, Frame, Joint, JointMotion, Planar, Spring, SpringState
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
-use crate::relation::planar::{Full, SlideGain, Slides, along, back};
+use crate::relation::planar::{Full, Relation, SlideGain, Slides, along, back};
 use crate::relation::{Absent, Closures, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;
@@ -166,6 +166,13 @@ impl<T: Scalar, S> Slider<T, S> {
         let (relation, gain) = outer.with_mass(self.lumped).along(direction).slid(force, pivot);
         *kept = gain;
         relation.along(back(direction)).carried(arm, acceleration)
+    }
+
+    /// Takes the outboard point along at a given acceleration on the line.
+    #[inline(always)]
+    pub(super) fn carry<C: Closures>(&self, outer: Full<T, C>, offset: Offset<T>, second: T) -> Full<T, C> {
+        let Offset { direction, arm, acceleration } = offset;
+        outer.with_mass(self.lumped).carried(arm, acceleration + direction * second)
     }
 }
 

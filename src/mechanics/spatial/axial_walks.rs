@@ -175,6 +175,20 @@ pub(super) fn loosened<T: Scalar, J: Axial<T, K>, C: Closures, M: Term<T>, const
     relation
 }
 
+/// Takes the outboard side along where the one coordinate accelerates as given.
+#[inline(always)]
+pub(super) fn carried<T: Scalar, J: Axial<T, 1>, C: Closures>(
+    joint: &J,
+    outer: Full<T, C>,
+    (stored, bias): (&Columns<T>, &[Vector3<T>; 2]),
+    acceleration: T,
+) -> Full<T, C> {
+    match J::WAYS {
+        [Way::Turn] => outer.turning(add_scaled(bias[1], acceleration, stored.x)),
+        [Way::Slide] => outer.with_mass(joint.lumped()).carried(stored.z, add_scaled(bias[0], acceleration, stored.x)),
+    }
+}
+
 #[inline(always)]
 fn recovered<T: Scalar, J: Axial<T, K>, C: Closures, const K: usize>(
     inboard: Acceleration<T>,

@@ -1,104 +1,26 @@
 //! Points of bodies that touch a surface: unilateral, compliant contact with friction.
 
 use super::body_axes::{Block, Yielding};
+use super::inertia::finite;
+use super::surface::Surface;
 use super::{BodyMotion, Wrench};
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::loading::LoadLaw;
 use crate::relation::Additive;
 use crate::relation::spatial::algebra::{cross, dot};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use crate::spring::{Compression, above, not_negative, positive};
 use nalgebra::Vector3;
-
-/// A surface that bodies may touch.
-pub trait Surface<T: Scalar> {
-    /// How far a place (m, inertial axes) is below the surface (m, negative above it), and the unit normal out of the surface there.
-    fn below(&self, place: [T; 3]) -> (T, [T; 3]);
-    /// Rejects a surface whose normals are known not to be unit vectors.
-    ///
-    /// # Errors
-    /// What is wrong with it.
-    fn check(&self) -> Result<(), Fault> {
-        Ok(())
-    }
-}
-
-/// A plane as a surface.
-///
-/// ```
-/// use catena::spatial::{Plane, Surface};
-/// assert_eq!(Plane::level(0.5_f64).below([3.0, 4.0, 0.0]), (0.5, [0.0, 0.0, 1.0]));
-/// let slope = Plane::through([0.0_f64; 3], [-0.6, 0.0, 0.8]); // a point (m), a unit normal
-/// assert!((slope.below([1.0, 0.0, 0.75]).0).abs() < 1e-15);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plane<T> {
-    normal: [T; 3],
-    offset: T,
-}
-
-impl<T: Scalar> Plane<T> {
-    /// Across z at a height (m).
-    pub fn level(height: T) -> Self {
-        Self { normal: [T::zero(), T::zero(), T::one()], offset: height }
-    }
-
-    /// Through a point (m), with a unit normal.
-    pub fn through(point: [T; 3], normal: [T; 3]) -> Self {
-        let offset = dot(Vector3::from(normal), Vector3::from(point));
-        Self { normal, offset }
-    }
-}
-
-impl<T: Scalar> Surface<T> for Plane<T> {
-    #[inline(always)]
-    fn below(&self, place: [T; 3]) -> (T, [T; 3]) {
-        (self.offset - dot(Vector3::from(self.normal), Vector3::from(place)), self.normal)
-    }
-    fn check(&self) -> Result<(), Fault> {
-        finite("height of a plane", &[self.offset])?;
-        finite("normal of a plane", &self.normal)?;
-        let normal = Vector3::from(self.normal);
-        let (value, rounding) = (dot(normal, normal).sqrt().real().as_f64(), 1e-6);
-        if (value - 1.0).abs() <= rounding {
-            return Ok(());
-        }
-        let (least, most, outside) = (1.0 - rounding, 1.0 + rounding, "friction would not be along the plane");
-        Err(Fault::OutOfRange { parameter: "length of the normal of a plane", value, least, most, outside })
-    }
-}
-
-lift!(Plane { normal, offset });
-
-/// A height function as a surface: of x and y (m) it gives the height (m) and its slopes along x and y. Depths are those of the tangent
-/// plane, which the surface leaves by its curvature times their square.
-///
-/// ```
-/// use catena::spatial::{Heights, Surface};
-/// let waves = Heights(|x: f64, _y: f64| [0.1 * x.sin(), 0.1 * x.cos(), 0.0]);
-/// let (below, normal) = waves.below([0.0, 2.0, -0.01]);
-/// assert!((below - 0.01 * normal[2]).abs() < 1e-15 && normal[0] < 0.0);
-/// ```
-#[derive(Clone, Copy, Debug)]
-pub struct Heights<F>(pub F);
-
-impl<T: Scalar, F: Fn(T, T) -> [T; 3]> Surface<T> for Heights<F> {
-    #[inline(always)]
-    fn below(&self, [x, y, z]: [T; 3]) -> (T, [T; 3]) {
-        let [height, by_x, by_y] = (self.0)(x, y);
-        let up = (by_x * by_x + by_y * by_y + T::one()).sqrt().recip();
-        ((height - z) * up, [-by_x * up, -by_y * up, up])
-    }
-}
 
 /// How what touches resists: compliance, damping, friction.
 ///
 /// Pressed in by x (m) a point is pushed out by N = k d(x) (1 + c ẋ), and never pulled (K. H. Hunt and F. R. E. Crossley, 1975), with
 /// a stiffness k (N/m) that sets in over a depth w (m) as that of [`Stops`](crate::spatial::Stops), and damping c (s/m). Friction is
 /// −μ N v/√(v² + v₀²) of the velocity v along the surface: it has no jump, so that at rest what pulls by P creeps, by about v₀ P/(μ N).
-/// On planes energy only falls; on curved [`Heights`] to the order of depth times curvature.
+/// On planes energy only falls; on curved [`Heights`](super::Heights) to the order of depth times curvature.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contact<T> {
     stiffness: T,
     depth: T,
@@ -163,6 +85,7 @@ lift!(Contact { stiffness, depth, damping, friction, speed });
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contacts<P, G, C> {
     points: P,
     surface: G,
@@ -171,6 +94,7 @@ pub struct Contacts<P, G, C> {
 
 /// [`Contacts`] as loads that do not say how they yield: for bodies in inertial axes, too.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PlainContacts<P, G, C>(Contacts<P, G, C>);
 
 impl<P, G, C> Contacts<P, G, C> {
@@ -183,10 +107,6 @@ impl<P, G, C> Contacts<P, G, C> {
     pub fn plain(self) -> PlainContacts<P, G, C> {
         PlainContacts(self)
     }
-}
-
-fn finite<T: Scalar>(parameter: &'static str, list: &[T]) -> Result<(), Fault> {
-    if list.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(Fault::NotFinite { parameter }) }
 }
 
 /// What a point meets.
@@ -210,7 +130,7 @@ where
     }
 
     /// The energy (J) stored at a point; zero where there is no such point. On planes it is the potential of the force without damping and
-    /// friction; on curved [`Heights`] to the order of depth times curvature.
+    /// friction; on curved [`Heights`](super::Heights) to the order of depth times curvature.
     pub fn energy(&self, point: usize, body: &BodyMotion<T>) -> T {
         let of = |(_, at): &(usize, [T; 3])| {
             let (below, _) = self.surface.below(body.point(*at).place.into());

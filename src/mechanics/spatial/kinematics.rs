@@ -1,7 +1,7 @@
 //! Kinematics of joints with one coordinate in space: an angle about an axis, a slide along one.
 
 use super::axial::Axial;
-use super::axial_walks::loosened;
+use super::axial_walks::{carried, loosened};
 use super::{Drive, Joint, JointMotion, Prismatic, Revolute, Spatial, Turn};
 use crate::kinematics::{Acting, Driving, Kinematics, Outboard};
 use crate::relation::Closures;
@@ -64,6 +64,17 @@ macro_rules! kinematics {
                 kept: &mut [Pivot<T, C>; 1],
             ) -> Full<T, C> {
                 loosened(self, outer, (posture.0, posture.1), |_| (force, resistance), kept)
+            }
+            #[inline(always)]
+            fn drive<C: Closures>(
+                &self,
+                outer: Full<T, C>,
+                posture: JointPosture<'_, Spatial<T>, Self>,
+                acceleration: T,
+                kept: &mut [Pivot<T, C>; 1],
+            ) -> Full<T, C> {
+                *kept = [Pivot { free: acceleration, ..Pivot::blank() }];
+                carried(self, outer, (posture.0, posture.1), acceleration)
             }
             fn under(motion: JointMotion<T>, acting: Acting<T>) -> JointMotion<T> {
                 let Acting { resistance, energy, inertia } = acting;

@@ -57,6 +57,14 @@ impl<T: Scalar> Geometry for Planar<T> {
         plus_dot(h, normal(d), *k + *moved)
     }
     #[inline(always)]
+    fn about(_: Vector2<T>, angle: T) -> T {
+        angle
+    }
+    #[inline(always)]
+    fn coupled_onto(k: &Vector2<T>, a: T, sum: Vector2<T>) -> Vector2<T> {
+        add_scaled(sum, a, *k)
+    }
+    #[inline(always)]
     fn of_lump(mass: T, d: Vector2<T>, c: Vector2<T>) -> Full<T> {
         let n = normal(d);
         let coupling = n * mass;

@@ -47,17 +47,6 @@ impl<T: Scalar, C: Closures> Full<T, C> {
             ..turned
         }
     }
-
-    /// This relation with the bias of an angular acceleration alone.
-    #[inline(always)]
-    pub fn turning(self, angular: Vector3<T>) -> Self {
-        Self {
-            force: self.coupling.apply_onto(angular, self.force),
-            torque: self.angular.apply_onto(angular, self.torque),
-            cuts: self.cuts.turned(|w| w, |gap, w| gap - dot(w.torque, angular)),
-            ..self
-        }
-    }
 }
 
 /// A relation that resists rotation: what a joint must find on its outboard side.

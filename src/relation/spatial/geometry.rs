@@ -73,6 +73,14 @@ impl<T: Scalar> Geometry for Spatial<T> {
         }
     }
     #[inline(always)]
+    fn about(axis: Vector3<T>, angle: T) -> Vector3<T> {
+        axis * angle
+    }
+    #[inline(always)]
+    fn coupled_onto(k: &Columns<T>, a: Vector3<T>, sum: Vector3<T>) -> Vector3<T> {
+        k.apply_onto(a, sum)
+    }
+    #[inline(always)]
     fn of_lump(mass: T, d: Vector3<T>, c: Vector3<T>) -> Full<T> {
         let (o, moment) = (T::zero(), d * mass);
         let force = c * mass;

@@ -22,7 +22,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// accelerations are the mass matrix. Exact, by two passes over numbers with `N` derivatives each.
     ///
     /// # Errors
-    /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
+    /// As [`forward_dynamics`](Self::forward_dynamics).
     #[allow(clippy::type_complexity)] // the scene over another number
     pub fn inverse_dynamics_derivatives<const N: usize>(
         &self,

@@ -1,6 +1,6 @@
 //! Impacts of joints against hard stops.
 
-use super::{FixedBase, S, Tasks};
+use super::{FixedBase, S, Tasks, finite};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -34,7 +34,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     ///
     /// # Errors
     /// [`Fault::Count`] where `N` is not the number of joints, [`Fault::NoSuchJoint`] where `joint` is no number of one,
-    /// [`Fault::OutOfRange`] for a restitution outside of 0 to 1.
+    /// [`Fault::OutOfRange`] for a restitution outside of 0 to 1, [`Fault::NonFiniteMotion`] where something came out not finite.
     pub fn impact<const N: usize>(
         &self,
         q: &[T; N],
@@ -59,6 +59,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         *own = T::one();
         let column = self.mass_solved(q, &unit)?;
         let impulse = column.get(joint).map_or(T::zero(), |own| -(T::one() + restitution) * *rate / *own);
-        Ok((core::array::from_fn(|k| column[k].mul_add(impulse, v[k])), impulse))
+        let after = core::array::from_fn(|k| column[k].mul_add(impulse, v[k]));
+        finite(&after).map(|()| (after, impulse))
     }
 }

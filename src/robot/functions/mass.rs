@@ -1,6 +1,6 @@
 //! The mass matrix, and solutions with it.
 
-use super::{FixedBase, S, Tasks, resisting};
+use super::{FixedBase, S, Tasks, finite, resisting};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::Error;
@@ -17,13 +17,14 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// The mass matrix M (kg·m², kg·m, kg), reflected inertias on its diagonal.
     ///
     /// # Errors
-    /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
+    /// As [`forward_dynamics`](Self::forward_dynamics).
     pub fn mass_matrix<const N: usize>(&self, q: &[T; N]) -> Result<[[T; N]; N], Error>
     where
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
+        finite(q)?;
         let stands = resisting(self.chain(), q, q).stands;
         let (o, matrix) = ([T::zero(); 3], [[T::zero(); N]; N]);
         let mut walk = Composite { stands, columns: [[o; 2]; N], matrix, next: N };
@@ -60,20 +61,21 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// M⁻¹ times a list, without M: in time proportional to the number of joints.
     ///
     /// # Errors
-    /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
+    /// As [`forward_dynamics`](Self::forward_dynamics).
     pub fn mass_solved<const N: usize>(&self, q: &[T; N], right: &[T; N]) -> Result<[T; N], Error>
     where
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
-        Ok(self.solved(&self.factored(q), right))
+        let solved = self.solved(&self.factored(q), right);
+        finite(&solved).map(|()| solved)
     }
 
     /// M⁻¹, its columns through the same factors.
     ///
     /// # Errors
-    /// [`Fault::Count`](crate::Fault::Count) where `N` is not the number of joints.
+    /// As [`forward_dynamics`](Self::forward_dynamics).
     pub fn mass_inverse<const N: usize>(&self, q: &[T; N]) -> Result<[[T; N]; N], Error>
     where
         R: FixedBase<T>,
@@ -87,6 +89,6 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
             unit[k] = T::one();
             *row = self.solved(&factor, &unit); // M⁻¹ is symmetric
         }
-        Ok(inverse)
+        finite(inverse.as_flattened()).map(|()| inverse)
     }
 }

@@ -2,6 +2,7 @@
 
 mod derivatives;
 mod impact;
+mod inverse;
 mod mass;
 mod places;
 mod snapshot;
@@ -14,11 +15,11 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, counted};
 use crate::mechanics::spatial::body_axes::composite::Composite;
 use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
-use crate::mechanics::spatial::body_axes::inverse::{Carried, Carrying as Load, Loaded, Resisting};
+use crate::mechanics::spatial::body_axes::inverse::{Carrying as Load, Loaded, Resisting};
 use crate::mechanics::spatial::body_axes::places::{Places, Tally};
 use crate::mechanics::spatial::body_axes::solids::Solids;
 use crate::mechanics::spatial::body_axes::{Base, Stand, Torques};
-use crate::mechanics::spatial::{Clamped, Frame, Spatial};
+use crate::mechanics::spatial::{Clamped, Spatial};
 use crate::mirror::{Position, Rate};
 use crate::relation::Open;
 use crate::relation::spatial::Empty;
@@ -30,7 +31,6 @@ use crate::walks::count::coordinates;
 use crate::walks::recover::recover;
 use crate::walks::sines::sines;
 use crate::walks::spread;
-use nalgebra::Vector3;
 use num_traits::Zero;
 
 /// The space of a robot's scene.
@@ -126,6 +126,13 @@ fn resisting<T: Scalar, const N: usize, C: Tasks<T, N>>(chain: &C, q: &[T; N], v
     walk
 }
 
+/// Refuses numbers that are not finite.
+#[inline(always)]
+fn finite<T: Scalar>(list: &[T]) -> Result<(), Error> {
+    let finite = list.iter().fold(true, |all, x| all & x.is_finite()); // without branches
+    if finite { Ok(()) } else { Err(Error::new(Fault::NonFiniteMotion)) }
+}
+
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// A motion with these coordinates and rates of all joints of a robot whose base is fixed, in their order.
     ///
@@ -137,48 +144,14 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         self.with_rates(motion, v)
     }
 
-    /// The ground in axes of the robot's base: acceleration as felt (less gravity), angular velocity and acceleration.
-    fn felt(&self) -> [[T; 3]; 3] {
-        let Frame { turn, acceleration, .. } = self.ground(T::Real::zero());
-        let of = |vector: Vector3<T>| turn.attitude.transposed(vector).into();
-        [of(acceleration.linear - self.gravity()), of(turn.spin), of(acceleration.angular)]
-    }
-
-    /// Forces of joints.
-    #[inline(always)]
-    fn forces<const N: usize, const RATES: bool, const SECONDS: bool>(
-        &self,
-        stands: &[Stand<T>; N],
-        rates: &[T; N],
-        seconds: &[T; N],
-    ) -> [T; N]
-    where
-        C: Tasks<T, N> + Takes<S<T>, Loaded<T, N, RATES, SECONDS>>,
-    {
-        let [linear, spin, angular] = self.felt();
-        let still = [T::zero(); 3];
-        let mut out = Loaded::<T, N, RATES, SECONDS> {
-            stands: *stands,
-            rates: *rates,
-            seconds: *seconds,
-            loads: [[still; 2]; N],
-            next: 0,
-        };
-        let ground = Carried { spin, linear, angular, own: usize::MAX };
-        Takes::<S<T>, Loaded<T, N, RATES, SECONDS>>::take(self.chain(), &mut out, ground, ());
-        let mut inward = Load { stands: *stands, loads: out.loads, forces: [T::zero(); N], next: N };
-        Takes::<S<T>, Load<T, N>>::take(self.chain(), &mut inward, [still; 2], ());
-        inward.forces
-    }
-
     /// Refuses lists of another length than the robot has joints.
     #[inline(always)]
     pub(super) fn has_joints(&self, count: usize) -> Result<(), Error> {
         counted(coordinates(self.chain()), count)
     }
 
-    /// Accelerations q̈ of the joints (rad/s², m/s²) from positions, rates and torques (N·m, N): those of the scene at rest of its ground,
-    /// in gravity, with the springs and dampers of the joints.
+    /// Accelerations q̈ of the joints (rad/s², m/s²) from positions, rates and torques (N·m, N): those of the scene at time zero, in
+    /// gravity, with the springs and dampers of the joints.
     ///
     /// # Errors
     /// [`Fault::Count`] where `N` is not the number of joints; [`Fault::NonFiniteMotion`] where something came out not finite.
@@ -189,7 +162,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         self.has_joints(N)?;
         let seconds = self.swept(q, v, torques);
-        if seconds.iter().all(|x| x.is_finite()) { Ok(seconds) } else { Err(Error::new(Fault::NonFiniteMotion)) }
+        finite(&seconds).map(|()| seconds)
     }
 
     /// A sweep whose stores live no longer than itself.
@@ -241,55 +214,5 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
             k += 1;
         });
         found
-    }
-
-    /// Torques (N·m, N) of the joints that cause accelerations q̈ at positions and rates: with gravity, less what springs and dampers of
-    /// the joints do, with reflected inertias.
-    ///
-    /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
-    pub fn inverse_dynamics<const N: usize>(&self, q: &[T; N], v: &[T; N], seconds: &[T; N]) -> Result<[T; N], Error>
-    where
-        R: FixedBase<T>,
-        C: Tasks<T, N>,
-    {
-        self.has_joints(N)?;
-        let own = resisting(self.chain(), q, v);
-        let mut forces = self.forces::<N, true, true>(&own.stands, v, seconds);
-        for (k, force) in forces.iter_mut().enumerate() {
-            *force = own.inertias[k].mul_add(seconds[k], *force) - own.laws[k];
-        }
-        Ok(forces)
-    }
-
-    /// Torques (N·m, N) that keep all joints from accelerating at positions and rates: C q̇ + g, less what springs and dampers do. So
-    /// M q̈ = τ − bias.
-    ///
-    /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
-    pub fn bias<const N: usize>(&self, q: &[T; N], v: &[T; N]) -> Result<[T; N], Error>
-    where
-        R: FixedBase<T>,
-        C: Tasks<T, N>,
-    {
-        self.has_joints(N)?;
-        let own = resisting(self.chain(), q, v);
-        let mut forces = self.forces::<N, true, false>(&own.stands, v, v);
-        forces.iter_mut().zip(own.laws).for_each(|(force, law)| *force -= law);
-        Ok(forces)
-    }
-
-    /// Torques (N·m, N) that hold the robot at rest against gravity, without springs.
-    ///
-    /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
-    pub fn gravity_torques<const N: usize>(&self, q: &[T; N]) -> Result<[T; N], Error>
-    where
-        R: FixedBase<T>,
-        C: Tasks<T, N>,
-    {
-        self.has_joints(N)?;
-        let own = resisting(self.chain(), q, q);
-        Ok(self.forces::<N, false, false>(&own.stands, q, q))
     }
 }

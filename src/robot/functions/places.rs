@@ -1,6 +1,6 @@
 //! Where bodies are and how they move.
 
-use super::{FixedBase, S, Tasks, resisting};
+use super::{FixedBase, S, Tasks, finite, resisting};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -35,13 +35,14 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// Where bodies are, by the joints that carry them.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
+    /// [`Fault::Count`] where `N` is not the number of joints, [`Fault::NonFiniteMotion`] for numbers that are not finite.
     pub fn places<const N: usize>(&self, q: &[T; N]) -> Result<[Place<T>; N], Error>
     where
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
+        finite(q)?;
         Ok(self.placed(q).places)
     }
 
@@ -49,13 +50,15 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// angular velocity (rad/s) of the body, inertial axes, for a rate of one.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints, [`Fault::NoSuchJoint`] where `joint` is no number of one.
+    /// [`Fault::Count`] where `N` is not the number of joints, [`Fault::NoSuchJoint`] where `joint` is no number of one,
+    /// [`Fault::NonFiniteMotion`] for numbers that are not finite.
     pub fn jacobian<const N: usize>(&self, q: &[T; N], joint: usize, point: [T; 3]) -> Result<[[T; 6]; N], Error>
     where
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
+        finite(q).and(finite(&point))?;
         let Places { places, parents, slides, .. } = self.placed(q);
         let Some(body) = places.get(joint) else {
             return Err(Error::new(Fault::NoSuchJoint { joint, joints: N }));
@@ -88,7 +91,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// The mass centre of all links (m), and their mass (kg).
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
+    /// As [`forward_dynamics`](Self::forward_dynamics): links without mass have no centre.
     pub fn mass_centre<const N: usize>(&self, q: &[T; N]) -> Result<(Vector3<T>, T), Error>
     where
         R: FixedBase<T>,
@@ -96,13 +99,14 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         self.has_joints(N)?;
         let Tally { mass, moment, .. } = self.tallied(resisting(self.chain(), q, q).stands, &[T::zero(); N]);
-        Ok((moment * mass.recip(), mass))
+        let centre = moment * mass.recip();
+        finite(centre.as_slice()).map(|()| (centre, mass))
     }
 
     /// Kinetic energy (J), with that of reflected inertias, and potential energy in gravity (zero at the origin) and in springs.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
+    /// [`Fault::Count`] where `N` is not the number of joints, [`Fault::NonFiniteMotion`] for numbers that are not finite.
     pub fn joint_energy<const N: usize>(&self, q: &[T; N], v: &[T; N]) -> Result<[T; 2], Error>
     where
         R: FixedBase<T>,
@@ -112,6 +116,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         let own = resisting(self.chain(), q, v);
         let Tally { moment, twice_kinetic, .. } = self.tallied(own.stands, v);
         let springs = own.energies.iter().fold(T::zero(), |sum, energy| sum + *energy);
-        Ok([twice_kinetic.scale(T::Real::of(0.5)), springs - dot(self.gravity(), moment)])
+        let energies = [twice_kinetic.scale(T::Real::of(0.5)), springs - dot(self.gravity(), moment)];
+        finite(&energies).map(|()| energies)
     }
 }

@@ -1,6 +1,7 @@
 //! Runs under error control, their accepted steps kept for gradients.
 
 use super::Backward;
+use super::rules::Staged;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Resting;
@@ -9,7 +10,7 @@ use crate::loading::{EffortOf, LoadLaw, Loads, Seen};
 use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::system::{Elements, MotionOf, Runs, System};
-use crate::time::{Control, Explicit, Rule, Staged};
+use crate::time::{Control, Explicit, Rule};
 
 /// Loads on bodies, and torques that are held over a run.
 type UnderHeld<'t, S, L> = Loads<L, Held<'t, EffortOf<S>>>;
@@ -51,7 +52,8 @@ where
     /// would have been given.
     ///
     /// # Errors
-    /// [`Fault::Count`], which says how many states are needed, once the run has come to its end, or how many torques; those of the run.
+    /// [`Fault::Count`], which says how many states are needed, once the run has come to its end, or how many torques; [`Fault::Unsupported`] for a method
+    /// that does not estimate its errors, as `Rk4`; those of the run.
     pub fn run_adaptive<'t>(
         &mut self,
         start: &MotionOf<S, R, C, P>,

@@ -1,6 +1,7 @@
 //! Gradients of long runs: few states kept, and what the steps between two of them need while costates pass.
 
 use super::record::Record;
+use super::rules::Staged;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
@@ -12,7 +13,6 @@ use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
-use crate::time::Staged;
 use crate::walks::complete::complete;
 use core::ops::Range;
 use num_traits::Zero;
@@ -75,7 +75,7 @@ where
         Tape { before: self.steps.scene.motion(), size: RealOf::<S>::zero(), record: self.steps.record() }
     }
 
-    /// As [`run`](Self::run), keeping few states.
+    /// As [`run`](Self::run), keeping few states, the last of which has no accelerations but zeros.
     ///
     /// # Errors
     /// As [`run`](Self::run).

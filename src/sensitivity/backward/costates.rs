@@ -13,6 +13,7 @@
 
 use super::held::{opposite, weigh};
 use super::record::{Record, Stage, StageOf};
+use super::rules::Staged;
 use super::steps::{ROWS, Steps};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, Level, RealOf};
@@ -25,7 +26,6 @@ use crate::sensitivity::Gradient;
 use crate::shape::Takes;
 use crate::stepper::displace::{displace, gather};
 use crate::system::{Elements, MotionOf, RateOf};
-use crate::time::Staged;
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
 use crate::walks::pull_loads::PullLoads;

@@ -9,6 +9,7 @@
 //! with Φ_h, g_h the derivatives by the size of the last step, by which time ends later.
 
 use super::loads::depend_on_time;
+use super::rules::Staged;
 use super::steps::Steps;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
@@ -22,7 +23,6 @@ use crate::scalar::{Real, Scalar};
 use crate::sensitivity::{Costate, Gradient};
 use crate::simulate::crossing::crossing;
 use crate::system::{Elements, MotionOf, Runs, System};
-use crate::time::Staged;
 use num_traits::Zero;
 
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
@@ -38,7 +38,8 @@ where
     EffortOf<S>: Additive,
 {
     /// Cuts the first step of a run in which a function of the motion crosses zero, so that it is zero at the step's end, and gives the
-    /// number of steps up to there; none where it does not cross. States beyond that of this number are those of no run.
+    /// number of steps up to there; none where it does not cross. That of this number has no
+    /// accelerations but zeros; those beyond are of no run.
     ///
     /// # Errors
     /// [`Fault::Count`] for torques of another number, [`Fault::Shape`] for motions of another scene, [`Fault::NotFinite`] where the function

@@ -12,6 +12,7 @@
 //! stage are made once more on the way back.
 
 use super::record::{Place, Record, Stage, StageOf};
+use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
@@ -24,7 +25,6 @@ use crate::sensitivity::Gradient;
 use crate::shape::{Positions, Shape, Takes};
 use crate::stepper::displace::displace;
 use crate::system::{Elements, MotionOf, RateOf};
-use crate::time::Staged;
 use crate::walks::strain::Strain;
 use num_traits::Zero;
 

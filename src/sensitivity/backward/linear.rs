@@ -1,6 +1,7 @@
 //! Steps with their Jacobians.
 
 use super::Backward;
+use super::rules::Staged;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Resting;
@@ -10,7 +11,6 @@ use crate::mirror::Rate;
 use crate::relation::{Additive, Geometry};
 use crate::scalar::{Pack, Scalar};
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
-use crate::time::Staged;
 use crate::walks::unspread;
 use num_traits::{One, Zero};
 
@@ -51,7 +51,7 @@ where
         Ok(())
     }
 
-    /// A step of a size (s) with its Jacobians: with x the positions of all n coordinates and then their rates, u the torques in all m joints
+    /// A step of a size (s), whose end `next` has no accelerations but zeros, with its Jacobians: with x the positions of all n coordinates and then their rates, u the torques in all m joints
     /// (the root's first) held over the step, A = ∂x′/∂x (2n × 2n) and B = ∂x′/∂u (2n × m), row by row. No torques stand for zeros; a list
     /// for B may be empty.
     ///

@@ -10,6 +10,7 @@ mod linear;
 mod loads;
 mod projection;
 mod record;
+mod rules;
 mod steps;
 
 use super::gradient::{Costate, Gradient};
@@ -22,11 +23,11 @@ use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
-use crate::time::{Closing, Staged};
 use crate::walks::complete::complete;
 use crate::walks::fits::fits;
 pub use checkpoints::{Checkpoints, Tape};
 use record::Record;
+use rules::{Closing, Staged};
 use steps::Steps;
 
 /// Runs of a scene by a method without memory, and their gradients.
@@ -226,6 +227,8 @@ where
     /// Runs `steps` steps of a size (s), and keeps the state before each of them and after the last, with the accelerations in which a
     /// step begins. `torques` are those in all joints (the root's first), held over the first step, then those over the second, and so on;
     /// or those of one step, held over all; or none.
+    ///
+    /// The last state has no accelerations but zeros: `with_accelerations` finds them.
     ///
     /// A step ends at a multiple of its size after the start, without the rounding of a running sum, as in
     /// [`simulate`](System::simulate).

@@ -13,6 +13,7 @@
 
 use super::held::{Room, add, opposite, wrench};
 use super::record::Record;
+use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, Level, Posture, RealOf};
@@ -25,7 +26,6 @@ use crate::sensitivity::Gradient;
 use crate::shape::{Positions, Takes};
 use crate::stepper::displace::displace;
 use crate::system::{Corrections, Elements, MOST_CORRECTIONS, MotionOf, PositionOf, RateOf};
-use crate::time::Staged;
 use crate::walks::look::look;
 use crate::walks::missed::missed;
 use crate::walks::pull_back::PullBack;

@@ -1,13 +1,13 @@
 //! What is kept of a step for costates.
 
 use super::projection::Projection;
+use super::rules::Staged;
 use crate::adjoint::Reversed;
 use crate::element::Element;
 use crate::ends::Tip;
 use crate::relation::{AccelerationOf, Closures};
 use crate::shape::{Kept, PerAxes, PerBody, PerClosure, PerJoint};
 use crate::system::{Elements, PositionOf, RateOf};
-use crate::time::Staged;
 
 /// A stage of a scene.
 pub(super) type StageOf<S, R, C, P> = Stage<S, Elements<S, R, C>, <P as Tip<S>>::Closures>;

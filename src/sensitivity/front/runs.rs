@@ -9,6 +9,9 @@
 /// An output is the sum of what is left in its place over all these times. Accelerations, and the forces that hold a tip, are NaN there, and
 /// outputs that are not finite an error ([`Fault::NotFinite`](crate::Fault::NotFinite)).
 ///
+/// The scene is one of those that [`Backward`](crate::sensitivity::Backward#what-it-knows) knows, for its run goes both ways. Loads are the
+/// plan's torques alone; what else acts stands in the scene, as springs and laws in joints, and all else does not compile.
+///
 /// Both are compiled for several kinds of numbers: constants in them are `Number::literal(1.0)`. An example:
 /// [`gradient`](crate::sensitivity::Differentiable::gradient).
 #[macro_export]

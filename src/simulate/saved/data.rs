@@ -9,6 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 #[serde(rename = "Saved")]
 struct Parts<M, N, K, P> {
     motion: M,
+    caused: Option<M>,
     remembered: N,
     memory: K,
     progress: P,
@@ -16,15 +17,16 @@ struct Parts<M, N, K, P> {
 
 impl<M: Serialize, K: Serialize, R: Serialize> Serialize for Saved<M, K, R> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self { motion, memory, progress } = self;
-        Parts { motion, remembered: Shape::<K>::new(), memory, progress }.serialize(serializer)
+        let Self { motion, caused, memory, progress } = self;
+        let caused = caused.as_ref();
+        Parts { motion, caused, remembered: Shape::<K>::new(), memory, progress }.serialize(serializer)
     }
 }
 
 impl<'de, M: Deserialize<'de>, K: Deserialize<'de>, R: Deserialize<'de>> Deserialize<'de> for Saved<M, K, R> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Parts { motion, remembered, memory, progress } = Parts::deserialize(deserializer)?;
+        let Parts { motion, caused, remembered, memory, progress } = Parts::deserialize(deserializer)?;
         let (_, progress): (Shape<K>, Progress<R>) = (remembered, progress);
-        Ok(Self { motion, memory, progress })
+        Ok(Self { motion, caused, memory, progress })
     }
 }

@@ -166,6 +166,15 @@ impl<T: Scalar> Kinematics<Planar<T>> for Mismatched<T> {
         kept.free *= one_more;
         relation
     }
+    fn drive<C: Closures>(
+        &self,
+        outer: Full<T, C>,
+        posture: JointPosture<'_, Planar<T>, Self>,
+        acceleration: T,
+        kept: &mut HingeGain<T, C>,
+    ) -> Full<T, C> {
+        self.pin.drive::<C>(outer, posture, acceleration, kept)
+    }
     fn under(motion: JointMotion<T>, model: Acting<T>) -> JointMotion<T> {
         <planar::Revolute as Kinematics<Planar<T>>>::under(motion, model)
     }

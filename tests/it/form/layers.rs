@@ -28,7 +28,7 @@ const FLOORS: [&[&str]; 9] = [
         "release",
         "kinematics",
     ],
-    &["chain", "counts", "struts"],
+    &["chain", "coulomb", "counts", "driven", "struts"],
     &["mechanics"],
     &["solve", "observe"],
     &["system"],

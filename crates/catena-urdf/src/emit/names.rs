@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 /// What the module itself uses.
-const RESERVED: [&str; 45] = [
+const RESERVED: [&str; 49] = [
     "Base",
     "Absent",
     "OnGround",
@@ -49,6 +49,10 @@ const RESERVED: [&str; 45] = [
     "tests",
     "vector",
     "tensor",
+    "Motor",
+    "DryFriction",
+    "Stops",
+    "motors",
 ];
 
 /// Words of the language that a function cannot be named after.
@@ -122,11 +126,10 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// Text for a comment: on one line, whatever stands in it.
+/// Text for a comment: on one line and in one direction, whatever stands in it.
 pub fn comment(name: &str) -> String {
-    name.chars()
-        .flat_map(|c| if c.is_control() || "\u{2028}\u{2029}\u{85}".contains(c) { ' '.into() } else { Some(c) })
-        .collect()
+    let leads = |c: char| matches!(c, '\u{2028}' | '\u{2029}' | '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}');
+    name.chars().map(|c| if c.is_control() || leads(c) { ' ' } else { c }).collect()
 }
 
 #[cfg(test)]
@@ -145,5 +148,12 @@ mod tests {
         assert_eq!(scope.of_constant("leftArmPitch"), "LEFT_ARM_PITCH");
         assert_eq!(scope.of_constant("ねじ"), "N");
         assert_eq!(scope.of_constant("*"), "N_2");
+        assert_eq!(scope.of_type("dry friction"), "DryFriction2");
+        assert_eq!(scope.of_function("motors"), "motors_2");
+    }
+
+    #[test]
+    fn comments_are_one_line_that_reads_as_it_is_written() {
+        assert_eq!(comment("a\nb\u{2028}c\u{202E}d\u{2066}e\u{2069}f é"), "a b c d e f é");
     }
 }

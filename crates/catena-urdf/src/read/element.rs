@@ -101,10 +101,12 @@ impl<'a> Element<'a> {
         self.text(attribute).map(|text| self.parse(attribute, text.trim())).transpose()
     }
 
-    /// A number that must not be negative, zero where it is not written.
-    pub fn not_negative(&self, attribute: &'static str) -> Result<f64, Error> {
-        let value = self.number(attribute)?.unwrap_or(0.0);
-        if value < 0.0 { Err(self.fail(Fault::Negative { attribute, value })) } else { Ok(value) }
+    /// A number that must not be negative.
+    pub fn not_negative(&self, attribute: &'static str) -> Result<Option<f64>, Error> {
+        match self.number(attribute)? {
+            Some(value) if value < 0.0 => Err(self.fail(Fault::Negative { attribute, value })),
+            number => Ok(number),
+        }
     }
 
     pub fn needed_number(&self, attribute: &'static str) -> Result<f64, Error> {

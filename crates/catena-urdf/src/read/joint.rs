@@ -53,16 +53,16 @@ impl Reader<'_> {
                     let attribute = "lower or upper".to_owned();
                     self.notes.add(limit.line(), Remark::AttributeLeftOut { attribute, of: limit.tag() });
                 }
-                furniture.effort = limit.number("effort")?.unwrap_or(f64::INFINITY);
-                furniture.velocity = limit.number("velocity")?.unwrap_or(f64::INFINITY);
+                furniture.effort = limit.not_negative("effort")?.unwrap_or(f64::INFINITY);
+                furniture.velocity = limit.not_negative("velocity")?.unwrap_or(f64::INFINITY);
             }
             None if bounded => self.notes.add(element.line(), Remark::NoLimits { joint: name.to_owned() }),
             None => (),
         }
         if let Some(dynamics) = element.child("dynamics")? {
             dynamics.leaves_out_all_but(&[], &["damping", "friction"], self.notes);
-            furniture.damping = dynamics.not_negative("damping")?;
-            furniture.friction = dynamics.not_negative("friction")?;
+            furniture.damping = dynamics.not_negative("damping")?.unwrap_or(0.0);
+            furniture.friction = dynamics.not_negative("friction")?.unwrap_or(0.0);
         }
         if let Some(mimic) = element.child("mimic")? {
             mimic.leaves_out_all_but(&[], &["joint", "multiplier", "offset"], self.notes);

@@ -137,6 +137,9 @@ fn tell_constants(joints: &[Joint], laws: Laws, notes: &mut Notes) {
             continue;
         }
         has.into_iter().filter(|(_, has)| *has).for_each(|(what, _)| notes.add(*line, Remark::ConstantOnly { what }));
+        if laws.lacks_motor(furniture) {
+            notes.add(*line, Remark::NoMotor { joint: name.clone() });
+        }
         if furniture.lower > furniture.upper {
             notes.add(*line, Remark::LimitsReversed { joint: name.clone() });
         }

@@ -1,6 +1,6 @@
 //! Writes a module for each robot, as a user's build script does.
 
-use catena_urdf::{Base, Elements, Error, Options, module};
+use catena_urdf::{Base, Elements, Error, Laws, Options, module};
 use std::path::Path;
 
 fn main() -> Result<(), Error> {
@@ -9,7 +9,9 @@ fn main() -> Result<(), Error> {
     Options::new().snap(1e-4).build(format!("{robots}/quadruped.urdf"))?;
     Options::new().base(Base::Floating).build(format!("{robots}/humanoid.urdf"))?;
     Options::new().repair().build(format!("{robots}/cart.urdf"))?;
-    Options::new().build("names.urdf")?;
+    let laws = Laws::none().damping().friction([0.1; 2]).stops([0.02; 2], [1.0; 2]).motors();
+    // A module of the whole stem, dot and all.
+    Options::new().laws(laws).build("odd.names.urdf")?;
     // In body axes, with zeros as types and without.
     local("arm7", Options::new());
     local("quadruped", Options::new().snap(1e-4));
@@ -24,6 +26,6 @@ fn local(name: &str, options: Options) {
     for (elements, suffix) in [(Elements::Local, "local"), (Elements::LocalGeneral, "general")] {
         let robot = options.clone().elements(elements).read(&text).expect("a robot");
         let (name, folder) = (format!("{name}_{suffix}"), std::env::var("OUT_DIR").expect("a folder"));
-        std::fs::write(Path::new(&folder).join(&name).with_extension("rs"), module(&robot, &name)).expect("a place");
+        std::fs::write(Path::new(&folder).join(format!("{name}.rs")), module(&robot, &name)).expect("a place");
     }
 }

@@ -37,6 +37,7 @@ macro_rules! golden_of_functions {
     }};
 }
 
+mod changed;
 mod goes_on;
 #[path = "../../../../tests/golden/plane.rs"]
 mod plane;

@@ -79,6 +79,31 @@ fn parameters_that_make_no_mechanics_are_refused() -> Result<(), Error> {
 }
 
 #[test]
+fn laws_motors_and_contacts_are_data() -> Result<(), Error> {
+    type Hinge = ElasticHinge<Custom<(DryFriction<f64, f64>, Stops<f64, f64>)>>;
+    type Leg = System<f64, Place, (Rod<f64>, Hinge, Rod<f64>), Free>;
+    let laws = (DryFriction::new(0.2, 0.01).breaking_away(0.3), Stops::between([-0.3, 2.0], 2e3, 0.02).damped(0.5));
+    let rod = Rod::uniform(0.5, 1.0);
+    let leg: Leg = System::new(Pinned::origin(), (rod, ElasticHinge::with(laws), rod), Free)?;
+    let text = serde_json::to_string(&leg).unwrap();
+    assert_eq!(bits(&serde_json::from_str::<Leg>(&text).unwrap()), bits(&leg));
+    for (old, new, why) in [
+        ("\"speed\":0.01", "\"speed\":0.0", "speed over which dry friction sets in must be positive"),
+        ("\"depth\":0.02", "\"depth\":-1.0", "depth over which stops set in must be positive"),
+    ] {
+        assert!(text.contains(old), "{text}");
+        assert!(reason::<Leg>(&text.replacen(old, new, 1)).contains(why));
+    }
+    let motor = Motor::new(2.0, 300.0).stalling_at(3.0).geared(50.0).with_rotor(1e-4);
+    assert_eq!(serde_json::from_str::<Motor<f64>>(&serde_json::to_string(&motor).unwrap()).unwrap(), motor);
+    let law = spatial::Contact::new(1e4, 1e-4).damped(2.0).rubbing(0.7, 0.01);
+    let contacts = spatial::Contacts::of([(0, [0.0, 0.1, 0.2])], spatial::Plane::level(-0.1), law);
+    let read = |text: &str| serde_json::from_str::<spatial::Contacts<[(usize, [f64; 3]); 1], _, _>>(text);
+    assert_eq!(read(&serde_json::to_string(&contacts).unwrap()).unwrap(), contacts);
+    Ok(())
+}
+
+#[test]
 fn runs_of_other_scenes_and_of_none_do_not_go_on() -> Result<(), Error> {
     let (three, four) = (links(2)?, links(3)?);
     let start = |scene: &Links| scene.at_rest(&vec![-0.5; scene.bodies()]);

@@ -10,5 +10,6 @@ mod held_runs;
 mod implicit;
 mod loop_runs;
 mod loops;
+mod recognised;
 mod rows;
 mod second;

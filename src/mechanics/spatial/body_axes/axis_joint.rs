@@ -79,7 +79,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         T::zero()
     }
     fn kept<X: Closures>() -> Gains<T> {
-        Gains::blank()
+        Gains::along(M::TURNS)
     }
     fn per<X: Copy>(fill: X) -> X {
         fill

@@ -61,6 +61,13 @@ impl<T: Scalar> Gains<T> {
         Self { linear: [o; 3], angular: [o; 3], free: o }
     }
 
+    /// No gain yet but that for the coordinate's own axis, which inertia alone leaves at one.
+    pub fn along(turns: bool) -> Self {
+        let mut gains = Self::blank();
+        *(if turns { &mut gains.angular[2] } else { &mut gains.linear[2] }) = T::one();
+        gains
+    }
+
     /// Stores what is read of gains: that for the coordinate's own axis is one unless something else than inertia outboard adds to the
     /// pivot.
     #[inline(always)]

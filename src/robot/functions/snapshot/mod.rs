@@ -6,7 +6,7 @@ mod regressor;
 pub use dynamics::MassMatrix;
 pub use regressor::Regressor;
 
-use super::{FixedBase, Resisting, S, Tasks, resisting};
+use super::{FixedBase, Resisting, S, Tasks, finite, resisting};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -108,6 +108,11 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
+        let Columns { x, y, z } = place.attitude;
+        for vector in [place.place, x, y, z, velocity, spin, linear, angular] {
+            finite(vector.as_slice())?;
+        }
+        finite(q).and(finite(v))?;
         let chain = self.chain();
         let Resisting { stands, laws, inertias, .. } = resisting(chain, q, v);
         let mut walk = Places { stands, places: [place; N], parents: [usize::MAX; N], slides: [false; N], next: 0 };
@@ -134,7 +139,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// A robot whose base is fixed, at positions and rates of its joints.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
+    /// [`Fault::Count`] where `N` is not the number of joints, [`Fault::NonFiniteMotion`] for numbers that are not finite.
     pub fn snapshot<const N: usize>(&self, q: &[T; N], v: &[T; N]) -> Result<Snapshot<T, N>, Error>
     where
         R: FixedBase<T>,
@@ -152,7 +157,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     /// A robot whose base floats, at positions and rates of its joints.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints.
+    /// [`Fault::Count`] where `N` is not the number of joints, [`Fault::NonFiniteMotion`] for numbers that are not finite.
     pub fn snapshot_afloat<const N: usize>(
         &self,
         base: Afloat<T>,

@@ -4,7 +4,7 @@ include!(concat!(env!("OUT_DIR"), "/arm7.rs"));
 include!(concat!(env!("OUT_DIR"), "/quadruped.rs"));
 include!(concat!(env!("OUT_DIR"), "/humanoid.rs"));
 include!(concat!(env!("OUT_DIR"), "/cart.rs"));
-include!(concat!(env!("OUT_DIR"), "/names.rs"));
+include!(concat!(env!("OUT_DIR"), "/odd.names.rs"));
 include!(concat!(env!("OUT_DIR"), "/arm7_local.rs"));
 include!(concat!(env!("OUT_DIR"), "/arm7_general.rs"));
 include!(concat!(env!("OUT_DIR"), "/quadruped_local.rs"));

@@ -3,8 +3,8 @@
 
 use catena::spatial::{Loads, Wrench};
 use catena::system::{Position, Rate};
-use catena_urdf::{Base, Options, Robot, State, solve};
-use catena_urdf_robots::{arm7, cart, humanoid, names, quadruped};
+use catena_urdf::{Base, Laws, Options, Robot, State, solve};
+use catena_urdf_robots::{arm7, cart, humanoid, odd_names, quadruped};
 use std::error::Error;
 
 const STATES: usize = 100;
@@ -69,7 +69,7 @@ fn compare(
         positions.extend(&state.q);
         rates.extend(&state.rates);
         let torques: Vec<_> = (0..joints).map(|_| 20.0 * noise.next()).collect();
-        forces.extend(&torques);
+        forces.extend(torques.iter().zip(robot.law_forces(&state.q, &state.rates)).map(|(torque, law)| torque + law));
 
         let bias = robot.inverse_dynamics(&state, &vec![0.0; forces.len()], robot.gravity());
         let right: Vec<_> = forces.iter().zip(bias).map(|(force, bias)| force - bias).collect();
@@ -85,10 +85,10 @@ fn compare(
 }
 
 macro_rules! agrees {
-    ($($test:ident: $folder:literal $name:ident, $options:expr;)*) => {$(
+    ($($test:ident: $file:literal $name:ident, $options:expr;)*) => {$(
         #[test]
         fn $test() -> Result<(), Box<dyn Error>> {
-            let path = concat!(env!("CARGO_MANIFEST_DIR"), "/", $folder, stringify!($name), ".urdf");
+            let path = concat!(env!("CARGO_MANIFEST_DIR"), "/", $file, ".urdf");
             let robot = $options.read(&std::fs::read_to_string(path)?)?;
             let scene = $name::scene::<f64>()?;
             let worst = compare(&robot, |positions, rates, wrench, torques| {
@@ -112,11 +112,12 @@ macro_rules! agrees {
 }
 
 agrees! {
-    the_arm_accelerates_as_its_description_says: "../../robots/" arm7, Options::new();
-    the_quadruped_accelerates_as_its_description_says: "../../robots/" quadruped, Options::new().snap(1e-4);
-    the_humanoid_accelerates_as_its_description_says: "../../robots/" humanoid, Options::new().base(Base::Floating);
-    the_cart_accelerates_as_its_description_says: "../../robots/" cart, Options::new().repair();
-    odd_names_and_many_fingers_change_nothing: "" names, Options::new();
+    the_arm_accelerates_as_its_description_says: "../../robots/arm7" arm7, Options::new();
+    the_quadruped_accelerates_as_its_description_says: "../../robots/quadruped" quadruped, Options::new().snap(1e-4);
+    the_humanoid_accelerates_as_its_description_says: "../../robots/humanoid" humanoid, Options::new().base(Base::Floating);
+    the_cart_accelerates_as_its_description_says: "../../robots/cart" cart, Options::new().repair();
+    odd_names_and_many_fingers_change_nothing: "odd.names" odd_names,
+        Options::new().laws(Laws::none().damping().friction([0.1; 2]).stops([0.02; 2], [1.0; 2]));
 }
 
 #[test]

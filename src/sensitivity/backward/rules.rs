@@ -1,10 +1,10 @@
 //! Rules whose runs go backward.
 
-use super::sdirk4::{GAMMA, STAGES, TABLE};
-use super::{Dop853, Dopri5, Explicit, Rk4, Sdirk4};
 use crate::element::{self, Springs};
 use crate::relation::{Closures, Open};
 use crate::scalar::{Real, Scalar};
+use crate::time::sdirk4::{GAMMA, STAGES, TABLE};
+use crate::time::{Dop853, Dopri5, Explicit, Rk4, Sdirk4};
 use core::fmt::Debug;
 
 /// A rule without memory, through whose steps costates go backward: by rows of a tableau, each with an acceleration that is found by one sweep

@@ -1,0 +1,227 @@
+//! Joints whose coordinate is a given function of time.
+
+use crate::counts::Counted;
+use crate::element::{Condense, Element, Given, Implicit, Posture, Springs, Sweep};
+use crate::error::Fault;
+use crate::kinematics::{Kinematics, Outboard};
+use crate::lift::Lift;
+use crate::mirror::Clock;
+use crate::relation::{AccelerationOf, Closures, Full};
+use crate::release::Release;
+use crate::scalar::Scalar;
+use crate::shape::{Joint, JointPosture, Kept, PerAxes, leaf};
+use crate::space::{FrameOf, RealOf, Space};
+use core::fmt;
+use num_traits::Zero;
+use typenum::U0;
+
+/// A coordinate as a given function of time. Functions are such laws; a type of one's own has a name.
+pub trait MotionLaw<T: Scalar>: Copy + 'static {
+    /// At a time (s): the coordinate (rad, m), its rate and its second derivative.
+    fn at(&self, time: T::Real) -> [T; 3];
+}
+
+impl<T: Scalar, F: Fn(T::Real) -> [T; 3] + Copy + 'static> MotionLaw<T> for F {
+    fn at(&self, time: T::Real) -> [T; 3] {
+        self(time)
+    }
+}
+
+/// A joint that is driven: its coordinate is a given function of time, and no freedom of the scene. A crank, a winch, a spindle.
+///
+/// Any joint with one coordinate can be driven: `planar::Revolute::smooth()` and `planar::Slider::along(..)`,
+/// `spatial::Revolute::about(..)` and `spatial::Prismatic::along(..)`, kinematics of one's own. It stands anywhere in a scene, also in
+/// arms and loops. A coordinate is that of the joint (relative angle, displacement); the law must give its true derivatives.
+///
+/// What the drive exerts is the internal force of its station: ON the outboard body the torque −m, the force q along the line. Springs
+/// of the joint and loads in it move nothing: they are part of that force. Its power is that force times the rate.
+///
+/// ```
+/// use catena::planar::*;
+/// // A crank at a constant rate (rad/s) that swings a rod.
+/// let crank = Driven::new(Revolute::smooth(), |time: f64| [3.0 * time, 3.0, 0.0]);
+/// let rod = Rod::uniform(0.5, 1.0);
+/// let scene = System::new(Clamped::origin(), (crank.named("crank"), rod, Pin, rod), Free)?.with_gravity(9.81);
+/// let start = scene.at_rest(&[-1.5])?; // the angle of the second rod: that of the crank is no coordinate
+/// let run = scene.simulation(Dop853::tolerance(1e-9)).run(start, 0.5, |_| ())?;
+/// assert_eq!(scene.angles(&run.motion)?.get(0), Some(&1.5));
+/// let joint = scene.joint("crank")?;
+/// let torque = scene.stations(&run.motion, &Unloaded)?.joint(joint).map(|station| -station.internal.torque);
+/// # assert!(torque.is_some_and(|torque: f64| torque.is_finite()));
+/// # Ok::<(), catena::Error>(())
+/// ```
+#[derive(Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Driven<J, F> {
+    joint: J,
+    law: F,
+}
+
+impl<J, F> Driven<J, F> {
+    /// A joint whose coordinate follows a law: at a time (s) the coordinate, its rate and its second derivative.
+    pub const fn new(joint: J, law: F) -> Self {
+        Self { joint, law }
+    }
+
+    /// The joint.
+    pub const fn joint(&self) -> &J {
+        &self.joint
+    }
+
+    /// The law.
+    pub const fn law(&self) -> &F {
+        &self.law
+    }
+}
+
+impl<J: fmt::Debug, F> fmt::Debug for Driven<J, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Driven").field("joint", &self.joint).finish_non_exhaustive()
+    }
+}
+
+impl<J, F> Counted for Driven<J, F> {
+    type Bodies = U0;
+    type Freedoms = U0;
+}
+
+impl<T: Scalar, U: Scalar, J: Lift<T, U>, F: Lift<T, U>> Lift<T, U> for Driven<J, F> {
+    type Over = Driven<J::Over, F::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Driven { joint: self.joint.lift(number), law: self.law.lift(number) }
+    }
+}
+
+impl<S: Space, J: Kinematics<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J, F> {
+    type Position = Clock<RealOf<S>>;
+    type Rate = ();
+    type Kept<C: Closures> = J::Kept<C>;
+    type Per<X: Copy> = J::Per<X>;
+
+    const LINEAR: bool = true;
+
+    fn position() -> Self::Position {
+        Clock(Zero::zero())
+    }
+    fn rate() {}
+    fn kept<C: Closures>() -> J::Kept<C> {
+        J::kept::<C>()
+    }
+    fn per<X: Copy>(fill: X) -> J::Per<X> {
+        J::per(fill)
+    }
+    fn is_finite<C: Closures>(kept: &J::Kept<C>) -> bool {
+        J::is_finite::<C>(kept)
+    }
+    fn configure(
+        &self,
+        clock: &mut Self::Position,
+        inboard: S::Turn,
+        _: &mut impl FnMut(S::Turn) -> S::Scalar,
+    ) -> S::Turn {
+        let [position, ..] = self.law.at(clock.0);
+        self.joint.turned(&position, &S::Scalar::zero(), inboard)
+    }
+    #[inline(always)]
+    fn recover<C: Closures, By: Springs<S::Scalar>>(
+        &self,
+        inboard: AccelerationOf<S>,
+        posture: JointPosture<'_, S, Self>,
+        kept: &mut J::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
+        (): &mut (),
+    ) -> AccelerationOf<S> {
+        // Gains that give the law's acceleration whatever the inboard side does, of the relative coordinate.
+        let second = &mut S::Scalar::zero();
+        self.joint.recover::<C, Implicit<RealOf<S>>>(inboard, posture, kept, multipliers, second)
+    }
+    #[inline(always)]
+    fn respond<C: Closures>(
+        &self,
+        inboard: AccelerationOf<S>,
+        posture: JointPosture<'_, S, Self>,
+        kept: &J::Kept<C>,
+        multipliers: &C::Each<S::Scalar>,
+        (): &mut (),
+    ) -> AccelerationOf<S> {
+        self.joint.respond::<C>(inboard, posture, kept, multipliers, &mut S::Scalar::zero())
+    }
+    #[inline(always)]
+    fn motion(&self, inboard: FrameOf<S>, clock: &Self::Position, (): &(), (): &()) -> (S::JointMotion, FrameOf<S>) {
+        let [position, rate, second] = self.law.at(clock.0);
+        self.joint.motion(inboard, &position, &rate, &second)
+    }
+    fn release(&self, motion: &S::JointMotion, clock: &Self::Position, (): &()) -> Release<S> {
+        let [position, rate, second] = self.law.at(clock.0);
+        self.joint.release(motion, &position, &rate).driven(second)
+    }
+    fn check(&self) -> Result<(), Fault> {
+        let finite = self.law.at(Zero::zero()).iter().all(|x| Scalar::is_finite(*x));
+        if finite { self.joint.check() } else { Err(Fault::NotFinite { parameter: "driven coordinate" }) }
+    }
+}
+
+leaf!(joint [S: Space, J: Kinematics<S>, F: MotionLaw<S::Scalar>] Driven<J, F>: S);
+
+impl<S: Space, J: Kinematics<S>, F: MotionLaw<S::Scalar>> Element<S> for Driven<J, F> {
+    type Position = Clock<RealOf<S>>;
+    type Rate = ();
+    const ABSOLUTE: bool = false;
+
+    fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
+        self.joint.lump(mass)
+    }
+    #[inline(always)]
+    fn turned(&self, clock: &Self::Position, (): &(), turn: S::Turn) -> S::Turn {
+        let [position, rate, _] = self.law.at(clock.0);
+        self.joint.turned(&position, &rate, turn)
+    }
+    #[inline(always)]
+    fn orient(
+        &self,
+        clock: &Self::Position,
+        (): &(),
+        turn: S::Turn,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
+    ) -> S::Turn {
+        let [position, rate, _] = self.law.at(clock.0);
+        self.joint.orient(&position, &rate, turn, x, y, p, q)
+    }
+    #[inline(always)]
+    fn resolve(
+        _: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
+    ) {
+        <J as Kinematics<S>>::resolve(x, y, p, q);
+    }
+}
+
+impl<S, J, F, Outer, W> Condense<S, Outer, W> for Driven<J, F>
+where
+    S: Space,
+    J: Kinematics<S>,
+    F: MotionLaw<S::Scalar>,
+    Outer: Outboard<S>,
+    W: Sweep<S, Closures = Outer::Closures>,
+{
+    type Out = Full<S, Outer::Closures>;
+
+    #[inline(always)]
+    fn condense(
+        &self,
+        outer: Outer,
+        posture: Posture<'_, S, Self>,
+        given: Given<'_, S, Self, W>,
+        kept: &mut Self::Store<Kept<Outer::Closures>>,
+    ) -> Self::Out {
+        let [.., second] = self.law.at(given.position.0);
+        let posture = (posture.x, posture.y, posture.p, posture.q);
+        self.joint.drive::<Outer::Closures>(outer.whole(), posture, second, kept)
+    }
+}
