@@ -93,6 +93,32 @@ macro_rules! held {
     }};
 }
 
+/// A four-bar linkage, and its angles.
+macro_rules! four_bar {
+    () => {{
+        let rod = |length: f64| Rod::uniform(black_box(length), length);
+        let rocker = (RigidBody::massless([1.0, 0.0]), Pin, rod(0.9));
+        let net = Network::new((Pin, rod(0.5), Pin, rod(1.2)), rocker, Pin);
+        System::new(Clamped::at(0.0, 0.0, 0.0), net, Free).unwrap().with_gravity(9.81)
+    }};
+}
+const FOUR_BAR: [f64; 3] =
+    [core::f64::consts::FRAC_PI_3, 0.3211050148305652, core::f64::consts::PI - 2.017338833372132];
+
+/// Windows of four equal rods in a row, behind a rod.
+macro_rules! windows {
+    ($N:literal) => {{
+        let rod = Rod::uniform(black_box(1.0 / $N as f64), 1.0 / $N as f64);
+        let window = Network::new((Pin, rod, Pin, rod), (Pin, rod, Pin, rod), Pin);
+        System::new(Pinned::origin(), (rod, [window; $N]), Free).unwrap().with_gravity(9.81)
+    }};
+}
+
+/// A rod, and parallelograms.
+fn lattice<const N: usize>() -> [f64; N] {
+    core::array::from_fn(|i| if i == 0 { -1.0 } else { [-0.4, -1.6, -1.6, -0.4][(i - 1) % 4] })
+}
+
 /// Angles of an arch.
 fn arch<const N: usize>() -> [f64; N] {
     core::array::from_fn(|i| 1.0 - 2.0 * (i as f64 + 0.5) / N as f64)
@@ -144,6 +170,11 @@ fn rows() -> Vec<Row> {
         row!(rows, "20 rods on pins, RK4", 20, Rk4, 4, 1e-3, pins!(20), [0.0; 20], 1e-3);
         row!(rows, "2 + 1 rods, tip pinned, RK4", 3, Rk4, 4, 1e-3, held!(3), arch::<3>(), 1e-3);
         row!(rows, "20 rods, tip pinned, RK4", 20, Rk4, 4, 1e-3, held!(20), arch::<20>(), 1e-3);
+        row!(rows, "four-bar, RK4", 3, Rk4, 4, 1e-3, four_bar!(), FOUR_BAR, 1e-3);
+        row!(rows, "four-bar, DOP853", 3, Dop853, 12, 1e-3, four_bar!(), FOUR_BAR, 1e-3);
+        row!(rows, "rod and window, RK4", 5, Rk4, 4, 1e-3, windows!(1), lattice::<5>(), 1e-3);
+        row!(rows, "rod and two windows, RK4", 9, Rk4, 4, 1e-3, windows!(2), lattice::<9>(), 1e-3);
+        row!(rows, "rod and five windows, RK4", 21, Rk4, 4, 1e-3, windows!(5), lattice::<21>(), 1e-3);
         row!(rows, "20 rods on pins, DOP853", 20, Dop853, 12, 1e-3, pins!(20), [0.0; 20], 1e-3);
     }
     use catena::spatial::*;

@@ -129,7 +129,7 @@ fn quick(mut rows: Vec<Row>, other: Option<&Path>) -> Result<record::Counts, Box
     columns.extend(other.map(|other| uncounted(counted(other, &rows, "other build"))));
     print(&rows, 0..rows.len(), &columns, "hand");
     let own = |k: usize| columns.iter().map(|column| column.instructions[k]).collect();
-    Ok(rows.iter().enumerate().map(|(k, row)| (row.name(), own(k))).collect())
+    Ok(rows.iter().enumerate().map(|(k, row)| (row.name().replace(',', ""), own(k))).collect())
 }
 
 /// Measures all rows. The first ones, as many as `by_hand`, have loops by hand to compare to; the others in the plane compare to

@@ -49,7 +49,7 @@
 //!
 //! # What does not go through gains
 //!
-//! What a rule [`through_gains`](Rule::through_gains) does not know is an error of the compiler: held tips (which go [backward](Backward)), loops, `Free` roots, joints that slide, springs of balls, and implicit
+//! What a rule [`through_gains`](Rule::through_gains) does not know is an error of the compiler: held tips and loops (which go [backward](Backward) in the plane), `Free` roots, joints that slide, springs of balls, and implicit
 //! rules. Such scenes are differentiated by the rule itself.
 //!
 //! ```compile_fail,E0277

@@ -109,10 +109,10 @@ fn impacts_that_are_none_are_refused() -> Result<(), Error> {
     Ok(())
 }
 
+type Arm = (Hinge<f64>, Link<f64>, Hinge<f64, Level, 1>, Link<f64>);
+
 /// An arm whose last joint is resisted by `last` (kg) alone.
-fn arm(
-    last: f64,
-) -> Result<System<f64, Base<f64>, (Hinge<f64>, Link<f64>, Hinge<f64, Level, 1>, Link<f64>), Free>, Error> {
+fn arm(last: f64) -> Result<System<f64, Base<f64>, Arm, Free>, Error> {
     let link = |mass: f64| {
         let inertia = [[0.1 * mass, 0.0, 0.0], [0.0, 0.1 * mass, 0.0], [0.0, 0.0, 0.1 * mass]];
         Link::general(mass, [0.2, 0.0, 0.0], inertia)

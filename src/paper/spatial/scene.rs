@@ -84,7 +84,7 @@ where
             return unsupported("a root that turns about two axes").map_err(|error| error.at(Place::Root));
         }
         if L::SURVEYS {
-            return Err(Error::new(Fault::Unsupported { what: "loads between bodies" }));
+            return unsupported("loads between bodies");
         }
         let motion = self.with_accelerations(motion.clone(), loads)?;
         let met = trace(self, &motion)?;

@@ -64,9 +64,12 @@ use steps::{Record, Steps};
 /// # What it knows
 ///
 /// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs, in tuples, arrays, vectors
-/// and branches, named or not, from a `Pinned` or `Clamped` root that does not move to free tips, or to those that are `Pinned`, `Clamped` or
-/// `Guided` at a place that does not move. The projection that puts a tip back at the end of a step is part of the step, and of the
-/// gradient; places, angles and lines of tips are parameters. Forces that hold a tip are no part of states here: costs may not read them. Springs may have dampers and rest values;
+/// and branches, named or not, and in loops that a `Pin` or a `Weld` closes (`Network`, `ClosedLoop`), nested or not, from a `Pinned` or
+/// `Clamped` root that does not move to free tips, or to those that are `Pinned`, `Clamped` or `Guided` at a place that does not move. The
+/// projection that puts a tip back and closes loops at the end of a step is part of the step, and of the gradient, as many corrections as it
+/// takes; places, angles and lines of tips are parameters. Forces that hold a tip or close a loop are no part of states here: costs may not
+/// read them. Initial coordinates are derived by as if each could be changed alone: a length, changed at fixed coordinates, opens a loop, which
+/// the first step closes. Springs may have dampers and rest values;
 /// a law of the user's own in a hinge ([`ElasticHinge::with`](crate::planar::ElasticHinge::with)) goes backward by itself where it is
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
@@ -111,7 +114,9 @@ use steps::{Record, Steps};
 /// A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differed by 0.1
 /// from one measurement to the next, by 0.4 at most (3 rods on balls, once 3.3).
 ///
-/// Chains whose tip is pinned take more: 5.8 plain runs (instructions 6.9) for three rods and RK4, 5.2 (7.6) for twenty, x86-64-v3.
+/// Chains whose tip is pinned take more: 5.0 plain runs (instructions 6.7) for three rods and RK4, 5.4 (6.8) for twenty, x86-64-v3. A four-bar
+/// linkage takes 6.6 (DOP853 5.3), a rod with one window of four rods 6.1, with two in a row 6.4, with five 8.9: for each correction of a
+/// projection costates walk once for each loop.
 ///
 /// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs
 /// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which
@@ -223,8 +228,8 @@ where
     ///
     /// # Errors
     /// [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of another scene;
-    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip
-    /// twice in the same way.
+    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip,
+    /// or closes a loop, twice in the same way.
     pub fn run(
         &mut self,
         start: &MotionOf<S, R, C, P>,

@@ -168,6 +168,7 @@ mod joints;
 mod linear;
 mod loads;
 mod long;
+mod loops;
 mod misuse;
 mod space;
 mod times;
