@@ -66,7 +66,8 @@ where
         system.accept(&self.past)?;
         if System::<S, R, C, P>::CLOSED > 0 {
             // Whether they are independent, once.
-            system.accelerate(&mut self.next, self.plan.loads, &mut system.workspace())?;
+            let outcome = system.accelerate(&mut self.next, self.plan.loads, &mut system.workspace());
+            outcome.map_err(|error| self.overlocked(error))?;
         }
         let Simulation { rule, every, longest, .. } = &self.plan;
         limits::check([self.past.time, self.end], rule.control, *every, *longest)

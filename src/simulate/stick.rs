@@ -207,7 +207,9 @@ where
         }
         let mut least = 0;
         for _ in 0..CHANGES {
-            system.accelerate(next, loads, &mut workspace)?;
+            if let Err(error) = system.accelerate(next, loads, &mut workspace) {
+                return Err(self.overlocked(error));
+            }
             // Held least, or pushed back where it is about to slip.
             let (mut worst, mut count) = ((1.0, None), 0);
             next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, [second, friction]| {
@@ -236,6 +238,21 @@ where
         }
         let time = next.time;
         Err(inconsistent(least, time))
+    }
+
+    /// This error, which may be that too many joints stick where the next step begins.
+    #[cold]
+    pub(super) fn overlocked(&self, error: Error) -> Error {
+        let (system, mut loose) = (self.plan.system, self.next.clone());
+        if const { !Self::STICKS } || !matches!(error.fault, Fault::RedundantClosures { .. }) {
+            return error;
+        }
+        loose.position.each_mode(&mut loose.rate, &loose.acceleration, &mut |mode, ..| *mode = Mode::SlipsForward);
+        let what = "more joints that stick at once than closures leave free to move";
+        match system.accelerate(&mut loose, self.plan.loads, &mut system.workspace()) {
+            Ok(()) => Error { place: None, fault: Fault::Unsupported { what }, ..error },
+            Err(_) => error,
+        }
     }
 
     /// Finds modes anew where a run that goes on does not have those that follow from it: its rates or loads have changed, or an event has
