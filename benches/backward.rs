@@ -93,6 +93,15 @@ macro_rules! held {
     }};
 }
 
+/// Rods on stiff hinges, which hang from a pin.
+macro_rules! hinges {
+    ($N:literal) => {{
+        let rod = Rod::uniform(black_box(1.0 / $N as f64), 1.0 / $N as f64);
+        let hinge = ElasticHinge::rotary(black_box(100.0)).damped(0.1);
+        System::new(Pinned::origin(), (rod, [(hinge, rod); $N - 1]), Free).unwrap().with_gravity(9.81)
+    }};
+}
+
 /// A four-bar linkage, and its angles.
 macro_rules! four_bar {
     () => {{
@@ -175,6 +184,8 @@ fn rows() -> Vec<Row> {
         row!(rows, "rod and window, RK4", 5, Rk4, 4, 1e-3, windows!(1), lattice::<5>(), 1e-3);
         row!(rows, "rod and two windows, RK4", 9, Rk4, 4, 1e-3, windows!(2), lattice::<9>(), 1e-3);
         row!(rows, "rod and five windows, RK4", 21, Rk4, 4, 1e-3, windows!(5), lattice::<21>(), 1e-3);
+        row!(rows, "2 rods, stiff hinge, SDIRK4", 2, Sdirk4::new(), 16, 1e-2, hinges!(2), [0.0; 2], 1e-3);
+        row!(rows, "20 rods, stiff hinges, SDIRK4", 20, Sdirk4::new(), 16, 1e-2, hinges!(20), [0.0; 20], 1e-3);
         row!(rows, "20 rods on pins, DOP853", 20, Dop853, 12, 1e-3, pins!(20), [0.0; 20], 1e-3);
     }
     use catena::spatial::*;

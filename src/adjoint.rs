@@ -22,12 +22,15 @@
 //! pull loads   tip → root   the same of what loads read, if there are any           walks::pull_loads
 //! ```
 //!
+//! Where springs enter implicitly, M is that of the sweep, with their stiffness, and laws are read apart from the geometry
+//! ([`strain`](crate::walks::strain)).
+//!
 //! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics
 //! (`mechanics/planar/adjoint/`, `mechanics/spatial/adjoint/`).
 
 pub mod laws;
 
-use crate::element::{Element, Level, Space};
+use crate::element::{Element, Level, Space, Springs};
 use crate::ends::Tip;
 use crate::loading::{EffortOf, Load, LoadLaw};
 use crate::relation::{
@@ -42,6 +45,7 @@ use crate::walks::pull_back::PullBack;
 use crate::walks::pull_loads::PullLoads;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
+use crate::walks::strain::Strain;
 use num_traits::Zero;
 
 /// A space whose elements know the costate sweep.
@@ -116,25 +120,27 @@ pub trait Reversed: Space {
 }
 
 /// Elements that take all walks of the costate sweep.
-pub trait Reversible<S: Reversed, C: Closures>:
+pub trait Reversible<S: Reversed, C: Closures, By: Springs<S::Scalar>>:
     Element<S>
     + Takes<S, S::Poses>
-    + Takes<S, Factor<C>>
+    + Takes<S, Factor<C, By>>
     + Takes<S, Reach<S::Scalar, C>>
     + Takes<S, Meet<S::Scalar, C>>
     + Takes<S, Stir<S::Scalar, C>>
     + Takes<S, PullBack>
+    + Takes<S, Strain>
 {
 }
 
-impl<S: Reversed, C: Closures, E> Reversible<S, C> for E where
+impl<S: Reversed, C: Closures, By: Springs<S::Scalar>, E> Reversible<S, C, By> for E where
     E: Element<S>
         + Takes<S, S::Poses>
-        + Takes<S, Factor<C>>
+        + Takes<S, Factor<C, By>>
         + Takes<S, Reach<S::Scalar, C>>
         + Takes<S, Meet<S::Scalar, C>>
         + Takes<S, Stir<S::Scalar, C>>
         + Takes<S, PullBack>
+        + Takes<S, Strain>
 {
 }
 

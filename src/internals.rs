@@ -8,7 +8,7 @@ pub mod element {
     pub use crate::element::{Condense, Element, Given, InJoint, Posture, Space, Springs, Sweep};
     pub use crate::sweep::{Implicit, Reading};
 }
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod front {
     pub use crate::sensitivity::front::parts::{
         NO_SEEDS, OfNumbers, by_start, efforts, held, known, seeded, shown, split, state, time_after,

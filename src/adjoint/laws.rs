@@ -1,9 +1,25 @@
 //! Laws of springs and dampers along one coordinate, in the plane and in space: how costates go backward through them.
 
+use crate::element::{Explicit, Implicit};
 use crate::lift::Lift;
 use crate::relation::{Absent, Coefficient, Term};
 use crate::scalar::Scalar;
 use crate::spring::{Spring, SpringLaw};
+
+/// How springs enter sweeps through which costates go backward, where the law `L` is among them: implicitly, laws that are linear in position
+/// and rate, which a sweep takes exactly.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run by an implicit rule goes backward through the law `{L}`",
+    label = "an implicit rule, of which the costate sweep knows `Spring`",
+    note = "explicit rules know laws of the user's own in hinges, too"
+)]
+pub trait Reads<L> {}
+
+impl<L> Reads<L> for Explicit {}
+
+impl<R> Reads<Absent> for Implicit<R> {}
+
+impl<R, K, D, P> Reads<Spring<K, D, P>> for Implicit<R> {}
 
 /// Most numbers that a joint is made of, those of its law among them.
 pub const NUMBERS: usize = 6;

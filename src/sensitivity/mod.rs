@@ -67,14 +67,14 @@ mod along;
 mod along_in_space;
 mod backward;
 mod forward;
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub(crate) mod front;
 mod gradient;
 mod stepper;
 
 pub use backward::{Backward, Checkpoints, Tape};
 pub use forward::{SensitiveWorkspace, Sensitivity};
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use front::{Derivatives, Differentiable, Plan, Seeded, Way};
 pub use gradient::{Costate, Gradient};
 pub use stepper::SensitiveStepper;

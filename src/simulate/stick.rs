@@ -174,8 +174,8 @@ where
             return Err(inconsistent(least, self.past.time));
         }
         let (width, below) = (high.0 - low.0, low.0);
-        let within = crossing([low.1, high.1], |theta| self.made_anew(&memory, size, theta.mul_add(width, below)))?;
-        Ok(Some(size * RealOf::<S>::of(within.mul_add(width, below))))
+        let within = crossing([low.1, high.1], |theta| self.made_anew(&memory, size, below + theta * width))?;
+        Ok(Some(size * RealOf::<S>::of(below + within * width)))
     }
 
     /// Changes the mode of the joint that has ended the step, and of those that change with it.

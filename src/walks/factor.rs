@@ -1,27 +1,44 @@
 //! The elimination of a sweep with what a second right-hand side needs: gains, and the inverse of each pivot.
 
 use crate::adjoint::{Reversed, ReversibleClosing};
+use crate::element::{Explicit, Springs};
 use crate::loading::EffortOf;
 use crate::relation::{Closures, Open};
 use crate::shape::{
-    Around, AtClosing, CarriedIn, Kept, Main, Mut, PerAxes, PerJoint, Positions, Rates, Ref, Selective, Side, Walk, Way,
+    Arm, Around, AtClosing, CarriedIn, Kept, Main, Mut, PerAxes, PerJoint, Positions, Rates, Ref, Selective, Side,
+    Walk, Way,
 };
 use core::marker::PhantomData;
 
-/// Condenses what lies outboard, under torques in joints, and keeps gains and inverse pivots, where the closure forces `C` act.
-pub struct Factor<C = Open>(PhantomData<C>);
+/// Condenses what lies outboard, under torques in joints, and keeps gains and inverse pivots, where the closure forces `C` act and springs
+/// enter by `By`.
+pub struct Factor<C = Open, By = Explicit> {
+    /// How springs enter.
+    pub springs: By,
+    closures: PhantomData<C>,
+}
 
-impl<C> Factor<C> {
+impl<C, By> Factor<C, By> {
     /// The walk.
     #[inline(always)]
-    pub fn new() -> Self {
-        Self(PhantomData)
+    pub fn by(springs: By) -> Self {
+        Self { springs, closures: PhantomData }
     }
 }
 
-impl<S: Reversed, C: Closures> Walk<S> for Factor<C> {
+/// Springs that enter sweeps around loops through which costates go backward.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run by an implicit rule goes backward around loops",
+    label = "an implicit rule",
+    note = "`Rk4`, `Dopri5` and `Dop853` know loops of the plane"
+)]
+pub trait AroundLoops {}
+
+impl AroundLoops for Explicit {}
+
+impl<S: Reversed, C: Closures, By: Springs<S::Scalar>> Walk<S> for Factor<C, By> {
     type Carried = S::Outboard<C>;
-    /// Posture; positions and rates; torques; what is kept.
+    /// Posture; positions and rates of joints for springs; torques; what is kept.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
@@ -34,22 +51,28 @@ impl<S: Reversed, C: Closures> Walk<S> for Factor<C> {
     );
 }
 
-impl<S: Reversed, C: Closures> Selective<S> for Factor<C> {
+impl<S: Reversed, C: Closures, By: Springs<S::Scalar>> Selective<S> for Factor<C, By> {
     const OUTWARD: bool = false;
     const LAST_APART: bool = true;
-    type In<Y: Way> = Factor<Y::Forces<C>>;
+    type In<Y: Way> = Factor<Y::Forces<C>, By>;
 
     #[inline(always)]
     fn branch(
         &mut self,
         chain: S::Outboard<C>,
-        go: impl FnOnce(&mut Factor, S::Outboard<Open>) -> S::Outboard<Open>,
+        go: impl FnOnce(&mut Self::In<Arm>, S::Outboard<Open>) -> S::Outboard<Open>,
     ) -> S::Outboard<C> {
-        S::join(chain, go(&mut Factor::new(), S::nothing()))
+        S::join(chain, go(&mut Factor::by(self.springs), S::nothing()))
     }
 }
 
-impl<S: Reversed, C: Closures, K: ReversibleClosing<S>> Around<S, K> for Factor<C> {
+impl<S, C, K, By> Around<S, K> for Factor<C, By>
+where
+    S: Reversed,
+    C: Closures,
+    K: ReversibleClosing<S>,
+    By: Springs<S::Scalar> + AroundLoops,
+{
     #[inline(always)]
     fn around(
         &mut self,
@@ -66,8 +89,8 @@ impl<S: Reversed, C: Closures, K: ReversibleClosing<S>> Around<S, K> for Factor<
         ) -> CarriedIn<S, Self, Side<K::Closures>>,
     ) -> S::Outboard<C> {
         let (onto_main, into_side, passed) = closing.close_off(outer, effort);
-        let side = side(&mut Factor::new(), into_side);
-        let main = main(&mut Factor::new(), onto_main);
+        let side = side(&mut Factor::by(self.springs), into_side);
+        let main = main(&mut Factor::by(self.springs), onto_main);
         let (relation, gain) = S::settle(main, side, kept.0.measure());
         *kept = (gain, passed);
         relation

@@ -46,6 +46,7 @@ pub mod size;
 pub mod spread;
 pub mod steer;
 pub mod stir;
+pub mod strain;
 pub mod swept;
 pub mod travel;
 pub mod unspread;

@@ -1,6 +1,7 @@
 //! Gradients of long runs: few states kept, and what the steps between two of them need while costates pass.
 
-use super::steps::Record;
+use super::record::Record;
+use super::rules::Staged;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
@@ -12,7 +13,6 @@ use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
-use crate::time::Explicit;
 use crate::walks::complete::complete;
 use core::ops::Range;
 use num_traits::Zero;
@@ -45,14 +45,14 @@ impl<T> Checkpoints<T> {
 }
 
 /// Room for a step of a tape: its motion, and all that its stages keep.
-pub struct Tape<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> {
+pub struct Tape<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged> {
     before: MotionOf<S, R, C, P>,
     /// Size of the step (s).
     size: RealOf<S>,
     record: Record<S, Elements<S, R, C>, M, P::Closures>,
 }
 
-impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> Clone for Tape<S, R, C, P, M> {
+impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged> Clone for Tape<S, R, C, P, M> {
     fn clone(&self) -> Self {
         Self { before: self.before.clone(), size: self.size, record: self.record.clone() }
     }
@@ -64,9 +64,9 @@ where
     R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
-    M: Explicit,
+    M: Staged,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {

@@ -12,7 +12,9 @@
 //! second derivatives, from and to which [`Position`] translates, and positions before the step get their share from each row.
 
 use super::held::{opposite, weigh};
-use super::steps::{ROWS, Record, Stage, Steps};
+use super::record::{Record, Stage, StageOf};
+use super::rules::Staged;
+use super::steps::{ROWS, Steps};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, Level, RealOf};
 use crate::ends::Resting;
@@ -23,9 +25,7 @@ use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::shape::Takes;
 use crate::stepper::displace::{displace, gather};
-use crate::stepper::explicit::row_weights;
-use crate::system::{Elements, MotionOf};
-use crate::time::Explicit;
+use crate::system::{Elements, MotionOf, RateOf};
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
 use crate::walks::pull_loads::PullLoads;
@@ -38,9 +38,9 @@ where
     R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
-    M: Explicit,
+    M: Staged,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     EffortOf<S>: Additive,
 {
     /// From the costates after a step to those before it: the columns of the tableau, from the last to the first.
@@ -60,7 +60,7 @@ where
         if Self::CURVED {
             let (room, (position, rate)) = ((&self.zero, &mut self.sum), &mut self.end);
             let slopes = record.accelerations.as_ref();
-            displace(past, slopes, M::node(last), row_weights::<M>(last), step, room, (&mut *position, &mut *rate));
+            displace(past, slopes, M::node(last), M::weights(last), step, room, (&mut *position, &mut *rate));
             position.retract_rate(&past.position, rate);
             gradient.start.position.set(&self.zero);
             let of_end = (&mut self.of_position.as_mut()[last], &mut self.of_rate.as_mut()[last]);
@@ -80,7 +80,13 @@ where
                 self.of_second.set(&self.of_acceleration);
                 position.transposed_acceleration(&past.position, &mut self.of_acceleration);
             }
-            self.pull_back_stage(row, past, past.time + RealOf::<S>::of(M::node(row)) * step, record, gradient);
+            if const { M::OWN > 0.0 } {
+                self.pull_back_solution(row, past, step, record, gradient);
+                continue;
+            }
+            let time = past.time + RealOf::<S>::of(M::node(row)) * step;
+            let (stage, slope) = (&record.stages.as_ref()[row], &record.accelerations.as_ref()[row]);
+            self.pull_back_stage((row == 0).then_some(past), (row, true), time, (stage, slope), gradient);
             if let Some(room) = &self.room
                 && row + 1 == last
             {
@@ -113,7 +119,7 @@ where
         let (one, slopes) = (RealOf::<S>::one(), record.accelerations.as_ref());
         let mut sum = S::Scalar::zero();
         for row in 0..=M::STAGES {
-            let (position, rate) = row_weights::<M>(row);
+            let (position, rate) = M::weights(row);
             let (of_position, of_rate) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
             let mut add = |costate: S::Scalar, slope| {
                 sum += costate * slope;
@@ -130,20 +136,19 @@ where
 
     /// From the costates of the accelerations of a stage to those of its positions and rates.
     #[inline(never)]
-    fn pull_back_stage(
+    #[allow(clippy::type_complexity)] // two in one argument
+    pub(super) fn pull_back_stage(
         &mut self,
-        row: usize,
-        past: &MotionOf<S, R, C, P>,
+        start: Option<&MotionOf<S, R, C, P>>,
+        (row, laws): (usize, bool),
         time: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        (stage, slope): (&StageOf<S, R, C, P>, &RateOf<S, R, C>),
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let elements = self.scene.elements();
-        let stage = &record.stages.as_ref()[row];
         let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, in_loops, position, rate, acceleration, .. } =
             stage;
-        let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (position, rate) };
-        let slope = &record.accelerations.as_ref()[row];
+        let (position, rate) = start.map_or((position, rate), |past| (&past.position, &past.rate));
         let acceleration = if Self::CURVED && row > 0 { acceleration } else { slope };
         let free = &mut self.of_acceleration;
         let frame = self.scene.ground(time);
@@ -164,7 +169,7 @@ where
         let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
         let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots, (&self.in_loops, in_loops));
         let stores = (x, y, p, q, (position, rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
-        let left = elements.take(&mut PullBack { laws: true }, pulled, stores);
+        let left = elements.take(&mut PullBack { laws }, pulled, stores);
         let (gravity, turn) = S::of_ground(&left, &frame);
         (gradient.gravity, gradient.ground) = (gradient.gravity + gravity, gradient.ground + turn);
         if const { L::ON } {

@@ -9,6 +9,7 @@
 //! with Φ_h, g_h the derivatives by the size of the last step, by which time ends later.
 
 use super::loads::depend_on_time;
+use super::rules::Staged;
 use super::steps::Steps;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
@@ -22,7 +23,6 @@ use crate::scalar::{Real, Scalar};
 use crate::sensitivity::{Costate, Gradient};
 use crate::simulate::crossing::crossing;
 use crate::system::{Elements, MotionOf, Runs, System};
-use crate::time::Explicit;
 use num_traits::Zero;
 
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
@@ -31,9 +31,9 @@ where
     R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
-    M: Explicit,
+    M: Staged,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {

@@ -10,14 +10,14 @@
 //! the opposite at the end of the main arm. Both systems are solved by one elimination, whose relations carry columns for closure forces as
 //! those of a sweep do.
 
-use super::steps::Stage;
-use crate::adjoint::{EachOf, Reversed, Reversible, ReversibleTip};
+use super::record::Stage;
+use crate::adjoint::{EachOf, Reversed, ReversibleTip};
 use crate::element::Element;
 use crate::ends::Root;
 use crate::loading::EffortOf;
 use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Solvable, Wrench, WrenchOf};
 use crate::sensitivity::Gradient;
-use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, Rates};
+use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, Rates, Takes};
 use crate::space::FrameOf;
 use crate::system::{Elements, System};
 use crate::walks::meet::Meet;
@@ -134,7 +134,7 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
     /// stay.
     pub(super) fn meet<P: ReversibleTip<S>>(&mut self, elements: &E, stage: &Stage<S, E, P::Closures>) -> EachOf<S, P>
     where
-        E: Reversible<S, P::Closures>,
+        E: Takes<S, Meet<S::Scalar, P::Closures>>,
     {
         let Stage { x, y, p, q, kept, pivots, .. } = stage;
         let mut walk = Meet::nothing();
@@ -153,7 +153,7 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
         of_costates: bool,
     ) -> AccelerationOf<S>
     where
-        E: Reversible<S, P::Closures>,
+        E: Takes<S, Stir<S::Scalar, P::Closures>>,
     {
         let Stage { x, y, p, q, kept, .. } = stage;
         let Self { zero, solved, correction, on_bodies, in_joints, efforts, .. } = self;

@@ -1,6 +1,7 @@
 //! Steps with their Jacobians.
 
 use super::Backward;
+use super::rules::Staged;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Resting;
@@ -10,7 +11,6 @@ use crate::mirror::Rate;
 use crate::relation::{Additive, Geometry};
 use crate::scalar::{Pack, Scalar};
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
-use crate::time::Explicit;
 use crate::walks::unspread;
 use num_traits::{One, Zero};
 
@@ -20,9 +20,9 @@ where
     R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
-    M: Explicit,
+    M: Staged,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {

@@ -5,9 +5,12 @@ mod checkpoints;
 mod costates;
 mod events;
 mod held;
+mod implicit;
 mod linear;
 mod loads;
 mod projection;
+mod record;
+mod rules;
 mod steps;
 
 use super::gradient::{Costate, Gradient};
@@ -20,13 +23,14 @@ use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
-use crate::time::Explicit;
 use crate::walks::complete::complete;
 use crate::walks::fits::fits;
 pub use checkpoints::{Checkpoints, Tape};
-use steps::{Record, Steps};
+use record::Record;
+use rules::{Closing, Staged};
+use steps::Steps;
 
-/// Runs of a scene by an explicit method, and their gradients.
+/// Runs of a scene by a method without memory, and their gradients.
 ///
 /// ```
 /// use catena::planar::*;
@@ -73,6 +77,9 @@ use steps::{Record, Steps};
 /// a law of the user's own in a hinge ([`ElasticHinge::with`](crate::planar::ElasticHinge::with)) goes backward by itself where it is
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
+///
+/// By [`Sdirk4`](crate::time::Sdirk4), at fixed steps, chains and trees of the plane with a free tip, whose laws are `Spring`s: it solves each
+/// stage by several sweeps, and costates go back through all of them.
 ///
 /// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`
 /// with or without a `Spring`, composed in the same ways, from a `Pinned`, `Clamped` or `Hinged` root that does not move. An attitude has
@@ -122,7 +129,7 @@ use steps::{Record, Steps};
 /// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which
 /// [few states](Self::gradient_between) are kept 2.7 (RK4, n = 20, a million steps); in space 1.8 and 2.8 (7 rigid bodies on revolutes, 3000
 /// steps). (Two cores shared with other work: times are the least of 400, of 2000, of one and of 15.)
-pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit, L = Absent> {
+pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L = Absent> {
     steps: Steps<'s, S, R, C, P, M, L>,
     record: Record<S, Elements<S, R, C>, M, P::Closures>,
     spare: MotionOf<S, R, C, P>,
@@ -135,14 +142,14 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Ex
 type CostateOf<S, R, C> = Costate<RateOf<S, R, C>, <S as Geometry>::Scalar>;
 
 impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Runs by an explicit method, whose gradients go backward.
+    /// Runs by a method without memory, whose gradients go backward: `Rk4`, `Dopri5`, `Dop853`, and for chains of the plane `Sdirk4`.
     ///
     /// See [`sensitivity::Backward`](crate::sensitivity::Backward).
-    pub fn backward<M: Explicit>(&self, method: M) -> Backward<'_, S, R, C, P, M>
+    pub fn backward<M: Closing<P::Closures>>(&self, method: M) -> Backward<'_, S, R, C, P, M>
     where
         R: Resting<S>,
         P: ReversibleTip<S>,
-        Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, Absent, P::Closures>,
+        Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, Absent, P::Closures>,
         Self: Runs<Unloaded, S, R, C, P>,
         EffortOf<S>: Additive,
     {
@@ -156,14 +163,14 @@ where
     R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
-    M: Explicit,
+    M: Staged,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
     fn new(scene: &'s System<S, R, C, P>, method: M, law: L) -> Self {
-        let steps = Steps::new(scene, law);
+        let steps = Steps::new(scene, method, law);
         let scratch = Gradient::none(scene.elements(), &steps.zero);
         Self { record: steps.record(), steps, spare: scene.motion(), scratch, method }
     }

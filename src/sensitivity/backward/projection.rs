@@ -12,7 +12,9 @@
 //! other loops stay closed. Corrections are as many as a stepper makes, and costates go back through each.
 
 use super::held::{Room, add, opposite, wrench};
-use super::steps::{Record, Steps};
+use super::record::Record;
+use super::rules::Staged;
+use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, Level, Posture, RealOf};
 use crate::ends::Resting;
@@ -23,9 +25,7 @@ use crate::scalar::{Real, Scalar};
 use crate::sensitivity::Gradient;
 use crate::shape::{Positions, Takes};
 use crate::stepper::displace::displace;
-use crate::stepper::explicit::row_weights;
 use crate::system::{Corrections, Elements, MOST_CORRECTIONS, MotionOf, PositionOf, RateOf};
-use crate::time::Explicit;
 use crate::walks::look::look;
 use crate::walks::missed::missed;
 use crate::walks::pull_back::PullBack;
@@ -74,9 +74,9 @@ where
     R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
-    M: Explicit,
+    M: Staged,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     EffortOf<S>: Additive,
 {
     /// The end of a step, and its projection: as a stepper makes it.
@@ -91,7 +91,7 @@ where
         let (ground, stage) = (self.scene.ground(time), &record.stages.as_ref()[M::STAGES - 1]);
         let (row, slopes) = (M::STAGES, record.accelerations.as_ref());
         let Projection { places, moves, rates, changes } = projection;
-        let (of, sums) = ((M::node(row), row_weights::<M>(row)), (&self.zero, &mut self.sum));
+        let (of, sums) = ((M::node(row), M::weights(row)), (&self.zero, &mut self.sum));
         displace(past, slopes, of.0, of.1, step, sums, (&mut places[0], &mut rates[0]));
         let most = if Self::LOOPED { MOST_CORRECTIONS } else { Self::CLOSED };
         let (none, into) = (&self.zero, &mut room.correction);

@@ -1,20 +1,21 @@
 //! Steps of a run with all that their stages keep for costates.
 
 use super::held::Room;
+use super::implicit::AgainOf;
 use super::loads::Seen;
 use super::projection::Projection;
+use super::record::{Place, Record, Stage, StageOf};
+use super::rules::Staged;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf};
 use crate::ends::{Resting, Root, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Cuts, Solvable, Wrench};
+use crate::relation::{Acceleration, Additive, Closures, Cuts, Solvable, Wrench};
 use crate::scalar::Real;
-use crate::shape::{Kept, PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Shape, Takes};
+use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Shape, Takes};
 use crate::stepper::displace::displace;
-use crate::stepper::explicit::row_weights;
 use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
-use crate::time::Explicit;
 use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
 use crate::walks::measure::gains;
@@ -27,61 +28,12 @@ use num_traits::Zero;
 /// Most rows that an explicit method has.
 pub(super) const ROWS: usize = 16;
 
-/// What a stage of a step keeps for its costates.
-#[derive(Clone)]
-pub(super) struct Stage<S: Reversed, E: Element<S>, X: Closures> {
-    pub(super) x: E::Store<PerAxes<S::X>>,
-    pub(super) y: E::Store<PerAxes<S::Y>>,
-    pub(super) p: E::Store<PerAxes<S::P>>,
-    pub(super) q: E::Store<PerAxes<S::Q>>,
-    pub(super) kept: E::Store<Kept<X>>,
-    pub(super) pivots: E::Store<PerJoint<S::Pivot>>,
-    /// Accelerations of the outboard ends of bodies and joints.
-    pub(super) at_bodies: E::Store<PerBody<S::Vector>>,
-    pub(super) at_joints: E::Store<PerJoint<S::Vector>>,
-    pub(super) position: E::Position,
-    pub(super) rate: E::Rate,
-    /// Accelerations, where those of the step's coordinates are others.
-    pub(super) acceleration: E::Rate,
-    /// λ of loops.
-    pub(super) in_loops: E::Store<PerClosure>,
-    /// Λ and λ of what holds the tip.
-    pub(super) compliance: X::Pairs<S::Scalar>,
-    pub(super) force: X::Each<S::Scalar>,
-    /// Acceleration of the tip.
-    pub(super) reached: AccelerationOf<S>,
-}
-
-/// A step with what its stages keep.
-pub(super) struct Record<S: Reversed, E: Element<S>, M: Explicit, X: Closures> {
-    pub(super) stages: M::Rows<Stage<S, E, X>>,
-    pub(super) accelerations: M::Rows<E::Rate>,
-    /// What puts the tip back where it is held and closes loops, if there is something.
-    pub(super) projection: Option<Projection<S, E>>,
-}
-
-impl<S: Reversed, E: Element<S>, M: Explicit, X: Closures> Clone for Record<S, E, M, X> {
-    fn clone(&self) -> Self {
-        let (mut stages, mut accelerations) =
-            (M::rows(&self.stages.as_ref()[0]), M::rows(&self.accelerations.as_ref()[0]));
-        stages.as_mut().clone_from_slice(self.stages.as_ref());
-        accelerations.as_mut().clone_from_slice(self.accelerations.as_ref());
-        Self { stages, accelerations, projection: self.projection.clone() }
-    }
-}
-
-impl<S: Reversed, E: Element<S>, M: Explicit, X: Closures> Record<S, E, M, X> {
-    /// Accelerations in which the step begins.
-    pub(super) fn first(&self) -> &E::Rate {
-        &self.accelerations.as_ref()[0]
-    }
-}
-
 /// What makes steps and pulls costates back through them.
-pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit, L> {
+pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L> {
     /// What acts on bodies.
     pub(super) loads: Seen<S, Elements<S, R, C>, L>,
     pub(super) scene: &'s System<S, R, C, P>,
+    pub(super) rule: M,
     pub(super) sizes: <Elements<S, R, C> as Shape<S>>::Store<PerAxes<S::Size>>,
     /// Torques that are held over the step.
     pub(super) torques: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>,
@@ -98,6 +50,8 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     /// Where the step leads, where positions are curved.
     pub(super) end: (PositionOf<S, R, C>, RateOf<S, R, C>),
     pub(super) zero: <Elements<S, R, C> as Element<S>>::Rate,
+    /// Room for the sweeps of a stage of an implicit rule.
+    pub(super) again: Option<AgainOf<S, R, C, P>>,
     pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
     pub(super) in_joints: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<S::InJoint>>,
     /// −ν of loops, and nothing of them.
@@ -116,9 +70,9 @@ where
     R: Resting<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
-    M: Explicit,
+    M: Staged,
     L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S, P::Closures> + Burdened<S, L, P::Closures>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     EffortOf<S>: Additive,
 {
     /// Whether the tip is held.
@@ -129,13 +83,14 @@ where
     pub(super) const CLOSED: usize = System::<S, R, C, P>::CLOSED;
     pub(super) const CURVED: bool = <PositionOf<S, R, C> as Position<S::Scalar>>::CURVED;
 
-    pub(super) fn new(scene: &'s System<S, R, C, P>, law: L) -> Self {
+    pub(super) fn new(scene: &'s System<S, R, C, P>, rule: M, law: L) -> Self {
         let elements = scene.elements();
         let zero = elements.store::<Rates>(());
         let mut weights = M::rows(&[[0.0; ROWS]; 2]);
         for (column, [position, rate]) in weights.as_mut().iter_mut().enumerate() {
             for row in column + 1..=M::STAGES {
-                (position[row], rate[row]) = (M::position(row)[column], M::rate(row)[column]);
+                let (of_position, of_rate) = M::weights(row);
+                (position[row], rate[row]) = (of_position[column], of_rate[column]);
             }
         }
         let mut nodes = [0.0; ROWS];
@@ -145,6 +100,7 @@ where
         Self {
             loads: Seen::new(elements, law, scene.ground(RealOf::<S>::zero())),
             scene,
+            rule,
             sizes: sizes(elements),
             torques: elements.store::<PerJoint<_>>(no_torque),
             of_torques: elements.store::<PerJoint<_>>(no_torque),
@@ -153,6 +109,7 @@ where
             of_acceleration: zero.clone(),
             of_second: zero.clone(),
             end: (elements.store::<Positions>(()), zero.clone()),
+            again: None,
             sum: zero.clone(),
             zero,
             on_bodies: elements.store::<PerBody<_>>(on_body),
@@ -218,16 +175,22 @@ where
         record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
     ) {
         for row in 0..M::STAGES {
+            if const { M::OWN > 0.0 } {
+                self.solve(row, past, step, record);
+                continue;
+            }
             if row > 0 {
                 let Stage { position, rate, .. } = &mut record.stages.as_mut()[row];
                 let room = (&self.zero, &mut self.sum);
                 let slopes = record.accelerations.as_ref();
-                displace(past, slopes, M::node(row), row_weights::<M>(row), step, room, (&mut *position, &mut *rate));
+                displace(past, slopes, M::node(row), M::weights(row), step, room, (&mut *position, &mut *rate));
                 if Self::CURVED {
                     position.retract_rate(&past.position, rate);
                 }
             }
-            self.sweep(row, past, past.time + RealOf::<S>::of(M::node(row)) * step, record);
+            let time = past.time + RealOf::<S>::of(M::node(row)) * step;
+            let (stage, slope) = (&mut record.stages.as_mut()[row], &mut record.accelerations.as_mut()[row]);
+            self.sweep((row == 0).then_some(past), None, M::springs(step), time, stage, slope);
             if Self::CURVED && row > 0 {
                 let Stage { position, rate, acceleration, .. } = &mut record.stages.as_mut()[row];
                 let slope = &mut record.accelerations.as_mut()[row];
@@ -259,29 +222,32 @@ where
         }
         let (row, room) = (M::STAGES, (&self.zero, &mut self.sum));
         let into = (&mut next.position, &mut next.rate);
-        displace(past, record.accelerations.as_ref(), M::node(row), row_weights::<M>(row), step, room, into);
+        displace(past, record.accelerations.as_ref(), M::node(row), M::weights(row), step, room, into);
         if Self::CURVED {
             next.position.retract_rate(&past.position, &mut next.rate);
         }
     }
 
-    /// The sweep of a stage.
+    /// The sweep of a stage, at the start of a step or where the stage stands, with springs there or where they are free.
     #[inline(never)] // one copy for forward and backward
-    fn sweep(
+    pub(super) fn sweep(
         &mut self,
-        row: usize,
-        past: &MotionOf<S, R, C, P>,
+        start: Option<&MotionOf<S, R, C, P>>,
+        free: Option<&Place<S, R, C>>,
+        springs: M::Springs<S::Scalar>,
         time: RealOf<S>,
-        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
+        stage: &mut StageOf<S, R, C, P>,
+        acceleration: &mut RateOf<S, R, C>,
     ) {
         let (elements, ground) = (self.scene.elements(), self.scene.ground(time));
-        let stage = &mut record.stages.as_mut()[row];
         let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, in_loops, position, rate, .. } = stage;
-        let (position, rate) = if row == 0 { (&past.position, &past.rate) } else { (&*position, &*rate) };
+        let (position, rate) = start.map_or((&*position, &*rate), |past| (&past.position, &past.rate));
         S::pose(elements, position, rate, ground.turn, &self.sizes, x, y, p, q);
         let falling = ground.falling(self.scene.gravity());
-        let (beyond, motion) = (self.scene.tip().beyond(&falling), (position, rate));
-        let chain = elements.take(&mut Factor::new(), beyond, (x, y, p, q, motion, &self.torques, &mut *kept, pivots));
+        let (beyond, motion) =
+            (self.scene.tip().beyond(&falling), free.map_or((position, rate), |(position, rate)| (position, rate)));
+        let chain =
+            elements.take(&mut Factor::by(springs), beyond, (x, y, p, q, motion, &self.torques, &mut *kept, pivots));
         let mut burden = Burden(Meet::nothing());
         if const { L::ON } {
             self.loads.see(elements, ground, Coordinates { position, rate, acceleration: &self.zero }, time);
@@ -291,7 +257,7 @@ where
         let demand = P::Closures::zip(&columns, &gap, |column, gap| column.work(&falling) - gap);
         let demand = P::Closures::zip(&demand, &burden.0.gaps, |demand, gap| demand - gap);
         (stage.compliance, stage.force) = (compliance, P::Closures::solve(&compliance, &demand));
-        let (mut walk, acceleration) = (Reach { forces: stage.force }, &mut record.accelerations.as_mut()[row]);
+        let mut walk = Reach { forces: stage.force };
         stage.reached =
             elements.take(&mut walk, falling, (x, y, p, q, &*kept, acceleration, (at_bodies, at_joints, in_loops)));
     }

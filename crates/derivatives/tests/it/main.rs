@@ -7,6 +7,7 @@ mod front_edges;
 #[macro_use]
 mod held;
 mod held_runs;
+mod implicit;
 mod loop_runs;
 mod loops;
 mod recognised;

@@ -11,11 +11,17 @@ pub fn told(error: &Error) {
     assert!(text.len() > 10, "{text}");
 }
 
+/// An interval between samples that makes some thousand of them: a run may have up to 1e11, which take hours, as its limit says. What is beyond
+/// that is left to be refused.
+pub fn apart(every: f64, end: f64) -> f64 {
+    if every > 0.0 && end / every < 2e11 { every.max(end / 2e3) } else { every }
+}
+
 /// Makes some steps of a run: each ends later, with finite numbers, or is refused.
 macro_rules! run {
     ($scene:expr, $rule:expr, $start:expr, $end:expr, $every:expr) => {{
         let mut last = $start.time();
-        let simulation = $scene.simulation($rule).every($every);
+        let simulation = $scene.simulation($rule).every($crate::probe::apart($every, $end));
         match simulation.begin($start.clone(), $end, |now| assert!(now.motion().time().is_finite())) {
             Err(refused) => $crate::probe::told(&refused.error),
             Ok(mut run) => {

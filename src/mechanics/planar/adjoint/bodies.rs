@@ -17,6 +17,7 @@
 //! and at I G has w ẑ×σ more, F α ẑ×σ − ω² σ. What α, ω² and w multiply in θ̄ is summed up for all bodies that a pin turns.
 
 use super::{Kind, OnBody, Outboard, Pulled, Stirred};
+use crate::element::Springs;
 use crate::mechanics::planar::body::{Base, Pose};
 use crate::mechanics::planar::{Acceleration, Body, Planar, PointMass, RigidBody, Rod, Wrench};
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
@@ -88,13 +89,13 @@ fn pull_back<T: Scalar, B: Body<T>>(
 
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
-        impl<T: Scalar, C: Closures> Takes<Planar<T>, Factor<C>> for $Body<T> {
+        impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Factor<C>,
+                _: &mut Factor<C, By>,
                 outer: Outboard<T, C>,
-                (&x, &y, &p, &q, ..): Of<'_, Planar<T>, Factor<C>, Self>,
+                (&x, &y, &p, &q, ..): Of<'_, Planar<T>, Factor<C, By>, Self>,
             ) -> Outboard<T, C> {
                 factor(self, Pose { x, y, p, q }, outer)
             }

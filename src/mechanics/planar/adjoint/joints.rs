@@ -1,8 +1,9 @@
 //! The costate sweep in the plane: what joints do whose points coincide.
 
-use super::laws::ReversibleLaw;
+use super::laws::{Reads, ReversibleLaw};
 use super::{Outboard, Pulled, Stirred, Turning};
-use crate::mechanics::planar::{Acceleration, ElasticHinge, Pin, Planar, Weld, Wrench};
+use crate::element::Springs;
+use crate::mechanics::planar::{Acceleration, ElasticHinge, Pin, Planar, PointMass, RigidBody, Rod, Weld, Wrench};
 use crate::relation::Closures;
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
 use crate::scalar::Scalar;
@@ -12,14 +13,15 @@ use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
+use crate::walks::strain::Strain;
 
-impl<T: Scalar, C: Closures> Takes<Planar<T>, Factor<C>> for Pin {
+impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for Pin {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Factor<C>,
+        _: &mut Factor<C, By>,
         outer: Outboard<T, C>,
-        (.., torque, gain, pivot): Of<'_, Planar<T>, Factor<C>, Self>,
+        (.., torque, gain, pivot): Of<'_, Planar<T>, Factor<C, By>, Self>,
     ) -> Outboard<T, C> {
         // The same quotient as in the elimination: it is formed once.
         *pivot = outer.relation.angular.recip();
@@ -90,9 +92,14 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Pin {
     }
 }
 
-impl<T: Scalar, C: Closures> Takes<Planar<T>, Factor<C>> for Weld<T> {
+impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for Weld<T> {
     #[inline(always)]
-    fn take(&self, _: &mut Factor<C>, outer: Outboard<T, C>, _: Of<'_, Planar<T>, Factor<C>, Self>) -> Outboard<T, C> {
+    fn take(
+        &self,
+        _: &mut Factor<C, By>,
+        outer: Outboard<T, C>,
+        _: Of<'_, Planar<T>, Factor<C, By>, Self>,
+    ) -> Outboard<T, C> {
         outer
     }
 }
@@ -143,16 +150,27 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Weld<T> {
     }
 }
 
-impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Factor<C>> for ElasticHinge<L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T> + Reads<L>> Takes<Planar<T>, Factor<C, By>>
+    for ElasticHinge<L>
+{
+    /// Under an implicit rule the pivot knows the stiffness, and what lies inboard the moment.
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Factor<C>,
+        walk: &mut Factor<C, By>,
         outer: Outboard<T, C>,
-        (.., (position, rate), torque, gain, pivot): Of<'_, Planar<T>, Factor<C>, Self>,
+        (.., (position, rate), torque, gain, pivot): Of<'_, Planar<T>, Factor<C, By>, Self>,
     ) -> Outboard<T, C> {
+        let torque = *torque + self.rotary.force(*position, *rate);
+        if const { By::STIFF } {
+            let stiffness = self.rotary.pivot(*position, *rate, walk.springs);
+            *pivot = (outer.relation.angular + stiffness).recip();
+            let (relation, found) = outer.relation.hinged(torque, stiffness);
+            *gain = found;
+            return Outboard::rigid(relation);
+        }
         *pivot = outer.relation.angular.recip();
-        let (relation, found) = outer.relation.pinned(*torque + self.rotary.force(*position, *rate));
+        let (relation, found) = outer.relation.pinned(torque);
         gain.absolute(found);
         Outboard::of_pin(relation)
     }
@@ -166,14 +184,13 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Reach<T, C>> 
         inner: Acceleration<T>,
         (.., gain, acceleration, _): Of<'_, Planar<T>, Reach<T, C>, Self>,
     ) -> Acceleration<T> {
-        let angular = gain.angular(inner.linear, &walk.forces);
-        *acceleration = angular - inner.angular;
-        Acceleration { angular, ..inner }
+        *acceleration = gain.relative(inner.linear, inner.angular, &walk.forces);
+        Acceleration { angular: inner.angular + *acceleration, ..inner }
     }
 }
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Meet<T, C>> for ElasticHinge<L> {
-    /// As a pin for the absolute w; the costate itself is a torque between the bodies.
+    /// D w + U · (W, w_I) + m = λ, of the relative w.
     #[inline(always)]
     fn take(
         &self,
@@ -181,8 +198,8 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Meet<T, C>> f
         outer: Wrench<T>,
         (.., gain, pivot, costate, _): Of<'_, Planar<T>, Meet<T, C>, Self>,
     ) -> Wrench<T> {
-        let torque = *costate;
-        let left = torque - outer.torque;
+        let left = *costate - outer.torque;
+        let torque = (-left).mul_add(gain.per_angular, outer.torque);
         *costate = left * *pivot;
         walk.part(&gain.per_closure, left);
         Wrench { force: add_scaled(outer.force, -left, gain.per_acceleration), torque }
@@ -198,8 +215,8 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Stir<T, C>> f
         (.., gain, (rate, acceleration, free), (_, kept, _), torque): Of<'_, Planar<T>, Stir<T, C>, Self>,
     ) -> Stirred<T> {
         let Acceleration { linear, angular } = inner.velocity;
-        let w = C::plus_dot(plus_dot(*free, gain.per_acceleration, linear), &gain.per_closure, &walk.forces);
-        *free = w - angular;
+        *free += gain.homogeneous().relative(linear, angular, &walk.forces);
+        let w = angular + *free;
         *torque += *free;
         let inboard = inner.turning;
         let turning =
@@ -227,5 +244,28 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for ElasticHinge
         let of_law = if walk.laws { self.rotary.pull_back(*position, *rate, *w, sums) } else { [T::zero(); 2] };
         (*of_position, *of_rate) = (turned[0] + of_law[0], turned[1] + of_law[1]);
         outer.summed(Some(turned))
+    }
+}
+
+/// Joints without a law.
+macro_rules! lawless {
+    ($($Joint:ty),*) => {$(
+        impl<T: Scalar> Takes<Planar<T>, Strain> for $Joint {
+            #[inline(always)]
+            fn take(&self, _: &mut Strain, (): (), _: Of<'_, Planar<T>, Strain, Self>) {}
+        }
+    )*};
+}
+lawless!(Pin, Weld<T>, Rod<T>, RigidBody<T>, PointMass<T>);
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Strain> for ElasticHinge<L> {
+    fn take(
+        &self,
+        _: &mut Strain,
+        (): (),
+        (position, rate, w, sums, of_position, of_rate): Of<'_, Planar<T>, Strain, Self>,
+    ) {
+        let [more, also] = self.rotary.pull_back(*position, *rate, *w, sums);
+        (*of_position, *of_rate) = (*of_position + more, *of_rate + also);
     }
 }

@@ -1,6 +1,6 @@
 //! The costate sweep in the plane: what laws of the user's own do.
 
-pub(crate) use crate::adjoint::laws::{NUMBERS, ReversibleLaw};
+pub(crate) use crate::adjoint::laws::{NUMBERS, Reads, ReversibleLaw};
 
 use crate::lift::Lift;
 use crate::mechanics::planar::spring::Custom;

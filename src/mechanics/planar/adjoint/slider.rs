@@ -15,8 +15,9 @@
 //!
 //! and the direction of the line has θ̄ of these.
 
-use super::laws::ReversibleLaw;
+use super::laws::{Reads, ReversibleLaw};
 use super::{Outboard, Pulled, Stirred};
+use crate::element::Springs;
 use crate::mechanics::planar::axes::{Axes, Inboard, across};
 use crate::mechanics::planar::{Acceleration, Planar, Slider, Wrench};
 use crate::relation::Closures;
@@ -29,21 +30,24 @@ use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
+use crate::walks::strain::Strain;
 
-impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Factor<C>> for Slider<T, L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T> + Reads<L>> Takes<Planar<T>, Factor<C, By>>
+    for Slider<T, L>
+{
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Factor<C>,
+        walk: &mut Factor<C, By>,
         outer: Outboard<T, C>,
-        (x, y, p, q, (position, rate), force, gain, pivot): Of<'_, Planar<T>, Factor<C>, Self>,
+        (x, y, p, q, (position, rate), force, gain, pivot): Of<'_, Planar<T>, Factor<C, By>, Self>,
     ) -> Outboard<T, C> {
         let offset = Inboard::offset(x, y, p, q);
         let linear = outer.relation.linear.along(offset.direction);
-        *pivot = (linear.xx + self.lumped).recip();
+        let stiffness = self.spring.pivot(*position, *rate, walk.springs);
+        *pivot = (linear.xx + self.lumped + stiffness).recip();
         let force = *force + self.spring.force(*position, *rate);
-        let relation = self.loosen(outer.relation, offset, force, T::zero(), gain);
-        Outboard::rigid(relation)
+        Outboard::rigid(self.loosen(outer.relation, offset, force, stiffness, gain))
     }
 }
 
@@ -139,5 +143,17 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for Slider<T, L>
         sums[1] -= dot(*a, kept.velocity);
         // G and F are those at the line; the sums are of the body inboard and outboard of it.
         outer.turning_alone() + arm
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Strain> for Slider<T, L> {
+    fn take(
+        &self,
+        _: &mut Strain,
+        (): (),
+        (position, rate, w, sums, of_position, of_rate): Of<'_, Planar<T>, Strain, Self>,
+    ) {
+        let [more, also] = self.spring.pull_back(*position, *rate, *w, &mut sums[2..]);
+        (*of_position, *of_rate) = (*of_position + more, *of_rate + also);
     }
 }

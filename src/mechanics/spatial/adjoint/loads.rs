@@ -1,4 +1,4 @@
-//! The costate sweep in space: no loads on bodies, for which these walks have nothing to do.
+//! The costate sweep in space: no loads on bodies and no implicit rules, for which these walks have nothing to do.
 
 use crate::adjoint::laws::ReversibleLaw;
 use crate::mechanics::spatial::{Ball, PointMass, Revolute, RigidBody, Rod, Spatial, Weld, Wrench};
@@ -7,6 +7,7 @@ use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::burden::Burden;
 use crate::walks::pull_loads::PullLoads;
+use crate::walks::strain::Strain;
 
 macro_rules! unloaded {
     ($([$($L:ident)?] $Element:ty),*) => {$(
@@ -14,6 +15,10 @@ macro_rules! unloaded {
             fn take(&self, _: &mut Burden<T>, outer: Wrench<T>, _: Of<'_, Spatial<T>, Burden<T>, Self>) -> Wrench<T> {
                 outer
             }
+        }
+
+        impl<T: Scalar, $($L: ReversibleLaw<T>)?> Takes<Spatial<T>, Strain> for $Element {
+            fn take(&self, _: &mut Strain, (): (), _: Of<'_, Spatial<T>, Strain, Self>) {}
         }
 
         impl<T: Scalar, $($L: ReversibleLaw<T>)?> Takes<Spatial<T>, PullLoads<Absent, T>> for $Element {

@@ -1,0 +1,164 @@
+//! Stages of an implicit rule: each solves W x = τ(free + B x, free + Γ x) − c at a geometry that follows the sweep before, with
+//! W = M + B K + Γ C.
+//!
+//! Backward, M w = λ becomes W w = x̄ through the gains of the same sweep, and
+//!
+//! ```text
+//! geometry, at rest of springs:  Q_g, V_g, as in an explicit sweep        laws, at free + B x, free + Γ x:  F
+//! free ← F + (Q_g, V_g)        x̄ of the sweep before ← B Q_g + Γ V_g
+//! ```
+//!
+//! The geometry of a stage's first sweep follows the stage before, that of a step's the motion at its start. Sweeps before the last of a
+//! stage are made once more on the way back.
+
+use super::record::{Place, Record, Stage, StageOf};
+use super::rules::Staged;
+use super::steps::Steps;
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
+use crate::element::{Element, RealOf};
+use crate::ends::{Resting, Tip};
+use crate::loading::EffortOf;
+use crate::mirror::{Position, Rate};
+use crate::relation::{Additive, Closures};
+use crate::scalar::Real;
+use crate::sensitivity::Gradient;
+use crate::shape::{Positions, Shape, Takes};
+use crate::stepper::displace::displace;
+use crate::system::{Elements, MotionOf, RateOf};
+use crate::walks::strain::Strain;
+use num_traits::Zero;
+
+/// Room for the sweeps of a stage.
+pub(super) struct Again<S: Reversed, E: Element<S>, X: Closures> {
+    /// Positions and rates without the acceleration sought, and where laws are read.
+    free: (E::Position, E::Rate),
+    read: (E::Position, E::Rate),
+    /// A sweep, and what it has found.
+    stage: Stage<S, E, X>,
+    slope: E::Rate,
+    /// Costates of `free`; of the acceleration from which the geometry of the next stage set out.
+    of_free: (E::Rate, E::Rate),
+    of_before: E::Rate,
+}
+
+/// The room of a scene.
+pub(super) type AgainOf<S, R, C, P> = Again<S, Elements<S, R, C>, <P as Tip<S>>::Closures>;
+
+/// Where accelerations lead.
+fn follow<S: Reversed, E: Element<S>>(
+    (position, rate): (&E::Position, &E::Rate),
+    own: RealOf<S>,
+    acceleration: &E::Rate,
+    zero: &E::Rate,
+    into: (&mut E::Position, &mut E::Rate),
+) {
+    into.0.drift_1(position, (RealOf::<S>::zero(), zero), (own * own, acceleration));
+    into.1.mix_1(rate, (own, acceleration));
+}
+
+impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
+where
+    S: Reversed,
+    R: Resting<S>,
+    C: Element<S>,
+    P: ReversibleTip<S>,
+    M: Staged,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
+    EffortOf<S>: Additive,
+{
+    /// Room, made once.
+    fn again(&mut self, stage: &StageOf<S, R, C, P>) -> AgainOf<S, R, C, P> {
+        self.again.take().unwrap_or_else(|| {
+            let (place, zero) = (self.scene.elements().store::<Positions>(()), &self.zero);
+            let motion = (place, zero.clone());
+            Again {
+                free: motion.clone(),
+                read: motion,
+                stage: stage.clone(),
+                slope: zero.clone(),
+                of_free: (zero.clone(), zero.clone()),
+                of_before: zero.clone(),
+            }
+        })
+    }
+
+    /// Sweeps of a stage up to one of them, which stands in `stage` and `slope`.
+    #[allow(clippy::type_complexity)] // two in one argument
+    fn sweeps(
+        &mut self,
+        (row, sweeps): (usize, usize),
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        slopes: &[RateOf<S, R, C>],
+        free: &mut Place<S, R, C>,
+        (stage, slope): (&mut StageOf<S, R, C, P>, &mut RateOf<S, R, C>),
+    ) {
+        let (own, node) = (RealOf::<S>::of(M::OWN) * step, M::node(row));
+        let sums = (&self.zero, &mut self.sum);
+        displace(past, slopes, node, M::weights(row), step, sums, (&mut free.0, &mut free.1));
+        for sweep in 0..sweeps {
+            let led = if sweep > 0 { Some(&*slope) } else { row.checked_sub(1).and_then(|before| slopes.get(before)) };
+            let (from, into) = ((&free.0, &free.1), (&mut stage.position, &mut stage.rate));
+            follow::<S, Elements<S, R, C>>(from, own, led.unwrap_or(&self.zero), &self.zero, into);
+            let time = past.time + RealOf::<S>::of(node) * step;
+            self.sweep(None, Some(&*free), M::springs(step), time, stage, slope);
+        }
+    }
+
+    /// Solves a stage: its last sweep is kept.
+    pub(super) fn solve(
+        &mut self,
+        row: usize,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
+    ) {
+        let mut again = self.again(&record.stages.as_ref()[row]);
+        let (slopes, rest) = record.accelerations.as_mut().split_at_mut(row);
+        let [slope, ..] = rest else { return };
+        let (sweeps, stage) = (self.rule.sweeps(row), &mut record.stages.as_mut()[row]);
+        self.sweeps((row, sweeps), past, step, slopes, &mut again.free, (stage, slope));
+        self.again = Some(again);
+    }
+
+    /// From the costates of the accelerations of a stage to those of the positions and rates where it would be without.
+    pub(super) fn pull_back_solution(
+        &mut self,
+        row: usize,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        gradient: &mut Gradient<S, Elements<S, R, C>>,
+    ) {
+        let (last, own) = (self.rule.sweeps(row), RealOf::<S>::of(M::OWN) * step);
+        let time = past.time + RealOf::<S>::of(M::node(row)) * step;
+        let mut again = self.again(&record.stages.as_ref()[row]);
+        if row + 1 < M::STAGES {
+            self.of_acceleration.add(&again.of_before);
+        }
+        again.of_free.0.set(&self.zero);
+        again.of_free.1.set(&self.zero);
+        for sweep in (1..=last).rev() {
+            let Again { free, read, stage, slope, of_free, .. } = &mut again;
+            // The last sweep is known, but not where it was free.
+            let sweeps = if sweep == last { 0 } else { sweep };
+            self.sweeps((row, sweeps), past, step, record.accelerations.as_ref(), free, (&mut *stage, &mut *slope));
+            let kept = (&record.stages.as_ref()[row], &record.accelerations.as_ref()[row]);
+            let (stage, slope) = if sweep == last { kept } else { (&*stage, &*slope) };
+            self.pull_back_stage(None, (row, false), time, (stage, slope), gradient);
+            follow::<S, Elements<S, R, C>>((&free.0, &free.1), own, slope, &self.zero, (&mut read.0, &mut read.1));
+            let (w, of_position, of_rate) = (&self.of_acceleration, &mut of_free.0, &mut of_free.1);
+            let stores = (&read.0, &read.1, w, &mut gradient.joints, &mut *of_position, &mut *of_rate);
+            self.scene.elements().take(&mut Strain, (), stores);
+            let (of_place, of_speed) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
+            of_position.add(of_place);
+            of_rate.add(of_speed);
+            self.of_acceleration.mix_2(&self.zero, (own * own, of_place), (own, of_speed));
+        }
+        again.of_before.set(&self.of_acceleration);
+        self.of_position.as_mut()[row].set(&again.of_free.0);
+        self.of_rate.as_mut()[row].set(&again.of_free.1);
+        self.again = Some(again);
+    }
+}

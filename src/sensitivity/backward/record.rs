@@ -1,0 +1,65 @@
+//! What is kept of a step for costates.
+
+use super::projection::Projection;
+use super::rules::Staged;
+use crate::adjoint::Reversed;
+use crate::element::Element;
+use crate::ends::Tip;
+use crate::relation::{AccelerationOf, Closures};
+use crate::shape::{Kept, PerAxes, PerBody, PerClosure, PerJoint};
+use crate::system::{Elements, PositionOf, RateOf};
+
+/// A stage of a scene.
+pub(super) type StageOf<S, R, C, P> = Stage<S, Elements<S, R, C>, <P as Tip<S>>::Closures>;
+/// Positions and rates.
+pub(super) type Place<S, R, C> = (PositionOf<S, R, C>, RateOf<S, R, C>);
+
+/// What a stage of a step keeps for its costates.
+#[derive(Clone)]
+pub(super) struct Stage<S: Reversed, E: Element<S>, X: Closures> {
+    pub(super) x: E::Store<PerAxes<S::X>>,
+    pub(super) y: E::Store<PerAxes<S::Y>>,
+    pub(super) p: E::Store<PerAxes<S::P>>,
+    pub(super) q: E::Store<PerAxes<S::Q>>,
+    pub(super) kept: E::Store<Kept<X>>,
+    pub(super) pivots: E::Store<PerJoint<S::Pivot>>,
+    /// Accelerations of the outboard ends of bodies and joints.
+    pub(super) at_bodies: E::Store<PerBody<S::Vector>>,
+    pub(super) at_joints: E::Store<PerJoint<S::Vector>>,
+    pub(super) position: E::Position,
+    pub(super) rate: E::Rate,
+    /// Accelerations, where those of the step's coordinates are others.
+    pub(super) acceleration: E::Rate,
+    /// λ of loops.
+    pub(super) in_loops: E::Store<PerClosure>,
+    /// Λ and λ of what holds the tip.
+    pub(super) compliance: X::Pairs<S::Scalar>,
+    pub(super) force: X::Each<S::Scalar>,
+    /// Acceleration of the tip.
+    pub(super) reached: AccelerationOf<S>,
+}
+
+/// A step with what its stages keep.
+pub(super) struct Record<S: Reversed, E: Element<S>, M: Staged, X: Closures> {
+    pub(super) stages: M::Rows<Stage<S, E, X>>,
+    pub(super) accelerations: M::Rows<E::Rate>,
+    /// What puts the tip back where it is held and closes loops, if there is something.
+    pub(super) projection: Option<Projection<S, E>>,
+}
+
+impl<S: Reversed, E: Element<S>, M: Staged, X: Closures> Clone for Record<S, E, M, X> {
+    fn clone(&self) -> Self {
+        let (mut stages, mut accelerations) =
+            (M::rows(&self.stages.as_ref()[0]), M::rows(&self.accelerations.as_ref()[0]));
+        stages.as_mut().clone_from_slice(self.stages.as_ref());
+        accelerations.as_mut().clone_from_slice(self.accelerations.as_ref());
+        Self { stages, accelerations, projection: self.projection.clone() }
+    }
+}
+
+impl<S: Reversed, E: Element<S>, M: Staged, X: Closures> Record<S, E, M, X> {
+    /// Accelerations in which the step begins.
+    pub(super) fn first(&self) -> &E::Rate {
+        &self.accelerations.as_ref()[0]
+    }
+}

@@ -1,0 +1,106 @@
+//! Rules whose runs go backward.
+
+use crate::element::{self, Springs};
+use crate::relation::{Closures, Open};
+use crate::scalar::{Real, Scalar};
+use crate::time::sdirk4::{GAMMA, STAGES, TABLE};
+use crate::time::{Dop853, Dopri5, Explicit, Rk4, Sdirk4};
+use core::fmt::Debug;
+
+/// A rule without memory, through whose steps costates go backward: by rows of a tableau, each with an acceleration that is found by one sweep
+/// or several.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run goes backward through the rule `{Self}`",
+    label = "not a rule that goes backward",
+    note = "`Rk4`, `Dopri5`, `Dop853` and, for chains of the plane, `Sdirk4` do",
+    note = "run the same scene over jets or dual numbers instead"
+)]
+pub trait Staged: Copy + Debug {
+    /// Accelerations found in a step: rows 1 to `STAGES`, of which the last is the step itself.
+    const STAGES: usize;
+    /// Weight of its own acceleration in the rates of a row; none of an explicit rule.
+    const OWN: f64;
+    /// Values for rows.
+    type Rows<X>: AsRef<[X]> + AsMut<[X]>;
+    /// How springs enter sweeps.
+    type Springs<T: Scalar>: Springs<T>;
+
+    /// Copies of a value, for rows.
+    fn rows<X: Clone>(value: &X) -> Self::Rows<X>;
+    /// c of a row.
+    fn node(row: usize) -> f64;
+    /// Weights of the accelerations before it in positions and rates of a row.
+    fn weights(row: usize) -> (&'static [f64], &'static [f64]);
+    /// Sweeps of a row.
+    fn sweeps(&self, row: usize) -> usize;
+    /// How springs enter sweeps of a step (s).
+    fn springs<T: Scalar>(step: T::Real) -> Self::Springs<T>;
+}
+
+/// A rule by which costates go backward where the closure forces `C` hold the tip.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run by `{Self}` goes backward, or none where a tip is held",
+    label = "not a rule that goes backward, or one that knows free tips alone",
+    note = "`Rk4`, `Dopri5` and `Dop853` go backward, also where tips are held in the plane, and `Sdirk4` in chains of the plane with a free tip"
+)]
+pub trait Closing<C: Closures>: Staged {}
+
+impl Closing<Open> for Sdirk4 {}
+
+macro_rules! explicit {
+    ($($Rule:ty),*) => {$(
+        impl Staged for $Rule {
+            const STAGES: usize = <Self as Explicit>::STAGES;
+            const OWN: f64 = 0.0;
+            type Rows<X> = <Self as Explicit>::Rows<X>;
+            type Springs<T: Scalar> = element::Explicit;
+
+            fn rows<X: Clone>(value: &X) -> <Self as Explicit>::Rows<X> {
+                <Self as Explicit>::rows(value)
+            }
+            #[inline(always)]
+            fn node(row: usize) -> f64 {
+                <Self as Explicit>::node(row)
+            }
+            #[inline(always)]
+            fn weights(row: usize) -> (&'static [f64], &'static [f64]) {
+                (&Self::position(row)[..row], &Self::rate(row)[..row])
+            }
+            fn sweeps(&self, _: usize) -> usize {
+                1
+            }
+            fn springs<T: Scalar>(_: T::Real) -> element::Explicit {
+                element::Explicit
+            }
+        }
+
+        impl<C: Closures> Closing<C> for $Rule {}
+    )*};
+}
+explicit!(Rk4, Dopri5, Dop853);
+
+impl Staged for Sdirk4 {
+    const STAGES: usize = STAGES;
+    const OWN: f64 = GAMMA;
+    type Rows<X> = [X; STAGES + 1];
+    type Springs<T: Scalar> = element::Implicit<T::Real>;
+
+    fn rows<X: Clone>(value: &X) -> [X; STAGES + 1] {
+        core::array::from_fn(|_| value.clone())
+    }
+    fn node(row: usize) -> f64 {
+        TABLE.nodes[row.min(STAGES - 1)]
+    }
+    /// The step is where its last stage ends.
+    fn weights(row: usize) -> (&'static [f64], &'static [f64]) {
+        let stage = row.min(STAGES - 1);
+        (&TABLE.position[stage][..row], &TABLE.rate[stage][..row])
+    }
+    fn sweeps(&self, row: usize) -> usize {
+        self.sweeps + usize::from(row == 0)
+    }
+    fn springs<T: Scalar>(step: T::Real) -> element::Implicit<T::Real> {
+        let own = T::Real::of(GAMMA) * step;
+        element::Implicit { position: own * own, rate: own }
+    }
+}
