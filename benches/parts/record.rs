@@ -52,9 +52,12 @@ pub fn check(file: &Path, counts: &Counts) -> Result<(), Box<dyn Error>> {
         }
     }
     let recorded = text.lines().count().saturating_sub(1);
-    match worse.as_slice() {
-        [] if recorded == counts.len() => Ok(println!("All {recorded} rows as recorded or below.")),
-        [] => Err(format!("{} rows, of which {recorded} are recorded", counts.len()).into()),
-        _ => Err(worse.join("; ").into()),
+    if !worse.is_empty() {
+        return Err(worse.join("; ").into());
     }
+    if recorded != counts.len() {
+        return Err(format!("{} rows, of which {recorded} are recorded", counts.len()).into());
+    }
+    println!("All {recorded} rows as recorded or below.");
+    Ok(())
 }
