@@ -24,8 +24,13 @@ use typenum::{U0, U1};
 /// the modes of its start from its rates. Steps of a [`Stepper`] of one's own change no mode: [`DryFriction`] is the smooth law for these.
 ///
 /// Any joint with one coordinate can have such friction, in the plane and in space, and a spring, damper or law beside it. Runs over numbers
-/// with derivatives, and over lanes, are refused: changes of mode have none of these. Equilibria are not sought among the many positions in
-/// which a joint sticks.
+/// with derivatives, and over lanes, are refused: changes of mode have none of these. So are equilibria and modes of vibration, for a joint
+/// that sticks rests anywhere within what friction holds, and mechanisms that come to rest with more such joints than they have freedoms: what
+/// each of them bears is not determined.
+///
+/// Under error control, steps in which a joint sticks are looked at in their middle, closer where friction changes by more than a tenth of that
+/// at which the joint breaks away, and then grow no further. A load that comes and goes between two looks while all is at rest is not seen:
+/// [`longest_step`] is for such loads, and for fixed steps their ends are what is looked at.
 ///
 /// ```
 /// use catena::planar::*;
@@ -41,6 +46,7 @@ use typenum::{U0, U1};
 /// ```
 ///
 /// [`simulation`]: crate::system::System::simulation
+/// [`longest_step`]: crate::simulate::Simulation::longest_step
 /// [`Stepper`]: crate::simulate::Stepper
 /// [`DryFriction`]: crate::planar::DryFriction
 #[derive(Clone, Copy, Debug)]

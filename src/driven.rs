@@ -156,8 +156,7 @@ impl<S: Space, J: Kinematics<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J,
         self.joint.release(motion, &position, &rate).driven(second)
     }
     fn check(&self) -> Result<(), Fault> {
-        let finite = self.law.at(Zero::zero()).iter().all(|x| Scalar::is_finite(*x));
-        if finite { self.joint.check() } else { Err(Fault::NotFinite { parameter: "driven coordinate" }) }
+        self.joint.check() // the law at the times of runs, which may begin anywhere
     }
 }
 

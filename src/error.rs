@@ -213,6 +213,11 @@ pub enum Fault {
 pub enum Cause {
     /// The estimated error of the step exceeds the tolerance.
     Inaccurate,
+    /// No modes of joints with dry friction belong together: what each would do does not go with what the others do.
+    Modes {
+        /// A joint that would change its mode again: its number among those with dry friction.
+        joint: usize,
+    },
     /// [`Fault::NonFiniteMotion`].
     NonFiniteMotion,
     /// [`Fault::NonFiniteLoad`].
@@ -256,10 +261,10 @@ impl Cause {
         })
     }
 
-    /// The fault of this name; none for a step that is only inaccurate.
+    /// The fault of this name; none for a step that is only inaccurate, or modes that do not belong together.
     pub const fn fault(self) -> Option<Fault> {
         Some(match self {
-            Self::Inaccurate => return None,
+            Self::Inaccurate | Self::Modes { .. } => return None,
             Self::NonFiniteMotion => Fault::NonFiniteMotion,
             Self::NonFiniteLoad => Fault::NonFiniteLoad,
             Self::NotFinite { parameter } => Fault::NotFinite { parameter },

@@ -108,11 +108,12 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6; [`Fault::NotConservative`] for loads without a
-    /// potential; those of a sweep.
+    /// potential; [`Fault::Unsupported`] where joints stick; those of a sweep.
     pub fn modes<L: Loading<S>>(&self, rest: &MotionOf<S, R, C, P>, loads: &L) -> Result<Modes, Error>
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
+        Self::without_modes()?;
         let error = |fault| Error::new(fault).at_time(rest.time.as_f64());
         let mut workspace = self.workspace();
         let mut still = rest.clone();

@@ -73,7 +73,8 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
         &self.position
     }
 
-    /// Positions, to be set. The accelerations no longer belong to them until they are found anew.
+    /// Positions, to be set. The accelerations no longer belong to them until they are found anew: then driven coordinates, which keep a time,
+    /// are given that of the motion.
     pub fn position_mut(&mut self) -> &mut P {
         &mut self.position
     }

@@ -119,9 +119,12 @@ impl fmt::Display for Error {
 
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.fault() {
-            Some(fault) => fault.fmt(f),
-            None => write!(f, "its estimated error exceeds the tolerance"),
+        match (self, self.fault()) {
+            (_, Some(fault)) => fault.fmt(f),
+            (Self::Modes { joint }, None) => {
+                write!(f, "no modes of joints with dry friction belong together at joint {joint} of these, from 0 on")
+            }
+            (_, None) => write!(f, "its estimated error exceeds the tolerance"),
         }
     }
 }

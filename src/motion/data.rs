@@ -40,6 +40,8 @@ where
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let Parts { shape, time, position, rate, acceleration, multipliers } = Parts::deserialize(deserializer)?;
         let _: Shape<(P, C)> = shape;
-        Ok(Self { time, position, rate, acceleration, multipliers })
+        let mut motion = Self { time, position, rate, acceleration, multipliers };
+        motion.set_time(time);
+        Ok(motion)
     }
 }

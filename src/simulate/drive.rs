@@ -34,6 +34,8 @@ const DEPARTED: f64 = 1e-3;
 /// What came of a step.
 enum Outcome {
     Continue,
+    /// An event was shown.
+    Event,
     Stop,
 }
 
@@ -55,13 +57,17 @@ where
     /// Refuses what makes no run, and motions of another scene.
     fn check(&mut self) -> Result<(), Error> {
         self.sticks_by_numbers()?;
+        // Positions may be those of another motion: driven coordinates keep their time.
+        self.past.set_time(self.past.time);
+        self.next.set_time(self.next.time);
         let system = self.plan.system;
         system.fits(&self.past)?;
         system.loadable(self.plan.loads)?;
         system.accept(&self.past)?;
         if System::<S, R, C, P>::CLOSED > 0 {
             // Whether they are independent, once.
-            system.accelerate(&mut self.next, self.plan.loads, &mut system.workspace())?;
+            let outcome = system.accelerate(&mut self.next, self.plan.loads, &mut system.workspace());
+            outcome.map_err(|error| self.overlocked(error))?;
         }
         let Simulation { rule, every, longest, .. } = &self.plan;
         limits::check([self.past.time, self.end], rule.control, *every, *longest)
@@ -107,6 +113,9 @@ where
         self.progress.fit(self.past.time, control, self.plan.every)?;
         self.progress.trials.under(control, System::<S, R, C, P>::CLOSED > 0);
         self.adapt(caused);
+        if const { Self::STICKS } {
+            self.settle_anew()?;
+        }
         // An event where it stands was seen.
         self.value = if self.progress.at_event { None } else { self.value(Shown::Past)? };
         self.progress.stopped = false;
@@ -120,6 +129,9 @@ where
         let left = &mut self.past;
         let before = caused.map_or(&left.acceleration, |caused| &caused.acceleration);
         if before.all(&now.acceleration, &mut Scalar::is_identical) {
+            if caused.is_none() {
+                left.acceleration.set(&now.acceleration); // friction at rest changes with loads where no joint moves
+            }
             return;
         }
         if let Some(caused) = caused {
@@ -151,20 +163,36 @@ where
         let outcome = self.shown(self.progress.start, size, [self.value, next_value])?;
         self.progress.steps += 1;
         if let Outcome::Stop = outcome {
-            (self.progress.stopped, self.progress.at_event) = (true, true);
-            self.progress.mark = (self.past.time, 0);
-            return Ok(false);
+            return Ok(self.stop());
         }
         self.progress.at_event = false;
         self.progress.mark.1 += 1;
         if const { Self::STICKS } && cut.is_some() {
             self.switch()?;
             self.progress.mark = (self.next.time, 0);
-            next_value = self.value(Shown::Next)?;
+            let before = core::mem::replace(&mut next_value, self.value(Shown::Next)?);
+            // A rate that has come to rest but for rounding is zero only now.
+            let crosses = |[a, b]: [f64; 2]| a != 0.0 && a * b <= 0.0;
+            if let (Outcome::Continue, Some(before), Some(after)) = (outcome, before, next_value)
+                && crosses([before, after].map(|value| value.real().as_f64()))
+            {
+                self.show(Shown::Next, true);
+                if self.plan.stop {
+                    core::mem::swap(&mut self.past, &mut self.next);
+                    return Ok(self.stop());
+                }
+            }
         }
         self.value = next_value;
         core::mem::swap(&mut self.past, &mut self.next);
         Ok(true)
+    }
+
+    /// Stops at an event, where the motion stands; no step follows.
+    fn stop(&mut self) -> bool {
+        (self.progress.stopped, self.progress.at_event) = (true, true);
+        self.progress.mark = (self.past.time, 0);
+        false
     }
 
     /// The value of the event function, if there is one.
@@ -189,7 +217,7 @@ where
         observe(&Now { system: plan.system, stepped, loads: plan.loads, event, find, found });
     }
 
-    fn interpolate(&mut self, size: RealOf<S>, theta: f64) {
+    pub(super) fn interpolate(&mut self, size: RealOf<S>, theta: f64) {
         self.stepper.interpolate(&self.past, self.plan.loads, size, &self.next, theta, &mut self.between);
     }
 
@@ -215,11 +243,12 @@ where
                 return Ok(Outcome::Stop);
             }
         }
+        let outcome = if crossing.is_some() { Outcome::Event } else { Outcome::Continue };
         self.samples_until(start, size, 1.0);
         if self.plan.every.is_none() {
             self.show(Shown::Next, false);
         }
-        Ok(Outcome::Continue)
+        Ok(outcome)
     }
 
     /// Shows the samples up to a share of the step.

@@ -10,11 +10,18 @@ use crate::error::{Cause, Error, Fault};
 use crate::mirror::{Mode, Position};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
-use crate::system::{Dynamics, MotionOf, PositionOf, Runs, System};
+use crate::system::{Dynamics, MotionOf, PositionOf, RateOf, Runs, System};
+use crate::time::Control;
 use num_traits::Zero;
 
 /// Halvings of a step in which a joint moves on before it comes to rest.
 const HALVINGS: i32 = 40;
+/// Into so many parts a step is divided by looks at what sticks in it, and where these show that friction changes much.
+const LOOKS: [u32; 2] = [2, 8];
+/// By how much friction may change from look to look, as a share of that at which a joint breaks away.
+const CHANGE: f64 = 0.1;
+/// Up to so many roundings of what a joint gains in a step its rate is that of one at rest.
+const ROUNDINGS: f64 = 1e4;
 /// Changes of mode at one instant before it is clear that none are consistent.
 const CHANGES: usize = 64;
 
@@ -76,6 +83,57 @@ where
         Self::margins(&mut settled(self.plan.system, self.plan.loads, &self.next)).0
     }
 
+    /// How friction of the joints that stick has changed at most from what is kept, which it replaces, and their least margin.
+    fn pull(motion: &mut MotionOf<S, R, C, P>, kept: &mut RateOf<S, R, C>) -> (f64, f64) {
+        let (mut change, mut least) = (0.0_f64, f64::INFINITY);
+        motion.position.each_mode(kept, &motion.acceleration, &mut |mode, kept, [_, friction]| {
+            if *mode == Mode::Sticks {
+                change = change.max((friction - *kept).real().as_f64().abs());
+                least = least.min(margin(*mode, friction, friction));
+                *kept = friction;
+            }
+        });
+        (change, least)
+    }
+
+    /// The first instant in the step at which friction would not hold a joint that sticks, of some that are looked at, and its margin. What
+    /// rests errs by nothing, whatever loads do: so the next step is to be no longer than one in which friction changes little.
+    fn look(&mut self, size: RealOf<S>) -> Option<(f64, f64)> {
+        let (system, loads) = (self.plan.system, self.plan.loads);
+        let mut start = self.past.rate.clone();
+        if Self::pull(&mut self.past, &mut start).1.is_infinite() {
+            return None;
+        }
+        let mut coarse = None;
+        for looks in LOOKS {
+            let (mut kept, mut most) = (start.clone(), 0.0_f64);
+            for k in 1..=looks {
+                let theta = f64::from(k) / f64::from(looks);
+                let mut seen = if k == looks {
+                    settled(system, loads, &self.next)
+                } else {
+                    self.interpolate(size, theta);
+                    settled(system, loads, &self.between)
+                };
+                let (change, margin) = Self::pull(&mut seen, &mut kept);
+                if margin < 0.0 && k < looks {
+                    return Some((theta, margin));
+                }
+                most = most.max(change);
+            }
+            coarse.get_or_insert(most);
+            if most <= CHANGE {
+                break;
+            }
+        }
+        let progress = &mut self.progress;
+        if let Some(change) = coarse.filter(|change| *change > 0.5 * CHANGE) {
+            progress.size = progress.size.min(size * RealOf::<S>::of((CHANGE / change).max(0.2)));
+            progress.careful = true;
+        }
+        None
+    }
+
     /// Makes the step anew, as long as a share of it, with what the stepper carried after it.
     fn made_anew(&mut self, memory: &K::Memory, size: RealOf<S>, share: f64) -> Result<f64, Error> {
         self.stepper.restore(memory);
@@ -87,13 +145,19 @@ where
     /// the place found. Gives the size of the step (s).
     pub(super) fn cut(&mut self, size: RealOf<S>) -> Result<Option<RealOf<S>>, Error> {
         let mut high = (1.0, self.margin_ahead());
+        if let Control::Tolerance(_) = self.plan.rule.control
+            && let Some(earlier) = self.look(size)
+        {
+            high = earlier;
+        }
         if high.1.is_nan() || high.1 >= 0.0 {
             return Ok(None);
         }
         let memory = self.stepper.memory();
-        let mut low = (0.0, Self::margins(&mut self.past).0);
+        let (margin, least) = Self::margins(&mut self.past);
+        let mut low = (0.0, margin);
         // One that has just begun to slip is at rest where the step begins.
-        let mut share = 1.0;
+        let mut share = high.0;
         for _ in 0..HALVINGS {
             if low.1 > 0.0 {
                 break;
@@ -107,7 +171,7 @@ where
             }
         }
         if low.1 <= 0.0 {
-            return Err(self.inconsistent(self.past.time));
+            return Err(inconsistent(least, self.past.time));
         }
         let (width, below) = (high.0 - low.0, low.0);
         let within = crossing([low.1, high.1], |theta| self.made_anew(&memory, size, below + theta * width))?;
@@ -141,8 +205,11 @@ where
         if changed.is_none() {
             next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| *mode = Mode::of(*rate));
         }
+        let mut least = 0;
         for _ in 0..CHANGES {
-            system.accelerate(next, loads, &mut workspace)?;
+            if let Err(error) = system.accelerate(next, loads, &mut workspace) {
+                return Err(self.overlocked(error));
+            }
             // Held least, or pushed back where it is about to slip.
             let (mut worst, mut count) = ((1.0, None), 0);
             next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, [second, friction]| {
@@ -153,11 +220,14 @@ where
                     }
                 } else if changed != Some(count) && rate.is_zero() && margin(*mode, second, friction) < 0.0 {
                     *mode = Mode::Sticks;
-                    worst = (f64::INFINITY, Some(usize::MAX));
+                    (worst, least) = ((f64::INFINITY, Some(usize::MAX)), count);
                 }
                 count += 1;
             });
             let Some(worst) = worst.1 else { return Ok(()) };
+            if worst < usize::MAX {
+                least = worst;
+            }
             let mut count = 0;
             next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, [_, friction]| {
                 if count == worst {
@@ -167,10 +237,49 @@ where
             });
         }
         let time = next.time;
-        Err(self.inconsistent(time))
+        Err(inconsistent(least, time))
     }
 
-    fn inconsistent(&self, time: RealOf<S>) -> Error {
-        Error::new(Fault::StepTooSmall { step: 0.0, cause: Cause::Inaccurate }).at_time(time.as_f64())
+    /// This error, which may be that too many joints stick where the next step begins.
+    #[cold]
+    pub(super) fn overlocked(&self, error: Error) -> Error {
+        let (system, mut loose) = (self.plan.system, self.next.clone());
+        if const { !Self::STICKS } || !matches!(error.fault, Fault::RedundantClosures { .. }) {
+            return error;
+        }
+        loose.position.each_mode(&mut loose.rate, &loose.acceleration, &mut |mode, ..| *mode = Mode::SlipsForward);
+        let what = "more joints that stick at once than closures leave free to move";
+        match system.accelerate(&mut loose, self.plan.loads, &mut system.workspace()) {
+            Ok(()) => Error { place: None, fault: Fault::Unsupported { what }, ..error },
+            Err(_) => error,
+        }
     }
+
+    /// Finds modes anew where a run that goes on does not have those that follow from it: its rates or loads have changed, or an event has
+    /// stopped it where a joint comes to rest.
+    pub(super) fn settle_anew(&mut self) -> Result<(), Error> {
+        let (mut now, mut due) = (settled(self.plan.system, self.plan.loads, &self.past), false);
+        let still = (self.progress.size * RealOf::<S>::EPSILON).as_f64() * ROUNDINGS;
+        let at_event = self.progress.at_event;
+        now.position.each_mode(&mut now.rate, &now.acceleration, &mut |mode, rate, [second, friction]| {
+            let (slips, gain) = (*mode != Mode::Sticks, second.real().as_f64().abs() * still);
+            if at_event && slips && !rate.is_zero() && rate.real().as_f64().abs() <= gain {
+                (*rate, due) = (S::Scalar::zero(), true);
+            }
+            let pushed_back = slips && rate.is_zero() && margin(*mode, second, friction) < 0.0;
+            due |= margin(*mode, *rate, friction) < 0.0 || pushed_back || !(slips || rate.is_zero());
+        });
+        if due {
+            self.next = now;
+            self.settle_modes(None)?;
+            core::mem::swap(&mut self.past, &mut self.next);
+        }
+        Ok(())
+    }
+}
+
+/// Modes that do not belong together, at a joint of those with dry friction.
+fn inconsistent<R: Real>(joint: usize, time: R) -> Error {
+    let cause = Cause::Modes { joint };
+    Error::new(Fault::StepTooSmall { step: 0.0, cause }).at_time(time.as_f64())
 }

@@ -3,11 +3,11 @@
 use crate::element::{Element, Level, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Mode, Position, Rate};
 use crate::observe::loop_residual;
 use crate::relation::{Closures, Solvable, largest};
 use crate::scalar::{Real, Scalar};
-use crate::system::{Dynamics, MotionOf, Runs, System, coordinates};
+use crate::system::{Dynamics, MotionOf, PositionOf, Runs, System, coordinates};
 use num_traits::{One, Zero};
 
 /// Corrections of a guess before it counts as one that leads nowhere.
@@ -69,8 +69,31 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         self.independent(&motion, &workspace, 0.0, &mut |entry, name| report(entry.saturating_sub(1), name))
     }
 
-    /// [`assembled`](Self::assembled) in place.
+    /// [`assembled`](Self::assembled) in place: joints move that stick in the run to come.
     pub(crate) fn hold<L: Loading<S>>(
+        &self,
+        motion: &mut MotionOf<S, R, C, P>,
+        loads: &L,
+        workspace: &mut <Self as Dynamics<L>>::Workspace,
+    ) -> Result<(), Error>
+    where
+        Self: Runs<L, S, R, C, P>,
+    {
+        if const { !PositionOf::<S, R, C>::STICKS } {
+            return self.close(motion, loads, workspace);
+        }
+        let mut modes = motion.rate.clone();
+        motion.position.each_mode(&mut modes, &motion.acceleration, &mut |mode, kept, _| {
+            *kept = mode.sign();
+            *mode = Mode::SlipsForward;
+        });
+        let outcome = self.close(motion, loads, workspace);
+        motion.position.each_mode(&mut modes, &motion.acceleration, &mut |mode, kept, _| *mode = Mode::of(*kept));
+        outcome?;
+        self.accelerate(motion, loads, workspace)
+    }
+
+    fn close<L: Loading<S>>(
         &self,
         motion: &mut MotionOf<S, R, C, P>,
         loads: &L,

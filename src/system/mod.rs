@@ -288,6 +288,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P>,
     {
+        motion.set_time(motion.time);
         let Motion { time, position, rate, acceleration, multipliers } = motion;
         if !(fits(&self.chain, position, rate) && fits(&self.chain, position, acceleration)) {
             return Err(Error::new(Fault::Shape));

@@ -1,7 +1,7 @@
 //! Static equilibrium: the position at which a sweep finds no accelerations.
 
 use super::linear::{Inertial, Linear, numbers, set};
-use super::{Dynamics, MotionOf, Runs, StiffDynamics, System};
+use super::{Dynamics, MotionOf, PositionOf, Runs, StiffDynamics, System};
 use crate::dense::{Factors, Matrix};
 use crate::element::{Element, Loading, RealOf};
 use crate::ends::{Root, Tip};
@@ -54,7 +54,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::NoEquilibrium`] with the acceleration left (a scene that falls freely has no equilibrium);
-    /// [`Fault::NotClosed`] where the tip does not reach; [`Fault::Shape`]; those of a sweep.
+    /// [`Fault::NotClosed`] where the tip does not reach; [`Fault::Shape`]; [`Fault::Unsupported`] where joints stick; those of a sweep.
     pub fn equilibrium<L: Loading<S>>(
         &self,
         guess: MotionOf<S, R, C, P>,
@@ -63,6 +63,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
+        Self::without_modes()?;
         let real = RealOf::<S>::of;
         let mut workspace = self.workspace();
         let mut stiff = self.stiff_workspace();
@@ -113,6 +114,12 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             last = found.size;
         }
         Err(self.unsettled(&now))
+    }
+
+    /// Refuses scenes in which joints stick: these rest anywhere within what friction holds.
+    pub(crate) fn without_modes() -> Result<(), Error> {
+        let fault = Fault::Unsupported { what: "equilibria and modes of vibration of joints that stick" };
+        if PositionOf::<S, R, C>::STICKS { Err(Error::new(fault)) } else { Ok(()) }
     }
 
     /// Puts the tip where it is held, without rates, and finds the accelerations.

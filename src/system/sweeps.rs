@@ -16,7 +16,7 @@ use crate::shape::{Kept, Shape};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
-use crate::walks::broken::broken;
+use crate::walks::broken::{broken, unled};
 use crate::walks::fits::gains_fit;
 use crate::walks::independent::independent;
 use crate::walks::travel::show;
@@ -151,6 +151,9 @@ where
         let ground = self.root.ground(time);
         if !ground.is_finite() {
             return error(Fault::NotFinite { parameter: "motion of the ground" }).at(Place::Root);
+        }
+        if let Some(entry) = unled(&self.chain, ground, &motion.position, &motion.rate) {
+            return error(Fault::NotFinite { parameter: "driven coordinate" }).at(place(entry));
         }
         let coordinates =
             Coordinates { position: &motion.position, rate: &motion.rate, acceleration: &motion.acceleration };

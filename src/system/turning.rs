@@ -94,8 +94,10 @@ impl<S: Turning, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         body: impl Into<Which<'n>>,
         spin: AngularVelocity<S::Spin>,
     ) -> Result<MotionOf<S, R, C, P>, Error> {
-        let Carrier { joint, inboard, body, .. } = self.carrier(&motion, body.into())?;
-        let spin = spin.inertial::<S>(&inboard, &body);
+        let Carrier { joint, inboard, outboard, body } = self.carrier(&motion, body.into())?;
+        // Drives in between turn the body against the one that the joint turns.
+        let behind = plus(S::spin(&outboard), S::spin(&body).map(|x| -x));
+        let spin = plus(spin.inertial::<S>(&inboard, &body), behind);
         finite(spin.iter().all(|x| x.is_finite()), "angular velocity")?;
         let turn = |swivel: &Swivel<S>| if swivel.joint == joint { Wanted::Spin(spin) } else { Wanted::Any };
         self.steered(&mut motion, turn)?;

@@ -1,11 +1,12 @@
-//! The joint where a sweep failed.
+//! The joint where a sweep failed, and the drive whose law did.
 
+use crate::mirror::Rate;
 use crate::relation::Closures;
 use crate::shape::{
-    AtBody, AtClosing, AtJoint, Body, Closing, Joint, Kept, Of, Outward, Parallel, Ref, Shape, Walk, Way,
-    parallel_outward,
+    AtBody, AtClosing, AtJoint, Body, Closing, Joint, Kept, Of, Outward, Parallel, Positions, Rates, Ref, Shape, Walk,
+    Way, alike, parallel_outward,
 };
-use crate::space::Space;
+use crate::space::{FrameOf, Space};
 use core::marker::PhantomData;
 
 /// The outermost joint whose pivot does not resist: the number of its station, where a sweep failed.
@@ -59,5 +60,47 @@ impl<S: Space, C: Closures> Outward<S> for Broken<C> {
         let before = self.outermost.take();
         parallel_outward(self, net, (), stores);
         self.outermost = self.outermost.or(before);
+    }
+}
+
+/// The first joint without a coordinate of its own whose motion is not finite on sound ground: the number of its station.
+pub fn unled<S: Space, E: Shape<S>>(
+    chain: &E,
+    ground: FrameOf<S>,
+    position: &E::Store<Positions>,
+    rate: &E::Store<Rates>,
+) -> Option<usize> {
+    let mut unled = Unled::<S> { ground, met: 0, first: None };
+    chain.outward(&mut unled, (), (position, rate));
+    unled.first
+}
+
+/// Stations met, and the first of them that has no motion.
+struct Unled<S: Space> {
+    ground: FrameOf<S>,
+    met: usize,
+    first: Option<usize>,
+}
+
+impl<S: Space> Walk<S> for Unled<S> {
+    type Carried = ();
+    type Stores = (Ref<Positions>, Ref<Rates>);
+}
+
+impl<S: Space> Outward<S> for Unled<S> {
+    alike!();
+
+    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {
+        self.met += 1;
+    }
+    fn joint<J: Joint<S>>(&mut self, joint: &J, (): (), (position, rate): AtJoint<'_, S, Self, J>) {
+        if self.first.is_none() && J::Rate::LENGTH == 0 {
+            let finite = joint.motion(self.ground, position, rate, &J::rate()).1.is_finite();
+            self.first = (!finite).then_some(self.met);
+        }
+        self.met += 1;
+    }
+    fn closing<K: Closing<S>>(&mut self, _: &K, _: [(); 2], _: AtClosing<'_, S, Self, K>) {
+        self.met += 1;
     }
 }

@@ -5,7 +5,7 @@ use catena::paper::{Newmark, Scheme};
 use catena::planar::*;
 use catena::scalar::{Jet, Scalar};
 use catena::system::AngularVelocity::Inertial;
-use catena::{Error, Fault, spatial};
+use catena::{Error, Fault, Place, spatial};
 use catena_oracle::plane::{self, Joint};
 use catena_oracle::space::robot::{Part, Robot};
 use catena_oracle::{Noise, near, space};
@@ -323,7 +323,42 @@ fn a_drive_that_stands_is_a_weld() -> Result<(), Box<dyn std::error::Error>> {
         System::new(Pinned::origin(), (rod, Driven::new(Revolute::smooth(), swing(LAWS[0])), rod, Pin, rod), Free)?;
     let motion = spinning.with_body_spin(spinning.motion().at_time(0.3), 2_usize, Inertial(4.0))?;
     near(spinning.body_motions(&motion)?.get(2).map_or(f64::NAN, |body| body.rate()), 4.0, 1e-14);
-    let broken = System::new(Pinned::origin(), chain(f64::NAN), Free);
-    assert!(matches!(broken, Err(Error { fault: Fault::NotFinite { parameter: "driven coordinate" }, .. })));
+    // Also where a drive turns them against the joint that does.
+    let crank = Driven::new(Revolute::smooth(), |t: f64| [3.0 * t, 3.0, 0.0]);
+    let spinning = System::new(Pinned::origin(), (rod, crank, rod), Free)?;
+    let motion = spinning.with_body_spin(spinning.motion(), 1_usize, Inertial(2.0))?;
+    near(spinning.body_motions(&motion)?.get(1).map_or(f64::NAN, |body| body.rate()), 2.0, 1e-14);
+    assert_eq!(motion.rates(), [-1.0]);
+    Ok(())
+}
+
+#[test]
+fn laws_that_are_not_finite_are_told_where_and_when() -> Result<(), Error> {
+    let rod = Rod::uniform(0.5, 1.0);
+    let crank = Driven::new(Revolute::smooth(), |t: f64| [t.recip(), -t.powi(-2), 2.0 * t.powi(-3)]);
+    let scene = System::new(Pinned::origin(), (rod, crank, rod), Free)?.with_gravity(9.81);
+    let run = |time| scene.simulation(Dop853::tolerance(1e-9)).run(scene.motion().at_time(time), time + 0.5, |_| ());
+    let refused = run(0.0).map(|_| ()).map_err(|end| end.error);
+    let Err(Error { fault: Fault::NotFinite { parameter: "driven coordinate" }, time: Some(0.0), place }) = refused
+    else {
+        panic!("{refused:?}")
+    };
+    assert_eq!(place, Some(Place::Station(1)));
+    assert!(run(2.0).is_ok());
+    Ok(())
+}
+
+#[test]
+fn positions_of_another_motion_take_the_time_of_theirs() -> Result<(), Error> {
+    let rod = Rod::uniform(0.5, 1.0);
+    let crank = Driven::new(Revolute::smooth(), swing(LAWS[0]));
+    let scene = System::new(Pinned::origin(), (rod, crank, rod), Free)?.with_gravity(9.81);
+    let mut mixed = scene.motion().at_time(0.7);
+    mixed.position_mut().clone_from(scene.motion().at_time(0.2).position());
+    let whole = scene.motion().at_time(0.7);
+    let accelerations = |motion| Ok::<_, Error>(scene.with_accelerations(motion, &Unloaded)?.accelerations());
+    assert_eq!(accelerations(mixed)?, accelerations(whole)?);
+    let end = |start| Ok::<_, Error>(scene.simulation(Rk4::step(0.01)).run(start, 0.9, |_| ())?.motion.coordinates());
+    assert_eq!(end(mixed)?, end(whole)?);
     Ok(())
 }

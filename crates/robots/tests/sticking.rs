@@ -219,9 +219,139 @@ fn what_makes_no_run_is_refused() -> Result<(), Error> {
     let refused =
         scene.simulation(Rk4::step(0.1)).run(scene.motion(), 1.0, |_| ()).map(|_| ()).map_err(|end| end.error.fault);
     assert!(matches!(refused, Err(Fault::Unsupported { what }) if what.contains("derivatives")));
+    // Of a mechanism with one freedom one joint can stick.
+    let rubs = Coulomb::new(Revolute::smooth(), 0.5);
+    let chain = (rubs, Rod::uniform(0.3, 1.0), rubs, Rod::uniform(0.8, 1.5), Pin, Rod::uniform(0.6, 1.0));
+    let scene = System::new(Clamped::origin(), chain, Pinned::at(0.9, 0.0))?.with_gravity(9.81);
+    let start = scene.assembled(scene.with_rates(scene.at_rest(&[1.0, -0.7, -2.0])?, &[4.0, 0.0, 0.0])?, &Unloaded)?;
+    let refused =
+        scene.simulation(Dop853::tolerance(1e-9)).run(start, 9.0, |_| ()).map(|_| ()).map_err(|end| end.error.fault);
+    assert!(matches!(refused, Err(Fault::Unsupported { what }) if what.contains("stick at once")), "{refused:?}");
     let plain = RigidBody::new(1.0, 0.1, [0.0; 2], [0.0; 2]);
     let less = Coulomb::new(Slider::along(0.0), 2.0).breaking_away(1.0);
     let refused = System::new(Clamped::origin(), (less, plain), Free).map(|_| ()).map_err(|error| error.fault);
     assert!(matches!(refused, Err(Fault::OutOfRange { value: 1.0, least: 2.0, .. })));
+    Ok(())
+}
+
+/// A block of 2 kg that slides under 10 N and breaks away at 12 N.
+macro_rules! at_rest {
+    () => {{
+        let block = RigidBody::new(MASS, 0.1, [0.0; 2], [0.0; 2]);
+        let track = Coulomb::new(Slider::along(0.0), 10.0).breaking_away(12.0);
+        System::new(Clamped::origin(), (track, block), Free)?
+    }};
+}
+
+#[test]
+fn steps_of_what_rests_do_not_pass_over_its_breakaway() -> Result<(), Box<dyn std::error::Error>> {
+    let scene = at_rest!();
+    let away = (12.0_f64 / 15.0).asin() / PI;
+    let pulls = |time: f64, joint: usize, _: &JointMotion<f64>| if joint == 1 { 15.0 * (PI * time).sin() } else { 0.0 };
+    let loads = Loads::none().in_joints(pulls);
+    // Slides from there to the end of the pulse.
+    let rate = |t: f64| (15.0 / PI * ((PI * away).cos() - (PI * t).cos()) - 10.0 * (t - away)) / MASS;
+    macro_rules! first {
+        ($rule:expr) => {{
+            let (mut last, mut steps) = (0.0, 0);
+            let run = scene.simulation($rule).loads(&loads).run(scene.motion(), 0.6, |now| {
+                steps += 1;
+                if now.motion().rates()[0] == 0.0 {
+                    last = now.time();
+                }
+            })?;
+            println!("broke away at {last} s of {away}, {steps} steps");
+            near(last, away, 1e-9);
+            near(run.motion.rates()[0], rate(0.6), 1e-6);
+        }};
+    }
+    first!(Dop853::tolerance(1e-9));
+    first!(Vcabm::new().tolerance(1e-9));
+    first!(Sdirk4::new().tolerance(1e-9));
+    // Loads that jump come through too.
+    let jumps = |time: f64, joint: usize, _: &JointMotion<f64>| {
+        if joint != 1 {
+            0.0
+        } else if time < 0.7 {
+            2.0
+        } else {
+            11.9
+        }
+    };
+    let loads = Loads::none().in_joints(jumps);
+    let run = scene.simulation(Dop853::tolerance(1e-9)).loads(&loads).run(scene.motion(), 3.0, |_| ())?;
+    assert!(run.motion.coordinates() == [0.0] && run.steps < 60);
+    Ok(())
+}
+
+#[test]
+fn runs_that_go_on_find_the_modes_of_what_has_changed() -> Result<(), Box<dyn std::error::Error>> {
+    let scene = at_rest!();
+    let simulation = || scene.simulation(Dop853::tolerance(1e-9));
+    let mut run = simulation().begin(scene.motion(), 0.5, |_| ())?;
+    run.until(0.5)?;
+    // Pushed.
+    let mut pushed = run.save();
+    pushed.motion.set_rates(&[3.0])?;
+    let end = simulation().resume(pushed, 2.5, |_| ())?.finish()?.motion;
+    near(end.coordinates()[0], 0.9, 1e-12);
+    assert_eq!(end.rates(), [0.0]);
+    // Drawn.
+    let loads = Loads::none().in_joints(|_, joint, _: &JointMotion<f64>| if joint == 1 { 14.0 } else { 0.0 });
+    let end = simulation().loads(&loads).resume(run.save(), 1.5, |_| ())?.finish()?.motion;
+    near(end.rates()[0], 2.0, 1e-12);
+    Ok(())
+}
+
+#[test]
+fn a_joint_that_comes_to_rest_is_an_event_of_its_rate() -> Result<(), Box<dyn std::error::Error>> {
+    let scene = at_rest!();
+    for speed in [0.7, 0.9, 1.0, 1.3, -1.7, 1.9, 2.3, 2.9, -3.0, 3.1, 3.7, 4.3] {
+        let start = scene.with_rates(scene.motion(), &[speed])?;
+        let simulation = || scene.simulation(Dop853::tolerance(1e-9)).event(|now| now.motion().rates()[0]);
+        let mut events = vec![];
+        simulation().run(start, 2.0, |now| {
+            if now.is_event() {
+                events.push(now.time())
+            }
+        })?;
+        assert_eq!(events.len(), 1, "at {speed} m/s");
+        near(events[0], f64::abs(speed) / 5.0, 1e-12);
+        let mut stopped = simulation().stopping().begin(start, 2.0, |_| ())?;
+        while stopped.step()? {}
+        near(stopped.motion().time(), f64::abs(speed) / 5.0, 1e-12);
+        let end = simulation().resume(stopped.save(), 2.0, |_| ())?.finish()?.motion;
+        assert_eq!(end.rates(), [0.0]);
+        near(end.coordinates()[0], speed * f64::abs(speed) / 10.0, 1e-12);
+    }
+    Ok(())
+}
+
+#[test]
+fn assembly_moves_joints_that_will_stick() -> Result<(), Box<dyn std::error::Error>> {
+    let rod = |length| Rod::uniform(length, 1.0);
+    let rubs = Coulomb::new(Revolute::smooth(), 1.0);
+    let rubbing = System::new(Pinned::origin(), (rod(0.5), rubs, rod(1.2), Pin, rod(0.9)), Pinned::at(1.0, 0.0))?;
+    let smooth =
+        System::new(Pinned::origin(), (rod(0.5), Revolute::smooth(), rod(1.2), Pin, rod(0.9)), Pinned::at(1.0, 0.0))?;
+    macro_rules! assembled {
+        ($scene:expr) => {{
+            let guess = $scene.with_rates($scene.at_rest(&[1.0, 0.3, -2.0])?, &[9.0, 0.0, 0.0])?;
+            let start = $scene.assembled(guess, &Unloaded)?;
+            [start.coordinates(), start.rates()].concat()
+        }};
+    }
+    let (found, expected) = (assembled!(rubbing), assembled!(smooth));
+    assert!(f64::abs(expected[3]) > 1.0);
+    found.iter().zip(&expected).for_each(|(found, expected)| near(*found, *expected, 1e-12));
+    Ok(())
+}
+
+#[test]
+fn joints_that_stick_have_no_modes_of_vibration_and_no_one_equilibrium() -> Result<(), Error> {
+    let scene = at_rest!();
+    let modes = scene.modes(&scene.motion(), &Unloaded).map(|_| ()).map_err(|error| error.fault);
+    let rest = scene.equilibrium(scene.motion(), &Unloaded).map(|_| ()).map_err(|error| error.fault);
+    assert!([modes, rest].iter().all(|refused| matches!(refused, Err(Fault::Unsupported { .. }))));
     Ok(())
 }

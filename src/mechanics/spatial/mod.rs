@@ -3,6 +3,7 @@
 mod adjoint;
 mod angles;
 mod axial;
+mod axial_motion;
 mod axial_walks;
 mod ball;
 mod beam;

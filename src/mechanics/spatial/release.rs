@@ -1,7 +1,7 @@
 //! What joints let move, for their transfer matrices.
 
 use super::axial::{Axial, Listed};
-use super::axial_walks::{angular_bias, linear_bias};
+use super::axial_motion::{angular_bias, linear_bias};
 use super::rotary_spring::RotaryLaw;
 use super::{Ball, ElasticHinge, Floating, JointMotion, Linear, Rotation, Spatial, Weld};
 use crate::relation::spatial::algebra::{Columns, centripetal, cross, cross_onto, dot};
