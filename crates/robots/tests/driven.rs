@@ -1,5 +1,5 @@
 //! Driven joints: sweeps against dense Newton-Euler and Jacobian formulations that are handed the drive's effort, runs against moving
-//! roots under every rule, a slider-crank against its closed form, work of the drive against energy, gradients against differences.
+//! roots under every rule, work of the drive against energy, gradients against differences.
 
 use catena::paper::{Newmark, Scheme};
 use catena::planar::*;
@@ -225,121 +225,6 @@ fn a_driven_slide_is_ground_that_moves_along_a_line() -> Result<(), Box<dyn std:
     let (driven, moving) = (driven.with_gravity(9.81), moving.with_gravity(9.81));
     agree!(Dop853::tolerance(1e-10), 0.4, 1e-9, 0.0, [driven, moving]);
     agree!(GeneralizedAlpha::new(0.8).step(0.005), 0.4, 1e-9, 0.0, [driven, moving]);
-    Ok(())
-}
-
-const CRANK: f64 = 0.3; // (m)
-const CONROD: f64 = 0.8; // (m)
-const MASSES: [f64; 3] = [1.0, 1.5, 2.0]; // crank, connecting rod, piston (kg)
-const RATE: f64 = 7.0; // of the crank (rad/s)
-
-/// Kinetic energy of a slider-crank over ½ ω², a function of the crank's angle: by the velocities of mass centres for ω = 1.
-fn inertia(angle: f64) -> f64 {
-    let (s, c) = angle.sin_cos();
-    let (sine, span) = (CRANK * s / CONROD, (CONROD * CONROD - CRANK * CRANK * s * s).sqrt());
-    let turning = -CRANK * c / span; // of the connecting rod, whose angle is −asin(sine)
-    let piston = -CRANK * s + CONROD * sine * turning;
-    let centre = [-CRANK * s + 0.5 * CONROD * sine * turning, CRANK * c + 0.5 * span * turning];
-    MASSES[0] * CRANK * CRANK / 3.0
-        + MASSES[1] * (centre[0] * centre[0] + centre[1] * centre[1] + CONROD * CONROD / 12.0 * turning * turning)
-        + MASSES[2] * piston * piston
-}
-
-#[test]
-fn a_slider_crank_at_constant_speed_is_its_closed_form() -> Result<(), Box<dyn std::error::Error>> {
-    let crank = Driven::new(Revolute::smooth(), |time: f64| [RATE * time, RATE, 0.0]).named("crank");
-    let piston = RigidBody::new(MASSES[2], 0.02, [0.0; 2], [0.0; 2]);
-    let chain = (crank, Rod::uniform(CRANK, MASSES[0]), Pin, Rod::uniform(CONROD, MASSES[1]), Pin, piston);
-    let scene = System::new(Clamped::at(0.0, 0.0, 0.0), chain, Guided::at(0.0, 0.0, 0.0))?;
-    let joint = scene.joint("crank")?;
-    let start = scene.with_rates(scene.at_rest(&[0.0, 0.0])?, &[-RATE * CRANK / CONROD, 0.0])?;
-    let (mut places, mut torques, mut seen) = (0.0_f64, 0.0_f64, 0);
-    scene.simulation(Dop853::tolerance(1e-11)).every(0.01).run(start, 2.0, |now| {
-        let angle = RATE * now.time();
-        let (s, c) = angle.sin_cos();
-        let place = CRANK * c + (CONROD * CONROD - CRANK * CRANK * s * s).sqrt();
-        let h = 1e-3;
-        let slope = (8.0 * (inertia(angle + h) - inertia(angle - h)) - inertia(angle + 2.0 * h)
-            + inertia(angle - 2.0 * h))
-            / (12.0 * h);
-        let stations = now.stations();
-        let torque = stations.joint(joint).map_or(f64::NAN, |station| -station.internal.torque);
-        let found = now.bodies().get(2).map_or(f64::NAN, |body| body.inboard.place.x);
-        places = places.max((found - place).abs());
-        torques = torques.max((torque - 0.5 * RATE * RATE * slope).abs());
-        seen += 1;
-    })?;
-    println!(
-        "slider-crank: place to {places:.1e} m, torque to {torques:.1e} N·m of {:.0}",
-        MASSES[2] * RATE * RATE * CRANK * CRANK
-    );
-    assert!(seen == 201 && places < 1e-12 && torques < 1e-8);
-    Ok(())
-}
-
-const BARS: [f64; 4] = [0.2, 0.5, 0.4, 0.55]; // crank, coupler, rocker, ground (m), of as many kilogrammes
-
-/// Angles of coupler and rocker of a four-bar whose crank has an angle: where two circles meet, above.
-fn four_bar(crank: f64) -> [f64; 2] {
-    let [a, b, c, d] = BARS;
-    let (x, y) = (a * crank.cos() - d, a * crank.sin()); // from the rocker's pin to the crank's end
-    let far = x.hypot(y);
-    let rocker = y.atan2(x) - ((far * far + c * c - b * b) / (2.0 * far * c)).acos();
-    [(c * rocker.sin() - y).atan2(c * rocker.cos() - x), rocker]
-}
-
-/// Slope by differences of fourth order.
-fn slope_of(f: &dyn Fn(f64) -> f64, at: f64, h: f64) -> f64 {
-    (8.0 * (f(at + h) - f(at - h)) - f(at + 2.0 * h) + f(at - 2.0 * h)) / (12.0 * h)
-}
-
-/// Its inertia, as of the slider-crank, and its energy of place.
-fn four_bar_energies(crank: f64) -> [f64; 2] {
-    let [a, b, c, d] = BARS;
-    let centres: [&dyn Fn(f64) -> [f64; 3]; 3] = [
-        &|at| [0.5 * a * at.cos(), 0.5 * a * at.sin(), at],
-        &|at| {
-            let coupler = four_bar(at)[0];
-            [a * at.cos() + 0.5 * b * coupler.cos(), a * at.sin() + 0.5 * b * coupler.sin(), coupler]
-        },
-        &|at| {
-            let rocker = four_bar(at)[1];
-            [d + 0.5 * c * rocker.cos(), 0.5 * c * rocker.sin(), rocker]
-        },
-    ];
-    let (mut inertia, mut place) = (0.0, 0.0);
-    for (centre, mass) in centres.into_iter().zip(BARS) {
-        let [x, y, turn] = [0, 1, 2].map(|k| slope_of(&|at| centre(at)[k], crank, 1e-3));
-        inertia += mass * (x * x + y * y + mass * mass / 12.0 * turn * turn); // as long as heavy
-        place += 9.81 * mass * centre(crank)[1];
-    }
-    [inertia, place]
-}
-
-#[test]
-fn a_driven_crank_leads_a_loop() -> Result<(), Box<dyn std::error::Error>> {
-    let [crank, coupler, rocker, ground] = BARS;
-    let rod = |length: f64| Rod::uniform(length, length);
-    let drive = Driven::new(Revolute::smooth(), |time: f64| [0.4 + RATE * time, RATE, 0.0]).named("crank");
-    let main = (drive, rod(crank), Pin, rod(coupler));
-    let side = (RigidBody::massless([ground, 0.0]), Pin, rod(rocker));
-    let scene = System::new(Clamped::at(0.0, 0.0, 0.0), Network::new(main, side, Pin), Free)?.with_gravity(9.81);
-    let angles = |time: f64| four_bar(0.4 + RATE * time);
-    let rates = [0, 1].map(|k| slope_of(&|time| angles(time)[k], 0.0, 1e-4));
-    let start = scene.with_rates(scene.at_rest(&angles(0.0))?, &rates)?;
-    let joint = scene.joint("crank")?;
-    let (mut places, mut torques) = (0.0_f64, 0.0_f64);
-    scene.simulation(Dop853::tolerance(1e-11)).every(0.05).run(start, 2.0, |now| {
-        let (angle, found) = (0.4 + RATE * now.time(), now.motion().coordinates());
-        for (found, expected) in found.iter().zip(four_bar(angle)) {
-            places = places.max((found.sin() - expected.sin()).abs().max((found.cos() - expected.cos()).abs()));
-        }
-        let [inertia, weight] = [0, 1].map(|k| slope_of(&|at| four_bar_energies(at)[k], angle, 2e-3));
-        let torque = now.stations().joint(joint).map_or(f64::NAN, |station| -station.internal.torque);
-        torques = torques.max((torque - 0.5 * RATE * RATE * inertia - weight).abs());
-    })?;
-    println!("four-bar: angles to {places:.1e}, torque to {torques:.1e} N·m");
-    assert!(places < 1e-9 && torques < 1e-6);
     Ok(())
 }
 
