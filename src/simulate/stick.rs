@@ -247,7 +247,7 @@ where
         if const { !Self::STICKS } || !matches!(error.fault, Fault::RedundantClosures { .. }) {
             return error;
         }
-        loose.position.each_mode(&mut loose.rate, &loose.acceleration, &mut |mode, ..| *mode = Mode::SlipsForward);
+        loose.position.each_mode(&mut loose.rate, &loose.acceleration, &mut |mode, _, _| *mode = Mode::SlipsForward);
         let what = "more joints that stick at once than closures leave free to move";
         match system.accelerate(&mut loose, self.plan.loads, &mut system.workspace()) {
             Ok(()) => Error { place: None, fault: Fault::Unsupported { what }, ..error },
