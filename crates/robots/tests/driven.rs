@@ -452,8 +452,11 @@ fn laws_that_are_not_finite_are_told_where_and_when() -> Result<(), Error> {
     let rod = Rod::uniform(0.5, 1.0);
     let crank = Driven::new(Revolute::smooth(), |t: f64| [t.recip(), -t.powi(-2), 2.0 * t.powi(-3)]);
     let scene = System::new(Pinned::origin(), (rod, crank, rod), Free)?.with_gravity(9.81);
-    let run = |time| scene.simulation(Dop853::tolerance(1e-9)).run(scene.motion().at_time(time), time + 0.5, |_| ());
-    let refused = run(0.0).map(|_| ()).map_err(|end| end.error);
+    let run = |time| {
+        let end = scene.simulation(Dop853::tolerance(1e-9)).run(scene.motion().at_time(time), time + 0.5, |_| ());
+        end.map(|_| ()).map_err(|end| end.error)
+    };
+    let refused = run(0.0);
     let Err(Error { fault: Fault::NotFinite { parameter: "driven coordinate" }, time: Some(0.0), place }) = refused
     else {
         panic!("{refused:?}")

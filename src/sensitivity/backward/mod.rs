@@ -98,7 +98,7 @@ use steps::Steps;
 ///
 /// | chain of rods on pins | x86-64-v3: time | instructions | under torques | plain | x86-64: time | instructions | under torques | plain |
 /// |---|---:|---:|---:|---:|---:|---:|---:|---:|
-/// | RK4, 2 | 2.9 | 3.7 | 3.4 | 127 | 2.8 | 3.5 | 3.3 | 185 |
+/// | RK4, 2 | 4.5 | 5.3 | 4.9 | 86 | 2.8 | 3.5 | 3.3 | 185 |
 /// | RK4, 20 | 2.7 | 3.4 | 3.3 | 85 | 2.4 | 3.0 | 2.9 | 163 |
 /// | RK4, 100 | 2.7 | 3.4 | 3.2 | 74 | 2.4 | 2.9 | 2.8 | 154 |
 /// | DOP853, 2 | 2.8 | 3.6 | 3.4 | 148 | 2.9 | 3.5 | 3.3 | 212 |
@@ -118,12 +118,13 @@ use steps::Steps;
 /// | 7 rigid bodies on revolutes, RK4 | 3.6 | 3.7 | 3.6 | 713 | 3.4 | 3.6 | 3.6 | 1122 |
 /// | 7 rigid bodies on revolutes, DOP853 | 3.7 | 3.7 | 3.6 | 722 | 3.4 | 3.6 | 3.6 | 1136 |
 ///
-/// A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differed by 0.1
+/// (Plain steps of up to six coordinates have become quicker since the columns of x86-64 were measured: the gradient of two rods has the
+/// instructions that it had.) A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differed by 0.1
 /// from one measurement to the next, by 0.4 at most (3 rods on balls, once 3.3).
 ///
 /// Chains whose tip is pinned take more: 5.0 plain runs (instructions 6.7) for three rods and RK4, 5.4 (6.8) for twenty, x86-64-v3. A four-bar
-/// linkage takes 6.6 (DOP853 5.3), a rod with one window of four rods 6.1, with two in a row 6.4, with five 8.9: for each correction of a
-/// projection costates walk once for each loop.
+/// linkage takes 6.5 (DOP853 5.3), a rod with one window of four rods 6.0, with two in a row 6.5, with five 8.9: for each correction of a
+/// projection costates walk once for each loop. Under `Sdirk4` two rods with a stiff hinge take 3.7, twenty 3.9.
 ///
 /// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs
 /// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which

@@ -76,7 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     if is_wanted("100 rods on pins") {
         let (system, start) = pins!(f64, 100);
         let reference = reference!("100 rods on pins", 0.2, (system, start, Unloaded), |system, motion| {
-            system.angles(motion).ok()?.first().copied()
+            system.angles(motion).ok()?.get(0).copied()
         });
         let mut scene = Scene::new("100 rods on pins", 100, 0.2, reference, "rad");
         run_pins!(scene, f64, 100, 0, 0.001, 1e-13);

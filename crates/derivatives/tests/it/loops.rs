@@ -126,10 +126,8 @@ fn solve(mut rows: Vec<Vec<Dual>>) -> Vec<Dual> {
         let pivot = (k..n).max_by(|i, j| rows[*i][k].0.abs().total_cmp(&rows[*j][k].0.abs())).unwrap();
         rows.swap(k, pivot);
         for i in (0..n).filter(|i| *i != k) {
-            let factor = rows[i][k] / rows[k][k];
-            for j in k..=n {
-                rows[i][j] = rows[i][j] - factor * rows[k][j];
-            }
+            let (factor, pivot) = (rows[i][k] / rows[k][k], rows[k].clone());
+            rows[i].iter_mut().zip(pivot).for_each(|(x, pivot)| *x = *x - factor * pivot);
         }
     }
     (0..n).map(|k| rows[k][n] / rows[k][k]).collect()
