@@ -254,7 +254,7 @@ fn steps_of_what_rests_do_not_pass_over_its_breakaway() -> Result<(), Box<dyn st
     macro_rules! first {
         ($rule:expr) => {{
             let (mut last, mut steps) = (0.0, 0);
-            let run = scene.simulation($rule).loads(&loads).run(scene.motion(), 0.6, |now| {
+            let run = scene.simulation($rule).loads(&loads).run(scene.motion(), 1.0, |now| {
                 steps += 1;
                 if now.motion().rates()[0] == 0.0 {
                     last = now.time();
@@ -262,7 +262,7 @@ fn steps_of_what_rests_do_not_pass_over_its_breakaway() -> Result<(), Box<dyn st
             })?;
             println!("broke away at {last} s of {away}, {steps} steps");
             near(last, away, 1e-9);
-            near(run.motion.rates()[0], rate(0.6), 1e-6);
+            near(run.motion.rates()[0], rate(1.0), 1e-6);
         }};
     }
     first!(Dop853::tolerance(1e-9));
