@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (name, Found { drift, with, without }) in [("in plane", plane), ("in space", in_space()?)] {
         let [[a, b], [c, d]] = [&with, &without].map(|list| [list[0], list[1]]);
         println!("  {name}  {drift:20.1e}  {a:10.6}  {b:10.6}  {c:17.6}  {d:17.6}");
-        assert!(drift < 1e-10 && with[1] < without[1]);
+        assert!(drift < 1e-11 && with[1] < without[1]);
     }
     println!("\nPicture: {}", draw(&ways)?.display());
     Ok(())
