@@ -33,16 +33,15 @@ const ERRORS: [i32; 2] = [-2, -12];
 const TIMES: [i32; 2] = [-2, 3];
 
 /// Errors and times (ms) of a rule, from coarse to fine. An error counts as that of the next finer run where this is larger: it may vanish by
-/// chance. A time is sweeps by the least time of a sweep in all of the rule's runs: others used the machine.
+/// chance.
 fn runs(rows: &[&Row], scene: &str, [rule, control, ..]: [&str; 4]) -> Vec<[f64; 2]> {
     let own = |row: &&&Row| {
         let known = [("scene", scene), ("rule", rule), ("control", control), ("scalar", "f64"), ("library", "Catena")];
         known.iter().all(|(column, value)| row.get(column) == *value)
     };
-    let runs: Vec<[f64; 3]> =
-        rows.iter().filter(own).map(|row| ["error", "sweeps", "seconds"].map(|column| row.number(column))).collect();
-    let quiet = runs.iter().map(|[_, sweeps, seconds]| seconds / sweeps).fold(f64::INFINITY, f64::min);
-    let pairs = runs.windows(2).map(|pair| [pair[0][0].max(pair[1][0]), 1e3 * quiet * pair[0][1]]);
+    let runs: Vec<[f64; 2]> =
+        rows.iter().filter(own).map(|row| ["error", "seconds"].map(|column| row.number(column))).collect();
+    let pairs = runs.windows(2).map(|pair| [pair[0][0].max(pair[1][0]), 1e3 * pair[0][1]]);
     let shown = |[error, _]: &[f64; 2]| *error > 10_f64.powi(ERRORS[1]) && *error < 10_f64.powi(ERRORS[0]);
     pairs.filter(shown).collect()
 }
