@@ -29,13 +29,12 @@
 //! (`mechanics/planar/adjoint/`, `mechanics/spatial/adjoint/`).
 
 pub mod laws;
+mod outboard;
 
 use crate::element::{Element, Level, Space, Springs};
 use crate::ends::Tip;
 use crate::loading::{EffortOf, Load, LoadLaw};
-use crate::relation::{
-    Acceleration, AccelerationOf, Additive, Closures, Cuts, Geometry, LoopGain, Looped, Open, Own, WrenchOf,
-};
+use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Geometry, Looped, WrenchOf};
 use crate::shape::{Closing, PerAxes, Selective, Takes};
 use crate::space::FrameOf;
 use crate::walks::burden::Burden;
@@ -47,11 +46,10 @@ use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
 use num_traits::Zero;
+pub use outboard::{Kind, Outboard};
 
 /// A space whose elements know the costate sweep.
 pub trait Reversed: Space {
-    /// What lies outboard, S and e, and W, Λ and y₀ of closure forces.
-    type Outboard<C: Closures>: Copy;
     /// The inverse of the pivot of a joint.
     type Pivot: Copy + 'static;
     /// What is carried outward: virtual velocity, and what turns the body on the inboard side.
@@ -88,19 +86,6 @@ pub trait Reversed: Space {
         q: &mut E::Store<PerAxes<Self::Q>>,
     );
 
-    /// Nothing, beyond a free tip.
-    fn nothing() -> Self::Outboard<Open>;
-    /// What lies beyond a station of which an arm leaves.
-    fn join<C: Closures>(chain: Self::Outboard<C>, arm: Self::Outboard<Open>) -> Self::Outboard<C>;
-    /// What lies beyond a station where the arms of a loop begin, without the forces that close it.
-    #[allow(clippy::type_complexity)] // what is left, and how it is found again
-    fn settle<C: Closures, O: Own>(
-        main: Self::Outboard<Looped<C, O>>,
-        side: Self::Outboard<O>,
-        measure: O::Measure<Self::Scalar>,
-    ) -> (Self::Outboard<C>, LoopGain<WrenchOf<Self>, Self::Scalar, C, O>);
-    /// W, Λ and y₀ of what lies outboard.
-    fn cuts<C: Closures>(outboard: &Self::Outboard<C>) -> Cuts<WrenchOf<Self>, Self::Scalar, C>;
     /// No pivot yet.
     fn no_pivot() -> Self::Pivot;
     /// Where the outward walk begins: a ground that does not move virtually.
@@ -204,9 +189,9 @@ pub trait ReversibleClosing<S: Reversed>: Closing<S> + Holds<S> {
     #[allow(clippy::type_complexity)] // three of them
     fn close_off<C: Closures>(
         &self,
-        outer: S::Outboard<C>,
+        outer: Outboard<S, C>,
         effort: &EffortOf<S>,
-    ) -> (S::Outboard<Looped<C, Self::Closures>>, S::Outboard<Self::Closures>, WrenchOf<S>);
+    ) -> (Outboard<S, Looped<C, Self::Closures>>, Outboard<S, Self::Closures>, WrenchOf<S>);
     /// The wrench c of each unit force.
     fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
     /// Adds the costate of the torque in the joint, for virtual velocities of both ends.
@@ -229,7 +214,7 @@ pub type EachOf<S, P> = <<P as Tip<S>>::Closures as Closures>::Each<<S as Geomet
 )]
 pub trait ReversibleTip<S: Reversed>: Tip<S> + Holds<S> {
     /// What lies beyond the last body, for the acceleration of the ground.
-    fn beyond(&self, still: &AccelerationOf<S>) -> S::Outboard<Self::Closures>;
+    fn beyond(&self, still: &AccelerationOf<S>) -> Outboard<S, Self::Closures>;
     /// The wrench c of each unit force.
     fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
     /// The numbers it is made of, zeros beyond.

@@ -1,6 +1,6 @@
 //! The elimination of a sweep with what a second right-hand side needs: gains, and the inverse of each pivot.
 
-use crate::adjoint::{Reversed, ReversibleClosing};
+use crate::adjoint::{Outboard, Reversed, ReversibleClosing};
 use crate::element::{Explicit, Springs};
 use crate::loading::EffortOf;
 use crate::relation::{Closures, Open};
@@ -37,7 +37,7 @@ pub trait AroundLoops {}
 impl AroundLoops for Explicit {}
 
 impl<S: Reversed, C: Closures, By: Springs<S::Scalar>> Walk<S> for Factor<C, By> {
-    type Carried = S::Outboard<C>;
+    type Carried = Outboard<S, C>;
     /// Posture; positions and rates of joints for springs; torques; what is kept.
     type Stores = (
         Ref<PerAxes<S::X>>,
@@ -59,10 +59,10 @@ impl<S: Reversed, C: Closures, By: Springs<S::Scalar>> Selective<S> for Factor<C
     #[inline(always)]
     fn branch(
         &mut self,
-        chain: S::Outboard<C>,
-        go: impl FnOnce(&mut Self::In<Arm>, S::Outboard<Open>) -> S::Outboard<Open>,
-    ) -> S::Outboard<C> {
-        S::join(chain, go(&mut Factor::by(self.springs), S::nothing()))
+        chain: Outboard<S, C>,
+        go: impl FnOnce(&mut Self::In<Arm>, Outboard<S, Open>) -> Outboard<S, Open>,
+    ) -> Outboard<S, C> {
+        chain.join(go(&mut Factor::by(self.springs), Outboard::nothing()))
     }
 }
 
@@ -77,7 +77,7 @@ where
     fn around(
         &mut self,
         closing: &K,
-        outer: S::Outboard<C>,
+        outer: Outboard<S, C>,
         (.., effort, kept, _): AtClosing<'_, S, Self, K>,
         main: impl FnOnce(
             &mut Self::In<Main<K::Closures>>,
@@ -87,11 +87,11 @@ where
             &mut Self::In<Side<K::Closures>>,
             CarriedIn<S, Self, Side<K::Closures>>,
         ) -> CarriedIn<S, Self, Side<K::Closures>>,
-    ) -> S::Outboard<C> {
+    ) -> Outboard<S, C> {
         let (onto_main, into_side, passed) = closing.close_off(outer, effort);
         let side = side(&mut Factor::by(self.springs), into_side);
         let main = main(&mut Factor::by(self.springs), onto_main);
-        let (relation, gain) = S::settle(main, side, kept.0.measure());
+        let (relation, gain) = main.settle(side, kept.0.measure());
         *kept = (gain, passed);
         relation
     }

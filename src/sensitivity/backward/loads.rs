@@ -1,13 +1,17 @@
-//! Loads on bodies in a stage of a step.
+//! Loads on bodies, in runs and in a stage of a step.
 
-use crate::adjoint::{BodyLaw, Reversed};
-use crate::element::{Coordinates, Element, RealOf, Space};
-use crate::loading::{Load, Seen as _};
+use super::Backward;
+use super::rules::Staged;
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
+use crate::element::{Coordinates, Element, RealOf, Space, Unloaded};
+use crate::ends::Resting;
+use crate::loading::{EffortOf, Load, Seen as _};
 use crate::mirror::Rate;
-use crate::relation::{Wrench, WrenchOf};
+use crate::relation::{Additive, Wrench, WrenchOf};
 use crate::scalar::Scalar;
 use crate::shape::{PerBody, PerJoint};
 use crate::space::FrameOf;
+use crate::system::{Elements, Runs, System};
 use crate::visit::{Visit, Watch};
 use crate::walks::travel::{show, travel};
 
@@ -90,4 +94,66 @@ impl<S: Reversed, L: BodyLaw<S>> Visit<S> for Telling<S, L> {
         (S::inboard(motion), self.law.at(self.time, self.body - 1, &motion.unaccelerated()).wrench())
     }
     fn joint(&mut self, _: &S::JointMotion) {}
+}
+
+impl<'s, S, R, C, P, M, L> Backward<'s, S, R, C, P, M, L>
+where
+    S: Reversed,
+    R: Resting<S>,
+    C: Element<S>,
+    P: ReversibleTip<S>,
+    M: Staged,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
+    System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
+    EffortOf<S>: Additive,
+{
+    /// Runs and gradients under loads on bodies, forces of a medium or of springs to fixed points: a law that is generic over the scalar and
+    /// [`lift!`](crate::lift!)ed, which goes backward by itself, by jets of what a body tells it and of its own numbers, six or less.
+    ///
+    /// ```
+    /// use catena::loading::LoadLaw;
+    /// use catena::planar::*;
+    /// use catena::{Scalar, sensitivity::Costate};
+    /// /// Drag in proportion to the velocity of the outboard end (N·s/m).
+    /// #[derive(Clone, Copy)]
+    /// struct Drag<T> {
+    ///     drag: T,
+    /// }
+    /// catena::lift!(Drag { drag });
+    /// impl<T: Scalar> LoadLaw<BodyMotion<T>> for Drag<T> {
+    ///     type Value = Wrench<T>;
+    ///     fn at(&self, _time: T::Real, _body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+    ///         let force = motion.outboard().velocity * -self.drag;
+    ///         Wrench { force, torque: motion.arm.perp(&force) } // about the inboard end
+    ///     }
+    /// }
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    /// let mut states = [pendulum.at_rest(&[-1.0, -0.5])?; 101];
+    /// let (start, mut backward) = (states[0], pendulum.backward(Rk4).under(Drag { drag: 0.2 }));
+    /// backward.run(&start, 0.01, 100, &[], &mut states)?;
+    /// let end = |step: usize, _: &_, by: &mut Costate<_>| match step {
+    ///     100 => by.add(&[0.0; 2], &[0.0, 1.0]),
+    ///     _ => Ok(()),
+    /// };
+    /// let gradient = backward.gradient(&[], &states, &mut [], end)?;
+    /// let [by_drag] = *gradient.by_loads()? else { unreachable!() };
+    /// # let speed = |drag: f64| -> Result<f64, catena::Error> {
+    /// #     let law = Drag { drag };
+    /// #     let run = pendulum.simulation(Rk4::step(0.01)).loads(&Loads::none().on_bodies_by(law)).run(start, 1.0, |_| ())?;
+    /// #     Ok(run.motion.rates()[1])
+    /// # };
+    /// # assert!((by_drag - (speed(0.2001)? - speed(0.1999)?) / 2e-4).abs() < 1e-6 * by_drag.abs());
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// What a law reads of a body, the place of its mass centre, say, is in [`Gradient::along`]. Run and gradient take some 8 plain runs under
+    /// the same loads (RK4, twenty rods on pins, drag on each; x86-64-v3). Room is made anew.
+    pub fn under<N: BodyLaw<S>>(self, law: N) -> Backward<'s, S, R, C, P, M, N>
+    where
+        Elements<S, R, C>: Burdened<S, N, P::Closures>,
+    {
+        Backward::new(self.steps.scene, self.method, law)
+    }
 }

@@ -1,6 +1,7 @@
 //! Gradients of runs: one number, computed from a whole run, by everything at once.
 
 mod adaptive;
+mod admission;
 mod checkpoints;
 mod costates;
 mod events;
@@ -17,14 +18,13 @@ use super::gradient::{Costate, Gradient};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Resting, Root, Tip};
-use crate::error::{Error, Fault, counted};
+use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 use crate::walks::complete::complete;
-use crate::walks::fits::fits;
 pub use checkpoints::{Checkpoints, Tape};
 use record::Record;
 use rules::{Closing, Staged};
@@ -176,55 +176,6 @@ where
         Self { record: steps.record(), steps, spare: scene.motion(), scratch, method }
     }
 
-    /// Runs and gradients under loads on bodies, forces of a medium or of springs to fixed points: a law that is generic over the scalar and
-    /// [`lift!`](crate::lift!)ed, which goes backward by itself, by jets of what a body tells it and of its own numbers, six or less.
-    ///
-    /// ```
-    /// use catena::loading::LoadLaw;
-    /// use catena::planar::*;
-    /// use catena::{Scalar, sensitivity::Costate};
-    /// /// Drag in proportion to the velocity of the outboard end (N·s/m).
-    /// #[derive(Clone, Copy)]
-    /// struct Drag<T> {
-    ///     drag: T,
-    /// }
-    /// catena::lift!(Drag { drag });
-    /// impl<T: Scalar> LoadLaw<BodyMotion<T>> for Drag<T> {
-    ///     type Value = Wrench<T>;
-    ///     fn at(&self, _time: T::Real, _body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
-    ///         let force = motion.outboard().velocity * -self.drag;
-    ///         Wrench { force, torque: motion.arm.perp(&force) } // about the inboard end
-    ///     }
-    /// }
-    /// let rod = Rod::uniform(1.0, 1.0);
-    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
-    /// let mut states = [pendulum.at_rest(&[-1.0, -0.5])?; 101];
-    /// let (start, mut backward) = (states[0], pendulum.backward(Rk4).under(Drag { drag: 0.2 }));
-    /// backward.run(&start, 0.01, 100, &[], &mut states)?;
-    /// let end = |step: usize, _: &_, by: &mut Costate<_>| match step {
-    ///     100 => by.add(&[0.0; 2], &[0.0, 1.0]),
-    ///     _ => Ok(()),
-    /// };
-    /// let gradient = backward.gradient(&[], &states, &mut [], end)?;
-    /// let [by_drag] = *gradient.by_loads()? else { unreachable!() };
-    /// # let speed = |drag: f64| -> Result<f64, catena::Error> {
-    /// #     let law = Drag { drag };
-    /// #     let run = pendulum.simulation(Rk4::step(0.01)).loads(&Loads::none().on_bodies_by(law)).run(start, 1.0, |_| ())?;
-    /// #     Ok(run.motion.rates()[1])
-    /// # };
-    /// # assert!((by_drag - (speed(0.2001)? - speed(0.1999)?) / 2e-4).abs() < 1e-6 * by_drag.abs());
-    /// # Ok::<(), catena::Error>(())
-    /// ```
-    ///
-    /// What a law reads of a body, the place of its mass centre, say, is in [`Gradient::along`]. Run and gradient take some 8 plain runs under
-    /// the same loads (RK4, twenty rods on pins, drag on each; x86-64-v3). Room is made anew.
-    pub fn under<N: BodyLaw<S>>(self, law: N) -> Backward<'s, S, R, C, P, M, N>
-    where
-        Elements<S, R, C>: Burdened<S, N, P::Closures>,
-    {
-        Backward::new(self.steps.scene, self.method, law)
-    }
-
     /// Runs `steps` steps of a size (s), and keeps the state before each of them and after the last, with the accelerations in which a
     /// step begins. `torques` are those in all joints (the root's first), held over the first step, then those over the second, and so on;
     /// or those of one step, held over all; or none.
@@ -319,40 +270,5 @@ where
         by_torques.fill(EffortOf::<S>::null());
         self.steps.give_torques(&mut [], 0);
         Gradient::none(self.steps.scene.elements(), &self.steps.zero)
-    }
-
-    /// Refuses states of another scene and torques of another number; gives the last state.
-    fn check<'a>(
-        &self,
-        torques: &[EffortOf<S>],
-        states: &'a [MotionOf<S, R, C, P>],
-    ) -> Result<&'a MotionOf<S, R, C, P>, Error> {
-        let Some(last) = states.last() else {
-            return Err(Error::new(Fault::Count { expected: 1, given: 0 }));
-        };
-        self.admits(states.len() - 1, torques.len())?;
-        let fit = self.fits(last) && states.iter().all(|state| state.fits(last));
-        if fit { Ok(last) } else { Err(Error::new(Fault::Shape)) }
-    }
-
-    /// Whether a motion is one of this scene.
-    fn fits(&self, motion: &MotionOf<S, R, C, P>) -> bool {
-        fits(self.steps.scene.elements(), &motion.position, &motion.rate)
-    }
-
-    /// Refuses a motion whose tip is held, or one of whose loops is closed, twice in the same way, in which runs begin.
-    fn independent(&mut self, start: &MotionOf<S, R, C, P>) -> Result<(), Error> {
-        if const { System::<S, R, C, P>::CLOSED == 0 } {
-            return Ok(());
-        }
-        let scene = self.steps.scene;
-        self.spare.copy_state(start);
-        scene.accelerate(&mut self.spare, &Unloaded, &mut scene.workspace())
-    }
-
-    /// Refuses lists of torques of another length.
-    fn admits(&self, steps: usize, given: usize) -> Result<(), Error> {
-        let joints = self.steps.scene.joints();
-        if given == 0 || given == joints { Ok(()) } else { counted(steps.saturating_mul(joints), given) }
     }
 }

@@ -253,7 +253,7 @@ where
             self.loads.see(elements, ground, Coordinates { position, rate, acceleration: &self.zero }, time);
             elements.take(&mut burden, Wrench::none(), (x, y, p, q, &self.loads.on_bodies, &mut *kept, pivots));
         }
-        let Cuts { columns, compliance, gap } = S::cuts(&chain);
+        let Cuts { columns, compliance, gap } = chain.relation.cuts;
         let demand = P::Closures::zip(&columns, &gap, |column, gap| column.work(&falling) - gap);
         let demand = P::Closures::zip(&demand, &burden.0.gaps, |demand, gap| demand - gap);
         (stage.compliance, stage.force) = (compliance, P::Closures::solve(&compliance, &demand));

@@ -1,10 +1,10 @@
 //! Runs of a chain between two pins, backward, however they are kept: on a tape, to an event, under error control, under loads; and tips
 //! that are held twice in the same way.
 
-use catena::loading::LoadLaw;
+use crate::drag::Drag;
 use catena::planar::*;
 use catena::sensitivity::{Checkpoints, Costate};
-use catena::{Error, Fault, Scalar};
+use catena::{Error, Fault};
 
 const STEPS: usize = 6;
 const H: f64 = 0.02;
@@ -156,20 +156,6 @@ fn under_error_control() {
     assert!(steps > 1 && sizes.iter().any(|size| (size - sizes[0]).abs() > 1e-3 * sizes[0]), "{sizes:?}");
     let gradient = backward.gradient(&[], states, &mut [], at_end!(steps)).unwrap();
     near(-gradient.by_gravity().y, slope(9.81, |g| stepped!(g, Dopri5, sizes.iter().copied(), Unloaded)));
-}
-
-/// Drag in proportion to the velocity of the outboard end (N·s/m).
-#[derive(Clone, Copy)]
-struct Drag<T> {
-    drag: T,
-}
-catena::lift!(Drag { drag });
-impl<T: Scalar> LoadLaw<BodyMotion<T>> for Drag<T> {
-    type Value = Wrench<T>;
-    fn at(&self, _time: T::Real, _body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
-        let force = motion.outboard().velocity * -self.drag;
-        Wrench { force, torque: motion.arm.perp(&force) }
-    }
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Gradients of runs by an implicit rule, backward: against jets through the same steps, central differences, and numbers of a dense system.
 
 use super::held::share;
+use crate::drag::Drag;
 use catena::Scalar;
-use catena::loading::LoadLaw;
 use catena::planar::*;
 use catena::scalar::Jet;
 use catena::sensitivity::Costate;
@@ -96,20 +96,6 @@ fn numbers_of_a_dense_system() {
     ] {
         println!("{found} {expected} {:.1e}", (found - expected).abs());
         assert!((found - expected).abs() < 1e-11, "{found} not {expected}");
-    }
-}
-
-/// Drag in proportion to the velocity of the outboard end (N·s/m).
-#[derive(Clone, Copy)]
-struct Drag<T> {
-    drag: T,
-}
-catena::lift!(Drag { drag });
-impl<T: Scalar> LoadLaw<BodyMotion<T>> for Drag<T> {
-    type Value = Wrench<T>;
-    fn at(&self, _: T::Real, _: usize, motion: &BodyMotion<T>) -> Wrench<T> {
-        let force = motion.outboard().velocity * -self.drag;
-        Wrench { force, torque: motion.arm.perp(&force) }
     }
 }
 

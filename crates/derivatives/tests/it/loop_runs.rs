@@ -1,10 +1,10 @@
 //! Runs of a chain with a window in it, backward, however they are made and kept: on a tape, with few states, under error control, under
 //! loads; loops that are held twice in the same way.
 
-use catena::loading::LoadLaw;
+use crate::drag::Drag;
+use catena::Fault;
 use catena::planar::*;
 use catena::sensitivity::{Checkpoints, Costate};
-use catena::{Fault, Scalar};
 
 const STEPS: usize = 5;
 const H: f64 = 0.02;
@@ -108,20 +108,6 @@ fn under_error_control() {
     assert!(steps > 1 && sizes.iter().any(|size| (size - sizes[0]).abs() > 1e-3 * sizes[0]), "{sizes:?}");
     let gradient = backward.gradient(&[], states, &mut [], at_end!(steps)).unwrap();
     near(-gradient.by_gravity().y, 9.81, |g| stepped!(g, Dopri5, sizes.iter().copied(), Unloaded));
-}
-
-/// Drag in proportion to the velocity of the outboard end (N·s/m).
-#[derive(Clone, Copy)]
-struct Drag<T> {
-    drag: T,
-}
-catena::lift!(Drag { drag });
-impl<T: Scalar> LoadLaw<BodyMotion<T>> for Drag<T> {
-    type Value = Wrench<T>;
-    fn at(&self, _: T::Real, _: usize, motion: &BodyMotion<T>) -> Wrench<T> {
-        let force = motion.outboard().velocity * -self.drag;
-        Wrench { force, torque: motion.arm.perp(&force) }
-    }
 }
 
 #[test]

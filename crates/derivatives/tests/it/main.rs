@@ -2,6 +2,7 @@
 
 mod at_random;
 mod dense;
+mod drag;
 mod front;
 mod front_edges;
 #[macro_use]

@@ -36,7 +36,7 @@ use nalgebra::Vector2;
 fn factor<T: Scalar, C: Closures>(body: &impl Body<T>, pose: Pose<T>, outer: Outboard<T, C>) -> Outboard<T, C> {
     Outboard::rigid(match outer.kind {
         Kind::Nothing => body.condense(Empty, pose).cut(outer.relation.cuts),
-        Kind::Pin => body.condense(outer.pin(), pose),
+        Kind::Point => body.condense(outer.pin(), pose),
         Kind::Rigid => body.condense(outer.relation, pose),
     })
 }

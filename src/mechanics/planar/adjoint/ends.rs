@@ -1,7 +1,7 @@
 //! The costate sweep in the plane: tips, and what holds in general.
 
 use super::{AtJoint, Felt, Kind, OnBody, Outboard, Pulled, Stirred};
-use crate::adjoint::{Holds, Reversed, ReversibleTip, TIP};
+use crate::adjoint::{Holds, ReversibleTip, TIP};
 use crate::element::Level;
 use crate::ends::Tip;
 use crate::mechanics::planar::{Acceleration, Clamped, Frame, Free, Guided, Pin, Pinned, Planar, Weld, Wrench};
@@ -57,7 +57,7 @@ macro_rules! beyond {
 
 impl<T: Scalar> ReversibleTip<Planar<T>> for Free {
     fn beyond(&self, _: &Acceleration<T>) -> Outboard<T> {
-        Planar::nothing()
+        Outboard::nothing()
     }
     fn columns(&self) {}
 }
@@ -67,7 +67,7 @@ impl<T: Scalar> ReversibleTip<Planar<T>> for Pinned<[T; 2]> {
         let (zero, one) = (T::zero(), T::one());
         [force(Vector2::new(one, zero)), force(Vector2::new(zero, one))]
     }
-    beyond!(Pin);
+    beyond!(Point);
     fn numbers(&self) -> [T; TIP] {
         let [x, y] = self.place;
         [x, y, T::zero(), T::zero()]

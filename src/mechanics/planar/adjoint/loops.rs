@@ -35,7 +35,7 @@ impl<T: Scalar> ReversibleClosing<Planar<T>> for Pin {
         outer: Outboard<T, C>,
         &effort: &T,
     ) -> (Outboard<T, Looped<C, Cut<2>>>, Outboard<T, Cut<2>>, Wrench<T>) {
-        let (mut main, mut side) = cut(outer, Kind::Pin, forces());
+        let (mut main, mut side) = cut(outer, Kind::Point, forces());
         side.relation = Full { torque: effort, ..side.relation };
         main.relation = Full { torque: main.relation.torque - effort, ..main.relation };
         (main, side, Wrench { force: Vector2::null(), torque: -effort })

@@ -13,58 +13,26 @@ pub(crate) use loads::BODY;
 use loads::Felt;
 
 use super::body::Base;
-use crate::adjoint::Reversed;
+use crate::adjoint::{self, Kind, Reversed};
 use crate::element::Element;
 use crate::mechanics::planar::{Acceleration, BodyMotion, Frame, Planar, Turn, Wrench};
 use crate::relation::planar::{Full, Point};
-use crate::relation::{Additive, Closures, Cuts, Join, LoopGain, Looped, Open, Own, Settle};
+use crate::relation::{Additive, Closures, Cuts, Open};
 use crate::scalar::Scalar;
 use crate::shape::PerAxes;
 use crate::walks::factor::Factor;
 use core::ops::Add;
 use nalgebra::Vector2;
 
-/// What lies outboard of a station, with a kind: bodies save what a pin or a free tip leaves out.
-#[derive(Clone, Copy)]
-pub struct Outboard<T: Scalar, C: Closures = Open> {
-    kind: Kind,
-    relation: Full<T, C>,
-}
-
-/// What there is of a relation.
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    /// A free tip: nothing.
-    Nothing,
-    /// A pin: the moment does not depend on the motion.
-    Pin,
-    /// All of it.
-    Rigid,
-}
-
-impl Kind {
-    /// What there is of a sum.
-    #[inline(always)]
-    fn and(self, other: Self) -> Self {
-        match (self, other) {
-            (Self::Nothing, kind) | (kind, Self::Nothing) => kind,
-            (Self::Pin, Self::Pin) => Self::Pin,
-            _ => Self::Rigid,
-        }
-    }
-}
+/// What lies outboard of a station.
+type Outboard<T, C = Open> = adjoint::Outboard<Planar<T>, C>;
 
 impl<T: Scalar, C: Closures> Outboard<T, C> {
     /// Of a pin with a torque in it.
     #[inline(always)]
     fn of_pin(Point { mass, offset, torque, cuts }: Point<T, T, C>) -> Self {
         let massless = Full::massless().cut(cuts.mapped(Wrench::of_force));
-        Self { kind: Kind::Pin, relation: Full { linear: mass, force: offset, torque, ..massless } }
-    }
-    /// All of a relation.
-    #[inline(always)]
-    fn rigid(relation: Full<T, C>) -> Self {
-        Self { kind: Kind::Rigid, relation }
+        Self { kind: Kind::Point, relation: Full { linear: mass, force: offset, torque, ..massless } }
     }
     /// Nothing but closure forces.
     #[inline(always)]
@@ -189,7 +157,6 @@ impl<T: Scalar> Additive for Pulled<T> {
 }
 
 impl<T: Scalar> Reversed for Planar<T> {
-    type Outboard<C: Closures> = Outboard<T, C>;
     type Pivot = T;
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
@@ -217,27 +184,6 @@ impl<T: Scalar> Reversed for Planar<T> {
         elements.pose(position, rate, turn, sizes, x, y, p, q);
     }
 
-    #[inline(always)]
-    fn nothing() -> Outboard<T> {
-        Outboard { kind: Kind::Nothing, relation: Full::massless() }
-    }
-    #[inline(always)]
-    fn join<C: Closures>(chain: Outboard<T, C>, arm: Outboard<T>) -> Outboard<T, C> {
-        Outboard { kind: chain.kind.and(arm.kind), relation: chain.relation.join(arm.relation) }
-    }
-    #[inline(always)]
-    fn settle<C: Closures, O: Own>(
-        main: Outboard<T, Looped<C, O>>,
-        side: Outboard<T, O>,
-        measure: O::Measure<T>,
-    ) -> (Outboard<T, C>, LoopGain<Wrench<T>, T, C, O>) {
-        let (relation, gain) = main.relation.settle(side.relation, measure);
-        (Outboard { kind: main.kind.and(side.kind), relation }, gain)
-    }
-    #[inline(always)]
-    fn cuts<C: Closures>(outboard: &Outboard<T, C>) -> Cuts<Wrench<T>, T, C> {
-        outboard.relation.cuts
-    }
     fn no_pivot() -> T {
         T::zero()
     }

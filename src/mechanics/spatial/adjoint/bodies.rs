@@ -30,7 +30,7 @@ use nalgebra::Vector3;
 fn factor<T: Scalar>(body: &impl Body<T>, pose: &Pose<T>, outer: Outboard<T>) -> Outboard<T> {
     Outboard::rigid(match outer.kind {
         Kind::Nothing => body.condense(Empty, pose),
-        Kind::Ball => body.condense(outer.ball(), pose),
+        Kind::Point => body.condense(outer.ball(), pose),
         Kind::Rigid => body.condense(outer.relation, pose),
     })
 }

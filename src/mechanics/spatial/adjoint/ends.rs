@@ -1,7 +1,7 @@
 //! The costate sweep in space: tips.
 
 use super::Outboard;
-use crate::adjoint::{Holds, Reversed, ReversibleTip};
+use crate::adjoint::{Holds, ReversibleTip};
 use crate::mechanics::spatial::{Acceleration, Free, Spatial};
 use crate::scalar::Scalar;
 
@@ -9,7 +9,7 @@ impl<T: Scalar> Holds<Spatial<T>> for Free {}
 
 impl<T: Scalar> ReversibleTip<Spatial<T>> for Free {
     fn beyond(&self, _: &Acceleration<T>) -> Outboard<T> {
-        Spatial::nothing()
+        Outboard::nothing()
     }
     fn columns(&self) {}
 }

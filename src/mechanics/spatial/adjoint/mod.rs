@@ -10,65 +10,33 @@ mod weld;
 
 pub use inertial::{Base, Inertial};
 
-use crate::adjoint::Reversed;
+use crate::adjoint::{self, Kind, Reversed};
 use crate::element::Element;
-use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Spatial, Turn, Wrench};
+use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Spatial, Turn};
 use crate::relation::spatial::algebra::{Columns, Factor3, cross, cross_onto, zero};
 use crate::relation::spatial::{Couple, Full, Point};
-use crate::relation::{Absent, Additive, Closures, Cuts, Join, LoopGain, Looped, Open, Own, Settle};
+use crate::relation::{Absent, Additive};
 use crate::scalar::Scalar;
 use crate::shape::{PerAxes, Takes};
 use crate::walks::orient::Orient;
 use core::ops::Add;
 use nalgebra::Vector3;
 
-/// What lies outboard of a station, with a kind: bodies save what a ball or a free tip leaves out.
-#[derive(Clone, Copy)]
-pub struct Outboard<T: Scalar, C: Closures = Open> {
-    kind: Kind,
-    relation: Full<T, C>,
-}
-
-/// What there is of a relation.
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    /// A free tip: nothing.
-    Nothing,
-    /// A ball: the moment does not depend on the motion.
-    Ball,
-    /// All of it.
-    Rigid,
-}
-
-impl Kind {
-    /// What there is of a sum.
-    #[inline(always)]
-    fn and(self, other: Self) -> Self {
-        match (self, other) {
-            (Self::Nothing, kind) | (kind, Self::Nothing) => kind,
-            (Self::Ball, Self::Ball) => Self::Ball,
-            _ => Self::Rigid,
-        }
-    }
-}
+/// What lies outboard of a station.
+type Outboard<T> = adjoint::Outboard<Spatial<T>>;
 
 impl<T: Scalar> Outboard<T> {
     /// Of a ball with a torque in it.
     #[inline(always)]
     fn of_ball(Point { mass, offset, torque, .. }: Point<T, Couple<T>>) -> Self {
         let relation = Full { linear: mass, force: offset, torque: torque.0, ..Full::massless() };
-        Self { kind: Kind::Ball, relation }
+        Self { kind: Kind::Point, relation }
     }
     /// The relation of a ball.
     #[inline(always)]
     fn ball(&self) -> Point<T, Couple<T>> {
         let Full { linear, force, torque, cuts, .. } = self.relation;
         Point { mass: linear, offset: force, torque: Couple(torque), cuts: cuts.mapped(|w| w.force) }
-    }
-    /// All of a relation.
-    #[inline(always)]
-    fn rigid(relation: Full<T>) -> Self {
-        Self { kind: Kind::Rigid, relation }
     }
 }
 
@@ -179,7 +147,6 @@ pub struct OfJoint<T> {
 }
 
 impl<T: Scalar> Reversed for Spatial<T> {
-    type Outboard<C: Closures> = Outboard<T, C>;
     type Pivot = Pivot<T>;
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
@@ -207,27 +174,6 @@ impl<T: Scalar> Reversed for Spatial<T> {
         elements.take(&mut Orient, turn, (position, rate, x, y, p, q));
     }
 
-    #[inline(always)]
-    fn nothing() -> Outboard<T> {
-        Outboard { kind: Kind::Nothing, relation: Full::massless() }
-    }
-    #[inline(always)]
-    fn join<C: Closures>(chain: Outboard<T, C>, arm: Outboard<T>) -> Outboard<T, C> {
-        Outboard { kind: chain.kind.and(arm.kind), relation: chain.relation.join(arm.relation) }
-    }
-    #[inline(always)]
-    fn settle<C: Closures, O: Own>(
-        main: Outboard<T, Looped<C, O>>,
-        side: Outboard<T, O>,
-        measure: O::Measure<T>,
-    ) -> (Outboard<T, C>, LoopGain<Wrench<T>, T, C, O>) {
-        let (relation, gain) = main.relation.settle(side.relation, measure);
-        (Outboard { kind: main.kind.and(side.kind), relation }, gain)
-    }
-    #[inline(always)]
-    fn cuts<C: Closures>(outboard: &Outboard<T, C>) -> Cuts<Wrench<T>, T, C> {
-        outboard.relation.cuts
-    }
     fn no_pivot() -> Pivot<T> {
         Pivot { factor: Factor3::of_number(T::one()), torque: zero() }
     }

@@ -1,0 +1,69 @@
+//! What lies outboard of a station on the costate sweep's way inward.
+
+use crate::relation::{Closures, Full, Geometry, Join, LoopGain, Looped, Open, Own, Settle, WrenchOf};
+
+/// What lies outboard of a station, S and e, and W, Λ and y₀ of closure forces, with a kind: bodies save what a joint whose moment does not
+/// depend on the motion, or a free tip, leaves out.
+#[derive(Clone, Copy)]
+pub struct Outboard<S: Geometry, C: Closures = Open> {
+    pub kind: Kind,
+    pub relation: Full<S, C>,
+}
+
+/// What there is of a relation.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// A free tip: nothing.
+    Nothing,
+    /// A pin or a ball: the moment does not depend on the motion.
+    Point,
+    /// All of it.
+    Rigid,
+}
+
+impl Kind {
+    /// What there is of a sum.
+    #[inline(always)]
+    pub fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Nothing, kind) | (kind, Self::Nothing) => kind,
+            (Self::Point, Self::Point) => Self::Point,
+            _ => Self::Rigid,
+        }
+    }
+}
+
+impl<S: Geometry> Outboard<S> {
+    /// Nothing, beyond a free tip.
+    #[inline(always)]
+    pub fn nothing() -> Self {
+        Self { kind: Kind::Nothing, relation: Full::massless() }
+    }
+}
+
+impl<S: Geometry, C: Closures> Outboard<S, C> {
+    /// All of a relation.
+    #[inline(always)]
+    pub fn rigid(relation: Full<S, C>) -> Self {
+        Self { kind: Kind::Rigid, relation }
+    }
+    /// What lies beyond a station of which an arm leaves.
+    #[inline(always)]
+    pub fn join(self, arm: Outboard<S>) -> Self {
+        Self { kind: self.kind.and(arm.kind), relation: self.relation.join(arm.relation) }
+    }
+}
+
+impl<S: Geometry, C: Closures, O: Own> Outboard<S, Looped<C, O>> {
+    /// What lies beyond a station where the arms of a loop begin, without the forces that close it.
+    #[inline(always)]
+    #[allow(clippy::type_complexity)] // what is left, and how it is found again
+    pub fn settle(
+        self,
+        side: Outboard<S, O>,
+        measure: O::Measure<S::Scalar>,
+    ) -> (Outboard<S, C>, LoopGain<WrenchOf<S>, S::Scalar, C, O>) {
+        let (relation, gain) = self.relation.settle(side.relation, measure);
+        (Outboard { kind: self.kind.and(side.kind), relation }, gain)
+    }
+}

@@ -1,0 +1,61 @@
+//! What runs and gradients are handed: states, starts and torques that fit the scene.
+
+use super::Backward;
+use super::rules::Staged;
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
+use crate::element::{Element, Unloaded};
+use crate::ends::Resting;
+use crate::error::{Error, Fault, counted};
+use crate::loading::EffortOf;
+use crate::relation::Additive;
+use crate::system::Dynamics;
+use crate::system::{Elements, MotionOf, Runs, System};
+use crate::walks::fits::fits;
+
+impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
+where
+    S: Reversed,
+    R: Resting<S>,
+    C: Element<S>,
+    P: ReversibleTip<S>,
+    M: Staged,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
+    System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
+    EffortOf<S>: Additive,
+{
+    /// Refuses states of another scene and torques of another number; gives the last state.
+    pub(super) fn check<'a>(
+        &self,
+        torques: &[EffortOf<S>],
+        states: &'a [MotionOf<S, R, C, P>],
+    ) -> Result<&'a MotionOf<S, R, C, P>, Error> {
+        let Some(last) = states.last() else {
+            return Err(Error::new(Fault::Count { expected: 1, given: 0 }));
+        };
+        self.admits(states.len() - 1, torques.len())?;
+        let fit = self.fits(last) && states.iter().all(|state| state.fits(last));
+        if fit { Ok(last) } else { Err(Error::new(Fault::Shape)) }
+    }
+
+    /// Whether a motion is one of this scene.
+    pub(super) fn fits(&self, motion: &MotionOf<S, R, C, P>) -> bool {
+        fits(self.steps.scene.elements(), &motion.position, &motion.rate)
+    }
+
+    /// Refuses a motion whose tip is held, or one of whose loops is closed, twice in the same way, in which runs begin.
+    pub(super) fn independent(&mut self, start: &MotionOf<S, R, C, P>) -> Result<(), Error> {
+        if const { System::<S, R, C, P>::CLOSED == 0 } {
+            return Ok(());
+        }
+        let scene = self.steps.scene;
+        self.spare.copy_state(start);
+        scene.accelerate(&mut self.spare, &Unloaded, &mut scene.workspace())
+    }
+
+    /// Refuses lists of torques of another length.
+    pub(super) fn admits(&self, steps: usize, given: usize) -> Result<(), Error> {
+        let joints = self.steps.scene.joints();
+        if given == 0 || given == joints { Ok(()) } else { counted(steps.saturating_mul(joints), given) }
+    }
+}
