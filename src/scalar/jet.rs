@@ -142,6 +142,7 @@ impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
     type Real = T::Real;
     const ANGLE_RANGE: T::Real = T::ANGLE_RANGE;
     const LARGE: bool = true;
+    const LANES: bool = T::LANES;
 
     #[inline(always)]
     fn constant(value: T::Real) -> Self {

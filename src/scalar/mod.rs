@@ -83,6 +83,9 @@ pub trait Scalar:
     /// Largest magnitude in rad for which [`sin_cos`](Scalar::sin_cos) keeps its stated accuracy.
     const ANGLE_RANGE: Self::Real;
 
+    /// Whether a number is several of equal standing: lanes, of which none decides for the others.
+    const LANES: bool = false;
+
     /// The constant `value`: no derivatives, the same in every lane.
     fn constant(value: Self::Real) -> Self;
 

@@ -107,6 +107,43 @@ fn event_functions_that_are_not_numbers_are_refused() -> Result<(), Error> {
     Ok(())
 }
 
+/// The times of all events of a function of time, in a second of steps of 0.1 s.
+fn events(function: fn(f64) -> f64) -> Result<Vec<f64>, Error> {
+    use planar::*;
+    let scene = System::new(Pinned::origin(), Rod::uniform(1.0, 1.0), Free)?.with_gravity(9.81);
+    let mut found = vec![];
+    let event = move |now: &Now<'_, _, _, _, _, _>| function(now.time());
+    scene.simulation(Rk4::step(0.1)).event(event).run(scene.at_rest(&[0.0])?, 1.0, |now| {
+        if now.is_event() {
+            found.push(now.time());
+        }
+    })?;
+    Ok(found)
+}
+
+#[test]
+fn zeros_at_the_ends_of_steps_hide_no_others() -> Result<(), Error> {
+    let near = |found: Vec<f64>, expected: &[f64]| {
+        let same = found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-12);
+        assert!(found.len() == expected.len() && same, "{found:?}, not {expected:?}");
+    };
+    near(events(|t| (t - 0.5) * (t - 0.55))?, &[0.5, 0.55]);
+    near(events(|t| t * (t - 0.05))?, &[0.05]);
+    // One that stays at zero, one that only touches it, one that leaves it slowly.
+    near(events(|t| (0.2 - t).max(0.0))?, &[0.2]);
+    near(events(|t| (t - 0.5).powi(2))?, &[0.5]);
+    near(events(|t| (1.0 + t.powi(4)) - 1.0)?, &[]);
+    Ok(())
+}
+
+#[test]
+fn signs_of_tiny_and_of_infinite_values_are_read() -> Result<(), Error> {
+    assert_eq!(events(|t| 1e-170 * (1.0 + t))?, []);
+    assert!((events(|t| 1e-170 * (0.45 - t))?[0] - 0.45).abs() < 1e-12);
+    assert!((0.45..=0.5).contains(&events(|t| if t < 0.45 { f64::INFINITY } else { 0.0 })?[0]));
+    Ok(())
+}
+
 /// A pendulum of numbers of a type, run by `Dop853` with a tolerance.
 fn with_tolerance<T: Scalar<Real = T> + catena::Real + Debug>(tolerance: T) -> Option<Fault> {
     use planar::*;
