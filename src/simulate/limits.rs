@@ -8,7 +8,7 @@ use crate::time::Control;
 pub(super) const MOST: f64 = 1e11;
 
 /// Refuses times, steps, tolerances and intervals that make no run from `start` to `end` (s).
-pub(super) fn check<R: Real>(
+pub(crate) fn check<R: Real>(
     [start, end]: [R; 2],
     control: Control<R>,
     every: Option<R>,

@@ -6,7 +6,7 @@ pub(crate) mod crossing;
 mod drive;
 #[cfg(feature = "rayon")]
 mod ensemble;
-mod limits;
+pub(crate) mod limits;
 mod saved;
 mod stick;
 mod trials;
