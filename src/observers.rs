@@ -64,7 +64,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Observe<S, R
 /// Writes each instant as a line of CSV: time, then position, rate and acceleration of every joint coordinate, then energy.
 ///
 /// Columns are named after joints: by their names, by `joint_` and their numbers where they have none, and by both where several have
-/// the same. Where a joint has several coordinates, these are numbered. Numbers are written so that they read back exactly. Dual numbers
+/// the same, no two alike. Where a joint has several coordinates, these are numbered. Numbers are written so that they read back exactly. Dual numbers
 /// write their real part. Of lanes none stands for the others: they are an error.
 ///
 /// ```
@@ -139,21 +139,29 @@ impl<W: std::io::Write> Trace<W> {
 /// The names of all columns.
 #[cfg(feature = "std")]
 fn columns<S: Space, E: Element<S>>(elements: &E) -> String {
-    let mut joints = Vec::new();
+    let mut named = Vec::new();
     parts(elements, &mut |part| {
         if let Sort::Joint { coordinates, rates } = part.sort {
-            joints.push((part.name, coordinates, rates));
+            named.push((part.name, coordinates, rates));
         }
     });
+    let mut joints: Vec<(String, usize, usize)> = Vec::new();
+    for (number, (name, coordinates, rates)) in named.iter().enumerate() {
+        let alone = named.iter().filter(|(other, ..)| other == name).count() == 1;
+        let mut label = match name {
+            Some(name) if alone => String::from(*name),
+            Some(name) => format!("{name}_{number}"),
+            None => format!("joint_{number}"),
+        };
+        // A joint may have the name that another is given.
+        while joints.iter().any(|(other, ..)| *other == label) {
+            label = format!("{label}_{number}");
+        }
+        joints.push((label, *coordinates, *rates));
+    }
     let mut text = String::from("time");
     for what in ["position", "rate", "acceleration"] {
-        for (number, (name, coordinates, rates)) in joints.iter().enumerate() {
-            let alone = joints.iter().filter(|(other, ..)| other == name).count() == 1;
-            let label = match name {
-                Some(name) if alone => String::from(*name),
-                Some(name) => format!("{name}_{number}"),
-                None => format!("joint_{number}"),
-            };
+        for (label, coordinates, rates) in &joints {
             let count = if what == "position" { *coordinates } else { *rates };
             for k in 0..count {
                 let column = if count == 1 { format!("{label}_{what}") } else { format!("{label}_{what}_{k}") };
