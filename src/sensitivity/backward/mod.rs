@@ -20,7 +20,6 @@ use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Resting, Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
-use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
@@ -180,7 +179,8 @@ where
     /// step begins. `torques` are those in all joints (the root's first), held over the first step, then those over the second, and so on;
     /// or those of one step, held over all; or none.
     ///
-    /// The last state has no accelerations but zeros: `with_accelerations` finds them.
+    /// The last state has no accelerations but zeros, and by `Sdirk4`, which finds none where a step begins, so has each:
+    /// `with_accelerations` finds them.
     ///
     /// A step ends at a multiple of its size after the start, without the rounding of a running sum, as in
     /// [`simulate`](System::simulate).
@@ -212,7 +212,7 @@ where
             self.steps.take_torques(torques, k);
             let time = start.time + step * RealOf::<S>::of((k + 1) as f64);
             self.steps.step_to(time, past, &mut self.record, next);
-            past.acceleration.set(self.record.first());
+            self.record.begin(past);
             Dynamics::<Unloaded>::accept(self.steps.scene, next)?;
         }
         Ok(())
