@@ -282,8 +282,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         Self { longest: Some(longest), ..self }
     }
 
-    /// Also shown where a function of the motion crosses zero, once a step at most. Times are plain numbers: jets and dual numbers have there
-    /// the derivatives at a fixed time, and lanes the motion where one of them crosses.
+    /// Also shown where a function of the motion crosses zero, once a step at most.
     pub fn event<F>(self, function: F) -> Simulation<'a, S, R, C, P, L, M, F>
     where
         F: FnMut(&Now<'_, S, R, C, P, L>) -> S::Scalar,
@@ -292,7 +291,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         Simulation { system, loads, rule, every, longest, event: function, stop }
     }
 
-    /// Stops where the event function crosses zero.
+    /// Stops where the event function crosses zero. Times are plain numbers: jets and dual numbers have there the derivatives at a fixed time.
     #[must_use]
     pub fn stopping(self) -> Self {
         Self { stop: true, ..self }

@@ -61,7 +61,7 @@ where
         for k in 1..states.len() {
             let [past, next, ..] = &mut states[k - 1..] else { break };
             let after = value(next)?;
-            if (before > 0.0 && after <= 0.0) || (before < 0.0 && after >= 0.0) {
+            if before != 0.0 && before * after <= 0.0 {
                 let size = next.time - past.time;
                 self.steps.take_torques(torques, k - 1);
                 let mut cut = |theta: f64| {
