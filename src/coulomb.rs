@@ -3,6 +3,7 @@
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
+use crate::error::checks::positive;
 use crate::kinematics::{Acting, Driving, Kinematics, Outboard};
 use crate::lift::Lift;
 use crate::mirror::{Mode, Slip, Sticking};
@@ -11,7 +12,7 @@ use crate::release::{Freedom, Release, Resistance};
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Joint, JointPosture, Kept, PerAxes, leaf};
 use crate::space::{FrameOf, RealOf, Space};
-use crate::spring::{SpringLaw, positive, read};
+use crate::spring::{SpringLaw, read};
 use num_traits::Zero;
 use typenum::{U0, U1};
 
