@@ -36,7 +36,7 @@ pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
 pub use linear::{Carried, Inertial};
 #[cfg(feature = "std")]
-pub(crate) use linear::{numbers, set, unit};
+pub(crate) use linear::{Linear, numbers, set, step, unit};
 pub use series::SeriesDynamics;
 pub use turning::AngularVelocity;
 
