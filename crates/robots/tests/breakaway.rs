@@ -50,7 +50,7 @@ fn friction_never_drives() -> Result<(), Box<dyn std::error::Error>> {
     let x = end.coordinates()[0];
     let mut turned = [end; 3];
     turned[0].set_rates(&[-1.0])?;
-    *turned[1].rate_mut() = scene.with_rates(scene.motion(), &[-1.0])?.rate().clone();
+    *turned[1].rate_mut() = *scene.with_rates(scene.motion(), &[-1.0])?.rate();
     turned[2] = scene.with_rates(end, &[-1.0])?;
     for motion in turned {
         near(scene.with_accelerations(motion, &Unloaded)?.accelerations()[0], -100.0 * x + 5.0, 1e-12);
