@@ -111,6 +111,9 @@ pub trait Scalar:
         self + term.scale(factor)
     }
 
+    /// Whether a scalar is several numbers, of which decisions see one: lanes.
+    const SEVERAL: bool = false;
+
     /// Whether copies of it count, so that sums are better left to [`combine`](Scalar::combine) and
     /// [`accumulate`](Scalar::accumulate).
     const LARGE: bool = false;
