@@ -3,6 +3,7 @@
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
+use crate::error::checks::positive;
 use crate::kinematics::{Acting, Driving, Kinematics, Outboard};
 use crate::lift::Lift;
 use crate::mirror::{Mode, Slip, Sticking};
@@ -11,7 +12,7 @@ use crate::release::{Freedom, Release, Resistance};
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Joint, JointPosture, Kept, PerAxes, leaf};
 use crate::space::{FrameOf, RealOf, Space};
-use crate::spring::{SpringLaw, positive, read};
+use crate::spring::{SpringLaw, read};
 use num_traits::Zero;
 use typenum::{U0, U1};
 
@@ -21,7 +22,8 @@ use typenum::{U0, U1};
 /// Sticking and slipping are modes of a motion: a joint that sticks is locked, and has no pivot. Runs ([`simulation`] and all that follows
 /// from it) change them where the rate passes zero and where the force breaks the joint away, the earliest first if several joints are
 /// about to; they end a step there, so that rules keep their order, and rules that remember motions begin anew. A run finds
-/// the modes of its start from its rates. Steps of a [`Stepper`] of one's own change no mode: [`DryFriction`] is the smooth law for these.
+/// the modes of its start from its rates; where rates are set by hand they follow from these. Steps of a [`Stepper`] of one's own change no
+/// mode, and are refused where a joint has come to move against that in which a run has left it: [`DryFriction`] is the smooth law for these.
 ///
 /// Any joint with one coordinate can have such friction, in the plane and in space, and a spring, damper or law beside it. Runs over numbers
 /// with derivatives, and over lanes, are refused: changes of mode have none of these. So are equilibria and modes of vibration, for a joint

@@ -1,5 +1,6 @@
 //! What can go wrong, as values that say when, where and what.
 
+pub(crate) mod checks;
 mod text;
 
 use crate::names::Label;
@@ -315,17 +316,11 @@ impl Error {
 impl core::error::Error for Error {}
 
 /// Refuses a list of another length.
-///
-/// # Errors
-/// [`Fault::Count`].
 pub(crate) fn counted(expected: usize, given: usize) -> Result<(), Error> {
     if given == expected { Ok(()) } else { Err(Error::new(Fault::Count { expected, given })) }
 }
 
 /// Refuses numbers that are not finite.
-///
-/// # Errors
-/// [`Fault::NotFinite`].
 pub(crate) fn finite(is: bool, parameter: &'static str) -> Result<(), Error> {
     if is { Ok(()) } else { Err(Error::new(Fault::NotFinite { parameter })) }
 }

@@ -17,22 +17,39 @@
 //! ```
 
 use crate::dense::{Matrix, Tangent};
-use crate::element::{Element, Loading};
+use crate::element::{Coordinates, Element, Loading, RealOf};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::Rate;
+use crate::mirror::{Position, Rate};
+use crate::observe::each_body;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Dynamics, Inertial, MotionOf, Runs, StiffDynamics, System, numbers};
+use crate::system::{
+    Dynamics, Inertial, Linear, MotionOf, PositionOf, Runs, StiffDynamics, System, coordinates, numbers, set, step,
+    unit,
+};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use num_traits::Zero;
 use std::vec::Vec;
 
-/// A position of rest may be off by this much (rad, m).
-const OFF: f64 = 1e-6;
-/// A stiffness may be asymmetric by this much of its size: differences and rounding leave far less.
-const ASYMMETRY: f64 = 1e-6;
-/// Squared frequencies below this share of the largest are rounding.
-const FLAT: f64 = 1e-11;
+/// What rounding by ε leaves of a result.
+struct Limits {
+    /// A position of rest may be off by this much (rad, m), and a stiffness asymmetric by this much of its size: differences and rounding
+    /// leave far less. 1e-6 of `f64`.
+    off: f64,
+    /// Squared frequencies below this share of the largest are rounding. 1e-11 of `f64`.
+    flat: f64,
+    /// Accelerations (rad/s², m/s²) below this share of the largest squared frequency, and of what gravity makes, are rounding.
+    pull: f64,
+}
+
+impl Limits {
+    fn of(epsilon: f64) -> Self {
+        Self { off: epsilon.powf(0.383), flat: epsilon.powf(0.7), pull: 1e3 * epsilon }
+    }
+}
+
+/// What gravity makes, about (m/s²).
+const GRAVITY: f64 = 10.0;
 
 /// Natural frequencies, ascending, and their modes.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,13 +124,15 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// to 1e-9.
     ///
     /// # Errors
-    /// [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6; [`Fault::NotConservative`] for loads without a
-    /// potential; [`Fault::Unsupported`] where joints stick; those of a sweep.
+    /// [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6 (over `f32` 2e-3), infinite for a scene that falls freely;
+    /// [`Fault::NotConservative`] for loads without a potential; [`Fault::Unsupported`] where joints stick, over lanes, and where the ground
+    /// or a drive moves a body so that its velocity changes with the coordinates (a rotor: its modes are gyroscopic), with the station of
+    /// the body; those of a sweep.
     pub fn modes<L: Loading<S>>(&self, rest: &MotionOf<S, R, C, P>, loads: &L) -> Result<Modes, Error>
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
-        Self::without_modes()?;
+        Self::rests_alone()?;
         let error = |fault| Error::new(fault).at_time(rest.time.as_f64());
         let mut workspace = self.workspace();
         let mut still = rest.clone();
@@ -141,28 +160,80 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let pull: Vec<S::Scalar> = near.tangent.components(&numbers(&still.acceleration));
         let pull = &root * DVector::from_iterator(n, pull.iter().map(|x| x.real().as_f64()));
         let stiffest = eigen.eigenvalues.amax();
+        let limits = Limits::of(RealOf::<S>::EPSILON.as_f64());
+        let flat = limits.flat * stiffest;
+        self.carried_alike(&still, &near, flat).map_err(|error| error.at_time(rest.time.as_f64()))?;
         let mut way = DVector::zeros(n);
         let mut order: Vec<usize> = (0..n).collect();
         order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
         let mut modes = Vec::with_capacity(n);
         for k in order {
             let (square, vector) = (eigen.eigenvalues[k], eigen.eigenvectors.column(k));
-            if square.abs() > FLAT * stiffest {
-                way.axpy(vector.dot(&pull) / square, &vector, 1.0);
-            }
             let along = root.solve_upper_triangular(&vector).ok_or_else(singular)?;
+            if square.abs() > flat {
+                way.axpy(vector.dot(&pull) / square, &vector, 1.0);
+            } else if (vector.dot(&pull) * along.amax()).abs() > limits.pull * stiffest.max(GRAVITY) {
+                return Err(error(Fault::NotAtRest { distance: f64::INFINITY }));
+            }
             modes.push(Mode { square, shape: shape::<S::Scalar>(&near.tangent, along.as_slice()) });
         }
         let way = root.solve_upper_triangular(&way).ok_or_else(singular)?;
         let distance = way.amax();
-        if distance > OFF {
+        if distance > limits.off {
             return Err(error(Fault::NotAtRest { distance }));
         }
         // Forces without a potential only then: away from rest the inertia forces are asymmetric too.
-        if asymmetry > ASYMMETRY {
+        if asymmetry > limits.off {
             return Err(error(Fault::NotConservative { asymmetry }));
         }
         Ok(Modes { modes })
+    }
+}
+
+impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// Refuses what the ground or a drive moves where all rates are zero, if that motion changes with the coordinates: forces in their rates
+    /// go with it. A change of less than the root of `flat` (rad²/s²) is none.
+    fn carried_alike(&self, still: &MotionOf<S, R, C, P>, near: &Linear<RealOf<S>>, flat: f64) -> Result<(), Error> {
+        let refuse = |what| Error::new(Fault::Unsupported { what });
+        if self.drift(still).iter().any(|x| x.as_f64() * x.as_f64() > flat) {
+            return Err(refuse("modes of vibration of what is held where the ground or a drive moves"));
+        }
+        // Of each body: velocities in its axes, by roots of what resists them, and the angular momentum in inertial axes.
+        let carried = |position: &PositionOf<S, R, C>| {
+            let (mut weighted, mut angular) = (Vec::new(), Vec::new());
+            each_body(
+                self.elements(),
+                self.ground(still.time),
+                Coordinates { position, ..coordinates(still) },
+                |body| {
+                    let mut own = Vec::new();
+                    S::weighted(body, &mut |x| own.push(x.as_f64()));
+                    weighted.push(DVector::from_vec(own));
+                    angular.push(S::carried(body).angular.map(|x| x.as_f64()));
+                },
+            );
+            (weighted, angular)
+        };
+        let (mut direction, step, root) = (still.rate.clone(), step::<RealOf<S>>(), dense(&near.root));
+        for k in 0..near.tangent.dimension() {
+            let along: Vec<_> = unit(near.tangent.dimension(), k).collect();
+            set(&mut direction, near.tangent.vector(&along).iter().map(|x| S::Scalar::constant(*x)));
+            let [ahead, behind] = [step, -step].map(|reach| {
+                let mut place = still.position.clone();
+                place.drift_0(&still.position, (reach, &direction));
+                place.set_clocks(still.time);
+                carried(&place)
+            });
+            let (inertia, reach) = (root.column(k).norm_squared(), 4.0 * flat * (step * step).as_f64());
+            let weighted = ahead.0.iter().zip(&behind.0).map(|(a, b)| (a - b).norm_squared() > reach * inertia);
+            let angular =
+                ahead.1.iter().zip(&behind.1).map(|(a, b)| (a - b).norm_squared() > reach * inertia * inertia);
+            if let Some(body) = weighted.zip(angular).position(|(weighted, angular)| weighted || angular) {
+                let what = "modes of vibration of a body that the ground or a drive moves as the coordinates say";
+                return Err(refuse(what).at_station(self.body(body)?.station));
+            }
+        }
+        Ok(())
     }
 }
 

@@ -5,7 +5,7 @@ mod data;
 mod flat;
 
 use crate::lift::Lift;
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Mode, Position, Rate};
 use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
 use core::fmt::{self, DebugList};
@@ -84,9 +84,16 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
         &self.rate
     }
 
-    /// Rates, to be set. The accelerations no longer belong to them until they are found anew.
+    /// Rates, to be set. The accelerations no longer belong to them until they are found anew, and joints with dry friction slip as these
+    /// rates say, whatever they did.
     pub fn rate_mut(&mut self) -> &mut P::Rate {
+        self.forget_modes();
         &mut self.rate
+    }
+
+    /// Lets what joints with dry friction do follow from their rates.
+    pub(crate) fn forget_modes(&mut self) {
+        self.position.each_mode(&mut self.rate, &self.acceleration, &mut |mode, _, _| *mode = Mode::Sticks);
     }
 
     /// Accelerations of the joint coordinates, in the shape of the scene.

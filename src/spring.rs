@@ -13,11 +13,11 @@ pub use stops::Stops;
 
 use crate::element::{Reading, Springs};
 use crate::error::Fault;
+use crate::error::checks::not_negative;
 use crate::lift::Lift;
 use crate::relation::{Absent, Coefficient, Term};
 use crate::scalar::{Real, Scalar};
 use core::fmt::Debug;
-use num_traits::Zero;
 
 /// A linear spring and damper: stiffness, damping and rest value, as far as there are any. The force on the outboard side is
 /// −k (u − u₀) − c u̇ with the coordinate u of the joint. For an angle the force is a torque (N·m) and the units are N·m/rad, N·m·s/rad
@@ -237,33 +237,10 @@ impl<T: Scalar, K: Coefficient<T>, D: Coefficient<T>, P: Term<T>> SpringLaw<T> f
         springs.pivot(self.stiffness, self.damping)
     }
     fn check(&self) -> Result<(), Fault> {
-        not_negative("stiffness", self.stiffness)?;
-        not_negative("damping", self.damping)?;
+        not_negative("stiffness", self.stiffness.times_onto(T::one(), T::zero()))?;
+        not_negative("damping", self.damping.times_onto(T::one(), T::zero()))?;
         if self.rest.is_finite() { Ok(()) } else { Err(Fault::NotFinite { parameter: "rest value" }) }
     }
-}
-
-/// Fails where a coefficient is NaN, infinite or negative.
-pub(crate) fn not_negative<T: Scalar>(parameter: &'static str, coefficient: impl Coefficient<T>) -> Result<(), Fault> {
-    let value = coefficient.times_onto(T::one(), T::zero());
-    if !value.is_finite() {
-        return Err(Fault::NotFinite { parameter });
-    }
-    if value.real() < T::Real::zero() {
-        return Err(Fault::Negative { parameter, value: value.real().as_f64() });
-    }
-    Ok(())
-}
-
-/// Fails where a number is NaN, infinite, negative or zero.
-pub(crate) fn positive<T: Scalar>(parameter: &'static str, number: T) -> Result<(), Fault> {
-    if !number.is_finite() {
-        return Err(Fault::NotFinite { parameter });
-    }
-    if number.real() <= T::Real::zero() {
-        return Err(Fault::NotPositive { parameter, value: number.real().as_f64() });
-    }
-    Ok(())
 }
 
 impl<T: Scalar, U: Scalar, K: Lift<T, U>, D: Lift<T, U>, P: Lift<T, U>> Lift<T, U> for Spring<K, D, P> {

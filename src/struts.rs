@@ -2,6 +2,7 @@
 
 use crate::element::{Load, Loading, RealOf, Space};
 use crate::error::Fault;
+use crate::error::checks::{finite, not_negative};
 use crate::lift::Lift;
 use crate::relation::{Wrench, WrenchOf};
 use crate::scalar::Scalar;
@@ -29,7 +30,8 @@ enum End<T, const D: usize> {
 }
 
 /// A massless spring and damper between two points. Its force acts along the line between them: k (ℓ − ℓ₀) + c ℓ̇ pulls the ends
-/// together.
+/// together. Where they meet the line has no direction: a strut with a length or a damper must keep them apart, or its force is NaN, which
+/// sweeps refuse as [`Fault::NonFiniteLoad`].
 ///
 /// ```
 /// use catena::planar::*;
@@ -222,12 +224,16 @@ where
         self.others.in_joint(time, joint, motion)
     }
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
-        for end in self.struts.iter().flat_map(|strut| &strut.ends) {
-            if let End::Body(body, _) = *end
-                && body >= bodies
-            {
-                return Err(Fault::NoSuchBody { body, bodies });
+        for Strut { ends, stiffness, damping, length } in &self.struts {
+            not_negative("stiffness of a strut", *stiffness)?;
+            not_negative("damping of a strut", *damping)?;
+            finite("length of a strut", &[*length])?;
+            for End::Body(_, at) | End::Ground(at) in ends {
+                finite("end of a strut", at)?;
             }
+            let body =
+                ends.iter().find_map(|end| if let End::Body(k, _) = *end { (k >= bodies).then_some(k) } else { None });
+            body.map_or(Ok(()), |body| Err(Fault::NoSuchBody { body, bodies }))?;
         }
         self.others.check(bodies, joints)
     }

@@ -32,10 +32,11 @@ pub trait LoadLaw<M: Seen> {
     fn list(&self) -> &[Self::Value] {
         &[]
     }
-    /// Refuses a list that is not as long as the scene has bodies or joints.
+    /// Refuses a list that is not as long as the scene has bodies or joints, and parameters that make no load. A law around another one
+    /// hands this on: else nothing checks the one inside.
     ///
     /// # Errors
-    /// [`Fault::Count`].
+    /// [`Fault::Count`], [`Fault::NoSuchBody`] and what is wrong with parameters.
     fn check(&self, count: usize) -> Result<(), Fault> {
         let _ = count;
         Ok(())

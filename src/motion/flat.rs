@@ -58,7 +58,7 @@ fn all_finite<T: Scalar>(numbers: &[T], parameter: &'static str) -> Result<(), E
 
 /// Reading and setting of one kind of rates.
 macro_rules! rates {
-    ($what:literal $lower:literal, $field:ident, $all:ident $all_into:ident $of:ident, $set_all:ident $set_of:ident) => {
+    ($what:literal $lower:literal, $field:ident $field_mut:ident, $all:ident $all_into:ident $of:ident, $set_all:ident $set_of:ident) => {
         #[doc = concat!($what, " of all joints, root to tip, as a list.")]
         #[cfg(feature = "alloc")]
         pub fn $all(&self) -> Vec<T> {
@@ -90,7 +90,7 @@ macro_rules! rates {
         pub fn $set_all(&mut self, list: &[T]) -> Result<(), Error> {
             all_finite(list, $lower)?;
             counted(self.rate_count(), list.len())?;
-            replaced(list, 0, |make| self.$field.replace(&mut |x| make(x)));
+            replaced(list, 0, |make| self.$field_mut().replace(&mut |x| make(x)));
             Ok(())
         }
 
@@ -105,7 +105,7 @@ macro_rules! rates {
             if self.rate_count() < joint.rates[1] {
                 return Err(Error::new(Fault::Shape));
             }
-            replaced(list, joint.rates[0], |make| self.$field.replace(&mut |x| make(x)));
+            replaced(list, joint.rates[0], |make| self.$field_mut().replace(&mut |x| make(x)));
             Ok(())
         }
     };
@@ -208,6 +208,6 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
         Ok(())
     }
 
-    rates!("Rates" "rates", rate, rates rates_into rates_of, set_rates set_rates_of);
-    rates!("Accelerations" "accelerations", acceleration, accelerations accelerations_into accelerations_of, set_accelerations set_accelerations_of);
+    rates!("Rates" "rates", rate rate_mut, rates rates_into rates_of, set_rates set_rates_of);
+    rates!("Accelerations" "accelerations", acceleration acceleration_mut, accelerations accelerations_into accelerations_of, set_accelerations set_accelerations_of);
 }

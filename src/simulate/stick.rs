@@ -22,7 +22,7 @@ const LOOKS: [u32; 2] = [2, 8];
 const CHANGE: f64 = 0.1;
 /// Up to so many roundings of what a joint gains in a step its rate is that of one at rest.
 const ROUNDINGS: f64 = 1e4;
-/// Changes of mode at one instant before it is clear that none are consistent.
+/// Changes of mode at one instant, besides one of each joint, before it is clear that none are consistent.
 const CHANGES: usize = 64;
 
 /// How far a joint is from a change of its mode: positive before.
@@ -202,11 +202,14 @@ where
     pub(super) fn settle_modes(&mut self, changed: Option<usize>) -> Result<(), Error> {
         let (system, loads) = (self.plan.system, self.plan.loads);
         let (mut workspace, next) = (Dynamics::<L>::workspace(system), &mut self.next);
-        if changed.is_none() {
-            next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| *mode = Mode::of(*rate));
-        }
-        let mut least = 0;
-        for _ in 0..CHANGES {
+        let (mut least, mut changes) = (0, CHANGES);
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| {
+            changes += 1;
+            if changed.is_none() {
+                *mode = Mode::of(*rate);
+            }
+        });
+        for _ in 0..changes {
             if let Err(error) = system.accelerate(next, loads, &mut workspace) {
                 return Err(self.overlocked(error));
             }

@@ -9,10 +9,10 @@ use crate::element::{
 };
 use crate::ends::{Root, Tip};
 use crate::relation::{Acceleration, Closures, Part, Solvable};
-use crate::release::Release;
 use crate::shape::{Body, Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::space::FrameOf;
 use crate::visit::survey;
+use crate::walks::entries::{Entry, entries};
 use crate::walks::measure::gains;
 use crate::walks::recover::recover;
 use crate::walks::respond::respond;
@@ -222,16 +222,24 @@ pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
     if const { !L::ON } {
         return None;
     }
+    if const { L::BY_COORDINATE } {
+        let mut joints = chain.store::<PerJoint<_>>(L::nothing().1);
+        spread::to_coordinates(chain, loads.in_joints_listed(), &mut joints);
+        let (mut count, mut broken) = (0_usize, None);
+        entries(chain, &chain.store::<PerBody<()>>(()), &joints, &mut |entry| {
+            broken = if matches!(entry, Entry::Joint(torque) if !torque.is_finite()) { Some(count) } else { broken };
+            count += 1;
+        });
+        return broken;
+    }
     let seen = survey(chain, *ground, motion, loads);
-    let mut check = LoadCheck { pass: LoadPass { loads, seen, time, body: 0, joint: 0 }, coordinate: 0, broken: None };
+    let mut check = LoadCheck { pass: LoadPass { loads, seen, time, body: 0, joint: 0 }, broken: None };
     show(chain, *ground, motion, &mut check);
     check.broken
 }
 
 struct LoadCheck<'a, S: Space, L: Loading<S>> {
     pass: LoadPass<'a, S, L>,
-    /// Joints of one coordinate that have been met.
-    coordinate: usize,
     broken: Option<usize>,
 }
 
@@ -249,22 +257,7 @@ impl<S: Space, L: Loading<S>> Watch<S> for LoadCheck<'_, S, L> {
         self.note(load.is_finite());
     }
     fn joint(&mut self, motion: &S::JointMotion) {
-        if const { L::BY_COORDINATE } {
-            self.pass.joint += 1; // of a loop: not listed
-            return;
-        }
         let torque = self.pass.joint(motion);
         self.note(torque.is_finite());
-    }
-    fn joint_with(&mut self, motion: &S::JointMotion, release: &dyn Fn() -> Release<S>) {
-        if const { !L::BY_COORDINATE } {
-            return self.joint(motion);
-        }
-        self.pass.joint += 1;
-        if let [Some(_), None, ..] = release().coordinates {
-            let torque = self.pass.loads.in_joint(self.pass.time, self.coordinate, motion);
-            self.coordinate += 1;
-            self.note(torque.is_finite());
-        }
     }
 }

@@ -1,8 +1,9 @@
 //! Dry friction without a jump.
 
-use super::{SpringLaw, not_negative, positive};
+use super::SpringLaw;
 use crate::element::Springs;
 use crate::error::Fault;
+use crate::error::checks::{not_negative, positive};
 use crate::lift::lift;
 use crate::relation::{Absent, Coefficient};
 use crate::scalar::{Real, Scalar};
@@ -72,7 +73,10 @@ impl<T: Scalar, B: Coefficient<T>> SpringLaw<T> for DryFriction<T, B> {
     }
     fn check(&self) -> Result<(), Fault> {
         not_negative("dry friction", self.sliding)?;
-        not_negative("what dry friction breaks away at, beyond its force of sliding", self.excess)?;
+        not_negative(
+            "what dry friction breaks away at, beyond its force of sliding",
+            self.excess.times_onto(T::one(), T::zero()),
+        )?;
         positive("speed over which dry friction sets in", self.speed)
     }
 }

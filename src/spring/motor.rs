@@ -1,7 +1,8 @@
 //! Electric motors: what torque they can give.
 
-use super::{above, not_negative, positive};
+use super::above;
 use crate::error::Fault;
+use crate::error::checks::{not_negative, positive};
 use crate::lift::lift;
 use crate::scalar::Scalar;
 

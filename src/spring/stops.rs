@@ -1,8 +1,9 @@
 //! Compliant stops at both ends of a coordinate's range.
 
-use super::{Compression, SpringLaw, above, not_negative, positive};
+use super::{Compression, SpringLaw, above};
 use crate::element::Springs;
 use crate::error::Fault;
+use crate::error::checks::{not_negative, positive};
 use crate::lift::lift;
 use crate::relation::{Absent, Coefficient};
 use crate::scalar::{Real, Scalar};
@@ -88,7 +89,7 @@ impl<T: Scalar, C: Coefficient<T>> SpringLaw<T> for Stops<T, C> {
         positive("range between stops", self.reach)?;
         positive("depth over which stops set in", self.depth)?;
         not_negative("stiffness of stops", self.stiffness)?;
-        not_negative("damping of stops", self.damping)
+        not_negative("damping of stops", self.damping.times_onto(T::one(), T::zero()))
     }
 }
 

@@ -12,6 +12,7 @@ mod taylor;
 mod vcabm;
 
 use crate::error::{Error, Fault};
+use crate::mirror::Position;
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
@@ -49,6 +50,20 @@ fn check<D: Dynamics<L>, L>(
     } else {
         Err(Error::new(Fault::NotPositive { parameter: "step size", value: dt.as_f64() }))
     }
+}
+
+/// Refuses a joint with dry friction whose mode has another sign than its rate: friction would drive it. Of `next` it makes a copy.
+fn slips_as_it_moves<D: Dynamics<L>, L>(past: &MotionIn<D, L>, next: &mut MotionIn<D, L>) -> Result<(), Error> {
+    if const { !D::Position::STICKS } {
+        return Ok(());
+    }
+    next.copy_state(past);
+    let mut against = false;
+    next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| {
+        against |= (mode.sign::<D::Scalar>() * *rate).real() < Zero::zero();
+    });
+    let what = "a joint with dry friction that moves against its mode, which runs change, and single steps do not";
+    if against { Err(Error::new(Fault::Unsupported { what }).at_time(past.time.as_f64())) } else { Ok(()) }
 }
 
 /// What is wrong with a stage of a step: one that leaps out of the range of angles says no more than that the step is too long.
@@ -89,7 +104,8 @@ pub trait Stepper<D: Dynamics<L>, L> {
     ///
     /// # Errors
     /// What kept the step from a finite motion, with time and station; `next` is then undefined and `past` as it was. An implicit
-    /// method also refuses a step that is not positive and finite, and parameters that make no rule.
+    /// method also refuses a step that is not positive and finite, and parameters that make no rule. [`Fault::Unsupported`] where a joint
+    /// with dry friction has come to move against the mode that a run has left it in.
     fn step(
         &mut self,
         past: &MotionIn<D, L>,
@@ -98,6 +114,7 @@ pub trait Stepper<D: Dynamics<L>, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.admit(past, loads, dt, next)?;
+        slips_as_it_moves::<D, L>(past, next)?;
         self.begin(past, loads);
         self.make(past, loads, dt, next)
     }

@@ -180,7 +180,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// Residuals of velocity of all that is held: the tip, and ends of loops.
-    fn drift(&self, motion: &MotionOf<S, R, C, P>) -> Vec<RealOf<S>> {
+    pub(crate) fn drift(&self, motion: &MotionOf<S, R, C, P>) -> Vec<RealOf<S>> {
         let mut drift = vec![];
         P::Closures::map(&self.residual(motion)[1], |x| drift.push(x.real()));
         each_residual(self.elements(), self.ground(motion.time), coordinates(motion), |[_, x]| drift.push(x.real()));
@@ -263,7 +263,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 
 /// The step of the differences. The scale of angles is a radian, and it loses about as much by their order as by rounding. A power
 /// of two adds to an angle without rounding.
-fn step<R: Real>() -> R {
+pub(crate) fn step<R: Real>() -> R {
     let mut step = R::one();
     while step * step * step * step * step * step > R::EPSILON * R::of(1.0 / 64.0) {
         step *= R::of(0.5);

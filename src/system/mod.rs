@@ -36,7 +36,7 @@ pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
 pub use linear::{Carried, Inertial};
 #[cfg(feature = "std")]
-pub(crate) use linear::{numbers, set, unit};
+pub(crate) use linear::{Linear, numbers, set, step, unit};
 pub use series::SeriesDynamics;
 pub use turning::AngularVelocity;
 
@@ -211,7 +211,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ) -> Result<MotionOf<S, R, C, P>, Error> {
         self.fits(&motion)?;
         let mut expected = 0;
-        motion.rate.replace(&mut |_| {
+        motion.rate_mut().replace(&mut |_| {
             expected += 1;
             rates.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         });

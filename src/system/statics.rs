@@ -54,7 +54,8 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::NoEquilibrium`] with the acceleration left (a scene that falls freely has no equilibrium);
-    /// [`Fault::NotClosed`] where the tip does not reach; [`Fault::Shape`]; [`Fault::Unsupported`] where joints stick; those of a sweep.
+    /// [`Fault::NotClosed`] where the tip does not reach; [`Fault::Shape`]; [`Fault::Unsupported`] where joints stick and over lanes; those
+    /// of a sweep.
     pub fn equilibrium<L: Loading<S>>(
         &self,
         guess: MotionOf<S, R, C, P>,
@@ -63,7 +64,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
-        Self::without_modes()?;
+        Self::rests_alone()?;
         let real = RealOf::<S>::of;
         let mut workspace = self.workspace();
         let mut stiff = self.stiff_workspace();
@@ -116,10 +117,14 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Err(self.unsettled(&now))
     }
 
-    /// Refuses scenes in which joints stick: these rest anywhere within what friction holds.
-    pub(crate) fn without_modes() -> Result<(), Error> {
-        let fault = Fault::Unsupported { what: "equilibria and modes of vibration of joints that stick" };
-        if PositionOf::<S, R, C>::STICKS { Err(Error::new(fault)) } else { Ok(()) }
+    /// Refuses scenes in which joints stick, for these rest anywhere within what friction holds, and lanes, each of which rests elsewhere.
+    pub(crate) fn rests_alone() -> Result<(), Error> {
+        let refuse = |what| Err(Error::new(Fault::Unsupported { what }));
+        match (PositionOf::<S, R, C>::STICKS, S::Scalar::SEVERAL) {
+            (true, _) => refuse("equilibria and modes of vibration of joints that stick"),
+            (_, true) => refuse("equilibria and modes of vibration of several lanes"),
+            _ => Ok(()),
+        }
     }
 
     /// Puts the tip where it is held, without rates, and finds the accelerations.

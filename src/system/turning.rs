@@ -143,6 +143,7 @@ impl<S: Turning, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         mut wanted: impl FnMut(&Swivel<S>) -> Wanted<S>,
     ) -> Result<(), Error> {
         self.fits(motion)?;
+        motion.forget_modes();
         let ground = self.ground(motion.time).turn;
         steer(self.elements(), ground, &mut motion.position, &mut motion.rate, &mut wanted).map_err(Error::beyond_root)
     }

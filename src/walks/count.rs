@@ -1,5 +1,6 @@
 //! Bodies and joints, counted.
 
+use crate::mirror::Rate;
 use crate::shape::{AtBody, AtClosing, AtJoint, Body, Closing, Joint, Outward, Shape, Walk, alike, items_outward};
 use crate::space::Space;
 
@@ -39,7 +40,7 @@ impl<S: Space> Outward<S> for Single {
 
     fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
     fn joint<J: Joint<S>>(&mut self, _: &J, (): (), _: AtJoint<'_, S, Self, J>) {
-        self.0 += usize::from(size_of::<J::Rate>() == size_of::<S::Scalar>());
+        self.0 += usize::from(<J::Rate as Rate<S::Scalar>>::LENGTH == 1);
     }
 }
 

@@ -1,5 +1,6 @@
 //! Values from a list, copied to the entries of bodies or of joints.
 
+use crate::mirror::Rate;
 use crate::shape::{
     AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Outward, PerBody, PerJoint, Shape, Slices, Walk, alike,
     items_outward,
@@ -126,7 +127,7 @@ impl<S: Space, X: Copy + 'static> Outward<S> for Coordinates<'_, X> {
     fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
     #[inline(always)]
     fn joint<J: Joint<S>>(&mut self, _: &J, (): (), (joint,): AtJoint<'_, S, Self, J>) {
-        if const { size_of::<J::Rate>() == size_of::<S::Scalar>() } {
+        if const { <J::Rate as Rate<S::Scalar>>::LENGTH == 1 } {
             take_first(&mut self.0, joint);
         }
     }

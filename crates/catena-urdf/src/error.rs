@@ -158,6 +158,11 @@ pub enum Fault {
         /// The joint.
         joint: String,
     },
+    /// A joint is to be held at two places.
+    HeldTwice {
+        /// The joint.
+        joint: String,
+    },
     /// What lies beyond a joint has no inertia about (or along) its axis, so that no torque has an answer.
     NoInertia {
         /// The joint.
@@ -240,6 +245,7 @@ impl fmt::Display for Fault {
                 write!(f, "joint {joint:?} floats, but is not the only joint of a root without mass")
             }
             Self::CannotHold { joint } => write!(f, "joint {joint:?} has no single coordinate to be held at"),
+            Self::HeldTwice { joint } => write!(f, "joint {joint:?} is to be held twice"),
             Self::NoInertia { joint } => {
                 write!(f, "nothing beyond joint {joint:?} resists it: no inertia about or along its axis")
             }

@@ -26,7 +26,7 @@ fn of_point(mass: f64, r: Vector) -> Matrix {
 
 /// The least second moment ∫ (x·n)² dm, relative to the tensor's trace, below which a body is impossible by more than rounding
 /// of six digits, which is what files have.
-const ROUNDED: f64 = -1e-6;
+pub(crate) const ROUNDED: f64 = -1e-6;
 
 impl Inertia {
     pub(crate) const NONE: Self = Self { mass: 0.0, centre: ZERO, tensor: [ZERO; 3] };
@@ -66,12 +66,11 @@ impl Inertia {
         eigen(&matrix(|i, k| half * IDENTITY[i][k] - self.tensor[i][k]))
     }
 
-    /// The least second moment relative to the tensor's trace, where it is negative by more than rounding in files.
-    pub(crate) fn deficit(&self) -> Option<f64> {
+    /// The least second moment relative to the tensor's trace.
+    pub(crate) fn deficit(&self) -> f64 {
         let size = self.tensor.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
         let (moments, _) = self.second_moments();
-        let least = moments.into_iter().fold(f64::INFINITY, f64::min) / trace(&self.tensor).abs().max(size);
-        (least < ROUNDED).then_some(least)
+        moments.into_iter().fold(f64::INFINITY, f64::min) / trace(&self.tensor).abs().max(size)
     }
 
     /// Whether `catena` takes it: second moments negative by no more than rounding of doubles.
@@ -112,7 +111,7 @@ mod tests {
         let second = turned(&turn, &[[0.03, 0.0, 0.0], [0.0, 0.02, 0.0], [0.0, 0.0, -0.01]]);
         let tensor = matrix(|i, k| 0.04 * IDENTITY[i][k] - second[i][k]);
         let body = Inertia { mass: 1.0, centre: ZERO, tensor };
-        assert!((body.deficit().expect("impossible") + 0.01 / 0.08).abs() < 1e-12);
+        assert!((body.deficit() + 0.01 / 0.08).abs() < 1e-12);
         let repaired = body.repaired();
         assert!(repaired.is_possible());
         let right = turned(&turn, &[[0.02, 0.0, 0.0], [0.0, 0.03, 0.0], [0.0, 0.0, 0.05]]);

@@ -2,7 +2,7 @@
 
 use crate::algebra::{IDENTITY, Vector, ZERO, about, cross, scale, unit};
 use crate::error::{Error, Fault};
-use crate::inertia::{Inertia, LARGEST};
+use crate::inertia::{Inertia, LARGEST, ROUNDED};
 use crate::model::{Furniture, Joint, Kind, Link, Model, Pose};
 use crate::note::{Notes, Remark};
 use crate::options::{Base, Options};
@@ -15,13 +15,16 @@ const MOST_JOINTS: usize = 512;
 /// Lumps a description into a robot.
 pub fn robot(model: &Model, options: &Options, notes: &mut Notes) -> Result<Robot, Error> {
     let order = tree::order(model)?;
-    for (name, _) in &options.held {
+    for (number, (name, _)) in options.held.iter().enumerate() {
+        if options.held[..number].iter().any(|(held, _)| held == name) {
+            return Err(Error::new(Fault::HeldTwice { joint: name.clone() }));
+        }
         if !model.joints.iter().any(|joint| joint.name == *name) {
             let by = "what is to be held".to_owned();
             return Err(Error::new(Fault::UnknownJoint { by, joint: name.clone() }));
         }
     }
-    let moving = model.joints.iter().filter(|joint| joint.kind != Kind::Fixed).count();
+    let moving = model.joints.iter().filter(|joint| !joint.stays(options)).count();
     if moving > MOST_JOINTS {
         return Err(Error::new(Fault::TooLarge { joints: moving, most: MOST_JOINTS }));
     }
@@ -160,13 +163,13 @@ impl Lump<'_> {
             }
             return;
         }
-        if let Some(deficit) = inertia.deficit() {
-            let repaired = self.options.repair;
+        // Without repair, less than rounding of files is no remark; with it each change is.
+        let whole = if self.options.repair { inertia.repaired() } else { inertia };
+        let (repaired, deficit) = (whole != inertia, inertia.deficit());
+        if repaired || deficit < ROUNDED {
             self.notes.add(inertial.line, Remark::Impossible { of: link.name.clone(), deficit, repaired });
         }
-        if self.options.repair {
-            inertia = inertia.repaired();
-        }
+        inertia = whole;
         let inertia = inertia.seen_from(pose);
         match carrier {
             Carrier::Body(body) => self.bodies[body].inertia = self.bodies[body].inertia.with(&inertia),

@@ -1,5 +1,6 @@
 //! A description as it is written: links, and joints between them.
 
+use crate::Options;
 use crate::algebra::{IDENTITY, Matrix, Vector, ZERO, add, apply, times};
 
 /// Where something stands and how it is turned, seen from something else.
@@ -65,6 +66,13 @@ pub(crate) struct Joint {
     /// A unit vector in the child's axes.
     pub axis: Vector,
     pub furniture: Furniture,
+}
+
+impl Joint {
+    /// Whether the joint is fixed, or held.
+    pub fn stays(&self, options: &Options) -> bool {
+        self.kind == Kind::Fixed || options.held.iter().any(|(name, _)| *name == self.name)
+    }
 }
 
 /// What a joint has besides its freedom: constants of the module.

@@ -57,6 +57,13 @@ pub enum Remark {
         /// The joint followed.
         of: String,
     },
+    /// A joint follows one that is fixed or held: it moves by itself, and the module does not say how it would follow.
+    MimicOfFixed {
+        /// The joint.
+        joint: String,
+        /// The joint followed.
+        of: String,
+    },
     /// A transmission that does not belong to one joint of the description.
     Transmission {
         /// Name of the transmission.
@@ -135,6 +142,9 @@ impl fmt::Display for Remark {
             Self::MimicFree { joint, of } => {
                 write!(f, "joint {joint:?} follows {of:?}: among the constants; in the scene it moves by itself")
             }
+            Self::MimicOfFixed { joint, of } => {
+                write!(f, "joint {joint:?} follows {of:?}, which does not move: left out, it moves by itself")
+            }
             Self::Transmission { name } => {
                 write!(f, "transmission {name:?} is left out: it has not one joint of this robot and one reduction")
             }
@@ -146,10 +156,8 @@ impl fmt::Display for Remark {
             Self::Snapped { of, by } => write!(f, "{of} turned by {by:.1e} rad to a right angle"),
             Self::Impossible { of, deficit, repaired } => {
                 let percent = 100.0 * deficit;
-                write!(
-                    f,
-                    "no body has the moments of inertia of {of:?}: a second moment is {percent:.2} % of the trace"
-                )?;
+                let percent = if percent > -0.01 { format!("{percent:.1e}") } else { format!("{percent:.2}") };
+                write!(f, "no body has the moments of inertia of {of:?}: a second moment is {percent} % of the trace")?;
                 f.write_str(if *repaired { "; it became zero, the others stay" } else { "" })
             }
             Self::Doubtful { of } => {

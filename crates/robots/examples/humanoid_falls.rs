@@ -48,10 +48,10 @@ const START: [(&str, f64); 14] = [
 /// How fast it tips over to begin with: forward and to its left (rad/s).
 const TIPPING: [f64; 2] = [0.7, 0.25];
 
-/// A place in axes of a frame of the description, as a body and a place in its axes.
+/// A place in axes of a frame of the description, as a body and a place in its axes. A frame of the ground has no body: contacts refuse it.
 fn point(frame: humanoid::Frame, place: [f64; 3]) -> (usize, [f64; 3]) {
     let along = |row: [f64; 3]| row.iter().zip(place).map(|(a, b)| a * b).sum::<f64>();
-    (frame.body.unwrap_or_default(), core::array::from_fn(|k| frame.place[k] + along(frame.turn[k])))
+    (frame.body.unwrap_or(usize::MAX), core::array::from_fn(|k| frame.place[k] + along(frame.turn[k])))
 }
 
 /// What can touch the ground: corners of the soles, knees, hips, back and front of the trunk, elbows, hands, head.

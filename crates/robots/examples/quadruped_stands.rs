@@ -11,6 +11,7 @@
 #[path = "../../../examples/common/mod.rs"]
 mod common;
 
+use catena::Fault;
 use catena::robot::*;
 use catena::system::MotionOf;
 use catena_robots::quadruped;
@@ -37,10 +38,10 @@ const FILMED: f64 = 3.2; // (s)
 
 type Ground = Contacts<[(usize, [f64; 3]); 4], Plane<f64>, Contact<f64>>;
 
-/// Feet of the legs: left and right in front, left and right behind.
+/// Feet of the legs: left and right in front, left and right behind. One that is part of the ground has no body: contacts refuse it.
 fn feet() -> Ground {
     use quadruped::frame::{LF_FOOT, LH_FOOT, RF_FOOT, RH_FOOT};
-    let points = [LF_FOOT, RF_FOOT, LH_FOOT, RH_FOOT].map(|foot| (foot.body.unwrap_or_default(), foot.place));
+    let points = [LF_FOOT, RF_FOOT, LH_FOOT, RH_FOOT].map(|foot| (foot.body.unwrap_or(usize::MAX), foot.place));
     // Stiffness (N/m) that sets in over a depth (m), damping (s/m), coefficient of friction and the speed of creeping (m/s).
     Contacts::of(points, Plane::level(0.0), Contact::new(1e5, 2e-4).damped(1.0).rubbing(0.8, 1e-4))
 }
@@ -58,6 +59,9 @@ impl LoadLaw<BodyMotion<f64>> for Acting {
         let contact = self.ground.at(time, number, body);
         let push = if number == 0 { body.force_at([0.0; 3], self.push) } else { Wrench::default() };
         contact + Yielding::new(push, Block::zero(), Block::zero())
+    }
+    fn check(&self, bodies: usize) -> Result<(), Fault> {
+        self.ground.check(bodies)
     }
 }
 

@@ -4,6 +4,7 @@ use super::{Acceleration, BodyMotion, Frame, Planar, Turn};
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, OnBody, Posture, Sweep};
 use crate::error::Fault;
+use crate::error::checks::{finite, not_negative};
 use crate::lift::lift;
 use crate::relation::Term;
 use crate::relation::planar::{Full, Relation};
@@ -30,13 +31,12 @@ impl<T: Scalar> Inertia<T> {
     /// Rejects negative or non-finite values. A body without mass is allowed: its joint tells if it is needed.
     pub fn check(&self) -> Result<(), Fault> {
         let Self { mass, centre, about_centre } = self;
-        not_negative("mass", *mass, T::Real::zero())?;
-        if !(centre[0].is_finite() && centre[1].is_finite()) {
-            return Err(Fault::NotFinite { parameter: "mass centre" });
-        }
+        not_negative("mass", *mass)?;
+        finite("mass centre", centre)?;
         // The moment of inertia may have been rounded when a body was built from its base parameters.
         let scale = *mass * (centre[0] * centre[0] + centre[1] * centre[1]);
-        not_negative("moment of inertia", *about_centre, scale.real() * T::Real::EPSILON * T::Real::of(8.0))
+        let slack = scale.real() * T::Real::EPSILON * T::Real::of(8.0);
+        not_negative("moment of inertia", *about_centre + T::constant(slack))
     }
 
     /// What may be wrong with an inertia that a sweep can do with: a moment of inertia without mass.
@@ -44,28 +44,6 @@ impl<T: Scalar> Inertia<T> {
         let (mass, turns) = (self.mass.real().as_f64(), self.about_centre.real() != T::Real::zero());
         (turns && mass <= 0.0).then_some(Fault::NotPositive { parameter: "mass", value: mass })
     }
-}
-
-/// Fails where a value is NaN, infinite or below −`slack`.
-pub(super) fn not_negative<T: Scalar>(parameter: &'static str, value: T, slack: T::Real) -> Result<(), Fault> {
-    if !value.is_finite() {
-        return Err(Fault::NotFinite { parameter });
-    }
-    if value.real() < -slack {
-        return Err(Fault::Negative { parameter, value: value.real().as_f64() });
-    }
-    Ok(())
-}
-
-/// Fails where a value is NaN, infinite, zero or negative.
-pub(super) fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(), Fault> {
-    if !value.is_finite() {
-        return Err(Fault::NotFinite { parameter });
-    }
-    if value.real() <= T::Real::zero() {
-        return Err(Fault::NotPositive { parameter, value: value.real().as_f64() });
-    }
-    Ok(())
 }
 
 /// A rigid body in the plane, between an inboard end I (the origin of its axes) and an outboard end O.

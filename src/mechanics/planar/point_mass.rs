@@ -1,13 +1,13 @@
 //! A point mass on a massless link.
 
-use super::body::{Base, not_negative, positive};
+use super::body::Base;
 use super::{Body, Inertia, Planar, Pose};
 use crate::error::Fault;
+use crate::error::checks::{not_negative, positive};
 use crate::lift::lift;
 use crate::relation::planar::{Full, Relation};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
-use num_traits::Zero;
 
 /// A point mass at the outboard end of a massless rigid link along the x axis: the bob of a mathematical pendulum.
 ///
@@ -86,7 +86,7 @@ impl<T: Scalar> Body<T> for PointMass<T> {
 
     fn check(&self) -> Result<(), Fault> {
         positive("length", self.length)?;
-        not_negative("mass", self.mass, T::Real::zero())
+        not_negative("mass", self.mass)
     }
 }
 

@@ -1,8 +1,9 @@
 //! A body whose mass centre lies on the line between its ends.
 
-use super::body::{Base, positive};
+use super::body::Base;
 use super::{Body, Inertia, Planar, Pose};
 use crate::error::Fault;
+use crate::error::checks::positive;
 use crate::lift::lift;
 use crate::relation::planar::{Full, Relation};
 use crate::scalar::{Real, Scalar};

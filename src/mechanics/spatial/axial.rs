@@ -3,6 +3,7 @@
 use super::Turn;
 use crate::element::Implicit;
 use crate::error::Fault;
+use crate::error::checks::finite;
 use crate::mirror::{Position, Rate};
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::{Columns, cross, dot, zero};
@@ -102,7 +103,7 @@ pub(super) fn unit<T: Scalar>(axis: [T; 3]) -> Vector3<T> {
 
 /// Rejects directions that are none.
 pub(super) fn check_axis<T: Scalar>(axis: Vector3<T>) -> Result<(), Fault> {
-    super::inertia::finite("axis", &[axis.x, axis.y, axis.z])?;
+    finite("axis", &[axis.x, axis.y, axis.z])?;
     if axis == zero::<Vector3<T>>() {
         return Err(Fault::NotPositive { parameter: "length of the axis", value: 0.0 });
     }

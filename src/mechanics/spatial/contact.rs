@@ -1,16 +1,16 @@
 //! Points of bodies that touch a surface: unilateral, compliant contact with friction.
 
 use super::body_axes::{Block, Yielding};
-use super::inertia::finite;
 use super::surface::Surface;
 use super::{BodyMotion, Wrench};
 use crate::error::Fault;
+use crate::error::checks::{finite, not_negative, positive};
 use crate::lift::lift;
 use crate::loading::LoadLaw;
 use crate::relation::Additive;
 use crate::relation::spatial::algebra::{cross, dot};
 use crate::scalar::Scalar;
-use crate::spring::{Compression, above, not_negative, positive};
+use crate::spring::{Compression, above};
 use nalgebra::Vector3;
 
 /// How what touches resists: compliance, damping, friction.

@@ -2,12 +2,12 @@
 
 use super::second_moments::SecondMoments;
 use crate::error::Fault;
+use crate::error::checks::{finite, not_negative};
 use crate::lift::lift;
 use crate::relation::Symmetric;
 use crate::relation::spatial::algebra::{Columns, Symmetric3, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
-use num_traits::Zero;
 
 /// Mass, mass centre and moments of inertia of a body in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,29 +61,6 @@ impl<T: Scalar> Inertia<T> {
         }
         Ok(())
     }
-}
-
-/// Fails where a value is NaN or infinite.
-pub(super) fn finite<T: Scalar>(parameter: &'static str, values: &[T]) -> Result<(), Fault> {
-    if values.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(Fault::NotFinite { parameter }) }
-}
-
-/// Fails where a value is NaN, infinite or negative.
-pub(super) fn not_negative<T: Scalar>(parameter: &'static str, value: T) -> Result<(), Fault> {
-    finite(parameter, &[value])?;
-    if value.real() < T::Real::zero() {
-        return Err(Fault::Negative { parameter, value: value.real().as_f64() });
-    }
-    Ok(())
-}
-
-/// Fails where a value is NaN, infinite, zero or negative.
-pub(super) fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(), Fault> {
-    finite(parameter, &[value])?;
-    if value.real() <= T::Real::zero() {
-        return Err(Fault::NotPositive { parameter, value: value.real().as_f64() });
-    }
-    Ok(())
 }
 
 lift!(Inertia { mass, centre, about_centre });

@@ -1,8 +1,8 @@
 //! A point mass on a massless link.
 
-use super::inertia::{not_negative, positive};
 use super::{Body, Inertia, Pose, Spatial, Turn};
 use crate::error::Fault;
+use crate::error::checks::{not_negative, positive};
 use crate::lift::lift;
 use crate::relation::spatial::{Full, Relation};
 use crate::scalar::Scalar;

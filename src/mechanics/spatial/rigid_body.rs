@@ -1,8 +1,8 @@
 //! A rigid body with its mass centre and its outboard end anywhere.
 
-use super::inertia::finite;
 use super::{Body, Inertia, Pose, Spatial, Turn};
 use crate::error::Fault;
+use crate::error::checks::finite;
 use crate::lift::lift;
 use crate::relation::spatial::algebra::Symmetric3;
 use crate::relation::spatial::{Full, Relation};

@@ -1,8 +1,8 @@
 //! A body that is alike around the line between its ends.
 
-use super::inertia::{not_negative, positive};
 use super::{Body, Inertia, Pose, Spatial, Turn};
 use crate::error::Fault;
+use crate::error::checks::{not_negative, positive};
 use crate::lift::lift;
 use crate::relation::Symmetric;
 use crate::relation::spatial::algebra::{cross, dot};

@@ -1,10 +1,10 @@
 //! Springs and dampers that resist relative rotation.
 
 use super::Rotation;
-use super::inertia::{finite, not_negative};
 use super::maps::{spring_couple, spring_slope};
 use crate::element::Implicit;
 use crate::error::Fault;
+use crate::error::checks::{finite, not_negative};
 use crate::lift::Lift;
 use crate::relation::spatial::algebra::{Columns, Symmetric3, dot, zero};
 use crate::relation::{Absent, Part, Symmetric, Term};

@@ -1,7 +1,7 @@
 //! Surfaces that points of bodies may touch: planes and heights.
 
-use super::inertia::finite;
 use crate::error::Fault;
+use crate::error::checks::finite;
 use crate::lift::lift;
 use crate::relation::spatial::algebra::dot;
 use crate::scalar::{Real, Scalar};

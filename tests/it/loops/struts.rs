@@ -119,6 +119,20 @@ fn a_strut_on_no_body_is_refused_and_stiffness_has_a_derivative() -> Result<(), 
     let lost = Struts::of([Strut::between((0, [1.0, 0.0]), (7, [0.0, 0.0])).with_stiffness(1.0)]);
     let error = scene.with_accelerations(scene.at_rest(&[0.0])?, &lost).unwrap_err();
     assert_eq!(error.fault, Fault::NoSuchBody { body: 7, bodies: 1 }, "{error}");
+    let strut = Strut::to_ground((0, [1.0, 0.0]), [2.0, 0.0]).with_length(0.5);
+    for wrong in [
+        strut.with_stiffness(-1.0),
+        strut.with_damping(f64::NAN),
+        strut.with_length(f64::INFINITY),
+        Strut::to_ground((0, [f64::NAN, 0.0]), [2.0, 0.0]),
+        strut.with_damping(-1.0),
+    ] {
+        let error = scene.with_accelerations(scene.at_rest(&[0.0])?, &Struts::of([wrong])).unwrap_err();
+        assert!(matches!(error.fault, Fault::Negative { .. } | Fault::NotFinite { .. }), "{error}");
+    }
+    // Ends that meet: the line between them has no direction.
+    let met = Struts::of([Strut::to_ground((0, [1.0, 0.0]), [1.0, 0.0]).with_stiffness(1.0).with_length(0.5)]);
+    assert_eq!(scene.with_accelerations(scene.at_rest(&[0.0])?, &met).unwrap_err().fault, Fault::NonFiniteLoad);
 
     // θ̈ of a rod at rest along x: (k d − m g/2) / (m/3) for a strut of no length straight up at its tip.
     let k = Dual64::new(5.0, 1.0);

@@ -6,7 +6,7 @@ use super::{laws, list, number, structure};
 use crate::algebra::{Matrix, Vector, quaternion};
 use crate::inertia::Inertia;
 use crate::options::Elements;
-use crate::robot::{Carrier, Robot};
+use crate::robot::{Body, Carrier, Robot};
 use std::fmt::Write;
 
 /// Names of the chains' types and constructors.
@@ -82,7 +82,7 @@ fn local_imports(robot: &Robot, plan: &Plan) -> String {
         ("OnGround", robot.base.is_none()),
         ("Quarter", quarter),
         ("Slide", slides(true)),
-        ("Spring", robot.base.is_none() || law("Spring")),
+        ("Spring", robot.bodies.iter().any(|body| law_of(robot, body).is_some_and(|law| law.contains("Spring")))),
         ("Stops", law("Stops")),
         ("System", true),
         ("Turned", any),
@@ -95,6 +95,16 @@ fn local_imports(robot: &Robot, plan: &Plan) -> String {
 fn link_type(robot: &Robot, inertia: &Inertia) -> String {
     let [moment, tensor] = structure::masks(inertia, robot.is_general());
     format!("Link<T, 0b{moment:03b}, 0b{tensor:06b}>")
+}
+
+/// Whether a joint of body axes stands on the ground.
+fn is_grounded(robot: &Robot, body: &Body) -> bool {
+    robot.base.is_none() && body.parent.is_none()
+}
+
+/// The type of a joint's law in body axes, where it has to be written.
+fn law_of(robot: &Robot, body: &Body) -> Option<String> {
+    laws::kind(robot, body).or_else(|| is_grounded(robot, body).then(|| "Spring".to_owned()))
 }
 
 /// Types of all chains and of the scene.
@@ -123,10 +133,8 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
                     let body = &robot.bodies[*joint];
                     let structure::Joint { mask, offset, .. } = structure::joint(body, robot.is_general());
                     let kind = if body.slides { "Slide" } else { "Hinge" };
-                    let grounded = robot.base.is_none() && body.parent.is_none();
-                    let law = laws::kind(robot, body).or_else(|| grounded.then(|| "Spring".to_owned()));
-                    let law = law.map_or(String::new(), |law| format!(", {law}"));
-                    let ground = if grounded { ", Absent, OnGround" } else { "" };
+                    let law = law_of(robot, body).map_or(String::new(), |law| format!(", {law}"));
+                    let ground = if is_grounded(robot, body) { ", Absent, OnGround" } else { "" };
                     (
                         format!("{kind}<T, {offset}, 0b{mask:03b}{law}{ground}>"),
                         format!("joint {}", comment(&body.joint)),
@@ -217,7 +225,7 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
                     let structure::Joint { mask, place, turned, .. } = structure::joint(body, robot.is_general());
                     let kind = if body.slides { "Slide" } else { "Hinge" };
                     let turned = turned.map_or(String::new(), |turned| format!(".turned({turned})"));
-                    let ground = if robot.base.is_none() && body.parent.is_none() { ".grounded()" } else { "" };
+                    let ground = if is_grounded(robot, body) { ".grounded()" } else { "" };
                     format!(
                         "{kind}::at::<0b{mask:03b}>({}){turned}{}{ground}, // {}",
                         vector(place),

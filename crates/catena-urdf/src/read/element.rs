@@ -30,17 +30,23 @@ impl<'a> Element<'a> {
         Self { node, lines }
     }
 
-    /// Name of the element; with a space before it where it comes from another vocabulary, so that it is none of ours.
+    /// Name of the element; with the prefix before it where it comes from another vocabulary, so that it is none of ours.
     pub fn tag(&self) -> String {
-        let tag = self.node.tag_name();
-        match tag.namespace().and_then(|space| self.node.lookup_prefix(space)) {
-            Some(prefix) => format!("{prefix}:{}", tag.name()),
-            None => tag.name().to_owned(),
+        self.name(self.node.tag_name().namespace(), self.node.tag_name().name())
+    }
+
+    /// A name as it is written: with the prefix of its vocabulary, if it has one.
+    fn name(&self, space: Option<&str>, name: &str) -> String {
+        match space.and_then(|space| self.node.lookup_prefix(space)) {
+            Some(prefix) => format!("{prefix}:{name}"),
+            None => name.to_owned(),
         }
     }
 
     pub fn is(&self, name: &str) -> bool {
-        self.node.tag_name().name() == name && self.node.tag_name().namespace().is_none()
+        let tag = self.node.tag_name();
+        // A vocabulary without a prefix is that of the description, whatever it is called.
+        tag.name() == name && tag.namespace().is_none_or(|space| self.node.lookup_prefix(space).is_none())
     }
 
     /// The line where the element begins.
@@ -50,7 +56,7 @@ impl<'a> Element<'a> {
 
     /// For messages: `joint "elbow"`.
     pub fn title(&self) -> String {
-        match self.node.attribute("name") {
+        match self.text("name") {
             Some(name) => format!("{} {name:?}", self.tag()),
             None => format!("<{}>", self.tag()),
         }
@@ -84,8 +90,10 @@ impl<'a> Element<'a> {
         self.child(name)?.ok_or_else(|| self.fail(Fault::Missing { what: name, of: self.title() }))
     }
 
+    /// An attribute, of no other vocabulary.
     pub fn text(&self, attribute: &str) -> Option<&'a str> {
-        self.node.attribute(attribute)
+        let mut own = self.node.attributes().filter(|own| own.namespace().is_none());
+        own.find(|own| own.name() == attribute).map(|own| own.value())
     }
 
     /// The text inside the element.
@@ -138,9 +146,11 @@ impl<'a> Element<'a> {
         for child in self.children().filter(|child| !children.iter().any(|name| child.is(name))) {
             notes.add(child.line(), Remark::LeftOut { element: child.tag(), inside: self.tag() });
         }
-        for attribute in self.node.attributes().filter(|attribute| !attributes.contains(&attribute.name())) {
-            let attribute = attribute.name().to_owned();
-            notes.add(self.line(), Remark::AttributeLeftOut { attribute, of: self.tag() });
+        for attribute in self.node.attributes() {
+            let attribute = self.name(attribute.namespace(), attribute.name());
+            if !attributes.contains(&attribute.as_str()) {
+                notes.add(self.line(), Remark::AttributeLeftOut { attribute, of: self.tag() });
+            }
         }
     }
 }

@@ -49,7 +49,7 @@ impl Reader<'_> {
                 // Where URDF asks for both, the one that is not written is zero, as it says.
                 if bounded {
                     (furniture.lower, furniture.upper) = (lower.unwrap_or(0.0), upper.unwrap_or(0.0));
-                } else if lower.or(upper).is_some() && kind != Kind::Fixed {
+                } else if lower.or(upper).is_some() {
                     let attribute = "lower or upper".to_owned();
                     self.notes.add(limit.line(), Remark::AttributeLeftOut { attribute, of: limit.tag() });
                 }

@@ -6,10 +6,10 @@ mod joint;
 mod link;
 mod transmission;
 
+use crate::Options;
 use crate::error::{Error, Fault};
 use crate::model::{Joint, Kind, Link, Model};
 use crate::note::{Notes, Remark};
-use crate::{Laws, Options};
 use angles::Angles;
 use element::{Element, Lines};
 use std::collections::HashMap;
@@ -58,7 +58,8 @@ pub fn model(text: &str, options: &Options, notes: &mut Notes) -> Result<Model, 
         reader.transmission(element, &mut joints, &names)?;
     }
     check_mimics(&joints, &names)?;
-    tell_constants(&joints, options.laws, reader.notes);
+    lead_by_what_moves(&mut joints, &names, options, reader.notes);
+    tell_constants(&joints, options, reader.notes);
     Ok(Model { name: root.text("name").unwrap_or("robot").to_owned(), links, joints })
 }
 
@@ -106,9 +107,20 @@ fn check_mimics(joints: &[Joint], names: &HashMap<String, usize>) -> Result<(), 
     Ok(())
 }
 
+/// Lets joints that follow one that does not move go by themselves.
+fn lead_by_what_moves(joints: &mut [Joint], names: &HashMap<String, usize>, options: &Options, notes: &mut Notes) {
+    let moves: Vec<_> = joints.iter().map(|joint| !joint.stays(options) && joint.kind != Kind::Floating).collect();
+    for (Joint { line, name, furniture, .. }, _) in joints.iter_mut().zip(&moves).filter(|(_, moves)| **moves) {
+        if let Some(mimic) = furniture.mimic.take_if(|mimic| names.get(&mimic.joint).is_some_and(|of| !moves[*of])) {
+            notes.add(*line, Remark::MimicOfFixed { joint: name.clone(), of: mimic.joint });
+        }
+    }
+}
+
 /// Furniture that the scene does not act by.
-fn tell_constants(joints: &[Joint], laws: Laws, notes: &mut Notes) {
-    for Joint { line, name, kind, furniture, .. } in joints {
+fn tell_constants(joints: &[Joint], options: &Options, notes: &mut Notes) {
+    let laws = options.laws;
+    for joint @ Joint { line, name, kind, furniture, .. } in joints {
         let (limits, slides) = (furniture.lower.is_finite() || furniture.upper.is_finite(), *kind == Kind::Prismatic);
         let has = [
             ("a limit of position", limits && laws.stops_of(furniture, slides).is_none()),
@@ -118,7 +130,8 @@ fn tell_constants(joints: &[Joint], laws: Laws, notes: &mut Notes) {
             ("a reduction", furniture.reduction.is_some()),
         ];
         let inside = match kind {
-            Kind::Fixed => continue,
+            _ if joint.stays(options) && *kind != Kind::Fixed => Some("joint that is held"),
+            Kind::Fixed => Some("joint type=\"fixed\""),
             Kind::Planar => Some("joint type=\"planar\""),
             Kind::Floating => Some("joint type=\"floating\""),
             _ => None,
@@ -126,7 +139,7 @@ fn tell_constants(joints: &[Joint], laws: Laws, notes: &mut Notes) {
         // What these become has no furniture at all.
         if let Some(inside) = inside {
             let has = [
-                ("limit", furniture.effort.is_finite() || furniture.velocity.is_finite()),
+                ("limit", limits || furniture.effort.is_finite() || furniture.velocity.is_finite()),
                 ("dynamics", furniture.damping != 0.0 || furniture.friction != 0.0),
                 ("mimic", furniture.mimic.is_some()),
                 ("mechanicalReduction", furniture.reduction.is_some()),

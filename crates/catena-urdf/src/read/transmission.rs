@@ -14,11 +14,12 @@ impl Reader<'_> {
         joints: &mut [Joint],
         names: &HashMap<String, usize>,
     ) -> Result<(), Error> {
-        element.leaves_out_all_but(
-            &["type", "joint", "actuator", "mechanicalReduction"],
-            &["name", "type"],
-            self.notes,
-        );
+        let reduction = ["mechanicalReduction", "mechanical_reduction"];
+        let [one, other] = reduction;
+        element.leaves_out_all_but(&["type", "joint", "actuator", one, other], &["name", "type"], self.notes);
+        for end in element.children().filter(|child| child.is("joint") || child.is("actuator")) {
+            end.leaves_out_all_but(&reduction, &["name"], self.notes);
+        }
         let mut found = element.children().filter(|child| child.is("joint"));
         let joint = match (found.next(), found.next()) {
             (Some(joint), None) => joint.text("name").and_then(|name| names.get(name)),
@@ -26,7 +27,7 @@ impl Reader<'_> {
         };
         let mut reductions = Vec::new();
         for inner in element.descendants() {
-            if inner.is("mechanicalReduction") || inner.is("mechanical_reduction") {
+            if reduction.iter().any(|name| inner.is(name)) {
                 reductions.push(inner.parse("mechanicalReduction", inner.content())?);
             }
         }

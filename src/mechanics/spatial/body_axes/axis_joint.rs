@@ -7,7 +7,7 @@ use super::standing::{Stand, Standing};
 use super::turns::Offset;
 use crate::element::Springs;
 use crate::error::Fault;
-use crate::mechanics::spatial::inertia::{finite, not_negative};
+use crate::error::checks::{finite, not_negative};
 use crate::mechanics::spatial::{Acceleration, Frame, JointMotion, Spatial, Turn};
 use crate::relation::Closures;
 use crate::relation::spatial::algebra::{Columns, add_scaled, cross};

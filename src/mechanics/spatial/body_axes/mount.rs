@@ -5,9 +5,9 @@ use super::relation::{Borne, Local, Settled};
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Posture, Springs, Sweep};
 use crate::ends::{Held, Root};
+use crate::error::checks::finite;
 use crate::error::{Error, Fault, Place};
 use crate::lift::lift;
-use crate::mechanics::spatial::inertia::finite;
 use crate::mechanics::spatial::{Acceleration, Frame, JointMotion, Spatial, Turn};
 use crate::relation::Closures;
 use crate::relation::spatial::Full;
@@ -74,16 +74,13 @@ macro_rules! mount {
             #[inline(always)]
             fn recover<C: Closures, By: Springs<T>>(
                 &self,
-                Acceleration { linear, angular }: Acceleration<T>,
-                (attitude, _, _, _): JointPosture<'_, Spatial<T>, Self>,
+                inboard: Acceleration<T>,
+                posture: JointPosture<'_, Spatial<T>, Self>,
                 (): &mut (),
-                _: &C::Each<T>,
+                multipliers: &C::Each<T>,
                 (): &mut (),
             ) -> Acceleration<T> {
-                if const { $upright } {
-                    return Acceleration { linear, angular };
-                }
-                Acceleration { linear: attitude.transposed(linear), angular: attitude.transposed(angular) }
+                self.respond::<C>(inboard, posture, &(), multipliers, &mut ())
             }
             #[inline(always)]
             fn respond<C: Closures>(

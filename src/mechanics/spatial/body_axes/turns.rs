@@ -2,10 +2,10 @@
 
 use super::number::{Number, Rows, triple};
 use crate::error::Fault;
+use crate::error::checks::finite;
 use crate::lift::{Lift, lift};
 use crate::mechanics::spatial::Rotation;
 use crate::mechanics::spatial::axial::{check_length, orthonormal};
-use crate::mechanics::spatial::inertia::finite;
 use crate::relation::spatial::algebra::Columns;
 use crate::scalar::Scalar;
 use core::fmt::Debug;

@@ -1,0 +1,28 @@
+//! Checks of parameters.
+
+use super::Fault;
+use crate::scalar::{Real, Scalar};
+use num_traits::Zero;
+
+/// Fails where a value is NaN or infinite.
+pub fn finite<T: Scalar>(parameter: &'static str, values: &[T]) -> Result<(), Fault> {
+    if values.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(Fault::NotFinite { parameter }) }
+}
+
+/// Fails where a value is NaN, infinite or negative.
+pub fn not_negative<T: Scalar>(parameter: &'static str, value: T) -> Result<(), Fault> {
+    finite(parameter, &[value])?;
+    if value.real() < T::Real::zero() {
+        return Err(Fault::Negative { parameter, value: value.real().as_f64() });
+    }
+    Ok(())
+}
+
+/// Fails where a value is NaN, infinite, zero or negative.
+pub fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(), Fault> {
+    finite(parameter, &[value])?;
+    if value.real() <= T::Real::zero() {
+        return Err(Fault::NotPositive { parameter, value: value.real().as_f64() });
+    }
+    Ok(())
+}
