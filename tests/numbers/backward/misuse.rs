@@ -81,6 +81,20 @@ fn an_event_function_that_is_no_number_cuts_nothing() -> Result<(), Error> {
     Ok(())
 }
 
+#[test]
+fn a_run_is_cut_after_a_zero_at_its_start() -> Result<(), Error> {
+    let system = pendulum()?;
+    let start = system.at_rest(&[-1.0, -0.5])?;
+    let (mut backward, mut states) = (system.backward(Rk4), [start; 3]);
+    backward.run(&start, 0.1, 2, &[], &mut states)?;
+    let uncut = states;
+    assert_eq!(backward.cut(&[], &mut states, |state| state.time() * (state.time() + 0.05))?, None);
+    assert_eq!(states, uncut);
+    assert_eq!(backward.cut(&[], &mut states, |state| state.time() * (state.time() - 0.05))?, Some(1));
+    assert!((states[1].time() - 0.05).abs() < 1e-15);
+    Ok(())
+}
+
 /// A force that grows with time: what it changes as the last step grows is not in a gradient.
 #[derive(Clone, Copy, Debug)]
 struct Growing<T> {
