@@ -2,7 +2,7 @@
 # Builds the benchmark of sweeps (`count.sh runs`: of whole runs) for the default target and for x86-64-v3, runs both and prints
 # tables of both.
 # Instructions need valgrind; without it times are printed alone. --quick counts instructions of short chains of rods, no more;
-# --check compares them with benches/results/counts.csv, --record writes that file.
+# --check compares those of all rows but the longest with benches/results/counts.csv, --record writes that file.
 set -eu
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-target}

@@ -1,8 +1,8 @@
 //! What a sweep costs: time and instructions per body, beside loops written by hand.
 //!
 //! `cargo bench --bench sweep` checks that library and hand agree, measures this build and prints three tables: scenes beside loops
-//! by hand, other joints, ends and topologies beside pins, and chains in space. `benches/count.sh` builds for the default target and for x86-64-v3 and prints
-//! both builds in one. `--quick` counts the instructions of two rows only.
+//! by hand, other joints, ends and topologies beside pins, and chains in space. `benches/count.sh` builds for the default target and for
+//! x86-64-v3 and prints both builds in one. `--quick` counts the instructions of short chains of rods only.
 
 #[path = "parts/by_hand.rs"]
 mod by_hand;
@@ -30,6 +30,7 @@ mod topologies;
 use clock::progress;
 use count::has_valgrind;
 use measure::{instructions, wall, wall_of};
+use record::Record;
 use scenes::{Row, rows};
 use std::collections::HashMap;
 use std::error::Error;
@@ -43,6 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut rows = rows();
     let by_hand = rows.len();
     rows.extend(joints::rows());
+    let springs = rows.len();
     rows.extend(topologies::rows());
     let in_plane = rows.len();
     rows.extend(scenes_in_space::rows());
@@ -50,12 +52,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["repeat", name, times] => repeat(&rows, name, times.parse()?),
         ["wall", ..] => rows.iter().zip(wall(&rows)).for_each(|(row, ns)| println!("{}\t{ns}", row.name())),
-        ["--quick", "--against", other] => drop(quick(rows, Some(Path::new(other)))?),
-        ["--check", "--against", other] => record::check(Path::new(RECORD), &quick(rows, Some(Path::new(other)))?)?,
-        ["--record", "--against", other] => record::write(Path::new(RECORD), &quick(rows, Some(Path::new(other)))?)?,
-        ["--quick"] => drop(quick(rows, None)?),
-        ["--against", other] => tables(&rows, [by_hand, in_plane], Some(Path::new(other)))?,
-        _ => tables(&rows, [by_hand, in_plane], None)?, // cargo hands arguments of its own
+        ["--quick", "--against", other] => quick(rows, Some(Path::new(other)))?,
+        ["--check", "--against", other] => {
+            rows.retain(|row| row.bodies <= 1000); // of more, callgrind would count for minutes
+            let both = [std::env::current_exe()?, PathBuf::from(other)];
+            let [default, v3] =
+                ["default", "v3"].map(|target| counted(&both[usize::from(target == "v3")], &rows, target));
+            record::check(Path::new(RECORD), &rows, [&default, &v3])?;
+        }
+        ["--record", "--against", other] => {
+            let columns = tables(&rows, [by_hand, in_plane], Some(Path::new(other)))?;
+            record::write(Path::new(RECORD), &recorded(&rows, [by_hand, springs, in_plane], &columns))?;
+        }
+        ["--quick"] => quick(rows, None)?,
+        ["--against", other] => drop(tables(&rows, [by_hand, in_plane], Some(Path::new(other)))?),
+        _ => drop(tables(&rows, [by_hand, in_plane], None)?), // cargo hands arguments of its own
     }
     Ok(())
 }
@@ -103,38 +114,36 @@ struct Column {
 }
 
 fn counted(program: &Path, rows: &[Row], target: &str) -> Vec<f64> {
-    let nothing = vec![f64::NAN; rows.len()];
     if !has_valgrind() {
-        return nothing;
+        return vec![f64::NAN; rows.len()];
     }
-    let counts = rows.iter().enumerate().map(|(i, row)| {
+    let count = |(i, row): (usize, &Row)| {
         progress(&format!("instructions, {target}: {} of {}", i + 1, rows.len()));
-        instructions(program, row)
-    });
-    let counts: Result<_, _> = counts.collect();
+        instructions(program, row).unwrap_or_else(|error| {
+            eprintln!("{}: {error}", row.name()); // valgrind does not know each instruction of each processor
+            f64::NAN
+        })
+    };
+    let counts = rows.iter().enumerate().map(count).collect();
     progress("");
-    counts.unwrap_or_else(|error| {
-        eprintln!("{error}");
-        nothing
-    })
+    counts
 }
 
 /// Instructions of short chains of rods alone.
-fn quick(mut rows: Vec<Row>, other: Option<&Path>) -> Result<record::Counts, Box<dyn Error>> {
+fn quick(mut rows: Vec<Row>, other: Option<&Path>) -> Result<(), Box<dyn Error>> {
     rows.retain(|row| row.scene == "rods" && row.bodies <= 20);
     println!("Library and hand agree to {:.1e} of the largest acceleration.", check(&rows)?);
     let this: PathBuf = std::env::current_exe()?;
     let uncounted = |instructions: Vec<f64>| Column { nanoseconds: vec![f64::NAN; instructions.len()], instructions };
     let mut columns = vec![uncounted(counted(&this, &rows, "this build"))];
     columns.extend(other.map(|other| uncounted(counted(other, &rows, "other build"))));
-    print(&rows, 0..rows.len(), &columns, "hand");
-    let own = |k: usize| columns.iter().map(|column| column.instructions[k]).collect();
-    Ok(rows.iter().enumerate().map(|(k, row)| (row.name().replace(',', ""), own(k))).collect())
+    print(&rows, 0..rows.len(), &columns, Beside::Hand);
+    Ok(())
 }
 
 /// Measures all rows. The first ones, as many as `by_hand`, have loops by hand to compare to; the others in the plane compare to
 /// pins, those in space to nothing.
-fn tables(rows: &[Row], [by_hand, in_plane]: [usize; 2], other: Option<&Path>) -> Result<(), Box<dyn Error>> {
+fn tables(rows: &[Row], [by_hand, in_plane]: [usize; 2], other: Option<&Path>) -> Result<Vec<Column>, Box<dyn Error>> {
     check(&rows[in_plane..])?;
     println!("Library and hand agree to {:.1e} of the largest acceleration.", check(&rows[..by_hand])?);
     if !has_valgrind() {
@@ -147,27 +156,75 @@ fn tables(rows: &[Row], [by_hand, in_plane]: [usize; 2], other: Option<&Path>) -
         let nanoseconds = rows.iter().map(|row| by_name.get(&row.name()).copied().unwrap_or(f64::NAN)).collect();
         columns.push(Column { instructions: counted(other, rows, "other build"), nanoseconds });
     }
-    print(rows, 0..by_hand, &columns, "hand");
-    print(rows, by_hand..in_plane, &columns, "pins");
-    print(rows, in_plane..rows.len(), &columns, "nothing");
-    Ok(())
+    print(rows, 0..by_hand, &columns, Beside::Hand);
+    print(rows, by_hand..in_plane, &columns, Beside::Pins);
+    print(rows, in_plane..rows.len(), &columns, Beside::Nothing);
+    Ok(columns)
+}
+
+/// What rows compare to.
+#[derive(Clone, Copy)]
+enum Beside {
+    Hand,
+    Pins,
+    Nothing,
+}
+
+impl Beside {
+    /// Another row, of which this one is a multiple.
+    fn of(self, row: &Row, rows: &[Row]) -> Option<usize> {
+        let other = match self {
+            _ if row.is_by_hand() => None,
+            Self::Hand => row.yardstick(rows),
+            Self::Pins => row.pins(rows),
+            Self::Nothing => None,
+        }?;
+        rows.iter().position(|row| std::ptr::eq(row, other))
+    }
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Hand => "hand",
+            Self::Pins => "pins",
+            Self::Nothing => "nothing",
+        }
+    }
+}
+
+/// What is kept of all rows, under the names of the tables of BENCHMARKS.md.
+fn recorded<'r>(rows: &'r [Row], [by_hand, springs, in_plane]: [usize; 3], columns: &[Column]) -> Vec<Record<'r>> {
+    let parts = [
+        ("chains", 0..by_hand, Beside::Hand),
+        ("springs and tips", by_hand..springs, Beside::Pins),
+        ("trees and loops", springs..in_plane, Beside::Pins),
+        ("space", in_plane..rows.len(), Beside::Nothing),
+    ];
+    let of_part = |(part, range, beside): (_, Range<usize>, Beside)| {
+        range.map(move |k| {
+            let ratio = |column: &Column| {
+                beside.of(&rows[k], rows).map_or(f64::NAN, |other| column.instructions[k] / column.instructions[other])
+            };
+            Record {
+                part,
+                row: &rows[k],
+                instructions: columns.iter().map(|column| column.instructions[k]).collect(),
+                ratios: columns.iter().map(ratio).collect(),
+                nanoseconds: columns.iter().map(|column| column.nanoseconds[k]).collect(),
+            }
+        })
+    };
+    parts.into_iter().flat_map(of_part).collect()
 }
 
 /// A table in Markdown: instructions of each build, nanoseconds of each build, ratios to the loop by hand or to the pin chain.
-fn print(rows: &[Row], shown: Range<usize>, columns: &[Column], yardstick: &str) {
+fn print(rows: &[Row], shown: Range<usize>, columns: &[Column], beside: Beside) {
     let targets: &[&str] = if columns.len() == 2 { &["default", "v3"] } else { &["this build"] };
     let mut head = "| scene | form | n |".to_owned();
-    for what in ["instr/body", "ns/body", &format!("instr : {yardstick}"), &format!("ns : {yardstick}")] {
+    for what in ["instr/body", "ns/body", &format!("instr : {}", beside.name()), &format!("ns : {}", beside.name())] {
         targets.iter().for_each(|target| head += &format!(" {what} {target} |"));
     }
     println!("\n{head}\n|---|---|---:|{}", "---:|".repeat(4 * targets.len()));
     for (i, row) in rows.iter().enumerate().take(shown.end).skip(shown.start) {
-        let other = match yardstick {
-            "hand" => row.yardstick(rows),
-            "pins" => row.pins(rows),
-            _ => None,
-        };
-        let other = other.and_then(|other| rows.iter().position(|row| std::ptr::eq(row, other)));
+        let other = beside.of(row, rows);
         let number = |value: f64, digits: usize| match value.is_nan() {
             true => " – |".to_owned(),
             false => format!(" {value:.digits$} |"),
@@ -176,8 +233,8 @@ fn print(rows: &[Row], shown: Range<usize>, columns: &[Column], yardstick: &str)
         columns.iter().for_each(|column| line += &number(column.instructions[i], 1));
         columns.iter().for_each(|column| line += &number(column.nanoseconds[i], 1));
         let ratio = |values: &[f64]| match other {
-            Some(other) if !row.is_by_hand() => number(values[i] / values[other], 2),
-            _ => " |".to_owned(),
+            Some(other) => number(values[i] / values[other], 2),
+            None => " |".to_owned(),
         };
         columns.iter().for_each(|column| line += &ratio(&column.instructions));
         columns.iter().for_each(|column| line += &ratio(&column.nanoseconds));

@@ -30,6 +30,7 @@
 
 pub mod laws;
 mod outboard;
+mod rigid;
 
 use crate::element::{Element, Level, Space, Springs};
 use crate::ends::Tip;
@@ -47,6 +48,7 @@ use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
 use num_traits::Zero;
 pub use outboard::{Kind, Outboard};
+pub(crate) use rigid::passes;
 
 /// A space whose elements know the costate sweep.
 pub trait Reversed: Space {

@@ -51,7 +51,7 @@
 //!
 //! | feature | brings |
 //! |---|---|
-//! | `std` (default) | modes of vibration, traces, and all that follows with it |
+//! | `std` (default) | modes of vibration, traces, and what `alloc` brings |
 //! | `alloc` | vectors of elements, static equilibrium |
 //! | `libm` | numbers without `std` |
 //! | `num-dual` | dual numbers |

@@ -16,21 +16,51 @@
 //!
 //! All columns of an element are treated in one loop, so that it vectorises; only values are carried in registers.
 
-use crate::element::{Element, Posture, Space, SpaceOver};
+use crate::element::{Element, Posture, RealOf, Space, SpaceOver};
 use crate::loading::EffortOf;
-use crate::relation::{Absent, Additive, Part, WrenchOf};
-use crate::scalar::Scalar;
+use crate::relation::{Absent, Additive, Full, Geometry, Part, WrenchOf};
+use crate::scalar::{Jet, Scalar};
 use crate::shape::{PerBody, PerJoint};
 use crate::space::FrameOf;
 
+/// A number with derivatives.
+pub trait Derived: Scalar {
+    /// The number behind it.
+    type Number: Scalar<Real = Self::Real>;
+
+    /// The number without derivatives.
+    fn plain(self) -> Self::Number;
+    /// Whether no derivative is other than zero.
+    fn is_constant(self) -> bool;
+    /// The number with derivative 1 with respect to seed `k`.
+    fn seeded(self, k: usize) -> Self;
+}
+
+impl<T: Scalar, const K: usize> Derived for Jet<T, K> {
+    type Number = T;
+
+    fn plain(self) -> T {
+        self.re
+    }
+    fn is_constant(self) -> bool {
+        self.eps.iter().all(|x| *x == T::zero())
+    }
+    fn seeded(self, k: usize) -> Self {
+        Self::seed(self.re, k)
+    }
+}
+
+/// F = S p + e of what lies outboard, values alone.
+pub type RelationOf<S> = Full<<S as Varied>::Plain>;
+
 /// A space of jets.
-pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
+pub trait Varied:
+    SpaceOver<Self::Number, Over = Self::Plain> + Geometry<Scalar: Derived<Number = Self::Number>>
+{
     /// The numbers that jets hold.
-    type Number: Scalar<Real = <Self::Scalar as Scalar>::Real>;
+    type Number: Scalar<Real = RealOf<Self>>;
     /// This space over plain numbers.
     type Plain: Space<Scalar = Self::Number>;
-    /// F = S p + e of what lies outboard, values alone.
-    type Relation: Copy;
     /// What [`Sensitive::vary`] carries: values and columns of a motion.
     type Outward: Copy;
     /// What [`Sensitive::gather`] carries: values and columns of a force.
@@ -38,17 +68,8 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     /// What [`Sensitive::answer`] carries: columns of an acceleration.
     type Response: Copy;
 
-    /// The plain number behind a jet.
-    fn plain(number: Self::Scalar) -> Self::Number;
-    /// Whether no derivative of a number is other than zero.
-    fn is_constant(number: Self::Scalar) -> bool;
-    /// A number with derivative 1 with respect to seed `k`.
-    fn seeded(number: Self::Scalar, k: usize) -> Self::Scalar;
-
     /// Where the outward walk begins: the ground, in a frame that falls freely.
     fn ground(frame: &FrameOf<Self>, gravity: Self::Vector) -> Self::Outward;
-    /// What lies beyond a free tip.
-    fn nothing() -> Self::Relation;
     /// The force of what lies beyond a free tip.
     fn no_pull() -> Self::Inward;
     /// A ground that does not answer.
@@ -57,8 +78,6 @@ pub trait Varied: SpaceOver<Self::Number, Over = Self::Plain> {
     fn plain_turn(frame: &FrameOf<Self>) -> <Self::Plain as Space>::Turn;
     /// Whether the angular acceleration of the ground has derivatives.
     fn ground_turns(frame: &FrameOf<Self>) -> bool;
-    /// Adds the relation of an arm.
-    fn join(chain: Self::Relation, arm: Self::Relation) -> Self::Relation;
     /// Adds the force of an arm.
     fn pull(chain: &mut Self::Inward, arm: &Self::Inward);
 }
@@ -124,7 +143,7 @@ pub trait Sensitive<S: Varied>: Element<S> {
     );
 
     /// Condenses the values of what lies outboard, and keeps gains.
-    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Room) -> S::Relation;
+    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: RelationOf<S>, store: &mut Self::Room) -> RelationOf<S>;
 
     /// Recovers the values of accelerations, and carries columns of the motion outward as they are at fixed accelerations of the joint
     /// coordinates.

@@ -9,7 +9,7 @@ use crate::lift::Lift;
 use crate::loading::EffortOf;
 use crate::relation::{Closures, WrenchOf};
 use crate::scalar::Scalar;
-use crate::sensitive::{At, Seeds, Sensitive, Varied};
+use crate::sensitive::{At, RelationOf, Seeds, Sensitive, Varied};
 use crate::shape::{
     Closing, Ends, Field, Inward, Kept, Member, Nth, Of, Outward, PerAxes, PerBody, PerJoint, Shape, Slot,
 };
@@ -270,7 +270,7 @@ impl<S: Varied, E: Sensitive<S>> Sensitive<S> for Named<E> {
         self.item.load(on_bodies, in_joints, store);
     }
     #[inline]
-    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut E::Room) -> S::Relation {
+    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: RelationOf<S>, store: &mut E::Room) -> RelationOf<S> {
         self.item.factor::<N>(inside(at), outer, store)
     }
     #[inline]

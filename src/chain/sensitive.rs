@@ -3,8 +3,8 @@
 use super::Branch;
 use crate::element::{Element, Posture};
 use crate::loading::EffortOf;
-use crate::relation::WrenchOf;
-use crate::sensitive::{At, Seeds, Sensitive, Varied};
+use crate::relation::{Join, WrenchOf};
+use crate::sensitive::{At, RelationOf, Seeds, Sensitive, Varied};
 use crate::shape::{PerBody, PerJoint};
 use crate::tuples::for_each_tuple;
 #[cfg(feature = "alloc")]
@@ -64,7 +64,7 @@ macro_rules! sensitive_of {
                 $(self.$i.load(&on_bodies.$i, &in_joints.$i, &mut store.$i);)*
             }
             #[$($inline)*]
-            fn factor<Known: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Room) -> S::Relation {
+            fn factor<Known: Seeds>(&self, at: At<'_, S, Self>, outer: RelationOf<S>, store: &mut Self::Room) -> RelationOf<S> {
                 $(let outer = self.$j.factor::<Known>(part!(at .$j), outer, &mut store.$j);)*
                 outer
             }
@@ -133,7 +133,7 @@ macro_rules! sensitive_items {
                 self.iter().zip(loads).zip(store).for_each(|((item, (b, j)), store)| item.load(b, j, store));
             }
             #[inline]
-            fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Room) -> S::Relation {
+            fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: RelationOf<S>, store: &mut Self::Room) -> RelationOf<S> {
                 let mut outer = outer;
                 for i in (0..self.len()).rev() {
                     outer = self[i].factor::<N>(part!(at [i]), outer, &mut store[i]);
@@ -208,8 +208,8 @@ impl<S: Varied, A: Sensitive<S>> Sensitive<S> for Branch<A> {
         self.0.load(on_bodies, in_joints, store);
     }
     #[inline]
-    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: S::Relation, store: &mut Self::Room) -> S::Relation {
-        S::join(outer, self.0.factor::<N>(arm(&at), S::nothing(), store))
+    fn factor<N: Seeds>(&self, at: At<'_, S, Self>, outer: RelationOf<S>, store: &mut Self::Room) -> RelationOf<S> {
+        outer.join(self.0.factor::<N>(arm(&at), RelationOf::<S>::massless(), store))
     }
     #[inline]
     fn vary<N: Seeds>(

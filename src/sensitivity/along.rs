@@ -2,11 +2,12 @@
 
 use super::Gradient;
 use crate::adjoint::ReversibleTip;
+use crate::adjoint::laws::NUMBERS;
 use crate::element::Element;
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::mechanics::planar::adjoint::{BODY, NUMBERS};
+use crate::mechanics::planar::adjoint::BODY;
 use crate::mechanics::planar::{Base, Body, ElasticHinge, Pin, Planar, PointMass, RigidBody, Rod, Slider, Weld};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{
@@ -34,7 +35,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     }
 
     /// Adds what a joint does, number by number, as [`Lift`] meets them.
-    fn add_joint(&mut self, joint: &impl Lift<Jet<T, K>, T>, by: &[T]) {
+    pub(super) fn add_joint(&mut self, joint: &impl Lift<Jet<T, K>, T>, by: &[T]) {
         let mut numbers = 0;
         joint.lift(&mut |number: Jet<T, K>| {
             by.get(numbers).into_iter().for_each(|costate| self.add(*costate, number));
@@ -43,6 +44,17 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         });
         self.most = self.most.max(numbers);
         self.met += 1;
+    }
+
+    /// Refuses scenes of another shape, and joints of more numbers than costates know.
+    pub(super) fn complete(&self, entries: usize, met: usize) -> Result<(), Error> {
+        if self.met != entries || self.met != met {
+            return Err(Error::new(Fault::Shape));
+        }
+        if self.most > NUMBERS {
+            return Err(Error::new(Fault::Count { expected: NUMBERS, given: self.most }));
+        }
+        Ok(())
     }
 }
 
@@ -165,12 +177,7 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
         let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
         let elements = scene.elements();
         elements.take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
-        if walk.met != self.entries || walk.met != scene.bodies() + scene.joints() {
-            return Err(Error::new(Fault::Shape));
-        }
-        if walk.most > NUMBERS {
-            return Err(Error::new(Fault::Count { expected: NUMBERS, given: walk.most }));
-        }
+        walk.complete(self.entries, scene.bodies() + scene.joints())?;
         let ground = scene.ground(Zero::zero());
         walk.add(self.ground, ground.turn.angle);
         walk.add(self.place.x, ground.place.x);

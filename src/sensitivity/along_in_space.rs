@@ -4,7 +4,7 @@ use super::Gradient;
 use super::along::Along;
 use crate::element::Element;
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::Error;
 use crate::lift::Lift;
 use crate::mechanics::spatial::{Ball, Base, Inertial, OfJoint, PointMass, Revolute, RigidBody, Rod, Spatial, Weld};
 use crate::relation::spatial::algebra::{Columns, cross, dot};
@@ -85,12 +85,7 @@ where
         let turned = cross(own, axis) * dot(across, across).recip();
         walk.add(by.turn.x, dot(turned, aside));
         walk.add(by.turn.y, dot(turned, across));
-        let mut costates = by.law.iter();
-        law.lift(&mut |number: Jet<T, K>| {
-            costates.next().into_iter().for_each(|costate| walk.add(*costate, number));
-            number.re
-        });
-        walk.met += 1;
+        walk.add_joint(law, &by.law);
     }
 }
 
@@ -127,7 +122,7 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
     /// ```
     ///
     /// # Errors
-    /// [`Fault::Shape`] for another scene.
+    /// [`Fault::Shape`](crate::Fault::Shape) for another scene; [`Fault::Count`](crate::Fault::Count) for a law of more than six numbers.
     pub fn along<R, C, P, const K: usize>(&self, scene: &System<Spatial<Jet<T, K>>, R, C, P>) -> Result<[T; K], Error>
     where
         R: Root<Spatial<Jet<T, K>>>,
@@ -142,9 +137,7 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
     {
         let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
         scene.elements().take(&mut walk, (), (&self.bodies, &self.joints));
-        if walk.met != self.entries || walk.met != scene.bodies() + scene.joints() {
-            return Err(Error::new(Fault::Shape));
-        }
+        walk.complete(self.entries, scene.bodies() + scene.joints())?;
         walk.add_vector(self.ground, turn(&scene.ground(Zero::zero()).turn.attitude));
         walk.add_vector(self.gravity, scene.gravity());
         Ok(walk.sum)

@@ -8,7 +8,7 @@ use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::relation::{Additive, Open, Wrench, WrenchOf};
-use crate::sensitive::{At, Columns, Effort, Seeds, Sensitive, Varied};
+use crate::sensitive::{At, Columns, Derived, Effort, RelationOf, Seeds, Sensitive, Varied};
 use crate::shape::{PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
 use crate::space::FrameOf;
 use crate::system::{Dynamics, Elements, MotionOf, PositionOf, RateOf, Runs, System};
@@ -73,9 +73,9 @@ where
     /// The scene with sweeps that go through kept gains.
     pub fn sensitivity(&self) -> Sensitivity<'_, S, R, C, P> {
         let mut seeded = false;
-        let mut number = |x| {
-            seeded |= !S::is_constant(x);
-            S::plain(x)
+        let mut number = |x: S::Scalar| {
+            seeded |= !x.is_constant();
+            x.plain()
         };
         let plain = self.elements().lift(&mut number);
         S::lift_vector(self.gravity(), &mut number);
@@ -103,9 +103,9 @@ impl<S: Varied, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let mut seed = |x: S::Scalar| {
             let k = usize::wrapping_sub(number, first); // before the first it is beyond the last
             number += 1;
-            S::seeded(x, k)
+            x.seeded(k)
         };
-        motion.position.replace(&mut |x| S::seeded(x, usize::MAX));
+        motion.position.replace(&mut |x| x.seeded(usize::MAX));
         let mut step = motion.rate.clone();
         step.replace(&mut |_| seed(num_traits::Zero::zero()));
         motion.position.displace(&step);
@@ -158,7 +158,7 @@ where
         let elements = self.scene.elements();
         let SensitiveWorkspace { x, y, p, q, store, .. } = workspace;
         let at = At { plain: &self.plain, posture: Posture { x, y, p, q }, position, rate };
-        elements.factor::<N>(at, S::nothing(), store);
+        elements.factor::<N>(at, RelationOf::<S>::massless(), store);
         elements.vary::<N>(at, &mut S::ground(ground, self.scene.gravity()), store, acceleration);
         elements.gather::<N>(at, &mut S::no_pull(), store, acceleration);
         elements.answer(at, &mut S::stillness(), store, acceleration);

@@ -291,7 +291,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         Simulation { system, loads, rule, every, longest, event: function, stop }
     }
 
-    /// Stops where the event function crosses zero.
+    /// Stops where the event function crosses zero. Times are plain numbers: jets and dual numbers have there the derivatives at a fixed time.
     #[must_use]
     pub fn stopping(self) -> Self {
         Self { stop: true, ..self }

@@ -3,6 +3,7 @@
 use super::meet::Meet;
 use crate::adjoint::{Reversed, ReversibleClosing};
 use crate::relation::{Closures, Open, Wrench, WrenchOf};
+use crate::scalar::Scalar;
 use crate::shape::{
     Arm, Around, AtClosing, Kept, Main, Mut, PerAxes, PerBody, PerJoint, Ref, Selective, Side, Walk, Way,
 };
@@ -49,20 +50,20 @@ impl<S: Reversed, C: Closures, K: ReversibleClosing<S>> Around<S, K> for Burden<
         main: impl FnOnce(&mut Self::In<Main<K::Closures>>, WrenchOf<S>) -> WrenchOf<S>,
         side: impl FnOnce(&mut Self::In<Side<K::Closures>>, WrenchOf<S>) -> WrenchOf<S>,
     ) -> WrenchOf<S> {
-        let within = |walk: &mut Meet<_, _>, outer| {
-            let mut burden = Burden(core::mem::replace(walk, Meet::nothing()));
-            let inner = main(&mut burden, outer);
-            *walk = burden.0;
-            inner
-        };
-        let aside = |walk: &mut Meet<_, _>, outer| {
-            let mut burden = Burden(core::mem::replace(walk, Meet::nothing()));
-            let inner = side(&mut burden, outer);
-            *walk = burden.0;
-            inner
-        };
-        let (wrench, [_, reduced]) = self.0.settle::<S, K::Closures>(gain, outer, within, aside);
+        let (wrench, [_, reduced]) = self.0.settle::<S, K::Closures>(gain, outer, wrapped(main), wrapped(side));
         gain.burden(&reduced);
         wrench
+    }
+}
+
+/// An arm that is met under loads, as if it were met without.
+fn wrapped<T: Scalar, C: Closures, W>(
+    arm: impl FnOnce(&mut Burden<T, C>, W) -> W,
+) -> impl FnOnce(&mut Meet<T, C>, W) -> W {
+    |walk, outer| {
+        let mut burden = Burden(core::mem::replace(walk, Meet::nothing()));
+        let inner = arm(&mut burden, outer);
+        *walk = burden.0;
+        inner
     }
 }

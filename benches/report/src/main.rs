@@ -17,6 +17,10 @@ use tables::Rows;
 type Table = (&'static str, &'static str, fn(&Rows) -> String);
 
 const TABLES: &[Table] = &[
+    ("chains", "counts.csv", |rows| tables::sweeps(rows, "chains", Some("hand"))),
+    ("springs and tips", "counts.csv", |rows| tables::sweeps(rows, "springs and tips", Some("pins"))),
+    ("trees and loops", "counts.csv", |rows| tables::sweeps(rows, "trees and loops", Some("pins"))),
+    ("space", "counts.csv", |rows| tables::sweeps(rows, "space", None)),
     ("stability step", "stability/step.csv", tables::cases),
     ("stability sweep", "stability/sweep.csv", tables::cases),
     ("stability runs", "stability/runs.csv", tables::cases),

@@ -161,6 +161,24 @@ pub fn skip(rows: &Rows) -> String {
     text
 }
 
+/// Instructions and nanoseconds of the sweeps of a part, both targets, and what multiple they are of those of the row that they compare to.
+pub fn sweeps(rows: &Rows, part: &str, beside: Option<&str>) -> String {
+    let number =
+        |row: &Row, column: &str| Some(row.get(column)).filter(|text| !text.is_empty()).unwrap_or("–").to_owned();
+    let mut heads = ["scene", "form", "n", "instr/body default", "v3"].map(str::to_owned).to_vec();
+    heads.extend(beside.iter().flat_map(|beside| [format!(": {beside}, default"), "v3".to_owned()]));
+    heads.extend(["ns/body default", "v3"].map(str::to_owned));
+    let mut text = head(heads);
+    for row in rows.0.iter().filter(|row| row.get("part") == part) {
+        let mut cells = [row.get("scene"), row.get("form"), row.get("n")].map(str::to_owned).to_vec();
+        let ratios: &[&str] = if beside.is_some() { &["default_ratio", "v3_ratio"] } else { &[] };
+        let columns = ["default", "v3"].iter().chain(ratios).chain(&["default_ns", "v3_ns"]);
+        cells.extend(columns.map(|column| number(row, column)));
+        text += &line(cells);
+    }
+    text
+}
+
 /// Milliseconds and sweeps to three errors, a table for each scene and target. A run counts if the next finer one is as good: errors may vanish by
 /// chance where they change sign.
 pub fn precision(rows: &Rows) -> String {

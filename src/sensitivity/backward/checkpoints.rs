@@ -2,13 +2,13 @@
 
 use super::record::Record;
 use super::rules::Staged;
+use super::steps::TorquesOf;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Resting, Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
-use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
@@ -19,8 +19,9 @@ use num_traits::Zero;
 
 /// A run of fixed steps of which few states are kept.
 ///
-/// Memory is least where states and tape take as much: at √(`steps` / r), where a step of the tape takes r times as much as a state, some
-/// 25 with RK4 and 80 with DOP853. A million steps of twenty rods by RK4 then take 5 MB.
+/// Memory is least where states and tape take as much: at √(`steps` / r), where a step of the tape takes r times as much as a state: with
+/// RK4 some 35 in the plane (a four-bar linkage 41), 52 in space on balls and 128 on revolute joints, with DOP853 90 (111), 141 and 386. A
+/// million steps of twenty rods by RK4 then take 6 MB.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Checkpoints<T> {
     /// Size of a step (s).
@@ -49,12 +50,15 @@ pub struct Tape<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged> {
     before: MotionOf<S, R, C, P>,
     /// Size of the step (s).
     size: RealOf<S>,
+    /// Torques held over it, where sweeps are made once more on the way back.
+    torques: Option<TorquesOf<S, R, C>>,
     record: Record<S, Elements<S, R, C>, M, P::Closures>,
 }
 
 impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged> Clone for Tape<S, R, C, P, M> {
     fn clone(&self) -> Self {
-        Self { before: self.before.clone(), size: self.size, record: self.record.clone() }
+        let (before, torques, record) = (self.before.clone(), self.torques.clone(), self.record.clone());
+        Self { before, size: self.size, torques, record }
     }
 }
 
@@ -72,10 +76,11 @@ where
 {
     /// Room for a step of a tape: a slice of them is what [`gradient_between`](Self::gradient_between) needs.
     pub fn tape(&self) -> Tape<S, R, C, P, M> {
-        Tape { before: self.steps.scene.motion(), size: RealOf::<S>::zero(), record: self.steps.record() }
+        let torques = (M::OWN > 0.0).then(|| self.steps.torques.clone());
+        Tape { before: self.steps.scene.motion(), size: RealOf::<S>::zero(), torques, record: self.steps.record() }
     }
 
-    /// As [`run`](Self::run), keeping few states, the last of which has no accelerations but zeros.
+    /// As [`run`](Self::run), keeping few states.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -102,7 +107,7 @@ where
                 self.steps.take_torques(torques, step);
                 self.steps.step_to(time, next, &mut self.record, &mut self.spare);
                 if step == between.start {
-                    past.acceleration.set(self.record.first());
+                    self.record.begin(past);
                 }
                 core::mem::swap(next, &mut self.spare);
                 Dynamics::<Unloaded>::accept(self.steps.scene, next)?;
@@ -244,12 +249,15 @@ where
             let end = start + size * RealOf::<S>::of((step + 1) as f64);
             room.size = end - room.before.time;
             self.steps.take_torques(torques, step);
+            if let Some(torques) = &mut room.torques {
+                torques.clone_from(&self.steps.torques);
+            }
             let next = match rest {
                 [room, ..] if place + 1 < count => &mut room.before,
                 _ => &mut self.spare,
             };
             self.steps.step_to(end, &room.before, &mut room.record, next);
-            room.before.acceleration.set(room.record.first());
+            room.record.begin(&mut room.before);
         }
     }
 
@@ -263,6 +271,9 @@ where
         cost: &mut impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
     ) -> Result<(), Error> {
         for (step, room) in between.zip(tape).rev() {
+            if let Some(torques) = &room.torques {
+                self.steps.torques.clone_from(torques);
+            }
             self.steps.pull_back(&room.before, room.size, &room.record, gradient);
             self.steps.give_torques(by_torques, step);
             cost(step, &room.before, &mut gradient.start)?;

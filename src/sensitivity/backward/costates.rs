@@ -109,15 +109,18 @@ where
         gather(&mut gradient.start.rate, &self.sum, step, &self.nodes, of_position);
     }
 
-    /// The costate of the size of a step through which costates were pulled back.
+    /// From the costates after a step to those before it, and that of its size.
     pub(super) fn of_size(
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) -> S::Scalar {
+        self.of_own = Some(S::Scalar::zero());
+        self.pull_back(past, step, record, gradient);
+        let mut sum = self.of_own.take().unwrap_or(S::Scalar::zero());
         let (one, slopes) = (RealOf::<S>::one(), record.accelerations.as_ref());
-        let mut sum = S::Scalar::zero();
         for row in 0..=M::STAGES {
             let (position, rate) = M::weights(row);
             let (of_position, of_rate) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);

@@ -23,6 +23,7 @@ use crate::scalar::{Real, Scalar};
 use crate::sensitivity::{Costate, Gradient};
 use crate::simulate::crossing::crossing;
 use crate::system::{Elements, MotionOf, Runs, System};
+use core::any::TypeId;
 use num_traits::Zero;
 
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
@@ -38,8 +39,8 @@ where
     EffortOf<S>: Additive,
 {
     /// Cuts the first step of a run in which a function of the motion crosses zero, so that it is zero at the step's end, and gives the
-    /// number of steps up to there; none where it does not cross. That of this number has no
-    /// accelerations but zeros; those beyond are of no run.
+    /// number of steps up to there; none where it does not cross. The state of this number has no accelerations but zeros; those beyond are
+    /// of no run. Jets and dual numbers have there the derivatives at a fixed time.
     ///
     /// # Errors
     /// [`Fault::Count`] for torques of another number, [`Fault::Shape`] for motions of another scene, [`Fault::NotFinite`] where the function
@@ -106,11 +107,13 @@ where
     /// ```
     ///
     /// Loads on bodies ([`under`](Self::under)) may not depend on time here: their part in what the last step's size changes is not found.
-    /// A law that gives other loads at three times of the last step is refused.
+    /// A law that gives other loads at three times of the last step is refused. So are scenes over jets, dual numbers and lanes: times are
+    /// plain numbers, and what the time of the end does to second derivatives, or in each lane, is not found.
     ///
     /// # Errors
     /// As [`gradient`](Self::gradient); [`Fault::Count`] for a run without a step; [`Fault::NotFinite`] where the function of the event does
-    /// not change with the time of the end, so that no time is that of the event; [`Fault::Unsupported`] for loads that depend on time.
+    /// not change with the time of the end, so that no time is that of the event; [`Fault::Unsupported`] for loads that depend on time, and
+    /// for numbers that are not plain.
     pub fn gradient_to_event(
         &mut self,
         torques: &[EffortOf<S>],
@@ -121,6 +124,10 @@ where
     ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
         let last = self.check(torques, states)?;
         self.admits(states.len() - 1, by_torques.len())?;
+        if TypeId::of::<S::Scalar>() != TypeId::of::<RealOf<S>>() {
+            let what = "the gradient up to an event of numbers that carry derivatives, or lanes: times have none";
+            return Err(Error::new(Fault::Unsupported { what }));
+        }
         let [.., past, _] = states else {
             return Err(Error::new(Fault::Count { expected: 2, given: states.len() }));
         };
@@ -148,11 +155,11 @@ where
         for (start, by_size) in [(&gradient.start, &mut by_cost), (&of_event, &mut by_event)] {
             scratch.start.position.set(&start.position);
             scratch.start.rate.set(&start.rate);
-            self.steps.pull_back(past, size, &self.record, scratch);
-            *by_size += self.steps.of_size(past, size, &self.record);
+            *by_size += self.steps.of_size(past, size, &self.record, scratch);
         }
         self.steps.give_torques(&mut [], 0);
-        finite(!by_event.real().is_zero(), "time of the end per change of the event's function")?;
+        let moves = by_event.is_finite() && !by_event.real().is_zero();
+        finite(moves, "time of the end per change of the event's function")?;
         let share = by_cost * by_event.recip();
         let Costate { mut position, mut rate, time } = of_event;
         position.replace(&mut |x| -(share * x));

@@ -8,6 +8,9 @@
 //! free ← F + (Q_g, V_g)        x̄ of the sweep before ← B Q_g + Γ V_g
 //! ```
 //!
+//! and, as B = (γ h)² and Γ = γ h, the costate of the size h takes 2 γ² h Q + γ V, times x, of laws, and times x of the sweep before, of the
+//! geometry.
+//!
 //! The geometry of a stage's first sweep follows the stage before, that of a step's the motion at its start. Sweeps before the last of a
 //! stage are made once more on the way back.
 
@@ -20,7 +23,7 @@ use crate::ends::{Resting, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Additive, Closures};
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 use crate::sensitivity::Gradient;
 use crate::shape::{Positions, Shape, Takes};
 use crate::stepper::displace::displace;
@@ -54,6 +57,23 @@ fn follow<S: Reversed, E: Element<S>>(
 ) {
     into.0.drift_1(position, (RealOf::<S>::zero(), zero), (own * own, acceleration));
     into.1.mix_1(rate, (own, acceleration));
+}
+
+/// The costate of the size of the step, by what it changes of where an acceleration leads: by 2 γ own and γ of it.
+fn of_own<S: Reversed, E: Element<S>>(
+    gamma: RealOf<S>,
+    own: RealOf<S>,
+    (of_position, of_rate): (&E::Rate, &E::Rate),
+    acceleration: &E::Rate,
+) -> S::Scalar {
+    let mut sum = S::Scalar::zero();
+    for (costate, factor) in [(of_position, (gamma + gamma) * own), (of_rate, gamma)] {
+        costate.all(acceleration, &mut |costate, acceleration| {
+            sum += (costate * acceleration).scale(factor);
+            true
+        });
+    }
+    sum
 }
 
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
@@ -131,7 +151,9 @@ where
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
-        let (last, own) = (self.rule.sweeps(row), RealOf::<S>::of(M::OWN) * step);
+        let (last, gamma) = (self.rule.sweeps(row), RealOf::<S>::of(M::OWN));
+        let own = gamma * step;
+        let by_own = |of: (&_, &_), slope: &_| of_own::<S, Elements<S, R, C>>(gamma, own, of, slope);
         let time = past.time + RealOf::<S>::of(M::node(row)) * step;
         let mut again = self.again(&record.stages.as_ref()[row]);
         if row + 1 < M::STAGES {
@@ -146,15 +168,30 @@ where
             self.sweeps((row, sweeps), past, step, record.accelerations.as_ref(), free, (&mut *stage, &mut *slope));
             let kept = (&record.stages.as_ref()[row], &record.accelerations.as_ref()[row]);
             let (stage, slope) = if sweep == last { kept } else { (&*stage, &*slope) };
+            if let Some(sum) = &mut self.of_own {
+                // By the geometry of the sweep after this one, and below by what laws add to `of_free`.
+                if sweep < last {
+                    *sum += by_own((&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]), slope);
+                }
+                *sum -= by_own((&of_free.0, &of_free.1), slope);
+            }
             self.pull_back_stage(None, (row, false), time, (stage, slope), gradient);
             follow::<S, Elements<S, R, C>>((&free.0, &free.1), own, slope, &self.zero, (&mut read.0, &mut read.1));
             let (w, of_position, of_rate) = (&self.of_acceleration, &mut of_free.0, &mut of_free.1);
             let stores = (&read.0, &read.1, w, &mut gradient.joints, &mut *of_position, &mut *of_rate);
             self.scene.elements().take(&mut Strain, (), stores);
+            if let Some(sum) = &mut self.of_own {
+                *sum += by_own((&*of_position, &*of_rate), slope);
+            }
             let (of_place, of_speed) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
             of_position.add(of_place);
             of_rate.add(of_speed);
             self.of_acceleration.mix_2(&self.zero, (own * own, of_place), (own, of_speed));
+        }
+        if let (Some(sum), Some(before)) = (&mut self.of_own, row.checked_sub(1)) {
+            let (of_geometry, slopes) =
+                ((&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]), record.accelerations.as_ref());
+            *sum += by_own(of_geometry, &slopes[before]);
         }
         again.of_before.set(&self.of_acceleration);
         self.of_position.as_mut()[row].set(&again.of_free.0);

@@ -20,7 +20,6 @@ use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Resting, Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
-use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
@@ -82,7 +81,7 @@ use steps::Steps;
 /// stage by several sweeps, and costates go back through all of them.
 ///
 /// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`
-/// with or without a `Spring`, composed in the same ways, from a `Pinned`, `Clamped` or `Hinged` root that does not move. An attitude has
+/// with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom)), composed in the same ways, from a `Pinned`, `Clamped` or `Hinged` root that does not move. An attitude has
 /// three derivatives, by a rotation vector (rad) in axes of its body: costs add theirs in the same numbers, and steps linearised have their
 /// rows and columns so. Rates of balls are angular velocities in axes of the body (rad/s). Torques are [`Effort`](crate::spatial::Effort)s,
 /// in a ball a vector in these axes, in a revolute joint the first number. Directions of axes, attitudes of welds and of the ground are
@@ -180,7 +179,8 @@ where
     /// step begins. `torques` are those in all joints (the root's first), held over the first step, then those over the second, and so on;
     /// or those of one step, held over all; or none.
     ///
-    /// The last state has no accelerations but zeros: `with_accelerations` finds them.
+    /// The last state has no accelerations but zeros, and by `Sdirk4`, which finds none where a step begins, so has each:
+    /// `with_accelerations` finds them.
     ///
     /// A step ends at a multiple of its size after the start, without the rounding of a running sum, as in
     /// [`simulate`](System::simulate).
@@ -212,7 +212,7 @@ where
             self.steps.take_torques(torques, k);
             let time = start.time + step * RealOf::<S>::of((k + 1) as f64);
             self.steps.step_to(time, past, &mut self.record, next);
-            past.acceleration.set(self.record.first());
+            self.record.begin(past);
             Dynamics::<Unloaded>::accept(self.steps.scene, next)?;
         }
         Ok(())

@@ -5,9 +5,12 @@ use super::rules::Staged;
 use crate::adjoint::Reversed;
 use crate::element::Element;
 use crate::ends::Tip;
+use crate::mirror::Rate;
+use crate::motion::Motion;
 use crate::relation::{AccelerationOf, Closures};
 use crate::shape::{Kept, PerAxes, PerBody, PerClosure, PerJoint};
 use crate::system::{Elements, PositionOf, RateOf};
+use num_traits::Zero;
 
 /// A stage of a scene.
 pub(super) type StageOf<S, R, C, P> = Stage<S, Elements<S, R, C>, <P as Tip<S>>::Closures>;
@@ -58,8 +61,11 @@ impl<S: Reversed, E: Element<S>, M: Staged, X: Closures> Clone for Record<S, E, 
 }
 
 impl<S: Reversed, E: Element<S>, M: Staged, X: Closures> Record<S, E, M, X> {
-    /// Accelerations in which the step begins.
-    pub(super) fn first(&self) -> &E::Rate {
-        &self.accelerations.as_ref()[0]
+    /// Gives the motion before the step the accelerations in which it begins, where the first stage stands there; else zeros.
+    pub(super) fn begin(&self, before: &mut Motion<S::Scalar, E::Position, X>) {
+        before.acceleration.set(&self.accelerations.as_ref()[0]);
+        if const { M::OWN > 0.0 } {
+            before.acceleration.replace(&mut |_| S::Scalar::zero());
+        }
     }
 }

@@ -28,6 +28,9 @@ use num_traits::Zero;
 /// Most rows that an explicit method has.
 pub(super) const ROWS: usize = 16;
 
+/// A torque, or its costate, for each joint.
+pub(super) type TorquesOf<S, R, C> = <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>;
+
 /// What makes steps and pulls costates back through them.
 pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L> {
     /// What acts on bodies.
@@ -36,9 +39,9 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     pub(super) rule: M,
     pub(super) sizes: <Elements<S, R, C> as Shape<S>>::Store<PerAxes<S::Size>>,
     /// Torques that are held over the step.
-    pub(super) torques: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>,
+    pub(super) torques: TorquesOf<S, R, C>,
     /// Costates of these.
-    pub(super) of_torques: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>,
+    pub(super) of_torques: TorquesOf<S, R, C>,
     /// Costates of the positions and rates of each row.
     pub(super) of_position: M::Rows<<Elements<S, R, C> as Element<S>>::Rate>,
     pub(super) of_rate: M::Rows<<Elements<S, R, C> as Element<S>>::Rate>,
@@ -50,6 +53,8 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     /// Where the step leads, where positions are curved.
     pub(super) end: (PositionOf<S, R, C>, RateOf<S, R, C>),
     pub(super) zero: <Elements<S, R, C> as Element<S>>::Rate,
+    /// The costate of the step's size by what stages of an implicit rule do of their own, where it is asked for.
+    pub(super) of_own: Option<S::Scalar>,
     /// Room for the sweeps of a stage of an implicit rule.
     pub(super) again: Option<AgainOf<S, R, C, P>>,
     pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
@@ -109,6 +114,7 @@ where
             of_acceleration: zero.clone(),
             of_second: zero.clone(),
             end: (elements.store::<Positions>(()), zero.clone()),
+            of_own: None,
             again: None,
             sum: zero.clone(),
             zero,

@@ -78,34 +78,49 @@ macro_rules! differentiable {
                     run.run(&start, plan.step, plan.steps, &efforts, &mut states)?;
                     let (rates, none) = (start.rate_count(), <$N>::literal(0.0));
                     let (mut values, mut rows) = (front::Vec::new(), front::Vec::new());
-                    for output in 0..plan.outputs {
-                        let mut value = none.re;
-                        let mut row = front::Vec::new();
-                        row.resize(8 * scenes.len(), none.re);
-                        let gradient = run.gradient(&efforts, &states, &mut by_efforts, |step, state, by| {
-                            let numbers = (state.coordinates(), state.rates());
-                            let mut slopes = front::Vec::new();
-                            // By the state, and the value, of no coordinates too; then by what the outputs read of the scene itself.
-                            let by_state = (0..(2 * rates).max(1)).step_by(8).map(|first| (&still, first, None));
-                            let by_inputs = scenes.iter().enumerate().map(|(k, made)| (&made.0, front::NO_SEEDS, Some(k)));
-                            for (scene, first, block) in by_state.chain(by_inputs) {
-                                let now = front::state(scene, (state.time(), &numbers.0, &numbers.1), first)?;
-                                let mut list = front::Vec::new();
-                                list.resize(plan.outputs, none);
-                                {
-                                    let ($step, $of, $now, $y) = (step, scene, &now, &mut list[..]);
-                                    $outputs;
-                                }
-                                front::known(&list)?;
-                                let found = list[output];
+                    let (mut row, mut by_states) = (front::Vec::new(), front::Vec::new());
+                    row.resize(8 * scenes.len(), none.re);
+                    values.resize(plan.outputs, none.re);
+                    rows.resize(plan.outputs, row);
+                    by_states.resize(plan.outputs, front::Vec::new());
+                    // What outputs read of each state, the last first, which is how gradients meet them.
+                    for (step, state) in states.iter().enumerate().rev() {
+                        let numbers = (state.coordinates(), state.rates());
+                        let mut slopes = front::Vec::new();
+                        slopes.resize(plan.outputs, front::Vec::new());
+                        // By the state, and the value, of no coordinates too; then by what the outputs read of the scene itself.
+                        let by_state = (0..(2 * rates).max(1)).step_by(8).map(|first| (&still, first, None));
+                        let by_inputs = scenes.iter().enumerate().map(|(k, made)| (&made.0, front::NO_SEEDS, Some(k)));
+                        for (scene, first, block) in by_state.chain(by_inputs) {
+                            let now = front::state(scene, (state.time(), &numbers.0, &numbers.1), first)?;
+                            let mut list = front::Vec::new();
+                            list.resize(plan.outputs, none);
+                            {
+                                let ($step, $of, $now, $y) = (step, scene, &now, &mut list[..]);
+                                $outputs;
+                            }
+                            front::known(&list)?;
+                            for (output, found) in list.into_iter().enumerate() {
                                 if let Some(k) = block {
-                                    row[8 * k..].iter_mut().zip(found.eps).for_each(|(sum, slope)| *sum += slope);
+                                    rows[output][8 * k..].iter_mut().zip(found.eps).for_each(|(sum, slope)| *sum += slope);
                                 } else {
-                                    slopes.extend(found.eps);
-                                    value += if first == 0 { found.re } else { none.re };
+                                    slopes[output].extend(found.eps);
+                                    values[output] += if first == 0 { found.re } else { none.re };
                                 }
                             }
-                            by.add(&slopes[..rates], &slopes[rates..2 * rates])
+                        }
+                        for (list, slopes) in by_states.iter_mut().zip(slopes) {
+                            if slopes.iter().any(|slope| !slope.is_identical(none.re)) {
+                                list.push((step, slopes));
+                            }
+                        }
+                    }
+                    for (row, by_states) in rows.iter_mut().zip(by_states) {
+                        let mut by_states = by_states.into_iter().peekable();
+                        let gradient = run.gradient(&efforts, &states, &mut by_efforts, |step, _, by| {
+                            by_states.next_if(|(of, _)| *of == step).map_or(Ok(()), |(_, slopes)| {
+                                by.add(&slopes[..rates], &slopes[rates..2 * rates])
+                            })
                         })?;
                         let by = (gradient.by_position(), gradient.by_rate());
                         for ((scene, start), part) in scenes.iter().zip(row.chunks_exact_mut(8)) {
@@ -113,9 +128,7 @@ macro_rules! differentiable {
                             part.iter_mut().zip(along).zip(by).for_each(|((sum, a), b)| *sum += a + b);
                         }
                         row.truncate(inputs.len());
-                        by_efforts.iter().for_each(|effort| front::OfNumbers::add_to(effort, &mut row));
-                        values.push(value);
-                        rows.push(row);
+                        by_efforts.iter().for_each(|effort| front::OfNumbers::add_to(effort, row));
                     }
                     Ok((values, rows))
                 };

@@ -1,10 +1,11 @@
 //! Gradients of runs in space that go backward: against jets through the same steps, kind by kind, and against central differences.
 
 use super::{Kinds, ROUNDING, alike};
-use catena::Scalar;
+use catena::planar::Custom;
 use catena::scalar::Jet;
 use catena::spatial::*;
 use catena::system::{Position, Rate};
+use catena::{Fault, Scalar};
 use catena_oracle::{Noise, near};
 
 /// What a cost reads of coordinates and rates at a step: unlike for each of them.
@@ -225,21 +226,54 @@ fn trees_have_the_gradients_of_jets() {
     let mut parameters = bodies(2);
     parameters.extend([0.3, 1.0, -0.5, 0.2, 0.1, -0.4]); // an axis, a weld
     parameters.extend([0.7, 0.8, 0.3, 0.02, 0.05, 0.4, 0.3]); // a rod, a bob
-    parameters.extend([3.0, 0.4, 0.2]); // a spring
-    let kinds: Kinds =
-        &[("bodies", 26), ("gravity", 3), ("axis", 3), ("weld", 3), ("rod", 5), ("bob", 2), ("springs", 3)];
+    parameters.extend([3.0, 0.4, 0.2, 0.5, 0.3, 0.8]); // a spring, dry friction
+    let kinds: Kinds = &[
+        ("bodies", 26),
+        ("gravity", 3),
+        ("axis", 3),
+        ("weld", 3),
+        ("rod", 5),
+        ("bob", 2),
+        ("springs", 3),
+        ("friction", 3),
+    ];
     let balls = [true, true, false, false, true];
     gradients!("a tree", kinds, parameters, balls, 6, Rk4, 3, 0.05, |x| {
         let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
         let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
         let spring = Spring::new(x(42)).damped(x(43)).resting_at(x(44));
         let (hinge, weld) = (Revolute::about(vector(29)).with(spring), Weld::at(Rotation::from_angles(vector(32))));
+        let friction = DryFriction::new(x(45), x(46)).breaking_away(x(47));
+        let rough = Revolute::about(vector(29)).with(Custom((spring, friction)));
         let rod = Rod::new(x(35), x(36), x(37), x(38), x(39));
         let bob = PointMass::new(x(40), x(41));
-        let arm = (Ball, rod, hinge, bob);
+        let arm = (Ball, rod, rough, bob);
         let chain = (of(0), Branch(arm), weld, hinge, rod, Ball, of(1));
         System::new(Pinned::on([0.0; 3].map(N::constant)), chain, Free).unwrap().with_gravity(vector(26))
     });
+}
+
+/// Derivatives by numbers of a law beyond the sixth are not found: they are refused, and are not zero.
+#[test]
+fn laws_of_more_than_six_numbers_are_refused() {
+    macro_rules! scene {
+        ($number:expr) => {{
+            let spring = Spring::new($number(3.0)).damped($number(0.4)).resting_at($number(0.2));
+            let friction = DryFriction::new($number(0.5), $number(0.3)).breaking_away($number(0.8));
+            let law = Custom((spring, friction, Spring::new($number(1.0))));
+            let hinge = Revolute::about([0.0, 1.0, 0.0].map($number)).with(law);
+            let bob = PointMass::new($number(0.4), $number(0.3));
+            let ground = Clamped::at([0.0; 3].map($number), Rotation::from_angles([0.0; 3].map($number)));
+            System::new(ground, (hinge, bob), Free).unwrap()
+        }};
+    }
+    let scene = scene!(|x: f64| x);
+    let start = scene.at_rest(&[0.1]).unwrap();
+    let (mut backward, mut states) = (scene.backward(Rk4), [start; 2]);
+    backward.run(&start, 0.01, 1, &[], &mut states).unwrap();
+    let gradient = backward.gradient(&[], &states, &mut [], |_, _, by| by.add(&[1.0], &[0.0])).unwrap();
+    let fault = gradient.along(&scene!(Jet::<f64, 8>::of)).unwrap_err().fault;
+    assert!(matches!(fault, Fault::Count { expected: 6, given: 7 }), "{fault:?}");
 }
 
 /// Revolute, ball, revolute, revolute, on a hinge that is turned.

@@ -1,6 +1,7 @@
 //! Both ways of the front door: forward and backward agree, and say what they are; products with the Hessian against differences.
 
 use catena::sensitivity::{Plan, Way};
+use core::cell::Cell;
 
 /// Both ways, and a product with the Hessian along a direction against differences of Jacobians.
 macro_rules! agree {
@@ -36,6 +37,7 @@ macro_rules! agree {
 fn both_ways_in_the_plane() {
     use catena::planar::*;
     let plan = Plan { method: Rk4, step: 0.02, steps: 10, torques: 30, outputs: 2 };
+    let seen = &Cell::new(0);
     let run = catena::differentiable!(
         Number,
         plan,
@@ -50,6 +52,7 @@ fn both_ways_in_the_plane() {
         },
         |step, scene, now, y| {
             let tip = scene.stations(now, &Unloaded).unwrap().tip().frame;
+            seen.set(seen.get() + 1);
             y[0] += tip.place.x * tip.place.y * Number::literal(0.1 + step as f64);
             if step == 10 {
                 y[1] = scene.budget(now).unwrap().kinetic;
@@ -58,7 +61,11 @@ fn both_ways_in_the_plane() {
     );
     let mut x = vec![0.8, 1.1, 0.7, 0.1, 0.3, -0.1, 0.05, 4.0, 0.2, 0.1, 9.81, -1.0, 0.4, -0.5, 0.2, 0.3, -0.4];
     x.extend((0..30).map(|k| (k as f64).sin()));
-    agree!(run, x);
+    agree!(run, x.clone());
+    // Backward, outputs are read of each state once, however many they are: by six numbers of the state, by 17 inputs in eights.
+    seen.set(0);
+    run.jacobian_by(&x, Way::Backward).unwrap();
+    assert_eq!(seen.get(), 11 * (1 + 3));
 }
 
 #[test]

@@ -17,7 +17,7 @@ fn four_bar() {
                 let rod = |i: usize| Rod::<N>::uniform(x(i), x(3 + i));
                 let reach = RigidBody::<N>::massless([x(6), x(7)]);
                 let knee = ElasticHinge::rotary(x(11)).damped(x(12)).resting_at(x(13));
-                let net = Network::new((Pin, rod(0), knee, rod(1)), (reach, Pin, rod(2)), Pin);
+                let net = Network::new((Pin, rod(0), knee, rod(1)), (reach, Pin, rod(2)), Pin.named("latch"));
                 System::new(Clamped::at(x(8), x(9), x(10)), net, Free).unwrap().with_gravity(x(14))
             })
         };

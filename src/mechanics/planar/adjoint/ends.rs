@@ -2,6 +2,7 @@
 
 use super::{AtJoint, Felt, Kind, OnBody, Outboard, Pulled, Stirred};
 use crate::adjoint::{Holds, ReversibleTip, TIP};
+use crate::chain::Named;
 use crate::element::Level;
 use crate::ends::Tip;
 use crate::mechanics::planar::{Acceleration, Clamped, Frame, Free, Guided, Pin, Pinned, Planar, Weld, Wrench};
@@ -17,8 +18,8 @@ fn force<T: Scalar>(force: Vector2<T>) -> Wrench<T> {
 
 /// What the kinematics of the plane say, whatever is held.
 macro_rules! holds {
-    ($($End:ty),*) => {$(
-        impl<T: Scalar> Holds<Planar<T>> for $End {
+    ($([$($K:ident)?] $End:ty),*) => {$(
+        impl<T: Scalar $(, $K)?> Holds<Planar<T>> for $End {
         fn stirred(stirred: &Stirred<T>) -> Acceleration<T> {
             stirred.velocity
         }
@@ -39,7 +40,7 @@ macro_rules! holds {
         }
     )*};
 }
-holds!(Free, Pinned<[T; 2]>, Clamped<[T; 2], T>, Guided<[T; 2], T, T>, Pin, Weld<T>);
+holds!([] Free, [] Pinned<[T; 2]>, [] Clamped<[T; 2], T>, [] Guided<[T; 2], T, T>, [] Pin, [] Weld<T>, [K] Named<K>);
 
 /// What lies beyond the last body where a tip is held: λ acts on the body, and c · A of the body is that of the ground.
 macro_rules! beyond {

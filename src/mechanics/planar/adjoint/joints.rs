@@ -2,12 +2,13 @@
 
 use super::laws::{Reads, ReversibleLaw};
 use super::{Outboard, Pulled, Stirred, Turning};
+use crate::adjoint::passes;
 use crate::element::Springs;
 use crate::mechanics::planar::{Acceleration, ElasticHinge, Pin, Planar, PointMass, RigidBody, Rod, Weld, Wrench};
 use crate::relation::Closures;
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
 use crate::scalar::Scalar;
-use crate::shape::{Of, Takes};
+use crate::shape::{Of, Takes, Walk};
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
@@ -92,36 +93,7 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Pin {
     }
 }
 
-impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for Weld<T> {
-    #[inline(always)]
-    fn take(
-        &self,
-        _: &mut Factor<C, By>,
-        outer: Outboard<T, C>,
-        _: Of<'_, Planar<T>, Factor<C, By>, Self>,
-    ) -> Outboard<T, C> {
-        outer
-    }
-}
-
-impl<T: Scalar, C: Closures> Takes<Planar<T>, Reach<T, C>> for Weld<T> {
-    #[inline(always)]
-    fn take(
-        &self,
-        _: &mut Reach<T, C>,
-        inner: Acceleration<T>,
-        _: Of<'_, Planar<T>, Reach<T, C>, Self>,
-    ) -> Acceleration<T> {
-        inner
-    }
-}
-
-impl<T: Scalar, C: Closures> Takes<Planar<T>, Meet<T, C>> for Weld<T> {
-    #[inline(always)]
-    fn take(&self, _: &mut Meet<T, C>, outer: Wrench<T>, _: Of<'_, Planar<T>, Meet<T, C>, Self>) -> Wrench<T> {
-        outer
-    }
-}
+passes!(Planar, Weld<T>);
 
 impl<T: Scalar, C: Closures> Takes<Planar<T>, Stir<T, C>> for Weld<T> {
     #[inline(always)]

@@ -2,6 +2,7 @@
 
 use super::{Kind, NUMBERS, Outboard, Stirred};
 use crate::adjoint::ReversibleClosing;
+use crate::chain::Named;
 use crate::element::Level;
 use crate::mechanics::planar::{Pin, Planar, Weld, Wrench};
 use crate::relation::planar::Full;
@@ -70,5 +71,25 @@ impl<T: Scalar> ReversibleClosing<Planar<T>> for Weld<T> {
         if let Level::Place = level {
             sums[0] -= weights[2];
         }
+    }
+}
+
+impl<T: Scalar, K: ReversibleClosing<Planar<T>>> ReversibleClosing<Planar<T>> for Named<K> {
+    #[inline(always)]
+    fn close_off<C: Closures>(
+        &self,
+        outer: Outboard<T, C>,
+        effort: &T,
+    ) -> (Outboard<T, Looped<C, K::Closures>>, Outboard<T, K::Closures>, Wrench<T>) {
+        self.item.close_off(outer, effort)
+    }
+    fn columns(&self) -> <K::Closures as Closures>::Each<Wrench<T>> {
+        self.item.columns()
+    }
+    fn of_effort(&self, side: &Stirred<T>, main: &Stirred<T>, sum: &mut T) {
+        self.item.of_effort(side, main, sum);
+    }
+    fn of_residual(&self, weights: &<K::Closures as Closures>::Each<T>, level: Level, sums: &mut [T; NUMBERS]) {
+        self.item.of_residual(weights, level, sums);
     }
 }

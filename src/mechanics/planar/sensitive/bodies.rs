@@ -22,7 +22,7 @@ use crate::relation::Term;
 use crate::relation::planar::Full;
 use crate::relation::planar::algebra::{add_scaled, dot, normal};
 use crate::scalar::{Jet, Scalar, columns};
-use crate::sensitive::{At, Seeds, Sensitive, Varied};
+use crate::sensitive::{At, Derived, Seeds, Sensitive};
 use nalgebra::Vector2;
 
 /// What a body keeps: `A` is 3 where it has a first moment.
@@ -52,7 +52,7 @@ pub struct BodyStore<T, const K: usize, const A: usize> {
 impl<T: Scalar, const K: usize, const A: usize> BodyStore<T, K, A> {
     fn new(body: &impl Body<Jet<T, K>>) -> Self {
         let Base { outboard: [o_x, o_y], moment: [m_x, m_y], inertia, lumped } = body.base();
-        let constant = [o_x, o_y, m_x, m_y, inertia, lumped].into_iter().all(Planar::is_constant);
+        let constant = [o_x, o_y, m_x, m_y, inertia, lumped].into_iter().all(Jet::is_constant);
         let (zero, none) = (T::zero(), [T::zero(); K]);
         let still = Vector2::new(zero, zero);
         Self {

@@ -4,9 +4,8 @@ mod bodies;
 mod joints;
 
 use crate::mechanics::planar::{Acceleration, Frame, Planar, Turn};
-use crate::relation::planar::Full;
 use crate::scalar::{Jet, Scalar, columns};
-use crate::sensitive::{Effort, Varied};
+use crate::sensitive::{Derived, Effort, Varied};
 use nalgebra::Vector2;
 
 /// A motion on its way outward.
@@ -52,20 +51,10 @@ pub struct Answering<T, const K: usize> {
 impl<T: Scalar, const K: usize> Varied for Planar<Jet<T, K>> {
     type Number = T;
     type Plain = Planar<T>;
-    type Relation = Full<T>;
     type Outward = Passing<T, K>;
     type Inward = Pulling<T, K>;
     type Response = Answering<T, K>;
 
-    fn plain(number: Jet<T, K>) -> T {
-        number.re
-    }
-    fn is_constant(number: Jet<T, K>) -> bool {
-        number.eps.iter().all(|x| *x == T::zero())
-    }
-    fn seeded(number: Jet<T, K>, k: usize) -> Jet<T, K> {
-        Jet::seed(number.re, k)
-    }
     #[inline(always)]
     fn ground(frame: &Frame<Jet<T, K>>, gravity: Vector2<Jet<T, K>>) -> Passing<T, K> {
         let Acceleration { linear, angular } = frame.falling(gravity);
@@ -81,10 +70,6 @@ impl<T: Scalar, const K: usize> Varied for Planar<Jet<T, K>> {
         }
     }
     #[inline(always)]
-    fn nothing() -> Full<T> {
-        Full::massless()
-    }
-    #[inline(always)]
     fn no_pull() -> Pulling<T, K> {
         let (zero, none) = (T::zero(), [T::zero(); K]);
         Pulling { force: Vector2::new(zero, zero), x: none, y: none, torque: none }
@@ -95,22 +80,11 @@ impl<T: Scalar, const K: usize> Varied for Planar<Jet<T, K>> {
         Answering { x: none, y: none, angular: none }
     }
     #[inline(always)]
-    fn join(a: Full<T>, b: Full<T>) -> Full<T> {
-        Full {
-            linear: a.linear + b.linear,
-            coupling: a.coupling + b.coupling,
-            angular: a.angular + b.angular,
-            force: a.force + b.force,
-            torque: a.torque + b.torque,
-            cuts: a.cuts,
-        }
-    }
-    #[inline(always)]
     fn plain_turn(frame: &Frame<Jet<T, K>>) -> Turn<T> {
         Turn { angle: frame.turn.angle.re, rate: frame.turn.rate.re }
     }
     fn ground_turns(frame: &Frame<Jet<T, K>>) -> bool {
-        !Self::is_constant(frame.acceleration.angular)
+        !frame.acceleration.angular.is_constant()
     }
     #[inline(always)]
     fn pull(chain: &mut Pulling<T, K>, arm: &Pulling<T, K>) {

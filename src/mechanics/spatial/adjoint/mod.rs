@@ -10,6 +10,7 @@ mod weld;
 
 pub use inertial::{Base, Inertial};
 
+use crate::adjoint::laws::NUMBERS;
 use crate::adjoint::{self, Kind, Reversed};
 use crate::element::Element;
 use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Spatial, Turn};
@@ -124,9 +125,6 @@ impl<T: Scalar> Additive for Pulled<T> {
     }
 }
 
-/// Most numbers of a spring and damper.
-const LAW: usize = 3;
-
 /// What a sweep keeps of an elimination for costates.
 #[derive(Clone, Copy, Debug)]
 pub struct Pivot<T> {
@@ -142,8 +140,8 @@ pub struct OfJoint<T> {
     /// By turns of the joint's axes: of a weld the rotation vector in axes of the outboard body, of a revolute joint two numbers, see
     /// [`revolute`].
     pub(crate) turn: Vector3<T>,
-    /// The numbers of a spring and damper.
-    pub(crate) law: [T; LAW],
+    /// The numbers of its law.
+    pub(crate) law: [T; NUMBERS],
 }
 
 impl<T: Scalar> Reversed for Spatial<T> {
@@ -193,7 +191,7 @@ impl<T: Scalar> Reversed for Spatial<T> {
         (zero(), zero())
     }
     fn of_nothing() -> (Base<T>, (), OfJoint<T>) {
-        (Base::null(), (), OfJoint { turn: zero(), law: [T::zero(); LAW] })
+        (Base::null(), (), OfJoint { turn: zero(), law: [T::zero(); NUMBERS] })
     }
     #[inline(always)]
     fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector3<T>, Vector3<T>) {

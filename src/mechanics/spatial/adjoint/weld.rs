@@ -1,10 +1,12 @@
 //! The costate sweep in space: what welds do.
 
-use super::{Outboard, Pulled, Stirred};
-use crate::element::Element;
-use crate::mechanics::spatial::{Acceleration, Spatial, Turn, Weld, Wrench};
+use super::{Pulled, Stirred};
+use crate::adjoint::passes;
+use crate::element::{Element, Springs};
+use crate::mechanics::spatial::{Spatial, Turn, Weld};
+use crate::relation::Closures;
 use crate::scalar::Scalar;
-use crate::shape::{Of, Takes};
+use crate::shape::{Of, Takes, Walk};
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
 use crate::walks::orient::Orient;
@@ -24,26 +26,7 @@ impl<T: Scalar> Takes<Spatial<T>, Orient> for Weld<T> {
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, Factor> for Weld<T> {
-    #[inline(always)]
-    fn take(&self, _: &mut Factor, outer: Outboard<T>, _: Of<'_, Spatial<T>, Factor, Self>) -> Outboard<T> {
-        outer
-    }
-}
-
-impl<T: Scalar> Takes<Spatial<T>, Reach<T>> for Weld<T> {
-    #[inline(always)]
-    fn take(&self, _: &mut Reach<T>, inner: Acceleration<T>, _: Of<'_, Spatial<T>, Reach<T>, Self>) -> Acceleration<T> {
-        inner
-    }
-}
-
-impl<T: Scalar> Takes<Spatial<T>, Meet<T>> for Weld<T> {
-    #[inline(always)]
-    fn take(&self, _: &mut Meet<T>, outer: Wrench<T>, _: Of<'_, Spatial<T>, Meet<T>, Self>) -> Wrench<T> {
-        outer
-    }
-}
+passes!(Spatial, Weld<T>);
 
 impl<T: Scalar> Takes<Spatial<T>, Stir<T>> for Weld<T> {
     #[inline(always)]

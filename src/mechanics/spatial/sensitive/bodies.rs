@@ -19,7 +19,7 @@ use crate::relation::Term;
 use crate::relation::spatial::Full;
 use crate::relation::spatial::algebra::{Columns, cross, cross_onto, dot, zero};
 use crate::scalar::{Jet, Scalar};
-use crate::sensitive::{At, Seeds, Sensitive, Varied};
+use crate::sensitive::{At, Derived, Seeds, Sensitive};
 use nalgebra::Vector3;
 
 /// What a body keeps: its motion on the inboard side, and its load.
@@ -35,7 +35,7 @@ impl<T: Scalar, const K: usize> BodyStore<T, K> {
     fn new(body: &impl Body<Jet<T, K>>) -> Self {
         let inertia = body.inertia();
         let vectors = [body.outboard(), inertia.centre].into_iter().chain(inertia.about_centre);
-        let constant = vectors.flatten().chain([inertia.mass]).all(Spatial::is_constant);
+        let constant = vectors.flatten().chain([inertia.mass]).all(Jet::is_constant);
         let turn = Turn { attitude: Columns::identity(), spin: zero() };
         let motion = Passing {
             turn,

@@ -7,7 +7,6 @@ mod joints;
 
 use crate::mechanics::spatial::loads::Effort;
 use crate::mechanics::spatial::{Acceleration, Frame, Spatial, Turn};
-use crate::relation::spatial::Full;
 use crate::relation::spatial::algebra::{Columns, zero};
 use crate::scalar::{Jet, Scalar};
 use crate::sensitive::Varied;
@@ -51,20 +50,10 @@ pub struct Answering<T, const K: usize> {
 impl<T: Scalar, const K: usize> Varied for Spatial<Jet<T, K>> {
     type Number = T;
     type Plain = Spatial<T>;
-    type Relation = Full<T>;
     type Outward = Passing<T, K>;
     type Inward = Pulling<T, K>;
     type Response = Answering<T, K>;
 
-    fn plain(number: Jet<T, K>) -> T {
-        number.re
-    }
-    fn is_constant(number: Jet<T, K>) -> bool {
-        number.eps.iter().all(|x| *x == T::zero())
-    }
-    fn seeded(number: Jet<T, K>, k: usize) -> Jet<T, K> {
-        Jet::seed(number.re, k)
-    }
     #[inline(always)]
     fn ground(frame: &Frame<Jet<T, K>>, gravity: Vector3<Jet<T, K>>) -> Passing<T, K> {
         let Acceleration { linear, angular } = frame.falling(gravity);
@@ -85,27 +74,12 @@ impl<T: Scalar, const K: usize> Varied for Spatial<Jet<T, K>> {
         false // it is carried in any case
     }
     #[inline(always)]
-    fn nothing() -> Full<T> {
-        Full::massless()
-    }
-    #[inline(always)]
     fn no_pull() -> Pulling<T, K> {
         Pulling { force: zero(), torque: zero(), forces: none(), torques: none() }
     }
     #[inline(always)]
     fn stillness() -> Answering<T, K> {
         Answering { linear: none(), angular: none() }
-    }
-    #[inline(always)]
-    fn join(a: Full<T>, b: Full<T>) -> Full<T> {
-        Full {
-            linear: a.linear + b.linear,
-            coupling: a.coupling + b.coupling,
-            angular: a.angular + b.angular,
-            force: a.force + b.force,
-            torque: a.torque + b.torque,
-            cuts: a.cuts,
-        }
     }
     #[inline(always)]
     fn pull(chain: &mut Pulling<T, K>, arm: &Pulling<T, K>) {

@@ -1,0 +1,126 @@
+//! Runs by an implicit rule, backward: cut at an event, under torques on a tape, and what their states keep.
+
+use catena::planar::*;
+use catena::scalar::{Jet, Scalar};
+use catena::sensitivity::{Checkpoints, Costate};
+use catena::system::Rate;
+use catena::{Error, Fault};
+
+const STEPS: usize = 30;
+const H: f64 = 0.02;
+/// Length, stiffness, damping, gravity; coordinates; rates.
+const NUMBERS: [f64; 8] = [0.5, 400.0, 0.3, 9.81, -0.6, 0.02, 2.0, -0.5];
+
+/// Two rods with a hinge that the steps do not resolve, and how they begin to move.
+macro_rules! scene {
+    ($x:expr) => {{
+        let rod = Rod::uniform($x[0], Scalar::literal(0.6));
+        let chain = (rod, ElasticHinge::rotary($x[1]).damped($x[2]), rod);
+        let scene = System::new(Pinned::origin(), chain, Free).unwrap().with_gravity($x[3]);
+        let mut start = scene.motion();
+        start.set_coordinates(&$x[4..6]).unwrap();
+        start.set_rates(&$x[6..]).unwrap();
+        (scene, start)
+    }};
+}
+
+/// Torques that change their sign from step to step.
+fn torques() -> Vec<f64> {
+    (0..2 * STEPS).map(|k| if k % 4 < 2 { 1.0 } else { -1.5 }).collect()
+}
+
+/// Where the upper rod has an angle: what the lower one does there, and when, against central differences of such runs.
+#[test]
+fn events() {
+    let run = |x: &[f64; 8]| -> Result<_, Error> {
+        let (scene, start) = scene!(x);
+        let (mut backward, mut states, torques) = (scene.backward(Sdirk4::new()), [start; STEPS + 1], torques());
+        backward.run(&start, H, STEPS, &torques, &mut states)?;
+        let steps = backward.cut(&torques, &mut states, |state| state.coordinates()[0] + 1.0)?.unwrap();
+        let torques = &torques[..2 * steps];
+        let ([q0, q1], [v0, v1], time) = (
+            [states[steps].coordinates()[0], states[steps].coordinates()[1]],
+            [states[steps].rates()[0], states[steps].rates()[1]],
+            states[steps].time(),
+        );
+        let mut rows = vec![];
+        for (of_time, position, rate) in
+            [(0.0, [0.0, 1.0], [0.0; 2]), (0.0, [0.0; 2], [v1, v0]), (1.0, [0.0; 2], [0.0; 2])]
+        {
+            let cost = |k: usize, _: &_, by: &mut Costate<_>| {
+                if k < steps {
+                    return Ok(());
+                }
+                by.time += of_time;
+                by.add(&position, &rate)
+            };
+            let event = |_: &_, by: &mut Costate<_>| by.add(&[1.0, 0.0], &[0.0; 2]);
+            let gradient = backward.gradient_to_event(torques, &states[..=steps], &mut [], cost, event)?;
+            let of: [Jet<f64, 4>; 8] = core::array::from_fn(|k| Jet::seed(x[k], k));
+            let mut row = gradient.along(&scene!(of).0)?.to_vec();
+            row.extend(gradient.by_position().into_iter().chain(gradient.by_rate()));
+            rows.push(row);
+        }
+        assert!((q0 + 1.0).abs() < 1e-12);
+        Ok((steps, [q1, v0 * v1, time], rows))
+    };
+    let (steps, [.., time], rows) = run(&NUMBERS).unwrap();
+    assert!(steps > 3 && steps < STEPS && time % H > 0.1 * H && time % H < 0.9 * H, "{steps} {time}");
+    for (which, row) in rows.iter().enumerate() {
+        for (j, found) in row.iter().enumerate() {
+            let at = |e: f64| {
+                let mut numbers = NUMBERS;
+                numbers[j] += e;
+                let (number, values, _) = run(&numbers).unwrap();
+                assert_eq!(number, steps);
+                values[which]
+            };
+            let e = 1e-4 * NUMBERS[j].abs();
+            let slope = (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e);
+            println!("{which} {j} {found} {slope} {:.1e}", (found - slope).abs() / slope.abs());
+            assert!((found - slope).abs() < 1e-7 * slope.abs(), "{which} {j}: {found} not {slope}");
+        }
+    }
+}
+
+/// Sweeps that are made once more on the way back meet the torques of their step, with all states kept, few, or none.
+#[test]
+fn torques_of_each_step() {
+    let (scene, start) = scene!(NUMBERS);
+    let end = |step: usize, _: &_, by: &mut Costate<_, f64>| {
+        if step == STEPS { by.add(&[1.0, 0.5], &[0.2, 0.0]) } else { Ok(()) }
+    };
+    let (mut backward, torques) = (scene.backward(Sdirk4::new()), torques());
+    let (mut states, mut by_torques) = (vec![start; STEPS + 1], torques.clone());
+    backward.run(&start, H, STEPS, &torques, &mut states).unwrap();
+    let expected = backward.gradient(&torques, &states, &mut by_torques, end).unwrap();
+    // No accelerations are found where steps begin: none that belong elsewhere are shown.
+    for state in &states {
+        state.acceleration().visit(&mut |x| assert_eq!(x, 0.0));
+    }
+    let (mut tape, mut last, mut by_tape) = (vec![backward.tape(); STEPS], start, torques.clone());
+    backward.run_on_tape(&start, H, STEPS, &torques, &mut tape, &mut last).unwrap();
+    let taped = backward.gradient_on_tape(STEPS, &tape, &last, &mut by_tape, end).unwrap();
+    let plan = Checkpoints { step: H, steps: STEPS, every: 7 };
+    let (mut few, mut by_few) = (vec![start; plan.states()], torques.clone());
+    backward.run_between(&start, plan, &torques, &mut few).unwrap();
+    let between = backward.gradient_between(plan, &torques, &few, &mut tape, &mut by_few, end).unwrap();
+    for (found, by) in [(taped, by_tape), (between, by_few)] {
+        assert_eq!(found.by_position(), expected.by_position());
+        assert_eq!(found.by_rate(), expected.by_rate());
+        assert_eq!(by, by_torques);
+    }
+}
+
+/// Times of jets are plain numbers: the time of an event would lose its derivatives.
+#[test]
+fn events_of_jets_are_refused() {
+    let of: [Jet<f64, 1>; 8] = core::array::from_fn(|k| Jet::seed(NUMBERS[k], k));
+    let (scene, start) = scene!(of);
+    let (mut backward, mut states) = (scene.backward(Rk4), [start; 3]);
+    backward.run(&start, H, 2, &[], &mut states).unwrap();
+    let cost = |_: usize, _: &_, _: &mut Costate<_, _>| Ok(());
+    let event = |_: &_, by: &mut Costate<_, _>| by.add(&[Jet::of(1.0), Jet::of(0.0)], &[Jet::of(0.0); 2]);
+    let found = backward.gradient_to_event(&[], &states, &mut [], cost, event).err().map(|error| error.fault);
+    assert!(matches!(found, Some(Fault::Unsupported { .. })), "{found:?}");
+}
