@@ -114,7 +114,7 @@ impl<W: std::io::Write> Trace<W> {
         now: &Now<'_, S, R, C, P, L>,
     ) -> std::io::Result<()> {
         let Self { writer, started, .. } = self;
-        if S::Scalar::SEVERAL {
+        if S::Scalar::LANES {
             return Err(std::io::Error::new(std::io::ErrorKind::Unsupported, "a trace of lanes"));
         }
         if !*started {

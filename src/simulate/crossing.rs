@@ -16,7 +16,7 @@ pub(crate) const LEFT: f64 = 0.0625;
 /// [`Fault::Unsupported`].
 pub(crate) fn of_one_number<T: Scalar>() -> Result<(), Error> {
     let what = "an event of lanes, each of which has its own";
-    if T::SEVERAL { Err(Error::new(Fault::Unsupported { what })) } else { Ok(()) }
+    if T::LANES { Err(Error::new(Fault::Unsupported { what })) } else { Ok(()) }
 }
 
 /// Whether a function arrives at zero, or on its other side, that has these values. Products would be rounded to zero, or be no numbers.

@@ -59,8 +59,11 @@ fn an_event_that_no_time_changes_has_no_gradient() -> Result<(), Error> {
     let (mut backward, mut states) = (system.backward(Rk4), [start; 3]);
     backward.run(&start, 0.01, 2, &[], &mut states)?;
     let cost = |_: usize, _: &_, by: &mut Costate<_>| by.add(&[1.0, 0.0], &[0.0; 2]);
-    let found = backward.gradient_to_event(&[], &states, &mut [], cost, |_, _| Ok(())).map(|_| ()).unwrap_err().fault;
-    assert!(matches!(found, Fault::NotFinite { .. }), "{found:?}");
+    for slope in [0.0, f64::NAN] {
+        let event = |_: &_, by: &mut Costate<_>| by.add(&[slope; 2], &[0.0; 2]);
+        let found = backward.gradient_to_event(&[], &states, &mut [], cost, event).map(|_| ()).unwrap_err().fault;
+        assert!(matches!(found, Fault::NotFinite { .. }), "{found:?}");
+    }
     Ok(())
 }
 

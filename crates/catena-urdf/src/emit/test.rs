@@ -2,16 +2,12 @@
 
 use super::{number, numbers};
 use crate::algebra::quaternion;
-use crate::dynamics::{sample, solve};
-use crate::options::Elements;
+use crate::dynamics::sample;
 use crate::robot::Robot;
 use std::fmt::Write;
 
 /// The test.
 pub fn module(robot: &Robot) -> String {
-    if robot.elements != Elements::Inertial {
-        return local(robot);
-    }
     let state = sample(robot);
     let offset = robot.base_freedoms();
     let count = offset + robot.bodies.len();
@@ -85,58 +81,5 @@ pub fn module(robot: &Robot) -> String {
          assert!((x - right).abs() < 1e-8, \"coordinate {{k}}, column {{more}}: {{x}}, not {{right}}\");\n                \
          k += 1;\n            }});\n        }}\n        Ok(())\n    }}\n}}\n"
     );
-    text
-}
-
-/// The test of a module in body axes, whose links take no loads: accelerations under torques.
-fn local(robot: &Robot) -> String {
-    let state = sample(robot);
-    let offset = robot.base_freedoms();
-    let joints = robot.bodies.len();
-    let torques: Vec<f64> = (0..joints).map(|k| 1.0 - 0.37 * (k % 7) as f64).collect();
-    let bias = robot.inverse_dynamics(&state, &vec![0.0; offset + joints], robot.gravity);
-    let laws = robot.law_forces(&state.q, &state.rates);
-    let driven = torques.iter().zip(laws).map(|(torque, law)| torque + law);
-    let forces = std::iter::repeat_n(0.0, offset).chain(driven);
-    let right: Vec<f64> = forces.zip(bias).map(|(force, bias)| force - bias).collect();
-    // A robot whose mass matrix has no inverse was refused when it was read.
-    let accelerations = solve(&robot.mass_matrix(&state), &right).unwrap_or_default();
-    let (mut positions, mut rates) = (Vec::new(), Vec::new());
-    if offset == 6 {
-        positions.extend(state.place.into_iter().chain(quaternion(&state.attitude)));
-        rates.extend(state.base_rates.into_iter().flatten());
-    }
-    positions.extend(&state.q);
-    rates.extend(&state.rates);
-    let mut text = "#[cfg(test)]\nmod tests {\n".to_owned();
-    let mut constant = |title: &str, name: &str, values: &[f64]| {
-        let _ = writeln!(text, "    /// {title}\n    const {name}: [f64; {}] = {};", values.len(), numbers(values));
-    };
-    let title = if offset == 6 { "Place, attitude (a quaternion) and joints." } else { "Joints." };
-    constant(title, "POSITIONS", &positions);
-    constant("Their rates.", "RATES", &rates);
-    constant("Torques of the joints.", "TORQUES", &torques);
-    constant("What these cause, by code that shares nothing with the library.", "ACCELERATIONS", &accelerations);
-    text += "
-    #[test]
-    fn torques_cause_the_accelerations_of_the_description() -> Result<(), catena::Error> {
-        use catena::robot::Loads;
-        use catena::system::Rate;
-        let scene = super::scene::<f64>()?;
-        let mut motion = scene.motion();
-        motion.set_coordinates(&POSITIONS)?;
-        let motion = scene.with_rates(motion, &RATES)?;
-        let moved = scene.with_accelerations(motion, &Loads::none().efforts(super::efforts(TORQUES)))?;
-        let largest = ACCELERATIONS.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-        let mut k = 0;
-        Rate::visit(moved.acceleration(), &mut |x: f64| {
-            let right = ACCELERATIONS[k];
-            assert!((x - right).abs() < 1e-9 * largest, \"coordinate {k}: {x}, not {right}\");
-            k += 1;
-        });
-        Ok(())
-    }
-}
-";
     text
 }
