@@ -143,6 +143,12 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
         self.rate.set(&from.rate);
     }
 
+    /// Whether this is the motion at a time, of these positions and rates. Dual numbers with other derivative parts are other numbers.
+    pub(crate) fn has_state(&self, time: T::Real, position: &P, rate: &P::Rate) -> bool {
+        let mut same = Scalar::is_identical;
+        self.time == time && self.position.all(position, &mut same) && self.rate.all(rate, &mut same)
+    }
+
     /// Whether `other` moves the same coordinates (only vectors of elements can differ in number).
     pub fn fits(&self, other: &Self) -> bool {
         self.all(other, &mut |_, _| true)

@@ -20,7 +20,7 @@ pub trait Observe<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>>
     fn observe(&mut self, now: &Now<'_, S, R, C, P, L>);
 }
 
-/// How far the energy of a run strays from its first value.
+/// How far the energy of a run strays from its first value, with the scene's kind of number.
 ///
 /// ```
 /// use catena::simulate::{EnergyDrift, Observe};
@@ -32,32 +32,40 @@ pub trait Observe<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>>
 /// assert!(drift.largest() < 1e-11);
 /// # Ok::<(), catena::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default)]
-pub struct EnergyDrift {
-    start: Option<f64>,
+#[derive(Clone, Copy, Debug)]
+pub struct EnergyDrift<T = f64> {
+    start: Option<T>,
     largest: f64,
 }
 
-impl EnergyDrift {
-    /// The largest deviation so far (J).
+impl<T> Default for EnergyDrift<T> {
+    fn default() -> Self {
+        Self { start: None, largest: 0.0 }
+    }
+}
+
+impl<T> EnergyDrift<T> {
+    /// The largest deviation so far (J), of lanes that of any; NaN since an energy was no number.
     pub fn largest(&self) -> f64 {
         self.largest
     }
 }
 
-impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Observe<S, R, C, P, L> for EnergyDrift {
+impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Observe<S, R, C, P, L> for EnergyDrift<S::Scalar> {
     fn observe(&mut self, now: &Now<'_, S, R, C, P, L>) {
-        let energy = now.energy().real().as_f64();
-        let start = *self.start.get_or_insert(energy);
-        self.largest = f64::max(self.largest, (energy - start).abs());
+        let energy = now.energy();
+        let drift = (energy - *self.start.get_or_insert(energy)).real().as_f64().abs();
+        if drift.is_nan() || drift > self.largest {
+            self.largest = drift;
+        }
     }
 }
 
 /// Writes each instant as a line of CSV: time, then position, rate and acceleration of every joint coordinate, then energy.
 ///
 /// Columns are named after joints: by their names, by `joint_` and their numbers where they have none, and by both where several have
-/// the same. Where a joint has several coordinates, these are numbered. Numbers are written so that they read back exactly. Dual numbers
-/// and lanes write their real part.
+/// the same, no two alike. Where a joint has several coordinates, these are numbered. Numbers are written so that they read back exactly. Dual numbers
+/// write their real part. Of lanes none stands for the others: they are an error.
 ///
 /// ```
 /// use catena::simulate::{Observe, Trace};
@@ -106,6 +114,9 @@ impl<W: std::io::Write> Trace<W> {
         now: &Now<'_, S, R, C, P, L>,
     ) -> std::io::Result<()> {
         let Self { writer, started, .. } = self;
+        if S::Scalar::LANES {
+            return Err(std::io::Error::new(std::io::ErrorKind::Unsupported, "a trace of lanes"));
+        }
         if !*started {
             writeln!(writer, "{}", columns(now.system().elements()))?;
             *started = true;
@@ -128,21 +139,29 @@ impl<W: std::io::Write> Trace<W> {
 /// The names of all columns.
 #[cfg(feature = "std")]
 fn columns<S: Space, E: Element<S>>(elements: &E) -> String {
-    let mut joints = Vec::new();
+    let mut named = Vec::new();
     parts(elements, &mut |part| {
         if let Sort::Joint { coordinates, rates } = part.sort {
-            joints.push((part.name, coordinates, rates));
+            named.push((part.name, coordinates, rates));
         }
     });
+    let mut joints: Vec<(String, usize, usize)> = Vec::new();
+    for (number, (name, coordinates, rates)) in named.iter().enumerate() {
+        let alone = named.iter().filter(|(other, ..)| other == name).count() == 1;
+        let mut label = match name {
+            Some(name) if alone => String::from(*name),
+            Some(name) => format!("{name}_{number}"),
+            None => format!("joint_{number}"),
+        };
+        // A joint may have the name that another is given.
+        while joints.iter().any(|(other, ..)| *other == label) {
+            label = format!("{label}_{number}");
+        }
+        joints.push((label, *coordinates, *rates));
+    }
     let mut text = String::from("time");
     for what in ["position", "rate", "acceleration"] {
-        for (number, (name, coordinates, rates)) in joints.iter().enumerate() {
-            let alone = joints.iter().filter(|(other, ..)| other == name).count() == 1;
-            let label = match name {
-                Some(name) if alone => String::from(*name),
-                Some(name) => format!("{name}_{number}"),
-                None => format!("joint_{number}"),
-            };
+        for (label, coordinates, rates) in &joints {
             let count = if what == "position" { *coordinates } else { *rates };
             for k in 0..count {
                 let column = if count == 1 { format!("{label}_{what}") } else { format!("{label}_{what}_{k}") };

@@ -9,6 +9,7 @@
 //! apart at every item of every tuple, and a compiler spends more time on that than on all mechanics of a long chain.
 
 mod clock;
+mod fieldwise;
 mod items;
 mod number;
 mod sticking;

@@ -1,5 +1,6 @@
 //! The mirror of a coordinate with dry friction: whether it sticks or slips, and the friction that goes with its acceleration.
 
+use super::fieldwise::fieldwise_rate;
 use super::{Position, Rate, Term};
 use crate::lift::Lift;
 use crate::scalar::Scalar;
@@ -77,48 +78,7 @@ impl<T: Scalar> Slip<T> {
 impl<T: Scalar> Rate<T> for Slip<T> {
     const LENGTH: usize = 1;
 
-    #[inline(always)]
-    fn set(&mut self, base: &Self) {
-        *self = *base;
-    }
-    #[inline(always)]
-    fn mix_1(&mut self, base: &Self, (u, a): Term<'_, T, Self>) {
-        self.rate.mix_1(&base.rate, (u, &a.rate));
-    }
-    #[inline(always)]
-    fn mix_2(&mut self, base: &Self, (u, a): Term<'_, T, Self>, (v, b): Term<'_, T, Self>) {
-        self.rate.mix_2(&base.rate, (u, &a.rate), (v, &b.rate));
-    }
-    #[inline(always)]
-    fn mix_3(&mut self, base: &Self, (u, a): Term<'_, T, Self>, (v, b): Term<'_, T, Self>, (w, c): Term<'_, T, Self>) {
-        self.rate.mix_3(&base.rate, (u, &a.rate), (v, &b.rate), (w, &c.rate));
-    }
-    #[inline(always)]
-    fn add_4(
-        &mut self,
-        (u, a): Term<'_, T, Self>,
-        (v, b): Term<'_, T, Self>,
-        (w, c): Term<'_, T, Self>,
-        (x, d): Term<'_, T, Self>,
-    ) {
-        self.rate.add_4((u, &a.rate), (v, &b.rate), (w, &c.rate), (x, &d.rate));
-    }
-    #[inline(always)]
-    fn add(&mut self, step: &Self) {
-        self.rate += step.rate;
-    }
-    #[inline(always)]
-    fn visit(&self, visit: &mut impl FnMut(T)) {
-        visit(self.rate);
-    }
-    #[inline(always)]
-    fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
-        self.rate = make(self.rate);
-    }
-    #[inline(always)]
-    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
-        test(self.rate, other.rate)
-    }
+    fieldwise_rate!([rate friction] [rate] [rate]);
 }
 
 impl<T: Scalar> Position<T> for Sticking<T> {

@@ -181,6 +181,7 @@ macro_rules! dual_numbers {
         impl<T: Scalar + DualNum $(, const $count: usize)*> Scalar for $dual {
             type Real = Plain<T>;
             const ANGLE_RANGE: Plain<T> = <T as Scalar>::ANGLE_RANGE;
+            const LANES: bool = T::LANES;
 
             #[inline(always)]
             fn constant(value: Plain<T>) -> Self {

@@ -46,7 +46,7 @@ macro_rules! lanes {
         impl Scalar for $lanes {
             type Real = $number;
             const ANGLE_RANGE: $number = <$number as Scalar>::ANGLE_RANGE;
-            const SEVERAL: bool = true;
+            const LANES: bool = true;
 
             #[inline(always)]
             fn constant(value: $number) -> Self {

@@ -83,6 +83,9 @@ pub trait Scalar:
     /// Largest magnitude in rad for which [`sin_cos`](Scalar::sin_cos) keeps its stated accuracy.
     const ANGLE_RANGE: Self::Real;
 
+    /// Whether a number is several of equal standing: lanes, of which none decides for the others.
+    const LANES: bool = false;
+
     /// The constant `value`: no derivatives, the same in every lane.
     fn constant(value: Self::Real) -> Self;
 
@@ -110,9 +113,6 @@ pub trait Scalar:
     fn add_scaled(self, factor: Self::Real, term: Self) -> Self {
         self + term.scale(factor)
     }
-
-    /// Whether a scalar is several numbers, of which decisions see one: lanes.
-    const SEVERAL: bool = false;
 
     /// Whether copies of it count, so that sums are better left to [`combine`](Scalar::combine) and
     /// [`accumulate`](Scalar::accumulate).

@@ -102,7 +102,7 @@ macro_rules! functions {
 impl<T: Scalar, const N: usize> Scalar for Pack<T, N> {
     type Real = T::Real;
     const ANGLE_RANGE: T::Real = T::ANGLE_RANGE;
-    const SEVERAL: bool = true;
+    const LANES: bool = T::LANES;
 
     #[inline(always)]
     fn constant(value: T::Real) -> Self {

@@ -124,6 +124,7 @@ assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *);
 impl<T: Scalar, const N: usize> Scalar for Powers<T, N> {
     type Real = T::Real;
     const ANGLE_RANGE: T::Real = T::ANGLE_RANGE;
+    const LANES: bool = T::LANES;
 
     fn constant(value: T::Real) -> Self {
         Self::of(T::constant(value))

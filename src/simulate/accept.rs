@@ -100,7 +100,9 @@ where
         let small = if size < tiny || slope < tiny { tiny } else { RealOf::<S>::of(0.01) * size / slope };
         let exponent = one / RealOf::<S>::of(self.stepper.error_order());
         let safe = (RealOf::<S>::of(0.01) * tolerance / slope.max(tiny)).powf(exponent);
-        (small * RealOf::<S>::of(100.0)).min(safe)
+        // A first trial that does not advance time would be blamed for errors.
+        let least = self.past.time.abs() * RealOf::<S>::EPSILON * RealOf::<S>::of(4.0);
+        (small * RealOf::<S>::of(100.0)).min(safe).max(least)
     }
 
     /// The error of a trial step as a multiple of the tolerance: infinite where its outcome is no motion, though the past one is sound.

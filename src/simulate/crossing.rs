@@ -1,15 +1,42 @@
 //! Where a function that changes its sign is zero.
 
-/// The share at which a function is zero that has these values of unlike signs at 0 and 1: regula falsi with the Illinois modification.
+use crate::error::{Error, Fault};
+use crate::scalar::Scalar;
+
+/// The share of a first step after an event from which on another is looked for: it has left the zero where it began.
+pub(super) const DEPARTED: f64 = 1e-3;
+
+/// The share of a step from which on a function is looked at that is zero where the step begins: by then it has left zero by more than
+/// rounding, and by more than steps err, also where it leaves slowly, as from rest.
+pub(crate) const LEFT: f64 = 0.0625;
+
+/// Refuses functions of lanes: each crosses zero at a time of its own.
+///
+/// # Errors
+/// [`Fault::Unsupported`].
+pub(crate) fn of_one_number<T: Scalar>() -> Result<(), Error> {
+    let what = "an event of lanes, each of which has its own";
+    if T::LANES { Err(Error::new(Fault::Unsupported { what })) } else { Ok(()) }
+}
+
+/// Whether a function arrives at zero, or on its other side, that has these values. Products would be rounded to zero, or be no numbers.
+pub(crate) fn crosses([before, after]: [f64; 2]) -> bool {
+    (before < 0.0 && after >= 0.0) || (before > 0.0 && after <= 0.0)
+}
+
+/// The share at which a function is zero that [`crosses`] zero from 0 to 1 by these values: regula falsi with the Illinois modification.
 /// The last value asked for is that of the share given, but for a hundred values that have not met rounding.
 pub(crate) fn crossing<E>(values: [f64; 2], mut value_at: impl FnMut(f64) -> Result<f64, E>) -> Result<f64, E> {
     let ([mut low, mut high], [mut below, mut above]) = ([0.0, 1.0], values);
+    if above == 0.0 {
+        return value_at(high).map(|_| high);
+    }
     let mut kept = 0;
     for _ in 0..100 {
         let theta = high - above * (high - low) / (above - below);
         let theta = if theta > low && theta < high { theta } else { 0.5 * (low + high) };
         let value = value_at(theta)?;
-        if value * above > 0.0 {
+        if !crosses([value, above]) {
             (high, above) = (theta, value);
             below *= if kept == 1 { 0.5 } else { 1.0 };
             kept = 1;

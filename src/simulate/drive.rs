@@ -1,6 +1,6 @@
 //! A run under way: its steps, samples by dense output, location of events.
 
-use super::crossing::crossing;
+use super::crossing::{DEPARTED, LEFT, crosses, crossing, of_one_number};
 use super::{EventFunction, Find, Now, Progress, Simulation, limits, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
@@ -25,11 +25,8 @@ pub struct Running<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L, M, E, 
     pub(super) observe: O,
     pub(super) progress: Progress<RealOf<S>>,
     /// The value of the event function at the past motion.
-    pub(super) value: Option<S::Scalar>,
+    pub(super) value: Option<f64>,
 }
-
-/// The share of a first step after an event from which on another is looked for: it has left the zero where it began.
-const DEPARTED: f64 = 1e-3;
 
 /// What came of a step.
 enum Outcome {
@@ -57,6 +54,9 @@ where
     /// Refuses what makes no run, and motions of another scene.
     fn check(&mut self) -> Result<(), Error> {
         self.sticks_by_numbers()?;
+        if const { <E as EventFunction<Now<'a, S, R, C, P, L>, S::Scalar>>::ON } {
+            of_one_number::<S::Scalar>()?;
+        }
         // Positions may be those of another motion: driven coordinates keep their time.
         self.past.set_time(self.past.time);
         self.next.set_time(self.next.time);
@@ -78,11 +78,12 @@ where
         self.check()?;
         let system = self.plan.system;
         let mut workspace = Dynamics::<L>::workspace(system);
-        // In a copy: a run that cannot start gives the start back as it was.
+        // In a copy, not shown before all is well: a run that cannot start gives the start back as it was.
         system.accelerate(&mut self.next, self.plan.loads, &mut workspace)?;
         if const { Self::STICKS } {
             self.settle_modes(None)?;
         }
+        self.value = self.value(Shown::Next)?;
         core::mem::swap(&mut self.past, &mut self.next);
         let size = match self.plan.rule.control {
             Control::Fixed(dt) => dt,
@@ -91,7 +92,6 @@ where
         self.progress = Progress::at(self.past.time, size);
         self.progress.trials.under(self.plan.rule.control, System::<S, R, C, P>::CLOSED > 0);
         self.show(Shown::Past, false);
-        self.value = self.value(Shown::Past)?;
         Ok(())
     }
 
@@ -171,11 +171,10 @@ where
             self.switch()?;
             self.progress.mark = (self.next.time, 0);
             let before = core::mem::replace(&mut next_value, self.value(Shown::Next)?);
-            // A rate that has come to rest but for rounding is zero only now.
-            let crosses = |[a, b]: [f64; 2]| a != 0.0 && a * b <= 0.0;
             if let (Outcome::Continue, Some(before), Some(after)) = (outcome, before, next_value)
-                && crosses([before, after].map(|value| value.real().as_f64()))
+                && crosses([before, after])
             {
+                // A rate that has come to rest but for rounding is zero only now.
                 self.show(Shown::Next, true);
                 if self.plan.stop {
                     core::mem::swap(&mut self.past, &mut self.next);
@@ -199,15 +198,14 @@ where
     ///
     /// # Errors
     /// [`Fault::NotFinite`] where it is not a number, whose sign says nothing.
-    fn value(&mut self, which: Shown) -> Result<Option<S::Scalar>, Error> {
+    fn value(&mut self, which: Shown) -> Result<Option<f64>, Error> {
         let Self { plan, past, next, between, .. } = self;
         let stepped = which.of(past, next, between);
         let (find, found) = (Self::FIND, OnceCell::new());
         let now = Now { system: plan.system, stepped, loads: plan.loads, event: false, find, found };
-        let value = plan.event.value(&now);
-        let number = value.is_none_or(|value| value.real() == value.real());
+        let value = plan.event.value(&now).map(|value| value.real().as_f64());
         let fault = Fault::NotFinite { parameter: "value of the event function" };
-        if number { Ok(value) } else { Err(Error::new(fault).at_time(stepped.time.as_f64())) }
+        if value.is_some_and(f64::is_nan) { Err(Error::new(fault).at_time(stepped.time.as_f64())) } else { Ok(value) }
     }
 
     fn show(&mut self, which: Shown, event: bool) {
@@ -222,15 +220,15 @@ where
     }
 
     /// Shows what there is to see of an accepted step: samples, an event, its end.
-    fn shown(&mut self, start: RealOf<S>, size: RealOf<S>, values: [Option<S::Scalar>; 2]) -> Result<Outcome, Error> {
-        let crossing = match values.map(|value| value.map(|value| value.real().as_f64())) {
+    fn shown(&mut self, start: RealOf<S>, size: RealOf<S>, values: [Option<f64>; 2]) -> Result<Outcome, Error> {
+        let crossing = match values {
             [before, Some(after)] => {
                 let (from, before) = match before {
+                    Some(0.0) => (LEFT, self.value_at(size, LEFT)?),
                     Some(before) => (0.0, before),
                     None => (DEPARTED, self.value_at(size, DEPARTED)?),
                 };
-                let crosses = before != 0.0 && before * after <= 0.0;
-                crosses.then(|| self.crossing(size, from, [before, after])).transpose()?
+                crosses([before, after]).then(|| self.crossing(size, from, [before, after])).transpose()?
             }
             _ => None,
         };
@@ -258,6 +256,7 @@ where
         };
         // A sample that falls on the end of a step but for rounding is its end.
         let rounding = RealOf::<S>::EPSILON * RealOf::<S>::of(4.0) * (self.past.time.abs() + size);
+        let rounding = rounding.min(every * RealOf::<S>::of(0.25));
         let slack = 1e-9 * (every / size).as_f64().min(1.0) + (rounding / size).as_f64();
         loop {
             let time = start + every * RealOf::<S>::of(self.progress.samples as f64);
@@ -278,7 +277,7 @@ where
     /// The value of the event function at a share of the step.
     fn value_at(&mut self, size: RealOf<S>, theta: f64) -> Result<f64, Error> {
         self.interpolate(size, theta);
-        Ok(self.value(Shown::Between)?.map_or(0.0, |value| value.real().as_f64()))
+        Ok(self.value(Shown::Between)?.unwrap_or(0.0))
     }
 
     /// The share of the step at which the event function crosses zero, after a share at which and at the end of which it has these values.

@@ -8,7 +8,7 @@ use crate::time::Control;
 pub(super) const MOST: f64 = 1e11;
 
 /// Refuses times, steps, tolerances and intervals that make no run from `start` to `end` (s).
-pub(super) fn check<R: Real>(
+pub(crate) fn check<R: Real>(
     [start, end]: [R; 2],
     control: Control<R>,
     every: Option<R>,
@@ -35,21 +35,18 @@ pub(super) fn check<R: Real>(
         let outside = "numbers are rounded by more";
         at_least("tolerance", tolerance.as_f64(), R::EPSILON.as_f64(), outside)?;
     }
+    // A duration of the scalar may be rounded to nothing; that of its times as f64 is exact enough.
+    let endless = ((end.as_f64() - start.as_f64()) / MOST, "a run of more than 1e11 instants does not end");
+    // Times would round to each other.
+    let late = start.abs().max(end.abs()).as_f64();
+    let still = (2.0 * R::EPSILON.as_f64() * late, "it no longer advances time");
     let fixed = match control {
         Control::Fixed(step) => Some(step),
         Control::Tolerance(_) => None,
     };
-    // A duration of the scalar may be rounded to nothing; that of its times as f64 is exact enough.
-    let least = (end.as_f64() - start.as_f64()) / MOST;
-    let outside = "a run of more than 1e11 instants does not end";
-    if let Some(step) = fixed {
-        // Times of steps would round to each other.
-        let late = start.abs().max(end.abs()).as_f64();
-        at_least("step size", step.as_f64(), 2.0 * R::EPSILON.as_f64() * late, "it no longer advances time")?;
-    }
     for (parameter, number) in [("step size", fixed), ("interval between samples", every), ("longest step", longest)] {
-        if let Some(number) = number {
-            at_least(parameter, number.as_f64(), least, outside)?;
+        for (least, outside) in [still, endless] {
+            number.map_or(Ok(()), |number| at_least(parameter, number.as_f64(), least, outside))?;
         }
     }
     Ok(())

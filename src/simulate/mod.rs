@@ -6,7 +6,7 @@ pub(crate) mod crossing;
 mod drive;
 #[cfg(feature = "rayon")]
 mod ensemble;
-mod limits;
+pub(crate) mod limits;
 mod saved;
 mod stick;
 mod trials;
@@ -282,7 +282,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         Self { longest: Some(longest), ..self }
     }
 
-    /// Also shown where a function of the motion crosses zero, once a step at most.
+    /// Also shown where a function of the motion crosses zero, once a step at most. Runs of lanes are refused: each has events of its own.
     pub fn event<F>(self, function: F) -> Simulation<'a, S, R, C, P, L, M, F>
     where
         F: FnMut(&Now<'_, S, R, C, P, L>) -> S::Scalar,

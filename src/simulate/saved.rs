@@ -25,7 +25,7 @@ pub struct Progress<R> {
     pub(super) start: R,
     /// When the run began, or began anew after an event (s), and the number of steps since: fixed steps are multiples from there.
     pub(super) mark: (R, usize),
-    /// The size (s) of the step that error control wants next.
+    /// The size (s) of the step that error control wants next, or of fixed steps.
     pub(super) size: R,
     /// Whether the last trial was rejected.
     pub(super) careful: bool,
@@ -72,17 +72,17 @@ impl<R: Real> Progress<R> {
         finite(counts && times && self.trials.is_sound(), "progress of a run")?;
         let count = |n: usize| R::of(n as f64);
         if let Control::Fixed(dt) = control {
-            let planned = mark.0 + dt * count(mark.1 + 1) - time;
-            // Times are rounded; a last step may have been cut to its end.
-            let rounding = (dt * R::of(1e6) + (time.abs() + mark.0.abs()) * R::of(8.0)) * R::EPSILON;
-            if (planned - dt).abs() > rounding {
-                *mark = (time, 0);
+            // A last step may have been cut to its end.
+            let missed = mark.0 + dt * count(mark.1) - time;
+            if *size != dt || missed.abs() > dt * R::of(1e6) * R::EPSILON {
+                (*mark, *size) = ((time, 0), dt);
             }
         }
         if let Some(every) = every {
             let next = *start + every * count(*samples) - time;
             let rounding = every * R::of(1e-9) + (start.abs() + time.abs() + every) * R::EPSILON * R::of(8.0);
-            if !(next >= -rounding && next <= every + rounding) {
+            let rounding = rounding.min(every * R::of(0.25));
+            if !(next >= -rounding && next <= every + rounding + rounding) {
                 let passed = ((time - *start) / every).as_f64();
                 finite(passed <= MOST, "progress of a run")?;
                 *samples = (passed as usize).saturating_add(1);

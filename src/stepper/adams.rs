@@ -10,7 +10,6 @@ use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
 use crate::time::{Adams, Dopri5, Weights};
-use num_traits::Zero;
 
 /// How many motions a predictor reads.
 const DEPTH: usize = 4;
@@ -113,24 +112,13 @@ impl<D: Dynamics<L>, L> Method<D, L> for Adams {
 }
 
 impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
-    /// Copies a motion; allocates nothing.
-    fn copy(to: &mut MotionIn<D, L>, from: &MotionIn<D, L>, acceleration: &D::Rate, zero: &D::Rate) {
-        to.time = from.time;
-        to.position.drift_0(&from.position, (TimeIn::<D, L>::zero(), zero));
-        to.rate.set(&from.rate);
-        to.acceleration.set(acceleration);
-    }
-
     /// Makes `past`, with the accelerations in the first row, the newest motion remembered. Where it is not the last one written, or
-    /// accelerations have jumped since, nothing else is. Dual numbers with other derivative parts are other numbers.
+    /// accelerations have jumped since, nothing else is.
     fn recall(&mut self, past: &MotionIn<D, L>) {
         let first = &self.start.slopes.as_ref()[0];
         let is = |motion: &MotionIn<D, L>| {
-            let mut equal = Scalar::is_identical;
-            motion.time == past.time
-                && motion.position.all(&past.position, &mut equal)
-                && motion.rate.all(&past.rate, &mut equal)
-                && motion.acceleration.all(first, &mut equal)
+            motion.has_state(past.time, &past.position, &past.rate)
+                && motion.acceleration.all(first, &mut Scalar::is_identical)
         };
         let AdamsMemory { ring, newest, known, written } = &mut self.memory;
         let before = (*newest + DEPTH) % (DEPTH + 1);
@@ -138,7 +126,8 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
             *newest = before;
             *known = DEPTH.min(*known + 1);
         } else if *known == 0 || !is(&ring[*newest]) {
-            Self::copy(&mut ring[*newest], past, first, &self.zero);
+            ring[*newest].copy_state(past);
+            ring[*newest].acceleration.set(first);
             *known = 1;
         }
         *written = false;
@@ -228,7 +217,9 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
             self.start.make(past, loads, dt, next)?;
         }
         let AdamsMemory { ring, newest, written, .. } = &mut self.memory;
-        Self::copy(&mut ring[(*newest + DEPTH) % (DEPTH + 1)], next, &next.acceleration, &self.zero);
+        let kept = &mut ring[(*newest + DEPTH) % (DEPTH + 1)];
+        kept.copy_state(next);
+        kept.acceleration.set(&next.acceleration);
         *written = true;
         Ok(())
     }

@@ -18,6 +18,8 @@ pub struct ImplicitStepper<D: StiffDynamics<L>, L> {
     scene: D,
     workspace: D::Workspace,
     stiff: D::StiffWorkspace,
+    /// What joints keep of the step, while others are looked at within it.
+    kept: D::Gains,
     /// What is known of the last motion written, and of the one before.
     last: Trace<TimeIn<D, L>, D::Position, D::Rate>,
     before: Trace<TimeIn<D, L>, D::Position, D::Rate>,
@@ -59,18 +61,6 @@ pub struct Trace<R, P, V> {
 }
 
 impl<R: Real, P, V> Trace<R, P, V> {
-    /// Whether the trace is of this motion. Dual numbers with other derivative parts are other numbers.
-    fn is_of<T: Scalar<Real = R>, C: Closures>(&self, motion: &Motion<T, P, C>) -> bool
-    where
-        P: Position<T, Rate = V>,
-        V: Rate<T>,
-    {
-        let mut same = Scalar::is_identical;
-        self.time == Some(motion.time)
-            && self.position.all(&motion.position, &mut same)
-            && self.rate.all(&motion.rate, &mut same)
-    }
-
     /// Keeps a motion, without its accelerations.
     fn keep<T: Scalar<Real = R>, C: Closures>(&mut self, motion: &Motion<T, P, C>, size: R, zero: &V)
     where
@@ -98,10 +88,12 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for GeneralizedAlpha {
             offset: zero.clone(),
             size: TimeIn::<D, L>::one(),
         };
+        let stiff = scene.stiff_workspace();
         ImplicitStepper {
             rule: *self,
             workspace: scene.workspace(),
-            stiff: scene.stiff_workspace(),
+            kept: scene.gains(&stiff).clone(),
+            stiff,
             last: trace(),
             before: trace(),
             free: place.clone(),
@@ -123,9 +115,12 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
     /// Makes `before` the trace of `past`: that of the last step if `past` is where it ended; otherwise A is the true
     /// acceleration, from which it differs by O(h). Where the acceleration has jumped since (with a load), so does A.
     fn recall(&mut self, past: &MotionIn<D, L>, dt: TimeIn<D, L>) {
-        if self.last.is_of(past) {
+        let is = |trace: &Trace<TimeIn<D, L>, D::Position, D::Rate>| {
+            trace.time.is_some_and(|time| past.has_state(time, &trace.position, &trace.rate))
+        };
+        if is(&self.last) {
             core::mem::swap(&mut self.last, &mut self.before);
-        } else if !self.before.is_of(past) {
+        } else if !is(&self.before) {
             self.before.keep(past, dt, &self.zero);
             self.before.offset.set(&self.zero);
         }
@@ -274,7 +269,9 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         theta: f64,
         between: &mut MotionIn<D, L>,
     ) {
+        self.kept.clone_from(self.scene.gains(&self.stiff));
         self.leap(past, loads, TimeIn::<D, L>::of(theta) * dt, between);
+        self.scene.restore_gains(&mut self.stiff, &self.kept);
     }
 
     fn sweeps(&self) -> usize {

@@ -19,6 +19,8 @@ pub struct SdirkStepper<D: StiffDynamics<L>, L> {
     scene: D,
     workspace: D::Workspace,
     stiff: D::StiffWorkspace,
+    /// What joints keep of the step, while others are looked at within it.
+    kept: D::Gains,
     /// Accelerations of the stages.
     slopes: [D::Rate; STAGES],
     /// Where positions and rates of a stage would be without its acceleration.
@@ -43,10 +45,12 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for Sdirk4 {
         let still = scene.still();
         let zero = still.rate.clone();
         let place = (still.position.clone(), zero.clone());
+        let stiff = scene.stiff_workspace();
         SdirkStepper {
             rule: *self,
             workspace: scene.workspace(),
-            stiff: scene.stiff_workspace(),
+            kept: scene.gains(&stiff).clone(),
+            stiff,
             slopes: core::array::from_fn(|_| zero.clone()),
             free: place.clone(),
             at: place,
@@ -226,7 +230,9 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
         theta: f64,
         between: &mut MotionIn<D, L>,
     ) {
+        self.kept.clone_from(self.scene.gains(&self.stiff));
         self.leap(past, loads, TimeIn::<D, L>::of(theta) * dt, between);
+        self.scene.restore_gains(&mut self.stiff, &self.kept);
     }
 
     fn sweeps(&self) -> usize {

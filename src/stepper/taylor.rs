@@ -102,12 +102,6 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         }
     }
 
-    /// Whether two motions are the same: then their accelerations are, but for rounding.
-    fn same(a: &MotionIn<D, L>, b: &MotionIn<D, L>) -> bool {
-        let mut same = Scalar::is_identical;
-        a.time == b.time && a.position.all(&b.position, &mut same) && a.rate.all(&b.rate, &mut same)
-    }
-
     /// Begins the series at the motion ahead.
     fn open(&mut self, loads: &L) {
         let Motion { time, position, rate, acceleration, .. } = &mut self.ahead;
@@ -120,10 +114,10 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         if D::LOADED && (self.begun || self.expanded) && !self.scene.recite(self.known, loads, &mut self.series) {
             (self.begun, self.expanded) = (false, false);
         }
-        if self.expanded && Self::same(&self.origin, past) {
+        if self.expanded && self.origin.has_state(past.time, &past.position, &past.rate) {
             return Ok(());
         }
-        if !(self.begun && Self::same(&self.ahead, past)) {
+        if !(self.begun && self.ahead.has_state(past.time, &past.position, &past.rate)) {
             if !past.fits(&self.ahead) {
                 return Err(Error::new(Fault::Shape));
             }

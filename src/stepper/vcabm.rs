@@ -173,8 +173,8 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        let Self { memory, start, zero, room: [room, _], .. } = self;
-        memory.recall(past, &start.slopes.as_ref()[0], room, zero);
+        let Self { memory, start, room: [room, _], .. } = self;
+        memory.recall(past, &start.slopes.as_ref()[0], room);
         let size = memory.size(dt.as_f64());
         if size == 0.0 {
             memory.forget();
@@ -185,7 +185,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
             self.own = false;
             start.begin(past, loads); // the accelerations that the predictor led to are not good enough there
             start.make(past, loads, dt, next)?;
-            memory.write_bridge(next, zero);
+            memory.write_bridge(next);
             return Ok(());
         }
         let usable = memory.usable(size);
@@ -216,7 +216,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
             gather(other, found, one, &weights[..self.order], &memory.differences);
             memory.change.set(other);
         }
-        memory.write(next, size, self.order, &self.coefficients.scale, &self.zero);
+        memory.write(next, size, self.order, &self.coefficients.scale);
         Ok(())
     }
 

@@ -120,7 +120,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Refuses scenes in which joints stick, for these rest anywhere within what friction holds, and lanes, each of which rests elsewhere.
     pub(crate) fn rests_alone() -> Result<(), Error> {
         let refuse = |what| Err(Error::new(Fault::Unsupported { what }));
-        match (PositionOf::<S, R, C>::STICKS, S::Scalar::SEVERAL) {
+        match (PositionOf::<S, R, C>::STICKS, S::Scalar::LANES) {
             (true, _) => refuse("equilibria and modes of vibration of joints that stick"),
             (_, true) => refuse("equilibria and modes of vibration of several lanes"),
             _ => Ok(()),

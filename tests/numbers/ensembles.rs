@@ -3,7 +3,7 @@
 
 use catena::planar::*;
 use catena::scalar::{Scalar, WideF64x4};
-use catena::simulate::ensemble;
+use catena::simulate::{EnergyDrift, Observe, Trace, ensemble};
 use catena::{Error, Fault};
 use rayon::prelude::*;
 use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
@@ -107,6 +107,54 @@ fn every_run_is_counted_once_and_in_order() -> Result<(), ThreadPoolBuildError> 
         let each: Vec<usize> = (1..=count).collect();
         assert_eq!((&alone, &lanes), (&each, &each));
     }
+    Ok(())
+}
+
+/// Largest drift of energy (J) of pendulums let go at some angles (rad), and what a trace of them writes.
+fn watched<T: Scalar<Real = f64>>(angle: T) -> Result<(f64, std::io::Result<Vec<u8>>), Error> {
+    let pendulum = System::new(Pinned::origin(), Rod::uniform(T::literal(1.0), T::literal(1.0)), Free)?;
+    let pendulum = pendulum.with_gravity(T::literal(9.81));
+    let (mut drift, mut trace) = (EnergyDrift::default(), Trace::new(vec![]));
+    pendulum.simulate(pendulum.at_rest(&[angle])?, Rk4::step(0.05), 1.0, |now| {
+        drift.observe(now);
+        trace.observe(now);
+    })?;
+    Ok((drift.largest(), trace.finish()))
+}
+
+#[test]
+fn what_is_read_of_lanes_is_that_of_each_or_refused() -> Result<(), Error> {
+    let angles = [-0.5, 0.5, 0.0, 0.3]; // of energies of either sign
+    let mut largest = 0.0_f64;
+    for angle in angles {
+        let (drift, trace) = watched(angle)?;
+        largest = largest.max(drift);
+        assert!(drift > 0.0 && trace.is_ok());
+    }
+    let (drift, trace) = watched(WideF64x4::from(angles))?;
+    assert_eq!(drift, largest);
+    assert!(trace.is_err());
+
+    let one = WideF64x4::literal(1.0);
+    let pendulum = System::new(Pinned::origin(), Rod::uniform(one, one), Free)?;
+    let start = pendulum.at_rest(&[WideF64x4::from(angles)])?;
+    let run = pendulum.simulation(Rk4::step(0.05)).event(|now| now.motion().coordinates()[0]);
+    let refused = run.run(start, 1.0, |_| ()).map(|_| ()).unwrap_err().error.fault;
+    assert!(matches!(refused, Fault::Unsupported { .. }), "{refused:?}");
+    Ok(())
+}
+
+#[test]
+fn energies_that_are_no_numbers_are_no_small_drift() -> Result<(), Error> {
+    let pendulum = System::new(Pinned::origin(), Rod::uniform(1.0, 1.0), Free)?.with_gravity(1e308);
+    let (mut drift, mut seen) = (EnergyDrift::default(), vec![]);
+    let start = pendulum.with_rates(pendulum.at_rest(&[1.0])?, &[1e160])?;
+    let _ = pendulum.simulate(start, Rk4::step(1e-300), 2e-300, |now| {
+        drift.observe(now);
+        seen.push(now.energy());
+    });
+    assert!(seen.iter().any(|energy| !energy.is_finite()), "{seen:?}");
+    assert!(drift.largest().is_nan(), "{seen:?}");
     Ok(())
 }
 

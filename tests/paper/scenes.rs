@@ -224,6 +224,19 @@ fn runs_say_what_is_wrong() -> Result<(), Error> {
     let mut run = scheme.solved_by(Solver::Riccati).start(&scene, &start, &Unloaded, 0.01)?;
     run.run_to(10.0)?;
 
+    // Ends that are none, or that no run reaches; those that are past.
+    let mut joints = JointScheme::new(GeneralizedAlpha::new(0.8)).start(&scene, &start, &Unloaded, 0.01)?;
+    for (end, is_time) in [(f64::INFINITY, false), (f64::NAN, false), (1e30, true)] {
+        for refused in [run.run_to(end), joints.run_to(end)] {
+            match refused.unwrap_err().fault {
+                Fault::NotFinite { .. } => assert!(!is_time),
+                fault => assert!(is_time && matches!(fault, Fault::OutOfRange { .. }), "{fault:?}"),
+            }
+        }
+    }
+    run.run_to(3.0)?;
+    assert_eq!((run.time(), joints.time()), (10.0, 0.0));
+
     // A failed step leaves the run where it was.
     let burst = Loads::none().on_bodies(|t, _, motion: &BodyMotion<f64>| {
         motion.force_at([1.0, 0.0], [0.0, if t > 0.025 { f64::NAN } else { 0.0 }])

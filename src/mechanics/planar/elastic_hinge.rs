@@ -6,7 +6,7 @@ use super::{Acceleration, Frame, Joint, JointMotion, Linear, Planar, Spring, Spr
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::{Lift, lift};
-use crate::relation::planar::{Full, HingeGain, Point, Rigid, Slides};
+use crate::relation::planar::{Full, Point, RelativeGain, Rigid, Slides};
 use crate::relation::{Absent, Closures, Minus, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;
@@ -99,14 +99,14 @@ pub trait HingeRule<T: Scalar>: Springs<T> {
     /// The relation handed on.
     type Out<C: Closures>: Slides<T, Closures = C>;
     /// Eliminates the rotation against a torque, and what a spring adds to the pivot.
-    fn hinge<C: Closures>(self, torque: T, pivot: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Self::Out<C>;
+    fn hinge<C: Closures>(self, torque: T, pivot: T, outer: Full<T, C>, kept: &mut RelativeGain<T, C>) -> Self::Out<C>;
 }
 
 impl<T: Scalar> HingeRule<T> for Explicit {
     type Out<C: Closures> = Point<T, Minus<T>, C>;
 
     #[inline(always)]
-    fn hinge<C: Closures>(self, torque: T, _: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Self::Out<C> {
+    fn hinge<C: Closures>(self, torque: T, _: T, outer: Full<T, C>, kept: &mut RelativeGain<T, C>) -> Self::Out<C> {
         let (relation, gain) = outer.pinned(Minus(-torque));
         kept.absolute(gain);
         relation
@@ -117,7 +117,7 @@ impl<T: Scalar> HingeRule<T> for Implicit<T::Real> {
     type Out<C: Closures> = Full<T, C>;
 
     #[inline(always)]
-    fn hinge<C: Closures>(self, torque: T, pivot: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Full<T, C> {
+    fn hinge<C: Closures>(self, torque: T, pivot: T, outer: Full<T, C>, kept: &mut RelativeGain<T, C>) -> Full<T, C> {
         let (relation, gain) = outer.hinged(torque, pivot);
         *kept = gain;
         relation
@@ -127,7 +127,7 @@ impl<T: Scalar> HingeRule<T> for Implicit<T::Real> {
 impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
     type Position = T;
     type Rate = T;
-    type Kept<C: Closures> = HingeGain<T, C>;
+    type Kept<C: Closures> = RelativeGain<T, C>;
     type Axes = Coincident;
 
     const TURNS: bool = true;
@@ -139,14 +139,14 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
     fn rate() -> T {
         T::zero()
     }
-    fn kept<C: Closures>() -> HingeGain<T, C> {
-        HingeGain::blank()
+    fn kept<C: Closures>() -> RelativeGain<T, C> {
+        RelativeGain::blank()
     }
     #[inline(always)]
-    fn homogeneous<C: Closures>(kept: &HingeGain<T, C>) -> HingeGain<T, C> {
+    fn homogeneous<C: Closures>(kept: &RelativeGain<T, C>) -> RelativeGain<T, C> {
         kept.homogeneous()
     }
-    fn is_finite<C: Closures>(kept: &HingeGain<T, C>) -> bool {
+    fn is_finite<C: Closures>(kept: &RelativeGain<T, C>) -> bool {
         kept.is_finite()
     }
     fn configure(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
@@ -182,7 +182,7 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
         &self,
         inboard: Acceleration<T>,
         (): (),
-        kept: &HingeGain<T, C>,
+        kept: &RelativeGain<T, C>,
         multipliers: &C::Each<T>,
         rate: &mut T,
     ) -> Acceleration<T> {
@@ -194,7 +194,7 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
         &self,
         inboard: Acceleration<T>,
         (): (),
-        kept: &HingeGain<T, C>,
+        kept: &RelativeGain<T, C>,
         multipliers: &C::Each<T>,
         rate: &mut T,
     ) -> Acceleration<T> {
@@ -221,7 +221,7 @@ where
         outer: R,
         _: Posture<'_, Planar<T>, Self>,
         given: Given<'_, Planar<T>, Self, W>,
-        kept: &mut HingeGain<T, W::Closures>,
+        kept: &mut RelativeGain<T, W::Closures>,
     ) -> Self::Out {
         let Given { in_joints, position, rate, reading, springs, .. } = given;
         let [torque, pivot] = read(&self.rotary, (*position, *rate), reading, springs);

@@ -4,7 +4,7 @@ use super::axes::Axes;
 use super::{JointMotion, Planar, Revolute, Slider, SpringState, Turn};
 use crate::kinematics::{Acting, Driving, Kinematics, Outboard};
 use crate::mechanics::planar::Joint;
-use crate::relation::planar::{Full, HingeGain, Rigid};
+use crate::relation::planar::{Full, RelativeGain, Rigid};
 use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
 use crate::shape::JointPosture;
@@ -91,7 +91,7 @@ macro_rules! kinematics {
 }
 kinematics! {
     Revolute {
-        |_: &Self, outer: Full<T, C>, (), force, resistance, kept: &mut HingeGain<T, C>| {
+        |_: &Self, outer: Full<T, C>, (), force, resistance, kept: &mut RelativeGain<T, C>| {
             let (relation, gain) = outer.hinged(force, resistance);
             *kept = gain;
             relation

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::element::{Condense, Given, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
-use crate::relation::planar::{Full, HingeGain, Point, Relation, Rigid, SlideGain, Slides};
+use crate::relation::planar::{Full, Point, Relation, RelativeGain, Rigid, Slides};
 use crate::relation::{Absent, Closures, Coefficient, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;
@@ -25,7 +25,7 @@ pub trait Rotation<T: Scalar, K: Springs<T>>: SpringLaw<T> {
         torque: T,
         pivot: T,
         outer: Full<T, C>,
-        kept: &mut HingeGain<T, C>,
+        kept: &mut RelativeGain<T, C>,
     ) -> Self::Out<C>;
 }
 
@@ -39,7 +39,7 @@ impl<T: Scalar, K: HingeRule<T>, D: Coefficient<T>, P: Term<T>> Rotation<T, K> f
         torque: T,
         pivot: T,
         outer: Full<T, C>,
-        kept: &mut HingeGain<T, C>,
+        kept: &mut RelativeGain<T, C>,
     ) -> K::Out<C> {
         springs.hinge(torque, pivot, outer, kept)
     }
@@ -55,7 +55,7 @@ impl<T: Scalar, K: HingeRule<T>, L: SpringLaw<T>> Rotation<T, K> for Custom<L> {
         torque: T,
         pivot: T,
         outer: Full<T, C>,
-        kept: &mut HingeGain<T, C>,
+        kept: &mut RelativeGain<T, C>,
     ) -> K::Out<C> {
         springs.hinge(torque, pivot, outer, kept)
     }
@@ -65,7 +65,14 @@ impl<T: Scalar, K: Springs<T>> Rotation<T, K> for Absent {
     type Out<C: Closures> = Point<T, T, C>;
 
     #[inline(always)]
-    fn turn<C: Closures>(&self, _: K, torque: T, _: T, outer: Full<T, C>, kept: &mut HingeGain<T, C>) -> Self::Out<C> {
+    fn turn<C: Closures>(
+        &self,
+        _: K,
+        torque: T,
+        _: T,
+        outer: Full<T, C>,
+        kept: &mut RelativeGain<T, C>,
+    ) -> Self::Out<C> {
         let (relation, gain) = outer.pinned(torque);
         kept.absolute(gain);
         relation
@@ -78,14 +85,14 @@ impl<T: Scalar, K: Springs<T>> Rotation<T, K> for Absent {
 #[cfg_attr(
     feature = "serde",
     serde(bound(
-        serialize = "HingeGain<T, C>: serde::Serialize, SlideGain<T, C>: serde::Serialize, Vector2<T>: serde::Serialize",
-        deserialize = "HingeGain<T, C>: serde::Deserialize<'de>, SlideGain<T, C>: serde::Deserialize<'de>, Vector2<T>: serde::Deserialize<'de>"
+        serialize = "RelativeGain<T, C>: serde::Serialize, RelativeGain<T, C>: serde::Serialize, Vector2<T>: serde::Serialize",
+        deserialize = "RelativeGain<T, C>: serde::Deserialize<'de>, RelativeGain<T, C>: serde::Deserialize<'de>, Vector2<T>: serde::Deserialize<'de>"
     ))
 )]
 pub struct LinearGains<T: Copy, C: Closures> {
-    rotation: HingeGain<T, C>,
-    y: SlideGain<T, C>,
-    x: SlideGain<T, C>,
+    rotation: RelativeGain<T, C>,
+    y: RelativeGain<T, C>,
+    x: RelativeGain<T, C>,
     /// What the inboard body's angular acceleration added to the second derivatives of the coordinates (m/s²), last time.
     swing: Vector2<T>,
 }
@@ -112,7 +119,7 @@ where
     }
     fn kept<C: Closures>() -> LinearGains<T, C> {
         let swing = Vector2::new(T::zero(), T::zero());
-        LinearGains { rotation: HingeGain::blank(), y: SlideGain::blank(), x: SlideGain::blank(), swing }
+        LinearGains { rotation: RelativeGain::blank(), y: RelativeGain::blank(), x: RelativeGain::blank(), swing }
     }
     #[inline(always)]
     fn homogeneous<C: Closures>(kept: &LinearGains<T, C>) -> LinearGains<T, C> {

@@ -5,7 +5,7 @@ use super::{Acceleration, Frame, Joint, JointMotion, Planar, Spring, SpringState
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::Lift;
-use crate::relation::planar::{Full, Relation, SlideGain, Slides, along, back};
+use crate::relation::planar::{Full, Relation, RelativeGain, Slides, along, back};
 use crate::relation::{Absent, Closures, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;
@@ -64,7 +64,7 @@ impl<T: Scalar> Slider<T> {
 impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
     type Position = T;
     type Rate = T;
-    type Kept<C: Closures> = SlideGain<T, C>;
+    type Kept<C: Closures> = RelativeGain<T, C>;
     type Axes = Inboard;
 
     const TURNS: bool = false;
@@ -77,14 +77,14 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
     fn rate() -> T {
         T::zero()
     }
-    fn kept<C: Closures>() -> SlideGain<T, C> {
-        SlideGain::blank()
+    fn kept<C: Closures>() -> RelativeGain<T, C> {
+        RelativeGain::blank()
     }
     #[inline(always)]
-    fn homogeneous<C: Closures>(kept: &SlideGain<T, C>) -> SlideGain<T, C> {
+    fn homogeneous<C: Closures>(kept: &RelativeGain<T, C>) -> RelativeGain<T, C> {
         kept.homogeneous()
     }
-    fn is_finite<C: Closures>(kept: &SlideGain<T, C>) -> bool {
+    fn is_finite<C: Closures>(kept: &RelativeGain<T, C>) -> bool {
         kept.is_finite()
     }
     fn configure(&self, _: &mut T, inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
@@ -141,7 +141,7 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
         &self,
         inboard: Acceleration<T>,
         offset: Offset<T>,
-        kept: &SlideGain<T, C>,
+        kept: &RelativeGain<T, C>,
         multipliers: &C::Each<T>,
         rate: &mut T,
     ) -> Acceleration<T> {
@@ -161,7 +161,7 @@ impl<T: Scalar, S> Slider<T, S> {
         Offset { direction, arm, acceleration }: Offset<T>,
         force: T,
         pivot: T,
-        kept: &mut SlideGain<T, R::Closures>,
+        kept: &mut RelativeGain<T, R::Closures>,
     ) -> Full<T, R::Closures> {
         let (relation, gain) = outer.with_mass(self.lumped).along(direction).slid(force, pivot);
         *kept = gain;
@@ -189,7 +189,7 @@ where
         outer: R,
         posture: Posture<'_, Planar<T>, Self>,
         given: Given<'_, Planar<T>, Self, W>,
-        kept: &mut SlideGain<T, W::Closures>,
+        kept: &mut RelativeGain<T, W::Closures>,
     ) -> Self::Out {
         let offset = super::joint::offset::<T, Self>(posture);
         let Given { in_joints, position, rate, reading, springs, .. } = given;

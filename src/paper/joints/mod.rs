@@ -16,7 +16,7 @@ use crate::paper::parts::{Part, Parts};
 use crate::paper::riccati::{BLOCK, Room};
 use crate::paper::rule::Rule;
 use crate::paper::scene::{Chain, Scene, Slots};
-use crate::paper::scheme::positive_step;
+use crate::paper::scheme::{positive_step, run_to};
 use crate::scalar::{Real, Scalar};
 use crate::state::StateVector;
 use alloc::{vec, vec::Vec};
@@ -160,12 +160,9 @@ where
     /// Steps on to a time (s): the nearest number of whole steps.
     ///
     /// # Errors
-    /// As [`step`](Self::step).
+    /// As [`step`](Self::step); [`Fault::NotFinite`] for what is no time, [`Fault::OutOfRange`] for more steps than a run ends.
     pub fn run_to(&mut self, end: T::Real) -> Result<(), Error> {
-        while self.time() + T::Real::of(0.5) * self.dt < end {
-            self.step()?;
-        }
-        Ok(())
+        run_to(self, (self.dt, end), Self::time, Self::step)
     }
 
     /// One step.

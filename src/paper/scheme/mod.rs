@@ -14,7 +14,9 @@ use crate::paper::riccati::{BLOCK, Room};
 use crate::paper::rule::Rule;
 use crate::paper::scene::{Chain, Scene, Slots};
 use crate::scalar::{Real, Scalar};
+use crate::simulate::limits;
 use crate::state::{StateVector, TransferMatrix};
+use crate::time::Control;
 use alloc::{vec, vec::Vec};
 
 /// How the overall equation is solved.
@@ -116,6 +118,24 @@ impl<D> Scheme<D> {
             sweeps: 0,
         })
     }
+}
+
+/// Takes the nearest number of whole steps (s) to a time (s), if that is a time and not too many.
+pub(super) fn run_to<Run, R: Real>(
+    run: &mut Run,
+    (dt, end): (R, R),
+    time: fn(&Run) -> R,
+    step: fn(&mut Run) -> Result<(), Error>,
+) -> Result<(), Error> {
+    let start = time(run);
+    if end.is_finite() && end <= start {
+        return Ok(());
+    }
+    limits::check([start, end], Control::Fixed(dt), None, None)?;
+    while time(run) + R::of(0.5) * dt < end {
+        step(run)?;
+    }
+    Ok(())
 }
 
 /// Refuses a step that is not positive and finite.

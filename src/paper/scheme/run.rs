@@ -1,7 +1,7 @@
 //! A run under way: steps 3 to 8.
 
 use super::form::Grounds;
-use super::{Scheme, Solver};
+use super::{Scheme, Solver, run_to};
 use crate::error::{Error, Fault};
 use crate::paper::expansion::At;
 use crate::paper::link::Link;
@@ -86,12 +86,9 @@ where
     /// Steps on to a time (s): the nearest number of whole steps.
     ///
     /// # Errors
-    /// As [`step`](Self::step).
+    /// As [`step`](Self::step); [`Fault::NotFinite`] for what is no time, [`Fault::OutOfRange`] for more steps than a run ends.
     pub fn run_to(&mut self, end: T::Real) -> Result<(), Error> {
-        while self.time() + T::Real::of(0.5) * self.dt < end {
-            self.step()?;
-        }
-        Ok(())
+        run_to(self, (self.dt, end), Self::time, Self::step)
     }
 
     /// Steps 3 to 8.

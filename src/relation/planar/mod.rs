@@ -14,12 +14,14 @@ pub mod algebra;
 mod geometry;
 mod pivots;
 mod promote;
+mod relative_gain;
 mod slide;
 
 pub use super::{Empty, Lump, Relation};
 pub use geometry::Planar;
-pub use pivots::{Gain, HingeGain, Rigid};
-pub use slide::{SlideGain, Slides, along, back};
+pub use pivots::{Gain, Rigid};
+pub use relative_gain::RelativeGain;
+pub use slide::{Slides, along, back};
 
 use super::{Absent, Open};
 

@@ -1,6 +1,7 @@
 //! The eliminations of rotations that joints make in a full relation.
 
 use super::algebra::{add_scaled, normal};
+use super::relative_gain::RelativeGain;
 use super::{Full, FullColumn, Point};
 use crate::relation::{Closures, Open, Symmetric, Term};
 use crate::scalar::Scalar;
@@ -40,7 +41,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
     /// Lets the station turn against a stiff torque τ̂ − K̂ φ̈, with φ̈ relative to the inboard body: only the pivot of the
     /// elimination, S_mm + K̂, knows of it.
     #[inline(always)]
-    pub fn hinged(self, torque: T, stiffness: T) -> (Self, HingeGain<T, C>) {
+    pub fn hinged(self, torque: T, stiffness: T) -> (Self, RelativeGain<T, C>) {
         let minus_inverse = -(self.angular + stiffness).recip();
         let per_acceleration = self.coupling * minus_inverse;
         let per_angular = self.angular * minus_inverse;
@@ -60,7 +61,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
             torque: self.angular.mul_add(free, self.torque),
             cuts,
         };
-        (relation, HingeGain { per_acceleration, per_angular, free, per_closure })
+        (relation, RelativeGain { per_acceleration, per_angular, free, per_closure })
     }
 }
 
@@ -123,69 +124,4 @@ impl<T: Scalar, C: Closures> Gain<T, C> {
         let open = w.x.mul_add(a.x, w.y.mul_add(a.y, self.free));
         C::plus_dot(open, &self.per_closure, multipliers)
     }
-}
-
-impl<T: Scalar, C: Closures> HingeGain<T, C> {
-    /// No gain yet.
-    pub fn blank() -> Self {
-        let Gain { per_acceleration, free, per_closure } = Gain::<T, C>::blank();
-        Self { per_acceleration, per_angular: -T::one(), free, per_closure }
-    }
-
-    /// Takes over the gain of an absolute angle, as one of the angle relative to the inboard body. For a gain that was blank and
-    /// has taken nothing but such gains since: its constant is not stored again.
-    #[inline(always)]
-    pub fn absolute(&mut self, gain: Gain<T, C>) {
-        let Gain { per_acceleration, free, per_closure } = gain;
-        (self.per_acceleration, self.free, self.per_closure) = (per_acceleration, free, per_closure);
-    }
-
-    /// Whether the pivot of the gain resists: what velocities, loads and springs contribute may overflow where it does.
-    pub fn is_finite(&self) -> bool {
-        let w = self.per_acceleration;
-        w.x.is_finite() && w.y.is_finite() && self.per_angular.is_finite()
-    }
-
-    /// The gain without what velocities, loads and springs contribute.
-    #[inline(always)]
-    pub fn homogeneous(&self) -> Self {
-        Self { free: T::zero(), ..*self }
-    }
-
-    /// The angular acceleration (rad/s²) of the outboard body, for a gain taken over from an absolute angle.
-    #[inline(always)]
-    pub fn angular(&self, a: Vector2<T>, multipliers: &C::Each<T>) -> T {
-        let Self { per_acceleration, free, per_closure, .. } = *self;
-        Gain::<T, C> { per_acceleration, free, per_closure }.angular(a, multipliers)
-    }
-
-    /// The relative angular acceleration (rad/s²) where the inboard body's end accelerates by `a` and turns with `angular`.
-    #[inline(always)]
-    pub fn relative(&self, a: Vector2<T>, angular: T, multipliers: &C::Each<T>) -> T {
-        let w = self.per_acceleration;
-        let bound = self.per_angular.mul_add(angular, self.free);
-        let open = w.x.mul_add(a.x, w.y.mul_add(a.y, bound));
-        C::plus_dot(open, &self.per_closure, multipliers)
-    }
-}
-
-/// What eliminating a stiff rotation leaves behind: φ̈ = free + w · a + w_α α + row · λ.
-#[derive(Clone, Copy)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "Vector2<T>: serde::Serialize, T: serde::Serialize, C::Each<T>: serde::Serialize",
-        deserialize = "Vector2<T>: serde::Deserialize<'de>, T: serde::Deserialize<'de>, C::Each<T>: serde::Deserialize<'de>"
-    ))
-)]
-pub struct HingeGain<T: Copy, C: Closures = Open> {
-    /// w (rad/m).
-    pub per_acceleration: Vector2<T>,
-    /// w_α, for the angular acceleration of the inboard body.
-    pub per_angular: T,
-    /// Relative angular acceleration of a station that does not accelerate (rad/s²).
-    pub free: T,
-    /// Relative angular acceleration for each closure force.
-    pub per_closure: C::Each<T>,
 }

@@ -1,6 +1,7 @@
 //! The elimination of a displacement: what joints with linear coordinates do.
 
 use super::algebra::Symmetric2;
+use super::relative_gain::RelativeGain;
 use super::{Full, FullColumn, Planar, Point, Relation};
 use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
@@ -26,63 +27,7 @@ pub trait Slides<T: Scalar>: Relation<Planar<T>, WithMass = Self> {
     /// the pivot, S_xx + K̂, knows of the stiffness.
     ///
     /// No entry of what is handed on along x is a difference of large numbers: without stiffness it is zero, and the force τ̂.
-    fn slid(self, force: T, stiffness: T) -> (Self, SlideGain<T, Self::Closures>);
-}
-
-/// What eliminating a displacement leaves behind: ẍ = free + w · a + w_α α + row · λ.
-#[derive(Clone, Copy)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "Vector2<T>: serde::Serialize, T: serde::Serialize, C::Each<T>: serde::Serialize",
-        deserialize = "Vector2<T>: serde::Deserialize<'de>, T: serde::Deserialize<'de>, C::Each<T>: serde::Deserialize<'de>"
-    ))
-)]
-pub struct SlideGain<T: Copy, C: Closures> {
-    /// w.
-    pub per_acceleration: Vector2<T>,
-    /// w_α (m).
-    pub per_angular: T,
-    /// Acceleration at a station that does not accelerate (m/s²).
-    pub free: T,
-    /// Acceleration for each closure force.
-    pub per_closure: C::Each<T>,
-}
-
-impl<T: Scalar, C: Closures> SlideGain<T, C> {
-    /// No gain yet.
-    pub fn blank() -> Self {
-        let zero = T::zero();
-        let per_closure = C::each(|_| zero);
-        Self { per_acceleration: Vector2::new(zero, zero), per_angular: zero, free: zero, per_closure }
-    }
-
-    /// The gain of y, from that of a relation with x and y exchanged.
-    #[inline(always)]
-    pub fn swapped(self) -> Self {
-        Self { per_acceleration: self.per_acceleration.yx(), ..self }
-    }
-
-    /// Whether the pivot of the gain resists: what velocities, loads and springs contribute may overflow where it does.
-    pub fn is_finite(&self) -> bool {
-        let w = self.per_acceleration;
-        w.x.is_finite() && w.y.is_finite() && self.per_angular.is_finite()
-    }
-
-    /// The gain without what velocities, loads and springs contribute.
-    #[inline(always)]
-    pub fn homogeneous(&self) -> Self {
-        Self { free: T::zero(), ..*self }
-    }
-
-    /// The acceleration along x (m/s²) where the station would accelerate by (a, α) without.
-    #[inline(always)]
-    pub fn relative(&self, a: Vector2<T>, angular: T, multipliers: &C::Each<T>) -> T {
-        let w = self.per_acceleration;
-        let bound = self.per_angular.mul_add(angular, self.free);
-        C::plus_dot(w.x.mul_add(a.x, w.y.mul_add(a.y, bound)), &self.per_closure, multipliers)
-    }
+    fn slid(self, force: T, stiffness: T) -> (Self, RelativeGain<T, Self::Closures>);
 }
 
 /// The numbers that an elimination of x needs, from the row of S that belongs to it.
@@ -143,7 +88,7 @@ impl<T: Scalar, C: Closures> Slides<T> for Full<T, C> {
         }
     }
     #[inline(always)]
-    fn slid(self, applied: T, stiffness: T) -> (Self, SlideGain<T, C>) {
+    fn slid(self, applied: T, stiffness: T) -> (Self, RelativeGain<T, C>) {
         let Self { linear: s, coupling, angular, force, torque, cuts } = self;
         let pivot = Pivot::of(s.xx, stiffness, applied, force.x);
         let (cuts, per_closure) = cuts.eliminated(
@@ -165,7 +110,7 @@ impl<T: Scalar, C: Closures> Slides<T> for Full<T, C> {
             cuts,
         };
         let per_acceleration = Vector2::new(-pivot.yielded, s.xy * pivot.minus_inverse);
-        (relation, SlideGain { per_acceleration, per_angular, free: pivot.free, per_closure })
+        (relation, RelativeGain { per_acceleration, per_angular, free: pivot.free, per_closure })
     }
 }
 
@@ -193,7 +138,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Slides<T> for Point<T, M, C> {
         }
     }
     #[inline(always)]
-    fn slid(self, applied: T, stiffness: T) -> (Self, SlideGain<T, C>) {
+    fn slid(self, applied: T, stiffness: T) -> (Self, RelativeGain<T, C>) {
         let Self { mass: s, offset, torque, cuts } = self;
         let pivot = Pivot::of(s.xx, stiffness, applied, offset.x);
         let (cuts, per_closure) = cuts.eliminated(
@@ -204,7 +149,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Slides<T> for Point<T, M, C> {
         );
         let relation = Self { mass: pivot.reduce(s), offset: pivot.force(s, applied, offset), torque, cuts };
         let per_acceleration = Vector2::new(-pivot.yielded, s.xy * pivot.minus_inverse);
-        (relation, SlideGain { per_acceleration, per_angular: T::zero(), free: pivot.free, per_closure })
+        (relation, RelativeGain { per_acceleration, per_angular: T::zero(), free: pivot.free, per_closure })
     }
 }
 

@@ -1,8 +1,8 @@
 //! What only relations in space do along a body.
 
 use super::Full;
-use super::algebra::{Columns, Symmetric3, cross, cross_onto, dot};
-use crate::relation::{Absent, Closures, Symmetric};
+use super::algebra::{Columns, Symmetric3, cross, cross_onto};
+use crate::relation::{Absent, Closures};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -34,18 +34,6 @@ impl<T: Scalar, C: Closures> Full<T, C> {
             z: Vector3::new(k.z.x - moment.y, k.z.y + moment.x, k.z.z),
         };
         Self { coupling, force: cross_onto(spin, cross(spin, moment), self.force), ..self }
-    }
-
-    /// Where the station has an acceleration (c_a, c_α) besides that of the station that takes its place: F = S (p + c) + e.
-    #[inline(always)]
-    pub fn biased(self, linear: Vector3<T>, angular: Vector3<T>) -> Self {
-        let turned = self.turning(angular);
-        Self {
-            force: turned.linear.apply_onto(linear, turned.force),
-            torque: turned.coupling.transposed_onto(linear, turned.torque),
-            cuts: turned.cuts.turned(|w| w, |gap, w| gap - dot(w.force, linear)),
-            ..turned
-        }
     }
 }
 

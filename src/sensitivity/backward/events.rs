@@ -21,7 +21,7 @@ use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::scalar::{Real, Scalar};
 use crate::sensitivity::{Costate, Gradient};
-use crate::simulate::crossing::crossing;
+use crate::simulate::crossing::{LEFT, crosses, crossing, of_one_number};
 use crate::system::{Elements, MotionOf, Runs, System};
 use core::any::TypeId;
 use num_traits::Zero;
@@ -44,7 +44,7 @@ where
     ///
     /// # Errors
     /// [`Fault::Count`] for torques of another number, [`Fault::Shape`] for motions of another scene, [`Fault::NotFinite`] where the function
-    /// is no number.
+    /// is no number, [`Fault::Unsupported`] for lanes, which cross zero one by one.
     pub fn cut(
         &mut self,
         torques: &[EffortOf<S>],
@@ -52,6 +52,7 @@ where
         mut event: impl FnMut(&MotionOf<S, R, C, P>) -> S::Scalar,
     ) -> Result<Option<usize>, Error> {
         self.check(torques, states)?;
+        of_one_number::<S::Scalar>()?;
         let mut value = |state: &_| {
             let value = event(state).real().as_f64();
             finite(!value.is_nan(), "value of the event function").map(|()| value)
@@ -61,15 +62,20 @@ where
         for k in 1..states.len() {
             let [past, next, ..] = &mut states[k - 1..] else { break };
             let after = value(next)?;
-            if before != 0.0 && before * after <= 0.0 {
-                let size = next.time - past.time;
+            let size = next.time - past.time;
+            let mut cut = |theta: f64, next: &mut _| {
                 self.steps.take_torques(torques, k - 1);
-                let mut cut = |theta: f64| {
-                    self.steps.step_to(past.time + size * RealOf::<S>::of(theta), past, &mut self.record, next);
-                    value(next)
-                };
-                let share = crossing([before, after], &mut cut)?;
-                cut(share)?;
+                self.steps.step_to(past.time + size * RealOf::<S>::of(theta), past, &mut self.record, next);
+                value(next)
+            };
+            let from = if before == 0.0 { LEFT } else { 0.0 };
+            if from > 0.0 {
+                before = cut(from, &mut next.clone())?;
+            }
+            if crosses([before, after]) {
+                let share = |part: f64| from + (1.0 - from) * part;
+                let part = crossing([before, after], |part| cut(share(part), next))?;
+                cut(share(part), next)?;
                 return Ok(Some(k));
             }
             before = after;

@@ -100,30 +100,18 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
         (self.newest + LENGTH - 1) % LENGTH
     }
 
-    /// Copies a motion; allocates nothing.
-    fn copy(to: &mut Motion<T, P, C>, from: &Motion<T, P, C>, acceleration: &P::Rate, zero: &P::Rate) {
-        to.time = from.time;
-        to.position.drift_0(&from.position, (T::Real::zero(), zero));
-        to.rate.set(&from.rate);
-        to.acceleration.set(acceleration);
-    }
-
-    /// Whether two motions are the same. Dual numbers with other derivative parts are other numbers.
-    fn same(a: &Motion<T, P, C>, b: &Motion<T, P, C>) -> bool {
-        let mut equal = Scalar::is_identical;
-        a.time == b.time && a.position.all(&b.position, &mut equal) && a.rate.all(&b.rate, &mut equal)
-    }
-
     /// The size (s) of the step that should follow the last one.
     pub(super) fn proposed(&self, past: &Motion<T, P, C>) -> Option<T::Real> {
-        if self.written && Self::same(&self.ring[self.before()], past) { self.wanted } else { None }
+        let known = self.written && self.ring[self.before()].has_state(past.time, &past.position, &past.rate);
+        if known { self.wanted } else { None }
     }
 
     /// Makes `past`, with accelerations, the newest motion remembered. Where it is not the last one written, or accelerations have jumped
     /// since, nothing else is.
-    pub(super) fn recall(&mut self, past: &Motion<T, P, C>, first: &P::Rate, room: &mut P::Rate, zero: &P::Rate) {
+    pub(super) fn recall(&mut self, past: &Motion<T, P, C>, first: &P::Rate, room: &mut P::Rate) {
         let is = |motion: &Motion<T, P, C>| {
-            Self::same(motion, past) && motion.acceleration.all(first, &mut Scalar::is_identical)
+            motion.has_state(past.time, &past.position, &past.rate)
+                && motion.acceleration.all(first, &mut Scalar::is_identical)
         };
         let before = self.before();
         if self.written && self.made == 0 && is(&self.ring[before]) {
@@ -143,7 +131,9 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
                 (self.known, self.order, self.starting, self.steady) = (1, 1, true, 0);
             }
         } else {
-            Self::copy(&mut self.ring[self.newest], past, first, zero);
+            let kept = &mut self.ring[self.newest];
+            kept.copy_state(past);
+            kept.acceleration.set(first);
             self.differences[0].set(first);
             (self.known, self.order, self.starting, self.steady, self.failures) = (1, 1, true, 0, 0);
             self.bridge = 0;
@@ -169,8 +159,8 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
     }
 
     /// Keeps a step of another method, after which nothing is remembered but its end.
-    pub(super) fn write_bridge(&mut self, next: &Motion<T, P, C>, zero: &P::Rate) {
-        self.write(next, 0.0, 0, &[0.0; TERMS], zero);
+    pub(super) fn write_bridge(&mut self, next: &Motion<T, P, C>) {
+        self.write(next, 0.0, 0, &[0.0; TERMS]);
     }
 
     /// Wants a step of this size (s) after the last one of another method.
@@ -250,16 +240,11 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
     }
 
     /// Keeps what a step has made.
-    pub(super) fn write(
-        &mut self,
-        next: &Motion<T, P, C>,
-        size: f64,
-        order: usize,
-        scales: &[f64; TERMS],
-        zero: &P::Rate,
-    ) {
+    pub(super) fn write(&mut self, next: &Motion<T, P, C>, size: f64, order: usize, scales: &[f64; TERMS]) {
         let before = self.before();
-        Self::copy(&mut self.ring[before], next, &next.acceleration, zero);
+        let kept = &mut self.ring[before];
+        kept.copy_state(next);
+        kept.acceleration.set(&next.acceleration);
         (self.written, self.size, self.made, self.scales) = (true, size, order, *scales);
         self.wanted = None;
     }

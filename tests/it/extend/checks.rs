@@ -5,7 +5,7 @@ use super::tank::{Liquid, Tank};
 use catena::extend::Springs;
 use catena::extend::{Acting, Doubt, JointModel, Kinematics, Release, Resistance, check_element};
 use catena::internals::relation::Closures;
-use catena::internals::relation::planar::{Full, HingeGain};
+use catena::internals::relation::planar::{Full, RelativeGain};
 use catena::internals::shape::{self, JointPosture};
 use catena::planar::{Acceleration, Frame, Free, JointMotion, Pin, Pinned, Planar, RigidBody, Rod, System, Turn};
 use catena::{Fault, Scalar, planar, spatial};
@@ -82,7 +82,7 @@ catena::lift!(Mismatched<T> { pin, off });
 impl<T: Scalar> shape::Joint<Planar<T>> for Mismatched<T> {
     type Position = T;
     type Rate = T;
-    type Kept<C: Closures> = HingeGain<T, C>;
+    type Kept<C: Closures> = RelativeGain<T, C>;
     type Per<X: Copy> = ();
     const LINEAR: bool = true;
 
@@ -92,11 +92,11 @@ impl<T: Scalar> shape::Joint<Planar<T>> for Mismatched<T> {
     fn rate() -> T {
         T::zero()
     }
-    fn kept<C: Closures>() -> HingeGain<T, C> {
-        HingeGain::blank()
+    fn kept<C: Closures>() -> RelativeGain<T, C> {
+        RelativeGain::blank()
     }
     fn per<X: Copy>(_: X) {}
-    fn is_finite<C: Closures>(kept: &HingeGain<T, C>) -> bool {
+    fn is_finite<C: Closures>(kept: &RelativeGain<T, C>) -> bool {
         kept.is_finite()
     }
     fn configure(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
@@ -106,7 +106,7 @@ impl<T: Scalar> shape::Joint<Planar<T>> for Mismatched<T> {
         &self,
         inboard: Acceleration<T>,
         posture: JointPosture<'_, Planar<T>, Self>,
-        kept: &mut HingeGain<T, C>,
+        kept: &mut RelativeGain<T, C>,
         multipliers: &C::Each<T>,
         rate: &mut T,
     ) -> Acceleration<T> {
@@ -116,7 +116,7 @@ impl<T: Scalar> shape::Joint<Planar<T>> for Mismatched<T> {
         &self,
         inboard: Acceleration<T>,
         posture: JointPosture<'_, Planar<T>, Self>,
-        kept: &HingeGain<T, C>,
+        kept: &RelativeGain<T, C>,
         multipliers: &C::Each<T>,
         rate: &mut T,
     ) -> Acceleration<T> {
@@ -159,7 +159,7 @@ impl<T: Scalar> Kinematics<Planar<T>> for Mismatched<T> {
         posture: JointPosture<'_, Planar<T>, Self>,
         force: T,
         resistance: T,
-        kept: &mut HingeGain<T, C>,
+        kept: &mut RelativeGain<T, C>,
     ) -> Full<T, C> {
         let relation = self.pin.eliminate::<C>(outer, posture, force, resistance, kept);
         let one_more = self.off + T::literal(1.0);
@@ -171,7 +171,7 @@ impl<T: Scalar> Kinematics<Planar<T>> for Mismatched<T> {
         outer: Full<T, C>,
         posture: JointPosture<'_, Planar<T>, Self>,
         acceleration: T,
-        kept: &mut HingeGain<T, C>,
+        kept: &mut RelativeGain<T, C>,
     ) -> Full<T, C> {
         self.pin.drive::<C>(outer, posture, acceleration, kept)
     }

@@ -95,6 +95,9 @@ fn event_functions_that_are_not_numbers_are_refused() -> Result<(), Error> {
         assert!(error.time.is_some_and(|time| (from..=to).contains(&time) && last.time() <= time), "{error}");
         assert!(last.is_finite());
     }
+    // A run that cannot start gives the start back.
+    let begun = scene.simulation(Rk4::step(0.1)).event(|_| f64::NAN).begin(start, 1.0, |_| panic!("a run began"));
+    assert_eq!(begun.err().map(|refused| refused.last), Some(start));
     // Infinite values have signs.
     let mut found = 0.0_f64;
     let event = |now: &Now<'_, _, _, _, _, _>| if now.time() < 0.45 { f64::INFINITY } else { -1.0 };
@@ -104,6 +107,43 @@ fn event_functions_that_are_not_numbers_are_refused() -> Result<(), Error> {
         }
     })?;
     assert!((found - 0.45).abs() < 1e-12);
+    Ok(())
+}
+
+/// The times of all events of a function of time, in a second of steps of 0.1 s.
+fn events(function: fn(f64) -> f64) -> Result<Vec<f64>, Error> {
+    use planar::*;
+    let scene = System::new(Pinned::origin(), Rod::uniform(1.0, 1.0), Free)?.with_gravity(9.81);
+    let mut found = vec![];
+    let event = move |now: &Now<'_, _, _, _, _, _>| function(now.time());
+    scene.simulation(Rk4::step(0.1)).event(event).run(scene.at_rest(&[0.0])?, 1.0, |now| {
+        if now.is_event() {
+            found.push(now.time());
+        }
+    })?;
+    Ok(found)
+}
+
+#[test]
+fn zeros_at_the_ends_of_steps_hide_no_others() -> Result<(), Error> {
+    let near = |found: Vec<f64>, expected: &[f64]| {
+        let same = found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-12);
+        assert!(found.len() == expected.len() && same, "{found:?}, not {expected:?}");
+    };
+    near(events(|t| (t - 0.5) * (t - 0.55))?, &[0.5, 0.55]);
+    near(events(|t| t * (t - 0.05))?, &[0.05]);
+    // One that stays at zero, one that only touches it, one that leaves it slowly.
+    near(events(|t| (0.2 - t).max(0.0))?, &[0.2]);
+    near(events(|t| (t - 0.5).powi(2))?, &[0.5]);
+    near(events(|t| (1.0 + t.powi(4)) - 1.0)?, &[]);
+    Ok(())
+}
+
+#[test]
+fn signs_of_tiny_and_of_infinite_values_are_read() -> Result<(), Error> {
+    assert_eq!(events(|t| 1e-170 * (1.0 + t))?, []);
+    assert!((events(|t| 1e-170 * (0.45 - t))?[0] - 0.45).abs() < 1e-12);
+    assert!((0.45..=0.5).contains(&events(|t| if t < 0.45 { f64::INFINITY } else { 0.0 })?[0]));
     Ok(())
 }
 
@@ -138,8 +178,8 @@ fn tolerances_below_rounding_are_refused() {
 #[test]
 fn runs_that_would_not_end_are_refused() -> Result<(), Error> {
     use planar::*;
-    let scene = System::new(Pinned::origin(), Rod::uniform(1.0, 1.0), Free)?.with_gravity(9.81);
-    let start = scene.at_rest(&[0.0])?;
+    let pendulum = System::new(Pinned::origin(), Rod::uniform(1.0, 1.0), Free)?.with_gravity(9.81);
+    let (scene, start) = (&pendulum, pendulum.at_rest(&[0.0])?);
     let show = |_: &Now<'_, _, _, _, _, _>| panic!("a run began");
     let refused = |fault: Option<Fault>, parameter: &str, value: f64| {
         let Some(Fault::OutOfRange { parameter: found, value: given, least, .. }) = fault else { panic!("{fault:?}") };
@@ -159,9 +199,18 @@ fn runs_that_would_not_end_are_refused() -> Result<(), Error> {
     // Late, steps are short that were long enough before.
     let late = start.at_time(1e9);
     refused(fault(scene.simulation(Rk4::step(1e-9)).run(late, 1e9 + 1e-6, show)), "step size", 1e-9);
+    let run = scene.simulation(Rk4::step(1e-3)).every(1e-9).run(late, 1e9 + 1e-6, show);
+    refused(fault(run), "interval between samples", 1e-9);
+    let run = scene.simulation(Dopri5::tolerance(1e-6)).longest_step(1e-9).run(late, 1e9 + 1e-6, show);
+    refused(fault(run), "longest step", 1e-9);
+    // What hangs at rest may do so late, in steps that advance time.
+    let scene = System::new(Pinned::origin(), Rod::uniform(1.0_f32, 1.0), Free)?;
+    let rest = scene.motion().at_time(4000.0);
+    let run = scene.simulate(rest, Dopri5::tolerance(1e-4), 4001.0, |_| ())?;
+    assert_eq!(run.motion.time(), 4001.0);
     // Short runs may have short steps.
     let mut steps = 0;
-    scene.simulation(Rk4::step(1e-12)).every(1e-12).run(start, 1e-9, |_| steps += 1)?;
+    pendulum.simulation(Rk4::step(1e-12)).every(1e-12).run(start, 1e-9, |_| steps += 1)?;
     assert_eq!(steps, 1001);
     Ok(())
 }

@@ -89,3 +89,32 @@ fn by_other_walks() -> Result<(), Error> {
     assert_eq!(bits(one.rates()), bits(other.rates()));
     Ok(())
 }
+
+/// The names of positions in a trace are all different, whatever joints are called.
+#[test]
+fn columns_of_traces() -> Result<(), Error> {
+    use catena::simulate::{Observe, Trace};
+    use planar::*;
+    let rod = Rod::uniform(0.5, 1.0);
+    let pin = |name| (Pin.named(name), rod);
+    let names = ["arm", "arm", "arm_1", "joint_5", "arm_1"];
+    let chain = (rod, (names.map(pin), Pin, rod));
+    let scene = System::new(Pinned::origin(), chain, Free)?;
+    let mut trace = Trace::new(vec![]);
+    scene.simulate(scene.motion(), Rk4::step(0.1), 0.1, |now| trace.observe(now))?;
+    let text = String::from_utf8(trace.finish().unwrap()).unwrap();
+    let head: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+    let positions = ["joint_0", "arm_1", "arm_2", "arm_1_3", "joint_5", "arm_1_5", "joint_6"];
+    assert_eq!(head[1..8], positions.map(|name| format!("{name}_position")));
+    for (k, name) in head.iter().enumerate() {
+        assert!(!head[..k].contains(name), "{name}");
+    }
+    // Beside a joint that has the name of another's number.
+    let chain = (rod, (Pin.named("joint_2"), rod), (Pin, rod));
+    let scene = System::new(Pinned::origin(), chain, Free)?;
+    let mut trace = Trace::new(vec![]);
+    scene.simulate(scene.motion(), Rk4::step(0.1), 0.1, |now| trace.observe(now))?;
+    let text = String::from_utf8(trace.finish().unwrap()).unwrap();
+    assert!(text.starts_with("time,joint_0_position,joint_2_position,joint_2_2_position,joint_0_rate"), "{text}");
+    Ok(())
+}

@@ -117,6 +117,31 @@ where
     Ok(())
 }
 
+/// A run that is shown between its steps is the run that is not, and what is shown does not depend on what was shown before.
+fn looked_at<S, R, C, P, M>(
+    scene: &Scene<S, R, C, P>,
+    start: &MotionOf<S, R, C, P>,
+    rule: Rule<M, f64>,
+) -> Result<(), Error>
+where
+    S: Space<Scalar = f64>,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    M: for<'s> Method<&'s Scene<S, R, C, P>, Unloaded> + Copy + Debug,
+    Scene<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
+{
+    let shown = |every: f64| {
+        let mut seen = vec![];
+        let run = scene.simulation(rule).every(every).run(start.clone(), 0.5, |now| seen.push(bits(now.stepped())))?;
+        Ok::<_, Error>((bits(&run.motion), seen))
+    };
+    let [(never, _), (often, all), (seldom, few)] = [shown(1.0)?, shown(0.00390625)?, shown(0.015625)?];
+    assert!(often == never && seldom == never, "{rule:?}");
+    assert!(all.iter().step_by(4).eq(&few) && few.len() == 33, "{rule:?}");
+    Ok(())
+}
+
 /// By every rule, with fixed steps that no multiple of which is the end, and under error control.
 macro_rules! parts_by_every_rule {
     ($name:expr, $scene:expr, $start:expr) => {
@@ -200,7 +225,9 @@ mod plane {
         assert!(!saved_and_resumed("fixed axes", &scene, &start, Dop853, 0.005)?);
         run_in_parts("fixed axes", &scene, &start, GeneralizedAlpha::new(0.8).step(0.007))?;
         run_in_parts("fixed axes", &scene, &start, Sdirk4::new().tolerance(1e-6))?;
-        Ok(())
+        // Nor do looks between steps change these.
+        looked_at(&scene, &start, GeneralizedAlpha::new(0.8).step(0.007))?;
+        looked_at(&scene, &start, Sdirk4::new().tolerance(1e-6))
     }
 }
 

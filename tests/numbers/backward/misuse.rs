@@ -59,8 +59,11 @@ fn an_event_that_no_time_changes_has_no_gradient() -> Result<(), Error> {
     let (mut backward, mut states) = (system.backward(Rk4), [start; 3]);
     backward.run(&start, 0.01, 2, &[], &mut states)?;
     let cost = |_: usize, _: &_, by: &mut Costate<_>| by.add(&[1.0, 0.0], &[0.0; 2]);
-    let found = backward.gradient_to_event(&[], &states, &mut [], cost, |_, _| Ok(())).map(|_| ()).unwrap_err().fault;
-    assert!(matches!(found, Fault::NotFinite { .. }), "{found:?}");
+    for slope in [0.0, f64::NAN] {
+        let event = |_: &_, by: &mut Costate<_>| by.add(&[slope; 2], &[0.0; 2]);
+        let found = backward.gradient_to_event(&[], &states, &mut [], cost, event).map(|_| ()).unwrap_err().fault;
+        assert!(matches!(found, Fault::NotFinite { .. }), "{found:?}");
+    }
     Ok(())
 }
 
@@ -78,6 +81,20 @@ fn an_event_function_that_is_no_number_cuts_nothing() -> Result<(), Error> {
     });
     let fault = found.unwrap_err().fault;
     assert!(matches!(fault, Fault::NotFinite { parameter: "value of the event function" }), "{fault:?}");
+    Ok(())
+}
+
+#[test]
+fn a_run_is_cut_after_a_zero_at_its_start() -> Result<(), Error> {
+    let system = pendulum()?;
+    let start = system.at_rest(&[-1.0, -0.5])?;
+    let (mut backward, mut states) = (system.backward(Rk4), [start; 3]);
+    backward.run(&start, 0.1, 2, &[], &mut states)?;
+    let uncut = states;
+    assert_eq!(backward.cut(&[], &mut states, |state| state.time() * (state.time() + 0.05))?, None);
+    assert_eq!(states, uncut);
+    assert_eq!(backward.cut(&[], &mut states, |state| state.time() * (state.time() - 0.05))?, Some(1));
+    assert!((states[1].time() - 0.05).abs() < 1e-15);
     Ok(())
 }
 

@@ -115,11 +115,53 @@ fn samples_lie_within_their_steps_in_single_precision() -> Result<(), Error> {
     scene.simulation(Rk4::step(0.025)).every(0.095).resume(saved, 11.0, |now| times.push(now.time()))?.finish()?;
     println!("{times:?}");
     assert!(times.iter().all(|time| *time >= 10.0) && times.len() == 10 + usize::from(times[0] < 10.05));
+    // Late, times are rounded by parts of a step.
+    for (step, every) in [(1e-3, 1e-3), (1e-3, 0.6e-3), (0.7e-3, 1e-3)] {
+        let simulation = || scene.simulation(Rk4::step(step)).every(every);
+        let (mut whole, mut parts) = (vec![], vec![]);
+        simulation().run(start.at_time(2200.0), 2200.02, |now| whole.push(now.time()))?;
+        assert!(whole.windows(2).all(|pair| pair[0] < pair[1]), "{whole:?}");
+        assert_eq!(whole.len(), (0.02 / every + 1.01) as usize, "{whole:?}");
+        let mut run = simulation().begin(start.at_time(2200.0), 2200.02, |now| parts.push(now.time()))?;
+        run.until(2200.011)?;
+        let saved = run.save();
+        drop(run);
+        simulation().resume(saved, 2200.02, |now| parts.push(now.time()))?.finish()?;
+        assert_eq!(parts, whole);
+    }
     // Nor are last steps longer than the rule says.
     let run = scene.simulation(Rk4::step(0.1)).run(start, 0.211, |_| ())?;
     assert_eq!(run.steps, 3);
     let run = scene.simulation(Rk4::step(0.1)).run(start, 2.0, |_| ())?;
     assert_eq!(run.steps, 20);
+    Ok(())
+}
+
+/// The size of the first step (s) after a thousand of another size.
+fn first_step<T: Scalar<Real = T> + catena::Real>(start: f64, step: f64, other: f64) -> Result<f64, Error> {
+    let scene = System::new(Pinned::origin(), Rod::uniform(T::one(), T::one()), Free)?.with_gravity(T::of(9.81));
+    let (start, simulation) = (T::of(start), |step| scene.simulation(Rk4::step(T::of(step))));
+    let mut run = simulation(step).begin(scene.at_rest(&[T::zero()])?.at_time(start), start + T::of(2.0), |_| ())?;
+    for _ in 0..1003 {
+        run.step()?;
+    }
+    let mut run = simulation(other).resume(run.save(), start + T::of(2.0), |_| ())?;
+    let before = run.motion().time();
+    run.step()?;
+    Ok((run.motion().time() - before).as_f64())
+}
+
+#[test]
+fn steps_of_another_size_are_of_that_size_from_the_first_on() -> Result<(), Error> {
+    let (rounding, rounding_32) = (2.4e-7, 1.3e-4); // of times (s)
+    for other in [0.998e-3, 1.1e-3, 0.5e-3] {
+        let found = first_step::<f32>(1997.0, 1e-3, other)?;
+        assert!((found - other).abs() <= rounding_32, "{found:e} instead of {other:e}");
+    }
+    for other in [1.0004e-5, 1.1e-5] {
+        let found = first_step::<f64>(1.7e9, 1e-5, other)?;
+        assert!((found - other).abs() <= rounding, "{found:e} instead of {other:e}");
+    }
     Ok(())
 }
 
