@@ -141,8 +141,8 @@ assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *);
 impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
     type Real = T::Real;
     const ANGLE_RANGE: T::Real = T::ANGLE_RANGE;
-    const LARGE: bool = true;
     const LANES: bool = T::LANES;
+    const LARGE: bool = true;
 
     #[inline(always)]
     fn constant(value: T::Real) -> Self {

@@ -269,9 +269,9 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         theta: f64,
         between: &mut MotionIn<D, L>,
     ) {
-        self.kept.clone_from(self.scene.gains(&self.stiff));
+        self.scene.copy_gains(self.scene.gains(&self.stiff), &mut self.kept);
         self.leap(past, loads, TimeIn::<D, L>::of(theta) * dt, between);
-        self.scene.restore_gains(&mut self.stiff, &self.kept);
+        core::mem::swap(self.scene.gains_mut(&mut self.stiff), &mut self.kept);
     }
 
     fn sweeps(&self) -> usize {
@@ -297,6 +297,6 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         let [last, before] = &memory.traces;
         self.last.clone_from(last);
         self.before.clone_from(before);
-        self.scene.restore_gains(&mut self.stiff, &memory.gains);
+        self.scene.copy_gains(&memory.gains, self.scene.gains_mut(&mut self.stiff));
     }
 }

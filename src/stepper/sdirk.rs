@@ -230,9 +230,9 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
         theta: f64,
         between: &mut MotionIn<D, L>,
     ) {
-        self.kept.clone_from(self.scene.gains(&self.stiff));
+        self.scene.copy_gains(self.scene.gains(&self.stiff), &mut self.kept);
         self.leap(past, loads, TimeIn::<D, L>::of(theta) * dt, between);
-        self.scene.restore_gains(&mut self.stiff, &self.kept);
+        core::mem::swap(self.scene.gains_mut(&mut self.stiff), &mut self.kept);
     }
 
     fn sweeps(&self) -> usize {
@@ -251,6 +251,6 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
     }
 
     fn restore(&mut self, memory: &D::Gains) {
-        self.scene.restore_gains(&mut self.stiff, memory);
+        self.scene.copy_gains(memory, self.scene.gains_mut(&mut self.stiff));
     }
 }

@@ -114,11 +114,14 @@ pub trait StiffDynamics<L>: Dynamics<L> {
     /// The gains of a workspace: with them, what comes next in another workspace is the same, bit by bit.
     fn gains<'w>(&self, workspace: &'w Self::StiffWorkspace) -> &'w Self::Gains;
 
+    /// The gains of a workspace, to be written.
+    fn gains_mut<'w>(&self, workspace: &'w mut Self::StiffWorkspace) -> &'w mut Self::Gains;
+
     /// Whether gains are of a scene of this shape: only vectors can differ, in length.
     fn gains_fit(&self, gains: &Self::Gains) -> bool;
 
-    /// Puts gains into a workspace.
-    fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains);
+    /// Copies gains of this shape; allocates nothing.
+    fn copy_gains(&self, from: &Self::Gains, to: &mut Self::Gains);
 
     /// Room for implicit sweeps.
     fn stiff_workspace(&self) -> Self::StiffWorkspace;

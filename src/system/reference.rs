@@ -100,12 +100,16 @@ impl<D: StiffDynamics<L>, L> StiffDynamics<L> for &D {
         (**self).gains(workspace)
     }
 
+    fn gains_mut<'w>(&self, workspace: &'w mut Self::StiffWorkspace) -> &'w mut Self::Gains {
+        (**self).gains_mut(workspace)
+    }
+
     fn gains_fit(&self, gains: &Self::Gains) -> bool {
         D::gains_fit(self, gains)
     }
 
-    fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains) {
-        (**self).restore_gains(workspace, gains);
+    fn copy_gains(&self, from: &Self::Gains, to: &mut Self::Gains) {
+        D::copy_gains(self, from, to);
     }
 
     #[inline]

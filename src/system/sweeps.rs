@@ -17,7 +17,7 @@ use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
 use crate::walks::broken::{broken, unled};
-use crate::walks::fits::gains_fit;
+use crate::walks::fits::{copy_gains, gains_fit};
 use crate::walks::independent::independent;
 use crate::walks::travel::show;
 
@@ -202,12 +202,16 @@ where
         &workspace.kept
     }
 
+    fn gains_mut<'w>(&self, workspace: &'w mut Self::StiffWorkspace) -> &'w mut Self::Gains {
+        &mut workspace.kept
+    }
+
     fn gains_fit(&self, gains: &Self::Gains) -> bool {
         gains_fit::<S, _, P::Closures>(&self.chain, gains)
     }
 
-    fn restore_gains(&self, workspace: &mut Self::StiffWorkspace, gains: &Self::Gains) {
-        workspace.kept.clone_from(gains);
+    fn copy_gains(&self, from: &Self::Gains, to: &mut Self::Gains) {
+        copy_gains::<S, _, P::Closures>(&self.chain, from, to);
     }
 
     fn stiff_workspace(&self) -> Self::StiffWorkspace {

@@ -1,6 +1,6 @@
 //! The picture of run time against error, which draws itself: `docs/pictures/work_precision.svg`.
 
-use crate::tables::{Row, Rows};
+use crate::tables::{MEASURED, Row, Rows};
 use std::fmt::Write;
 
 /// What is shown: scenes by their names in the files, and what is said of them.
@@ -36,8 +36,9 @@ const TIMES: [i32; 2] = [-2, 3];
 /// chance.
 fn runs(rows: &[&Row], scene: &str, [rule, control, ..]: [&str; 4]) -> Vec<[f64; 2]> {
     let own = |row: &&&Row| {
-        let known = [("scene", scene), ("rule", rule), ("control", control), ("scalar", "f64"), ("library", "Catena")];
-        known.iter().all(|(column, value)| row.get(column) == *value)
+        let kind = [("target", "default"), ("scalar", "f64"), ("library", "Catena")];
+        let known = [("scene", scene), ("rule", rule), ("control", control)];
+        known.iter().chain(&kind).all(|(column, value)| row.get(column) == *value)
     };
     let runs: Vec<[f64; 2]> =
         rows.iter().filter(own).map(|row| ["error", "seconds"].map(|column| row.number(column))).collect();
@@ -123,10 +124,9 @@ pub fn draw(rows: &Rows) -> Result<String, std::fmt::Error> {
         svg,
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" style="max-width:100%;height:auto" role="img">"#
     )?;
-    let (title, subtitle) = (
-        "What an error costs",
-        "Milliseconds of a run against its error at the end, rule by rule; lower is better. Default target, two shared cores.",
-    );
+    let title = "What an error costs";
+    let subtitle =
+        format!("Milliseconds of a run against its error at the end, rule by rule; lower is better. {MEASURED}.");
     writeln!(svg, "<title>{title}</title><desc>{subtitle}</desc>")?;
     // Nothing that would reach beyond the picture where a page has it as its own.
     writeln!(

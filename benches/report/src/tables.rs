@@ -179,12 +179,15 @@ pub fn sweeps(rows: &Rows, part: &str, beside: Option<&str>) -> String {
     text
 }
 
+/// Where runs were timed against their errors.
+pub const MEASURED: &str = "Default target, one idle machine";
+
 /// Milliseconds and sweeps to three errors, a table for each scene and target. A run counts if the next finer one is as good: errors may vanish by
 /// chance where they change sign.
 pub fn precision(rows: &Rows) -> String {
     const LEVELS: [f64; 3] = [1e-3, 1e-6, 1e-9];
     let all: Vec<&Row> = rows.0.iter().collect();
-    let mut text = String::new();
+    let mut text = format!("{MEASURED}.\n\n");
     for scene in Rows::distinct(&all, &["scene", "target"]) {
         let of_scene = |row: &&&Row| row.get("scene") == scene[0] && row.get("target") == scene[1];
         let own: Vec<&Row> = all.iter().filter(of_scene).copied().collect();
