@@ -127,7 +127,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6 (over `f32` 2e-3), infinite for a scene that falls freely;
     /// [`Fault::NotConservative`] for loads without a potential; [`Fault::Unsupported`] where joints stick, over lanes, and where the ground
     /// or a drive moves a body so that its velocity changes with the coordinates (a rotor: its modes are gyroscopic), with the station of
-    /// the body; those of a sweep.
+    /// the body, or of what is held there, without one; those of a sweep.
     pub fn modes<L: Loading<S>>(&self, rest: &MotionOf<S, R, C, P>, loads: &L) -> Result<Modes, Error>
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,

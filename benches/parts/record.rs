@@ -75,6 +75,6 @@ pub fn check(file: &Path, rows: &[Row], counts: [&[f64]; 2]) -> Result<(), Box<d
     if !worse.is_empty() {
         return Err(worse.join("; ").into());
     }
-    println!("All {} rows as recorded or below.", rows.len());
+    println!("None of {} rows takes more than is allowed.", rows.len());
     Ok(())
 }

@@ -36,7 +36,7 @@ pub(crate) fn crossing<E>(values: [f64; 2], mut value_at: impl FnMut(f64) -> Res
         let theta = high - above * (high - low) / (above - below);
         let theta = if theta > low && theta < high { theta } else { 0.5 * (low + high) };
         let value = value_at(theta)?;
-        if !crosses([value, above]) {
+        if !crosses([value, values[1]]) {
             (high, above) = (theta, value);
             below *= if kept == 1 { 0.5 } else { 1.0 };
             kept = 1;

@@ -72,8 +72,7 @@ impl<'p, P: Sync, F: FnMut(usize) + Send> Ensemble<'p, P, F> {
     ///
     /// Lanes share their steps. At fixed steps each is its own run, with the bits of plain numbers; under error control the lane that
     /// errs most sets the steps of all, so a result depends, within the tolerance, on its neighbours in the batch, and on nothing
-    /// else: it is the same in each run. An event function, too, is read in the lane of largest magnitude: what happens in single lanes
-    /// is for an observer to see.
+    /// else: it is the same in each run. Event functions are refused, for each lane would have its own events: [`run`](Self::run) is for these.
     ///
     /// An error is that of one lane, nobody knows which. Then the runs of the batch are made anew, each alone in all lanes, so that
     /// errors stand where they belong and stop no other run. Parameters are checked in the lane of largest magnitude (and all lanes for

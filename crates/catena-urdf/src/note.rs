@@ -57,7 +57,8 @@ pub enum Remark {
         /// The joint followed.
         of: String,
     },
-    /// A joint follows one that is fixed or held: it moves by itself, and the module does not say how it would follow.
+    /// A joint follows one that has no coordinate of its own, fixed, held or floating: it moves by itself, and the module does not say how it
+    /// would follow.
     MimicOfFixed {
         /// The joint.
         joint: String,
@@ -143,7 +144,10 @@ impl fmt::Display for Remark {
                 write!(f, "joint {joint:?} follows {of:?}: among the constants; in the scene it moves by itself")
             }
             Self::MimicOfFixed { joint, of } => {
-                write!(f, "joint {joint:?} follows {of:?}, which does not move: left out, it moves by itself")
+                write!(
+                    f,
+                    "joint {joint:?} follows {of:?}, which has no coordinate of its own: left out, it moves by itself"
+                )
             }
             Self::Transmission { name } => {
                 write!(f, "transmission {name:?} is left out: it has not one joint of this robot and one reduction")

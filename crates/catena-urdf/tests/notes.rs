@@ -33,7 +33,7 @@ const FURNITURE: &str = r#"<limit effort="5" velocity="1"/><dynamics damping="1"
 fn furniture_of_joints_that_do_not_move_is_left_out_with_a_note() {
     let held = read(&pair("continuous", FURNITURE, ""), Options::new().hold("a", 0.3));
     let fixed = read(&pair("fixed", FURNITURE, ""), Options::new());
-    for (robot, inside) in [(held, "joint that is held"), (fixed, "joint type=\"fixed\"")] {
+    for (robot, inside) in [(held, "joint"), (fixed, "joint type=\"fixed\"")] {
         let found = notes(&robot);
         let left_out = |element: &str| format!("<{element}> in <{inside}> is left out");
         let follows = "joint \"b\" follows \"a\", which does not move: left out, it moves by itself".to_owned();

@@ -160,7 +160,8 @@ where
     /// Steps on to a time (s): the nearest number of whole steps.
     ///
     /// # Errors
-    /// As [`step`](Self::step); [`Fault::NotFinite`] for what is no time, [`Fault::OutOfRange`] for more steps than a run ends.
+    /// As [`step`](Self::step); [`Fault::NotFinite`] for what is no time, [`Fault::OutOfRange`] for more steps than a run
+    /// may have, and steps by which time no longer advances.
     pub fn run_to(&mut self, end: T::Real) -> Result<(), Error> {
         run_to(self, (self.dt, end), Self::time, Self::step)
     }

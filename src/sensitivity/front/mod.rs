@@ -117,6 +117,9 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
+    /// Backward, what outputs read of states is kept until their gradients meet it: two numbers a freedom for each output and state that it
+    /// reads. Sums over all steps of many outputs are better run on by the scene, or asked for some at a time.
+    ///
     /// # Errors
     /// Those of the scene's constructor, of the run, and of [`Backward`](super::Backward); [`Fault::Count`](crate::Fault::Count) where the
     /// plan's torques are more than the inputs, or fit neither one step nor all; [`Fault::NotFinite`](crate::Fault::NotFinite) where an output

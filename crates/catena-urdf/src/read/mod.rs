@@ -130,7 +130,7 @@ fn tell_constants(joints: &[Joint], options: &Options, notes: &mut Notes) {
             ("a reduction", furniture.reduction.is_some()),
         ];
         let inside = match kind {
-            _ if joint.stays(options) && *kind != Kind::Fixed => Some("joint that is held"),
+            _ if joint.stays(options) && *kind != Kind::Fixed => Some("joint"),
             Kind::Fixed => Some("joint type=\"fixed\""),
             Kind::Planar => Some("joint type=\"planar\""),
             Kind::Floating => Some("joint type=\"floating\""),
