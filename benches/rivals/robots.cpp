@@ -46,7 +46,7 @@ static pin::Model read(const char* path) {
     std::string type, name;
     pin::JointIndex parent;
     while (file >> type >> parent >> name) {
-        double x[29];
+        double x[28];
         for (double& number : x) file >> number;
         const auto turn = [](const double* from) { return Eigen::Matrix3d(Eigen::Map<const Rows>(from, 3, 3)); };
         const auto vector = [](const double* from) { return Eigen::Vector3d(from[0], from[1], from[2]); };
