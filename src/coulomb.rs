@@ -170,15 +170,15 @@ impl<S: Space, J: Kinematics<S>, L: SpringLaw<S::Scalar>> Joint<S> for Coulomb<J
             (rate, out)
         };
         // What it takes to keep the coordinate from accelerating, by how much it would with and without.
-        rate.friction = match &mut kept.loose {
-            Some([free, pushed]) => {
-                let (free, pushed) = (second(free).0, second(pushed).0);
-                free / (free - pushed)
-            }
-            None => S::Scalar::zero(),
-        };
+        let mut free = S::Scalar::zero();
+        rate.friction = free;
+        if let Some([loose, pushed]) = &mut kept.loose {
+            free = second(loose).0;
+            rate.friction = free / (free - second(pushed).0);
+        }
         let (own, out) = second(&mut kept.own);
-        rate.rate = own;
+        // Nothing else would tell of a load that is not finite where the joint sticks.
+        rate.rate = own + free.scale(Zero::zero());
         out
     }
     #[inline(always)]

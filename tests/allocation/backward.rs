@@ -99,3 +99,32 @@ fn gradients_of_all_kinds_of_runs_allocate_nothing() -> Result<(), Error> {
     assert!(count == 0, "{count} allocations");
     Ok(())
 }
+
+/// Torques of steps on a tape are copied into the room that it has, of vectors too; the gradient itself takes as much as any other.
+#[test]
+fn tapes_of_an_implicit_rule_allocate_nothing() -> Result<(), Error> {
+    let (rod, hinge) = (Rod::uniform(0.5, 1.0), ElasticHinge::rotary(50.0).damped(0.1));
+    let system = System::new(Pinned::origin(), (rod, vec![(hinge, rod); 3]), Free)?.with_gravity(9.81);
+    let (start, torques) = (system.at_rest(&[-1.0, 0.1, 0.2, 0.1])?, [0.1; 80]);
+    let mut backward = system.backward(Sdirk4::new());
+    let (mut states, mut tape, mut next) = (vec![start.clone(); 21], vec![backward.tape(); 20], start.clone());
+    let end = |step: usize, _: &_, by: &mut catena::sensitivity::Costate<_>| match step {
+        20 => by.add(&[1.0; 4], &[0.0; 4]),
+        _ => Ok(()),
+    };
+    let mut both = || -> Result<_, Error> {
+        let (run, kept) = allocations(|| backward.run(&start, 0.01, 20, &torques, &mut states));
+        kept?;
+        let (taped, kept) = allocations(|| backward.run_on_tape(&start, 0.01, 20, &torques, &mut tape, &mut next));
+        kept?;
+        let (gradient, kept) = allocations(|| backward.gradient(&torques, &states, &mut [], end));
+        let expected = kept?.by_position();
+        let (on_tape, kept) = allocations(|| backward.gradient_on_tape(20, &tape, &next, &mut [], end));
+        assert_eq!(kept?.by_position(), expected);
+        Ok([run, taped, gradient, on_tape])
+    };
+    both()?; // room for sweeps is made once
+    let [run, taped, gradient, on_tape] = both()?;
+    assert_eq!((run, taped, on_tape), (0, 0, gradient));
+    Ok(())
+}

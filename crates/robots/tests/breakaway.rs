@@ -19,9 +19,11 @@ fn lists_of_torques_reach_joints_that_stick_and_slip() -> Result<(), Error> {
     found.accelerations().iter().zip(expected.accelerations()).for_each(|(a, b)| near(*a, b, 1e-13));
     let short = rubbing.with_accelerations(rubbing.motion(), &Torques([2.0])).unwrap_err();
     assert_eq!(short.fault, Fault::Count { expected: 2, given: 1 });
-    // What is not finite is named, also beyond a joint that sticks.
-    let error = rubbing.with_accelerations(rubbing.motion(), &Torques([0.0, f64::NAN])).unwrap_err();
-    assert_eq!((error.fault, error.place), (Fault::NonFiniteLoad, Some(Place::Station(2))));
+    // What is not finite is named, in a joint that sticks and beyond it.
+    for (torques, place) in [([0.0, f64::NAN], Place::Station(2)), ([f64::NAN, 0.0], Place::Station(0))] {
+        let error = rubbing.with_accelerations(rubbing.motion(), &Torques(torques)).unwrap_err();
+        assert_eq!((error.fault, error.place), (Fault::NonFiniteLoad, Some(place)));
+    }
     Ok(())
 }
 

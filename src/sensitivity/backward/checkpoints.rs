@@ -14,6 +14,7 @@ use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
 use crate::walks::complete::complete;
+use crate::walks::spread::copied;
 use core::ops::Range;
 use num_traits::Zero;
 
@@ -250,7 +251,7 @@ where
             room.size = end - room.before.time;
             self.steps.take_torques(torques, step);
             if let Some(torques) = &mut room.torques {
-                torques.clone_from(&self.steps.torques);
+                copied(self.steps.scene.elements(), &self.steps.torques, torques);
             }
             let next = match rest {
                 [room, ..] if place + 1 < count => &mut room.before,
@@ -272,7 +273,7 @@ where
     ) -> Result<(), Error> {
         for (step, room) in between.zip(tape).rev() {
             if let Some(torques) = &room.torques {
-                self.steps.torques.clone_from(torques);
+                copied(self.steps.scene.elements(), torques, &mut self.steps.torques);
             }
             self.steps.pull_back(&room.before, room.size, &room.record, gradient);
             self.steps.give_torques(by_torques, step);

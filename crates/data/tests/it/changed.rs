@@ -125,7 +125,6 @@ fn samples_lie_within_their_steps_in_single_precision() -> Result<(), Error> {
         let mut run = simulation().begin(start.at_time(2200.0), 2200.02, |now| parts.push(now.time()))?;
         run.until(2200.011)?;
         let saved = run.save();
-        drop(run);
         simulation().resume(saved, 2200.02, |now| parts.push(now.time()))?.finish()?;
         assert_eq!(parts, whole);
     }
