@@ -25,13 +25,19 @@ def build(name, own):
         lines.append(f"static const double {letter}[12] = {row(values)};")
     OUT.mkdir(parents=True, exist_ok=True)
     (OUT / "dop853.hpp").write_text("#pragma once\n" + "\n".join(lines) + "\n")
-    binary, source = OUT / name, HERE / "pinocchio.cpp"
+    return compiled(name, "pinocchio.cpp", own, "-lpinocchio_default")
+
+
+def compiled(name, source, own, *libraries):
+    """A C++ program, compiled with further flags where it is older than its source."""
+    binary, source = OUT / name, HERE / source
     if binary.exists() and binary.stat().st_mtime > source.stat().st_mtime:
         return binary
-    flags = ["-std=c++17", "-O3", "-DNDEBUG", "-DBOOST_MPL_LIMIT_LIST_SIZE=30", "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", *own]
+    limits = ["-DBOOST_MPL_LIMIT_LIST_SIZE=30", "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "-DBOOST_FUSION_INVOKE_MAX_ARITY=10"]
     where = [f"-I{OUT}", f"-I{PREFIX}/include", "-I/usr/include/eigen3", f"-L{PREFIX}/lib", f"-Wl,-rpath,{PREFIX}/lib"]
     print(f"compiling {name} (some minutes) ...", file=sys.stderr)
-    subprocess.run(["g++", *flags, *where, str(source), "-lpinocchio_default", "-o", str(binary)], check=True)
+    flags = ["-std=c++17", "-O3", "-DNDEBUG", *limits, *own]
+    subprocess.run(["g++", *flags, *where, str(source), *libraries, "-o", str(binary)], check=True)
     return binary
 
 

@@ -7,6 +7,7 @@
 //! ```
 
 mod picture;
+mod robots;
 mod tables;
 
 use std::error::Error;
@@ -31,6 +32,8 @@ const TABLES: &[Table] = &[
     ("stability losses", "stability", tables::losses),
     ("skip", "skip-", tables::skip),
     ("precision", "precision", tables::precision),
+    ("robots", "robots.csv", robots::beside),
+    ("robots' losses", "robots.csv", robots::losses),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -77,12 +77,14 @@ fn cell(row: &Row) -> String {
     }
 }
 
-fn line(cells: impl IntoIterator<Item = String>) -> String {
+/// A line of a table.
+pub fn line(cells: impl IntoIterator<Item = String>) -> String {
     let cells: Vec<String> = cells.into_iter().collect();
     format!("| {} |\n", cells.join(" | "))
 }
 
-fn head(cells: Vec<String>) -> String {
+/// The head of a table.
+pub fn head(cells: Vec<String>) -> String {
     let rule = format!("|{}\n", "---|".repeat(cells.len()));
     line(cells) + &rule
 }

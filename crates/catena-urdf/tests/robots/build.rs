@@ -1,6 +1,6 @@
 //! Writes a module for each robot, as a user's build script does.
 
-use catena_urdf::{Base, Elements, Error, Laws, Options, module};
+use catena_urdf::{Base, Elements, Error, Laws, Options, Robot, module};
 use std::path::Path;
 
 fn main() -> Result<(), Error> {
@@ -17,15 +17,26 @@ fn main() -> Result<(), Error> {
     local("quadruped", Options::new().snap(1e-4));
     local("humanoid", Options::new().base(Base::Floating));
     local("cart", Options::new().repair());
+    let stood = Options::new().base(Base::Fixed).snap(1e-4).elements(Elements::Local).read(&text("quadruped"))?;
+    write("quadruped_fixed", &stood);
     Ok(())
+}
+
+fn text(name: &str) -> String {
+    std::fs::read_to_string(format!("../../robots/{name}.urdf")).expect("a description")
+}
+
+/// Writes the module of a robot.
+fn write(name: &str, robot: &Robot) {
+    let folder = std::env::var("OUT_DIR").expect("a folder");
+    std::fs::write(Path::new(&folder).join(format!("{name}.rs")), module(robot, name)).expect("a place");
 }
 
 /// Writes the modules of a robot in body axes, of names of their own.
 fn local(name: &str, options: Options) {
-    let text = std::fs::read_to_string(format!("../../robots/{name}.urdf")).expect("a description");
+    let text = text(name);
     for (elements, suffix) in [(Elements::Local, "local"), (Elements::LocalGeneral, "general")] {
         let robot = options.clone().elements(elements).read(&text).expect("a robot");
-        let (name, folder) = (format!("{name}_{suffix}"), std::env::var("OUT_DIR").expect("a folder"));
-        std::fs::write(Path::new(&folder).join(format!("{name}.rs")), module(&robot, &name)).expect("a place");
+        write(&format!("{name}_{suffix}"), &robot);
     }
 }

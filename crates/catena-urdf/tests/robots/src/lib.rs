@@ -13,3 +13,4 @@ include!(concat!(env!("OUT_DIR"), "/humanoid_local.rs"));
 include!(concat!(env!("OUT_DIR"), "/humanoid_general.rs"));
 include!(concat!(env!("OUT_DIR"), "/cart_local.rs"));
 include!(concat!(env!("OUT_DIR"), "/cart_general.rs"));
+include!(concat!(env!("OUT_DIR"), "/quadruped_fixed.rs"));

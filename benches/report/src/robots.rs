@@ -1,0 +1,115 @@
+//! Functions of robots beside another library's, and the aims that they miss.
+
+use crate::tables::{Row, Rows, head, line};
+
+const TARGETS: [&str; 2] = ["default", "native"];
+/// How many times faster a function was to be: on which robots (on all by an empty name), and what it is called.
+const AIMS: &[(&str, &str, f64)] = &[
+    ("sweep", "arm7", 6.0),
+    ("sweep", "quadruped, fixed", 5.0),
+    ("sweep", "quadruped", 4.2),
+    ("sweep", "humanoid", 4.0),
+    ("inverse_dynamics", "", 1.5),
+    ("mass_matrix", "", 2.0),
+    ("forward_dynamics_derivatives", "", 2.0),
+];
+
+fn aim(robot: &str, function: &str) -> Option<f64> {
+    let fits = |aim: &&(&str, &str, f64)| aim.0 == function && (aim.1.is_empty() || aim.1 == robot);
+    AIMS.iter().find(fits).map(|aim| aim.2)
+}
+
+/// A function of a robot: nanoseconds of ours and of the other library, and the latter's way.
+struct Pair<'r> {
+    ours: f64,
+    theirs: f64,
+    way: &'r str,
+}
+
+impl<'r> Pair<'r> {
+    fn of(rows: &'r Rows, [robot, function, target]: [&str; 3]) -> Self {
+        let key = [("robot", robot), ("function", function), ("target", target)];
+        let of = |library: &str| {
+            let same = |row: &&Row| {
+                row.get("library") == library && key.iter().all(|(column, value)| row.get(column) == *value)
+            };
+            rows.0.iter().find(same)
+        };
+        let time = |row: Option<&Row>| row.map_or(f64::NAN, |row| row.number("nanoseconds"));
+        let (ours, theirs) = (of("Catena"), of("Pinocchio"));
+        Self { ours: time(ours), theirs: time(theirs), way: theirs.map_or("", |row| row.get("way")) }
+    }
+
+    fn ratio(&self) -> f64 {
+        self.theirs / self.ours
+    }
+}
+
+fn number(x: f64, digits: usize) -> String {
+    if x.is_finite() { format!("{x:.digits$}") } else { "–".to_owned() }
+}
+
+/// All robots and functions, once each.
+fn keys(rows: &Rows) -> Vec<[&str; 2]> {
+    let mut found = vec![];
+    for row in &rows.0 {
+        let key = [row.get("robot"), row.get("function")];
+        if !found.contains(&key) {
+            found.push(key);
+        }
+    }
+    found
+}
+
+/// Nanoseconds of both, and how many times faster ours are: bold where they miss the aim.
+pub fn beside(rows: &Rows) -> String {
+    let mut heads = vec!["robot".to_owned(), "function".to_owned()];
+    for target in TARGETS {
+        heads.extend([format!("ns, {target}"), "Pinocchio".to_owned(), "times".to_owned()]);
+    }
+    heads.push("aim".to_owned());
+    let mut text = head(heads);
+    for [robot, function] in keys(rows) {
+        let mut cells = vec![robot.to_owned(), format!("`{function}`")];
+        let aim = aim(robot, function);
+        for target in TARGETS {
+            let pair = Pair::of(rows, [robot, function, target]);
+            let ratio = number(pair.ratio(), 2);
+            let missed = aim.is_some_and(|aim| pair.ratio() < aim);
+            cells.extend([number(pair.ours, 0), format!("{} (`{}`)", number(pair.theirs, 0), pair.way)]);
+            cells.push(if missed { format!("**{ratio}**") } else { ratio });
+        }
+        cells.push(aim.map_or_else(String::new, |aim| aim.to_string()));
+        text += &line(cells);
+    }
+    text
+}
+
+/// A line for each function whose aim is missed.
+pub fn losses(rows: &Rows) -> String {
+    let mut text = String::new();
+    let mut functions = vec![];
+    for (function, ..) in AIMS {
+        if !functions.contains(function) {
+            functions.push(function);
+        }
+    }
+    for function in functions {
+        let mut missed = vec![];
+        for [robot, of] in keys(rows) {
+            let Some(aim) = aim(robot, function).filter(|_| *of == *function) else { continue };
+            let ratios = TARGETS.map(|target| Pair::of(rows, [robot, function, target]).ratio());
+            if ratios.iter().all(|ratio| ratio.is_nan()) {
+                missed.push(format!("{robot} not there"));
+            } else if ratios.iter().any(|ratio| *ratio < aim) {
+                let [default, native] = ratios.map(|ratio| number(ratio, 2));
+                missed.push(format!("{robot} {default} and {native} (aim {aim})"));
+            }
+        }
+        if !missed.is_empty() {
+            text += &format!("- **Beside Pinocchio, `{function}`** is this many times faster, default and native: ");
+            text += &format!("{}.\n", missed.join("; "));
+        }
+    }
+    if text.is_empty() { "- Beside Pinocchio robots miss no aim.\n".to_owned() } else { text }
+}

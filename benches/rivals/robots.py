@@ -1,0 +1,149 @@
+"""Functions of the shipped robots beside Pinocchio's, in nanoseconds a call.
+
+    python3 -m venv target/rivals && target/rivals/bin/pip install -r benches/rivals/requirements.txt
+    target/rivals/bin/python benches/rivals/robots.py
+
+Both read the descriptions in crates/catena-urdf/robots, compiled for the default target and for this machine (native), and are run in turns at the
+same random states; where Pinocchio has several ways, the fastest counts. Numbers that differ end the script. Writes
+benches/results/robots.csv, from which `cargo run -p catena-report` makes the table of BENCHMARKS.md. Building takes some ten minutes, and
+timing one.
+"""
+
+import csv
+import json
+import os
+import re
+import statistics
+import subprocess
+import sys
+import xml.etree.ElementTree as tree
+
+import numpy
+import pinocchio
+
+from with_pinocchio import HERE, OUT, compiled
+
+ROOT = HERE.parent.parent
+# Robot, description, whether its base is made to float.
+ROBOTS = [
+    ("arm7", "arm7", False),
+    ("cart", "cart", False),
+    ("quadruped, fixed", "quadruped", False),
+    ("quadruped", "quadruped", False),
+    ("humanoid", "humanoid", True),
+]
+TARGETS = {"default": [], "native": ["-march=native"]}
+ROUNDS = 9
+# The same by Pinocchio.
+SAME = {
+    "sweep": ["aba_local", "aba_world"],
+    "forward_dynamics": ["aba_local", "aba_world"],
+    "inverse_dynamics": ["rnea"],
+    "mass_matrix": ["crba_local", "crba_world"],
+    "jacobian": ["jacobian_frame", "jacobian_joints"],
+    "forward_dynamics_derivatives": ["aba_derivatives"],
+}
+TOLERANCE = 1e-9  # of numbers, relative to the largest
+
+
+def catena(target):
+    """The program of this repository, compiled."""
+    flags = " ".join([os.environ.get("RUSTFLAGS", ""), "-C target-cpu=native" if target == "native" else ""]).strip()
+    command = ["cargo", "bench", "--no-run", "-p", "catena-urdf-robots", "--bench", "times", "--message-format=json"]
+    command += ["--target-dir", str(OUT / target)]
+    environment = {**os.environ, "RUSTFLAGS": flags}
+    output = subprocess.run(command, cwd=ROOT, env=environment, check=True, stdout=subprocess.PIPE, text=True).stdout
+    found = [message.get("executable") for message in map(json.loads, output.splitlines())]
+    return next(path for path in reversed(found) if path)
+
+
+def described(robot, file):
+    """A description as it is meant where the library was asked to repair it: right angles right, a body possible, no floating joint on a stand."""
+    root = tree.parse(ROOT / "crates" / "catena-urdf" / "robots" / f"{file}.urdf").getroot()
+    for place in root.iter("origin"):
+        turns = [float(word) for word in place.get("rpy", "0 0 0").split()]
+        right = [round(turn / (numpy.pi / 2)) * (numpy.pi / 2) for turn in turns]
+        place.set("rpy", " ".join(repr(float(b if abs(a - b) < 1e-4 else a)) for a, b in zip(turns, right)))
+    for inertia in root.iter("inertia"):
+        names = [["ixx", "ixy", "ixz"], ["ixy", "iyy", "iyz"], ["ixz", "iyz", "izz"]]
+        tensor = numpy.array([[float(inertia.get(name)) for name in row] for row in names])
+        values, axes = numpy.linalg.eigh(0.5 * numpy.trace(tensor) * numpy.eye(3) - tensor)
+        if values[0] < -1e-6 * numpy.trace(tensor):
+            moments = axes @ numpy.diag(values.clip(0.0)) @ axes.T
+            tensor = numpy.trace(moments) * numpy.eye(3) - moments
+            for row, numbers in zip(names, tensor):
+                for name, number in zip(row, numbers):
+                    inertia.set(name, repr(float(number)))
+    for joint in root.iter("joint"):
+        if robot.endswith("fixed") and joint.get("type") == "floating":
+            joint.set("type", "fixed")
+    return tree.tostring(root, encoding="unicode")
+
+
+def model(path, text, floating):
+    """Writes what Pinocchio reads, a joint a line."""
+    base = [pinocchio.JointModelFreeFlyer()] if floating else []
+    robot = pinocchio.buildModelFromXML(text, *base)
+    lines = []
+    for k in range(1, robot.njoints):
+        joint, place, body = robot.joints[k], robot.jointPlacements[k], robot.inertias[k]
+        own = joint.extract() if hasattr(joint, "extract") else joint
+        axis = getattr(own, "axis", numpy.zeros(3))
+        arrays = [place.translation, place.rotation, axis, numpy.array([body.mass]), body.lever, body.inertia]
+        numbers = numpy.concatenate([numpy.ravel(array) for array in arrays])
+        words = [joint.shortname(), str(robot.parents[k]), robot.names[k], *(repr(float(x)) for x in numbers)]
+        lines.append(" ".join(words))
+    path.write_text("\n".join(lines) + "\n")
+
+
+def said(*command):
+    """What a program prints: numbers by names."""
+    output = subprocess.run([str(word) for word in command], check=True, stdout=subprocess.PIPE, text=True).stdout
+    return {name: float(number) for name, number in (line.split() for line in output.splitlines())}
+
+
+def main():
+    OUT.mkdir(parents=True, exist_ok=True)
+    own = {target: catena(target) for target in TARGETS}
+    other = {target: compiled(f"robots-{target}", "robots.cpp", flags) for target, flags in TARGETS.items()}
+    files, rows, wrong = {}, [], []
+    for robot, file, floating in ROBOTS:
+        name = re.sub(r"\W+", "-", robot)
+        files[robot] = [OUT / f"{name}.joints", OUT / f"{name}.states"]
+        model(files[robot][0], described(robot, file), floating)
+        for target in TARGETS:
+            with open(files[robot][1], "w") as states:
+                subprocess.run([own[target], "states", robot], check=True, stdout=states)
+            off = said(other[target], "check", *files[robot])
+            print(f"{robot}, {target}: " + ", ".join(f"{name} {most:.0e}" for name, most in off.items()), file=sys.stderr)
+            wrong += [f"{robot}: {name}" for name, most in off.items() if not most < TOLERANCE]
+    if wrong:
+        sys.exit("not the same: " + ", ".join(wrong))
+    times = {}
+    for _ in range(ROUNDS):
+        for robot in files:
+            for target in TARGETS:
+                for library, command in [
+                    ("Catena", [own[target], "time", robot]),
+                    ("Pinocchio", [other[target], "time", *files[robot]]),
+                ]:
+                    for name, nanoseconds in said(*command).items():
+                        times.setdefault((robot, library, target, name), []).append(nanoseconds)
+    middle = {key: statistics.median(list_) for key, list_ in times.items()}
+    for robot in files:
+        for target in TARGETS:
+            for function, ways in SAME.items():
+                ours = middle.get((robot, "Catena", target, function))
+                theirs, way = min((middle[robot, "Pinocchio", target, way], way) for way in ways)
+                if ours is not None:
+                    rows.append([robot.replace(",", ";"), function, "Catena", function, target, f"{ours:.1f}"])
+                    print(f"{robot}, {target}: {function} {ours:.0f} ns, {way} {theirs:.0f} ns, {theirs / ours:.2f}")
+                rows.append([robot.replace(",", ";"), function, "Pinocchio", way, target, f"{theirs:.1f}"])
+    with open(ROOT / "benches" / "results" / "robots.csv", "w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["robot", "function", "library", "way", "target", "nanoseconds"])
+        writer.writerows(rows)
+
+
+if __name__ == "__main__":
+    main()
