@@ -321,6 +321,6 @@ pub(crate) fn counted(expected: usize, given: usize) -> Result<(), Error> {
 }
 
 /// Refuses numbers that are not finite.
-pub(crate) fn finite(is: bool, parameter: &'static str) -> Result<(), Error> {
+pub(crate) fn ensure_finite(is: bool, parameter: &'static str) -> Result<(), Error> {
     if is { Ok(()) } else { Err(Error::new(Fault::NotFinite { parameter })) }
 }

@@ -1,7 +1,7 @@
 //! Motions as plain lists of numbers, and by joint.
 
 use super::Motion;
-use crate::error::{Error, Fault, counted, finite};
+use crate::error::{Error, Fault, counted, ensure_finite};
 use crate::mirror::{Position, Rate};
 use crate::names::JointNumbers;
 use crate::relation::Closures;
@@ -53,7 +53,7 @@ fn replaced<T: Copy>(by: &[T], first: usize, replace: impl FnOnce(&mut dyn FnMut
 }
 
 fn all_finite<T: Scalar>(numbers: &[T], parameter: &'static str) -> Result<(), Error> {
-    finite(numbers.iter().all(|x| x.is_finite()), parameter)
+    ensure_finite(numbers.iter().all(|x| x.is_finite()), parameter)
 }
 
 /// Reading and setting of one kind of rates.

@@ -4,7 +4,7 @@ use super::crossing::{DEPARTED, LEFT, crosses, crossing, of_one_number};
 use super::{EventFunction, Find, Now, Progress, Simulation, limits, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault, finite};
+use crate::error::{Error, Fault, ensure_finite};
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
@@ -100,7 +100,7 @@ where
     pub(super) fn take_up(&mut self, memory: &K::Memory, caused: Option<&MotionOf<S, R, C, P>>) -> Result<(), Error> {
         self.check()?;
         if let Some(caused) = caused {
-            finite(caused.is_finite(), "saved run")?;
+            ensure_finite(caused.is_finite(), "saved run")?;
             if !caused.fits(&self.past) {
                 return Err(Error::new(Fault::Shape));
             }

@@ -9,7 +9,7 @@ use super::trials::Trials;
 use super::{EventFunction, Interrupted, Now, Run, Simulation, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, finite};
+use crate::error::{Error, ensure_finite};
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Method, Stepper};
@@ -69,7 +69,7 @@ impl<R: Real> Progress<R> {
         let Self { start, mark, size, samples, steps, rejected, sweeps, .. } = self;
         let counts = [mark.1, *samples, *steps, *rejected, *sweeps].iter().all(|count| *count <= usize::MAX / 2);
         let times = [*start, mark.0, *size].iter().all(|time| time.is_finite()) && *size >= R::zero() && *start <= time;
-        finite(counts && times && self.trials.is_sound(), "progress of a run")?;
+        ensure_finite(counts && times && self.trials.is_sound(), "progress of a run")?;
         let count = |n: usize| R::of(n as f64);
         if let Control::Fixed(dt) = control {
             // A last step may have been cut to its end.
@@ -84,7 +84,7 @@ impl<R: Real> Progress<R> {
             let rounding = rounding.min(every * R::of(0.25));
             if !(next >= -rounding && next <= every + rounding + rounding) {
                 let passed = ((time - *start) / every).as_f64();
-                finite(passed <= MOST, "progress of a run")?;
+                ensure_finite(passed <= MOST, "progress of a run")?;
                 *samples = (passed as usize).saturating_add(1);
             }
         }

@@ -49,7 +49,7 @@ pub use crate::names::{BodyNumbers, JointNumbers, Label, Which};
 pub use crate::space::{RealOf, Space};
 
 use crate::element::{Coordinates, Loading, SpaceOver, Unloaded};
-use crate::error::{Error, Fault, counted, finite};
+use crate::error::{Error, Fault, counted, ensure_finite};
 use crate::lift::Lift;
 use crate::motion::Motion;
 use crate::relation::{Additive, Closures, Geometry};
@@ -194,7 +194,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         };
         configure(&self.chain, &mut motion.position, ground.turn, &mut next);
         counted(expected, orientations.len())?;
-        finite(orientations.iter().all(|x| x.is_finite()), "orientation")?;
+        ensure_finite(orientations.iter().all(|x| x.is_finite()), "orientation")?;
         Ok(motion)
     }
 
@@ -216,7 +216,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             rates.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         });
         counted(expected, rates.len())?;
-        finite(rates.iter().all(|x| x.is_finite()), "rate")?;
+        ensure_finite(rates.iter().all(|x| x.is_finite()), "rate")?;
         Ok(motion)
     }
 }

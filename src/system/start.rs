@@ -2,7 +2,7 @@
 
 use crate::element::Element;
 use crate::ends::{Root, Tip};
-use crate::error::{Error, counted, finite};
+use crate::error::{Error, counted, ensure_finite};
 use crate::mechanics::planar::{Planar, Turn};
 use crate::mirror::Position;
 use crate::scalar::{Real, Scalar};
@@ -31,7 +31,7 @@ impl<'a, T: Scalar> Feed<'a, T> {
 
     pub(super) fn check(&self, parameter: &'static str) -> Result<(), Error> {
         counted(self.asked, self.numbers.len())?;
-        finite(self.numbers.iter().all(|x| x.is_finite()), parameter)
+        ensure_finite(self.numbers.iter().all(|x| x.is_finite()), parameter)
     }
 }
 

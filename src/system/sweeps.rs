@@ -17,7 +17,8 @@ use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
 use crate::walks::broken::{broken, unled};
-use crate::walks::fits::{copy_gains, gains_fit};
+use crate::walks::copy::copy;
+use crate::walks::fits::gains_fit;
 use crate::walks::independent::independent;
 use crate::walks::travel::show;
 
@@ -211,7 +212,7 @@ where
     }
 
     fn copy_gains(&self, from: &Self::Gains, to: &mut Self::Gains) {
-        copy_gains::<S, _, P::Closures>(&self.chain, from, to);
+        copy::<S, _, Kept<P::Closures>>(&self.chain, from, to);
     }
 
     fn stiff_workspace(&self) -> Self::StiffWorkspace {

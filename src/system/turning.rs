@@ -3,7 +3,7 @@
 use super::start::Feed;
 use crate::element::{Element, Turning};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault, counted, finite};
+use crate::error::{Error, Fault, counted, ensure_finite};
 use crate::mechanics::planar::Planar;
 use crate::mechanics::spatial::{Rotation, Spatial};
 use crate::names::Which;
@@ -62,7 +62,7 @@ impl<S: Turning, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         body: impl Into<Which<'n>>,
         orientation: S::Orientation,
     ) -> Result<MotionOf<S, R, C, P>, Error> {
-        finite(S::orientation_is_finite(&orientation), "orientation")?;
+        ensure_finite(S::orientation_is_finite(&orientation), "orientation")?;
         let Carrier { joint, outboard, body, .. } = self.carrier(&motion, body.into())?;
         let there = S::carrying(orientation, &outboard, &body);
         let turn = |swivel: &Swivel<S>| if swivel.joint == joint { Wanted::Orientation(there) } else { Wanted::Any };
@@ -98,7 +98,7 @@ impl<S: Turning, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         // Drives in between turn the body against the one that the joint turns.
         let behind = plus(S::spin(&outboard), S::spin(&body).map(|x| -x));
         let spin = plus(spin.inertial::<S>(&inboard, &body), behind);
-        finite(spin.iter().all(|x| x.is_finite()), "angular velocity")?;
+        ensure_finite(spin.iter().all(|x| x.is_finite()), "angular velocity")?;
         let turn = |swivel: &Swivel<S>| if swivel.joint == joint { Wanted::Spin(spin) } else { Wanted::Any };
         self.steered(&mut motion, turn)?;
         Ok(motion)
@@ -207,7 +207,7 @@ impl<T: Scalar, R: Root<Spatial<T>>, C: Element<Spatial<T>>, P: Tip<Spatial<T>>>
     /// a joint cannot turn its body so.
     pub fn at_attitudes(&self, attitudes: &[Rotation<T>]) -> Result<MotionOf<Spatial<T>, R, C, P>, Error> {
         let is_finite = attitudes.iter().all(Spatial::<T>::orientation_is_finite);
-        finite(is_finite, "attitude")?;
+        ensure_finite(is_finite, "attitude")?;
         let (mut motion, mut turning) = (self.motion(), 0);
         let outcome = self.steered(&mut motion, |_| {
             turning += 1;
@@ -242,7 +242,7 @@ impl<T: Scalar, R: Root<Spatial<T>>, C: Element<Spatial<T>>, P: Tip<Spatial<T>>>
         axes: impl Fn([T; 3]) -> AngularVelocity<[T; 3]>,
     ) -> Result<MotionOf<Spatial<T>, R, C, P>, Error> {
         self.fits(&motion)?;
-        finite(rates.iter().flatten().all(|x| x.is_finite()), "angular velocity")?;
+        ensure_finite(rates.iter().flatten().all(|x| x.is_finite()), "angular velocity")?;
         let mut turning = 0;
         let outcome = self.steered(&mut motion, |swivel| {
             turning += 1;

@@ -1,9 +1,8 @@
-//! Whether coordinates, and what joints keep, have the shape of a chain; copies of the latter.
+//! Whether coordinates, and what joints keep, have the shape of a chain.
 
 use crate::relation::Closures;
 use crate::shape::{
-    AtBody, AtClosing, AtJoint, Body, Closing, Joint, Kept, Mut, Outward, Positions, Rates, Ref, Shape, Slices, Slot,
-    Walk, Way, items_outward,
+    AtBody, AtJoint, Body, Joint, Kept, Outward, Positions, Rates, Ref, Shape, Slices, Slot, Walk, Way, items_outward,
 };
 use crate::space::Space;
 use core::marker::PhantomData;
@@ -28,36 +27,6 @@ pub fn gains_fit<S: Space, E: Shape<S>, C: Closures>(chain: &E, gains: &E::Store
     let mut fits = Fits::<Ref<Kept<C>>>(true, PhantomData);
     chain.outward(&mut fits, (), gains);
     fits.0
-}
-
-/// Copies gains of one shape; allocates nothing.
-pub fn copy_gains<S: Space, E: Shape<S>, C: Closures>(chain: &E, from: &E::Store<Kept<C>>, to: &mut E::Store<Kept<C>>) {
-    chain.outward(&mut Copied::<C>(PhantomData), (), (from, to));
-}
-
-/// Copies what joints keep where `C` act.
-struct Copied<C>(PhantomData<C>);
-
-impl<S: Space, C: Closures> Walk<S> for Copied<C> {
-    type Carried = ();
-    type Stores = (Ref<Kept<C>>, Mut<Kept<C>>);
-}
-
-impl<S: Space, C: Closures> Outward<S> for Copied<C> {
-    type In<Y: Way> = Copied<Y::Forces<C>>;
-
-    fn enter<Y: Way, X>(&mut self, go: impl FnOnce(&mut Self::In<Y>) -> X) -> X {
-        go(&mut Copied(PhantomData))
-    }
-    #[inline(always)]
-    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
-    #[inline(always)]
-    fn joint<J: Joint<S>>(&mut self, _: &J, (): (), (from, to): AtJoint<'_, S, Self, J>) {
-        to.clone_from(from);
-    }
-    fn closing<K: Closing<S>>(&mut self, _: &K, _: [(); 2], (from, to): AtClosing<'_, S, Self, K>) {
-        to.clone_from(from);
-    }
 }
 
 /// Whether all stores met so far have the shape of the chain.

@@ -20,6 +20,7 @@ pub mod carrier;
 pub mod check;
 pub mod complete;
 pub mod configure;
+pub mod copy;
 pub mod count;
 pub mod entries;
 pub mod factor;

@@ -2,11 +2,10 @@
 
 use crate::mirror::Rate;
 use crate::shape::{
-    AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Outward, PerBody, PerJoint, Ref, Shape, Slices, Walk, alike,
+    AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Outward, PerBody, PerJoint, Shape, Slices, Walk, alike,
     items_outward,
 };
 use crate::space::Space;
-use core::marker::PhantomData;
 
 /// Copies values, one for each body, root to tip, to the entries of bodies.
 #[inline(always)]
@@ -34,15 +33,6 @@ pub fn to_coordinates<S: Space, E: Shape<S>, X: Copy + 'static>(
     chain.outward(&mut Coordinates(values), (), (joints,));
 }
 
-/// Copies the entries of joints; allocates nothing.
-pub fn copied<S: Space, E: Shape<S>, X: Copy + 'static>(
-    chain: &E,
-    from: &E::Store<PerJoint<X>>,
-    to: &mut E::Store<PerJoint<X>>,
-) {
-    chain.outward(&mut Copied(PhantomData), (), (from, to));
-}
-
 /// A list with as many values as the type of a chain says: where it does, a compiler need not ask again.
 #[inline(always)]
 fn exactly<X>(values: &[X], count: Option<usize>) -> &[X] {
@@ -65,9 +55,6 @@ struct Joints<'v, X>(&'v [X]);
 
 /// Values that are left for joints of one coordinate.
 struct Coordinates<'v, X>(&'v [X]);
-
-/// Copies of what joints have.
-struct Copied<X>(PhantomData<X>);
 
 /// Items in equal shares, whose loop vectorises, where each of them has as many.
 macro_rules! in_shares {
@@ -126,26 +113,6 @@ impl<S: Space, X: Copy + 'static> Outward<S> for Joints<'_, X> {
         take_first(&mut self.0, joint);
     }
     in_shares!(Joints, JOINTS);
-}
-
-impl<S: Space, X: Copy + 'static> Walk<S> for Copied<X> {
-    type Carried = ();
-    type Stores = (Ref<PerJoint<X>>, Mut<PerJoint<X>>);
-}
-
-impl<S: Space, X: Copy + 'static> Outward<S> for Copied<X> {
-    alike!();
-
-    #[inline(always)]
-    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
-    #[inline(always)]
-    fn joint<J: Joint<S>>(&mut self, _: &J, (): (), (from, to): AtJoint<'_, S, Self, J>) {
-        *to = *from;
-    }
-    #[inline(always)]
-    fn closing<K: Closing<S>>(&mut self, _: &K, _: [(); 2], (from, to): AtClosing<'_, S, Self, K>) {
-        *to = *from;
-    }
 }
 
 impl<S: Space, X: Copy + 'static> Walk<S> for Coordinates<'_, X> {

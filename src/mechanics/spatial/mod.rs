@@ -14,6 +14,7 @@ mod cylindrical;
 mod elastic_hinge;
 mod ends;
 mod frame;
+mod hinge_elimination;
 mod inertia;
 mod isometry;
 mod joint;

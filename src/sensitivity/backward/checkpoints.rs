@@ -12,9 +12,10 @@ use crate::loading::EffortOf;
 use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
+use crate::shape::PerJoint;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
 use crate::walks::complete::complete;
-use crate::walks::spread::copied;
+use crate::walks::copy::copy;
 use core::ops::Range;
 use num_traits::Zero;
 
@@ -251,7 +252,7 @@ where
             room.size = end - room.before.time;
             self.steps.take_torques(torques, step);
             if let Some(torques) = &mut room.torques {
-                copied(self.steps.scene.elements(), &self.steps.torques, torques);
+                copy::<S, _, PerJoint<EffortOf<S>>>(self.steps.scene.elements(), &self.steps.torques, torques);
             }
             let next = match rest {
                 [room, ..] if place + 1 < count => &mut room.before,
@@ -273,7 +274,7 @@ where
     ) -> Result<(), Error> {
         for (step, room) in between.zip(tape).rev() {
             if let Some(torques) = &room.torques {
-                copied(self.steps.scene.elements(), torques, &mut self.steps.torques);
+                copy::<S, _, PerJoint<EffortOf<S>>>(self.steps.scene.elements(), torques, &mut self.steps.torques);
             }
             self.steps.pull_back(&room.before, room.size, &room.record, gradient);
             self.steps.give_torques(by_torques, step);

@@ -15,7 +15,7 @@ use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf, Unloaded};
 use crate::ends::Resting;
-use crate::error::{Error, Fault, finite};
+use crate::error::{Error, Fault, ensure_finite};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::relation::Additive;
@@ -55,7 +55,7 @@ where
         of_one_number::<S::Scalar>()?;
         let mut value = |state: &_| {
             let value = event(state).real().as_f64();
-            finite(!value.is_nan(), "value of the event function").map(|()| value)
+            ensure_finite(!value.is_nan(), "value of the event function").map(|()| value)
         };
         let Some(first) = states.first() else { return Ok(None) };
         let mut before = value(first)?;
@@ -165,7 +165,7 @@ where
         }
         self.steps.give_torques(&mut [], 0);
         let moves = by_event.is_finite() && !by_event.real().is_zero();
-        finite(moves, "time of the end per change of the event's function")?;
+        ensure_finite(moves, "time of the end per change of the event's function")?;
         let share = by_cost * by_event.recip();
         let Costate { mut position, mut rate, time } = of_event;
         position.replace(&mut |x| -(share * x));

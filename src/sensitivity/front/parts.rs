@@ -3,7 +3,7 @@
 use super::{Seeded, WIDTH};
 use crate::element::{Element, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault, counted, finite};
+use crate::error::{Error, Fault, counted, ensure_finite};
 use crate::loading::EffortOf;
 use crate::mechanics::spatial::Effort;
 use crate::mirror::{Position, Rate};
@@ -74,7 +74,7 @@ pub fn shown<T: Scalar, P: Position<T>, C: Closures>(mut motion: Motion<T, P, C>
 
 /// Refuses outputs that are no numbers.
 pub fn known<T: Scalar>(outputs: &[T]) -> Result<(), Error> {
-    finite(outputs.iter().all(|y| y.is_finite()), "output of a run (of positions and rates)")
+    ensure_finite(outputs.iter().all(|y| y.is_finite()), "output of a run (of positions and rates)")
 }
 
 /// Efforts in the joints of a scene over one step or all steps, or none, from a list of numbers.
