@@ -214,9 +214,9 @@ pub enum Fault {
 pub enum Cause {
     /// The estimated error of the step exceeds the tolerance.
     Inaccurate,
-    /// No modes of joints with dry friction belong together: what each would do does not go with what the others do.
+    /// No modes of joints with dry friction or hard stops belong together: what each would do does not go with what the others do.
     Modes {
-        /// A joint that would change its mode again: its number among those with dry friction.
+        /// A joint that would change its mode again: its number among those with modes.
         joint: usize,
     },
     /// [`Fault::NonFiniteMotion`].

@@ -80,7 +80,6 @@ mod turning;
 
 mod adjoint;
 mod chain;
-mod coulomb;
 mod counts;
 #[cfg(feature = "serde")]
 mod data;
@@ -91,6 +90,7 @@ mod element;
 mod ends;
 mod error;
 pub mod extend;
+mod guarded;
 #[cfg(any(doc, doctest))]
 pub mod guide;
 #[doc(hidden)]

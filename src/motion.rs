@@ -5,7 +5,7 @@ mod data;
 mod flat;
 
 use crate::lift::Lift;
-use crate::mirror::{Mode, Position, Rate};
+use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
 use core::fmt::{self, DebugList};
@@ -33,7 +33,7 @@ use num_traits::Zero;
 /// | `Revolute`, `Universal`, `Prismatic`, `Cylindrical` | relative angles (rad) and displacements (m) | rates of these |
 /// | spatial root `Free` | place and attitude of the first body, absolute | velocity, inertial axes; angular velocity, body axes |
 /// | `Weld`, what closes a loop, `Driven` | none | none |
-/// | `Coulomb` | those of its joint | those of its joint |
+/// | `Coulomb`, `HardStops` | those of its joint | those of its joint |
 ///
 /// Set by what bodies do, whatever their joints store, motions are by [`with_body_orientation`](crate::system::System::with_body_orientation)
 /// and [`with_body_spin`](crate::system::System::with_body_spin) (one body, by number or name), by
@@ -84,16 +84,16 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
         &self.rate
     }
 
-    /// Rates, to be set. The accelerations no longer belong to them until they are found anew, and joints with dry friction slip as these
+    /// Rates, to be set. The accelerations no longer belong to them until they are found anew, and joints with modes move as these
     /// rates say, whatever they did.
     pub fn rate_mut(&mut self) -> &mut P::Rate {
         self.forget_modes();
         &mut self.rate
     }
 
-    /// Lets what joints with dry friction do follow from their rates.
+    /// Lets what joints with modes do follow from their rates.
     pub(crate) fn forget_modes(&mut self) {
-        self.position.each_mode(&mut self.rate, &self.acceleration, &mut |mode, _, _| *mode = Mode::Sticks);
+        self.position.each_mode(&mut self.rate, &self.acceleration, &mut |mode, _, _| *mode = mode.forgotten());
     }
 
     /// Accelerations of the joint coordinates, in the shape of the scene.

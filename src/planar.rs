@@ -11,8 +11,8 @@
 //! ```
 
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
-pub use crate::coulomb::Coulomb;
 pub use crate::driven::{Driven, MotionLaw};
+pub use crate::guarded::{Coulomb, HardStops};
 pub use crate::mechanics::planar::{
     Beam, ClosedLoop, Custom, ElasticHinge, Inertia, Linear, Pin, PointMass, Revolute, RigidBody, Rod, Segments,
     Slider, Unbalanced, Weld,

@@ -36,8 +36,8 @@
 //! ```
 
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
-pub use crate::coulomb::Coulomb;
 pub use crate::driven::{Driven, MotionLaw};
+pub use crate::guarded::{Coulomb, HardStops};
 pub use crate::mechanics::spatial::{
     Ball, Beam, ClosedLoop, Cylindrical, ElasticBall, ElasticHinge, Inertia, Linear, PointMass, Prismatic, Revolute,
     RigidBody, Rod, RotaryLaw, RotarySpring, Rotation, Segments, Universal, Weld, maps,

@@ -122,7 +122,10 @@ impl fmt::Display for Cause {
         match (self, self.fault()) {
             (_, Some(fault)) => fault.fmt(f),
             (Self::Modes { joint }, None) => {
-                write!(f, "no modes of joints with dry friction belong together at joint {joint} of these, from 0 on")
+                write!(
+                    f,
+                    "no modes of joints with dry friction or hard stops belong together at joint {joint} of these, from 0 on"
+                )
             }
             (_, None) => write!(f, "its estimated error exceeds the tolerance"),
         }

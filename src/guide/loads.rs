@@ -44,6 +44,7 @@
 //! | a spring or damper in a joint | `ElasticHinge`, `Slider::with`: implicit rules know its stiffness, loads they do not |
 //! | dry friction and stops in a joint, known to implicit rules | [`DryFriction`](crate::planar::DryFriction), [`Stops`](crate::planar::Stops): laws for `ElasticHinge::with`, several as a tuple |
 //! | dry friction that sticks, and breaks away, at instants that a run finds | [`Coulomb`](crate::planar::Coulomb) around a joint |
+//! | hard stops that a joint strikes, bounces off and rests against | [`HardStops`](crate::planar::HardStops) around a joint |
 //! | a crank that turns as it is told, whatever it takes | [`Driven`](crate::planar::Driven) around a joint |
 //! | what a geared motor can give of a torque asked for | [`Motor`](crate::planar::Motor) |
 //! | feet on the ground, in space | [`Contacts`](crate::spatial::Contacts) |

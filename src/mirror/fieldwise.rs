@@ -139,7 +139,7 @@ macro_rules! fieldwise_position {
             &mut self,
             _rate: &mut Self::Rate,
             _acceleration: &Self::Rate,
-            _visit: &mut impl FnMut(&mut Mode, &mut T, [T; 2]),
+            _visit: &mut impl FnMut(&mut Mode, &mut T, GuardedRate<T>),
         ) {
             $(self.$i.each_mode(&mut _rate.$i, &_acceleration.$i, _visit);)*
         }

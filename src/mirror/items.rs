@@ -1,7 +1,7 @@
 //! Arrays and vectors of mirrors. Mirrors of different lengths change as far as all of them go; motions are compared with
 //! their scene before they come here.
 
-use super::{Mode, Position, Rate, Term};
+use super::{GuardedRate, Mode, Position, Rate, Term};
 use crate::scalar::Scalar;
 
 /// One implementation for everything that derefs to a slice of mirrors.
@@ -72,7 +72,7 @@ macro_rules! mirror_items {
             type Rate = $rates;
 
             const CURVED: bool = A::CURVED;
-            const STICKS: bool = A::STICKS;
+            const MODES: bool = A::MODES;
 
             #[inline]
             fn drift_0(&mut self, from: &Self, (time, rate): Term<'_, T, Self::Rate>) {
@@ -160,7 +160,7 @@ macro_rules! mirror_items {
                 &mut self,
                 rate: &mut Self::Rate,
                 acceleration: &Self::Rate,
-                visit: &mut impl FnMut(&mut Mode, &mut T, [T; 2]),
+                visit: &mut impl FnMut(&mut Mode, &mut T, GuardedRate<T>),
             ) {
                 for ((item, rate), acceleration) in self.iter_mut().zip(rate).zip(acceleration) {
                     item.each_mode(rate, acceleration, visit);

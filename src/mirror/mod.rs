@@ -10,14 +10,14 @@
 
 mod clock;
 mod fieldwise;
+mod guarded;
 mod items;
 mod number;
-mod sticking;
 mod tied;
 mod tuple;
 
 pub use clock::Clock;
-pub use sticking::{Mode, Slip, Sticking};
+pub use guarded::{Guarded, GuardedRate, Mode};
 pub use tied::{Tied, TiedPosition};
 
 use crate::scalar::Scalar;
@@ -110,15 +110,15 @@ pub trait Position<T: Scalar>: Clone {
         let _ = time;
     }
 
-    /// Whether a coordinate sticks and slips.
-    const STICKS: bool = false;
+    /// Whether joints have modes.
+    const MODES: bool = false;
 
-    /// Shows each coordinate that sticks and slips: its mode and rate, to be changed, and its acceleration and friction.
+    /// Shows each coordinate whose joint has modes: its mode and rate, to be changed, and its acceleration with what is told of the mode.
     fn each_mode(
         &mut self,
         rate: &mut Self::Rate,
         acceleration: &Self::Rate,
-        visit: &mut impl FnMut(&mut Mode, &mut T, [T; 2]),
+        visit: &mut impl FnMut(&mut Mode, &mut T, GuardedRate<T>),
     ) {
         let _ = (rate, acceleration, visit);
     }

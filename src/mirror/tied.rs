@@ -1,7 +1,7 @@
 //! The mirror of a loop: coordinates of its arms, and with accelerations the forces that close it.
 
 use super::fieldwise::{fieldwise_position, fieldwise_rate};
-use super::{Mode, Position, Rate, Term};
+use super::{GuardedRate, Mode, Position, Rate, Term};
 use crate::lift::Lift;
 use crate::scalar::Scalar;
 use core::marker::PhantomData;
@@ -39,7 +39,7 @@ impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
     type Rate = Tied<X::Rate, F>;
 
     const CURVED: bool = X::CURVED;
-    const STICKS: bool = X::STICKS;
+    const MODES: bool = X::MODES;
 
     fieldwise_position!(arms);
 }

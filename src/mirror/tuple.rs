@@ -1,7 +1,7 @@
 //! Tuples of mirrors, for the arities that chains have, and the mirror of a body: `()`.
 
 use super::fieldwise::{fieldwise_position, fieldwise_rate};
-use super::{Mode, Position, Rate, Term};
+use super::{GuardedRate, Mode, Position, Rate, Term};
 use crate::scalar::Scalar;
 use crate::tuples::for_each_tuple;
 
@@ -17,7 +17,7 @@ macro_rules! mirror_tuple {
             type Rate = ($($A::Rate,)*);
 
             const CURVED: bool = false $(|| $A::CURVED)*;
-            const STICKS: bool = false $(|| $A::STICKS)*;
+            const MODES: bool = false $(|| $A::MODES)*;
 
             fieldwise_position!($($i)*);
         }

@@ -77,6 +77,10 @@ pub trait Joint<S: Space>: Copy + 'static {
         let _ = (x, sine_cosine);
     }
 
+    /// The name of the joint's type.
+    fn kind() -> &'static str {
+        core::any::type_name::<Self>()
+    }
     /// The position of an unturned joint.
     fn position() -> Self::Position;
     /// The rates of a joint at rest.

@@ -53,7 +53,7 @@ where
 
     /// Refuses what makes no run, and motions of another scene.
     fn check(&mut self) -> Result<(), Error> {
-        self.sticks_by_numbers()?;
+        self.modes_by_numbers()?;
         if const { <E as EventFunction<Now<'a, S, R, C, P, L>, S::Scalar>>::ON } {
             of_one_number::<S::Scalar>()?;
         }
@@ -80,8 +80,8 @@ where
         let mut workspace = Dynamics::<L>::workspace(system);
         // In a copy, not shown before all is well: a run that cannot start gives the start back as it was.
         system.accelerate(&mut self.next, self.plan.loads, &mut workspace)?;
-        if const { Self::STICKS } {
-            self.settle_modes(None)?;
+        if const { Self::MODES } {
+            self.begin_modes()?;
         }
         self.value = self.value(Shown::Next)?;
         core::mem::swap(&mut self.past, &mut self.next);
@@ -113,7 +113,7 @@ where
         self.progress.fit(self.past.time, control, self.plan.every)?;
         self.progress.trials.under(control, System::<S, R, C, P>::CLOSED > 0);
         self.adapt(caused);
-        if const { Self::STICKS } {
+        if const { Self::MODES } {
             self.settle_anew()?;
         }
         // An event where it stands was seen.
@@ -152,7 +152,7 @@ where
             return Ok(false);
         }
         let (mut size, mut last) = self.accepted()?;
-        let cut = if const { Self::STICKS } { self.cut(size)? } else { None };
+        let cut = if const { Self::MODES } { self.cut(size)? } else { None };
         if let Some(shorter) = cut {
             (size, last) = (shorter, false);
         }
@@ -167,7 +167,7 @@ where
         }
         self.progress.at_event = false;
         self.progress.mark.1 += 1;
-        if const { Self::STICKS } && cut.is_some() {
+        if const { Self::MODES } && cut.is_some() {
             self.switch()?;
             self.progress.mark = (self.next.time, 0);
             let before = core::mem::replace(&mut next_value, self.value(Shown::Next)?);

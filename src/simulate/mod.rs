@@ -8,7 +8,8 @@ mod drive;
 mod ensemble;
 pub(crate) mod limits;
 mod saved;
-mod stick;
+mod strike;
+mod switch;
 mod trials;
 
 use crate::element::{Budget, Element, Loading, RealOf, Space, Unloaded};

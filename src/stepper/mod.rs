@@ -12,11 +12,11 @@ mod taylor;
 mod vcabm;
 
 use crate::error::{Error, Fault};
-use crate::mirror::Position;
+use crate::mirror::{Mode, Position};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 pub use adams::{AdamsMemory, AdamsStepper};
 pub use auto::{AutoMemory, AutoStepper, Chosen};
@@ -52,17 +52,21 @@ fn check<D: Dynamics<L>, L>(
     }
 }
 
-/// Refuses a joint with dry friction whose mode has another sign than its rate: friction would drive it. Of `next` it makes a copy.
-fn slips_as_it_moves<D: Dynamics<L>, L>(past: &MotionIn<D, L>, next: &mut MotionIn<D, L>) -> Result<(), Error> {
-    if const { !D::Position::STICKS } {
+/// Refuses a joint whose mode has another sign than its rate, which friction would drive, and one that leaves the range between its stops. Of
+/// `next` it makes a copy.
+fn moves_as_modes_say<D: Dynamics<L>, L>(past: &MotionIn<D, L>, next: &mut MotionIn<D, L>) -> Result<(), Error> {
+    if const { !D::Position::MODES } {
         return Ok(());
     }
     next.copy_state(past);
-    let mut against = false;
-    next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| {
-        against |= (mode.sign::<D::Scalar>() * *rate).real() < Zero::zero();
+    let (mut against, touching) = (false, TimeIn::<D, L>::one() + Mode::touch());
+    next.position.each_mode(&mut next.rate, &past.acceleration, &mut |mode, rate, told| {
+        let beyond = *mode == Mode::Swings && told.guard.real().abs() > touching;
+        let sense = if beyond { -told.guard } else { mode.sign::<D::Scalar>() };
+        against |= (sense * *rate).real() < Zero::zero();
     });
-    let what = "a joint with dry friction that moves against its mode, which runs change, and single steps do not";
+    let what =
+        "a joint with dry friction against its mode, or one beyond its stop: runs change modes, single steps do not";
     if against { Err(Error::new(Fault::Unsupported { what }).at_time(past.time.as_f64())) } else { Ok(()) }
 }
 
@@ -114,7 +118,7 @@ pub trait Stepper<D: Dynamics<L>, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.admit(past, loads, dt, next)?;
-        slips_as_it_moves::<D, L>(past, next)?;
+        moves_as_modes_say::<D, L>(past, next)?;
         self.begin(past, loads);
         self.make(past, loads, dt, next)
     }

@@ -69,7 +69,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         self.independent(&motion, &workspace, 0.0, &mut |entry, name| report(entry.saturating_sub(1), name))
     }
 
-    /// [`assembled`](Self::assembled) in place: joints move that stick in the run to come.
+    /// [`assembled`](Self::assembled) in place: joints move that stick or rest in the run to come.
     pub(crate) fn hold<L: Loading<S>>(
         &self,
         motion: &mut MotionOf<S, R, C, P>,
@@ -79,16 +79,16 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P>,
     {
-        if const { !PositionOf::<S, R, C>::STICKS } {
+        if const { !PositionOf::<S, R, C>::MODES } {
             return self.close(motion, loads, workspace);
         }
         let mut modes = motion.rate.clone();
         motion.position.each_mode(&mut modes, &motion.acceleration, &mut |mode, kept, _| {
-            *kept = mode.sign();
-            *mode = Mode::SlipsForward;
+            *kept = mode.number();
+            *mode = mode.moving();
         });
         let outcome = self.close(motion, loads, workspace);
-        motion.position.each_mode(&mut modes, &motion.acceleration, &mut |mode, kept, _| *mode = Mode::of(*kept));
+        motion.position.each_mode(&mut modes, &motion.acceleration, &mut |mode, kept, _| *mode = Mode::numbered(*kept));
         outcome?;
         self.accelerate(motion, loads, workspace)
     }

@@ -117,11 +117,11 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Err(self.unsettled(&now))
     }
 
-    /// Refuses scenes in which joints stick, for these rest anywhere within what friction holds, and lanes, each of which rests elsewhere.
+    /// Refuses scenes in which joints have modes, for these rest anywhere within what friction and stops hold, and lanes, each of which rests elsewhere.
     pub(crate) fn rests_alone() -> Result<(), Error> {
         let refuse = |what| Err(Error::new(Fault::Unsupported { what }));
-        match (PositionOf::<S, R, C>::STICKS, S::Scalar::LANES) {
-            (true, _) => refuse("equilibria and modes of vibration of joints that stick"),
+        match (PositionOf::<S, R, C>::MODES, S::Scalar::LANES) {
+            (true, _) => refuse("equilibria and modes of vibration of joints that stick or have hard stops"),
             (_, true) => refuse("equilibria and modes of vibration of several lanes"),
             _ => Ok(()),
         }

@@ -79,7 +79,7 @@ impl<S: Space, F: FnMut(Part)> Outward<S> for Parts<'_, F> {
         let (mut coordinates, mut rates) = (0, 0);
         Position::visit(&J::position(), &mut |_: S::Scalar| coordinates += 1);
         Rate::visit(&J::rate(), &mut |_: S::Scalar| rates += 1);
-        self.report(type_name::<J>(), Sort::Joint { coordinates, rates });
+        self.report(J::kind(), Sort::Joint { coordinates, rates });
     }
     fn closing<K: Closing<S>>(&mut self, closing: &K, _: [(); 2], _: AtClosing<'_, S, Self, K>) {
         let (kind, own) = closing.label();

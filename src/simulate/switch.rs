@@ -1,4 +1,4 @@
-//! Joints that stick and slip in a run: where their modes change, and which follow.
+//! Joints with modes in a run: where these change, and which follow.
 
 use super::EventFunction;
 use super::crossing::crossing;
@@ -7,7 +7,7 @@ use super::{Now, settled};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Cause, Error, Fault};
-use crate::mirror::{Mode, Position};
+use crate::mirror::{GuardedRate, Mode, Position};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::{Dynamics, MotionOf, PositionOf, RateOf, Runs, System};
@@ -16,6 +16,8 @@ use num_traits::Zero;
 
 /// Halvings of a step in which a joint moves on before it comes to rest.
 const HALVINGS: i32 = 40;
+/// So many corrections put the end of a step where a joint meets its stop.
+const NEWTON: usize = 3;
 /// Into so many parts a step is divided by looks at what sticks in it, and where these show that friction changes much.
 const LOOKS: [u32; 2] = [2, 8];
 /// By how much friction may change from look to look, as a share of that at which a joint breaks away.
@@ -26,16 +28,34 @@ const ROUNDINGS: f64 = 1e4;
 const CHANGES: usize = 64;
 
 /// How far a joint is from a change of its mode: positive before.
-fn margin<T: Scalar>(mode: Mode, rate: T, friction: T) -> f64 {
+fn margin<T: Scalar>(mode: Mode, rate: T, guard: T) -> f64 {
+    let guard = guard.real().as_f64();
     match mode {
-        Mode::Sticks => 1.0 - friction.real().as_f64().abs(),
-        slips => (slips.sign::<T>() * rate).real().as_f64(),
+        Mode::Sticks | Mode::Struck => 1.0 - guard.abs(),
+        // A little beyond, so that what stands at its stop is before it.
+        Mode::Swings => 1.0 - guard.abs() + 0.5 * Mode::touch::<T::Real>().as_f64(),
+        Mode::RestsBelow | Mode::RestsAbove => Mode::reluctance::<T::Real>().as_f64() - guard,
+        Mode::SlipsForward | Mode::SlipsBack => (mode.sign::<T>() * rate).real().as_f64(),
     }
 }
 
 /// The mode of a joint that breaks away: it goes where friction does not hold it.
 fn broken_away<T: Scalar>(friction: T) -> Mode {
     Mode::of(-friction)
+}
+
+/// The side of the stop that a joint touches: −1 the lower, 1 the upper one.
+pub(super) fn touched<T: Scalar>(mode: Mode, guard: T) -> Option<f64> {
+    let (guard, touch) = (guard.real().as_f64(), Mode::touch::<T::Real>().as_f64());
+    (mode == Mode::Swings && guard.abs() >= 1.0 - touch).then(|| guard.signum())
+}
+
+/// The mode of a joint that touches a stop and does not move: it rests, if it does not leave.
+fn rests<T: Scalar>(mode: Mode, rate: T, told: &GuardedRate<T>) -> Option<Mode> {
+    let side = touched(mode, told.guard).filter(|_| rate.is_zero())?;
+    // Half of what a joint leaves its stop at: one that has just left does not come to rest again by rounding.
+    let stays = side * told.rate.real().as_f64() > -0.5 * Mode::reluctance::<T::Real>().as_f64();
+    stays.then_some(if side < 0.0 { Mode::RestsBelow } else { Mode::RestsAbove })
 }
 
 impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
@@ -50,13 +70,13 @@ where
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
-    /// Whether there are joints that stick and slip.
-    pub(super) const STICKS: bool = PositionOf::<S, R, C>::STICKS;
+    /// Whether there are joints with modes.
+    pub(super) const MODES: bool = PositionOf::<S, R, C>::MODES;
 
     /// Refuses numbers whose derivatives or lanes would have changes of mode of their own.
-    pub(super) fn sticks_by_numbers(&self) -> Result<(), Error> {
-        if Self::STICKS && size_of::<S::Scalar>() > size_of::<RealOf<S>>() {
-            let what = "derivatives or lanes of a run in which joints stick and slip";
+    pub(super) fn modes_by_numbers(&self) -> Result<(), Error> {
+        if Self::MODES && size_of::<S::Scalar>() > size_of::<RealOf<S>>() {
+            let what = "derivatives or lanes of a run in which joints stick and slip or strike stops";
             return Err(Error::new(Fault::Unsupported { what }));
         }
         Ok(())
@@ -65,8 +85,8 @@ where
     /// The least margin of the joints at a motion, and which joint has it.
     fn margins(motion: &mut MotionOf<S, R, C, P>) -> (f64, usize) {
         let (mut least, mut count) = ((f64::INFINITY, 0), 0);
-        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, [_, friction]| {
-            let margin = margin(*mode, *rate, friction);
+        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
+            let margin = margin(*mode, *rate, told.guard);
             if margin < least.0 {
                 least = (margin, count);
             }
@@ -83,20 +103,23 @@ where
         Self::margins(&mut settled(self.plan.system, self.plan.loads, &self.next)).0
     }
 
-    /// How friction of the joints that stick has changed at most from what is kept, which it replaces, and their least margin.
+    /// How friction of the joints that stick has changed at most from what is kept, which it replaces, and the least margin of those that do not
+    /// move.
     fn pull(motion: &mut MotionOf<S, R, C, P>, kept: &mut RateOf<S, R, C>) -> (f64, f64) {
         let (mut change, mut least) = (0.0_f64, f64::INFINITY);
-        motion.position.each_mode(kept, &motion.acceleration, &mut |mode, kept, [_, friction]| {
+        motion.position.each_mode(kept, &motion.acceleration, &mut |mode, kept, told| {
+            if mode.is_locked() {
+                least = least.min(margin(*mode, told.rate, told.guard));
+            }
             if *mode == Mode::Sticks {
-                change = change.max((friction - *kept).real().as_f64().abs());
-                least = least.min(margin(*mode, friction, friction));
-                *kept = friction;
+                change = change.max((told.guard - *kept).real().as_f64().abs());
+                *kept = told.guard;
             }
         });
         (change, least)
     }
 
-    /// The first instant in the step at which friction would not hold a joint that sticks, of some that are looked at, and its margin. What
+    /// The first instant in the step at which a joint that does not move would do so, of some that are looked at, and its margin. What
     /// rests errs by nothing, whatever loads do: so the next step is to be no longer than one in which friction changes little.
     fn look(&mut self, size: RealOf<S>) -> Option<(f64, f64)> {
         let (system, loads) = (self.plan.system, self.plan.loads);
@@ -132,6 +155,19 @@ where
             progress.careful = true;
         }
         None
+    }
+
+    /// For how long the joint that is to change its mode has been beyond its stop (s), if it strikes one.
+    fn beyond(&mut self) -> f64 {
+        let mut next = settled(self.plan.system, self.plan.loads, &self.next);
+        let (earliest, mut count, mut time) = (Self::margins(&mut next).1, 0, 0.0);
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
+            if count == earliest && *mode == Mode::Swings && told.guard.real().as_f64().abs() > 1.0 {
+                time = -(told.apart / *rate).real().as_f64();
+            }
+            count += 1;
+        });
+        time
     }
 
     /// Makes the step anew, as long as a share of it, with what the stepper carried after it.
@@ -175,55 +211,77 @@ where
         }
         let (width, below) = (high.0 - low.0, low.0);
         let within = crossing([low.1, high.1], |theta| self.made_anew(&memory, size, below + theta * width))?;
-        Ok(Some(size * RealOf::<S>::of(below + within * width)))
+        let mut share = below + within * width;
+        // What strikes has been found a little beyond its stop, where it is faster by what it has fallen since.
+        for _ in 0..NEWTON {
+            let back = self.beyond() / size.as_f64();
+            if !(back > 0.0 && back < 0.5 * share) {
+                break;
+            }
+            share -= back;
+            self.made_anew(&memory, size, share)?;
+        }
+        Ok(Some(size * RealOf::<S>::of(share)))
     }
 
     /// Changes the mode of the joint that has ended the step, and of those that change with it.
     pub(super) fn switch(&mut self) -> Result<(), Error> {
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
-        let (earliest, mut count) = (Self::margins(&mut next).1, 0);
-        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, [_, friction]| {
+        let (earliest, mut count, mut strikes) = (Self::margins(&mut next).1, 0, false);
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
             let due = count == earliest;
             count += 1;
-            if *mode == Mode::Sticks {
-                if due {
-                    *mode = broken_away(friction);
+            match *mode {
+                Mode::Sticks if due => *mode = broken_away(told.guard),
+                Mode::RestsBelow | Mode::RestsAbove if due => *mode = Mode::Swings,
+                Mode::Swings if due => strikes = true,
+                Mode::SlipsForward | Mode::SlipsBack if due || margin(*mode, *rate, told.guard) <= 0.0 => {
+                    (*mode, *rate) = (Mode::Sticks, S::Scalar::zero());
                 }
-            } else if due || margin(*mode, *rate, friction) <= 0.0 {
-                (*mode, *rate) = (Mode::Sticks, S::Scalar::zero());
+                _ => (),
             }
         });
         self.next = next;
-        self.settle_modes(Some(earliest))
+        if strikes { self.strike() } else { self.settle_modes(Some(earliest)) }
+    }
+
+    /// Finds modes of a motion of which only rates are known.
+    pub(super) fn begin_modes(&mut self) -> Result<(), Error> {
+        let (mut stops, next) = (false, &mut self.next);
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| {
+            stops |= mode.forgotten() == Mode::Swings;
+            if mode.forgotten() == Mode::Sticks {
+                *mode = Mode::of(*rate);
+            }
+        });
+        if stops { self.strike() } else { self.settle_modes(None) }
     }
 
     /// Finds modes that belong together where the next step begins, and the accelerations there: what friction does not hold breaks away,
-    /// the joint first that it holds least. At a start they follow from its rates; elsewhere one joint has just changed its mode.
+    /// the joint first that it holds least; what leaves its stop does so, and what does not stays. One joint may have just changed its mode.
     pub(super) fn settle_modes(&mut self, changed: Option<usize>) -> Result<(), Error> {
         let (system, loads) = (self.plan.system, self.plan.loads);
         let (mut workspace, next) = (Dynamics::<L>::workspace(system), &mut self.next);
         let (mut least, mut changes) = (0, CHANGES);
-        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| {
-            changes += 1;
-            if changed.is_none() {
-                *mode = Mode::of(*rate);
-            }
-        });
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |_, _, _| changes += 1);
         for _ in 0..changes {
             if let Err(error) = system.accelerate(next, loads, &mut workspace) {
                 return Err(self.overlocked(error));
             }
-            // Held least, or pushed back where it is about to slip.
-            let (mut worst, mut count) = ((1.0, None), 0);
-            next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, [second, friction]| {
-                let pull = friction.real().as_f64().abs();
-                if *mode == Mode::Sticks {
-                    if pull > worst.0 {
-                        worst = (pull, Some(count));
-                    }
-                } else if changed != Some(count) && rate.is_zero() && margin(*mode, second, friction) < 0.0 {
-                    *mode = Mode::Sticks;
+            // Held least, or pushed back where it is about to move.
+            let (mut worst, mut count) = ((0.0, None), 0);
+            next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
+                let resting = if changed == Some(count) { None } else { rests(*mode, *rate, &told) };
+                let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack) && rate.is_zero();
+                let back = slips && changed != Some(count) && margin(*mode, told.rate, told.guard) < 0.0;
+                if let Some(now) = if back { Some(Mode::Sticks) } else { resting } {
+                    *mode = now;
                     (worst, least) = ((f64::INFINITY, Some(usize::MAX)), count);
+                } else if mode.is_locked() {
+                    let over = -margin(*mode, told.rate, told.guard);
+                    if over > worst.0 {
+                        worst = (over, Some(count));
+                    }
                 }
                 count += 1;
             });
@@ -232,9 +290,9 @@ where
                 least = worst;
             }
             let mut count = 0;
-            next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, [_, friction]| {
+            next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, told| {
                 if count == worst {
-                    *mode = broken_away(friction);
+                    *mode = if *mode == Mode::Sticks { broken_away(told.guard) } else { Mode::Swings };
                 }
                 count += 1;
             });
@@ -247,11 +305,11 @@ where
     #[cold]
     pub(super) fn overlocked(&self, error: Error) -> Error {
         let (system, mut loose) = (self.plan.system, self.next.clone());
-        if const { !Self::STICKS } || !matches!(error.fault, Fault::RedundantClosures { .. }) {
+        if const { !Self::MODES } || !matches!(error.fault, Fault::RedundantClosures { .. }) {
             return error;
         }
-        loose.position.each_mode(&mut loose.rate, &loose.acceleration, &mut |mode, _, _| *mode = Mode::SlipsForward);
-        let what = "more joints that stick at once than closures leave free to move";
+        loose.position.each_mode(&mut loose.rate, &loose.acceleration, &mut |mode, _, _| *mode = mode.moving());
+        let what = "more joints that stick at once, or rest against stops, than closures leave free to move";
         match system.accelerate(&mut loose, self.plan.loads, &mut system.workspace()) {
             Ok(()) => Error { place: None, fault: Fault::Unsupported { what }, ..error },
             Err(_) => error,
@@ -264,25 +322,29 @@ where
         let (mut now, mut due) = (settled(self.plan.system, self.plan.loads, &self.past), false);
         let still = (self.progress.size * RealOf::<S>::EPSILON).as_f64() * ROUNDINGS;
         let at_event = self.progress.at_event;
-        now.position.each_mode(&mut now.rate, &now.acceleration, &mut |mode, rate, [second, friction]| {
-            let (slips, gain) = (*mode != Mode::Sticks, second.real().as_f64().abs() * still);
+        now.position.each_mode(&mut now.rate, &now.acceleration, &mut |mode, rate, told| {
+            let (slips, second) = (matches!(*mode, Mode::SlipsForward | Mode::SlipsBack), told.rate);
+            let gain = second.real().as_f64().abs() * still;
             if at_event && slips && !rate.is_zero() && rate.real().as_f64().abs() <= gain {
                 (*rate, due) = (S::Scalar::zero(), true);
             }
-            let pushed_back = slips && rate.is_zero() && margin(*mode, second, friction) < 0.0;
-            due |= margin(*mode, *rate, friction) < 0.0 || pushed_back || !(slips || rate.is_zero());
+            let pushed_back = slips && rate.is_zero() && margin(*mode, second, told.guard) < 0.0;
+            let strikes = touched(*mode, told.guard).is_some_and(|side| side * rate.real().as_f64() > 0.0);
+            let moved = mode.is_locked() && !rate.is_zero();
+            let passed = *mode != Mode::Swings && margin(*mode, *rate, told.guard) < 0.0;
+            due |= passed || pushed_back || strikes || moved || rests(*mode, *rate, &told).is_some();
         });
         if due {
             self.next = now;
-            self.settle_modes(None)?;
+            self.begin_modes()?;
             core::mem::swap(&mut self.past, &mut self.next);
         }
         Ok(())
     }
 }
 
-/// Modes that do not belong together, at a joint of those with dry friction.
-fn inconsistent<R: Real>(joint: usize, time: R) -> Error {
+/// Modes that do not belong together, at a joint of those with modes.
+pub(super) fn inconsistent<R: Real>(joint: usize, time: R) -> Error {
     let cause = Cause::Modes { joint };
     Error::new(Fault::StepTooSmall { step: 0.0, cause }).at_time(time.as_f64())
 }

@@ -1,0 +1,98 @@
+//! Dry friction as it is: a joint that sticks until a force breaks it away, and slips until it comes to rest.
+
+use super::{Guard, Guarded};
+use crate::error::Fault;
+use crate::error::checks::positive;
+use crate::lift::lift;
+use crate::mirror::Mode;
+use crate::relation::Absent;
+use crate::scalar::{Real, Scalar};
+
+/// A joint with Coulomb's friction: while it slips a force of constant size against its rate, while it sticks whatever keeps it from moving,
+/// up to the force at which it breaks away.
+///
+/// Sticking and slipping are modes of a motion: a joint that sticks is locked, and has no pivot. Runs ([`simulation`] and all that follows
+/// from it) change them where the rate passes zero and where the force breaks the joint away, the earliest first if several joints are
+/// about to; they end a step there, so that rules keep their order, and rules that remember motions begin anew. A run finds
+/// the modes of its start from its rates; where rates are set by hand they follow from these. Steps of a [`Stepper`] of one's own change no
+/// mode, and are refused where a joint has come to move against that in which a run has left it: [`DryFriction`] is the smooth law for these.
+///
+/// Any joint with one coordinate can have such friction, in the plane and in space, and a spring, damper or law beside it. Runs over numbers
+/// with derivatives, and over lanes, are refused: changes of mode have none of these. So are equilibria and modes of vibration, for a joint
+/// that sticks rests anywhere within what friction holds, and mechanisms that come to rest with more such joints than they have freedoms: what
+/// each of them bears is not determined.
+///
+/// Under error control, steps in which a joint sticks are looked at in their middle, closer where friction changes by more than a tenth of that
+/// at which the joint breaks away, and then grow no further. A load that comes and goes between two looks while all is at rest is not seen:
+/// [`longest_step`] is for such loads, and for fixed steps their ends are what is looked at.
+///
+/// ```
+/// use catena::planar::*;
+/// // A block of 2 kg on a plane, thrown at 3 m/s: it slides 0.9 m, and stays.
+/// let block = RigidBody::new(2.0, 0.1, [0.0; 2], [0.0; 2]);
+/// let track = Coulomb::new(Slider::along(0.0), 10.0).breaking_away(12.0); // (N)
+/// let scene = System::new(Clamped::origin(), (track, block), Free)?;
+/// let start = scene.with_rates(scene.motion(), &[3.0])?;
+/// let end = scene.simulation(Dop853::tolerance(1e-9)).run(start, 2.0, |_| ())?.motion;
+/// assert!((end.coordinates()[0] - 0.9_f64).abs() < 1e-12);
+/// assert_eq!(end.rates(), [0.0]);
+/// # Ok::<(), catena::Error>(())
+/// ```
+///
+/// [`simulation`]: crate::system::System::simulation
+/// [`longest_step`]: crate::simulate::Simulation::longest_step
+/// [`Stepper`]: crate::simulate::Stepper
+/// [`DryFriction`]: crate::planar::DryFriction
+pub type Coulomb<J, T, L = Absent> = Guarded<J, Friction<T>, L>;
+
+/// Friction while a joint slips, and at which it breaks away (N·m, N).
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Friction<T> {
+    sliding: T,
+    breaking: T,
+}
+
+impl<J, T: Scalar> Guarded<J, Friction<T>> {
+    /// A joint with friction (N·m, N).
+    pub fn new(joint: J, sliding: T) -> Self {
+        Self { joint, guard: Friction { sliding, breaking: sliding }, law: Absent }
+    }
+}
+
+impl<J, T: Scalar, L> Guarded<J, Friction<T>, L> {
+    /// That breaks away at another force (N·m, N), which is no smaller.
+    #[must_use]
+    pub fn breaking_away(self, breaking: T) -> Self {
+        Self { guard: Friction { breaking, ..self.guard }, ..self }
+    }
+}
+
+lift!(Friction { sliding, breaking });
+
+impl<T: Scalar> Guard<T> for Friction<T> {
+    const KIND: &'static str = "Coulomb";
+    const START: Mode = Mode::Sticks;
+
+    fn resists(&self, mode: Mode) -> T {
+        mode.sign::<T>() * self.sliding
+    }
+    fn trial(&self) -> T {
+        self.breaking
+    }
+    fn free(&self, _: T) -> [T; 3] {
+        [T::zero(); 3]
+    }
+    fn held(&self, _: Mode, [free, tried]: [T; 2]) -> [T; 3] {
+        let share = free / (free - tried);
+        [share, share * self.breaking, T::zero()]
+    }
+    fn check(&self) -> Result<(), Fault> {
+        positive("friction", self.sliding)?;
+        positive("friction at which a joint breaks away", self.breaking)?;
+        let (value, least) = (self.breaking.real().as_f64(), self.sliding.real().as_f64());
+        let (most, parameter) = (f64::INFINITY, "friction at which a joint breaks away");
+        let outside = "a joint would stick and slip at once";
+        if value >= least { Ok(()) } else { Err(Fault::OutOfRange { parameter, value, least, most, outside }) }
+    }
+}

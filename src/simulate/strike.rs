@@ -1,0 +1,200 @@
+//! Shocks in a run: joints that strike their stops, and what that does to all rates.
+
+use super::drive::Running;
+use super::switch::{inconsistent, touched};
+use super::{EventFunction, Now};
+use crate::element::{Element, Loading, RealOf, Space};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::mirror::{Mode, Position, Rate};
+use crate::scalar::{Real, Scalar};
+use crate::stepper::Stepper;
+use crate::system::{Dynamics, MotionOf, RateOf, Runs, System};
+use num_traits::{One, Zero};
+
+/// Blows at one instant after which stops give nothing back, and before it is clear that they do not end.
+const BLOWS: [usize; 2] = [256, 10_000];
+/// Up to so many roundings of the largest rate before a shock, and what touches once a second, the rate of a joint at its stop is none.
+const ROUNDINGS: f64 = 64.0;
+
+/// A joint that strikes: its number, its rate, and the share of that which it gets back.
+struct Blow {
+    joint: usize,
+    rate: f64,
+    restitution: f64,
+}
+
+impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
+where
+    S: Space,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    L: Loading<S>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>,
+    K: Stepper<&'a System<S, R, C, P>, L>,
+    E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
+    O: FnMut(&Now<'_, S, R, C, P, L>),
+{
+    /// Changes rates until no joint that touches its stop moves into it, and finds the modes that follow. Joints that strike at one instant do so
+    /// one after another, the fastest first. No finite force bears a shock, so that what sticks or rests moves meanwhile.
+    pub(super) fn strike(&mut self) -> Result<(), Error> {
+        let (system, loads) = (self.plan.system, self.plan.loads);
+        let (mut workspace, next) = (Dynamics::<L>::workspace(system), &mut self.next);
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, _| *mode = mode.moving());
+        let mut largest = 0.0_f64;
+        next.rate.visit(&mut |rate| largest = largest.max(rate.real().as_f64().abs()));
+        system.accelerate(next, loads, &mut workspace)?;
+        self.stand()?;
+        let rounding = largest * RealOf::<S>::EPSILON.as_f64() * ROUNDINGS;
+        let still = rounding.max(Mode::touch::<RealOf<S>>().as_f64());
+        for count in 0..BLOWS[1] {
+            let next = &mut self.next;
+            system.accelerate(next, loads, &mut workspace)?;
+            let Some(mut blow) = fastest::<S, R, C, P>(next, still) else {
+                next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| {
+                    if *mode != Mode::Swings {
+                        *mode = Mode::of(*rate);
+                    }
+                });
+                self.settle_modes(None)?;
+                return self.end_rebounds();
+            };
+            if count >= BLOWS[0] {
+                blow.restitution = 0.0;
+            }
+            self.give(&blow)?;
+        }
+        let (joint, time) = (0, self.next.time);
+        Err(inconsistent(joint, time))
+    }
+
+    /// Puts joints that touch a stop where that is.
+    ///
+    /// # Errors
+    /// [`Fault::OutOfRange`] for a joint beyond its stop.
+    fn stand(&mut self) -> Result<(), Error> {
+        let (motion, touch) = (&mut self.next, Mode::touch::<RealOf<S>>().as_f64());
+        let (mut step, mut beyond) = (motion.rate.clone(), None);
+        step.replace(&mut |_| S::Scalar::zero());
+        motion.position.each_mode(&mut step, &motion.acceleration, &mut |mode, step, told| {
+            if touched(*mode, told.guard).is_some() {
+                *step = told.apart;
+                if told.guard.real().as_f64().abs() - 1.0 > touch {
+                    beyond = Some(told.apart.real().as_f64().abs());
+                }
+            }
+        });
+        if let Some(value) = beyond {
+            let (parameter, outside) = ("distance of a joint beyond its hard stop", "a hard stop does not yield");
+            let fault = Fault::OutOfRange { parameter, value, least: 0.0, most: 0.0, outside };
+            return Err(Error::new(fault).at_time(motion.time.as_f64()));
+        }
+        motion.position.displace(&step);
+        Ok(())
+    }
+
+    /// Ends rebounds that rise no higher than what touches, now that it is known what rests and by how much others are pressed.
+    fn end_rebounds(&mut self) -> Result<(), Error> {
+        let mut joint = 0;
+        for _ in 0..BLOWS[1] {
+            let Some(blow) = lowest::<S, R, C, P>(&mut self.next) else { return Ok(()) };
+            joint = blow.joint;
+            self.give(&blow)?;
+            self.settle_modes(None)?;
+        }
+        Err(inconsistent(joint, self.next.time))
+    }
+
+    /// Changes all rates by a blow.
+    fn give(&mut self, blow: &Blow) -> Result<(), Error> {
+        let response = self.response(blow.joint)?;
+        let (next, change) = (&mut self.next, -(1.0 + blow.restitution) * blow.rate);
+        let before = next.rate.clone();
+        next.rate.mix_1(&before, (RealOf::<S>::of(change), &response));
+        let (after, mut count) = (S::Scalar::literal(-blow.restitution * blow.rate), 0);
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |_, rate, _| {
+            if count == blow.joint {
+                *rate = after; // but for rounding it is
+            }
+            count += 1;
+        });
+        Ok(())
+    }
+
+    /// By how much all rates change where that of a joint with modes changes by one: the difference of two sweeps in which its
+    /// acceleration is given.
+    fn response(&self, joint: usize) -> Result<RateOf<S, R, C>, Error> {
+        let (system, loads) = (self.plan.system, self.plan.loads);
+        let mut workspace = Dynamics::<L>::workspace(system);
+        let mut under = |given: Mode| {
+            let (mut motion, mut count) = (self.next.clone(), 0);
+            motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, _| {
+                if count == joint {
+                    // What moves is not locked; that its rate is zero here changes both sweeps alike.
+                    (*mode, *rate) = (given, S::Scalar::zero());
+                }
+                count += 1;
+            });
+            system.accelerate(&mut motion, loads, &mut workspace)?;
+            Ok::<_, Error>(motion.acceleration)
+        };
+        let (one, struck, still) = (RealOf::<S>::one(), under(Mode::Struck)?, under(Mode::RestsBelow)?);
+        let mut response = struck.clone();
+        response.mix_1(&struck, (-one, &still));
+        Ok(response)
+    }
+}
+
+/// The joint that moves into its stop fastest. What is `still` at its stop is put to rest.
+fn fastest<S, R, C, P>(motion: &mut MotionOf<S, R, C, P>, still: f64) -> Option<Blow>
+where
+    S: Space,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+{
+    let touch = Mode::touch::<RealOf<S>>().as_f64();
+    let (mut worst, mut blow, mut count) = (0.0, None, 0);
+    motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
+        let joint = count;
+        count += 1;
+        let Some(side) = touched(*mode, told.guard) else { return };
+        let speed = side * rate.real().as_f64();
+        if speed.abs() <= still {
+            *rate = S::Scalar::zero();
+        } else if speed > worst {
+            let share = told.answer.real().as_f64();
+            let rises = !is_low(share * speed, side * told.rate.real().as_f64(), touch);
+            let restitution = if rises { share } else { 0.0 };
+            (worst, blow) = (speed, Some(Blow { joint, rate: rate.real().as_f64(), restitution }));
+        }
+    });
+    blow
+}
+
+/// A joint whose rebound rises no higher than what touches, with the blow that ends it.
+fn lowest<S, R, C, P>(motion: &mut MotionOf<S, R, C, P>) -> Option<Blow>
+where
+    S: Space,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+{
+    let touch = Mode::touch::<RealOf<S>>().as_f64();
+    let (mut blow, mut count) = (None, 0);
+    motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
+        let (joint, rate) = (count, rate.real().as_f64());
+        count += 1;
+        let Some(side) = touched(*mode, told.guard) else { return };
+        if side * rate < 0.0 && is_low(rate, side * told.rate.real().as_f64(), touch) {
+            blow = Some(Blow { joint, rate, restitution: 0.0 });
+        }
+    });
+    blow
+}
+
+/// Whether a rebound at this rate, pressed back by this acceleration, rises no higher than that.
+fn is_low(rate: f64, pressed: f64, height: f64) -> bool {
+    0.5 * rate * rate <= pressed.max(0.0) * height
+}
