@@ -1,6 +1,7 @@
 //! Loops, networks and trees.
 
 mod andrews;
+mod arms_in_arrays;
 mod assembly;
 mod assembly_held;
 mod bennett;
