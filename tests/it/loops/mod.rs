@@ -6,6 +6,7 @@ mod assembly;
 mod assembly_held;
 mod bennett;
 mod between_steps;
+mod half_turns;
 mod ladders;
 mod numbers;
 mod plane;
