@@ -103,7 +103,7 @@ impl<G, A> Clamped<G, A> {
         let AttitudeMotion { attitude, spin, acceleration } = self.attitude.at(T::Real::zero());
         let mut numbers = attitude.quaternion().into_iter().chain(spin).chain(acceleration);
         let fault = Error::new(Fault::NotFinite { parameter: "attitude of the ground" });
-        if numbers.all(Scalar::is_finite) { Ok(()) } else { Err(fault) }
+        if numbers.all(Scalar::is_finite) { attitude.check().map_err(Error::new) } else { Err(fault) }
     }
 }
 
