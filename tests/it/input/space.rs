@@ -160,7 +160,7 @@ fn quaternions_and_axes_are_of_any_length() -> Result<(), Error> {
         let [w, x, ..] = Rotation::from_quaternion([tiny, tiny, 0.0, 0.0])?.quaternion().map(f64::from);
         near(w.hypot(x), 1.0, 1e-6);
     }
-    for size in [1e-200, 1e200] {
+    for size in [1e-200_f64, 1e200] {
         let [w, x, ..] = Rotation::from_quaternion([size, size, 0.0, 0.0])?.quaternion();
         near(w.hypot(x), 1.0, 1e-15);
         let turning = System::new(Hinged::at([0.0; 3], [size, 0.0, size]), rod(), Free)?;
