@@ -188,36 +188,56 @@ impl<R: Real> Factors<R> {
     }
 }
 
+/// How much of a row must be left, as a share of what it was, where it is a condition of its own.
+const OWN: f64 = 1e-7;
+/// Rows shorter than so many roundings of the longest are rounding.
+const ROUNDINGS: f64 = 1e3;
+
 /// The directions in which a few linear conditions let coordinates move: an orthonormal basis of the null space of their rows,
 /// kept as the reflections that lead to it, so that it costs nothing where there are no conditions.
 #[derive(Debug)]
 pub(crate) struct Tangent<R> {
     freedoms: usize,
+    redundant: bool,
     /// Unit normals of Householder's reflections.
     normals: Vec<Vec<R>>,
 }
 
 impl<R: Real> Tangent<R> {
-    /// The null space of rows over so many coordinates.
+    /// The null space of rows over so many coordinates, of which some may follow from others.
     pub fn of(freedoms: usize, rows: Vec<Vec<R>>) -> Self {
-        let mut tangent = Self { freedoms, normals: vec![] };
-        for mut normal in rows {
-            tangent.reflect(&mut normal, false);
+        let mut tangent = Self { freedoms, redundant: false, normals: vec![] };
+        let conditions = rows.len();
+        let own = R::of(OWN).max(R::EPSILON.sqrt());
+        let longest = rows.iter().fold(R::zero(), |most, row| most.max(length(row)));
+        let mut waiting: Vec<(R, Vec<R>)> = rows.into_iter().map(|row| (length(&row), row)).collect();
+        // Linkages of the plane are held across it by conditions that say nothing, but for rounding.
+        waiting.retain(|(whole, _)| *whole > longest * R::EPSILON * R::of(ROUNDINGS));
+        loop {
+            // Of which most is left, first.
             let k = tangent.normals.len();
-            if k >= freedoms {
-                break;
-            }
+            let left = waiting.iter().map(|(whole, row)| length(row.get(k..).unwrap_or(&[])) / *whole).enumerate();
+            let most =
+                left.filter(|(_, share)| *share > own).reduce(|most, next| if next.1 > most.1 { next } else { most });
+            let Some((at, _)) = most else { break };
+            let (_, mut normal) = waiting.remove(at);
             normal[..k].fill(R::zero());
-            let length = |v: &[R]| v.iter().fold(R::zero(), |sum, x| sum + *x * *x).sqrt();
             let whole = length(&normal);
             // Away from zero, so that no digits cancel.
             let sign = if normal[k] < R::zero() { -whole } else { whole };
             normal[k] += sign;
             let inverse = length(&normal).recip();
             normal.iter_mut().for_each(|x| *x *= inverse);
+            waiting.iter_mut().for_each(|(_, row)| mirror(&normal, row));
             tangent.normals.push(normal);
         }
+        tangent.redundant = tangent.normals.len() < conditions;
         tangent
+    }
+
+    /// Whether conditions follow from others.
+    pub fn is_redundant(&self) -> bool {
+        self.redundant
     }
 
     /// Number of coordinates.
@@ -234,11 +254,7 @@ impl<R: Real> Tangent<R> {
     fn reflect<T: Scalar<Real = R>>(&self, vector: &mut [T], backward: bool) {
         let n = self.normals.len();
         for k in 0..n {
-            let normal = &self.normals[if backward { n - 1 - k } else { k }];
-            let along = normal.iter().zip(&*vector).fold(T::zero(), |sum, (a, x)| sum.add_scaled(*a, *x));
-            for (x, a) in vector.iter_mut().zip(normal) {
-                *x = x.add_scaled(-*a - *a, along);
-            }
+            mirror(&self.normals[if backward { n - 1 - k } else { k }], vector);
         }
     }
 
@@ -275,6 +291,18 @@ impl<R: Real> Tangent<R> {
     }
 }
 
+/// A vector mirrored at the plane across a unit normal.
+fn mirror<T: Scalar>(normal: &[T::Real], vector: &mut [T]) {
+    let along = normal.iter().zip(&*vector).fold(T::zero(), |sum, (a, x)| sum.add_scaled(*a, *x));
+    for (x, a) in vector.iter_mut().zip(normal) {
+        *x = x.add_scaled(-*a - *a, along);
+    }
+}
+
+fn length<R: Real>(vector: &[R]) -> R {
+    vector.iter().fold(R::zero(), |sum, x| sum + *x * *x).sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -306,6 +334,21 @@ mod tests {
             }
             let back = tangent.components(&vector);
             assert!(back.iter().zip(unit).all(|(a, b)| (a - b).abs() < 1e-14), "{back:?}");
+        }
+    }
+
+    #[test]
+    fn conditions_that_follow_from_others_take_no_direction() {
+        let [one, other] = [vec![1.0, 2.0, -1.0, 0.5], vec![0.0, 1.0, 1.0, 3.0]];
+        let sum: Vec<f64> = one.iter().zip(&other).map(|(a, b)| 0.3 * a + 0.1 * b).collect();
+        let rows = vec![vec![0.0; 4], one.clone(), vec![1e-17, -2e-17, 0.0, 1e-17], sum, other.clone()];
+        let tangent = Tangent::of(4, rows);
+        assert_eq!(tangent.dimension(), 2);
+        for unit in [[1.0, 0.0], [0.0, 1.0]] {
+            let vector = tangent.vector(&unit);
+            for row in [&one, &other] {
+                assert!(row.iter().zip(&vector).map(|(a, b)| a * b).sum::<f64>().abs() < 1e-14);
+            }
         }
     }
 

@@ -100,6 +100,8 @@ pub trait Element<S: Space>:
     /// Whether the orientations inside do not depend on what lies inboard: then bodies that follow each other in an array need
     /// not be turned one after the other.
     const ABSOLUTE: bool;
+    /// Whether the orientation handed on does not depend on what lies inboard.
+    const TURNS_ANEW: bool = false;
 
     /// The orientation handed on: that of the inboard end, unless a joint inside turns it.
     #[inline(always)]

@@ -86,7 +86,7 @@ impl Mode {
 }
 
 impl Modes {
-    /// Number of modes: coordinates less conditions of closures.
+    /// Number of modes: coordinates less independent conditions of closures.
     pub fn len(&self) -> usize {
         self.modes.len()
     }

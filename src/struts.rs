@@ -96,23 +96,30 @@ impl<T: Scalar, const D: usize> Strut<T, D> {
 
     /// Energy stored (J), for the places of its ends (m).
     pub fn energy(&self, from: SVector<T, D>, to: SVector<T, D>) -> T {
-        let stretch = norm(to - from) - self.length;
-        (self.stiffness * stretch * stretch).scale(crate::scalar::Real::of(0.5))
+        let (apart, half) = (to - from, crate::scalar::Real::of(0.5));
+        if is_absent(self.length) {
+            return (self.stiffness * dot(apart, apart)).scale(half);
+        }
+        let stretch = norm(apart) - self.length;
+        (self.stiffness * stretch * stretch).scale(half)
     }
 
     /// Force (N) on the strut's first end, for place and velocity of both.
     fn force(&self, [from, to]: [[SVector<T, D>; 2]; 2]) -> SVector<T, D> {
         let (apart, parting) = (to[0] - from[0], to[1] - from[1]);
-        let none = T::zero();
         // A spring without length and a damper that is not there have no need of a direction: their ends may meet.
-        let slack = self.length.real() != none.real();
-        if !slack && self.damping.real() == none.real() {
+        if is_absent(self.length) && is_absent(self.damping) {
             return apart * self.stiffness;
         }
         let direction = apart * norm(apart).recip();
         let stretch = norm(apart) - self.length;
         direction * self.damping.mul_add(dot(direction, parting), self.stiffness * stretch)
     }
+}
+
+/// Whether a parameter is zero, and all its derivatives: one that is zero where something is differentiated by it acts.
+fn is_absent<T: Scalar>(x: T) -> bool {
+    x.is_identical(T::zero())
 }
 
 fn dot<T: Scalar, const D: usize>(a: SVector<T, D>, b: SVector<T, D>) -> T {
@@ -227,7 +234,7 @@ where
         for Strut { ends, stiffness, damping, length } in &self.struts {
             not_negative("stiffness of a strut", *stiffness)?;
             not_negative("damping of a strut", *damping)?;
-            finite("length of a strut", &[*length])?;
+            not_negative("length of a strut", *length)?;
             for End::Body(_, at) | End::Ground(at) in ends {
                 finite("end of a strut", at)?;
             }

@@ -74,7 +74,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     type Position = A::Position;
     type Rate = A::Rate;
 
-    const ABSOLUTE: bool = A::ABSOLUTE;
+    const ABSOLUTE: bool = A::ABSOLUTE; // and what follows is turned from where the arm begins
 
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         mass + self.0.lump(S::Scalar::zero())

@@ -82,6 +82,11 @@ macro_rules! chain_items {
             type Rate = $Of<A::Rate $($extra)*>;
 
             const ABSOLUTE: bool = A::ABSOLUTE;
+            const TURNS_ANEW: bool = {
+                let $A = Some(1);
+                let length: Option<usize> = $length;
+                A::TURNS_ANEW && matches!(length, Some(1..)) // none, as a vector may have, turn nothing
+            };
 
             fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
                 self.iter_mut().rev().fold(mass, |mass, item| item.lump(mass))

@@ -94,6 +94,7 @@ impl<S: Space, E: Element<S>> Element<S> for Named<E> {
     type Rate = E::Rate;
 
     const ABSOLUTE: bool = E::ABSOLUTE;
+    const TURNS_ANEW: bool = E::TURNS_ANEW;
 
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         self.item.lump(mass)

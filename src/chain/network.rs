@@ -134,6 +134,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
     type Rate = Tied<(M::Rate, A::Rate), S::Numbers>;
 
     const ABSOLUTE: bool = M::ABSOLUTE && A::ABSOLUTE;
+    const TURNS_ANEW: bool = M::TURNS_ANEW;
 
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         self.arms.0.lump(mass) + self.arms.1.lump(num_traits::Zero::zero())

@@ -25,7 +25,7 @@ pub(super) fn turned_by_items<S: Space, A: Element<S>>(
     rate: &[A::Rate],
     turn: S::Turn,
 ) -> S::Turn {
-    let from = if A::ABSOLUTE { items.len().saturating_sub(1) } else { 0 };
+    let from = if A::TURNS_ANEW { items.len().saturating_sub(1) } else { 0 };
     let items = items.iter().zip(position).zip(rate).skip(from);
     items.fold(turn, |turn, ((item, position), rate)| item.turned(position, rate, turn))
 }

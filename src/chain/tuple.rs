@@ -5,13 +5,6 @@ use crate::element::{Condense, Element, Given, Posture, Reading, Space, Sweep};
 use crate::shape::{Field, Inward, Kept, Member, Nth, Of, Outward, PerAxes, Shape, Slot};
 use crate::tuples::for_each_tuple;
 
-/// The first of a list.
-macro_rules! first {
-    ($first:expr, $($rest:expr,)*) => {
-        $first
-    };
-}
-
 /// Where the items of a tuple are: a macro cannot repeat all items for each item, so they are passed on as one list.
 macro_rules! members {
     ($all:tt $($A:ident $i:tt)*) => {
@@ -91,7 +84,14 @@ macro_rules! chain_of {
             type Position = ($($A::Position,)*);
             type Rate = ($($A::Rate,)*);
 
-            const ABSOLUTE: bool = first!($($A::ABSOLUTE,)*);
+            // Of what follows an item that turns anew, nothing depends on what lies inboard of the tuple.
+            const ABSOLUTE: bool = {
+                let (absolute, anew) = (true, false);
+                $(let (absolute, anew) = (absolute && (anew || $A::ABSOLUTE), anew || $A::TURNS_ANEW);)*
+                let _ = anew;
+                absolute
+            };
+            const TURNS_ANEW: bool = false $(|| $A::TURNS_ANEW)*;
 
             fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
                 $(let mass = self.$j.lump(mass);)*

@@ -78,6 +78,7 @@ macro_rules! compound {
                 type Position = <$Parts as $crate::internals::element::Element<Spaced>>::Position;
                 type Rate = <$Parts as $crate::internals::element::Element<Spaced>>::Rate;
                 const ABSOLUTE: bool = <$Parts as $crate::internals::element::Element<Spaced>>::ABSOLUTE;
+                const TURNS_ANEW: bool = <$Parts as $crate::internals::element::Element<Spaced>>::TURNS_ANEW;
 
                 fn lump(&mut self, mass: Spaced::Scalar) -> Spaced::Scalar {
                     $crate::internals::element::Element::<Spaced>::lump(&mut self.$parts, mass)

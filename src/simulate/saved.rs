@@ -74,7 +74,8 @@ impl<R: Real> Progress<R> {
         if let Control::Fixed(dt) = control {
             // A last step may have been cut to its end.
             let missed = mark.0 + dt * count(mark.1) - time;
-            if *size != dt || missed.abs() > dt * R::of(1e6) * R::EPSILON {
+            let rounding = (R::of(1e6) * R::EPSILON).min(R::of(1e-3));
+            if *size != dt || missed.abs() > dt * rounding {
                 (*mark, *size) = ((time, 0), dt);
             }
         }
@@ -268,5 +269,23 @@ where
         }
         let (sweeps, Progress { steps, rejected, .. }) = (self.sweeps(), self.progress);
         Ok(Run { motion: self.past, steps, rejected, sweeps })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A last step cut to 0.095 s is no step of 0.1 s but for rounding, in any number.
+    #[test]
+    fn a_run_that_goes_on_after_a_shorter_last_step_counts_from_there() {
+        fn mark<R: Real>() -> (f64, usize) {
+            let [dt, time] = [0.1, 0.995].map(R::of);
+            let mut progress = Progress { mark: (R::zero(), 10), ..Progress::at(R::zero(), dt) };
+            assert_eq!(progress.fit(time, Control::Fixed(dt), None), Ok(()));
+            (progress.mark.0.as_f64(), progress.mark.1)
+        }
+        assert_eq!(mark::<f64>(), (0.995, 0));
+        assert_eq!(mark::<f32>(), (f64::from(0.995_f32), 0));
     }
 }

@@ -316,5 +316,6 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
 
     fn restore(&mut self, memory: &Self::Memory) {
         self.memory.clone_from(memory);
+        self.memory.forgive();
     }
 }

@@ -1,6 +1,6 @@
 //! A scene linearised about a position: what statics and modes share.
 
-use super::{MotionOf, PositionOf, RateOf, Runs, StiffDynamics, System, coordinates};
+use super::{Dynamics, MotionOf, PositionOf, RateOf, Runs, StiffDynamics, System, coordinates};
 use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, Implicit, Loading, Reading, RealOf, Space};
 use crate::ends::{Root, Tip};
@@ -217,7 +217,10 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let tangent = self.tangent(still, freedoms);
         let (mut direction, mut acceleration) = (still.rate.clone(), still.rate.clone());
         let mut place: PositionOf<S, R, C> = still.position.clone();
-        let mut responses = [(); 2].map(|()| Matrix::zeros(freedoms, freedoms));
+        // Conditions that follow from others do so where all are met: there displacements have to stay, and go along the directions left open.
+        let narrow = tangent.is_redundant();
+        let count = if narrow { tangent.dimension() } else { freedoms };
+        let mut responses = [(); 2].map(|()| Matrix::zeros(freedoms, count));
         let mut root = Matrix::zeros(0, freedoms);
         let mut changes = [(); 2].map(|()| vec![none; freedoms]);
         // Springs as in an explicit sweep, but apart from the rest: they may be so stiff that the error of a difference in
@@ -230,12 +233,20 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 root = Matrix::zeros(column.len(), freedoms);
             }
             root.set_column(j, &column);
+        }
+        for j in 0..count {
+            let along: Vec<RealOf<S>> = unit(count, j).collect();
+            let along = if narrow { tangent.vector(&along) } else { along };
+            set(&mut direction, along.into_iter().map(S::Scalar::constant));
             changes.iter_mut().for_each(|change| change.fill(none));
             for (steps, weight) in DIFFERENCES {
                 for sign in [1.0, -1.0] {
                     let reach = step * RealOf::<S>::of(sign * steps);
                     place.drift_0(&still.position, (reach, &direction));
                     place.set_clocks(still.time);
+                    if narrow {
+                        self.lead_back(&mut place, still, loads);
+                    }
                     let (here, there) = ((&still.position, &still.rate), (&place, &still.rate));
                     let weight = RealOf::<S>::of(sign * weight) / step;
                     for ((at, spring), change) in [(there, here), (here, there)].into_iter().zip(&mut changes) {
@@ -256,8 +267,24 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 response.set_column(j, change);
             }
         }
-        let [others, springs] = responses.map(|response| tangent.reduce(&response));
+        let reduced = |response: Matrix<_>| match narrow {
+            true => tangent.restrict(&response.transposed()).transposed(),
+            false => tangent.reduce(&response),
+        };
+        let [others, springs] = responses.map(reduced);
         Linear { root: tangent.restrict(&root), response: others.plus(RealOf::<S>::one(), &springs), tangent }
+    }
+
+    /// Closes loops at a place near that of a motion at rest; where that fails it stays, and what is found there is no number or far off.
+    fn lead_back<L: Loading<S>>(&self, place: &mut PositionOf<S, R, C>, still: &MotionOf<S, R, C, P>, loads: &L)
+    where
+        Self: Runs<L, S, R, C, P>,
+    {
+        let mut near = still.clone();
+        core::mem::swap(&mut near.position, place);
+        if self.hold(&mut near, loads, &mut self.workspace()).is_ok() {
+            core::mem::swap(&mut near.position, place);
+        }
     }
 }
 

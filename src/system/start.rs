@@ -67,15 +67,18 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
             absolute
         });
         feed.check("joint angle")?;
-        // A relative coordinate was found as a difference of absolute angles: the number given has the digits lost there.
+        // A relative coordinate was found as a difference of absolute angles: the number given has the digits lost there. An absolute one
+        // may be that number, too, and has derivatives by those inboard: of the miss a large number swallows the value, in each lane, alone.
         let lost = largest * T::Real::EPSILON * T::Real::of(4.0);
+        let large = T::constant(largest * T::Real::of(64.0));
         let mut feed = Feed::of(angles);
         motion.position.replace(&mut |x| {
             if !x.real().is_finite() {
                 return T::zero();
             }
             let angle = feed.next();
-            if (x - angle).real().abs() <= lost { angle } else { x }
+            let miss = x - angle;
+            if miss.real().abs() <= lost { angle + ((miss + large) - large) } else { x }
         });
         Ok(motion)
     }

@@ -200,3 +200,18 @@ fn angles_go_in_and_come_out() {
         near(angles[1], turned, 1e-7);
     }
 }
+
+/// Angles of numbers that round coarsely, where two of them turn about the same axis.
+#[test]
+fn angles_of_single_precision_give_the_attitude_back() {
+    use core::f32::consts::FRAC_PI_2;
+    for second in [FRAC_PI_2, -FRAC_PI_2, 1.5] {
+        for (first, third) in [(0.3, 0.0), (2.0, -1.0), (0.3, 1.1_f32)] {
+            let attitude = Rotation::from_angles([first, second, third]);
+            for angles in [attitude.angles(), attitude.angles_near([first, second, third])] {
+                let [_, miss @ ..] = attitude.relative_to(&Rotation::from_angles(angles)).shortest().quaternion();
+                assert!(miss.iter().all(|x| x.abs() < 1e-5), "{first} {second} {third}: {angles:?}, {miss:?}");
+            }
+        }
+    }
+}

@@ -261,6 +261,7 @@ macro_rules! joint {
             type Position = <Self as Joint<T>>::Position;
             type Rate = <Self as Joint<T>>::Rate;
             const ABSOLUTE: bool = <Self as Joint<T>>::ABSOLUTE;
+            const TURNS_ANEW: bool = <Self as Joint<T>>::ABSOLUTE;
 
             fn lump(&mut self, mass: T) -> T {
                 Joint::lump(self, mass)

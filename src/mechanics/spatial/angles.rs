@@ -9,7 +9,7 @@ use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
 use num_traits::Zero;
 
-/// cos θ₂ below which an attitude counts as singular.
+/// cos θ₂ below which an attitude counts as singular, or 16 roundings of its numbers.
 const SINGULAR: f64 = 1e-8;
 
 impl<T: Scalar> Rotation<T> {
@@ -54,7 +54,8 @@ impl<T: Scalar> Rotation<T> {
 /// cos θ₂, and the angles where it vanishes, for a choice of θ₃.
 fn singular<T: Scalar>(a: &Columns<T>, third: T) -> (T, Option<[T; 3]>) {
     let square = a.x.x * a.x.x + a.x.y * a.x.y;
-    if square.real().as_f64() >= SINGULAR * SINGULAR {
+    let least = T::Real::of(SINGULAR).max(T::Real::EPSILON * T::Real::of(16.0));
+    if square.real() >= least * least {
         return (square.sqrt(), None);
     }
     // Written without the cosine, which has no derivative here.

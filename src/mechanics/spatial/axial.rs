@@ -96,9 +96,16 @@ pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
 
 /// A direction with length one; one without length stays so, for [`check_axis`] to find.
 pub(super) fn unit<T: Scalar>(axis: [T; 3]) -> Vector3<T> {
-    let axis = Vector3::from(axis);
+    let axis = Vector3::from(squarable(axis));
     let square = dot(axis, axis);
     if square.real() > T::Real::zero() { axis * square.sqrt().recip() } else { axis * T::zero() }
+}
+
+/// A list of numbers of which squares have all their digits: divided by the largest, where that is so large or so small that they might not.
+pub(super) fn squarable<T: Scalar, const N: usize>(list: [T; N]) -> [T; N] {
+    let largest = list.iter().fold(T::Real::zero(), |most, x| most.max(x.real().abs()));
+    let extreme = largest.is_finite() && largest > T::Real::zero() && !(1e-12..=1e12).contains(&largest.as_f64());
+    if extreme { list.map(|x| x / T::constant(largest)) } else { list }
 }
 
 /// Rejects directions that are none.

@@ -236,6 +236,7 @@ macro_rules! joint {
             type Position = <Self as Joint<T>>::Position;
             type Rate = <Self as Joint<T>>::Rate;
             const ABSOLUTE: bool = $absolute;
+            const TURNS_ANEW: bool = $absolute;
 
             fn lump(&mut self, mass: T) -> T {
                 Joint::lump(self, mass)

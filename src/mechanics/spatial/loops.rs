@@ -1,5 +1,6 @@
 //! Joints that close loops in space.
 
+use super::away::{tilted_away, turned_away};
 use super::ends::Compliance;
 use super::{Ball, BodyMotion, Drive, Frame, Internal, Joint, JointMotion, Revolute, RigidBody, Spatial, Turn, Weld};
 use crate::chain::{Branch, CloseOff, Closing, Ends, LeastNorm, Network};
@@ -120,10 +121,8 @@ impl<T: Scalar> Closing<Spatial<T>> for Weld<T> {
     }
     fn residual(&self, side: &Frame<T>, main: &Frame<T>) -> [[T; 6]; 2] {
         let (place, velocity) = (side.place - main.place, side.velocity - main.velocity);
-        // For a small turn δ of the body's axes against those demanded, Σ d_k × (d_k + δ × d_k) = 2 δ.
         let (own, held) = (side.turn.attitude.times(self.attitude()), main.turn.attitude);
-        let twice = cross(held.x, own.x) + cross(held.y, own.y) + cross(held.z, own.z);
-        let (turn, spin) = (twice.map(|x| x.scale(T::Real::of(0.5))), side.turn.spin - main.turn.spin);
+        let (turn, spin) = (turned_away(&held, &own), side.turn.spin - main.turn.spin);
         [
             [place.x, place.y, place.z, turn.x, turn.y, turn.z],
             [velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z],
@@ -202,11 +201,8 @@ impl<T: Scalar> Closing<Spatial<T>> for Revolute<T> {
         let (place, velocity) = (side.place - main.place, side.velocity - main.velocity);
         let [e, f] = normals(self.axis()).map(|e| main.turn.attitude.apply(e));
         let (own, held) = (side.turn.attitude.apply(self.axis()), main.turn.attitude.apply(self.axis()));
-        let (tilt, spin) = (cross(held, own), side.turn.spin - main.turn.spin);
-        [
-            [place.x, place.y, place.z, dot(e, tilt), dot(f, tilt)],
-            [velocity.x, velocity.y, velocity.z, dot(e, spin), dot(f, spin)],
-        ]
+        let ([one, two], spin) = (tilted_away(held, own, [e, f]), side.turn.spin - main.turn.spin);
+        [[place.x, place.y, place.z, one, two], [velocity.x, velocity.y, velocity.z, dot(e, spin), dot(f, spin)]]
     }
     fn free_compliance(&self, body: &BodyMotion<T>) -> [T; 5] {
         let compliance = Compliance::of(body);

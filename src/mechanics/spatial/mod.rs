@@ -2,6 +2,7 @@
 
 mod adjoint;
 mod angles;
+mod away;
 mod axial;
 mod axial_motion;
 mod axial_walks;

@@ -13,6 +13,7 @@
 //! one root and no sine; a steady spin is an entire function in them. They end at half a turn in one step, where the root is not a
 //! number and the step is refused.
 
+use super::axial::{check_length, squarable};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Position, Term};
@@ -59,8 +60,9 @@ impl<T: Scalar> TryFrom<Quaternion<T>> for Rotation<T> {
 
     fn try_from(Quaternion([w, x, y, z]): Quaternion<T>) -> Result<Self, Error> {
         let v = Vector3::new(x, y, z);
-        super::axial::check_length("length of the quaternion", w * w + dot(v, v)).map_err(Error::new)?;
-        Ok(Self { w, v })
+        let read = Self { w, v };
+        read.check().map_err(Error::new)?;
+        Ok(read)
     }
 }
 
@@ -80,7 +82,8 @@ impl<T: Scalar> Rotation<T> {
     ///
     /// # Errors
     /// [`Fault::NotFinite`], or [`Fault::NotPositive`] for a quaternion without length.
-    pub fn from_quaternion([w, x, y, z]: [T; 4]) -> Result<Self, Error> {
+    pub fn from_quaternion(quaternion: [T; 4]) -> Result<Self, Error> {
+        let [w, x, y, z] = squarable(quaternion);
         let v = Vector3::new(x, y, z);
         let square = w * w + dot(v, v);
         if !square.is_finite() {
@@ -91,6 +94,11 @@ impl<T: Scalar> Rotation<T> {
         }
         let inverse = square.sqrt().recip();
         Ok(Self { w: w * inverse, v: v * inverse })
+    }
+
+    /// Refuses what is of another length than one, as matrices of few digits make it: it would stretch what is turned by it.
+    pub(super) fn check(&self) -> Result<(), Fault> {
+        check_length("length of the quaternion", self.w * self.w + dot(self.v, self.v))
     }
 
     /// The quaternion `[w, x, y, z]`, of length one.

@@ -168,6 +168,14 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
         self.wanted = (self.bridge == 1).then_some(size);
     }
 
+    /// Counts no trials that failed before the step that was written: who takes up what it has left goes on from its end, or makes it anew,
+    /// which is no failure.
+    pub(super) fn forgive(&mut self) {
+        if self.written {
+            self.failures = 0;
+        }
+    }
+
     /// Forgets all motions.
     pub(super) fn forget(&mut self) {
         (self.known, self.written) = (0, false);

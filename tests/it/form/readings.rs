@@ -61,6 +61,7 @@ impl<S: Space, E: Element<S>> Element<S> for Counting<E> {
     type Position = E::Position;
     type Rate = E::Rate;
     const ABSOLUTE: bool = E::ABSOLUTE;
+    const TURNS_ANEW: bool = E::TURNS_ANEW;
 
     fn bodies(&self) -> usize {
         VISITS.set(VISITS.get() + 1);

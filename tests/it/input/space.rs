@@ -4,6 +4,8 @@ use catena::spatial::*;
 use catena::system::Element;
 use catena::system::Runs;
 use catena::{Error, Fault, Place, Scalar};
+use catena_oracle::near;
+use nalgebra::Vector3;
 
 const NAN: f64 = f64::NAN;
 
@@ -148,6 +150,50 @@ fn quaternions_without_length_are_refused() {
     assert!(Rotation::from_quaternion([2.0, 0.0, 0.0, 0.0]).is_ok_and(|unit| unit == Rotation::identity()));
     assert!(Rotation::from_quaternion([0.0; 4]).is_err());
     assert!(Rotation::from_quaternion([NAN, 0.0, 0.0, 1.0]).is_err());
+    assert!(Rotation::from_quaternion([f64::INFINITY, 0.0, 0.0, 1.0]).is_err());
+}
+
+/// Squares of these are no numbers, or have lost digits.
+#[test]
+fn quaternions_and_axes_are_of_any_length() -> Result<(), Error> {
+    for tiny in [1e-22_f32, 1e22] {
+        let [w, x, ..] = Rotation::from_quaternion([tiny, tiny, 0.0, 0.0])?.quaternion().map(f64::from);
+        near(w.hypot(x), 1.0, 1e-6);
+    }
+    for size in [1e-200_f64, 1e200] {
+        let [w, x, ..] = Rotation::from_quaternion([size, size, 0.0, 0.0])?.quaternion();
+        near(w.hypot(x), 1.0, 1e-15);
+        let turning = System::new(Hinged::at([0.0; 3], [size, 0.0, size]), rod(), Free)?;
+        let unit = System::new(Hinged::at([0.0; 3], [1.0, 0.0, 1.0]), rod(), Free)?;
+        let [one, other] = [turning, unit].map(|scene| scene.with_gravity([0.0, -9.81, 0.0]));
+        let rate = |scene: &System<_, _, _, _>| {
+            scene.with_accelerations(scene.motion(), &Unloaded).map(|motion| motion.acceleration().0)
+        };
+        near(rate(&one)?, rate(&other)?, 1e-14);
+    }
+    Ok(())
+}
+
+/// A matrix of two digits would stretch the body that it turns, by a thousandth.
+#[test]
+fn attitudes_that_stretch_are_refused() {
+    let (cosine, sine) = (0.87, 0.5);
+    let columns = Columns {
+        x: Vector3::new(cosine, sine, 0.0),
+        y: Vector3::new(-sine, cosine, 0.0),
+        z: Vector3::new(0.0, 0.0, 1.0),
+    };
+    let rounded = Rotation::from_matrix(&columns);
+    let stretches = |fault: Option<Error>, place| {
+        let Some(Error { fault: Fault::OutOfRange { parameter, .. }, place: found, .. }) = fault else {
+            panic!("{fault:?}")
+        };
+        assert_eq!((parameter, found), ("length of the quaternion", Some(place)));
+    };
+    stretches(System::new(Clamped::at([0.0; 3], rounded), rod(), Free).err(), Place::Root);
+    stretches(System::new(Pinned::origin(), rod(), Clamped::at([0.0; 3], rounded)).err(), Place::Tip);
+    let hinged = Hinged::on(Clamped::at([0.0; 3], rounded), [0.0, 0.0, 1.0]);
+    stretches(System::new(hinged, rod(), Free).err(), Place::Root);
 }
 
 #[test]

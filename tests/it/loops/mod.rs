@@ -1,10 +1,12 @@
 //! Loops, networks and trees.
 
 mod andrews;
+mod arms_in_arrays;
 mod assembly;
 mod assembly_held;
 mod bennett;
 mod between_steps;
+mod half_turns;
 mod ladders;
 mod numbers;
 mod plane;

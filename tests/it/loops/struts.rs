@@ -124,6 +124,7 @@ fn a_strut_on_no_body_is_refused_and_stiffness_has_a_derivative() -> Result<(), 
         strut.with_stiffness(-1.0),
         strut.with_damping(f64::NAN),
         strut.with_length(f64::INFINITY),
+        strut.with_length(-0.5),
         Strut::to_ground((0, [f64::NAN, 0.0]), [2.0, 0.0]),
         strut.with_damping(-1.0),
     ] {
@@ -143,5 +144,30 @@ fn a_strut_on_no_body_is_refused_and_stiffness_has_a_derivative() -> Result<(), 
     let found = scene.with_accelerations(scene.at_rest(&[Dual64::from(0.0)])?, &up)?.acceleration().0;
     near(found.re, 3.0 * (5.0 * 0.25 - 9.81 / 2.0), 1e-12);
     near(found.eps, 3.0 * 0.25, 1e-13);
+    Ok(())
+}
+
+/// A damper and a length that are zero have derivatives, without which nothing would identify them.
+#[test]
+fn struts_that_are_not_there_have_derivatives() -> Result<(), Error> {
+    use planar::*;
+    let (one, o) = (Dual64::new(1.0, 0.0), Dual64::new(0.0, 0.0));
+    let scene = System::new(Pinned::origin(), Rod::uniform(one, one), Free)?;
+    let start = scene.with_rates(scene.at_rest(&[Dual64::new(0.4, 0.0)])?, &[Dual64::new(0.7, 0.0)])?;
+    let strut = Strut::to_ground((0, [one, o]), [Dual64::new(1.5, 0.0), Dual64::new(0.3, 0.0)])
+        .with_stiffness(Dual64::new(5.0, 0.0));
+    let acceleration = |strut| -> Result<f64, Error> {
+        Ok(scene.with_accelerations(start, &Struts::of([strut]))?.acceleration().0.eps)
+    };
+    // By hand: d/dc of the torque of the damping force about the pin, by the rod's inertia of 1/3.
+    let (sine, cosine) = 0.4_f64.sin_cos();
+    let (x, y) = (1.5 - cosine, 0.3 - sine);
+    let length = x.hypot(y);
+    let lever = (cosine * y - sine * x) / length;
+    let parting = -0.7 * (-sine * x + cosine * y) / length;
+    near(acceleration(strut.with_damping(Dual64::new(0.0, 1.0)))?, 3.0 * lever * parting, 1e-13);
+    near(acceleration(strut.with_length(Dual64::new(0.0, 1.0)))?, -3.0 * lever * 5.0, 1e-13);
+    let energy = strut.energy([one, o].into(), [Dual64::new(1.0, 1.0), o].into());
+    assert_eq!((energy.re, energy.eps), (0.0, 0.0));
     Ok(())
 }

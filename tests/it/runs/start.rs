@@ -2,6 +2,7 @@
 
 use catena::loading::Unloaded;
 use catena::planar::*;
+use catena::scalar::Jet;
 use catena::{Error, Fault};
 use catena_oracle::{Noise, near};
 
@@ -132,6 +133,23 @@ fn tips_are_brought_to_where_they_are_held() -> Result<(), Error> {
     match far.assembled(far.at_rest(&[1.0, 0.4, -1.8])?, &Unloaded) {
         Err(Error { fault: Fault::NotClosed { residual }, .. }) => assert!(residual > 2.4 - 1e-9, "{residual}"),
         other => panic!("no motion can reach there: {other:?}"),
+    }
+    Ok(())
+}
+
+/// An absolute angle is a sum of joint angles, also where those inboard are zero.
+#[test]
+fn joint_angles_keep_their_derivatives() -> Result<(), Error> {
+    let rod = Rod::uniform(Jet::<f64, 2>::of(1.0), Jet::of(1.0));
+    let hinge = ElasticHinge::rotary(Jet::of(3.0));
+    let chain = System::new(Pinned::origin(), (rod, Pin, rod, hinge, rod), Free)?;
+    for first in [0.0, 0.7] {
+        let motion = chain.at_joint_angles(&[Jet::seed(first, 0), Jet::seed(0.3, 1), Jet::of(0.2)])?;
+        let mut found = vec![];
+        catena::system::Position::visit(motion.position(), &mut |x: Jet<f64, 2>| found.push(x));
+        assert_eq!(found.iter().map(|x| x.eps).collect::<Vec<_>>(), [[1.0, 0.0], [1.0, 1.0], [0.0, 0.0]]);
+        assert_eq!((found[0].re, found[2].re), (first, 0.2));
+        near(found[1].re, first + 0.3, 1e-16);
     }
     Ok(())
 }

@@ -263,3 +263,40 @@ fn torques_may_jump() -> Result<(), Error> {
     }
     Ok(())
 }
+
+/// A step that is made anew after it was accepted, as where a joint comes to rest within it, has the order of that, whatever trials failed before.
+#[test]
+fn a_step_made_anew_keeps_its_order() -> Result<(), Error> {
+    type Scene = Rods<f64>;
+    let (scene, tolerance) = (rods()?, 1e-9);
+    let mut now = scene.with_accelerations(scene.at_rest(&[-FRAC_PI_3; 2])?, &Unloaded)?;
+    let (mut stepper, mut next, mut size) = (scene.stepper(Vcabm::new()), now, 1e-5);
+    // Eighty accepted steps, and two trials that fail before one more.
+    let mut failures = 0;
+    for step in 0.. {
+        let proposed = Stepper::<&Scene, _>::propose(&mut stepper, &now, &Unloaded, tolerance);
+        size = if failures > 0 || step == 0 { size } else { proposed.unwrap_or(size) };
+        let tried = if step >= 80 && failures < 2 { 3.0 * size } else { size };
+        Stepper::<&Scene, _>::advance(&mut stepper, &now, &Unloaded, tried, &mut next)?;
+        let error = Stepper::<&Scene, _>::error(&mut stepper, &now, tried, &next, tolerance).unwrap_or(f64::NAN);
+        if error > 1.0 {
+            failures += 1;
+            size *= 0.9;
+        } else if step >= 80 {
+            assert_eq!(failures, 2);
+            break;
+        } else {
+            failures = 0;
+            core::mem::swap(&mut now, &mut next);
+        }
+    }
+    let memory = Stepper::<&Scene, Unloaded>::memory(&stepper);
+    for share in [0.9, 0.5, 0.7] {
+        Stepper::<&Scene, Unloaded>::restore(&mut stepper, &memory);
+        Stepper::<&Scene, _>::advance(&mut stepper, &now, &Unloaded, share * size, &mut next)?;
+        let exact = scene.simulate(now, Dop853::tolerance(1e-14), now.time() + share * size, |_| ())?.motion;
+        println!("{share} of {size:.1e} s: error {:.1e}", next.rate().1.1 - exact.rate().1.1);
+        near(next.rate().1.1, exact.rate().1.1, tolerance);
+    }
+    Ok(())
+}

@@ -4,11 +4,12 @@ use super::{Compliance, Ground};
 use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
+use crate::mechanics::spatial::away::turned_away;
 use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Rotation, Spatial, Turn, Weld};
-use crate::relation::spatial::algebra::{cross, zero};
+use crate::relation::spatial::algebra::zero;
 use crate::relation::spatial::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use nalgebra::Vector3;
 use num_traits::Zero;
 
@@ -102,7 +103,7 @@ impl<G, A> Clamped<G, A> {
         let AttitudeMotion { attitude, spin, acceleration } = self.attitude.at(T::Real::zero());
         let mut numbers = attitude.quaternion().into_iter().chain(spin).chain(acceleration);
         let fault = Error::new(Fault::NotFinite { parameter: "attitude of the ground" });
-        if numbers.all(Scalar::is_finite) { Ok(()) } else { Err(fault) }
+        if numbers.all(Scalar::is_finite) { attitude.check().map_err(Error::new) } else { Err(fault) }
     }
 }
 
@@ -149,10 +150,8 @@ impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Tip<Spatial<T>> for Clamped<G, 
     fn residual(&self, time: T::Real, tip: &Frame<T>) -> [[T; 6]; 2] {
         let frame = self.frame(time);
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);
-        // For a small turn δ of the body's axes against those demanded, Σ d_k × (d_k + δ × d_k) = 2 δ.
         let (own, held) = (tip.turn.attitude, frame.turn.attitude);
-        let twice = cross(held.x, own.x) + cross(held.y, own.y) + cross(held.z, own.z);
-        let (turn, spin) = (twice.map(|x| x.scale(T::Real::of(0.5))), tip.turn.spin - frame.turn.spin);
+        let (turn, spin) = (turned_away(&held, &own), tip.turn.spin - frame.turn.spin);
         [
             [place.x, place.y, place.z, turn.x, turn.y, turn.z],
             [velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z],

@@ -4,6 +4,7 @@ use super::{Attitude, Clamped, Compliance, Ground};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
+use crate::mechanics::spatial::away::tilted_away;
 use crate::mechanics::spatial::axial::{check_axis, orthonormal, unit};
 use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Revolute, Rotation, Spatial, Turn};
 use crate::relation::spatial::algebra::{Columns, cross, dot, zero};
@@ -142,11 +143,11 @@ impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Tip<Spatial<T>> for Hinged<G, A
         let frame = self.ground.frame(time);
         let [first, second] = self.normals(&frame.turn);
         let (place, velocity) = (tip.place - frame.place, tip.velocity - frame.velocity);
-        // For a small turn δ of the body against the ground, n × (n + δ × n) is the part of δ across n.
-        let tilt = cross(frame.turn.attitude.apply(self.axis), tip.turn.attitude.apply(self.axis));
+        let [held, own] = [&frame, tip].map(|end| end.turn.attitude.apply(self.axis));
+        let [one, two] = tilted_away(held, own, [first, second]);
         let spin = tip.turn.spin - frame.turn.spin;
         [
-            [place.x, place.y, place.z, dot(first, tilt), dot(second, tilt)],
+            [place.x, place.y, place.z, one, two],
             [velocity.x, velocity.y, velocity.z, dot(first, spin), dot(second, spin)],
         ]
     }
