@@ -3,15 +3,10 @@
 mod andrews;
 mod assembly;
 mod assembly_held;
-mod bennett;
 mod between_steps;
 mod ladders;
-mod numbers;
 mod plane;
-mod plane_at_random;
 mod shared_loops;
 mod space;
-mod space_at_random;
 mod struts;
 mod trees;
-mod trees_at_random;
