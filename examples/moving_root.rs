@@ -7,7 +7,7 @@
 mod common;
 
 use catena::planar::*;
-use catena::simulate::{Observe, Trace};
+use catena::simulate::Trace;
 use common::{BLUE, Drawn, ORANGE, line};
 use std::error::Error;
 use std::fs::File;

@@ -69,8 +69,7 @@ use crate::walks::count;
 /// A body, a joint, or a chain of them, as a sweep sees it: a [`Shape`] with coordinates that time rules can move, and poses.
 ///
 /// Bodies and joints of both spaces are elements, and tuples, arrays and vectors of elements, arms and networks. Users make elements by
-/// the macros of [`extend`](crate::extend); by hand it takes, beside this trait, [`Shape`], [`AsBody`](crate::extend::walks::AsBody) or
-/// [`AsJoint`](crate::extend::walks::AsJoint), which say where its entry of a store is, and `Condense`.
+/// the macros of [`extend`](crate::extend); by hand it takes, beside this trait, [`Shape`], `AsBody` or `AsJoint`, which say where its entry of a store is, and `Condense`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an element of the chain's space `{S}`",
     label = "not an element of `{S}`",

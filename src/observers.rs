@@ -11,19 +11,10 @@ use crate::walks::parts::{Sort, parts};
 #[cfg(feature = "std")]
 use std::{format, string::String, vec::Vec};
 
-/// Looks at the instants of a run.
-///
-/// Closures do this too: [`Simulation::run`](crate::simulate::Simulation::run) takes one, and this trait's implementors fit in:
-/// `|now| trace.observe(now)`.
-pub trait Observe<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> {
-    /// Looks at an instant.
-    fn observe(&mut self, now: &Now<'_, S, R, C, P, L>);
-}
-
 /// How far the energy of a run strays from its first value, with the scene's kind of number.
 ///
 /// ```
-/// use catena::simulate::{EnergyDrift, Observe};
+/// use catena::simulate::EnergyDrift;
 /// use catena::planar::*;
 /// let rod = Rod::uniform(1.0, 1.0);
 /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
@@ -51,8 +42,16 @@ impl<T> EnergyDrift<T> {
     }
 }
 
-impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Observe<S, R, C, P, L> for EnergyDrift<S::Scalar> {
-    fn observe(&mut self, now: &Now<'_, S, R, C, P, L>) {
+impl<T: Scalar> EnergyDrift<T> {
+    /// Looks at an instant of a run: `|now| drift.observe(now)`.
+    pub fn observe<S, R, C, P, L>(&mut self, now: &Now<'_, S, R, C, P, L>)
+    where
+        S: Space<Scalar = T>,
+        R: Root<S>,
+        C: Element<S>,
+        P: Tip<S>,
+        L: Loading<S>,
+    {
         let energy = now.energy();
         let drift = (energy - *self.start.get_or_insert(energy)).real().as_f64().abs();
         if drift.is_nan() || drift > self.largest {
@@ -68,7 +67,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Observe<S, R
 /// write their real part. Of lanes none stands for the others: they are an error.
 ///
 /// ```
-/// use catena::simulate::{Observe, Trace};
+/// use catena::simulate::Trace;
 /// use catena::planar::*;
 /// let rod = Rod::uniform(1.0, 1.0);
 /// let pendulum = System::new(Pinned::origin(), (rod, Pin.named("elbow"), rod), Free)?.with_gravity(9.81);
@@ -180,10 +179,16 @@ fn quoted(field: String) -> String {
 }
 
 #[cfg(feature = "std")]
-impl<W: std::io::Write, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Observe<S, R, C, P, L>
-    for Trace<W>
-{
-    fn observe(&mut self, now: &Now<'_, S, R, C, P, L>) {
+impl<W: std::io::Write> Trace<W> {
+    /// Writes an instant of a run: `|now| trace.observe(now)`.
+    pub fn observe<S, R, C, P, L>(&mut self, now: &Now<'_, S, R, C, P, L>)
+    where
+        S: Space,
+        R: Root<S>,
+        C: Element<S>,
+        P: Tip<S>,
+        L: Loading<S>,
+    {
         if self.outcome.is_err() {
             return;
         }

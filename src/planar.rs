@@ -31,7 +31,7 @@ pub use self::{ends::*, loads::*, readings::*, rules::*};
 /// Ends of a scene, on ground that rests or moves. All are in [`planar`](crate::planar), too.
 pub mod ends {
     pub use crate::mechanics::planar::{
-        Attitude, Clamped, Floating, Free, Ground, GroundMotion, Guided, Moving, Pinned, Turning,
+        Clamped, Floating, Free, Ground, GroundMotion, Guided, Moving, Pinned, Turning,
     };
 }
 

@@ -57,7 +57,7 @@ pub use self::{ends::*, loads::*, readings::*, rules::*};
 /// Ends of a scene, on ground that rests or moves. All are in [`spatial`](crate::spatial), too.
 pub mod ends {
     pub use crate::mechanics::spatial::{
-        Attitude, AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning,
+        AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning,
     };
 }
 

@@ -1,4 +1,4 @@
-//! Places of the ground, which may move.
+//! What the ground prescribes to ends: places and attitudes, which may move as functions of time.
 
 use crate::error::{Error, Fault};
 use crate::scalar::Scalar;
@@ -15,13 +15,14 @@ pub struct GroundMotion<T, const N: usize> {
     pub acceleration: [T; N],
 }
 
-/// A place that may move as a given function of time.
-pub trait Ground<T: Scalar, const N: usize> {
-    /// The motion of the place at a time (s).
-    fn at(&self, time: T::Real) -> GroundMotion<T, N>;
+/// A motion of the ground that is given as a function of time: `M` is `GroundMotion<T>` for a place, and for an attitude `[T; 3]` in the plane
+/// (angle (rad), rate (rad/s), angular acceleration (rad/s²)), `AttitudeMotion<T>` in space.
+pub trait Ground<T: Scalar, M> {
+    /// The motion at a time (s).
+    fn at(&self, time: T::Real) -> M;
 }
 
-impl<T: Scalar, const N: usize> Ground<T, N> for [T; N] {
+impl<T: Scalar, const N: usize> Ground<T, GroundMotion<T, N>> for [T; N] {
     fn at(&self, _: T::Real) -> GroundMotion<T, N> {
         let zero = [T::zero(); N];
         GroundMotion { place: *self, velocity: zero, acceleration: zero }
@@ -32,8 +33,18 @@ impl<T: Scalar, const N: usize> Ground<T, N> for [T; N] {
 #[derive(Clone, Copy, Debug)]
 pub struct Moving<F>(pub F);
 
-impl<T: Scalar, const N: usize, F: Fn(T::Real) -> GroundMotion<T, N>> Ground<T, N> for Moving<F> {
+impl<T: Scalar, const N: usize, F: Fn(T::Real) -> GroundMotion<T, N>> Ground<T, GroundMotion<T, N>> for Moving<F> {
     fn at(&self, time: T::Real) -> GroundMotion<T, N> {
+        (self.0)(time)
+    }
+}
+
+/// An attitude given as a function of time.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning<F>(pub F);
+
+impl<T: Scalar, M, F: Fn(T::Real) -> M> Ground<T, M> for Turning<F> {
+    fn at(&self, time: T::Real) -> M {
         (self.0)(time)
     }
 }

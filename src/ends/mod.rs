@@ -6,7 +6,7 @@
 
 mod ground;
 
-pub use ground::{Ground, GroundMotion, Moving};
+pub use ground::{Ground, GroundMotion, Moving, Turning};
 
 use crate::element::{Element, RealOf, Space};
 use crate::error::Error;

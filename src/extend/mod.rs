@@ -84,7 +84,7 @@
 //!     frequency: f64,
 //! }
 //!
-//! impl Ground<f64, 2> for Shaker {
+//! impl Ground<f64, GroundMotion<f64>> for Shaker {
 //!     fn at(&self, time: f64) -> GroundMotion<f64> {
 //!         let (s, c) = (self.frequency * time).sin_cos();
 //!         let [a, w] = [self.amplitude, self.frequency];

@@ -51,6 +51,6 @@
 //!   [`Outward::items`] and calls a function with one slice each, as poses of arrays do.
 
 pub use crate::shape::{
-    AsBody, AsJoint, AtBody, AtClosing, AtJoint, Body, Closing, Field, Held, Inward, Joint, JointPosture, Member, Mut,
-    Nth, Of, Outward, PerBody, PerJoint, Positions, Rates, Ref, Shape, Slot, Walk, Way,
+    AtBody, AtClosing, AtJoint, Body, Closing, Field, Held, Inward, Joint, JointPosture, Member, Mut, Nth, Of, Outward,
+    PerBody, PerJoint, Positions, Rates, Ref, Shape, Slot, Walk, Way,
 };

@@ -22,9 +22,9 @@ use crate::time::{IntoRule, Rule};
 use core::cell::OnceCell;
 use core::fmt;
 
+pub use crate::observers::EnergyDrift;
 #[cfg(feature = "std")]
 pub use crate::observers::Trace;
-pub use crate::observers::{EnergyDrift, Observe};
 pub use crate::stepper::{
     AdamsMemory, AdamsStepper, AutoMemory, AutoStepper, Chosen, ExplicitStepper, ImplicitMemory, ImplicitStepper,
     Method, MotionIn, SdirkStepper, Stepper, StepperOf, TaylorStepper, TimeIn, VcabmMemory, VcabmStepper,

@@ -3,7 +3,7 @@
 
 use catena::planar::*;
 use catena::scalar::{Scalar, WideF64x4};
-use catena::simulate::{EnergyDrift, Observe, Trace, ensemble};
+use catena::simulate::{EnergyDrift, Trace, ensemble};
 use catena::{Error, Fault};
 use rayon::prelude::*;
 use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};

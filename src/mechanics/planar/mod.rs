@@ -32,7 +32,7 @@ pub use crate::spring::{Spring, SpringLaw};
 pub use beam::{Beam, Segments};
 pub use body::{Base, Body, Inertia, Pose};
 pub use elastic_hinge::{ElasticHinge, HingeRule, Revolute};
-pub use ends::{Attitude, Clamped, Floating, Free, Ground, GroundMotion, Guided, Moving, Pinned, Turning};
+pub use ends::{Clamped, Floating, Free, Ground, GroundMotion, Guided, Moving, Pinned, Turning};
 pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, SpringState, Turn};
 pub use joint::Joint;
 pub use linear::{HingeAxes, Linear, Unbalanced};

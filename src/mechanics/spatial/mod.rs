@@ -51,9 +51,7 @@ pub use body::{Body, Pose};
 pub use contact::{Contact, Contacts, PlainContacts};
 pub use cylindrical::Cylindrical;
 pub use elastic_hinge::{ElasticBall, ElasticHinge};
-pub use ends::{
-    Attitude, AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning,
-};
+pub use ends::{AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning};
 pub use frame::{Acceleration, BodyMotion, Frame, Internal, JointMotion, Turn};
 pub use inertia::Inertia;
 pub use joint::Joint;

@@ -1,9 +1,5 @@
 //! Chains held at both ends.
 
-mod banded;
-mod chains;
-mod dense;
-mod long;
 mod redundant;
 mod scales;
 

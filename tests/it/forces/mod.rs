@@ -2,12 +2,9 @@
 
 mod held_tips;
 mod hinges;
-mod linear_springs;
 mod long_chains;
 mod plane;
 mod product;
 mod space;
 mod spatial_held_tips;
-mod spatial_hinges;
 mod spatial_long;
-mod spatial_product;

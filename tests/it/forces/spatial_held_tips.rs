@@ -144,7 +144,7 @@ fn a_chain_told_backwards_moves_alike() -> Result<(), Error> {
 }
 
 /// A ground that moves, and turns about a fixed slanted axis.
-fn ground() -> (impl Ground<f64, 3> + Copy, impl Attitude<f64> + Copy) {
+fn ground() -> (impl Ground<f64, GroundMotion<f64>> + Copy, impl Ground<f64, AttitudeMotion<f64>> + Copy) {
     let moving = Moving(|t: f64| GroundMotion {
         place: [0.9 + 0.1 * t.sin(), 0.1, -0.2 + 0.05 * (2.0 * t).sin()],
         velocity: [0.1 * t.cos(), 0.0, 0.1 * (2.0 * t).cos()],

@@ -93,7 +93,7 @@ fn by_other_walks() -> Result<(), Error> {
 /// The names of positions in a trace are all different, whatever joints are called.
 #[test]
 fn columns_of_traces() -> Result<(), Error> {
-    use catena::simulate::{Observe, Trace};
+    use catena::simulate::Trace;
     use planar::*;
     let rod = Rod::uniform(0.5, 1.0);
     let pin = |name| (Pin.named(name), rod);

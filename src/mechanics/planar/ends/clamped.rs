@@ -1,6 +1,6 @@
 //! Ends held fast.
 
-use super::{Compliance, Ground};
+use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
@@ -11,25 +11,9 @@ use crate::scalar::Scalar;
 use nalgebra::Vector2;
 use num_traits::Zero;
 
-/// Angle, rate and angular acceleration of the ground where it clamps an end.
-pub trait Attitude<T: Scalar> {
-    /// At a time (s): angle (rad), rate (rad/s), angular acceleration (rad/s²).
-    fn at(&self, time: T::Real) -> [T; 3];
-}
-
-impl<T: Scalar> Attitude<T> for T {
+impl<T: Scalar> Ground<T, [T; 3]> for T {
     fn at(&self, _: T::Real) -> [T; 3] {
         [*self, T::zero(), T::zero()]
-    }
-}
-
-/// An attitude given as a function of time.
-#[derive(Clone, Copy, Debug)]
-pub struct Turning<F>(pub F);
-
-impl<T: Scalar, F: Fn(T::Real) -> [T; 3]> Attitude<T> for Turning<F> {
-    fn at(&self, time: T::Real) -> [T; 3] {
-        (self.0)(time)
     }
 }
 
@@ -71,8 +55,8 @@ impl<G, A> Clamped<G, A> {
     /// The motion of the ground where it holds the end.
     pub(super) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
     where
-        G: Ground<T, 2>,
-        A: Attitude<T>,
+        G: Ground<T, GroundMotion<T>>,
+        A: Ground<T, [T; 3]>,
     {
         let [angle, rate, angular] = self.attitude.at(time);
         let mut frame = self.place.at(time).frame::<Planar<T>>();
@@ -83,8 +67,8 @@ impl<G, A> Clamped<G, A> {
 
     pub(super) fn verify<T: Scalar>(&self) -> Result<(), Error>
     where
-        G: Ground<T, 2>,
-        A: Attitude<T>,
+        G: Ground<T, GroundMotion<T>>,
+        A: Ground<T, [T; 3]>,
     {
         self.place.at(T::Real::zero()).check()?;
         let finite = self.attitude.at(T::Real::zero()).iter().all(|x| x.is_finite());
@@ -93,7 +77,7 @@ impl<G, A> Clamped<G, A> {
     }
 }
 
-impl<T: Scalar, G: Ground<T, 2>, A: Attitude<T>> Root<Planar<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, [T; 3]>> Root<Planar<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held);
     type Joint = Weld<T>;
 
@@ -108,7 +92,7 @@ impl<T: Scalar, G: Ground<T, 2>, A: Attitude<T>> Root<Planar<T>> for Clamped<G, 
     }
 }
 
-impl<T: Scalar, G: Ground<T, 2>, A: Attitude<T>> Tip<Planar<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, [T; 3]>> Tip<Planar<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held);
     type Closures = Cut<3>;
     type Relation = Full<T, Cut<3>>;

@@ -1,6 +1,6 @@
 //! Ends guided along a line.
 
-use super::{Attitude, Clamped, Compliance, Ground};
+use super::{Clamped, Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
@@ -53,8 +53,8 @@ impl<G, A, T: Scalar> Guided<G, A, T> {
 
     fn verify(&self) -> Result<(), Error>
     where
-        G: Ground<T, 2>,
-        A: Attitude<T>,
+        G: Ground<T, GroundMotion<T>>,
+        A: Ground<T, [T; 3]>,
     {
         self.ground.verify::<T>()?;
         let fault = Error::new(Fault::NotFinite { parameter: "direction of the line" });
@@ -72,8 +72,8 @@ impl<G, A, T: Scalar> Guided<G, A, T> {
     /// Normal to the line of a ground that does not move.
     pub(in crate::mechanics::planar) fn across(&self) -> Vector2<T>
     where
-        G: Ground<T, 2>,
-        A: Attitude<T>,
+        G: Ground<T, GroundMotion<T>>,
+        A: Ground<T, [T; 3]>,
     {
         self.normal(&self.ground.frame(T::Real::zero()))
     }
@@ -86,7 +86,7 @@ impl<G, A, T: Scalar> Guided<G, A, T> {
     }
 }
 
-impl<T: Scalar, G: Ground<T, 2>, A: Attitude<T>> Root<Planar<T>> for Guided<G, A, T> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, [T; 3]>> Root<Planar<T>> for Guided<G, A, T> {
     type Pairs = (Loose, Held, Held); // along the line, across it, the angle
     type Joint = Slider<T>;
 
@@ -102,7 +102,7 @@ impl<T: Scalar, G: Ground<T, 2>, A: Attitude<T>> Root<Planar<T>> for Guided<G, A
 }
 
 /// The line of a tip may move but not turn: how a tip on a turning line has to accelerate depends on where on it it is.
-impl<T: Scalar, G: Ground<T, 2>> Tip<Planar<T>> for Guided<G, T, T> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Tip<Planar<T>> for Guided<G, T, T> {
     type Pairs = (Loose, Held, Held);
     type Closures = Cut<2>;
     type Relation = Full<T, Cut<2>>;

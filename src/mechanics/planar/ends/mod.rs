@@ -7,10 +7,10 @@ mod guided;
 mod pinned;
 
 use super::Planar;
-pub use crate::ends::{Ground, Moving};
+pub use crate::ends::{Ground, Moving, Turning};
 use crate::ends::{Resting, Unheld};
 use crate::scalar::Scalar;
-pub use clamped::{Attitude, Clamped, Turning};
+pub use clamped::Clamped;
 pub(super) use compliance::Compliance;
 pub use free::{Floating, Free};
 pub use guided::Guided;

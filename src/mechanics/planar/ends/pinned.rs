@@ -48,7 +48,7 @@ impl<G> Pinned<G> {
     }
 }
 
-impl<T: Scalar, G: Ground<T, 2>> Root<Planar<T>> for Pinned<G> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Root<Planar<T>> for Pinned<G> {
     type Pairs = (Held, Held, Loose);
     type Joint = Pin;
 
@@ -63,7 +63,7 @@ impl<T: Scalar, G: Ground<T, 2>> Root<Planar<T>> for Pinned<G> {
     }
 }
 
-impl<T: Scalar, G: Ground<T, 2>> Tip<Planar<T>> for Pinned<G> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Tip<Planar<T>> for Pinned<G> {
     type Pairs = (Held, Held, Loose);
     type Closures = Cut<2>;
     type Relation = Point<T, Absent, Cut<2>>;

@@ -1,6 +1,6 @@
 //! Ends held fast.
 
-use super::{Compliance, Ground};
+use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
@@ -24,26 +24,10 @@ pub struct AttitudeMotion<T> {
     pub acceleration: [T; 3],
 }
 
-/// An attitude of the ground that may change as a given function of time.
-pub trait Attitude<T: Scalar> {
-    /// The attitude's motion at a time (s).
-    fn at(&self, time: T::Real) -> AttitudeMotion<T>;
-}
-
-impl<T: Scalar> Attitude<T> for Rotation<T> {
+impl<T: Scalar> Ground<T, AttitudeMotion<T>> for Rotation<T> {
     fn at(&self, _: T::Real) -> AttitudeMotion<T> {
         let zero = [T::zero(); 3];
         AttitudeMotion { attitude: *self, spin: zero, acceleration: zero }
-    }
-}
-
-/// An attitude given as a function of time.
-#[derive(Clone, Copy, Debug)]
-pub struct Turning<F>(pub F);
-
-impl<T: Scalar, F: Fn(T::Real) -> AttitudeMotion<T>> Attitude<T> for Turning<F> {
-    fn at(&self, time: T::Real) -> AttitudeMotion<T> {
-        (self.0)(time)
     }
 }
 
@@ -84,8 +68,8 @@ impl<G, A> Clamped<G, A> {
     /// The motion of the ground where it holds the end.
     pub(super) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
     where
-        G: Ground<T, 3>,
-        A: Attitude<T>,
+        G: Ground<T, GroundMotion<T>>,
+        A: Ground<T, AttitudeMotion<T>>,
     {
         let AttitudeMotion { attitude, spin, acceleration } = self.attitude.at(time);
         let mut frame = self.place.at(time).frame::<Spatial<T>>();
@@ -96,8 +80,8 @@ impl<G, A> Clamped<G, A> {
 
     pub(super) fn verify<T: Scalar>(&self) -> Result<(), Error>
     where
-        G: Ground<T, 3>,
-        A: Attitude<T>,
+        G: Ground<T, GroundMotion<T>>,
+        A: Ground<T, AttitudeMotion<T>>,
     {
         self.place.at(T::Real::zero()).check()?;
         let AttitudeMotion { attitude, spin, acceleration } = self.attitude.at(T::Real::zero());
@@ -107,7 +91,7 @@ impl<G, A> Clamped<G, A> {
     }
 }
 
-impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Root<Spatial<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> Root<Spatial<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held, Held, Held, Held);
     type Joint = Weld<T>;
 
@@ -122,7 +106,7 @@ impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Root<Spatial<T>> for Clamped<G,
     }
 }
 
-impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Tip<Spatial<T>> for Clamped<G, A> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> Tip<Spatial<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held, Held, Held, Held);
     type Closures = Cut<6>;
     type Relation = Full<T, Cut<6>>;

@@ -1,6 +1,6 @@
 //! Ends on a hinge.
 
-use super::{Attitude, Clamped, Compliance, Ground};
+use super::{AttitudeMotion, Clamped, Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
@@ -75,8 +75,8 @@ impl<G, A, T: Scalar> Hinged<G, A, T> {
 
     fn verify(&self) -> Result<(), Error>
     where
-        G: Ground<T, 3>,
-        A: Attitude<T>,
+        G: Ground<T, GroundMotion<T>>,
+        A: Ground<T, AttitudeMotion<T>>,
     {
         check_axis(self.axis).map_err(Error::new)?;
         let [first, second] = self.across;
@@ -94,7 +94,7 @@ impl<G, A, T: Scalar> Hinged<G, A, T> {
     }
 }
 
-impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Root<Spatial<T>> for Hinged<G, A, T> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> Root<Spatial<T>> for Hinged<G, A, T> {
     /// Pairs in axes of the joint, its own the last.
     type Pairs = (Held, Held, Held, Held, Held, Loose);
     type Joint = Revolute<T>;
@@ -110,7 +110,7 @@ impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Root<Spatial<T>> for Hinged<G, 
     }
 }
 
-impl<T: Scalar, G: Ground<T, 3>, A: Attitude<T>> Tip<Spatial<T>> for Hinged<G, A, T> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> Tip<Spatial<T>> for Hinged<G, A, T> {
     type Pairs = (Held, Held, Held, Held, Held, Loose);
     type Closures = Cut<5>;
     type Relation = Full<T, Cut<5>>;

@@ -8,10 +8,10 @@ mod hinged;
 mod pinned;
 
 use super::{Rotation, Spatial};
-pub use crate::ends::{Ground, Moving};
+pub use crate::ends::{Ground, Moving, Turning};
 use crate::ends::{Resting, Unheld};
 use crate::scalar::Scalar;
-pub use clamped::{Attitude, AttitudeMotion, Clamped, Turning};
+pub use clamped::{AttitudeMotion, Clamped};
 pub(super) use compliance::Compliance;
 pub use floating::Floating;
 pub use free::Free;

@@ -48,7 +48,7 @@ impl<G> Pinned<G> {
     }
 }
 
-impl<T: Scalar, G: Ground<T, 3>> Root<Spatial<T>> for Pinned<G> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Root<Spatial<T>> for Pinned<G> {
     type Pairs = (Held, Held, Held, Loose, Loose, Loose);
     type Joint = Ball;
 
@@ -63,7 +63,7 @@ impl<T: Scalar, G: Ground<T, 3>> Root<Spatial<T>> for Pinned<G> {
     }
 }
 
-impl<T: Scalar, G: Ground<T, 3>> Tip<Spatial<T>> for Pinned<G> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Tip<Spatial<T>> for Pinned<G> {
     type Pairs = (Held, Held, Held, Loose, Loose, Loose);
     type Closures = Cut<3>;
     type Relation = Point<T, Absent, Cut<3>>;

@@ -214,7 +214,7 @@ where
     R: Root<Planar<f64>>,
     C: Element<Planar<f64>>,
     P: Tip<Planar<f64>>,
-    System<f64, R, C, P>: Runs<Unloaded, Planar<f64>, R, C, P> + Runs<Given, Planar<f64>, R, C, P>,
+    System<f64, R, C, P>: Runs<Given, Planar<f64>, R, C, P>,
 {
     let system = system?.with_gravity_vector(GRAVITY.into());
     let mut guess = case.guess(&system)?;
@@ -224,8 +224,7 @@ where
         guess.position_mut().replace(&mut |old| x.next().map_or(old, |x| x + 0.1 * noise.next()));
         guess.rate_mut().replace(&mut |old| v.next().copied().unwrap_or(old));
     }
-    let closed = system.assembled(guess, &Unloaded)?;
-    let motion = system.with_accelerations(closed, &case.loads())?;
+    let motion = system.assembled(guess, &case.loads())?;
     Ok(case.difference(&system, &motion))
 }
 
@@ -233,15 +232,16 @@ where
 fn freely<C>(case: &mut Case, chain: C) -> Result<([Vec<f64>; 2], Frame<f64>), Error>
 where
     C: Element<Planar<f64>>,
-    System<f64, Pinned<[f64; 2]>, C, Free>: Runs<Unloaded, Planar<f64>, Pinned<[f64; 2]>, C, Free>,
+    System<f64, Pinned<[f64; 2]>, C, Free>:
+        Runs<Unloaded, Planar<f64>, Pinned<[f64; 2]>, C, Free> + Runs<Given, Planar<f64>, Pinned<[f64; 2]>, C, Free>,
 {
-    let system = System::new(Pinned::origin(), chain, Free)?;
+    let (system, loads) = (System::new(Pinned::origin(), chain, Free)?, case.loads());
     let guess = case.guess(&system)?;
-    let closed = system.assembled(guess, &Unloaded)?;
+    let closed = system.assembled(guess, &loads)?;
     let mut coordinates = [vec![], vec![]];
     closed.position().visit(&mut |x| coordinates[0].push(x));
     closed.rate().visit(&mut |x| coordinates[1].push(x));
-    Ok((coordinates, system.stations(&closed, &Unloaded).unwrap().tip().frame))
+    Ok((coordinates, system.stations(&closed, &loads).unwrap().tip().frame))
 }
 
 /// Scenes of a shape with a free tip, on a pin.

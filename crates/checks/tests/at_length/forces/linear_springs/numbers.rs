@@ -1,6 +1,5 @@
 //! Linear springs, a slider and a guided tip with every kind of number. Derivative parts are compared by themselves: `==` and
 //! `near` see only the value of a dual number.
-#![cfg(all(feature = "num-dual", feature = "simd"))]
 
 use catena::loading::Unloaded;
 use catena::planar::Absent;

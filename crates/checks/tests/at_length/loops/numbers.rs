@@ -1,5 +1,4 @@
 //! Loops with every kind of number, and their derivatives against differences.
-#![cfg(all(feature = "num-dual", feature = "simd"))]
 
 use catena::loading::Unloaded;
 use catena::planar::*;

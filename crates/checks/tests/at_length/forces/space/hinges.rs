@@ -1,7 +1,12 @@
 //! Elastic hinges, each part alone and all together, in chains with other joints, on ground that moves and with tips held.
 
-use super::oracle::elastic::Law;
-use super::*;
+use super::twins::{TOLERANCE, body, difference, vector};
+use catena::Error;
+use catena::spatial::*;
+use catena_oracle::Noise;
+use catena_oracle::space as oracle;
+use catena_oracle::space::Vector;
+use catena_oracle::space::elastic::Law;
 
 /// Coordinates of a hinge, with and without linear ones.
 trait Coordinates {

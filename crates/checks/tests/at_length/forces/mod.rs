@@ -1,0 +1,7 @@
+//! Accelerations and forces against dense and banded systems, and derivatives by all numbers of springs.
+
+mod held_tips;
+mod linear_springs;
+mod space;
+mod spatial_hinges;
+mod spatial_product;

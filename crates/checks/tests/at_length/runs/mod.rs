@@ -1,0 +1,4 @@
+//! Motion in time where a run takes long.
+
+mod governor;
+mod stops;
