@@ -15,7 +15,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, counted};
 use crate::mechanics::spatial::body_axes::composite::Composite;
 use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
-use crate::mechanics::spatial::body_axes::inverse::{Carrying as Load, Loaded, Resisting};
+use crate::mechanics::spatial::body_axes::inverse::{Carrying as Load, Loaded, Resisting, Slopes};
 use crate::mechanics::spatial::body_axes::places::{Places, Tally};
 use crate::mechanics::spatial::body_axes::solids::Solids;
 use crate::mechanics::spatial::body_axes::{Base, Stand, Torques};
@@ -65,6 +65,7 @@ pub trait Tasks<T: Scalar, const N: usize>:
     + Takes<S<T>, Loaded<T, N, false, false>>
     + Takes<S<T>, Load<T, N>>
     + Takes<S<T>, Resisting<T, N>>
+    + Takes<S<T>, Slopes<T, N>>
     + Takes<S<T>, Composite<T, N>>
     + Takes<S<T>, Factor<T, N>>
     + Takes<S<T>, Inward<T, N>>
@@ -83,6 +84,7 @@ impl<T: Scalar, const N: usize, C> Tasks<T, N> for C where
         + Takes<S<T>, Loaded<T, N, false, false>>
         + Takes<S<T>, Load<T, N>>
         + Takes<S<T>, Resisting<T, N>>
+        + Takes<S<T>, Slopes<T, N>>
         + Takes<S<T>, Composite<T, N>>
         + Takes<S<T>, Factor<T, N>>
         + Takes<S<T>, Inward<T, N>>
