@@ -7,8 +7,11 @@ mod kit;
 use catena::Error;
 use catena::robot::*;
 use catena::scalar::Jet;
+use catena::system::Rate;
 use catena_oracle::Noise;
+use catena_oracle::space::Vector;
 use kit::{agree, list};
+use nalgebra::{DMatrix, DVector, Vector3};
 
 /// Relative to the largest number of each list: some tens of roundings, times the condition of the mass matrix where it is inverted.
 const DIRECT: f64 = 1e-13;
@@ -133,5 +136,95 @@ fn of_what_is_not_finite() -> Result<(), Error> {
     let refused = scene.forward_dynamics_derivatives(&q, &x, &x).unwrap_err().fault;
     assert!(matches!(refused, catena::Fault::NonFiniteMotion), "{refused:?}");
     assert!(scene.inverse_dynamics_derivatives(&[0.0; 5], &[0.0; 5], &[0.0; 5]).is_err());
+    Ok(())
+}
+
+/// Rows and columns of base and joints as one matrix.
+fn dense<const N: usize>(blocks: &Blocks<f64, N>) -> DMatrix<f64> {
+    DMatrix::from_fn(6 + N, 6 + N, |i, k| match (i < 6, k < 6) {
+        (true, true) => blocks.base[i][k],
+        (true, false) => blocks.base_by_joints[i][k - 6],
+        (false, true) => blocks.joints_by_base[i - 6][k],
+        (false, false) => blocks.joints[i - 6][k - 6],
+    })
+}
+
+/// What changes: place or turn, velocity or spin of the base, position or rate of a joint.
+fn nudged<const N: usize>(base: &Afloat<f64>, q: &[f64; N], k: usize, rate: bool) -> (Afloat<Dual>, [Dual; N]) {
+    let over = |v: Vector| Vector3::new(Dual::of(v.x), Dual::of(v.y), Dual::of(v.z));
+    let (plain, mut unit) = (q.map(Dual::of), Vector::zeros());
+    if k < 6 {
+        unit[k % 3] = 1.0;
+    }
+    let along = |v: Vector, by: Vector| {
+        let of = |i: usize| Jet { re: v[i], eps: [by[i]] };
+        Vector3::new(of(0), of(1), of(2))
+    };
+    let Columns { x, y, z } = base.place.attitude;
+    let attitude = Columns { x: over(x), y: over(y), z: over(z) };
+    let place = Place { place: over(base.place.place), attitude };
+    let still = Afloat { place, velocity: over(base.velocity), spin: over(base.spin) };
+    match (k, rate) {
+        (0..3, false) => (Afloat { place: Place { place: along(base.place.place, unit), ..place }, ..still }, plain),
+        (3..6, false) => {
+            let turned = |axis: Vector, own: Vector| along(axis, base.place.attitude.apply(unit.cross(&own)));
+            let attitude = Columns { x: turned(x, Vector::x()), y: turned(y, Vector::y()), z: turned(z, Vector::z()) };
+            (Afloat { place: Place { attitude, ..place }, ..still }, plain)
+        }
+        (0..3, true) => (Afloat { velocity: along(base.velocity, unit), ..still }, plain),
+        (3..6, true) => (Afloat { spin: along(base.spin, unit), ..still }, plain),
+        _ => (still, seeded(q, k - 6)),
+    }
+}
+
+/// All derivatives of a robot that floats, against jets through inverse dynamics of a snapshot, and its dynamics against a dense solution and
+/// the scene's own.
+#[test]
+fn afloat() -> Result<(), Error> {
+    const N: usize = 5;
+    let (scene, mut noise) = (kit::floating()?, Noise::new(44));
+    let over = scene.lift(Dual::of);
+    for _ in 0..20 {
+        let kit::Drift { start, q, v, .. } = kit::drift(&scene, &mut noise)?;
+        let base = scene.body_motions(&start)?.get(0).map(Afloat::of).expect("a base");
+        let (wrench, torques): ([f64; 6], [f64; N]) = (list(&mut noise, 3.0), list(&mut noise, 3.0));
+
+        let now = scene.snapshot_afloat(base, &q, &v)?;
+        let MassMatrix { base: of_base, coupling, joints } = now.mass_matrix();
+        let base_by_joints = std::array::from_fn(|i| coupling.map(|column| column[i]));
+        let mass = dense(&Blocks { base: of_base, base_by_joints, joints_by_base: coupling, joints });
+        let inverse = mass.try_inverse().expect("masses are positive");
+        let (a, b) = now.inverse_dynamics(&[0.0; 6], &[0.0; N]);
+        let free = |k: usize| if k < 6 { wrench[k] - a[k] } else { torques[k - 6] - b[k - 6] };
+        let right = &inverse * DVector::from_fn(6 + N, |k, _| free(k));
+        let (of_base, seconds) = scene.forward_dynamics_afloat(base, &q, &v, &wrench, &torques)?;
+        agree(&[&of_base[..], &seconds].concat(), right.as_slice(), INVERTED);
+        let moved = scene.with_accelerations(start, &Torques(torques))?;
+        let (of_base, of_joints) = scene.forward_dynamics_afloat(base, &q, &v, &[0.0; 6], &torques)?;
+        let mut own = vec![];
+        Rate::visit(moved.acceleration(), &mut |x: f64| own.push(x));
+        agree(&[&of_base[..], &of_joints].concat(), &own, INVERTED);
+        let (of_base, of_joints) = scene.mass_solved_afloat(base, &q, &wrench, &torques)?;
+        let right = &inverse * DVector::from_iterator(6 + N, wrench.into_iter().chain(torques));
+        agree(&[&of_base[..], &of_joints].concat(), right.as_slice(), INVERTED);
+        agree(dense(&scene.mass_inverse_afloat(base, &q)?).as_slice(), inverse.as_slice(), INVERTED);
+
+        let (of_base, seconds) = scene.forward_dynamics_afloat(base, &q, &v, &wrench, &torques)?;
+        let taken = scene.inverse_dynamics_derivatives_afloat(base, &q, &v, &of_base, &seconds)?;
+        let (moved, by_torques) = scene.forward_dynamics_derivatives_afloat(base, &q, &v, &wrench, &torques)?;
+        agree(dense(&by_torques).as_slice(), inverse.as_slice(), INVERTED);
+        for (rate, taken, moved) in [(false, taken.positions, moved.positions), (true, taken.rates, moved.rates)] {
+            let mut by = DMatrix::zeros(6 + N, 6 + N);
+            for k in 0..6 + N {
+                let (base, list) = nudged(&base, if rate { &v } else { &q }, k, rate);
+                let (q, v) = if rate { (q.map(Dual::of), list) } else { (list, v.map(Dual::of)) };
+                let now = over.snapshot_afloat(base, &q, &v)?;
+                let (a, b) = now.inverse_dynamics(&of_base.map(Dual::of), &seconds.map(Dual::of));
+                a.iter().chain(&b).enumerate().for_each(|(i, x)| by[(i, k)] = x.eps[0]);
+            }
+            agree(dense(&taken).as_slice(), by.as_slice(), DIRECT);
+            agree(dense(&moved).as_slice(), (-&inverse * &by).as_slice(), INVERTED);
+        }
+    }
     Ok(())
 }

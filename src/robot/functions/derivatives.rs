@@ -19,9 +19,16 @@ pub struct ByState<T, const N: usize> {
     pub rates: [[T; N]; N],
 }
 
+/// The identity.
+pub(super) fn one<T: Scalar, const N: usize>() -> [[T; N]; N] {
+    let mut one = [[T::zero(); N]; N];
+    one.iter_mut().enumerate().for_each(|(k, row)| row[k] = T::one());
+    one
+}
+
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// What laws of the joints add to derivatives of torques, by positions and rates.
-    fn stiffened<const N: usize>(&self, q: &[T; N], v: &[T; N], by: &mut Pairs<T, N>)
+    pub(super) fn stiffened<const N: usize>(&self, q: &[T; N], v: &[T; N], by: &mut Pairs<T, N>)
     where
         C: Tasks<T, N>,
     {
@@ -75,7 +82,6 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     ///
     /// # Errors
     /// As [`forward_dynamics`](Self::forward_dynamics).
-    #[allow(clippy::type_complexity)]
     pub fn forward_dynamics_derivatives<const N: usize>(
         &self,
         q: &[T; N],
@@ -90,14 +96,12 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         let now = self.snapshot(q, v)?;
         let mut by = now.pairs(&now.partials(&[T::zero(); 6], &seconds).0);
         self.stiffened(q, v, &mut by);
-        let Pairs { positions, rates, mass } = by;
+        let Pairs { mut positions, mut rates, mass } = by;
         let factor = Factor::of(mass, now.parents());
-        let (mut positions, mut rates) = (positions.map(|row| row.map(|x| -x)), rates.map(|row| row.map(|x| -x)));
-        let mut inverse = [[T::zero(); N]; N];
-        inverse.iter_mut().enumerate().for_each(|(k, row)| row[k] = T::one());
-        factor.solve(&mut positions);
-        factor.solve(&mut rates);
-        factor.solve(&mut inverse);
+        let mut inverse = one();
+        factor.solve(-T::one(), &mut positions);
+        factor.solve(-T::one(), &mut rates);
+        factor.solve(T::one(), &mut inverse);
         finite(positions.as_flattened()).and(finite(rates.as_flattened())).and(finite(inverse.as_flattened()))?;
         Ok((ByState { positions, rates }, inverse))
     }

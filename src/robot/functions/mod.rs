@@ -1,5 +1,6 @@
 //! Functions of lists in the order of the joints: dynamics.
 
+mod afloat;
 mod derivatives;
 mod impact;
 mod inverse;
@@ -7,8 +8,9 @@ mod mass;
 mod places;
 mod snapshot;
 
+pub use afloat::ByStateAfloat;
 pub use derivatives::ByState;
-pub use snapshot::{Afloat, MassMatrix, Regressor, SixRows, Snapshot};
+pub use snapshot::{Afloat, Blocks, MassMatrix, Regressor, SixRows, Snapshot};
 
 use crate::element::{Carrying, Condense, Element, Explicit, Given, Posture, Reading};
 use crate::ends::{Root, Tip};

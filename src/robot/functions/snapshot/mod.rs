@@ -1,5 +1,6 @@
 //! A robot at an instant, on a base that is fixed or floats: what is asked of its motion, its inertia and its parameters.
 
+mod blocks;
 mod dynamics;
 mod factor;
 mod massive;
@@ -7,8 +8,9 @@ mod partials;
 mod regressor;
 mod screws;
 
+pub use blocks::Blocks;
 pub use dynamics::MassMatrix;
-pub(super) use factor::Factor;
+pub(super) use factor::{Factor, Floating};
 pub(super) use partials::Pairs;
 pub use regressor::Regressor;
 

@@ -12,11 +12,12 @@
 //! (S. Singh, R. P. Russell and P. M. Wensing, *Efficient analytical derivatives of rigid-body dynamics using spatial vector algebra*, IEEE
 //! Robotics and Automation Letters 7, 2022.) What depends on i alone is found once, so that a pair takes 36 products.
 
-use super::Snapshot;
 use super::massive::{Inertial, Stirred};
 use super::screws::{Pair, along, more, sum, swept, swept_wrench};
+use super::{Moving, Snapshot};
 use crate::relation::spatial::algebra::{dot_onto, zero};
 use crate::scalar::Scalar;
+use core::ops::Add;
 use nalgebra::Vector3;
 
 /// A joint: how it moves what it carries, and what that takes.
@@ -46,6 +47,15 @@ pub struct Outboard<T> {
     pub wrench: Pair<T>,
 }
 
+impl<T: Scalar> Add for Outboard<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let (inertial, stirred) = (self.inertial + other.inertial, self.stirred + other.stirred);
+        Self { inertial, stirred, wrench: sum(self.wrench, other.wrench) }
+    }
+}
+
 /// Derivatives of the torques of joints by positions and by rates, and the lower half of the mass matrix, as far as joints are
 /// related, where joint i is outboard of k.
 pub struct Pairs<T, const N: usize> {
@@ -55,10 +65,9 @@ pub struct Pairs<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Snapshot<T, N> {
-    /// The body on a joint, or the base, at a twist and its acceleration.
+    /// A body at a twist and its acceleration.
     #[inline(always)]
-    fn outboard(&self, joint: usize, v: Pair<T>, a: Pair<T>) -> Outboard<T> {
-        let body = self.bodies.get(joint).unwrap_or(&self.base);
+    fn outboard(&self, body: &Moving<T>, v: Pair<T>, a: Pair<T>) -> Outboard<T> {
         let (inertial, second) = Inertial::of(body, body.place.place - self.base.place.place);
         let stirred = Stirred::of(&inertial, second, v);
         let wrench = sum(inertial.moved(a), swept_wrench(v, stirred.momenta()));
@@ -79,44 +88,40 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         base: &[T; 6],
         seconds: &[T; N],
     ) -> ([Partial<T>; N], Outboard<T>) {
-        let [v, a] = self.ground(base);
-        let (none, whole) = ([zero(), zero()], self.outboard(usize::MAX, v, a));
-        let (stirred, rest) = (zero(), none);
-        let blank =
-            Partial { unit: none, swept: none, turned: none, inertial: none, stirred, position: rest, rate: rest };
-        let (mut partials, mut all, mut motions) = ([blank; N], [whole; N], [[v, a]; N]);
+        let ground = self.ground(base);
+        let none = [zero(); 2];
+        let mut moving = [[none; 4]; N]; // v, a, ψ′, ψ″
         for k in 0..N {
-            let [v, a] = motions.get(self.parents[k]).copied().unwrap_or([v, a]);
-            let unit = self.unit(k);
+            let [v, a] = moving.get(self.parents[k]).map_or(ground, |[v, a, ..]| [*v, *a]);
+            let (unit, rate) = (self.unit(k), self.rates[k]);
             let changing = swept(v, unit);
-            partials[k] = Partial { unit, swept: changing, turned: sum(swept(a, unit), swept(v, changing)), ..blank };
-            let (v, a) = (more(v, self.rates[k], unit), more(more(a, seconds[k], unit), self.rates[k], changing));
-            motions[k] = [v, a];
-            all[k] = self.outboard(k, v, a);
+            let turned = sum(swept(a, unit), swept(v, changing));
+            let (v, a) = (more(v, rate, unit), more(more(a, seconds[k], unit), rate, changing));
+            moving[k] = [v, a, changing, turned];
         }
-        let mut sum_of_all = whole;
+        let mut all: [_; N] = core::array::from_fn(|k| self.outboard(&self.bodies[k], moving[k][0], moving[k][1]));
+        let mut whole = self.outboard(&self.base, ground[0], ground[1]);
         for k in (0..N).rev() {
-            let own = all[k];
-            let Outboard { inertial, stirred, wrench } = own;
-            let Partial { unit, swept: changing, turned, .. } = partials[k];
+            let outboard = all[k];
+            let inboard = all.get_mut(self.parents[k]).unwrap_or(&mut whole);
+            *inboard = *inboard + outboard;
+        }
+        let partial = |k: usize| {
+            let Outboard { inertial, stirred, wrench } = &all[k];
+            let (unit, [.., changing, turned]) = (self.unit(k), moving[k]);
             let twice = |pair: Pair<T>| sum(pair, pair);
-            let position = sum(twice(stirred.apply(changing[1])), inertial.moved(turned));
-            let half = stirred.transposed(unit);
-            partials[k] = Partial {
+            let (position, half) = (twice(stirred.apply(changing[1])), stirred.transposed(unit));
+            Partial {
+                unit,
+                swept: changing,
+                turned,
                 inertial: inertial.moved(unit),
                 stirred: half + half,
-                position: sum(position, swept_wrench(unit, wrench)),
+                position: sum(sum(position, inertial.moved(turned)), swept_wrench(unit, *wrench)),
                 rate: twice(sum(stirred.apply(unit[1]), inertial.moved(changing))),
-                ..partials[k]
-            };
-            let inboard = all.get_mut(self.parents[k]).unwrap_or(&mut sum_of_all);
-            *inboard = Outboard {
-                inertial: inboard.inertial + inertial,
-                stirred: inboard.stirred + stirred,
-                wrench: sum(inboard.wrench, wrench),
-            };
-        }
-        (partials, sum_of_all)
+            }
+        };
+        (core::array::from_fn(partial), whole)
     }
 
     /// What each pair of joints makes of that.
