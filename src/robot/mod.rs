@@ -38,10 +38,12 @@
 //! | `places`, `jacobian` | where bodies are; how a point moves with the joints |
 //! | `mass_centre`, `joint_energy` | |
 //! | `inverse_dynamics_derivatives`, `forward_dynamics_derivatives` | by positions, rates and torques |
+//! | `forward_dynamics_afloat`, `mass_solved_afloat`, `mass_inverse_afloat` | the same for bases that float: with a wrench on the base |
+//! | `inverse_dynamics_derivatives_afloat`, `forward_dynamics_derivatives_afloat` | by turns, velocities and joints |
 //! | `impact` | rates after a joint has struck a hard stop |
 //! | `snapshot`, `snapshot_afloat` | a [`Snapshot`]: points, Jacobians and their rates, mass matrix, inverse dynamics, centroidal momentum, the regressor; for bases that float, too |
 //!
-//! All but the last are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base
+//! Those without `afloat` are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base
 //! that moves is taken at time zero. Angles out of range (400 000 rad), at which runs stop, are not refused here. None allocates; each is
 //! one walk outward, one inward, or both.
 //!
@@ -57,4 +59,6 @@ pub use crate::mechanics::spatial::body_axes::{
     OnGround, Place, Quarter, Slide, Torques, Turned, Upright, Yielding,
 };
 pub use crate::spatial::*;
-pub use functions::{Afloat, ByState, FixedBase, MassMatrix, Regressor, SixRows, Snapshot, Tasks};
+pub use functions::{
+    Afloat, Blocks, ByState, ByStateAfloat, FixedBase, MassMatrix, Regressor, SixRows, Snapshot, Tasks,
+};

@@ -1,11 +1,13 @@
 //! Derivatives of inverse and forward dynamics by positions, rates and torques.
 
-use super::{FixedBase, S, Tasks};
+use super::snapshot::{Factor, Pairs};
+use super::{FixedBase, S, Tasks, finite};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::Error;
-use crate::lift::Lift;
-use crate::scalar::{Jet, Scalar};
+use crate::mechanics::spatial::body_axes::inverse::Slopes;
+use crate::scalar::Scalar;
+use crate::shape::Takes;
 use crate::system::System;
 
 /// Derivatives of a list by positions and by rates: entry `[i][k]` is that of number i by coordinate k.
@@ -17,13 +19,33 @@ pub struct ByState<T, const N: usize> {
     pub rates: [[T; N]; N],
 }
 
+/// The identity.
+pub(super) fn one<T: Scalar, const N: usize>() -> [[T; N]; N] {
+    let mut one = [[T::zero(); N]; N];
+    one.iter_mut().enumerate().for_each(|(k, row)| row[k] = T::one());
+    one
+}
+
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
-    /// Derivatives of [`inverse_dynamics`](Self::inverse_dynamics) by positions and rates, with springs and dampers of the joints; those by
-    /// accelerations are the mass matrix. Exact, by two passes over numbers with `N` derivatives each.
+    /// What laws of the joints add to derivatives of torques, by positions and rates.
+    pub(super) fn stiffened<const N: usize>(&self, q: &[T; N], v: &[T; N], by: &mut Pairs<T, N>)
+    where
+        C: Tasks<T, N>,
+    {
+        let mut walk = Slopes { positions: *q, rates: *v, slopes: [[T::zero(); 2]; N], next: 0 };
+        Takes::<S<T>, Slopes<T, N>>::take(self.chain(), &mut walk, (), ());
+        for (k, [stiffness, damping]) in walk.slopes.into_iter().enumerate() {
+            by.positions[k][k] += stiffness;
+            by.rates[k][k] += damping;
+        }
+    }
+
+    /// Derivatives of [`inverse_dynamics`](Self::inverse_dynamics) by positions and rates, with springs and dampers of the joints, by the
+    /// slopes that their laws [say](crate::robot::SpringLaw::pivot); those by accelerations are the mass matrix. Exact, in one pass outward and
+    /// one inward, and a few products for each pair of joints of which one carries the other.
     ///
     /// # Errors
     /// As [`forward_dynamics`](Self::forward_dynamics).
-    #[allow(clippy::type_complexity)] // the scene over another number
     pub fn inverse_dynamics_derivatives<const N: usize>(
         &self,
         q: &[T; N],
@@ -31,18 +53,15 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         seconds: &[T; N],
     ) -> Result<ByState<T, N>, Error>
     where
-        R: FixedBase<T> + Lift<T, Jet<T, N>, Over: FixedBase<Jet<T, N>>>,
-        C: Lift<T, Jet<T, N>, Over: Tasks<Jet<T, N>, N>>,
-        P: Lift<T, Jet<T, N>, Over: Tip<S<Jet<T, N>>>>,
+        R: FixedBase<T>,
+        C: Tasks<T, N>,
     {
-        self.has_joints(N)?;
-        let over = self.lift(Jet::of);
-        let plain = |list: &[T; N]| list.map(Jet::of);
-        let seeded = |list: &[T; N]| core::array::from_fn(|k| Jet::seed(list[k], k));
-        let by = |forces: [Jet<T, N>; N]| forces.map(|force| force.eps);
-        let (seconds, positions) = (plain(seconds), over.inverse_dynamics(&seeded(q), &plain(v), &plain(seconds))?);
-        let rates = over.inverse_dynamics(&plain(q), &seeded(v), &seconds)?;
-        Ok(ByState { positions: by(positions), rates: by(rates) })
+        let now = self.snapshot(q, v)?;
+        let mut by = now.pairs(&now.partials(&[T::zero(); 6], seconds).0);
+        self.stiffened(q, v, &mut by);
+        let Pairs { positions, rates, .. } = by;
+        finite(positions.as_flattened()).and(finite(rates.as_flattened()))?;
+        Ok(ByState { positions, rates })
     }
 
     /// Derivatives of [`forward_dynamics`](Self::forward_dynamics) by positions and rates, and by torques (the last one is M⁻¹): those of inverse
@@ -63,7 +82,6 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     ///
     /// # Errors
     /// As [`forward_dynamics`](Self::forward_dynamics).
-    #[allow(clippy::type_complexity)] // the scene over another number
     pub fn forward_dynamics_derivatives<const N: usize>(
         &self,
         q: &[T; N],
@@ -71,18 +89,20 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         torques: &[T; N],
     ) -> Result<(ByState<T, N>, [[T; N]; N]), Error>
     where
-        R: FixedBase<T> + Lift<T, Jet<T, N>, Over: FixedBase<Jet<T, N>>>,
-        C: Tasks<T, N> + Lift<T, Jet<T, N>, Over: Tasks<Jet<T, N>, N>>,
-        P: Lift<T, Jet<T, N>, Over: Tip<S<Jet<T, N>>>>,
+        R: FixedBase<T>,
+        C: Tasks<T, N>,
     {
         let seconds = self.forward_dynamics(q, v, torques)?;
-        let ByState { positions, rates } = self.inverse_dynamics_derivatives(q, v, &seconds)?;
-        let inverse = self.mass_inverse(q)?;
-        let times = |by: &[[T; N]; N]| {
-            core::array::from_fn(|i| {
-                core::array::from_fn(|k| (0..N).fold(T::zero(), |sum, j| (-inverse[i][j]).mul_add(by[j][k], sum)))
-            })
-        };
-        Ok((ByState { positions: times(&positions), rates: times(&rates) }, inverse))
+        let now = self.snapshot(q, v)?;
+        let mut by = now.pairs(&now.partials(&[T::zero(); 6], &seconds).0);
+        self.stiffened(q, v, &mut by);
+        let Pairs { mut positions, mut rates, mass } = by;
+        let factor = Factor::of(mass, now.parents());
+        let mut inverse = one();
+        factor.solve(-T::one(), &mut positions);
+        factor.solve(-T::one(), &mut rates);
+        factor.solve(T::one(), &mut inverse);
+        finite(positions.as_flattened()).and(finite(rates.as_flattened())).and(finite(inverse.as_flattened()))?;
+        Ok((ByState { positions, rates }, inverse))
     }
 }

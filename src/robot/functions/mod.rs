@@ -1,5 +1,6 @@
 //! Functions of lists in the order of the joints: dynamics.
 
+mod afloat;
 mod derivatives;
 mod impact;
 mod inverse;
@@ -7,15 +8,16 @@ mod mass;
 mod places;
 mod snapshot;
 
+pub use afloat::ByStateAfloat;
 pub use derivatives::ByState;
-pub use snapshot::{Afloat, MassMatrix, Regressor, SixRows, Snapshot};
+pub use snapshot::{Afloat, Blocks, MassMatrix, Regressor, SixRows, Snapshot};
 
 use crate::element::{Carrying, Condense, Element, Explicit, Given, Posture, Reading};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, counted};
 use crate::mechanics::spatial::body_axes::composite::Composite;
 use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
-use crate::mechanics::spatial::body_axes::inverse::{Carrying as Load, Loaded, Resisting};
+use crate::mechanics::spatial::body_axes::inverse::{Carrying as Load, Loaded, Resisting, Slopes};
 use crate::mechanics::spatial::body_axes::places::{Places, Tally};
 use crate::mechanics::spatial::body_axes::solids::Solids;
 use crate::mechanics::spatial::body_axes::{Base, Stand, Torques};
@@ -65,6 +67,7 @@ pub trait Tasks<T: Scalar, const N: usize>:
     + Takes<S<T>, Loaded<T, N, false, false>>
     + Takes<S<T>, Load<T, N>>
     + Takes<S<T>, Resisting<T, N>>
+    + Takes<S<T>, Slopes<T, N>>
     + Takes<S<T>, Composite<T, N>>
     + Takes<S<T>, Factor<T, N>>
     + Takes<S<T>, Inward<T, N>>
@@ -83,6 +86,7 @@ impl<T: Scalar, const N: usize, C> Tasks<T, N> for C where
         + Takes<S<T>, Loaded<T, N, false, false>>
         + Takes<S<T>, Load<T, N>>
         + Takes<S<T>, Resisting<T, N>>
+        + Takes<S<T>, Slopes<T, N>>
         + Takes<S<T>, Composite<T, N>>
         + Takes<S<T>, Factor<T, N>>
         + Takes<S<T>, Inward<T, N>>

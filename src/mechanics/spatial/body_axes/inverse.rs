@@ -119,3 +119,24 @@ impl<T: Scalar, const N: usize> Through<T> for Resisting<T, N> {
     #[inline(always)]
     fn link<B: Solid<T>>(&mut self, _: &B, (): ()) {}
 }
+
+/// How the joints' own laws change: stiffness and damping, −∂force/∂position and −∂force/∂rate.
+pub struct Slopes<T, const N: usize> {
+    pub positions: [T; N],
+    pub rates: [T; N],
+    pub slopes: [[T; 2]; N],
+    pub next: usize,
+}
+
+through!([const N: usize] Slopes<T, N>, (), outward);
+
+impl<T: Scalar, const N: usize> Through<T> for Slopes<T, N> {
+    #[inline(always)]
+    fn axis<A: Standing<T>>(&mut self, axis: &A, (): ()) {
+        let own = self.next;
+        self.next += 1;
+        self.slopes[own] = axis.slopes(self.positions[own], self.rates[own]);
+    }
+    #[inline(always)]
+    fn link<B: Solid<T>>(&mut self, _: &B, (): ()) {}
+}

@@ -4,6 +4,7 @@ use super::axis::{Armature, Axis, Bearing, Mode};
 use super::link::swirl;
 use super::number::{Number, Rows, Triple, apply, cross_onto, masked, sum, transposed, triple, values};
 use super::turns::Offset;
+use crate::release::slopes;
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;
 
@@ -22,6 +23,8 @@ pub trait Standing<T: Scalar>: Copy {
     fn inertia(&self) -> Number<T>;
     /// What spring and damper exert.
     fn law(&self, position: T, rate: T) -> T;
+    /// How that changes: −∂force/∂position and −∂force/∂rate.
+    fn slopes(&self, position: T, rate: T) -> [T; 2];
     /// Energy of the spring.
     fn energy(&self, position: T) -> T;
 
@@ -151,6 +154,10 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     #[inline(always)]
     fn law(&self, position: T, rate: T) -> T {
         self.law.force(position, rate)
+    }
+    #[inline(always)]
+    fn slopes(&self, position: T, rate: T) -> [T; 2] {
+        slopes::<T, _>(|springs| self.law.pivot(position, rate, springs))
     }
     #[inline(always)]
     fn energy(&self, position: T) -> T {

@@ -1,10 +1,11 @@
 //! Inverse dynamics, mass matrix, mass centre and momentum of a robot at an instant.
 
+use super::massive::Inertial;
+use super::screws::{Pair, along};
 use super::{Moving, SixRows, Snapshot, six, units};
-use crate::mechanics::spatial::body_axes::solids::Parameters;
-use crate::relation::spatial::algebra::{Columns, Symmetric3, centripetal, cross, dot, zero};
+use crate::mechanics::spatial::body_axes::Place;
+use crate::relation::spatial::algebra::{Columns, centripetal, cross, dot, zero};
 use crate::scalar::Scalar;
-use core::ops::Add;
 use nalgebra::Vector3;
 
 /// The mass matrix of a robot: of the base, between base and joints, and of the joints.
@@ -16,54 +17,6 @@ pub struct MassMatrix<T, const N: usize> {
     pub coupling: [[T; 6]; N],
     /// Of the joints, with reflected inertias.
     pub joints: [[T; N]; N],
-}
-
-/// Mass, first moment and tensor about an origin, inertial axes.
-#[derive(Clone, Copy)]
-struct Inertial<T> {
-    mass: T,
-    moment: Vector3<T>,
-    tensor: Symmetric3<T>,
-}
-
-impl<T: Scalar> Inertial<T> {
-    fn of(body: &Moving<T>) -> Self {
-        let [mass, x, y, z, xx, yy, zz, yz, xz, xy]: Parameters<T> = body.parameters;
-        let attitude = &body.place.attitude;
-        let tensor = Symmetric3 { xx, xy, xz, yy, yz, zz }.turned(attitude);
-        Self { mass, moment: attitude.apply(Vector3::new(x, y, z)), tensor }
-    }
-
-    /// About another origin, to which this one stands by an arm.
-    fn shifted(self, arm: Vector3<T>) -> Self {
-        let Self { mass, moment, tensor } = self;
-        let (h, d) = (moment, arm);
-        let whole = h + h + d * mass;
-        let square = dot(d, whole);
-        // J + (2 h·d + m d²) 1 − (h dᵀ + d hᵀ + m d dᵀ).
-        let of = |a: T, i: usize, k: usize| {
-            let dyad = (h[i] * d[k] + d[i] * h[k]) + mass * d[i] * d[k];
-            a + if i == k { square - dyad } else { -dyad }
-        };
-        let Symmetric3 { xx, xy, xz, yy, yz, zz } = tensor;
-        let (xx, xy, xz) = (of(xx, 0, 0), of(xy, 0, 1), of(xz, 0, 2));
-        let tensor = Symmetric3 { xx, xy, xz, yy: of(yy, 1, 1), yz: of(yz, 1, 2), zz: of(zz, 2, 2) };
-        Self { mass, moment: h + d * mass, tensor }
-    }
-
-    /// Momentum, and angular momentum about the origin, of a velocity and an angular velocity.
-    fn moved(&self, [velocity, spin]: [Vector3<T>; 2]) -> [Vector3<T>; 2] {
-        let momentum = velocity * self.mass + cross(spin, self.moment);
-        [momentum, cross(self.moment, velocity) + self.tensor.apply(spin)]
-    }
-}
-
-impl<T: Scalar> Add for Inertial<T> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        let (mass, moment) = (self.mass + other.mass, self.moment + other.moment);
-        Self { mass, moment, tensor: self.tensor + other.tensor }
-    }
 }
 
 impl<T: Scalar, const N: usize> Snapshot<T, N> {
@@ -82,10 +35,12 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         six([force, self.base.place.attitude.transposed(torque)])
     }
 
-    /// Motion of a body for a rate of one of its joint.
-    fn unit(&self, joint: usize) -> [Vector3<T>; 2] {
-        let axis = self.bodies[joint].place.attitude.z;
-        if self.slides[joint] { [axis, zero()] } else { [zero(), axis] }
+    /// Twist of what a joint carries for a rate of one.
+    #[inline(always)]
+    pub(super) fn unit(&self, joint: usize) -> Pair<T> {
+        let Place { place, attitude } = &self.bodies[joint].place;
+        let axis = attitude.z;
+        if self.slides[joint] { [axis, zero()] } else { [cross(*place - self.base.place.place, axis), axis] }
     }
 
     /// What accelerations take, with gravity: a force on the base (N, inertial axes) and a torque about its origin (N·m, its axes), and torques
@@ -94,7 +49,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     pub fn inverse_dynamics(&self, base: &[T; 6], seconds: &[T; N]) -> ([T; 6], [T; N]) {
         let (of_base, all) = self.accelerations(base, seconds);
         let taken = |body: &Moving<T>, p: [Vector3<T>; 2]| {
-            let inertial = Inertial::of(body);
+            let inertial = Inertial::own(body);
             let [force, torque] = inertial.moved(p);
             let gyroscopic = cross(body.spin, inertial.tensor.apply(body.spin));
             [force + centripetal(body.spin, inertial.moment), torque + gyroscopic]
@@ -110,20 +65,21 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         (self.on_base(whole), torques)
     }
 
-    /// Inertias of bodies with all that they carry.
+    /// Inertias of the base and of bodies with all that they carry.
     fn composites(&self) -> (Inertial<T>, [Inertial<T>; N]) {
-        let mut all: [_; N] = core::array::from_fn(|k| Inertial::of(&self.bodies[k]));
-        let mut whole = Inertial::of(&self.base);
+        let of = |body: &Moving<T>| Inertial::of(body, body.place.place - self.base.place.place).0;
+        let mut all: [_; N] = core::array::from_fn(|k| of(&self.bodies[k]));
+        let mut whole = of(&self.base);
         for k in (0..N).rev() {
-            let shifted = all[k].shifted(self.arm(k));
+            let outboard = all[k];
             let sum = all.get_mut(self.parents[k]).unwrap_or(&mut whole);
-            *sum = *sum + shifted;
+            *sum = *sum + outboard;
         }
         (whole, all)
     }
 
     /// Motions of the base for rates of one.
-    fn units_of_base(&self) -> [[Vector3<T>; 2]; 6] {
+    pub(super) fn units_of_base(&self) -> [Pair<T>; 6] {
         let ([x, y, z], [a, b, c], o) = (units(), self.axes(), zero());
         [[x, o], [y, o], [z, o], [o, a], [o, b], [o, c]]
     }
@@ -133,16 +89,16 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         let (whole, all) = self.composites();
         let (o, base) = (T::zero(), self.units_of_base().map(|unit| self.on_base(whole.moved(unit))));
         let mut matrix = MassMatrix { base, coupling: [[o; 6]; N], joints: [[o; N]; N] };
+        let units: [_; N] = core::array::from_fn(|k| self.unit(k));
         for (k, outboard) in all.into_iter().enumerate() {
-            let [force, mut torque] = outboard.moved(self.unit(k));
+            let wrench = outboard.moved(units[k]);
             let mut next = k;
-            while next < N {
-                let entry = self.along(next, [force, torque]);
+            while let Some(unit) = units.get(next) {
+                let entry = along(*unit, wrench);
                 (matrix.joints[k][next], matrix.joints[next][k]) = (entry, entry);
-                torque += cross(self.arm(next), force);
                 next = self.parents[next];
             }
-            matrix.coupling[k] = self.on_base([force, torque]);
+            matrix.coupling[k] = self.on_base(wrench);
             matrix.joints[k][k] += self.inertias[k];
         }
         matrix
@@ -158,10 +114,10 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     pub fn momentum_matrix(&self) -> SixRows<T, N> {
         let (whole, all) = self.composites();
         let centre = self.base.place.place + whole.moment * whole.mass.recip();
-        let about = |place: Vector3<T>, [p, angular]: [Vector3<T>; 2]| six([p, angular + cross(place - centre, p)]);
+        let about = |[p, angular]: Pair<T>| six([p, angular + cross(self.base.place.place - centre, p)]);
         SixRows {
-            base: self.units_of_base().map(|unit| about(self.base.place.place, whole.moved(unit))),
-            joints: core::array::from_fn(|k| about(self.bodies[k].place.place, all[k].moved(self.unit(k)))),
+            base: self.units_of_base().map(|unit| about(whole.moved(unit))),
+            joints: core::array::from_fn(|k| about(all[k].moved(self.unit(k)))),
         }
     }
 

@@ -1,9 +1,17 @@
 //! A robot at an instant, on a base that is fixed or floats: what is asked of its motion, its inertia and its parameters.
 
+mod blocks;
 mod dynamics;
+mod factor;
+mod massive;
+mod partials;
 mod regressor;
+mod screws;
 
+pub use blocks::Blocks;
 pub use dynamics::MassMatrix;
+pub(super) use factor::{Factor, Floating};
+pub(super) use partials::Pairs;
 pub use regressor::Regressor;
 
 use super::{FixedBase, Resisting, S, Tasks, finite, resisting};
@@ -43,7 +51,7 @@ impl<T: Scalar> Afloat<T> {
 
 /// A body at an instant, in inertial axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Moving<T> {
+pub struct Moving<T> {
     place: Place<T>,
     velocity: Vector3<T>,
     spin: Vector3<T>,
@@ -186,6 +194,11 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     fn body(&self, joint: Option<usize>) -> Result<&Moving<T>, Error> {
         let Some(joint) = joint else { return Ok(&self.base) };
         self.bodies.get(joint).ok_or_else(|| Error::new(Fault::NoSuchJoint { joint, joints: N }))
+    }
+
+    /// The joint inboard of each.
+    pub(super) fn parents(&self) -> &[usize; N] {
+        &self.parents
     }
 
     fn parent(&self, joint: usize) -> &Moving<T> {
