@@ -1,6 +1,8 @@
 //! What lies outboard of a station on the costate sweep's way inward.
 
-use crate::relation::{Closures, Full, Geometry, Join, LoopGain, Looped, Open, Own, Settle, WrenchOf};
+use crate::relation::{
+    AccelerationOf, Closures, Cuts, Full, Geometry, Join, LoopGain, Looped, Open, Own, Settle, WrenchOf,
+};
 
 /// What lies outboard of a station, S and e, and W, Λ and y₀ of closure forces, with a kind: bodies save what a joint whose moment does not
 /// depend on the motion, or a free tip, leaves out.
@@ -8,6 +10,20 @@ use crate::relation::{Closures, Full, Geometry, Join, LoopGain, Looped, Open, Ow
 pub struct Outboard<S: Geometry, C: Closures = Open> {
     pub kind: Kind,
     pub relation: Full<S, C>,
+}
+
+impl<S: Geometry, C: Closures> Outboard<S, C> {
+    /// Nothing but closure forces.
+    #[inline(always)]
+    pub fn cut(kind: Kind, columns: C::Each<WrenchOf<S>>, gap: C::Each<S::Scalar>) -> Self {
+        Self { kind, relation: Full::massless().cut(Cuts::at_tip(columns, gap)) }
+    }
+    /// What lies beyond the last body where it is held: λ acts on the body by the wrenches c, and c · A of the body is that of the ground.
+    #[inline(always)]
+    pub fn held(kind: Kind, columns: C::Each<WrenchOf<S>>, still: &AccelerationOf<S>) -> Self {
+        let columns = C::map(&columns, |column| -column);
+        Self::cut(kind, columns, C::map(&columns, |column| column.work(still)))
+    }
 }
 
 /// What there is of a relation.

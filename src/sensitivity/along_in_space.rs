@@ -2,8 +2,9 @@
 
 use super::Gradient;
 use super::along::Along;
+use crate::adjoint::ReversibleTip;
 use crate::element::Element;
-use crate::ends::{Root, Tip};
+use crate::ends::Root;
 use crate::error::Error;
 use crate::lift::Lift;
 use crate::mechanics::spatial::{Ball, Base, Inertial, OfJoint, PointMass, Revolute, RigidBody, Rod, Spatial, Weld};
@@ -30,7 +31,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 
 impl<T: Scalar, const K: usize> Walk<Spatial<Jet<T, K>>> for Along<T, K> {
     type Carried = ();
-    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerJoint<OfJoint<T>>>);
+    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; 3]>>, Ref<PerJoint<OfJoint<T>>>);
 }
 
 impl<T: Scalar, const K: usize> Selective<Spatial<Jet<T, K>>> for Along<T, K> {
@@ -44,10 +45,10 @@ macro_rules! bodies {
                 &self,
                 walk: &mut Along<T, K>,
                 (): (),
-                (by, ()): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>,
+                (by, by_arm, ()): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>,
             ) {
                 let Base { outboard, moment, inertia, lumped } = self.base();
-                by.outboard.iter().zip(outboard).for_each(|(by, x)| walk.add(*by, x));
+                by.outboard.iter().zip(by_arm).zip(outboard).for_each(|((by, more), x)| walk.add(*by + *more, x));
                 by.moment.iter().zip(moment).for_each(|(by, x)| walk.add(*by, x));
                 by.inertia.iter().zip(inertia).for_each(|(by, x)| walk.add(*by, x));
                 walk.add(by.lumped, lumped);
@@ -65,7 +66,7 @@ impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Ball 
 }
 
 impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Weld<Jet<T, K>> {
-    fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
         walk.add_vector(by.turn, turn(self.attitude()));
         walk.met += 1;
     }
@@ -76,7 +77,7 @@ where
     L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
 {
     /// An axis that turns takes what lies outboard with it, but for the turn about it: there and, on the other side, back.
-    fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
         let (axis, law) = self.parts();
         let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
         let (own, Columns { x, y, .. }) = (still(axis), Columns::identity());
@@ -127,18 +128,22 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
     where
         R: Root<Spatial<Jet<T, K>>>,
         C: Element<Spatial<Jet<T, K>>>,
-        P: Tip<Spatial<Jet<T, K>>>,
+        P: ReversibleTip<Spatial<Jet<T, K>>>,
         Elements<Spatial<Jet<T, K>>, R, C>: Takes<Spatial<Jet<T, K>>, Along<T, K>>
             + Shape<
                 Spatial<Jet<T, K>>,
                 Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>,
+                Store<PerBody<[T; 3]>> = E::Store<PerBody<[T; 3]>>,
                 Store<PerJoint<OfJoint<T>>> = E::Store<PerJoint<OfJoint<T>>>,
             >,
     {
         let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
-        scene.elements().take(&mut walk, (), (&self.bodies, &self.joints));
+        scene.elements().take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;
-        walk.add_vector(self.ground, turn(&scene.ground(Zero::zero()).turn.attitude));
+        let ground = scene.ground(Zero::zero());
+        walk.add_vector(self.ground, turn(&ground.turn.attitude));
+        walk.add_vector(self.place, ground.place);
+        walk.add_tip(&self.tip, &scene.tip().numbers());
         walk.add_vector(self.gravity, scene.gravity());
         Ok(walk.sum)
     }

@@ -1,7 +1,7 @@
 //! Costates of positions, rates and parameters, from the virtual power of each body.
 
-use crate::adjoint::{Reversed, ReversibleClosing};
-use crate::relation::{Additive, Closures, Wrench, WrenchOf};
+use crate::adjoint::{Reversed, ReversibleClosing, total};
+use crate::relation::{Acceleration, Additive};
 use crate::shape::{
     Around, AtClosing, Mut, PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Ref, Selective, Walk, Way,
 };
@@ -56,18 +56,10 @@ impl<S: Reversed, K: ReversibleClosing<S>> Around<S, K> for PullBack {
         main: impl FnOnce(&mut Self, S::Pulled) -> S::Pulled,
         side: impl FnOnce(&mut Self, S::Pulled) -> S::Pulled,
     ) -> S::Pulled {
-        let (weight, force) = (-total(closing, minus_weights), total(closing, forces));
-        let side = side(self, K::pulled(weight, force));
-        main(self, outer + K::pulled(-weight, -force)) + side
+        let of = total::<S, K::Closures>;
+        let (weight, force) = (-of(&closing.columns(), minus_weights), of(&closing.columns(), forces));
+        let still = Acceleration::zero();
+        let side = side(self, S::pulled((weight, &still), (force, &still)));
+        main(self, outer + S::pulled((-weight, &still), (-force, &still))) + side
     }
-}
-
-/// The wrench of closure forces on the end of the side arm.
-pub(super) fn total<S: Reversed, K: ReversibleClosing<S>>(
-    closing: &K,
-    forces: &<K::Closures as Closures>::Each<S::Scalar>,
-) -> WrenchOf<S> {
-    let mut sum = Wrench::none();
-    K::Closures::zip(&closing.columns(), forces, |column, force| sum = WrenchOf::<S>::plus_scaled(sum, force, column));
-    sum
 }

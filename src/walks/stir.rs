@@ -54,7 +54,7 @@ impl<S: Reversed, C: Closures, K: ReversibleClosing<S>> Around<S, K> for Stir<S:
         main: impl FnOnce(&mut Self::In<Main<K::Closures>>, S::Stirred) -> S::Stirred,
         side: impl FnOnce(&mut Self::In<Side<K::Closures>>, S::Stirred) -> S::Stirred,
     ) -> S::Stirred {
-        let velocity = K::stirred(&inner);
+        let velocity = S::stirred(&inner);
         let forces =
             K::Closures::forces(gain, |w| w.work(&velocity), &self.forces, &K::Closures::reduced(gain, parted));
         *parted = forces;

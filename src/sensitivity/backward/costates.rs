@@ -166,7 +166,7 @@ where
         if const { Self::HELD } {
             let falling = frame.falling(self.scene.gravity());
             let accelerations = (stage.reached, falling);
-            pulled = weigh(self.scene, (&weight, &stage.force), accelerations, &P::stirred(&stirred), gradient);
+            pulled = weigh(self.scene, (&weight, &stage.force), accelerations, &S::stirred(&stirred), gradient);
         }
         let Gradient { bodies, joints, .. } = gradient;
         let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
@@ -182,11 +182,12 @@ where
             let (law_of, level) = (self.loads.law, Level::Place);
             let mut walk = PullLoads { law: law_of, time, body: elements.bodies(), level, of_law: *law };
             let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-            let kept_of_them = (&self.loads.on_bodies, &self.on_bodies, &self.in_joints, &self.no_loops);
+            let kept_of_them =
+                (&self.loads.on_bodies, &self.on_bodies, &self.in_joints, (&self.no_loops, &self.no_turns));
             let stores = (x, y, p, q, (position, rate, &self.of_acceleration), kept_of_them, (numbers, joints), start);
             let felt = elements.take(&mut walk, S::Felt::null(), stores);
             *law = walk.of_law;
-            let (place, turn) = S::of_place(&felt);
+            let (place, turn) = S::of_place(&felt, &frame);
             (gradient.place, gradient.ground) = (gradient.place + place, gradient.ground + turn);
         }
     }

@@ -1,19 +1,19 @@
 //! Steps of a run with all that their stages keep for costates.
 
-use super::held::Room;
+use super::held::{Room, unturned};
 use super::implicit::AgainOf;
 use super::loads::Seen;
 use super::projection::Projection;
 use super::record::{Place, Record, Stage, StageOf};
 use super::rules::Staged;
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Outboard, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf};
 use crate::ends::{Resting, Root, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Acceleration, Additive, Closures, Cuts, Solvable, Wrench};
 use crate::scalar::Real;
-use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Shape, Takes};
+use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Shape, Takes};
 use crate::stepper::displace::displace;
 use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
 use crate::walks::burden::Burden;
@@ -62,6 +62,8 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     /// −ν of loops, and nothing of them.
     pub(super) in_loops: <Elements<S, R, C> as Shape<S>>::Store<PerClosure>,
     pub(super) no_loops: <Elements<S, R, C> as Shape<S>>::Store<PerClosure>,
+    /// How their ends are turned, where nothing reads it.
+    pub(super) no_turns: <Elements<S, R, C> as Shape<S>>::Store<PerLoop<[S::Turn; 2]>>,
     /// Weights of each row's acceleration in the positions and rates of all rows: columns of the tableau.
     pub(super) weights: M::Rows<[[f64; ROWS]; 2]>,
     pub(super) nodes: [f64; ROWS],
@@ -122,6 +124,7 @@ where
             in_joints: elements.store::<PerJoint<_>>(in_joint),
             in_loops: elements.store::<PerClosure>(()),
             no_loops: elements.store::<PerClosure>(()),
+            no_turns: unturned::<S, _>(elements),
             weights,
             nodes,
             room: (Self::CLOSED > 0).then(|| Room::new(elements)),
@@ -250,8 +253,8 @@ where
         let (position, rate) = start.map_or((&*position, &*rate), |past| (&past.position, &past.rate));
         S::pose(elements, position, rate, ground.turn, &self.sizes, x, y, p, q);
         let falling = ground.falling(self.scene.gravity());
-        let (beyond, motion) =
-            (self.scene.tip().beyond(&falling), free.map_or((position, rate), |(position, rate)| (position, rate)));
+        let beyond = Outboard::held(P::KIND, self.scene.tip().columns(), &falling);
+        let motion = free.map_or((position, rate), |(position, rate)| (position, rate));
         let chain =
             elements.take(&mut Factor::by(springs), beyond, (x, y, p, q, motion, &self.torques, &mut *kept, pivots));
         let mut burden = Burden(Meet::nothing());
