@@ -29,14 +29,15 @@
 //! (`mechanics/planar/adjoint/`, `mechanics/spatial/adjoint/`).
 
 pub mod laws;
+mod named;
 mod outboard;
 mod rigid;
 
 use crate::element::{Element, Level, Space, Springs};
 use crate::ends::Tip;
 use crate::loading::{EffortOf, Load, LoadLaw};
-use crate::relation::{AccelerationOf, Additive, Closures, Geometry, Looped, Wrench, WrenchOf};
-use crate::shape::{Closing, PerAxes, Selective, Takes};
+use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Geometry, Looped, Wrench, WrenchOf};
+use crate::shape::{Closing, Ends, PerAxes, Selective, Takes};
 use crate::space::FrameOf;
 use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
@@ -59,6 +60,8 @@ pub trait Reversed: Space {
     type OnBody: Copy + 'static;
     /// What that walk keeps of a joint.
     type InJoint: Copy + 'static;
+    /// What that walk keeps of both ends of a loop.
+    type AtEnds: Copy + 'static;
     /// What is carried inward: G and F, and what turning all that has been met does to P.
     type Pulled: Additive;
     /// Costates of the base parameters of a body.
@@ -94,7 +97,9 @@ pub trait Reversed: Space {
     /// Where the outward walk begins: a ground that does not move virtually.
     fn at_ground(frame: &FrameOf<Self>) -> Self::Stirred;
     /// Nothing has been kept.
-    fn untouched() -> (Self::OnBody, Self::InJoint);
+    fn untouched() -> (Self::OnBody, Self::InJoint, Self::AtEnds);
+    /// What is kept of the ends of the side arm and of the main one.
+    fn at_ends(side: &Self::Stirred, main: &Self::Stirred) -> Self::AtEnds;
     /// No derivatives yet.
     fn of_nothing() -> (Self::OfBody, Self::OfNumbers, Self::OfJoint);
     /// No numbers of a tip.
@@ -167,24 +172,66 @@ impl<S: Reversed, L, C: Closures, E> Burdened<S, L, C> for E where
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward around a loop that `{Self}` closes",
     label = "not a joint that the costate sweep knows to close loops",
-    note = "it knows `Pin` and `Weld` of the plane",
+    note = "it knows `Pin` and `Weld` of the plane, `Ball`, `Revolute` and `Weld` of space",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait ReversibleClosing<S: Reversed>: Closing<S> {
-    /// What lies beyond the ends of the main arm and of the side arm, under a torque in the joint; and what the joint passes on but for λ.
+    /// Keeps what the joint and its costates need of the orientations of both ends.
+    #[allow(clippy::too_many_arguments)] // one store each
+    fn pose(
+        &self,
+        side: S::Turn,
+        main: S::Turn,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
+    ) {
+        self.orient(side, main, x, y, p, q);
+    }
+    /// What lies beyond the ends of the main arm and of the side arm, under a torque in the joint, of which the pivot may know; and what the
+    /// joint passes on but for λ.
     #[allow(clippy::type_complexity)] // three of them
     fn close_off<C: Closures>(
         &self,
         outer: Outboard<S, C>,
         effort: &EffortOf<S>,
+        axes: Ends<'_, S, Self>,
+        pivot: &mut S::Pivot,
     ) -> (Outboard<S, Looped<C, Self::Closures>>, Outboard<S, Self::Closures>, WrenchOf<S>);
     /// The wrench c of each unit force.
-    fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
+    fn columns(&self, axes: Ends<'_, S, Self>) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
     /// Adds the costate of the torque in the joint, for virtual velocities of both ends.
-    fn of_effort(&self, side: &S::Stirred, main: &S::Stirred, sum: &mut EffortOf<S>);
-    /// Takes from `sums` the derivatives of Σ ν y by the numbers of the joint, y being the [residual](Closing::residual).
-    fn of_residual(&self, weights: &<Self::Closures as Closures>::Each<S::Scalar>, level: Level, sums: &mut S::OfJoint);
+    fn of_effort(&self, axes: Ends<'_, S, Self>, ends: [&S::Stirred; 2], sum: &mut EffortOf<S>);
+    /// What is carried inward from the ends of the side arm and of the main one, weighed by ν in accelerations and by −λ in virtual velocities,
+    /// one against the other, under the torque that the pivot knows of, if it acts; adds to costates of the numbers of the joint.
+    fn pulled(
+        &self,
+        axes: Ends<'_, S, Self>,
+        (weights, forces): (&OfEach<S, Self>, &OfEach<S, Self>),
+        pivot: Option<&S::Pivot>,
+        ends: &S::AtEnds,
+        sums: &mut S::OfJoint,
+    ) -> [S::Pulled; 2] {
+        let _ = (pivot, ends, sums);
+        let (columns, still) = (self.columns(axes), Acceleration::zero());
+        let [weight, force] = [weights, forces].map(|each| total::<S, Self::Closures>(&columns, each));
+        [S::pulled((weight, &still), (force, &still)), S::pulled((-weight, &still), (-force, &still))]
+    }
+    /// What is carried inward from both ends where their [residual](Closing::residual) has the costates ν; adds to those of the numbers of the
+    /// joint.
+    fn felt(
+        &self,
+        axes: Ends<'_, S, Self>,
+        weights: &OfEach<S, Self>,
+        turns: &[S::Turn; 2],
+        level: Level,
+        sums: &mut S::OfJoint,
+    ) -> [S::Felt; 2];
 }
+
+/// One number for each force that closes a loop.
+pub type OfEach<S, K> = <<K as Closing<S>>::Closures as Closures>::Each<<S as Geometry>::Scalar>;
 
 /// Σ x c, of wrenches c and a number for each.
 pub fn total<S: Reversed, C: Closures>(columns: &C::Each<WrenchOf<S>>, numbers: &C::Each<S::Scalar>) -> WrenchOf<S> {

@@ -3,6 +3,7 @@
 use super::Gradient;
 use super::along::Along;
 use crate::adjoint::ReversibleTip;
+use crate::chain::Named;
 use crate::element::Element;
 use crate::ends::Root;
 use crate::error::Error;
@@ -10,7 +11,9 @@ use crate::lift::Lift;
 use crate::mechanics::spatial::{Ball, Base, Inertial, OfJoint, PointMass, Revolute, RigidBody, Rod, Spatial, Weld};
 use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};
-use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms};
+use crate::shape::{
+    Around, AtClosing, Closing, Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms,
+};
 use crate::spring::SpringLaw;
 use crate::system::{Elements, System};
 use nalgebra::Vector3;
@@ -59,25 +62,37 @@ macro_rules! bodies {
 }
 bodies!(Rod, RigidBody, PointMass);
 
-impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Ball {
-    fn take(&self, walk: &mut Along<T, K>, (): (), _: Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+/// A joint, between two bodies or to close a loop: what its numbers do to a cost.
+pub trait Numbered<T: Scalar, const K: usize> {
+    /// Adds that.
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>);
+}
+
+impl<T: Scalar, const K: usize> Numbered<T, K> for Ball {
+    fn add_to(&self, walk: &mut Along<T, K>, _: &OfJoint<T>) {
         walk.met += 1;
     }
 }
 
-impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Weld<Jet<T, K>> {
-    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+impl<T: Scalar, const K: usize> Numbered<T, K> for Weld<Jet<T, K>> {
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
         walk.add_vector(by.turn, turn(self.attitude()));
         walk.met += 1;
     }
 }
 
-impl<T: Scalar, const K: usize, L> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Revolute<Jet<T, K>, L>
+impl<T: Scalar, const K: usize, J: Numbered<T, K>> Numbered<T, K> for Named<J> {
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
+        self.item.add_to(walk, by);
+    }
+}
+
+impl<T: Scalar, const K: usize, L> Numbered<T, K> for Revolute<Jet<T, K>, L>
 where
     L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
 {
     /// An axis that turns takes what lies outboard with it, but for the turn about it: there and, on the other side, back.
-    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
         let (axis, law) = self.parts();
         let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
         let (own, Columns { x, y, .. }) = (still(axis), Columns::identity());
@@ -87,6 +102,37 @@ where
         walk.add(by.turn.x, dot(turned, aside));
         walk.add(by.turn.y, dot(turned, across));
         walk.add_joint(law, &by.law);
+    }
+}
+
+macro_rules! joints {
+    ($([$($L:ident)?] $Joint:ty),*) => {$(
+        impl<T: Scalar, const K: usize $(, $L)?> Takes<Spatial<Jet<T, K>>, Along<T, K>> for $Joint
+        where
+            $($L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,)?
+        {
+            fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+                self.add_to(walk, by);
+            }
+        }
+    )*};
+}
+joints!([] Ball, [] Weld<Jet<T, K>>, [L] Revolute<Jet<T, K>, L>);
+
+impl<T: Scalar, J: Closing<Spatial<Jet<T, K>>> + Numbered<T, K>, const K: usize> Around<Spatial<Jet<T, K>>, J>
+    for Along<T, K>
+{
+    fn around(
+        &mut self,
+        closing: &J,
+        (): (),
+        ((), (), by): AtClosing<'_, Spatial<Jet<T, K>>, Self, J>,
+        main: impl FnOnce(&mut Self, ()),
+        side: impl FnOnce(&mut Self, ()),
+    ) {
+        main(self, ());
+        side(self, ());
+        closing.add_to(self, by);
     }
 }
 

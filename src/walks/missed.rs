@@ -8,6 +8,9 @@ use crate::shape::{
 };
 use crate::space::{FrameOf, Space};
 
+/// How the ends of the side arm and of the main arm of a loop are turned.
+pub type Turns<S> = PerLoop<[<S as Space>::Turn; 2]>;
+
 /// Walks outward with complete kinematics and keeps by what the ends of each loop miss each other, with the opposite sign, and how they are
 /// turned; gives the frame of the tip.
 pub fn missed<S: Space, E: Shape<S>>(
@@ -15,7 +18,8 @@ pub fn missed<S: Space, E: Shape<S>>(
     frame: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     level: Level,
-    (gaps, turns): (&mut E::Store<PerClosure>, &mut E::Store<PerLoop<[S::Turn; 2]>>),
+    gaps: &mut E::Store<PerClosure>,
+    turns: &mut E::Store<Turns<S>>,
 ) -> FrameOf<S> {
     let Coordinates { position, rate, acceleration } = motion;
     chain.outward(&mut Missed(level), frame, (position, rate, acceleration, gaps, turns))
@@ -26,7 +30,7 @@ struct Missed(Level);
 
 impl<S: Space> Walk<S> for Missed {
     type Carried = FrameOf<S>;
-    type Stores = (Ref<Positions>, Ref<Rates>, Ref<Rates>, Mut<PerClosure>, Mut<PerLoop<[S::Turn; 2]>>);
+    type Stores = (Ref<Positions>, Ref<Rates>, Ref<Rates>, Mut<PerClosure>, Mut<Turns<S>>);
 }
 
 impl<S: Space> Outward<S> for Missed {

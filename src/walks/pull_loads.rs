@@ -1,12 +1,12 @@
 //! Costates of positions, rates and parameters, from what loads on bodies read.
 
-use crate::adjoint::{Reversed, ReversibleClosing, total};
+use super::missed::Turns;
+use crate::adjoint::{Reversed, ReversibleClosing};
 use crate::element::Level;
-use crate::relation::{Additive, Wrench, WrenchOf};
+use crate::relation::{Additive, Closures, WrenchOf};
 use crate::scalar::Scalar;
 use crate::shape::{
-    Around, AtClosing, Mut, PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Ref, Selective, Walk,
-    Way,
+    Around, AtClosing, Ends, Mut, PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Ref, Selective, Walk, Way,
 };
 use crate::space::FrameOf;
 
@@ -41,7 +41,7 @@ impl<S: Reversed, L> Walk<S> for PullLoads<L, S::Scalar> {
             Ref<PerBody<(FrameOf<S>, WrenchOf<S>)>>,
             Ref<PerBody<S::OnBody>>,
             Ref<PerJoint<S::InJoint>>,
-            (Ref<PerClosure>, Ref<PerLoop<[S::Turn; 2]>>),
+            (Ref<PerClosure>, Ref<Turns<S>>),
         ),
         (Mut<PerBody<S::OfNumbers>>, Mut<PerJoint<S::OfJoint>>),
         (Mut<Rates>, Mut<Rates>),
@@ -63,18 +63,12 @@ impl<S: Reversed, L, K: ReversibleClosing<S>> Around<S, K> for PullLoads<L, S::S
         &mut self,
         closing: &K,
         outer: S::Felt,
-        (.., (.., (minus_weights, turns)), (_, sums), _): AtClosing<'_, S, Self, K>,
+        (x, y, p, q, _, (.., (minus_weights, turns)), (_, sums), _): AtClosing<'_, S, Self, K>,
         main: impl FnOnce(&mut Self, S::Felt) -> S::Felt,
         side: impl FnOnce(&mut Self, S::Felt) -> S::Felt,
     ) -> S::Felt {
-        let (weight, none) = (-total::<S, K::Closures>(&closing.columns(), minus_weights), Wrench::none());
-        let felt = |weight, turn| match self.level {
-            Level::Place => S::felt(weight, none, turn),
-            Level::Velocity => S::felt(none, weight, turn),
-        };
-        let [of_side, of_main] = turns;
-        let (on_side, on_main) = (felt(weight, of_side), felt(-weight, of_main));
-        closing.of_residual(minus_weights, self.level, sums);
+        let (weights, axes) = (K::Closures::map(minus_weights, |x| -x), Ends { x, y, p, q });
+        let [on_side, on_main] = closing.felt(axes, &weights, turns, self.level, sums);
         let side = side(self, on_side);
         main(self, outer + on_main) + side
     }

@@ -158,7 +158,7 @@ where
         let mut walk = Meet::nothing();
         elements.take(&mut walk, Wrench::none(), (x, y, p, q, kept, pivots, &mut *free, &mut self.in_loops));
         let weight = P::Closures::solve(&stage.compliance, &walk.gaps);
-        let kept_of_them = (&mut self.on_bodies, &mut self.in_joints, &mut self.in_loops);
+        let kept_of_them = (&mut self.on_bodies, &mut self.in_joints, (&mut self.in_loops, &mut self.at_ends));
         let stores = (x, y, p, q, kept, (rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
         let forces = opposite::<S, P::Closures>(&weight);
         let stirred = elements.take(&mut Stir { forces }, S::at_ground(&frame), stores);
@@ -170,7 +170,8 @@ where
         }
         let Gradient { bodies, joints, .. } = gradient;
         let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots, (&self.in_loops, in_loops));
+        let of_loops = (&self.in_loops, in_loops, &self.at_ends);
+        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots, of_loops);
         let stores = (x, y, p, q, (position, rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
         let left = elements.take(&mut PullBack { laws }, pulled, stores);
         let (gravity, turn) = S::of_ground(&left, &frame);

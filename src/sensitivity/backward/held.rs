@@ -21,6 +21,7 @@ use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Rates, Takes
 use crate::space::{FrameOf, Orientation};
 use crate::system::{Elements, System};
 use crate::walks::meet::Meet;
+use crate::walks::missed::Turns;
 use crate::walks::singled::loops;
 use crate::walks::size::sizes;
 use crate::walks::stir::Stir;
@@ -44,6 +45,7 @@ pub(super) struct Room<S: Reversed, E: Element<S>> {
     pub(super) of_stage: E::Rate,
     pub(super) on_bodies: E::Store<PerBody<S::OnBody>>,
     pub(super) in_joints: E::Store<PerJoint<S::InJoint>>,
+    pub(super) at_ends: E::Store<PerLoop<S::AtEnds>>,
     pub(super) at_bodies: E::Store<PerBody<S::Vector>>,
     pub(super) at_joints: E::Store<PerJoint<S::Vector>>,
     pub(super) efforts: E::Store<PerJoint<EffortOf<S>>>,
@@ -53,7 +55,7 @@ pub(super) struct Room<S: Reversed, E: Element<S>> {
     /// and of its costate; costates of what they miss.
     pub(super) nothing: E::Store<PerClosure>,
     pub(super) missed: E::Store<PerClosure>,
-    pub(super) turns: E::Store<PerLoop<[S::Turn; 2]>>,
+    pub(super) turns: E::Store<Turns<S>>,
     pub(super) parted: E::Store<PerClosure>,
     pub(super) forces: E::Store<PerClosure>,
     pub(super) of_forces: E::Store<PerClosure>,
@@ -95,13 +97,13 @@ pub(super) fn opposite<S: Reversed, C: Closures>(each: &C::Each<S::Scalar>) -> C
 }
 
 /// Ends of loops that are not turned.
-pub(super) fn unturned<S: Reversed, E: Element<S>>(elements: &E) -> E::Store<PerLoop<[S::Turn; 2]>> {
+pub(super) fn unturned<S: Reversed, E: Element<S>>(elements: &E) -> E::Store<Turns<S>> {
     elements.store::<PerLoop<_>>([S::Turn::unturned(); 2])
 }
 
 impl<S: Reversed, E: Element<S>> Room<S, E> {
     pub(super) fn new(elements: &E) -> Self {
-        let ((x, y, p, q), (on_body, in_joint)) = (S::blank(), S::untouched());
+        let ((x, y, p, q), (on_body, in_joint, at_ends)) = (S::blank(), S::untouched());
         let (zero, nothing) = (elements.store::<Rates>(()), elements.store::<PerClosure>(()));
         Self {
             sizes: sizes(elements),
@@ -118,6 +120,7 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
             zero,
             on_bodies: elements.store::<PerBody<_>>(on_body),
             in_joints: elements.store::<PerJoint<_>>(in_joint),
+            at_ends: elements.store::<PerLoop<_>>(at_ends),
             at_bodies: elements.store::<PerBody<_>>(S::Vector::null()),
             at_joints: elements.store::<PerJoint<_>>(S::Vector::null()),
             efforts: elements.store::<PerJoint<_>>(EffortOf::<S>::null()),
@@ -158,11 +161,11 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
         E: Takes<S, Stir<S::Scalar, P::Closures>>,
     {
         let kept = &stage.kept;
-        let Self { x, y, p, q, zero, solved, correction, on_bodies, in_joints, efforts, .. } = self;
+        let Self { x, y, p, q, zero, solved, correction, on_bodies, in_joints, at_ends, efforts, .. } = self;
         let in_loops = if of_costates { &mut self.of_forces } else { &mut self.forces };
         let (posture, motion) = ((&*x, &*y, &*p, &*q), (&*zero, &*correction, &mut *solved));
         let (x, y, p, q) = posture;
-        let stores = (x, y, p, q, kept, motion, (on_bodies, in_joints, in_loops), efforts);
+        let stores = (x, y, p, q, kept, motion, (on_bodies, in_joints, (in_loops, at_ends)), efforts);
         S::stirred(&elements.take(&mut Stir { forces }, S::at_ground(ground), stores))
     }
 }

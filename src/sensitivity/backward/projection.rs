@@ -186,7 +186,7 @@ where
         let position = if row == 0 { &past.position } else { &stage.position };
         // What is missed, and costates of the correction that takes it away.
         let at = Coordinates { position: place, rate, acceleration: zero };
-        let frame = missed(elements, ground, at, level, (&mut room.missed, &mut room.turns));
+        let frame = missed(elements, ground, at, level, &mut room.missed, &mut room.turns);
         let [of_place, of_rate] = tip.residual(time, &frame);
         let residual = if let Level::Place = level { of_place } else { of_rate };
         room.costates.replace(&mut |x| -x);
@@ -232,7 +232,7 @@ where
                 pulled = S::pulled((of(&columns, &weights), &moved), (of(&columns, &force), &stirred));
                 add::<S>(&mut gradient.tip, tip.of_columns((&weights, &moved), (&force, &stirred)));
             }
-            let in_loops = (&room.of_forces, &room.forces);
+            let in_loops = (&room.of_forces, &room.forces, &room.at_ends);
             let reached = (&room.at_bodies, &room.at_joints, &*on_bodies, &*in_joints, &stage.pivots, in_loops);
             let motion = (position, zero, &*correction, &*solved);
             let sums = (&mut gradient.bodies, &mut gradient.joints);
@@ -251,7 +251,7 @@ where
         let frame = self.loads.see(elements, ground, at, time);
         solved.set(zero);
         room.forces.clone_from(&room.nothing);
-        let kept = (&mut *on_bodies, &mut *in_joints, &mut room.forces);
+        let kept = (&mut *on_bodies, &mut *in_joints, (&mut room.forces, &mut room.at_ends));
         let stores = (&*x, &*y, &*p, &*q, &stage.kept, (rate, zero, &mut *solved), kept, &mut room.efforts);
         elements.take(&mut Stir { forces: none }, S::at_ground(&ground), stores);
         let mut walk = PullLoads { law: self.loads.law, time, body: elements.bodies(), level, of_law: gradient.law };

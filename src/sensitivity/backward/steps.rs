@@ -20,6 +20,7 @@ use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
 use crate::walks::measure::gains;
 use crate::walks::meet::Meet;
+use crate::walks::missed::Turns;
 use crate::walks::reach::Reach;
 use crate::walks::size::sizes;
 use crate::walks::{spread, unspread};
@@ -59,11 +60,12 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     pub(super) again: Option<AgainOf<S, R, C, P>>,
     pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
     pub(super) in_joints: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<S::InJoint>>,
-    /// −ν of loops, and nothing of them.
+    /// −ν of loops, how their ends move, and nothing of them.
     pub(super) in_loops: <Elements<S, R, C> as Shape<S>>::Store<PerClosure>,
+    pub(super) at_ends: <Elements<S, R, C> as Shape<S>>::Store<PerLoop<S::AtEnds>>,
     pub(super) no_loops: <Elements<S, R, C> as Shape<S>>::Store<PerClosure>,
     /// How their ends are turned, where nothing reads it.
-    pub(super) no_turns: <Elements<S, R, C> as Shape<S>>::Store<PerLoop<[S::Turn; 2]>>,
+    pub(super) no_turns: <Elements<S, R, C> as Shape<S>>::Store<Turns<S>>,
     /// Weights of each row's acceleration in the positions and rates of all rows: columns of the tableau.
     pub(super) weights: M::Rows<[[f64; ROWS]; 2]>,
     pub(super) nodes: [f64; ROWS],
@@ -102,7 +104,7 @@ where
         }
         let mut nodes = [0.0; ROWS];
         nodes.iter_mut().enumerate().take(M::STAGES + 1).for_each(|(row, node)| *node = M::node(row));
-        let (on_body, in_joint) = S::untouched();
+        let (on_body, in_joint, at_ends) = S::untouched();
         let no_torque = EffortOf::<S>::null();
         Self {
             loads: Seen::new(elements, law, scene.ground(RealOf::<S>::zero())),
@@ -123,6 +125,7 @@ where
             on_bodies: elements.store::<PerBody<_>>(on_body),
             in_joints: elements.store::<PerJoint<_>>(in_joint),
             in_loops: elements.store::<PerClosure>(()),
+            at_ends: elements.store::<PerLoop<_>>(at_ends),
             no_loops: elements.store::<PerClosure>(()),
             no_turns: unturned::<S, _>(elements),
             weights,

@@ -157,6 +157,7 @@ impl<T: Scalar> Reversed for Planar<T> {
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
     type InJoint = AtJoint<T>;
+    type AtEnds = ();
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
     type OfJoint = [T; NUMBERS];
@@ -190,10 +191,11 @@ impl<T: Scalar> Reversed for Planar<T> {
         let turning = Turning { rate: frame.turn.rate, acceleration: frame.acceleration.angular, stirring: zero };
         Stirred { velocity: Acceleration { linear: Vector2::null(), angular: zero }, turning }
     }
-    fn untouched() -> (OnBody<T>, AtJoint<T>) {
+    fn at_ends(_: &Stirred<T>, _: &Stirred<T>) {}
+    fn untouched() -> (OnBody<T>, AtJoint<T>, ()) {
         let (zero, velocity) = (T::zero(), Vector2::null());
         let turning = Turning { rate: zero, acceleration: zero, stirring: zero };
-        (OnBody { velocity, acceleration: zero, stirring: zero }, AtJoint { turning, velocity })
+        (OnBody { velocity, acceleration: zero, stirring: zero }, AtJoint { turning, velocity }, ())
     }
     fn of_nothing() -> (Base<T>, [T; BODY], [T; NUMBERS]) {
         let zero = T::zero();

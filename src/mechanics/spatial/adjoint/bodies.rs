@@ -123,7 +123,7 @@ macro_rules! bodies {
                 &self,
                 _: &mut Stir<T, C>,
                 inner: Stirred<T>,
-                (_, _, &arm, .., (met, (), ()), _): Of<'_, Spatial<T>, Stir<T, C>, Self>,
+                (_, _, &arm, .., (met, (), _), _): Of<'_, Spatial<T>, Stir<T, C>, Self>,
             ) -> Stirred<T> {
                 let turning = inner.turning;
                 let velocity = cross_onto(turning.stirring, arm, inner.velocity);

@@ -6,6 +6,7 @@ mod ends;
 mod felt;
 mod inertial;
 mod loads;
+mod loops;
 mod revolute;
 mod weld;
 
@@ -134,7 +135,7 @@ impl<T: Scalar> Additive for Pulled<T> {
 pub struct Pivot<T> {
     /// The inverse of a ball's pivot; of a revolute joint's as a number.
     factor: Factor3<T>,
-    /// The torque in a ball (N·m), inertial axes.
+    /// The torque in a ball, or in a joint that closes a loop (N·m), inertial axes.
     torque: Vector3<T>,
 }
 
@@ -153,6 +154,7 @@ impl<T: Scalar> Reversed for Spatial<T> {
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
     type InJoint = Turning<T>;
+    type AtEnds = [Turning<T>; 2];
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
     type OfJoint = OfJoint<T>;
@@ -186,8 +188,12 @@ impl<T: Scalar> Reversed for Spatial<T> {
         let turning = Turning { spin: frame.turn.spin, acceleration: angular, stirring: zero() };
         Stirred { velocity: zero(), turning }
     }
-    fn untouched() -> (OnBody<T>, Turning<T>) {
-        (OnBody { velocity: zero(), turning: Turning::none() }, Turning::none())
+    fn untouched() -> (OnBody<T>, Turning<T>, [Turning<T>; 2]) {
+        let none = Turning::none();
+        (OnBody { velocity: zero(), turning: none }, none, [none; 2])
+    }
+    fn at_ends(side: &Stirred<T>, main: &Stirred<T>) -> [Turning<T>; 2] {
+        [side.turning, main.turning]
     }
     fn inboard(motion: &BodyMotion<T>) -> Frame<T> {
         motion.inboard

@@ -57,6 +57,7 @@ macro_rules! gradients {
         let (angles, rates): (Vec<f64>, Vec<f64>) = (0..n).map(|_| [noise.next(), noise.next()].into()).unzip();
         // Closed, where there is something to be closed.
         let guess = {
+            #[allow(dead_code)] // not each scene names it
             type N = f64;
             let $x = |k: usize| -> N { numbers[k] };
             let system = $scene;
@@ -87,6 +88,7 @@ macro_rules! gradients {
                 let $x = $number;
                 let of: Vec<$N> = (0..numbers.len()).map(&$x).collect();
                 let system = {
+                    #[allow(dead_code)] // not each scene names it
                     type N = $N;
                     $scene
                 };
@@ -105,6 +107,7 @@ macro_rules! gradients {
         }
         // Backward.
         let system = {
+            #[allow(dead_code)] // not each scene names it
             type N = f64;
             let $x = |k: usize| -> N { numbers[k] };
             $scene
@@ -132,6 +135,7 @@ macro_rules! gradients {
             let number = |k: usize| -> J { J::seed(numbers[k], usize::wrapping_sub(k, first)) };
             expected.extend(cost!(J, number).eps);
             let system = {
+                #[allow(dead_code)] // not each scene names it
                 type N = J;
                 let $x = number;
                 $scene
@@ -310,3 +314,4 @@ fn revolutes_about_a_ball_have_the_gradients_of_jets() {
 
 // Behind the macro, which it uses.
 mod held;
+mod loops;
