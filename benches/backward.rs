@@ -141,6 +141,30 @@ macro_rules! balls {
     }};
 }
 
+/// Rods on balls in an arch, whose tip is held by a ball.
+macro_rules! held_by_a_ball {
+    ($N:literal) => {{
+        let rod = Rod::uniform(black_box(1.0 / $N as f64), 0.1 / $N as f64, 1.0 / $N as f64);
+        let (x, y) = arch::<$N>().iter().fold((0.0, 0.0), |(x, y), angle| (x + angle.cos(), y + angle.sin()));
+        let tip = Pinned::at([x / $N as f64, y / $N as f64, 0.0]);
+        System::new(Pinned::origin(), (rod, [(Ball, rod); $N - 1]), tip).unwrap().with_gravity([0.0, 0.0, -9.81])
+    }};
+}
+
+/// A rod on a ball, and a window of four that a ball closes.
+macro_rules! window_on_balls {
+    () => {{
+        let rod = Rod::uniform(black_box(0.5), 0.05, 0.5);
+        let window = Network::new((Ball, rod, Ball, rod), (Ball, rod, Ball, rod), Ball);
+        System::new(Pinned::origin(), (rod, window), Free).unwrap().with_gravity([0.0, 0.0, -9.81])
+    }};
+}
+
+/// Turns about z.
+fn about_z<const N: usize>(angles: &[f64]) -> [f64; N] {
+    core::array::from_fn(|i| if i % 3 == 2 { angles[i / 3] } else { 0.0 })
+}
+
 /// A body with its mass centre, axes of inertia and outboard end anywhere.
 fn body(share: f64) -> catena::spatial::RigidBody<f64> {
     let tensor = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]]
@@ -193,6 +217,39 @@ fn rows() -> Vec<Row> {
     row!(rows, "3 rods on balls, DOP853", 3, Dop853, 12, 1e-3, balls!(3), angles::<9>(), Effort([1e-5; 3]));
     row!(rows, "20 rods on balls, RK4", 20, Rk4, 4, 1e-3, balls!(20), angles::<60>(), Effort([1e-7; 3]));
     row!(rows, "20 rods on balls, DOP853", 20, Dop853, 12, 1e-3, balls!(20), angles::<60>(), Effort([1e-7; 3]));
+    row!(
+        rows,
+        "3 rods on balls, tip held, RK4",
+        3,
+        Rk4,
+        4,
+        1e-3,
+        held_by_a_ball!(3),
+        about_z::<9>(&arch::<3>()),
+        Effort([1e-5; 3])
+    );
+    row!(
+        rows,
+        "20 rods on balls, tip held, RK4",
+        20,
+        Rk4,
+        4,
+        1e-3,
+        held_by_a_ball!(20),
+        about_z::<60>(&arch::<20>()),
+        Effort([1e-7; 3])
+    );
+    row!(
+        rows,
+        "rod and window on balls, RK4",
+        5,
+        Rk4,
+        4,
+        1e-3,
+        window_on_balls!(),
+        about_z::<15>(&lattice::<5>()),
+        Effort([1e-5; 3])
+    );
     row!(rows, "3 bodies on balls, RK4", 3, Rk4, 4, 1e-3, bodies!(3), angles::<9>(), Effort([1e-5; 3]));
     row!(rows, "20 bodies on balls, RK4", 20, Rk4, 4, 1e-3, bodies!(20), angles::<60>(), Effort([1e-7; 3]));
     row!(rows, "7 bodies on revolutes, RK4", 7, Rk4, 4, 1e-3, arm!(7), angles::<7>(), Effort([1e-5; 3]));

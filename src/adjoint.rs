@@ -29,14 +29,15 @@
 //! (`mechanics/planar/adjoint/`, `mechanics/spatial/adjoint/`).
 
 pub mod laws;
+mod named;
 mod outboard;
 mod rigid;
 
 use crate::element::{Element, Level, Space, Springs};
 use crate::ends::Tip;
 use crate::loading::{EffortOf, Load, LoadLaw};
-use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Geometry, Looped, WrenchOf};
-use crate::shape::{Closing, PerAxes, Selective, Takes};
+use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Geometry, Looped, Wrench, WrenchOf};
+use crate::shape::{Closing, Ends, PerAxes, Selective, Takes};
 use crate::space::FrameOf;
 use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
@@ -46,7 +47,6 @@ use crate::walks::pull_loads::PullLoads;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
-use num_traits::Zero;
 pub use outboard::{Kind, Outboard};
 pub(crate) use rigid::passes;
 
@@ -60,6 +60,8 @@ pub trait Reversed: Space {
     type OnBody: Copy + 'static;
     /// What that walk keeps of a joint.
     type InJoint: Copy + 'static;
+    /// What that walk keeps of both ends of a loop.
+    type AtEnds: Copy + 'static;
     /// What is carried inward: G and F, and what turning all that has been met does to P.
     type Pulled: Additive;
     /// Costates of the base parameters of a body.
@@ -69,10 +71,12 @@ pub trait Reversed: Space {
     /// The walk by which [`pose`](Self::pose) goes, if it goes by one of its own.
     type Poses: Selective<Self>;
 
-    /// What loads on bodies carry inward: costates of a station, by what lies outboard.
+    /// What loads on bodies and closures carry inward: costates of a station, by what lies outboard.
     type Felt: Additive;
-    /// Costates of the numbers of a body that loads read.
+    /// Costates of the numbers of a body that loads and closures read.
     type OfNumbers: Copy + 'static;
+    /// Costates of the numbers of a tip, or these numbers: zeros beyond those that it has.
+    type OfTip: AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]> + Copy + 'static;
 
     /// Poses all elements as sweeps do, and stores what only costates read.
     #[allow(clippy::too_many_arguments)] // one store each
@@ -93,13 +97,30 @@ pub trait Reversed: Space {
     /// Where the outward walk begins: a ground that does not move virtually.
     fn at_ground(frame: &FrameOf<Self>) -> Self::Stirred;
     /// Nothing has been kept.
-    fn untouched() -> (Self::OnBody, Self::InJoint);
+    fn untouched() -> (Self::OnBody, Self::InJoint, Self::AtEnds);
+    /// What is kept of the ends of the side arm and of the main one.
+    fn at_ends(side: &Self::Stirred, main: &Self::Stirred) -> Self::AtEnds;
     /// No derivatives yet.
     fn of_nothing() -> (Self::OfBody, Self::OfNumbers, Self::OfJoint);
+    /// No numbers of a tip.
+    fn no_tip() -> Self::OfTip;
     /// Motion of the inboard end of a body.
     fn inboard(motion: &Self::BodyMotion) -> FrameOf<Self>;
-    /// The costates of place and orientation of the ground, from what loads have carried there.
-    fn of_place(felt: &Self::Felt) -> (Self::Vector, Self::Angular);
+    /// The virtual velocity W, w of a station.
+    fn stirred(stirred: &Self::Stirred) -> AccelerationOf<Self>;
+    /// Virtual velocity of the outboard end of a body.
+    fn of_body(kept: &Self::OnBody) -> Self::Vector;
+    /// Virtual velocity of the outboard side of a joint, where it is another than that of the inboard side.
+    fn of_joint(kept: &Self::InJoint) -> Self::Vector;
+    /// What is carried inward from an end that is weighed by ν in accelerations A, α and by −λ in virtual velocities W, w.
+    fn pulled(
+        weight: (WrenchOf<Self>, &AccelerationOf<Self>),
+        force: (WrenchOf<Self>, &AccelerationOf<Self>),
+    ) -> Self::Pulled;
+    /// What is carried inward from an end whose place and attitude, and whose velocities have these costates.
+    fn felt(of_place: WrenchOf<Self>, of_velocity: WrenchOf<Self>, turn: &Self::Turn) -> Self::Felt;
+    /// The costates of place and orientation of the ground, from what loads and closures have carried there.
+    fn of_place(felt: &Self::Felt, frame: &FrameOf<Self>) -> (Self::Vector, Self::Angular);
     /// The costates of gravity and of the orientation of the ground, from what is left there.
     fn of_ground(pulled: &Self::Pulled, frame: &FrameOf<Self>) -> (Self::Vector, Self::Angular);
     /// Costates of the base parameters as they are, from sums that left out what depends on the size of the body alone.
@@ -147,59 +168,76 @@ impl<S: Reversed, L, C: Closures, E> Burdened<S, L, C> for E where
 {
 }
 
-/// Most numbers that a tip is made of.
-pub const TIP: usize = 4;
-
-/// What the kinematics of a space say where something is held: of an end that is free, nothing.
-pub trait Holds<S: Reversed> {
-    /// The virtual velocity W, w of a station.
-    fn stirred(stirred: &S::Stirred) -> AccelerationOf<S> {
-        let _ = stirred;
-        Acceleration::zero()
-    }
-    /// Virtual velocity of the outboard end of a body.
-    fn of_body(kept: &S::OnBody) -> S::Vector {
-        let _ = kept;
-        S::Vector::null()
-    }
-    /// Virtual velocity of the outboard side of a joint, where it is another than that of the inboard side.
-    fn of_joint(kept: &S::InJoint) -> S::Vector {
-        let _ = kept;
-        S::Vector::null()
-    }
-    /// What is carried inward from an end that is weighed by ν in accelerations and by −λ in virtual velocities.
-    fn pulled(weight: WrenchOf<S>, force: WrenchOf<S>) -> S::Pulled {
-        let _ = (weight, force);
-        S::Pulled::null()
-    }
-    /// What is carried inward from an end whose place and velocity have these costates.
-    fn felt(of_place: WrenchOf<S>, of_velocity: WrenchOf<S>) -> S::Felt {
-        let _ = (of_place, of_velocity);
-        S::Felt::null()
-    }
-}
-
 /// A joint that closes loops: of each of its forces λ a wrench c acts on the end of the side arm, and the opposite on that of the main one.
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward around a loop that `{Self}` closes",
     label = "not a joint that the costate sweep knows to close loops",
-    note = "it knows `Pin` and `Weld` of the plane",
+    note = "it knows `Pin` and `Weld` of the plane, `Ball`, `Revolute` and `Weld` of space",
     note = "run the same scene over jets or dual numbers instead"
 )]
-pub trait ReversibleClosing<S: Reversed>: Closing<S> + Holds<S> {
-    /// What lies beyond the ends of the main arm and of the side arm, under a torque in the joint; and what the joint passes on but for λ.
+pub trait ReversibleClosing<S: Reversed>: Closing<S> {
+    /// Keeps what the joint and its costates need of the orientations of both ends.
+    #[allow(clippy::too_many_arguments)] // one store each
+    fn pose(
+        &self,
+        side: S::Turn,
+        main: S::Turn,
+        x: &mut Self::PerAxes<S::X>,
+        y: &mut Self::PerAxes<S::Y>,
+        p: &mut Self::PerAxes<S::P>,
+        q: &mut Self::PerAxes<S::Q>,
+    ) {
+        self.orient(side, main, x, y, p, q);
+    }
+    /// What lies beyond the ends of the main arm and of the side arm, under a torque in the joint, of which the pivot may know; and what the
+    /// joint passes on but for λ.
     #[allow(clippy::type_complexity)] // three of them
     fn close_off<C: Closures>(
         &self,
         outer: Outboard<S, C>,
         effort: &EffortOf<S>,
+        axes: Ends<'_, S, Self>,
+        pivot: &mut S::Pivot,
     ) -> (Outboard<S, Looped<C, Self::Closures>>, Outboard<S, Self::Closures>, WrenchOf<S>);
     /// The wrench c of each unit force.
-    fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
+    fn columns(&self, axes: Ends<'_, S, Self>) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
     /// Adds the costate of the torque in the joint, for virtual velocities of both ends.
-    fn of_effort(&self, side: &S::Stirred, main: &S::Stirred, sum: &mut EffortOf<S>);
-    /// Takes from `sums` the derivatives of Σ ν y by the numbers of the joint, y being the [residual](Closing::residual).
-    fn of_residual(&self, weights: &<Self::Closures as Closures>::Each<S::Scalar>, level: Level, sums: &mut S::OfJoint);
+    fn of_effort(&self, axes: Ends<'_, S, Self>, ends: [&S::Stirred; 2], sum: &mut EffortOf<S>);
+    /// What is carried inward from the ends of the side arm and of the main one, weighed by ν in accelerations and by −λ in virtual velocities,
+    /// one against the other, under the torque that the pivot knows of, if it acts; adds to costates of the numbers of the joint.
+    fn pulled(
+        &self,
+        axes: Ends<'_, S, Self>,
+        (weights, forces): (&OfEach<S, Self>, &OfEach<S, Self>),
+        pivot: Option<&S::Pivot>,
+        ends: &S::AtEnds,
+        sums: &mut S::OfJoint,
+    ) -> [S::Pulled; 2] {
+        let _ = (pivot, ends, sums);
+        let (columns, still) = (self.columns(axes), Acceleration::zero());
+        let [weight, force] = [weights, forces].map(|each| total::<S, Self::Closures>(&columns, each));
+        [S::pulled((weight, &still), (force, &still)), S::pulled((-weight, &still), (-force, &still))]
+    }
+    /// What is carried inward from both ends where their [residual](Closing::residual) has the costates ν; adds to those of the numbers of the
+    /// joint.
+    fn felt(
+        &self,
+        axes: Ends<'_, S, Self>,
+        weights: &OfEach<S, Self>,
+        turns: &[S::Turn; 2],
+        level: Level,
+        sums: &mut S::OfJoint,
+    ) -> [S::Felt; 2];
+}
+
+/// One number for each force that closes a loop.
+pub type OfEach<S, K> = <<K as Closing<S>>::Closures as Closures>::Each<<S as Geometry>::Scalar>;
+
+/// Σ x c, of wrenches c and a number for each.
+pub fn total<S: Reversed, C: Closures>(columns: &C::Each<WrenchOf<S>>, numbers: &C::Each<S::Scalar>) -> WrenchOf<S> {
+    let mut sum = Wrench::none();
+    C::zip(columns, numbers, |column, number| sum = WrenchOf::<S>::plus_scaled(sum, number, column));
+    sum
 }
 
 /// One number for each force that holds a tip.
@@ -211,30 +249,44 @@ pub type EachOf<S, P> = <<P as Tip<S>>::Closures as Closures>::Each<<S as Geomet
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward through the tip `{Self}`",
     label = "not a tip that the costate sweep knows",
-    note = "it knows `Free`, and in the plane `Pinned`, `Clamped` and `Guided` at a place that does not move",
+    note = "it knows `Free`, and `Pinned` and `Clamped`, in the plane `Guided`, in space `Hinged`, at a place that does not move",
     note = "run the same scene over jets or dual numbers instead"
 )]
-pub trait ReversibleTip<S: Reversed>: Tip<S> + Holds<S> {
-    /// What lies beyond the last body, for the acceleration of the ground.
-    fn beyond(&self, still: &AccelerationOf<S>) -> Outboard<S, Self::Closures>;
+pub trait ReversibleTip<S: Reversed>: Tip<S> {
+    /// What there is of its relation.
+    const KIND: Kind;
+
     /// The wrench c of each unit force.
     fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
-    /// The numbers it is made of, zeros beyond.
-    fn numbers(&self) -> [S::Scalar; TIP] {
-        [S::Scalar::zero(); TIP]
+    /// The numbers it is made of.
+    fn numbers(&self) -> S::OfTip {
+        S::no_tip()
     }
     /// Costates of these numbers, of what they change of the wrenches c in Σ ν c · A − λ c · W.
     fn of_columns(
         &self,
         (weight, a): (&EachOf<S, Self>, &AccelerationOf<S>),
         (force, w): (&EachOf<S, Self>, &AccelerationOf<S>),
-    ) -> [S::Scalar; TIP] {
+    ) -> S::OfTip {
         let _ = (weight, a, force, w);
-        [S::Scalar::zero(); TIP]
+        S::no_tip()
     }
     /// Derivatives of Σ ν y by these numbers, y being the [residual](Tip::residual) in place, or that in velocity.
-    fn of_residual(&self, weight: &EachOf<S, Self>, frame: &FrameOf<S>, level: Level) -> [S::Scalar; TIP] {
+    fn of_residual(&self, weight: &EachOf<S, Self>, frame: &FrameOf<S>, level: Level) -> S::OfTip {
         let _ = (weight, frame, level);
-        [S::Scalar::zero(); TIP]
+        S::no_tip()
+    }
+    /// The derivative of Σ ν y, in place, by turns of the tip: of Σ ν c where angles are all that is missed.
+    fn of_turn(&self, weight: &EachOf<S, Self>, frame: &FrameOf<S>) -> S::Angular {
+        let _ = frame;
+        total::<S, Self::Closures>(&self.columns(), weight).torque
+    }
+    /// What is carried inward from a tip whose residual has the costates ν.
+    fn felt(&self, weight: &EachOf<S, Self>, frame: &FrameOf<S>, level: Level) -> S::Felt {
+        let (sum, none) = (total::<S, Self::Closures>(&self.columns(), weight), Wrench::none());
+        match level {
+            Level::Place => S::felt(Wrench { torque: self.of_turn(weight, frame), ..sum }, none, &frame.turn),
+            Level::Velocity => S::felt(none, sum, &frame.turn),
+        }
     }
 }

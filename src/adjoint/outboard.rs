@@ -1,6 +1,10 @@
 //! What lies outboard of a station on the costate sweep's way inward.
 
-use crate::relation::{Closures, Full, Geometry, Join, LoopGain, Looped, Open, Own, Settle, WrenchOf};
+use crate::relation::{
+    AccelerationOf, Carry, Closures, Cuts, Full, Geometry, Join, LoopGain, Looped, Open, Own, Settle, WrenchOf,
+    Wrenches,
+};
+use num_traits::Zero;
 
 /// What lies outboard of a station, S and e, and W, Λ and y₀ of closure forces, with a kind: bodies save what a joint whose moment does not
 /// depend on the motion, or a free tip, leaves out.
@@ -8,6 +12,36 @@ use crate::relation::{Closures, Full, Geometry, Join, LoopGain, Looped, Open, Ow
 pub struct Outboard<S: Geometry, C: Closures = Open> {
     pub kind: Kind,
     pub relation: Full<S, C>,
+}
+
+impl<S: Geometry, C: Closures> Outboard<S, C> {
+    /// Nothing but closure forces.
+    #[inline(always)]
+    pub fn cut(kind: Kind, columns: C::Each<WrenchOf<S>>, gap: C::Each<S::Scalar>) -> Self {
+        Self { kind, relation: Full::massless().cut(Cuts::at_tip(columns, gap)) }
+    }
+    /// What lies beyond the last body where it is held: λ acts on the body by the wrenches c, and c · A of the body is that of the ground.
+    #[inline(always)]
+    pub fn held(kind: Kind, columns: C::Each<WrenchOf<S>>, still: &AccelerationOf<S>) -> Self {
+        let columns = C::map(&columns, |column| -column);
+        Self::cut(kind, columns, C::map(&columns, |column| column.work(still)))
+    }
+}
+
+impl<S: Geometry, C: Closures> Outboard<S, C> {
+    /// What lies beyond the ends of the main arm and of the side arm of a loop. λ acts ON the side arm by the wrenches c, so F on what lies
+    /// outboard of it is −λ, and the opposite on what the main arm meets.
+    #[inline(always)]
+    #[allow(clippy::type_complexity)] // two of them
+    pub fn closed<O: Own>(
+        self,
+        kind: Kind,
+        columns: O::Each<WrenchOf<S>>,
+    ) -> (Outboard<S, Looped<C, O>>, Outboard<S, O>) {
+        let relation = Carry::<S, O, Wrenches>::carry(self.relation, columns);
+        let side = Outboard::cut(kind, O::map(&columns, |column| -column), O::each(|_| S::Scalar::zero()));
+        (Outboard { kind: self.kind.and(kind), relation }, side)
+    }
 }
 
 /// What there is of a relation.

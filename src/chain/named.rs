@@ -210,7 +210,7 @@ impl<S: Space, K: Closing<S>> Closing<S> for Named<K> {
         self.item.joint(side, main)
     }
     fn internal(&self, forces: &<K::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> WrenchOf<S> {
-        self.item.internal(forces, ends(axes))
+        self.item.internal(forces, axes.of_item())
     }
     fn residual(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [<K::Closures as Closures>::Each<S::Scalar>; 2] {
         self.item.residual(side, main)
@@ -236,14 +236,16 @@ impl<S: Space, R, Q, K: CloseOff<S, R, Q>> CloseOff<S, R, Q> for Named<K> {
 
     #[inline(always)]
     fn close_off(&self, outer: R, torque: Q, axes: Ends<'_, S, Self>) -> (K::Main, K::Side, WrenchOf<S>) {
-        self.item.close_off(outer, torque, ends(axes))
+        self.item.close_off(outer, torque, axes.of_item())
     }
 }
 
-/// What the joint itself has kept.
-#[inline(always)]
-fn ends<'a, S: Space, K: Closing<S>>(Ends { x, y, p, q }: Ends<'a, S, Named<K>>) -> Ends<'a, S, K> {
-    Ends { x, y, p, q }
+impl<'a, S: Space, K: Closing<S>> Ends<'a, S, Named<K>> {
+    /// What the joint itself has kept.
+    #[inline(always)]
+    pub fn of_item(self) -> Ends<'a, S, K> {
+        Ends { x: self.x, y: self.y, p: self.p, q: self.q }
+    }
 }
 
 impl<S: Varied, E: Sensitive<S>> Sensitive<S> for Named<E> {

@@ -46,6 +46,11 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         self.met += 1;
     }
 
+    /// Adds what a tip does, number by number.
+    pub(super) fn add_tip(&mut self, by: &[T], numbers: &[Jet<T, K>]) {
+        by.iter().zip(numbers).for_each(|(costate, number)| self.add(*costate, *number));
+    }
+
     /// Refuses scenes of another shape, and joints of more numbers than costates know.
     pub(super) fn complete(&self, entries: usize, met: usize) -> Result<(), Error> {
         if self.met != entries || self.met != met {
@@ -182,7 +187,7 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
         walk.add(self.ground, ground.turn.angle);
         walk.add(self.place.x, ground.place.x);
         walk.add(self.place.y, ground.place.y);
-        self.tip.iter().zip(scene.tip().numbers()).for_each(|(by, number)| walk.add(*by, number));
+        walk.add_tip(&self.tip, &scene.tip().numbers());
         walk.add(self.gravity.x, scene.gravity().x);
         walk.add(self.gravity.y, scene.gravity().y);
         Ok(walk.sum)

@@ -2,14 +2,18 @@
 
 use super::Gradient;
 use super::along::Along;
+use crate::adjoint::ReversibleTip;
+use crate::chain::Named;
 use crate::element::Element;
-use crate::ends::{Root, Tip};
+use crate::ends::Root;
 use crate::error::Error;
 use crate::lift::Lift;
 use crate::mechanics::spatial::{Ball, Base, Inertial, OfJoint, PointMass, Revolute, RigidBody, Rod, Spatial, Weld};
 use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};
-use crate::shape::{Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms};
+use crate::shape::{
+    Around, AtClosing, Closing, Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms,
+};
 use crate::spring::SpringLaw;
 use crate::system::{Elements, System};
 use nalgebra::Vector3;
@@ -30,7 +34,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 
 impl<T: Scalar, const K: usize> Walk<Spatial<Jet<T, K>>> for Along<T, K> {
     type Carried = ();
-    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerJoint<OfJoint<T>>>);
+    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; 3]>>, Ref<PerJoint<OfJoint<T>>>);
 }
 
 impl<T: Scalar, const K: usize> Selective<Spatial<Jet<T, K>>> for Along<T, K> {
@@ -44,10 +48,10 @@ macro_rules! bodies {
                 &self,
                 walk: &mut Along<T, K>,
                 (): (),
-                (by, ()): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>,
+                (by, by_arm, ()): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>,
             ) {
                 let Base { outboard, moment, inertia, lumped } = self.base();
-                by.outboard.iter().zip(outboard).for_each(|(by, x)| walk.add(*by, x));
+                by.outboard.iter().zip(by_arm).zip(outboard).for_each(|((by, more), x)| walk.add(*by + *more, x));
                 by.moment.iter().zip(moment).for_each(|(by, x)| walk.add(*by, x));
                 by.inertia.iter().zip(inertia).for_each(|(by, x)| walk.add(*by, x));
                 walk.add(by.lumped, lumped);
@@ -58,25 +62,37 @@ macro_rules! bodies {
 }
 bodies!(Rod, RigidBody, PointMass);
 
-impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Ball {
-    fn take(&self, walk: &mut Along<T, K>, (): (), _: Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+/// A joint, between two bodies or to close a loop: what its numbers do to a cost.
+pub trait Numbered<T: Scalar, const K: usize> {
+    /// Adds that.
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>);
+}
+
+impl<T: Scalar, const K: usize> Numbered<T, K> for Ball {
+    fn add_to(&self, walk: &mut Along<T, K>, _: &OfJoint<T>) {
         walk.met += 1;
     }
 }
 
-impl<T: Scalar, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Weld<Jet<T, K>> {
-    fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+impl<T: Scalar, const K: usize> Numbered<T, K> for Weld<Jet<T, K>> {
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
         walk.add_vector(by.turn, turn(self.attitude()));
         walk.met += 1;
     }
 }
 
-impl<T: Scalar, const K: usize, L> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Revolute<Jet<T, K>, L>
+impl<T: Scalar, const K: usize, J: Numbered<T, K>> Numbered<T, K> for Named<J> {
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
+        self.item.add_to(walk, by);
+    }
+}
+
+impl<T: Scalar, const K: usize, L> Numbered<T, K> for Revolute<Jet<T, K>, L>
 where
     L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
 {
     /// An axis that turns takes what lies outboard with it, but for the turn about it: there and, on the other side, back.
-    fn take(&self, walk: &mut Along<T, K>, (): (), ((), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
         let (axis, law) = self.parts();
         let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
         let (own, Columns { x, y, .. }) = (still(axis), Columns::identity());
@@ -86,6 +102,37 @@ where
         walk.add(by.turn.x, dot(turned, aside));
         walk.add(by.turn.y, dot(turned, across));
         walk.add_joint(law, &by.law);
+    }
+}
+
+macro_rules! joints {
+    ($([$($L:ident)?] $Joint:ty),*) => {$(
+        impl<T: Scalar, const K: usize $(, $L)?> Takes<Spatial<Jet<T, K>>, Along<T, K>> for $Joint
+        where
+            $($L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,)?
+        {
+            fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+                self.add_to(walk, by);
+            }
+        }
+    )*};
+}
+joints!([] Ball, [] Weld<Jet<T, K>>, [L] Revolute<Jet<T, K>, L>);
+
+impl<T: Scalar, J: Closing<Spatial<Jet<T, K>>> + Numbered<T, K>, const K: usize> Around<Spatial<Jet<T, K>>, J>
+    for Along<T, K>
+{
+    fn around(
+        &mut self,
+        closing: &J,
+        (): (),
+        ((), (), by): AtClosing<'_, Spatial<Jet<T, K>>, Self, J>,
+        main: impl FnOnce(&mut Self, ()),
+        side: impl FnOnce(&mut Self, ()),
+    ) {
+        main(self, ());
+        side(self, ());
+        closing.add_to(self, by);
     }
 }
 
@@ -127,18 +174,22 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
     where
         R: Root<Spatial<Jet<T, K>>>,
         C: Element<Spatial<Jet<T, K>>>,
-        P: Tip<Spatial<Jet<T, K>>>,
+        P: ReversibleTip<Spatial<Jet<T, K>>>,
         Elements<Spatial<Jet<T, K>>, R, C>: Takes<Spatial<Jet<T, K>>, Along<T, K>>
             + Shape<
                 Spatial<Jet<T, K>>,
                 Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>,
+                Store<PerBody<[T; 3]>> = E::Store<PerBody<[T; 3]>>,
                 Store<PerJoint<OfJoint<T>>> = E::Store<PerJoint<OfJoint<T>>>,
             >,
     {
         let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
-        scene.elements().take(&mut walk, (), (&self.bodies, &self.joints));
+        scene.elements().take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;
-        walk.add_vector(self.ground, turn(&scene.ground(Zero::zero()).turn.attitude));
+        let ground = scene.ground(Zero::zero());
+        walk.add_vector(self.ground, turn(&ground.turn.attitude));
+        walk.add_vector(self.place, ground.place);
+        walk.add_tip(&self.tip, &scene.tip().numbers());
         walk.add_vector(self.gravity, scene.gravity());
         Ok(walk.sum)
     }

@@ -1,6 +1,6 @@
 //! The gradient of a run.
 
-use crate::adjoint::{Reversed, TIP};
+use crate::adjoint::Reversed;
 use crate::element::Element;
 use crate::error::{Error, Fault, counted};
 use crate::mirror::Rate;
@@ -59,7 +59,7 @@ pub struct Gradient<S: Reversed, E: Element<S>> {
     /// By parameters of joints.
     pub(crate) joints: E::Store<PerJoint<S::OfJoint>>,
     /// By numbers of the tip.
-    pub(crate) tip: [S::Scalar; TIP],
+    pub(crate) tip: S::OfTip,
     /// Number of bodies and joints.
     pub(crate) entries: usize,
 }
@@ -73,7 +73,7 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
             gravity: S::Vector::null(),
             place: S::Vector::null(),
             ground: S::Angular::null(),
-            tip: [Additive::null(); TIP],
+            tip: S::no_tip(),
             law: ([Additive::null(); LAW], 0),
             bodies: elements.store::<PerBody<_>>(of_body),
             numbers: elements.store::<PerBody<_>>(of_number),

@@ -49,8 +49,8 @@
 //!
 //! # What does not go through gains
 //!
-//! What a rule [`through_gains`](Rule::through_gains) does not know is an error of the compiler: held tips and loops (which go [backward](Backward) in the plane), `Free` roots, joints that slide, springs of balls, and implicit
-//! rules. Such scenes are differentiated by the rule itself.
+//! What a rule [`through_gains`](Rule::through_gains) does not know is an error of the compiler: held tips and loops (which go
+//! [backward](Backward)), `Free` roots, joints that slide, springs of balls, and implicit rules. Such scenes are differentiated by the rule itself.
 //!
 //! ```compile_fail,E0277
 //! use catena::planar::*;

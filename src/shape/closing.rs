@@ -51,6 +51,15 @@ pub trait Closing<S: Space>: Clone + 'static {
     }
 }
 
+impl<S: Space, K: Closing<S>> Clone for Ends<'_, S, K> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: Space, K: Closing<S>> Copy for Ends<'_, S, K> {}
+
 /// What a closing joint has kept of the orientations of both ends.
 pub struct Ends<'a, S: Space, K: Closing<S>> {
     /// First values.

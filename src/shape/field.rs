@@ -117,6 +117,8 @@ fields! {
     /// One number for each force that closes a loop.
     PerClosure = |B, J, K, _fill: ()|
         { () = () } { () = () } { <K::Closures as Closures>::Each<S::Scalar> = K::Closures::each(|_| S::Scalar::zero()) } in Y: Self;
+    /// One `X` for each loop.
+    PerLoop<X: Copy> = |B, J, K, fill: X| { () = _ = fill } { () = _ = fill } { X = fill } in Y: Self;
     /// One `X` for each set of axes: those of bodies, and those of joints that keep some (in the plane where they push along the axes of
     /// a neighbour, in space all of them).
     PerAxes<X: Copy> = |B, J, K, fill: X| { X = fill } { J::Per<X> = J::per(fill) } { K::PerAxes<X> = K::per_axes(fill) } in Y: Self;

@@ -57,7 +57,7 @@ pub(crate) use alike_in_arms;
 #[diagnostic::on_unimplemented(
     message = "a loop that `{K}` closes takes no walk `{Self}`: no gradient of a run goes backward around it, or `Taylor` knows no series of its motion",
     label = "not a loop that this walk knows",
-    note = "gradients know loops of the plane that a `Pin` or a `Weld` closes",
+    note = "gradients know loops that a `Pin` or a `Weld` of the plane closes, or a `Ball`, a `Weld` or a `Revolute` of space",
     note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
 )]
 pub trait Around<S: Space, K: Closing<S>>: Selective<S> {

@@ -5,8 +5,8 @@ use crate::element::{Explicit, Springs};
 use crate::loading::EffortOf;
 use crate::relation::{Closures, Open};
 use crate::shape::{
-    Arm, Around, AtClosing, CarriedIn, Kept, Main, Mut, PerAxes, PerJoint, Positions, Rates, Ref, Selective, Side,
-    Walk, Way,
+    Arm, Around, AtClosing, CarriedIn, Ends, Kept, Main, Mut, PerAxes, PerJoint, Positions, Rates, Ref, Selective,
+    Side, Walk, Way,
 };
 use core::marker::PhantomData;
 
@@ -30,7 +30,7 @@ impl<C, By> Factor<C, By> {
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run by an implicit rule goes backward around loops",
     label = "an implicit rule",
-    note = "`Rk4`, `Dopri5` and `Dop853` know loops of the plane"
+    note = "`Rk4`, `Dopri5` and `Dop853` know loops"
 )]
 pub trait AroundLoops {}
 
@@ -78,7 +78,7 @@ where
         &mut self,
         closing: &K,
         outer: Outboard<S, C>,
-        (.., effort, kept, _): AtClosing<'_, S, Self, K>,
+        (x, y, p, q, _, effort, kept, pivot): AtClosing<'_, S, Self, K>,
         main: impl FnOnce(
             &mut Self::In<Main<K::Closures>>,
             CarriedIn<S, Self, Main<K::Closures>>,
@@ -88,7 +88,7 @@ where
             CarriedIn<S, Self, Side<K::Closures>>,
         ) -> CarriedIn<S, Self, Side<K::Closures>>,
     ) -> Outboard<S, C> {
-        let (onto_main, into_side, passed) = closing.close_off(outer, effort);
+        let (onto_main, into_side, passed) = closing.close_off(outer, effort, Ends { x, y, p, q }, pivot);
         let side = side(&mut Factor::by(self.springs), into_side);
         let main = main(&mut Factor::by(self.springs), onto_main);
         let (relation, gain) = main.settle(side, kept.0.measure());

@@ -1,7 +1,7 @@
 //! Costates of accelerations through the gains of a sweep: the inward half of M w + Γᵀν = λ, Γ w = 0.
 
 use crate::adjoint::{Reversed, ReversibleClosing};
-use crate::relation::{Closures, LoopGain, Looped, Open, Own, Wrench, WrenchOf};
+use crate::relation::{Closures, LoopGain, Looped, Open, Own, VectorSpace, Wrench, WrenchOf};
 use crate::scalar::Scalar;
 use crate::shape::{
     Arm, Around, AtClosing, Kept, Main, Mut, PerAxes, PerClosure, PerJoint, Rates, Ref, Selective, Side, Walk, Way,
@@ -25,6 +25,12 @@ impl<T: Scalar, C: Closures> Meet<T, C> {
     #[inline(always)]
     pub fn part(&mut self, row: &C::Each<T>, left: T) {
         self.gaps = C::zip(&self.gaps, row, |gap, row| row.mul_add(left, gap));
+    }
+
+    /// A joint that turns freely by `left`, a torque, over its pivot: `rows` are what it does for each closure force.
+    #[inline(always)]
+    pub fn part_along<V: VectorSpace<Scalar = T>>(&mut self, rows: &C::Each<V>, left: V) {
+        self.gaps = C::zip(&self.gaps, rows, |gap, row| gap + V::dot(row, left));
     }
 
     /// What goes on inward where both arms of a loop begin, and by what its ends part, also as the elimination of its forces meets it.

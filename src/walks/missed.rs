@@ -3,22 +3,26 @@
 use crate::element::{Coordinates, Level};
 use crate::relation::Closures;
 use crate::shape::{
-    AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Outward, PerClosure, Positions, Rates, Ref, Shape, Walk,
-    alike,
+    AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Outward, PerClosure, PerLoop, Positions, Rates, Ref, Shape,
+    Walk, alike,
 };
 use crate::space::{FrameOf, Space};
 
-/// Walks outward with complete kinematics and keeps by what the ends of each loop miss each other, with the opposite sign; gives the frame of
-/// the tip.
+/// How the ends of the side arm and of the main arm of a loop are turned.
+pub type Turns<S> = PerLoop<[<S as Space>::Turn; 2]>;
+
+/// Walks outward with complete kinematics and keeps by what the ends of each loop miss each other, with the opposite sign, and how they are
+/// turned; gives the frame of the tip.
 pub fn missed<S: Space, E: Shape<S>>(
     chain: &E,
     frame: FrameOf<S>,
     motion: Coordinates<'_, S, E>,
     level: Level,
     gaps: &mut E::Store<PerClosure>,
+    turns: &mut E::Store<Turns<S>>,
 ) -> FrameOf<S> {
     let Coordinates { position, rate, acceleration } = motion;
-    chain.outward(&mut Missed(level), frame, (position, rate, acceleration, gaps))
+    chain.outward(&mut Missed(level), frame, (position, rate, acceleration, gaps, turns))
 }
 
 /// Looks at the ends of loops.
@@ -26,7 +30,7 @@ struct Missed(Level);
 
 impl<S: Space> Walk<S> for Missed {
     type Carried = FrameOf<S>;
-    type Stores = (Ref<Positions>, Ref<Rates>, Ref<Rates>, Mut<PerClosure>);
+    type Stores = (Ref<Positions>, Ref<Rates>, Ref<Rates>, Mut<PerClosure>, Mut<Turns<S>>);
 }
 
 impl<S: Space> Outward<S> for Missed {
@@ -39,7 +43,7 @@ impl<S: Space> Outward<S> for Missed {
         &mut self,
         joint: &J,
         frame: FrameOf<S>,
-        (position, rate, acceleration, ()): AtJoint<'_, S, Self, J>,
+        (position, rate, acceleration, (), ()): AtJoint<'_, S, Self, J>,
     ) -> FrameOf<S> {
         joint.motion(frame, position, rate, acceleration).1
     }
@@ -47,10 +51,11 @@ impl<S: Space> Outward<S> for Missed {
         &mut self,
         closing: &K,
         [side, main]: [FrameOf<S>; 2],
-        (.., gaps): AtClosing<'_, S, Self, K>,
+        (.., gaps, turns): AtClosing<'_, S, Self, K>,
     ) {
         let [place, velocity] = closing.residual(&side, &main);
         let residual = if let Level::Place = self.0 { place } else { velocity };
         *gaps = K::Closures::map(&residual, |x| -x);
+        *turns = [side.turn, main.turn];
     }
 }

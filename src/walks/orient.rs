@@ -1,7 +1,7 @@
 //! Postures, where costates read more of them than sweeps do.
 
-use crate::adjoint::Reversed;
-use crate::shape::{Mut, PerAxes, Positions, Rates, Ref, Selective, Walk, alike_in_arms};
+use crate::adjoint::{Reversed, ReversibleClosing};
+use crate::shape::{Around, AtClosing, Mut, PerAxes, Positions, Rates, Ref, Selective, Walk, alike_in_arms};
 
 /// Carries the orientation outward, and stores what all other walks read.
 pub struct Orient;
@@ -15,4 +15,20 @@ impl<S: Reversed> Walk<S> for Orient {
 
 impl<S: Reversed> Selective<S> for Orient {
     alike_in_arms!();
+}
+
+impl<S: Reversed, K: ReversibleClosing<S>> Around<S, K> for Orient {
+    #[inline(always)]
+    fn around(
+        &mut self,
+        closing: &K,
+        turn: S::Turn,
+        (_, _, x, y, p, q): AtClosing<'_, S, Self, K>,
+        main: impl FnOnce(&mut Self, S::Turn) -> S::Turn,
+        side: impl FnOnce(&mut Self, S::Turn) -> S::Turn,
+    ) -> S::Turn {
+        let (side, main) = (side(self, turn), main(self, turn));
+        closing.pose(side, main, x, y, p, q);
+        main
+    }
 }

@@ -1,22 +1,23 @@
 //! Costates of positions, rates and parameters, from the virtual power of each body.
 
 use crate::adjoint::{Reversed, ReversibleClosing};
-use crate::relation::{Additive, Closures, Wrench, WrenchOf};
+use crate::relation::{Additive, Closures};
 use crate::shape::{
-    Around, AtClosing, Mut, PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Ref, Selective, Walk, Way,
+    Around, AtClosing, Ends, Mut, PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Ref, Selective,
+    Walk, Way,
 };
 
 /// Carries G and F inward, sets the costates of positions and rates, and adds to those of parameters.
 pub struct PullBack {
-    /// Whether laws of springs and dampers act: in corrections by closures nothing does but inertia.
+    /// Whether laws of springs and dampers act, and torques: in corrections by closures nothing does but inertia.
     pub laws: bool,
 }
 
 impl<S: Reversed> Walk<S> for PullBack {
     type Carried = S::Pulled;
     /// Posture; positions, rates, accelerations and w; accelerations of the outboard ends of bodies and joints, and what
-    /// [`Stir`](super::stir::Stir) and [`Factor`](super::factor::Factor) have kept, −ν and λ of loops; costates of parameters, positions
-    /// and rates.
+    /// [`Stir`](super::stir::Stir) and [`Factor`](super::factor::Factor) have kept, −ν and λ of loops and what has been kept of their ends; costates of
+    /// parameters, positions and rates.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
@@ -29,7 +30,7 @@ impl<S: Reversed> Walk<S> for PullBack {
             Ref<PerBody<S::OnBody>>,
             Ref<PerJoint<S::InJoint>>,
             Ref<PerJoint<S::Pivot>>,
-            (Ref<PerClosure>, Ref<PerClosure>),
+            (Ref<PerClosure>, Ref<PerClosure>, Ref<PerLoop<S::AtEnds>>),
         ),
         (Mut<PerBody<S::OfBody>>, Mut<PerJoint<S::OfJoint>>),
         (Mut<Rates>, Mut<Rates>),
@@ -52,22 +53,13 @@ impl<S: Reversed, K: ReversibleClosing<S>> Around<S, K> for PullBack {
         &mut self,
         closing: &K,
         outer: S::Pulled,
-        (.., (.., (minus_weights, forces)), _, _): AtClosing<'_, S, Self, K>,
+        (x, y, p, q, _, (.., pivot, (minus_weights, forces, ends)), (_, sums), _): AtClosing<'_, S, Self, K>,
         main: impl FnOnce(&mut Self, S::Pulled) -> S::Pulled,
         side: impl FnOnce(&mut Self, S::Pulled) -> S::Pulled,
     ) -> S::Pulled {
-        let (weight, force) = (-total(closing, minus_weights), total(closing, forces));
-        let side = side(self, K::pulled(weight, force));
-        main(self, outer + K::pulled(-weight, -force)) + side
+        let (weights, axes) = (K::Closures::map(minus_weights, |x| -x), Ends { x, y, p, q });
+        let [on_side, on_main] = closing.pulled(axes, (&weights, forces), self.laws.then_some(pivot), ends, sums);
+        let side = side(self, on_side);
+        main(self, outer + on_main) + side
     }
-}
-
-/// The wrench of closure forces on the end of the side arm.
-pub(super) fn total<S: Reversed, K: ReversibleClosing<S>>(
-    closing: &K,
-    forces: &<K::Closures as Closures>::Each<S::Scalar>,
-) -> WrenchOf<S> {
-    let mut sum = Wrench::none();
-    K::Closures::zip(&closing.columns(), forces, |column, force| sum = WrenchOf::<S>::plus_scaled(sum, force, column));
-    sum
 }

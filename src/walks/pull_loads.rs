@@ -1,12 +1,12 @@
 //! Costates of positions, rates and parameters, from what loads on bodies read.
 
-use super::pull_back::total;
+use super::missed::Turns;
 use crate::adjoint::{Reversed, ReversibleClosing};
 use crate::element::Level;
-use crate::relation::{Additive, Wrench, WrenchOf};
+use crate::relation::{Additive, Closures, WrenchOf};
 use crate::scalar::Scalar;
 use crate::shape::{
-    Around, AtClosing, Mut, PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Ref, Selective, Walk, Way,
+    Around, AtClosing, Ends, Mut, PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Ref, Selective, Walk, Way,
 };
 use crate::space::FrameOf;
 
@@ -29,15 +29,20 @@ pub const LAW: usize = 6;
 
 impl<S: Reversed, L> Walk<S> for PullLoads<L, S::Scalar> {
     type Carried = S::Felt;
-    /// Posture; positions, rates and w; frames of bodies, what [`Stir`](super::stir::Stir) has kept, and costates −ν of what the ends of loops
-    /// miss; costates of parameters, positions and rates.
+    /// Posture; positions, rates and w; frames of bodies, what [`Stir`](super::stir::Stir) has kept, costates −ν of what the ends of loops
+    /// miss, and how these are turned; costates of parameters, positions and rates.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
         Ref<PerAxes<S::P>>,
         Ref<PerAxes<S::Q>>,
         (Ref<Positions>, Ref<Rates>, Ref<Rates>),
-        (Ref<PerBody<(FrameOf<S>, WrenchOf<S>)>>, Ref<PerBody<S::OnBody>>, Ref<PerJoint<S::InJoint>>, Ref<PerClosure>),
+        (
+            Ref<PerBody<(FrameOf<S>, WrenchOf<S>)>>,
+            Ref<PerBody<S::OnBody>>,
+            Ref<PerJoint<S::InJoint>>,
+            (Ref<PerClosure>, Ref<Turns<S>>),
+        ),
         (Mut<PerBody<S::OfNumbers>>, Mut<PerJoint<S::OfJoint>>),
         (Mut<Rates>, Mut<Rates>),
     );
@@ -58,17 +63,12 @@ impl<S: Reversed, L, K: ReversibleClosing<S>> Around<S, K> for PullLoads<L, S::S
         &mut self,
         closing: &K,
         outer: S::Felt,
-        (.., (.., minus_weights), (_, sums), _): AtClosing<'_, S, Self, K>,
+        (x, y, p, q, _, (.., (minus_weights, turns)), (_, sums), _): AtClosing<'_, S, Self, K>,
         main: impl FnOnce(&mut Self, S::Felt) -> S::Felt,
         side: impl FnOnce(&mut Self, S::Felt) -> S::Felt,
     ) -> S::Felt {
-        let (weight, none) = (-total(closing, minus_weights), Wrench::none());
-        let felt = |weight| match self.level {
-            Level::Place => K::felt(weight, none),
-            Level::Velocity => K::felt(none, weight),
-        };
-        let (on_side, on_main) = (felt(weight), felt(-weight));
-        closing.of_residual(minus_weights, self.level, sums);
+        let (weights, axes) = (K::Closures::map(minus_weights, |x| -x), Ends { x, y, p, q });
+        let [on_side, on_main] = closing.felt(axes, &weights, turns, self.level, sums);
         let side = side(self, on_side);
         main(self, outer + on_main) + side
     }

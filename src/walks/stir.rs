@@ -4,8 +4,8 @@ use crate::adjoint::{Reversed, ReversibleClosing};
 use crate::loading::EffortOf;
 use crate::relation::{Closures, Open, Own};
 use crate::shape::{
-    Arm, Around, AtClosing, Kept, Main, Mut, PerAxes, PerBody, PerClosure, PerJoint, Rates, Ref, Selective, Side, Walk,
-    Way,
+    Arm, Around, AtClosing, Ends, Kept, Main, Mut, PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Rates, Ref,
+    Selective, Side, Walk, Way,
 };
 
 /// Carries virtual velocity outward, keeps it for each body, and adds what torques in joints do to the cost.
@@ -24,7 +24,7 @@ impl<S: Reversed, C: Closures> Walk<S> for Stir<S::Scalar, C> {
         Ref<PerAxes<S::Q>>,
         Ref<Kept<C>>,
         (Ref<Rates>, Ref<Rates>, Mut<Rates>),
-        (Mut<PerBody<S::OnBody>>, Mut<PerJoint<S::InJoint>>, Mut<PerClosure>),
+        (Mut<PerBody<S::OnBody>>, Mut<PerJoint<S::InJoint>>, (Mut<PerClosure>, Mut<PerLoop<S::AtEnds>>)),
         Mut<PerJoint<EffortOf<S>>>,
     );
 }
@@ -50,17 +50,18 @@ impl<S: Reversed, C: Closures, K: ReversibleClosing<S>> Around<S, K> for Stir<S:
         &mut self,
         closing: &K,
         inner: S::Stirred,
-        (.., (gain, _), _, (_, _, parted), effort): AtClosing<'_, S, Self, K>,
+        (x, y, p, q, (gain, _), _, (_, _, (parted, ends)), effort): AtClosing<'_, S, Self, K>,
         main: impl FnOnce(&mut Self::In<Main<K::Closures>>, S::Stirred) -> S::Stirred,
         side: impl FnOnce(&mut Self::In<Side<K::Closures>>, S::Stirred) -> S::Stirred,
     ) -> S::Stirred {
-        let velocity = K::stirred(&inner);
+        let velocity = S::stirred(&inner);
         let forces =
             K::Closures::forces(gain, |w| w.work(&velocity), &self.forces, &K::Closures::reduced(gain, parted));
         *parted = forces;
         let side = side(&mut Stir { forces }, inner);
         let main = main(&mut Stir { forces: (self.forces, forces) }, inner);
-        closing.of_effort(&side, &main, effort);
+        *ends = S::at_ends(&side, &main);
+        closing.of_effort(Ends { x, y, p, q }, [&side, &main], effort);
         main
     }
 }

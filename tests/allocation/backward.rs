@@ -58,6 +58,34 @@ fn gradients_in_space_allocate_nothing() -> Result<(), Error> {
     Ok(())
 }
 
+#[test]
+fn gradients_of_held_tips_and_loops_in_space_allocate_nothing() -> Result<(), Error> {
+    use catena::spatial::{Ball, Clamped, Effort, Hinged, Revolute, Rod, Rotation, System};
+    let rod = Rod::uniform(0.5, 0.05, 1.0);
+    let window = Network::new((Ball, rod, Ball, rod), (Ball, rod, Ball, rod), Revolute::about([0.0, 0.0, 1.0]));
+    let chain = (Revolute::about([0.0, 0.6, 0.8]), rod, window, Ball, rod);
+    let tip = Hinged::on(Clamped::at([1.0, 0.2, 0.3], Rotation::from_angles([0.1, 0.2, 0.3])), [0.0, 0.0, 1.0]);
+    let system = System::new(Clamped::origin(), chain, tip)?.with_gravity([0.0, 0.0, -9.81]);
+    let angles = [0.3, 0.1, 0.2, 0.4, -0.3, 0.2, -0.9, 0.5, -0.2, -0.9, 0.1, -0.3, 0.4, 0.5, 0.2, -0.4];
+    let start = system.assembled(system.at_rest(&angles)?, &Unloaded)?;
+    let (mut states, torques) = ([start; 6], [Effort([1e-3, 2e-3, -1e-3]); 40]);
+    let (mut backward, mut by_torques) = (system.backward(Rk4), torques);
+    let gravity = [Jet::of(0.0), Jet::of(0.0), Jet::<f64, 1>::seed(-9.81, 0)];
+    let lifted = system.lift(Jet::<f64, 1>::of).with_gravity(gravity);
+    let (count, outcome) = allocations(|| {
+        backward.run(&start, 0.01, 5, &torques, &mut states)?;
+        let end = |step: usize, _: &_, by: &mut catena::sensitivity::Costate<_>| match step {
+            5 => by.add(&[1.0; 16], &[0.5; 16]),
+            _ => Ok(()),
+        };
+        let gradient = backward.gradient(&torques, &states, &mut by_torques, end)?;
+        Ok::<_, Error>([gradient.along(&lifted)?[0], gradient.by_gravity().z])
+    });
+    let [along, by_gravity] = outcome?;
+    assert!(count == 0 && along == by_gravity && along != 0.0, "{count} allocations, {along}, {by_gravity}");
+    Ok(())
+}
+
 /// Few states and a tape, a run that is cut at an event, and a step's Jacobians.
 #[test]
 fn gradients_of_all_kinds_of_runs_allocate_nothing() -> Result<(), Error> {

@@ -158,7 +158,7 @@ where
         let mut walk = Meet::nothing();
         elements.take(&mut walk, Wrench::none(), (x, y, p, q, kept, pivots, &mut *free, &mut self.in_loops));
         let weight = P::Closures::solve(&stage.compliance, &walk.gaps);
-        let kept_of_them = (&mut self.on_bodies, &mut self.in_joints, &mut self.in_loops);
+        let kept_of_them = (&mut self.on_bodies, &mut self.in_joints, (&mut self.in_loops, &mut self.at_ends));
         let stores = (x, y, p, q, kept, (rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
         let forces = opposite::<S, P::Closures>(&weight);
         let stirred = elements.take(&mut Stir { forces }, S::at_ground(&frame), stores);
@@ -166,11 +166,12 @@ where
         if const { Self::HELD } {
             let falling = frame.falling(self.scene.gravity());
             let accelerations = (stage.reached, falling);
-            pulled = weigh(self.scene, (&weight, &stage.force), accelerations, &P::stirred(&stirred), gradient);
+            pulled = weigh(self.scene, (&weight, &stage.force), accelerations, &S::stirred(&stirred), gradient);
         }
         let Gradient { bodies, joints, .. } = gradient;
         let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots, (&self.in_loops, in_loops));
+        let of_loops = (&self.in_loops, in_loops, &self.at_ends);
+        let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots, of_loops);
         let stores = (x, y, p, q, (position, rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
         let left = elements.take(&mut PullBack { laws }, pulled, stores);
         let (gravity, turn) = S::of_ground(&left, &frame);
@@ -182,11 +183,12 @@ where
             let (law_of, level) = (self.loads.law, Level::Place);
             let mut walk = PullLoads { law: law_of, time, body: elements.bodies(), level, of_law: *law };
             let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-            let kept_of_them = (&self.loads.on_bodies, &self.on_bodies, &self.in_joints, &self.no_loops);
+            let kept_of_them =
+                (&self.loads.on_bodies, &self.on_bodies, &self.in_joints, (&self.no_loops, &self.no_turns));
             let stores = (x, y, p, q, (position, rate, &self.of_acceleration), kept_of_them, (numbers, joints), start);
             let felt = elements.take(&mut walk, S::Felt::null(), stores);
             *law = walk.of_law;
-            let (place, turn) = S::of_place(&felt);
+            let (place, turn) = S::of_place(&felt, &frame);
             (gradient.place, gradient.ground) = (gradient.place + place, gradient.ground + turn);
         }
     }

@@ -11,16 +11,17 @@
 //! those of a sweep do.
 
 use super::record::Stage;
-use crate::adjoint::{EachOf, Reversed, ReversibleTip};
+use crate::adjoint::{EachOf, Reversed, ReversibleTip, total};
 use crate::element::Element;
 use crate::ends::Root;
 use crate::loading::EffortOf;
-use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Solvable, Wrench, WrenchOf};
+use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Solvable, Wrench};
 use crate::sensitivity::Gradient;
-use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, Rates, Takes};
-use crate::space::FrameOf;
+use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Rates, Takes};
+use crate::space::{FrameOf, Orientation};
 use crate::system::{Elements, System};
 use crate::walks::meet::Meet;
+use crate::walks::missed::Turns;
 use crate::walks::singled::loops;
 use crate::walks::size::sizes;
 use crate::walks::stir::Stir;
@@ -44,26 +45,21 @@ pub(super) struct Room<S: Reversed, E: Element<S>> {
     pub(super) of_stage: E::Rate,
     pub(super) on_bodies: E::Store<PerBody<S::OnBody>>,
     pub(super) in_joints: E::Store<PerJoint<S::InJoint>>,
+    pub(super) at_ends: E::Store<PerLoop<S::AtEnds>>,
     pub(super) at_bodies: E::Store<PerBody<S::Vector>>,
     pub(super) at_joints: E::Store<PerJoint<S::Vector>>,
     pub(super) efforts: E::Store<PerJoint<EffortOf<S>>>,
     /// Number of loops.
     pub(super) loops: usize,
-    /// Of loops: nothing; by what their ends miss each other, and by what costates part them; forces of a correction and of its costate;
-    /// costates of what they miss.
+    /// Of loops: nothing; by what their ends miss each other, and how they are turned; by what costates part them; forces of a correction
+    /// and of its costate; costates of what they miss.
     pub(super) nothing: E::Store<PerClosure>,
     pub(super) missed: E::Store<PerClosure>,
+    pub(super) turns: E::Store<Turns<S>>,
     pub(super) parted: E::Store<PerClosure>,
     pub(super) forces: E::Store<PerClosure>,
     pub(super) of_forces: E::Store<PerClosure>,
     pub(super) weights: E::Store<PerClosure>,
-}
-
-/// Σ ν c.
-pub(super) fn wrench<S: Reversed, P: ReversibleTip<S>>(tip: &P, weights: &EachOf<S, P>) -> WrenchOf<S> {
-    let mut sum = Wrench::none();
-    P::Closures::zip(&tip.columns(), weights, |column, weight| sum = WrenchOf::<S>::plus_scaled(sum, weight, column));
-    sum
 }
 
 /// What the costate sweep begins with at a tip weighed by ν and −λ, and what these do to gravity and to the numbers of the tip.
@@ -80,17 +76,19 @@ where
     C: Element<S>,
     P: ReversibleTip<S>,
 {
-    let (tip, weights) = (scene.tip(), wrench(scene.tip(), weight));
+    let tip = scene.tip();
+    let (columns, of) = (tip.columns(), total::<S, P::Closures>);
+    let weights = of(&columns, weight);
     // The acceleration demanded of the tip is that of the ground.
     gradient.gravity = gradient.gravity - weights.force;
     let against = Acceleration { linear: reached.linear - still.linear, angular: reached.angular - still.angular };
-    add(&mut gradient.tip, tip.of_columns((weight, &against), (force, stirred)));
-    P::pulled(weights, wrench(tip, force))
+    add::<S>(&mut gradient.tip, tip.of_columns((weight, &against), (force, stirred)));
+    S::pulled((weights, &against), (of(&columns, force), stirred))
 }
 
-/// Adds up.
-pub(super) fn add<T: Additive, const K: usize>(sums: &mut [T; K], more: [T; K]) {
-    sums.iter_mut().zip(more).for_each(|(sum, more)| *sum = *sum + more);
+/// Adds to the costates of the numbers of a tip.
+pub(super) fn add<S: Reversed>(sums: &mut S::OfTip, more: S::OfTip) {
+    sums.as_mut().iter_mut().zip(more.as_ref()).for_each(|(sum, more)| *sum += *more);
 }
 
 /// −x for each.
@@ -98,9 +96,14 @@ pub(super) fn opposite<S: Reversed, C: Closures>(each: &C::Each<S::Scalar>) -> C
     C::map(each, |x| -x)
 }
 
+/// Ends of loops that are not turned.
+pub(super) fn unturned<S: Reversed, E: Element<S>>(elements: &E) -> E::Store<Turns<S>> {
+    elements.store::<PerLoop<_>>([S::Turn::unturned(); 2])
+}
+
 impl<S: Reversed, E: Element<S>> Room<S, E> {
     pub(super) fn new(elements: &E) -> Self {
-        let ((x, y, p, q), (on_body, in_joint)) = (S::blank(), S::untouched());
+        let ((x, y, p, q), (on_body, in_joint, at_ends)) = (S::blank(), S::untouched());
         let (zero, nothing) = (elements.store::<Rates>(()), elements.store::<PerClosure>(()));
         Self {
             sizes: sizes(elements),
@@ -117,11 +120,13 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
             zero,
             on_bodies: elements.store::<PerBody<_>>(on_body),
             in_joints: elements.store::<PerJoint<_>>(in_joint),
+            at_ends: elements.store::<PerLoop<_>>(at_ends),
             at_bodies: elements.store::<PerBody<_>>(S::Vector::null()),
             at_joints: elements.store::<PerJoint<_>>(S::Vector::null()),
             efforts: elements.store::<PerJoint<_>>(EffortOf::<S>::null()),
             loops: loops(elements),
             missed: nothing.clone(),
+            turns: unturned::<S, E>(elements),
             parted: nothing.clone(),
             forces: nothing.clone(),
             of_forces: nothing.clone(),
@@ -142,8 +147,8 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
         P::Closures::solve(&stage.compliance, &opposite::<S, P::Closures>(&walk.gaps))
     }
 
-    /// The outward half, of what is solved for, where these forces act at the tip, and of the forces of loops or of those of their costates;
-    /// gives W and w of the tip.
+    /// The outward half, of what is solved for, by the posture in the room, that of the stage at rest, where these forces act at the tip, and of
+    /// the forces of loops or of those of their costates; gives W and w of the tip.
     pub(super) fn stir<P: ReversibleTip<S>>(
         &mut self,
         elements: &E,
@@ -155,11 +160,12 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
     where
         E: Takes<S, Stir<S::Scalar, P::Closures>>,
     {
-        let Stage { x, y, p, q, kept, .. } = stage;
-        let Self { zero, solved, correction, on_bodies, in_joints, efforts, .. } = self;
+        let kept = &stage.kept;
+        let Self { x, y, p, q, zero, solved, correction, on_bodies, in_joints, at_ends, efforts, .. } = self;
         let in_loops = if of_costates { &mut self.of_forces } else { &mut self.forces };
-        let stores =
-            (x, y, p, q, kept, (&*zero, &*correction, &mut *solved), (on_bodies, in_joints, in_loops), efforts);
-        P::stirred(&elements.take(&mut Stir { forces }, S::at_ground(ground), stores))
+        let (posture, motion) = ((&*x, &*y, &*p, &*q), (&*zero, &*correction, &mut *solved));
+        let (x, y, p, q) = posture;
+        let stores = (x, y, p, q, kept, motion, (on_bodies, in_joints, (in_loops, at_ends)), efforts);
+        S::stirred(&elements.take(&mut Stir { forces }, S::at_ground(ground), stores))
     }
 }

@@ -81,11 +81,13 @@ use steps::Steps;
 /// stage by several sweeps, and costates go back through all of them.
 ///
 /// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`
-/// with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom)), composed in the same ways, from a `Pinned`,
-/// `Clamped` or `Hinged` root that does not move. An attitude has three derivatives, by a rotation vector (rad) in axes of its body: costs
+/// with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom)), composed in the same ways,
+/// in loops that a `Ball`, a `Weld` or a `Revolute` closes, too, from a `Pinned`,
+/// `Clamped` or `Hinged` root that does not move to tips that are free, or that are `Pinned`, `Clamped` or `Hinged` at a place that does not
+/// move. An attitude has three derivatives, by a rotation vector (rad) in axes of its body: costs
 /// add theirs in the same numbers, and steps linearised have their rows and columns so. Rates of balls are angular velocities in axes of the
 /// body (rad/s). Torques are [`Effort`](crate::spatial::Effort)s, in a ball a vector in these axes, in a revolute joint the first number.
-/// Directions of axes, attitudes of welds and of the ground are parameters like all others.
+/// Directions of axes, attitudes of welds and of the ground at both ends are parameters like all others.
 ///
 /// All else is an error of the compiler that names it.
 ///

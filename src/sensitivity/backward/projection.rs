@@ -9,18 +9,19 @@
 //!
 //! which is the costate sweep at rest, x for accelerations, G = ν, F = −κ at the tip, without springs. A loop closes without moving the
 //! station where it begins, so each has a system of its own, of what moves with it: M and Γ of its arms and of all that lies outboard, where
-//! other loops stay closed. Corrections are as many as a stepper makes, and costates go back through each.
+//! other loops stay closed. Corrections are as many as a stepper makes, and costates go back through each. Where positions are curved a
+//! correction is a step from the place before it.
 
-use super::held::{Room, add, opposite, wrench};
+use super::held::{Room, add, opposite};
 use super::record::Record;
 use super::rules::Staged;
 use super::steps::Steps;
-use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip, total};
 use crate::element::{Coordinates, Element, Level, Posture, RealOf};
 use crate::ends::Resting;
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::{Acceleration, Additive, Closures, Solvable, Wrench};
+use crate::relation::{Acceleration, Additive, Closures, Solvable};
 use crate::scalar::{Real, Scalar};
 use crate::sensitivity::Gradient;
 use crate::shape::{Positions, Takes};
@@ -93,6 +94,9 @@ where
         let Projection { places, moves, rates, changes } = projection;
         let (of, sums) = ((M::node(row), M::weights(row)), (&self.zero, &mut self.sum));
         displace(past, slopes, of.0, of.1, step, sums, (&mut places[0], &mut rates[0]));
+        if Self::CURVED {
+            places[0].retract_rate(&past.position, &mut rates[0]);
+        }
         let most = if Self::LOOPED { MOST_CORRECTIONS } else { Self::CLOSED };
         let (none, into) = (&self.zero, &mut room.correction);
         let correct = |level: Level, position: &_, rate: &_, correction: &mut _| {
@@ -147,14 +151,25 @@ where
         room.of_stage.set(&self.zero);
         let Projection { places, moves, rates, changes } = projection;
         for rate in rates[..*changes].iter().rev() {
+            let Some(room) = &mut self.room else { continue };
+            room.costates.set(&gradient.start.rate);
             self.pull_back_correction(Level::Velocity, (&places[*moves], rate), time, past, record, gradient);
         }
-        for place in places[..*moves].iter().rev() {
+        for pair in places[..=*moves].windows(2).rev() {
+            let ([place, moved], Some(room)) = (pair, &mut self.room) else { continue };
+            room.costates.set(&gradient.start.position);
+            if Self::CURVED {
+                // The correction is a step, and the place after it turns with the one before it.
+                room.of_rate.set(&self.zero);
+                gradient.start.position.set(&self.zero);
+                let (still, of_step) = ((&self.zero, &self.zero), (&mut room.costates, &mut room.of_rate));
+                moved.transposed_step(place, still, &self.zero, of_step, &mut gradient.start.position);
+            }
             self.pull_back_correction(Level::Place, (place, &rates[0]), time, past, record, gradient);
         }
     }
 
-    /// From the costates after a correction to those before it.
+    /// From the costates of a correction, which are in the room, to those of what it depends on.
     fn pull_back_correction(
         &mut self,
         level: Level,
@@ -171,16 +186,17 @@ where
         let position = if row == 0 { &past.position } else { &stage.position };
         // What is missed, and costates of the correction that takes it away.
         let at = Coordinates { position: place, rate, acceleration: zero };
-        let frame = missed(elements, ground, at, level, &mut room.missed);
+        let frame = missed(elements, ground, at, level, &mut room.missed, &mut room.turns);
         let [of_place, of_rate] = tip.residual(time, &frame);
         let residual = if let Level::Place = level { of_place } else { of_rate };
-        let start = &gradient.start;
-        room.costates.set(if let Level::Place = level { &start.position } else { &start.rate });
         room.costates.replace(&mut |x| -x);
         let held = room.meet::<P>(elements, stage);
         room.weights.clone_from(&room.nothing);
         let none: EachOf<S, P> = P::Closures::each(|_| S::Scalar::zero());
         let mut weights = none;
+        let Room { sizes, x, y, p, q, .. } = room;
+        S::pose(elements, position, zero, ground.turn, sizes, x, y, p, q);
+        let (columns, of) = (tip.columns(), total::<S, P::Closures>);
         // The tip, and loop by loop.
         for closure in usize::from(!Self::HELD)..=room.loops {
             let number = closure.checked_sub(1);
@@ -197,7 +213,7 @@ where
             let moved = room.stir::<P>(elements, &ground, stage, force, false);
             room.correction.set(&room.solved);
             let kept = (&room.on_bodies, &room.in_joints);
-            swept::<S, P, _>(elements, kept, &mut room.at_bodies, &mut room.at_joints);
+            swept::<S, _>(elements, kept, &mut room.at_bodies, &mut room.at_joints);
             // w and ν.
             room.solved.set(&room.costates);
             room.of_forces.clone_from(&room.parted);
@@ -210,14 +226,13 @@ where
             }
             let stirred = room.stir::<P>(elements, &ground, stage, minus_weight, true);
             // What the stage's M and Γ change of x.
-            let Room { sizes, x, y, p, q, solved, correction, of_position, of_rate, on_bodies, in_joints, .. } = room;
-            S::pose(elements, position, zero, ground.turn, sizes, x, y, p, q);
+            let Room { x, y, p, q, solved, correction, of_position, of_rate, on_bodies, in_joints, .. } = room;
             let mut pulled = S::Pulled::null();
             if number.is_none() {
-                pulled = P::pulled(wrench(tip, &weights), wrench(tip, &force));
-                add(&mut gradient.tip, tip.of_columns((&weights, &moved), (&force, &stirred)));
+                pulled = S::pulled((of(&columns, &weights), &moved), (of(&columns, &force), &stirred));
+                add::<S>(&mut gradient.tip, tip.of_columns((&weights, &moved), (&force, &stirred)));
             }
-            let in_loops = (&room.of_forces, &room.forces);
+            let in_loops = (&room.of_forces, &room.forces, &room.at_ends);
             let reached = (&room.at_bodies, &room.at_joints, &*on_bodies, &*in_joints, &stage.pivots, in_loops);
             let motion = (position, zero, &*correction, &*solved);
             let sums = (&mut gradient.bodies, &mut gradient.joints);
@@ -236,19 +251,18 @@ where
         let frame = self.loads.see(elements, ground, at, time);
         solved.set(zero);
         room.forces.clone_from(&room.nothing);
-        let kept = (&mut *on_bodies, &mut *in_joints, &mut room.forces);
+        let kept = (&mut *on_bodies, &mut *in_joints, (&mut room.forces, &mut room.at_ends));
         let stores = (&*x, &*y, &*p, &*q, &stage.kept, (rate, zero, &mut *solved), kept, &mut room.efforts);
         elements.take(&mut Stir { forces: none }, S::at_ground(&ground), stores);
         let mut walk = PullLoads { law: self.loads.law, time, body: elements.bodies(), level, of_law: gradient.law };
-        let (beyond, nothing) = (wrench(tip, &weights), Wrench::none());
-        let felt = if let Level::Place = level { P::felt(beyond, nothing) } else { P::felt(nothing, beyond) };
+        let felt = tip.felt(&weights, &frame, level);
         let start = (&mut gradient.start.position, &mut gradient.start.rate);
-        let seen = (&self.loads.on_bodies, &*on_bodies, &*in_joints, &room.weights);
+        let seen = (&self.loads.on_bodies, &*on_bodies, &*in_joints, (&room.weights, &room.turns));
         let sums = (&mut gradient.numbers, &mut gradient.joints);
         let felt = elements.take(&mut walk, felt, (&*x, &*y, &*p, &*q, (place, rate, &*solved), seen, sums, start));
         gradient.law = walk.of_law;
-        let (of_place, turn) = S::of_place(&felt);
+        let (of_place, turn) = S::of_place(&felt, &ground);
         (gradient.place, gradient.ground) = (gradient.place + of_place, gradient.ground + turn);
-        add(&mut gradient.tip, tip.of_residual(&weights, &frame, level));
+        add::<S>(&mut gradient.tip, tip.of_residual(&weights, &frame, level));
     }
 }

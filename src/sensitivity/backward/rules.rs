@@ -41,7 +41,7 @@ pub trait Staged: Copy + Debug {
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run by `{Self}` goes backward, or none where a tip is held",
     label = "not a rule that goes backward, or one that knows free tips alone",
-    note = "`Rk4`, `Dopri5` and `Dop853` go backward, also where tips are held in the plane, and `Sdirk4` in chains of the plane with a free tip"
+    note = "`Rk4`, `Dopri5` and `Dop853` go backward, also where tips are held, and `Sdirk4` in chains of the plane with a free tip"
 )]
 pub trait Closing<C: Closures>: Staged {}
 

@@ -1,25 +1,26 @@
 //! Steps of a run with all that their stages keep for costates.
 
-use super::held::Room;
+use super::held::{Room, unturned};
 use super::implicit::AgainOf;
 use super::loads::Seen;
 use super::projection::Projection;
 use super::record::{Place, Record, Stage, StageOf};
 use super::rules::Staged;
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Outboard, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf};
 use crate::ends::{Resting, Root, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Acceleration, Additive, Closures, Cuts, Solvable, Wrench};
 use crate::scalar::Real;
-use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Shape, Takes};
+use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Shape, Takes};
 use crate::stepper::displace::displace;
 use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
 use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
 use crate::walks::measure::gains;
 use crate::walks::meet::Meet;
+use crate::walks::missed::Turns;
 use crate::walks::reach::Reach;
 use crate::walks::size::sizes;
 use crate::walks::{spread, unspread};
@@ -59,9 +60,12 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     pub(super) again: Option<AgainOf<S, R, C, P>>,
     pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
     pub(super) in_joints: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<S::InJoint>>,
-    /// −ν of loops, and nothing of them.
+    /// −ν of loops, how their ends move, and nothing of them.
     pub(super) in_loops: <Elements<S, R, C> as Shape<S>>::Store<PerClosure>,
+    pub(super) at_ends: <Elements<S, R, C> as Shape<S>>::Store<PerLoop<S::AtEnds>>,
     pub(super) no_loops: <Elements<S, R, C> as Shape<S>>::Store<PerClosure>,
+    /// How their ends are turned, where nothing reads it.
+    pub(super) no_turns: <Elements<S, R, C> as Shape<S>>::Store<Turns<S>>,
     /// Weights of each row's acceleration in the positions and rates of all rows: columns of the tableau.
     pub(super) weights: M::Rows<[[f64; ROWS]; 2]>,
     pub(super) nodes: [f64; ROWS],
@@ -100,7 +104,7 @@ where
         }
         let mut nodes = [0.0; ROWS];
         nodes.iter_mut().enumerate().take(M::STAGES + 1).for_each(|(row, node)| *node = M::node(row));
-        let (on_body, in_joint) = S::untouched();
+        let (on_body, in_joint, at_ends) = S::untouched();
         let no_torque = EffortOf::<S>::null();
         Self {
             loads: Seen::new(elements, law, scene.ground(RealOf::<S>::zero())),
@@ -121,7 +125,9 @@ where
             on_bodies: elements.store::<PerBody<_>>(on_body),
             in_joints: elements.store::<PerJoint<_>>(in_joint),
             in_loops: elements.store::<PerClosure>(()),
+            at_ends: elements.store::<PerLoop<_>>(at_ends),
             no_loops: elements.store::<PerClosure>(()),
+            no_turns: unturned::<S, _>(elements),
             weights,
             nodes,
             room: (Self::CLOSED > 0).then(|| Room::new(elements)),
@@ -250,8 +256,8 @@ where
         let (position, rate) = start.map_or((&*position, &*rate), |past| (&past.position, &past.rate));
         S::pose(elements, position, rate, ground.turn, &self.sizes, x, y, p, q);
         let falling = ground.falling(self.scene.gravity());
-        let (beyond, motion) =
-            (self.scene.tip().beyond(&falling), free.map_or((position, rate), |(position, rate)| (position, rate)));
+        let beyond = Outboard::held(P::KIND, self.scene.tip().columns(), &falling);
+        let motion = free.map_or((position, rate), |(position, rate)| (position, rate));
         let chain =
             elements.take(&mut Factor::by(springs), beyond, (x, y, p, q, motion, &self.torques, &mut *kept, pivots));
         let mut burden = Burden(Meet::nothing());

@@ -135,7 +135,7 @@ macro_rules! bodies {
                 &self,
                 _: &mut Stir<T, C>,
                 inner: Stirred<T>,
-                (&x, &y, &p, &q, .., (met, (), ()), _): Of<'_, Planar<T>, Stir<T, C>, Self>,
+                (&x, &y, &p, &q, .., (met, (), _), _): Of<'_, Planar<T>, Stir<T, C>, Self>,
             ) -> Stirred<T> {
                 let [d, _] = self.arm(Pose { x, y, p, q });
                 let (velocity, turning) = (inner.velocity.swung(d), inner.turning);

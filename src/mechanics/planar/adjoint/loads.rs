@@ -85,7 +85,7 @@ macro_rules! bodies {
                 &self,
                 walk: &mut PullLoads<L, T>,
                 outer: Felt<T>,
-                (.., ((frame, _), met, (), ()), (sums, ()), _): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
+                (.., ((frame, _), met, (), _), (sums, ()), _): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
             ) -> Felt<T> {
                 walk.body = walk.body.saturating_sub(1);
                 let mut seed = MOTION;

@@ -8,6 +8,7 @@ mod loads;
 mod loops;
 mod slider;
 
+use ends::TIP;
 pub(crate) use laws::NUMBERS;
 pub(crate) use loads::BODY;
 use loads::Felt;
@@ -17,7 +18,7 @@ use crate::adjoint::{self, Kind, Reversed};
 use crate::element::Element;
 use crate::mechanics::planar::{Acceleration, BodyMotion, Frame, Planar, Turn, Wrench};
 use crate::relation::planar::{Full, Point};
-use crate::relation::{Additive, Closures, Cuts, Open};
+use crate::relation::{Additive, Closures, Open};
 use crate::scalar::Scalar;
 use crate::shape::PerAxes;
 use crate::walks::factor::Factor;
@@ -33,11 +34,6 @@ impl<T: Scalar, C: Closures> Outboard<T, C> {
     fn of_pin(Point { mass, offset, torque, cuts }: Point<T, T, C>) -> Self {
         let massless = Full::massless().cut(cuts.mapped(Wrench::of_force));
         Self { kind: Kind::Point, relation: Full { linear: mass, force: offset, torque, ..massless } }
-    }
-    /// Nothing but closure forces.
-    #[inline(always)]
-    fn cut(kind: Kind, columns: C::Each<Wrench<T>>, gap: C::Each<T>) -> Self {
-        Self { kind, relation: Full::massless().cut(Cuts::at_tip(columns, gap)) }
     }
     /// The relation of a pin.
     #[inline(always)]
@@ -161,11 +157,13 @@ impl<T: Scalar> Reversed for Planar<T> {
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
     type InJoint = AtJoint<T>;
+    type AtEnds = ();
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
     type OfJoint = [T; NUMBERS];
     type Felt = Felt<T>;
     type OfNumbers = [T; BODY];
+    type OfTip = [T; TIP];
     /// None of its own: costates read what sweeps do.
     type Poses = Factor;
 
@@ -193,14 +191,18 @@ impl<T: Scalar> Reversed for Planar<T> {
         let turning = Turning { rate: frame.turn.rate, acceleration: frame.acceleration.angular, stirring: zero };
         Stirred { velocity: Acceleration { linear: Vector2::null(), angular: zero }, turning }
     }
-    fn untouched() -> (OnBody<T>, AtJoint<T>) {
+    fn at_ends(_: &Stirred<T>, _: &Stirred<T>) {}
+    fn untouched() -> (OnBody<T>, AtJoint<T>, ()) {
         let (zero, velocity) = (T::zero(), Vector2::null());
         let turning = Turning { rate: zero, acceleration: zero, stirring: zero };
-        (OnBody { velocity, acceleration: zero, stirring: zero }, AtJoint { turning, velocity })
+        (OnBody { velocity, acceleration: zero, stirring: zero }, AtJoint { turning, velocity }, ())
     }
     fn of_nothing() -> (Base<T>, [T; BODY], [T; NUMBERS]) {
         let zero = T::zero();
         (Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero }, [zero; BODY], [zero; NUMBERS])
+    }
+    fn no_tip() -> [T; TIP] {
+        [T::zero(); TIP]
     }
     #[inline(always)]
     fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector2<T>, T) {
@@ -209,7 +211,24 @@ impl<T: Scalar> Reversed for Planar<T> {
     fn inboard(motion: &BodyMotion<T>) -> Frame<T> {
         motion.inboard
     }
-    fn of_place(felt: &Felt<T>) -> (Vector2<T>, T) {
+    fn stirred(stirred: &Stirred<T>) -> Acceleration<T> {
+        stirred.velocity
+    }
+    fn of_body(kept: &OnBody<T>) -> Vector2<T> {
+        kept.velocity
+    }
+    fn of_joint(kept: &AtJoint<T>) -> Vector2<T> {
+        kept.velocity
+    }
+    /// Torques do not turn with the body, and so are not seen.
+    fn pulled((weight, _): (Wrench<T>, &Acceleration<T>), (force, _): (Wrench<T>, &Acceleration<T>)) -> Pulled<T> {
+        Pulled { momentum: weight.force, force: -force.force, ..Pulled::null() }
+    }
+    fn felt(of_place: Wrench<T>, of_velocity: Wrench<T>, _: &Turn<T>) -> Felt<T> {
+        let turn = [of_place.torque, of_velocity.torque];
+        Felt { place: of_place.force, velocity: of_velocity.force, turn, ..Felt::null() }
+    }
+    fn of_place(felt: &Felt<T>, _: &Frame<T>) -> (Vector2<T>, T) {
         (felt.place, felt.turn[0])
     }
     /// Links in the direction of their axes sum up d · d̄: their length l is constant, and d̄ along d is that over l.

@@ -11,8 +11,9 @@
 use super::{Outboard, Pivot, Pulled, Stirred, Turning};
 use crate::element::Element;
 use crate::mechanics::spatial::{Acceleration, Ball, Spatial, Turn, Wrench};
-use crate::relation::spatial::Couple;
+use crate::relation::Closures;
 use crate::relation::spatial::algebra::{cross, zero};
+use crate::relation::spatial::{Couple, Gain};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::factor::Factor;
@@ -35,14 +36,14 @@ impl<T: Scalar> Takes<Spatial<T>, Orient> for Ball {
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, Factor> for Ball {
+impl<T: Scalar, C: Closures> Takes<Spatial<T>, Factor<C>> for Ball {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Factor,
-        outer: Outboard<T>,
-        (attitude, .., torque, gain, pivot): Of<'_, Spatial<T>, Factor, Self>,
-    ) -> Outboard<T> {
+        _: &mut Factor<C>,
+        outer: Outboard<T, C>,
+        (attitude, .., torque, gain, pivot): Of<'_, Spatial<T>, Factor<C>, Self>,
+    ) -> Outboard<T, C> {
         // The same factors as in the elimination: they are formed once.
         *pivot = Pivot { factor: outer.relation.angular.factor(), torque: attitude.apply(Vector3::from(torque.0)) };
         let (relation, found) = outer.relation.balled(Couple(pivot.torque));
@@ -51,44 +52,46 @@ impl<T: Scalar> Takes<Spatial<T>, Factor> for Ball {
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, Reach<T>> for Ball {
+impl<T: Scalar, C: Closures> Takes<Spatial<T>, Reach<T, C>> for Ball {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Reach<T>,
+        walk: &mut Reach<T, C>,
         inner: Acceleration<T>,
-        (attitude, .., gain, acceleration, _): Of<'_, Spatial<T>, Reach<T>, Self>,
+        (attitude, .., gain, acceleration, _): Of<'_, Spatial<T>, Reach<T, C>, Self>,
     ) -> Acceleration<T> {
-        let angular = gain.angular(inner.linear, &());
+        let angular = gain.angular(inner.linear, &walk.forces);
         *acceleration = attitude.transposed(angular).into();
         Acceleration { angular, ..inner }
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, Meet<T>> for Ball {
+impl<T: Scalar, C: Closures> Takes<Spatial<T>, Meet<T, C>> for Ball {
     /// H w + Kᵀ W + e_m = A λ, with w = free + G W and G = −H⁻¹ Kᵀ; what is left in place of λ is free, in inertial axes.
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Meet<T>,
+        walk: &mut Meet<T, C>,
         outer: Wrench<T>,
-        (attitude, .., gain, pivot, costate, _): Of<'_, Spatial<T>, Meet<T>, Self>,
+        (attitude, .., gain, pivot, costate, _): Of<'_, Spatial<T>, Meet<T, C>, Self>,
     ) -> Wrench<T> {
         let left = attitude.apply(Vector3::from(*costate)) - outer.torque;
         *costate = pivot.factor.solve(left).into();
+        walk.part_along(&gain.per_closure, left);
         Wrench { force: outer.force - gain.per_acceleration.transposed(left), torque: zero() }
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, Stir<T>> for Ball {
+impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Ball {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Stir<T>,
+        walk: &mut Stir<T, C>,
         Stirred { velocity, turning: inner }: Stirred<T>,
-        (attitude, .., gain, (rate, acceleration, free), ((), kept, _), torque): Of<'_, Spatial<T>, Stir<T>, Self>,
+        (attitude, .., gain, (rate, acceleration, free), ((), kept, _), torque): Of<'_, Spatial<T>, Stir<T, C>, Self>,
     ) -> Stirred<T> {
-        let stirring = gain.per_acceleration.apply_onto(velocity, Vector3::from(*free));
+        let stirring = Gain { free: Vector3::from(*free), ..*gain }.angular(velocity, &walk.forces);
+        *free = attitude.transposed(stirring).into();
         torque.0 = attitude.transposed_onto(stirring - inner.stirring, Vector3::from(torque.0)).into();
         *kept = inner;
         let [spin, acceleration] = [rate, acceleration].map(|list| attitude.apply(Vector3::from(*list)));
@@ -100,11 +103,11 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Ball {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut PullBack,
+        walk: &mut PullBack,
         outer: Pulled<T>,
         (attitude, .., (.., inner, pivot, _), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
-        let torque = pivot.torque;
+        let torque = if walk.laws { pivot.torque } else { zero() };
         let turn = cross(torque, inner.stirring);
         *of_position = attitude.transposed(outer.turn - turn).into();
         *of_rate = attitude.transposed(-outer.spin).into();

@@ -13,8 +13,8 @@ use super::{Kind, OnBody, Outboard, Pulled, Stirred};
 use crate::element::Element;
 use crate::mechanics::spatial::body::{Body, Pose};
 use crate::mechanics::spatial::{Acceleration, PointMass, RigidBody, Rod, Spatial, Turn, Wrench};
-use crate::relation::Empty;
 use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot};
+use crate::relation::{Closures, Empty};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::factor::Factor;
@@ -27,9 +27,9 @@ use nalgebra::Vector3;
 
 /// Condenses what lies outboard of a body.
 #[inline(always)]
-fn factor<T: Scalar>(body: &impl Body<T>, pose: &Pose<T>, outer: Outboard<T>) -> Outboard<T> {
+fn factor<T: Scalar, C: Closures>(body: &impl Body<T>, pose: &Pose<T>, outer: Outboard<T, C>) -> Outboard<T, C> {
     Outboard::rigid(match outer.kind {
-        Kind::Nothing => body.condense(Empty, pose),
+        Kind::Nothing => body.condense(Empty, pose).cut(outer.relation.cuts),
         Kind::Point => body.condense(outer.ball(), pose),
         Kind::Rigid => body.condense(outer.relation, pose),
     })
@@ -79,25 +79,25 @@ macro_rules! bodies {
             }
         }
 
-        impl<T: Scalar> Takes<Spatial<T>, Factor> for $Body<T> {
+        impl<T: Scalar, C: Closures> Takes<Spatial<T>, Factor<C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Factor,
-                outer: Outboard<T>,
-                (&attitude, &[turning, _], &arm, &centripetal, ..): Of<'_, Spatial<T>, Factor, Self>,
-            ) -> Outboard<T> {
+                _: &mut Factor<C>,
+                outer: Outboard<T, C>,
+                (&attitude, &[turning, _], &arm, &centripetal, ..): Of<'_, Spatial<T>, Factor<C>, Self>,
+            ) -> Outboard<T, C> {
                 factor(self, &Pose { attitude, turning, arm, centripetal }, outer)
             }
         }
 
-        impl<T: Scalar> Takes<Spatial<T>, Reach<T>> for $Body<T> {
+        impl<T: Scalar, C: Closures> Takes<Spatial<T>, Reach<T, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Reach<T>,
+                _: &mut Reach<T, C>,
                 inner: Acceleration<T>,
-                (_, _, &arm, &centripetal, .., (reached, (), ())): Of<'_, Spatial<T>, Reach<T>, Self>,
+                (_, _, &arm, &centripetal, .., (reached, (), ())): Of<'_, Spatial<T>, Reach<T, C>, Self>,
             ) -> Acceleration<T> {
                 let outer = inner.shifted(arm, centripetal);
                 *reached = outer.linear;
@@ -105,25 +105,25 @@ macro_rules! bodies {
             }
         }
 
-        impl<T: Scalar> Takes<Spatial<T>, Meet<T>> for $Body<T> {
+        impl<T: Scalar, C: Closures> Takes<Spatial<T>, Meet<T, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Meet<T>,
+                _: &mut Meet<T, C>,
                 outer: Wrench<T>,
-                (_, _, &arm, ..): Of<'_, Spatial<T>, Meet<T>, Self>,
+                (_, _, &arm, ..): Of<'_, Spatial<T>, Meet<T, C>, Self>,
             ) -> Wrench<T> {
                 Wrench { torque: cross_onto(arm, outer.force, outer.torque), ..outer }
             }
         }
 
-        impl<T: Scalar> Takes<Spatial<T>, Stir<T>> for $Body<T> {
+        impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Stir<T>,
+                _: &mut Stir<T, C>,
                 inner: Stirred<T>,
-                (_, _, &arm, .., (met, (), ()), _): Of<'_, Spatial<T>, Stir<T>, Self>,
+                (_, _, &arm, .., (met, (), _), _): Of<'_, Spatial<T>, Stir<T, C>, Self>,
             ) -> Stirred<T> {
                 let turning = inner.turning;
                 let velocity = cross_onto(turning.stirring, arm, inner.velocity);

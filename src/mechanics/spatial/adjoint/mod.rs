@@ -3,20 +3,25 @@
 mod ball;
 mod bodies;
 mod ends;
+mod felt;
 mod inertial;
 mod loads;
+mod loops;
 mod revolute;
 mod weld;
 
 pub use inertial::{Base, Inertial};
 
+use ends::TIP;
+pub(crate) use felt::Felt;
+
 use crate::adjoint::laws::NUMBERS;
 use crate::adjoint::{self, Kind, Reversed};
 use crate::element::Element;
-use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Spatial, Turn};
+use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Spatial, Turn, Wrench};
 use crate::relation::spatial::algebra::{Columns, Factor3, cross, cross_onto, zero};
 use crate::relation::spatial::{Couple, Full, Point};
-use crate::relation::{Absent, Additive};
+use crate::relation::{Additive, Closures, Open};
 use crate::scalar::Scalar;
 use crate::shape::{PerAxes, Takes};
 use crate::walks::orient::Orient;
@@ -24,18 +29,18 @@ use core::ops::Add;
 use nalgebra::Vector3;
 
 /// What lies outboard of a station.
-type Outboard<T> = adjoint::Outboard<Spatial<T>>;
+type Outboard<T, C = Open> = adjoint::Outboard<Spatial<T>, C>;
 
-impl<T: Scalar> Outboard<T> {
+impl<T: Scalar, C: Closures> Outboard<T, C> {
     /// Of a ball with a torque in it.
     #[inline(always)]
-    fn of_ball(Point { mass, offset, torque, .. }: Point<T, Couple<T>>) -> Self {
-        let relation = Full { linear: mass, force: offset, torque: torque.0, ..Full::massless() };
-        Self { kind: Kind::Point, relation }
+    fn of_ball(Point { mass, offset, torque, cuts }: Point<T, Couple<T>, C>) -> Self {
+        let massless = Full::massless().cut(cuts.mapped(Wrench::of_force));
+        Self { kind: Kind::Point, relation: Full { linear: mass, force: offset, torque: torque.0, ..massless } }
     }
     /// The relation of a ball.
     #[inline(always)]
-    fn ball(&self) -> Point<T, Couple<T>> {
+    fn ball(&self) -> Point<T, Couple<T>, C> {
         let Full { linear, force, torque, cuts, .. } = self.relation;
         Point { mass: linear, offset: force, torque: Couple(torque), cuts: cuts.mapped(|w| w.force) }
     }
@@ -130,7 +135,7 @@ impl<T: Scalar> Additive for Pulled<T> {
 pub struct Pivot<T> {
     /// The inverse of a ball's pivot; of a revolute joint's as a number.
     factor: Factor3<T>,
-    /// The torque in a ball (N·m), inertial axes.
+    /// The torque in a ball, or in a joint that closes a loop (N·m), inertial axes.
     torque: Vector3<T>,
 }
 
@@ -149,12 +154,14 @@ impl<T: Scalar> Reversed for Spatial<T> {
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
     type InJoint = Turning<T>;
+    type AtEnds = [Turning<T>; 2];
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
     type OfJoint = OfJoint<T>;
-    /// Loads on bodies are not known.
-    type Felt = Absent;
-    type OfNumbers = ();
+    type Felt = Felt<T>;
+    /// The outboard end, body axes.
+    type OfNumbers = [T; 3];
+    type OfTip = [T; TIP];
     type Poses = Orient;
 
     #[inline(always)]
@@ -181,17 +188,43 @@ impl<T: Scalar> Reversed for Spatial<T> {
         let turning = Turning { spin: frame.turn.spin, acceleration: angular, stirring: zero() };
         Stirred { velocity: zero(), turning }
     }
-    fn untouched() -> (OnBody<T>, Turning<T>) {
-        (OnBody { velocity: zero(), turning: Turning::none() }, Turning::none())
+    fn untouched() -> (OnBody<T>, Turning<T>, [Turning<T>; 2]) {
+        let none = Turning::none();
+        (OnBody { velocity: zero(), turning: none }, none, [none; 2])
+    }
+    fn at_ends(side: &Stirred<T>, main: &Stirred<T>) -> [Turning<T>; 2] {
+        [side.turning, main.turning]
     }
     fn inboard(motion: &BodyMotion<T>) -> Frame<T> {
         motion.inboard
     }
-    fn of_place(_: &Absent) -> (Vector3<T>, Vector3<T>) {
-        (zero(), zero())
+    fn stirred(stirred: &Stirred<T>) -> Acceleration<T> {
+        Acceleration { linear: stirred.velocity, angular: stirred.turning.stirring }
     }
-    fn of_nothing() -> (Base<T>, (), OfJoint<T>) {
-        (Base::null(), (), OfJoint { turn: zero(), law: [T::zero(); NUMBERS] })
+    fn of_body(kept: &OnBody<T>) -> Vector3<T> {
+        kept.velocity
+    }
+    /// Both points of a joint are one.
+    fn of_joint(_: &Turning<T>) -> Vector3<T> {
+        zero()
+    }
+    /// ν · A − λ · W does not turn with the body: Θ takes away what α × H + w × M would be of it.
+    fn pulled((weight, a): (Wrench<T>, &Acceleration<T>), (force, w): (Wrench<T>, &Acceleration<T>)) -> Pulled<T> {
+        let turn = cross_onto(weight.torque, a.angular, cross(w.angular, force.torque));
+        let (torque, angular) = (-force.torque, weight.torque);
+        Pulled { momentum: weight.force, force: -force.force, turn, torque, angular, spin: zero() }
+    }
+    fn felt(of_place: Wrench<T>, of_velocity: Wrench<T>, turn: &Turn<T>) -> Felt<T> {
+        Felt::at(of_place, of_velocity, turn.spin)
+    }
+    fn of_place(felt: &Felt<T>, frame: &Frame<T>) -> (Vector3<T>, Vector3<T>) {
+        (felt.place, frame.turn.attitude.transposed(felt.turned(frame.turn.spin)))
+    }
+    fn of_nothing() -> (Base<T>, [T; 3], OfJoint<T>) {
+        (Base::null(), [T::zero(); 3], OfJoint { turn: zero(), law: [T::zero(); NUMBERS] })
+    }
+    fn no_tip() -> [T; TIP] {
+        [T::zero(); TIP]
     }
     #[inline(always)]
     fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector3<T>, Vector3<T>) {

@@ -26,9 +26,9 @@ use super::{Outboard, Pulled, Stirred, Turning};
 use crate::adjoint::laws::ReversibleLaw;
 use crate::element::Element;
 use crate::mechanics::spatial::{Acceleration, Revolute, Spatial, Turn, Wrench};
-use crate::relation::Absent;
 use crate::relation::spatial::Way;
-use crate::relation::spatial::algebra::{add_scaled, cross, dot, dot_onto};
+use crate::relation::spatial::algebra::{Columns, add_scaled, cross, dot, dot_onto};
+use crate::relation::{Absent, Closures};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::factor::Factor;
@@ -37,15 +37,25 @@ use crate::walks::orient::Orient;
 use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
+use nalgebra::Vector3;
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Factor> for Revolute<T, L> {
+/// Adds what turns of the axis do, from Θ_O and X.
+#[inline(always)]
+pub(super) fn of_axis<T: Scalar>(axes: &Columns<T>, turned: Vector3<T>, x: Vector3<T>, sum: &mut Vector3<T>) {
+    let (axis, inboard, apart) = (axes.x, axes.y, axes.y - axes.z);
+    let y = cross(x, axis);
+    sum.x += dot_onto(apart, turned, dot(inboard, y));
+    sum.y += dot_onto(apart, cross(turned, axis), dot(inboard, cross(y, axis)));
+}
+
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Factor<C>> for Revolute<T, L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Factor,
-        outer: Outboard<T>,
-        (axes, bias, .., (angle, rate), torque, [gain], pivot): Of<'_, Spatial<T>, Factor, Self>,
-    ) -> Outboard<T> {
+        _: &mut Factor<C>,
+        outer: Outboard<T, C>,
+        (axes, bias, .., (angle, rate), torque, [gain], pivot): Of<'_, Spatial<T>, Factor<C>, Self>,
+    ) -> Outboard<T, C> {
         let axis = axes.x;
         // The same quotient as in the elimination: it is formed once.
         pivot.factor.set_number(dot(axis, outer.relation.angular.apply(axis)).recip());
@@ -56,31 +66,32 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Factor> for Revolute<T, L
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Reach<T>> for Revolute<T, L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Reach<T, C>> for Revolute<T, L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Reach<T>,
+        walk: &mut Reach<T, C>,
         inner: Acceleration<T>,
-        (axes, bias, .., [gain], acceleration, _): Of<'_, Spatial<T>, Reach<T>, Self>,
+        (axes, bias, .., [gain], acceleration, _): Of<'_, Spatial<T>, Reach<T, C>, Self>,
     ) -> Acceleration<T> {
         let angular = inner.angular + bias[1];
-        *acceleration = gain.acceleration(inner.linear, angular, &());
+        *acceleration = gain.acceleration(inner.linear, angular, &walk.forces);
         Acceleration { angular: add_scaled(angular, *acceleration, axes.x), ..inner }
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Meet<T>> for Revolute<T, L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Meet<T, C>> for Revolute<T, L> {
     /// Δ q̇_w + U · (W, w_I) + s · m = λ, with q̇_w = free + gain · (W, w_I).
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Meet<T>,
+        walk: &mut Meet<T, C>,
         outer: Wrench<T>,
-        (axes, .., [gain], pivot, costate, _): Of<'_, Spatial<T>, Meet<T>, Self>,
+        (axes, .., [gain], pivot, costate, _): Of<'_, Spatial<T>, Meet<T, C>, Self>,
     ) -> Wrench<T> {
         let left = *costate - dot(axes.x, outer.torque);
         *costate = left * pivot.factor.number();
+        walk.part(&gain.per_closure, left);
         Wrench {
             force: add_scaled(outer.force, -left, gain.per_linear),
             torque: add_scaled(outer.torque, -left, gain.per_angular),
@@ -88,16 +99,22 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Meet<T>> for Revolute<T, 
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Stir<T>> for Revolute<T, L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Stir<T, C>> for Revolute<T, L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Stir<T>,
+        walk: &mut Stir<T, C>,
         Stirred { velocity, turning: inner }: Stirred<T>,
-        (axes, bias, .., [gain], (rate, acceleration, free), ((), kept, _), torque): Of<'_, Spatial<T>, Stir<T>, Self>,
+        (axes, bias, .., [gain], (rate, acceleration, free), ((), kept, _), torque): Of<
+            '_,
+            Spatial<T>,
+            Stir<T, C>,
+            Self,
+        >,
     ) -> Stirred<T> {
         let axis = axes.x;
         let own = dot_onto(gain.per_linear, velocity, dot_onto(gain.per_angular, inner.stirring, *free));
+        let own = C::plus_dot(own, &gain.per_closure, &walk.forces);
         torque.0[0] += own;
         *free = own;
         let turning = Turning {
@@ -114,7 +131,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T,
     #[inline(always)]
     fn take(
         &self,
-        _: &mut PullBack,
+        walk: &mut PullBack,
         outer: Pulled<T>,
         (axes, .., (angle, rate, acceleration, own), (.., kept, _, _), (_, sums), (of_position, of_rate)): Of<
             '_,
@@ -125,7 +142,8 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T,
     ) -> Pulled<T> {
         let axis = axes.x;
         let (turning, turned) = (*kept, outer.turned(*kept));
-        let [of_angle, of_speed] = self.law.pull_back(*angle, *rate, *own, &mut sums.law);
+        let of_law = if walk.laws { self.law.pull_back(*angle, *rate, *own, &mut sums.law) } else { [T::zero(); 2] };
+        let [of_angle, of_speed] = of_law;
         *of_position = of_angle + dot(axis, turned);
         let beside = cross(axis, outer.angular);
         *of_rate = of_speed - dot_onto(axis, outer.spin, dot(turning.spin, beside));
@@ -133,10 +151,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T,
         // Turns of the axis: Ω − ω_I × H = Ω + q̇ s × H − ω × H.
         let x = add_scaled(outer.torque * *own, *acceleration, outer.angular);
         let x = add_scaled(x, *rate, spin - cross(turning.spin, outer.angular));
-        let (inboard, apart) = (axes.y, axes.y - axes.z);
-        let y = cross(x, axis);
-        sums.turn.x += dot_onto(apart, turned, dot(inboard, y));
-        sums.turn.y += dot_onto(apart, cross(turned, axis), dot(inboard, cross(y, axis)));
+        of_axis(axes, turned, x, &mut sums.turn);
         Pulled { spin, ..outer }
     }
 }

@@ -28,13 +28,13 @@ impl<T: Scalar> Takes<Spatial<T>, Orient> for Weld<T> {
 
 passes!(Spatial, Weld<T>);
 
-impl<T: Scalar> Takes<Spatial<T>, Stir<T>> for Weld<T> {
+impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Weld<T> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Stir<T>,
+        _: &mut Stir<T, C>,
         inner: Stirred<T>,
-        (.., ((), kept, _), _): Of<'_, Spatial<T>, Stir<T>, Self>,
+        (.., ((), kept, _), _): Of<'_, Spatial<T>, Stir<T, C>, Self>,
     ) -> Stirred<T> {
         *kept = inner.turning;
         inner

@@ -52,6 +52,15 @@ pub struct Hinged<G, A, T> {
 }
 
 impl<T: Scalar> Hinged<[T; 3], Rotation<T>, T> {
+    /// Place of a ground that does not move (m).
+    pub(in crate::mechanics::spatial) fn place(&self) -> [T; 3] {
+        self.ground.place
+    }
+    /// Directions across the axis and the axis, inertial axes, of a ground that does not turn.
+    pub(in crate::mechanics::spatial) fn directions(&self) -> [Vector3<T>; 3] {
+        let ([first, second], ground) = (self.across, self.ground.attitude.matrix());
+        [first, second, self.axis].map(|direction| ground.apply(direction))
+    }
     /// Held at the origin, about an axis of any length.
     pub fn origin(axis: [T; 3]) -> Self {
         Self::at([T::zero(); 3], axis)
@@ -85,6 +94,11 @@ impl<G, A, T: Scalar> Hinged<G, A, T> {
             return Err(Error::new(Fault::NotZero { parameter }));
         }
         self.ground.verify::<T>()
+    }
+
+    /// The axis, in axes of the ground, and of the body on it.
+    pub(in crate::mechanics::spatial) fn axis(&self) -> Vector3<T> {
+        self.axis
     }
 
     /// Directions across the axis, inertial axes.

@@ -54,17 +54,25 @@ macro_rules! gradients {
         let balls: &[bool] = &$balls;
         let (parameters, n) = (numbers.len(), balls.iter().map(|ball| if *ball { 3 } else { 1 }).sum::<usize>());
         let mut noise = Noise::new(5);
-        let angles: Vec<f64> = (0..n).map(|_| noise.next()).collect();
+        let (angles, rates): (Vec<f64>, Vec<f64>) = (0..n).map(|_| [noise.next(), noise.next()].into()).unzip();
+        // Closed, where there is something to be closed.
+        let guess = {
+            #[allow(dead_code)] // not each scene names it
+            type N = f64;
+            let $x = |k: usize| -> N { numbers[k] };
+            let system = $scene;
+            let guess = system.with_rates(system.at_rest(&angles).unwrap(), &rates).unwrap();
+            system.assembled(guess, &Unloaded).unwrap()
+        };
         numbers.extend((0..n).map(|_| 0.0));
-        numbers.extend((0..n).map(|_| noise.next()));
+        numbers.extend(guess.rates());
         numbers.extend((0..3 * steps * joints).map(|_| noise.next()));
         let mut kinds = $kinds.to_vec();
         kinds.extend([("attitudes", n), ("rates", n), ("torques", 3 * steps * joints)]);
         // The motion in which a run begins, and torques.
         macro_rules! start {
             ($N:ty, $system:expr, $of:expr) => {{
-                let at: Vec<$N> = angles.iter().map(|angle| <$N>::constant(*angle)).collect();
-                let still = $system.at_rest(&at).unwrap();
+                let still = guess.clone().lift(<$N>::constant);
                 let mut start = $system.with_rates(still, &$of[parameters + n..][..n]).unwrap();
                 let (mut step, mut displacements) = (start.rate().clone(), $of[parameters..].iter());
                 Rate::<$N>::replace(&mut step, &mut |_| *displacements.next().unwrap());
@@ -80,6 +88,7 @@ macro_rules! gradients {
                 let $x = $number;
                 let of: Vec<$N> = (0..numbers.len()).map(&$x).collect();
                 let system = {
+                    #[allow(dead_code)] // not each scene names it
                     type N = $N;
                     $scene
                 };
@@ -98,6 +107,7 @@ macro_rules! gradients {
         }
         // Backward.
         let system = {
+            #[allow(dead_code)] // not each scene names it
             type N = f64;
             let $x = |k: usize| -> N { numbers[k] };
             $scene
@@ -125,6 +135,7 @@ macro_rules! gradients {
             let number = |k: usize| -> J { J::seed(numbers[k], usize::wrapping_sub(k, first)) };
             expected.extend(cost!(J, number).eps);
             let system = {
+                #[allow(dead_code)] // not each scene names it
                 type N = J;
                 let $x = number;
                 $scene
@@ -300,3 +311,7 @@ fn revolutes_about_a_ball_have_the_gradients_of_jets() {
     mixed!(Rk4, 3, 0.05);
     mixed!(Dop853, 2, 0.1);
 }
+
+// Behind the macro, which it uses.
+mod held;
+mod loops;
