@@ -1,6 +1,8 @@
 //! Robots with all kinds of joints, turns and zeros, as scenes and as plain lists.
 
 use catena::robot::*;
+use catena::spatial::Spatial;
+use catena::system::MotionOf;
 use catena_oracle::space::robot as plain;
 use catena_oracle::space::{Matrix, Vector, about};
 use catena_oracle::{Noise, near};
@@ -55,13 +57,14 @@ type Tail = (
 pub type Tree = (Link<f64>, Side<Bar>, Tail);
 pub type Fixed = System<f64, Base<f64>, (Grounded, Tree), Free>;
 type Grounded = Hinge<f64, Level, 0, Spring, Absent, OnGround>;
+pub type Floating = System<f64, Free, (BodyAxes, Tree), Free>;
 
 fn bar(k: usize) -> Bar {
     let (mass, centre, tensor) = round(k);
     Bar::new(mass, centre, tensor)
 }
 
-pub fn tree() -> Tree {
+fn tree() -> Tree {
     let side = (
         Slide::at::<0b010>([0.0, 0.2, 0.0]).turned(Quarter::<8>),
         general(body(1)),
@@ -84,8 +87,12 @@ pub fn fixed() -> Result<Fixed, catena::Error> {
     Ok(System::new(Base::origin(), (Hinge::level().grounded(), tree()), Free)?.with_gravity(GRAVITY))
 }
 
+pub fn floating() -> Result<Floating, catena::Error> {
+    Ok(System::new(Free, (BodyAxes, tree()), Free)?.with_gravity(GRAVITY))
+}
+
 /// The bodies beyond the first, whose number is `first`, as a list.
-pub fn parts(first: Option<usize>) -> Vec<plain::Part> {
+fn parts(first: Option<usize>) -> Vec<plain::Part> {
     let start = first.map_or(0, |first| first + 1);
     let part = |parent: Option<usize>, place: [f64; 3], turn: Matrix, (mass, centre, tensor): (f64, [f64; 3], _)| {
         plain::Part {
@@ -137,6 +144,41 @@ pub fn plain_fixed() -> plain::Robot {
     };
     let parts = std::iter::once(root).chain(parts(Some(0))).collect();
     plain::Robot { base: None, parts, gravity: Vector::from(GRAVITY) }
+}
+
+fn plain_floating(place: [f64; 3], attitude: &Rotation<f64>, [velocity, spin]: [[f64; 3]; 2]) -> plain::Robot {
+    let (mass, centre, tensor) = body(0);
+    let base = plain::Base {
+        mass,
+        centre: Vector::from(centre),
+        tensor: Matrix::from_fn(|i, j| tensor[i][j]),
+        place: Vector::from(place),
+        attitude: matrix(attitude),
+        velocity: Vector::from(velocity),
+        spin: Vector::from(spin),
+    };
+    plain::Robot { base: Some(base), parts: parts(None), gravity: Vector::from(GRAVITY) }
+}
+
+/// The floating robot in a motion at random, and the dense robot in the same one.
+pub struct Drift {
+    pub start: MotionOf<Spatial<f64>, Free, (BodyAxes, Tree), Free>,
+    pub plain: plain::Robot,
+    /// Coordinates and rates of joints.
+    pub q: [f64; 5],
+    pub v: [f64; 5],
+}
+
+pub fn drift(scene: &Floating, noise: &mut Noise) -> Result<Drift, catena::Error> {
+    let [q, v]: [[f64; 5]; 2] = std::array::from_fn(|_| list(noise, 2.0));
+    let [place, velocity, spin, angles]: [[f64; 3]; 4] = std::array::from_fn(|_| list(noise, 1.0));
+    let attitude = Rotation::from_angles(angles);
+    let plain = plain_floating(place, &attitude, [velocity, spin]);
+    let mut start = scene.motion();
+    let coordinates: Vec<f64> = place.into_iter().chain(attitude.quaternion()).chain(q).collect();
+    start.set_coordinates(&coordinates)?;
+    let rates: Vec<f64> = velocity.into_iter().chain(spin).chain(v).collect();
+    Ok(Drift { start: scene.with_rates(start, &rates)?, plain, q, v })
 }
 
 /// Numbers in −size .. size.

@@ -1,12 +1,9 @@
 //! Accelerations, and their readings.
 
-use super::kit::{GRAVITY, Tree, agree, body, fixed, list, matrix, parts, plain_fixed, tree};
+use super::kit::{Drift, agree, drift, fixed, floating, list, plain_fixed};
 use catena::robot::*;
-use catena::spatial::Spatial;
-use catena::system::{MotionOf, Rate};
+use catena::system::Rate;
 use catena_oracle::Noise;
-use catena_oracle::space::robot as plain;
-use catena_oracle::space::{Matrix, Vector};
 
 /// Efforts of joints, from the root's on: one of the ground, one that goes into body axes, the others.
 fn efforts<const N: usize>(torques: &[f64]) -> [Effort<f64>; N] {
@@ -29,47 +26,6 @@ fn accelerations_of_a_tree_on_the_ground() -> Result<(), catena::Error> {
         agree(&[budget.kinetic, budget.potential], &[now.kinetic, now.potential], 1e-13);
     }
     Ok(())
-}
-
-type Floating = System<f64, Free, (BodyAxes, Tree), Free>;
-
-fn floating() -> Result<Floating, catena::Error> {
-    Ok(System::new(Free, (BodyAxes, tree()), Free)?.with_gravity(GRAVITY))
-}
-
-fn plain_floating(place: [f64; 3], attitude: &Rotation<f64>, [velocity, spin]: [[f64; 3]; 2]) -> plain::Robot {
-    let (mass, centre, tensor) = body(0);
-    let base = plain::Base {
-        mass,
-        centre: Vector::from(centre),
-        tensor: Matrix::from_fn(|i, j| tensor[i][j]),
-        place: Vector::from(place),
-        attitude: matrix(attitude),
-        velocity: Vector::from(velocity),
-        spin: Vector::from(spin),
-    };
-    plain::Robot { base: Some(base), parts: parts(None), gravity: Vector::from(GRAVITY) }
-}
-
-/// The floating robot in a motion at random, and the dense robot in the same one.
-struct Drift {
-    start: MotionOf<Spatial<f64>, Free, (BodyAxes, Tree), Free>,
-    plain: plain::Robot,
-    /// Coordinates and rates of joints.
-    q: [f64; 5],
-    v: [f64; 5],
-}
-
-fn drift(scene: &Floating, noise: &mut Noise) -> Result<Drift, catena::Error> {
-    let [q, v]: [[f64; 5]; 2] = std::array::from_fn(|_| list(noise, 2.0));
-    let [place, velocity, spin, angles]: [[f64; 3]; 4] = std::array::from_fn(|_| list(noise, 1.0));
-    let attitude = Rotation::from_angles(angles);
-    let plain = plain_floating(place, &attitude, [velocity, spin]);
-    let mut start = scene.motion();
-    let coordinates: Vec<f64> = place.into_iter().chain(attitude.quaternion()).chain(q).collect();
-    start.set_coordinates(&coordinates)?;
-    let rates: Vec<f64> = velocity.into_iter().chain(spin).chain(v).collect();
-    Ok(Drift { start: scene.with_rates(start, &rates)?, plain, q, v })
 }
 
 #[test]
@@ -192,11 +148,11 @@ fn explicit_and_implicit_rules_run_robots() -> Result<(), catena::Error> {
 
 #[test]
 fn energy_stays_where_nothing_takes_it() -> Result<(), catena::Error> {
-    let (mass, centre, tensor) = body(1);
+    let (mass, centre, tensor) = super::kit::body(1);
     let link = Link::general(mass, centre, tensor);
     let elbow = Hinge::at::<0b101>([0.3, 0.0, -0.1]).turned(Quarter::<30>).geared(0.05);
-    let scene =
-        System::new(Clamped::origin(), (BodyAxes, Hinge::level(), link, elbow, link), Free)?.with_gravity(GRAVITY);
+    let scene = System::new(Clamped::origin(), (BodyAxes, Hinge::level(), link, elbow, link), Free)?
+        .with_gravity(super::kit::GRAVITY);
     let start = scene.at_joints(&[0.3, -0.4], &[0.5, -0.2])?;
     let (mut first, mut worst) = (None, 0.0_f64);
     scene.simulate(start, Dop853::tolerance(1e-12), 5.0, |now| {

@@ -2,5 +2,6 @@
 
 mod forms;
 mod functions;
+#[allow(dead_code)] // a robot that floats is for others
 #[path = "../../../../../tests/it/robots/kit.rs"]
 mod kit;
