@@ -251,3 +251,12 @@ fn inertia_is_looked_at_within_limits_however_far_from_zero() {
     }
     assert!(Options::new().read(&crane(r#"lower="0" upper="0""#)).is_err());
 }
+
+/// A library without `std` has no `vec!` in its tests.
+#[test]
+fn tests_of_modules_need_no_allocator() {
+    for elements in [catena_urdf::Elements::Inertial, catena_urdf::Elements::Local] {
+        let text = module(&read(QUADRUPED, Options::new().elements(elements).base(Base::Floating)), "quadruped");
+        assert!(text.contains("wrenches") && !text.contains("vec!"));
+    }
+}

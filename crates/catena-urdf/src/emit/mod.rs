@@ -28,7 +28,7 @@ pub fn module(robot: &Robot, name: &str) -> String {
     text += "fn tensor<T: Scalar>(rows: [[f64; 3]; 3]) -> [[T; 3]; 3] {\n    rows.map(vector)\n}\n";
     if robot.test {
         text += "\n";
-        text += &test::module(robot);
+        text += &test::module(robot, &plan);
     }
     let joints = robot.bodies.len();
     let base = if robot.base.is_some() { ", and a floating base" } else { "" };
