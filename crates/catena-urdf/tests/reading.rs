@@ -252,6 +252,20 @@ fn inertia_is_looked_at_within_limits_however_far_from_zero() {
     assert!(Options::new().read(&crane(r#"lower="0" upper="0""#)).is_err());
 }
 
+#[test]
+fn modules_have_names_of_rust_and_else_their_own() {
+    let robot = read(ARM, Options::new());
+    let named = |name: &str, module_is: &str| {
+        assert!(module(&robot, name).contains(&format!("\npub mod {module_is} {{\n")), "{name}: {module_is}");
+    };
+    for name in ["chain", "scene", "frame", "joint", "vector", "tensor", "tests", "efforts", "motors", "arm7"] {
+        named(name, name);
+    }
+    named("loop", "loop_2");
+    named("2dof", "arm_2dof");
+    named("leftArm-2", "left_arm_2");
+}
+
 /// A library without `std` has no `vec!` in its tests.
 #[test]
 fn tests_of_modules_need_no_allocator() {
