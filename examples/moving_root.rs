@@ -38,7 +38,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let crane = System::new(root, chain, Free)?.with_gravity(9.81);
     let start = crane.at_rest(&[-90_f64.to_radians(); 2])?;
 
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/moving_root.csv");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target"); // not there where builds go elsewhere
+    std::fs::create_dir_all(&folder)?;
+    let file = folder.join("moving_root.csv");
     let mut trace = Trace::new(BufWriter::new(File::create(&file)?));
     let (mut swings, mut upright) = (vec![], vec![]);
     let rope = crane.joint("trolley")?;

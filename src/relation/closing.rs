@@ -4,6 +4,11 @@ use super::{AccelerationOf, Closures, Empty, Full, Geometry, Open, Point, Solvab
 use crate::relation::geometry::dot;
 
 /// The relation at the root of a chain, from which the closure forces follow.
+#[diagnostic::on_unimplemented(
+    message = "a root cannot hold `{Self}`",
+    label = "what this chain begins with needs something between it and the root",
+    note = "a robot begins with `BodyAxes`, unless it stands on a `Base`"
+)]
 pub trait Close<G: Geometry, C: Closures> {
     /// λ, for the acceleration of the root.
     fn multipliers(&self, root: &AccelerationOf<G>) -> C::Each<G::Scalar>;

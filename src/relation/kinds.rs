@@ -30,6 +30,12 @@ pub struct Point<G: Geometry, M = Absent, C: Closures = Open> {
 }
 
 /// What a body can do with the relation it meets, whatever that is.
+#[diagnostic::on_unimplemented(
+    message = "an element of inertial axes meets `{Self}`, which is none of their relations",
+    label = "what is outboard of this is not in inertial axes",
+    note = "among body axes joints say themselves how they are turned on their parent: `Hinge::turned`",
+    note = "`BodyAxes` leads there, first in the chain on a `Clamped` root, tilted or not; what is `grounded` sits on ground"
+)]
 pub trait Relation<G: Geometry>: Copy {
     /// Closure forces that the relation carries.
     type Closures: Closures;

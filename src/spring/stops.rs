@@ -32,9 +32,8 @@ use crate::scalar::{Real, Scalar};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stops<T, C = Absent> {
-    middle: T,
-    /// From the middle to either end.
-    reach: T,
+    lower: T,
+    upper: T,
     stiffness: T,
     depth: T,
     damping: C,
@@ -43,24 +42,22 @@ pub struct Stops<T, C = Absent> {
 impl<T: Scalar> Stops<T> {
     /// At the ends of a range (rad, m), of a stiffness (N·m/rad, N/m) that sets in over a depth (rad, m).
     pub fn between([lower, upper]: [T; 2], stiffness: T, depth: T) -> Self {
-        let half = T::Real::of(0.5);
-        let (middle, reach) = ((lower + upper).scale(half), (upper - lower).scale(half));
-        Self { middle, reach, stiffness, depth, damping: Absent }
+        Self { lower, upper, stiffness, depth, damping: Absent }
     }
 }
 
 impl<T: Scalar, C> Stops<T, C> {
     /// With damping c (s/rad, s/m), zero or more.
     pub fn damped(self, damping: T) -> Stops<T, T> {
-        let Self { middle, reach, stiffness, depth, .. } = self;
-        Stops { middle, reach, stiffness, depth, damping }
+        let Self { lower, upper, stiffness, depth, .. } = self;
+        Stops { lower, upper, stiffness, depth, damping }
     }
 
-    /// The side (−1, 1), and what is pressed in there.
+    /// The side (−1, 1; 0 within the range), and what is pressed in there: each end has its own rounding, however far the other one is.
     #[inline(always)]
     fn beyond(&self, position: T) -> (T, Compression<T>) {
-        let offset = position - self.middle;
-        (offset.sign(), Compression::of(offset.abs() - self.reach, self.depth))
+        let over = above(position - self.upper) - above(self.lower - position);
+        (over.sign(), Compression::of(over.abs(), self.depth))
     }
 }
 
@@ -83,14 +80,16 @@ impl<T: Scalar, C: Coefficient<T>> SpringLaw<T> for Stops<T, C> {
         springs.pivot(self.stiffness * pressed.stiffness() * push, damping)
     }
     fn check(&self) -> Result<(), Fault> {
-        if !(self.middle.is_finite() && self.reach.is_finite()) {
+        if !(self.lower.is_finite() && self.upper.is_finite()) {
             return Err(Fault::NotFinite { parameter: "range between stops" });
         }
-        positive("range between stops", self.reach)?;
+        // Halves, for the ends may be as far apart as numbers go.
+        let [lower, upper] = [self.lower, self.upper].map(|end| end.scale(T::Real::of(0.5)));
+        positive("range between stops", upper - lower)?;
         positive("depth over which stops set in", self.depth)?;
         not_negative("stiffness of stops", self.stiffness)?;
         not_negative("damping of stops", self.damping.times_onto(T::one(), T::zero()))
     }
 }
 
-lift!(Stops<T, C> { middle, reach, stiffness, depth, damping });
+lift!(Stops<T, C> { lower, upper, stiffness, depth, damping });

@@ -31,7 +31,7 @@ impl Options {
     }
 
     /// For build scripts: reads a file, named from the folder of the package, and writes its module to `OUT_DIR`; file and module are
-    /// named after it. Says notes as warnings of the build, and when to build again.
+    /// named after it, the latter as Rust writes names ([`module`](crate::module)). Says notes as warnings of the build, and when to build again.
     ///
     /// # Errors
     /// What is wrong with the description, and at which line; a file or variable that is not there.

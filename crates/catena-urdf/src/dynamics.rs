@@ -6,6 +6,7 @@ use crate::algebra::{
 };
 use crate::error::{Error, Fault};
 use crate::inertia::Inertia;
+use crate::model::Furniture;
 use crate::robot::{Body, Robot};
 
 /// Positions and rates. The base stays as it is without one.
@@ -176,7 +177,9 @@ pub(crate) fn sample(robot: &Robot) -> State {
         state.base_rates = [[next(), next(), next()], [next(), next(), next()]];
     }
     for (k, body) in robot.bodies.iter().enumerate() {
-        let (lower, upper) = (body.furniture.lower.max(-1.5), body.furniture.upper.min(1.5));
+        let Furniture { lower, upper, .. } = body.furniture;
+        // Where the range has nothing near zero, the half unit of it that is nearest.
+        let (lower, upper) = (lower.max(f64::min(-1.5, upper - 0.5)), upper.min(f64::max(1.5, lower + 0.5)));
         let middle = if lower <= upper { 0.5 * (lower + upper) } else { 0.0 };
         let half = if lower <= upper { 0.5 * (upper - lower) } else { 0.0 };
         state.q[k] = middle + half * next();

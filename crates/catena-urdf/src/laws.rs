@@ -30,6 +30,20 @@ pub(crate) struct Stops {
     pub damping: f64,
 }
 
+/// A motor behind a gear.
+pub(crate) struct Motor {
+    /// Its largest torque (N·m, N), velocity without load and torque at rest, were that not limited.
+    pub peak: f64,
+    pub free: f64,
+    pub stall: f64,
+    pub ratio: f64,
+}
+
+/// Whether something is there of which laws are made.
+fn is_some(x: f64) -> bool {
+    x.is_finite() && x > 0.0
+}
+
 impl Laws {
     /// None.
     pub fn none() -> Self {
@@ -91,18 +105,20 @@ impl Laws {
     pub(crate) fn stops_of(self, furniture: &Furniture, slides: bool) -> Option<Stops> {
         let [depth, damping] = self.stops?.map(|each| each[usize::from(slides)]);
         let Furniture { lower, upper, effort, .. } = *furniture;
-        let bounded = lower.is_finite() && upper.is_finite() && lower < upper && effort.is_finite() && effort > 0.0;
         // Over its depth a stop gives way by half of that.
-        bounded.then_some(Stops { range: [lower, upper], stiffness: 2.0 * effort / depth, depth, damping })
+        let stiffness = 2.0 * effort / depth;
+        // Limits as large as numbers are written for none.
+        let bounded = is_some(upper - lower) && is_some(effort) && is_some(stiffness);
+        bounded.then_some(Stops { range: [lower, upper], stiffness, depth, damping })
     }
 
-    /// Peak torque of the joint, free velocity and ratio.
-    pub(crate) fn motor_of(self, furniture: &Furniture) -> Option<[f64; 3]> {
+    pub(crate) fn motor_of(self, furniture: &Furniture) -> Option<Motor> {
         let Furniture { effort, velocity, reduction, .. } = *furniture;
-        let known = |x: f64| x.is_finite() && x > 0.0;
         // A motor that turns the other way gives as much.
         let ratio = reduction.map_or(1.0, f64::abs);
-        (self.motors && known(effort) && known(velocity) && known(ratio)).then_some([effort, velocity, ratio])
+        let (peak, free, stall) = (effort / ratio, velocity * ratio, 10.0 * effort / ratio);
+        let whole = [ratio, effort, velocity, peak, free, stall].into_iter().all(is_some);
+        (self.motors && whole).then_some(Motor { peak, free, stall, ratio })
     }
 }
 

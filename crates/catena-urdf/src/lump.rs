@@ -12,6 +12,9 @@ use crate::tree;
 /// More joints than any robot has; a Rust type of so many elements takes minutes.
 const MOST_JOINTS: usize = 512;
 
+/// What the names of both slides of a planar joint end with; its hinge has the joint's own.
+const SLIDES: [&str; 2] = ["/first", "/second"];
+
 /// Lumps a description into a robot.
 pub fn robot(model: &Model, options: &Options, notes: &mut Notes) -> Result<Robot, Error> {
     let order = tree::order(model)?;
@@ -27,6 +30,13 @@ pub fn robot(model: &Model, options: &Options, notes: &mut Notes) -> Result<Robo
     let moving = model.joints.iter().filter(|joint| !joint.stays(options)).count();
     if moving > MOST_JOINTS {
         return Err(Error::new(Fault::TooLarge { joints: moving, most: MOST_JOINTS }));
+    }
+    for joint in model.joints.iter().filter(|joint| joint.kind == Kind::Planar) {
+        for name in SLIDES.map(|slide| format!("{}{slide}", joint.name)) {
+            if let Some(other) = model.joints.iter().find(|other| other.name == name) {
+                return Err(Error::at(other.line, Fault::Duplicate { kind: "joint", name, first: joint.line }));
+            }
+        }
     }
     let floats = floats(model, options, &order);
     let mut lump = Lump { options, notes, base: None, bodies: Vec::new() };
@@ -113,8 +123,9 @@ impl Lump<'_> {
             Kind::Planar => {
                 let (one, other) = across(joint.axis);
                 self.notes.add(joint.line, Remark::PlanarSplit { joint: joint.name.clone() });
-                let (carrier, _) = self.body(joint, "/first", true, one, carrier, pose);
-                let (carrier, _) = self.body(joint, "/second", true, other, carrier, Pose::IDENTITY);
+                let [first, second] = SLIDES;
+                let (carrier, _) = self.body(joint, first, true, one, carrier, pose);
+                let (carrier, _) = self.body(joint, second, true, other, carrier, Pose::IDENTITY);
                 self.body(joint, "", false, joint.axis, carrier, Pose::IDENTITY)
             }
             Kind::Floating if floats == Floats::FixedChild && carrier == Carrier::Ground => (carrier, pose),

@@ -87,6 +87,28 @@ fn each_repair_is_noted() {
     assert!(repaired.iter().any(|found| found == note), "{repaired:?}");
 }
 
+/// What exporters write for "unlimited": numbers whose difference, stiffness or torque is none any more.
+#[test]
+fn limits_as_large_as_numbers_make_no_laws() {
+    let laws = Laws::none().stops([0.02, 0.002], [1.0, 10.0]).motors();
+    let (huge, joint) = ("1.79769e308", |range: &str, limit: &str| {
+        let text = pair("revolute", &format!("<limit {range} {limit}/>"), "");
+        read(&text, Options::new().laws(laws))
+    });
+    let ordinary = joint("lower=\"-1\" upper=\"1\"", "effort=\"10\" velocity=\"1\"");
+    let says = |robot: &Robot, note: &str| notes(robot).iter().any(|found| found.starts_with(note));
+    let (constant, no_motor) = ("a limit of position is among the constants", "joint \"a\" has no motor");
+    assert!(!says(&ordinary, constant) && !says(&ordinary, no_motor) && module(&ordinary, "r").contains("Stops"));
+    let far = joint(&format!("lower=\"-{huge}\" upper=\"{huge}\""), "effort=\"10\" velocity=\"1\"");
+    assert!(says(&far, constant) && !says(&far, no_motor));
+    let strong = joint("lower=\"-1\" upper=\"1\"", &format!("effort=\"{huge}\" velocity=\"1\""));
+    assert!(says(&strong, constant) && says(&strong, no_motor));
+    for robot in [far, strong] {
+        let text = module(&robot, "r");
+        assert!(!text.contains("Stops") && !text.contains("literal(f64::"), "{text}");
+    }
+}
+
 #[test]
 fn modules_import_what_they_use() {
     let all = Laws::none().damping().friction([0.1; 2]).stops([0.02; 2], [1.0; 2]).motors();

@@ -228,3 +228,49 @@ fn furniture_of_planar_joints_is_left_out_with_a_note() {
         }
     }
 }
+
+/// A trolley on a jib: what turns the jib resists by 100 q² wherever the trolley may be, and not at q = 0, where it may not.
+#[test]
+fn inertia_is_looked_at_within_limits_however_far_from_zero() {
+    let crane = |limit: &str| {
+        format!(
+            r#"<robot name="crane"><link name="ground"/><link name="jib"/><link name="trolley"><inertial><mass value="100"/>
+            <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial></link>
+            <joint name="slew" type="continuous"><parent link="ground"/><child link="jib"/><axis xyz="0 0 1"/></joint>
+            <joint name="travel" type="prismatic"><parent link="jib"/><child link="trolley"/><axis xyz="1 0 0"/>
+            <limit {limit} effort="1" velocity="1"/></joint></robot>"#
+        )
+    };
+    for limit in [r#"lower="2" upper="30""#, r#"lower="-30" upper="-2""#, r#"lower="2" upper="2.1""#] {
+        let robot = read(&crane(limit), Options::new());
+        let text = module(&robot, "crane");
+        let positions = text.split_once("POSITIONS: [f64; 2] = [").and_then(|(_, rest)| rest.split_once(']'));
+        let travel: f64 = positions.and_then(|(list, _)| list.split(", ").nth(1)?.parse().ok()).expect("two numbers");
+        let limits = &robot.bodies()[1].furniture;
+        assert!(limits.lower < travel && travel < limits.upper && (2.0..2.5).contains(&travel.abs()), "{travel}");
+    }
+    assert!(Options::new().read(&crane(r#"lower="0" upper="0""#)).is_err());
+}
+
+#[test]
+fn modules_have_names_of_rust_and_else_their_own() {
+    let robot = read(ARM, Options::new());
+    let named = |name: &str, module_is: &str| {
+        assert!(module(&robot, name).contains(&format!("\npub mod {module_is} {{\n")), "{name}: {module_is}");
+    };
+    for name in ["chain", "scene", "frame", "joint", "vector", "tensor", "tests", "efforts", "motors", "arm7"] {
+        named(name, name);
+    }
+    named("loop", "loop_2");
+    named("2dof", "arm_2dof");
+    named("leftArm-2", "left_arm_2");
+}
+
+/// A library without `std` has no `vec!` in its tests.
+#[test]
+fn tests_of_modules_need_no_allocator() {
+    for elements in [catena_urdf::Elements::Inertial, catena_urdf::Elements::Local] {
+        let text = module(&read(QUADRUPED, Options::new().elements(elements).base(Base::Floating)), "quadruped");
+        assert!(text.contains("wrenches") && !text.contains("vec!"));
+    }
+}

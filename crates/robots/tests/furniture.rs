@@ -236,6 +236,23 @@ fn energy_never_rises() -> Result<(), Error> {
     Ok(())
 }
 
+/// Stops push where their end is, however far away the other one: `lower="0" upper="1e16"` is how some write a slide without an upper end.
+#[test]
+fn stops_know_each_end_to_its_own_rounding() {
+    for far in [1e3, 1e16, 1e300, f64::MAX] {
+        for (range, side) in [([0.1, far], 1.0), ([-far, -0.1], -1.0)] {
+            let stops = Stops::between(range, 1e3, 0.02);
+            assert_eq!(stops.check(), Ok(()));
+            let at = side * -0.2; // by 0.3 beyond, of which the depth takes half of itself
+            near(stops.force(at, 0.0), side * 1e3 * (0.3 - 0.01), 1e-12 * 290.0);
+            near(stops.pivot(at, 0.0, shares(1.0, 0.0)), 1e3, 1e-12 * 1e3);
+            assert_eq!([stops.force(side * 5.0, 1.0), stops.energy(side * 5.0)], [0.0, 0.0]);
+        }
+    }
+    let all = Stops::between([-f64::MAX, f64::MAX], 1e3, 0.02);
+    assert_eq!((all.check(), all.force(1e9, 1.0), all.energy(-1e9)), (Ok(()), 0.0, 0.0));
+}
+
 /// What is absent takes no room, and laws of furniture those of their numbers alone.
 #[test]
 fn what_is_absent_takes_no_room() {

@@ -6,8 +6,8 @@ use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, jo
 use crate::element::{Condense, Given, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::lift;
-use crate::relation::Closures;
 use crate::relation::spatial::algebra::{Columns, is_finite, zero};
+use crate::relation::{Closures, Relation};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -104,7 +104,12 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     }
 }
 
-impl<T: Scalar, R: Copy, W: Sweep<Spatial<T>>> Condense<Spatial<T>, R, W> for Weld<T> {
+/// What a weld hands on as it is: a relation in inertial axes, which bodies turned against each other do not change.
+pub trait InertialAxes<T: Scalar>: Copy {}
+
+impl<T: Scalar, R: Relation<Spatial<T>>> InertialAxes<T> for R {}
+
+impl<T: Scalar, R: InertialAxes<T>, W: Sweep<Spatial<T>>> Condense<Spatial<T>, R, W> for Weld<T> {
     type Out = R;
 
     #[inline(always)]

@@ -123,6 +123,23 @@ fn runs_agree_with_those_in_inertial_axes() -> Result<(), catena::Error> {
     Ok(())
 }
 
+/// Gravity along and across a hinge, by hand.
+#[test]
+fn a_base_is_tilted_by_its_clamp_or_by_a_weld_on_it() -> Result<(), catena::Error> {
+    let link = || Link::general(1.0, [1.0, 0.0, 0.0], [[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]]);
+    let quarter = Rotation::from_angles([core::f64::consts::FRAC_PI_2, 0.0, 0.0]);
+    let arm = || (BodyAxes, Hinge::level().grounded(), link());
+    let clamped = System::new(Clamped::at([0.0; 3], quarter), arm(), Free)?.with_gravity([0.0, 0.0, -9.81]);
+    let welded = System::new(Clamped::origin(), (Weld::at(quarter), arm()), Free)?.with_gravity([0.0, 0.0, -9.81]);
+    let upright = System::new(Clamped::origin(), arm(), Free)?.with_gravity([0.0, 0.0, -9.81]);
+    let mut found = vec![];
+    clamped.with_accelerations(clamped.motion(), &Unloaded)?.acceleration().visit(&mut |x: f64| found.push(x));
+    welded.with_accelerations(welded.motion(), &Unloaded)?.acceleration().visit(&mut |x: f64| found.push(x));
+    upright.with_accelerations(upright.motion(), &Unloaded)?.acceleration().visit(&mut |x: f64| found.push(x));
+    agree(&found, &[-9.81 / 1.1, -9.81 / 1.1, 0.0], 1e-15); // m g r / (J + m r²)
+    Ok(())
+}
+
 #[test]
 fn explicit_and_implicit_rules_run_robots() -> Result<(), catena::Error> {
     let scene = serial::local()?;

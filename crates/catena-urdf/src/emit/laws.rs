@@ -1,7 +1,7 @@
 //! Laws of joints as types and values, and motors.
 
 use super::number;
-use crate::laws::{Laws, Stops};
+use crate::laws::{Laws, Motor, Stops};
 use crate::robot::{Body, Robot};
 use std::fmt::Write;
 
@@ -57,15 +57,14 @@ pub fn motors(robot: &Robot) -> String {
     let _ = writeln!(text, "/// Motors of the joints, where limits of effort and velocity are known.");
     let _ = writeln!(text, "pub fn motors<T: Scalar>() -> [Option<Motor<T>>; {count}] {{\n    [");
     for body in &robot.bodies {
-        let Some([effort, velocity, ratio]) = robot.laws.motor_of(&body.furniture) else {
+        let Some(Motor { peak, free, stall, ratio }) = robot.laws.motor_of(&body.furniture) else {
             text += "        None,\n";
             continue;
         };
-        let [peak, free, stall] = [effort / ratio, velocity * ratio, 10.0 * effort / ratio].map(number);
+        let [peak, free, stall, ratio] = [peak, free, stall, ratio].map(number);
         let _ = writeln!(
             text,
-            "        Some(Motor::new(T::literal({peak}), T::literal({free})).stalling_at(T::literal({stall})).geared(T::literal({}))),",
-            number(ratio)
+            "        Some(Motor::new(T::literal({peak}), T::literal({free})).stalling_at(T::literal({stall})).geared(T::literal({ratio}))),"
         );
     }
     text += "    ]\n}\n\n";

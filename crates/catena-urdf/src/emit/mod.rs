@@ -14,7 +14,8 @@ use crate::robot::Robot;
 use plan::Plan;
 use std::fmt::Write;
 
-/// The module of a robot, as the text of a Rust file for a program to include; `name` becomes that of the module.
+/// The module of a robot, as the text of a Rust file for a program to include; `name` becomes that of the module, as Rust writes names of
+/// modules: `arm_2dof` for `2dof`, `loop_2` for `loop`.
 pub fn module(robot: &Robot, name: &str) -> String {
     let plan = Plan::of(robot);
     let mut text = elements::imports(robot, &plan);
@@ -28,7 +29,7 @@ pub fn module(robot: &Robot, name: &str) -> String {
     text += "fn tensor<T: Scalar>(rows: [[f64; 3]; 3]) -> [[T; 3]; 3] {\n    rows.map(vector)\n}\n";
     if robot.test {
         text += "\n";
-        text += &test::module(robot);
+        text += &test::module(robot, &plan);
     }
     let joints = robot.bodies.len();
     let base = if robot.base.is_some() { ", and a floating base" } else { "" };
@@ -48,7 +49,7 @@ pub fn module(robot: &Robot, name: &str) -> String {
         }
     };
     whole += "#[allow(dead_code, clippy::approx_constant, clippy::excessive_precision)]\n";
-    let _ = writeln!(whole, "pub mod {} {{", names::Scope::new().of_function(name));
+    let _ = writeln!(whole, "pub mod {} {{", names::Scope::of_language().of_function(name));
     for line in text.lines() {
         let indent = if line.is_empty() { "" } else { "    " };
         let _ = writeln!(whole, "{indent}{line}");

@@ -67,8 +67,16 @@ const WORDS: [&str; 52] = [
 pub struct Scope(HashSet<String>);
 
 impl Scope {
+    /// Inside a module.
     pub fn new() -> Self {
-        Self(RESERVED.iter().chain(&WORDS).map(|name| (*name).to_owned()).collect())
+        let Self(mut names) = Self::of_language();
+        names.extend(RESERVED.map(str::to_owned));
+        Self(names)
+    }
+
+    /// Where a module stands.
+    pub fn of_language() -> Self {
+        Self(WORDS.map(str::to_owned).into())
     }
 
     /// `LfHaa`.

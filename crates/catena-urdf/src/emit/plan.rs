@@ -50,8 +50,8 @@ pub struct Plan {
     pub joints: Vec<usize>,
     /// Joints of the scene, the root's included.
     pub slots: usize,
-    /// Bodies given so far.
-    given: usize,
+    /// Bodies of the scene, as many as are given so far.
+    pub given: usize,
     /// Whether joints sit anywhere on their bodies, and turn these.
     local: bool,
 }

@@ -1,5 +1,6 @@
 //! The test of a module: mass matrix and forces at one state, as numbers.
 
+use super::plan::Plan;
 use super::{number, numbers};
 use crate::algebra::quaternion;
 use crate::dynamics::sample;
@@ -7,7 +8,7 @@ use crate::robot::Robot;
 use std::fmt::Write;
 
 /// The test.
-pub fn module(robot: &Robot) -> String {
+pub fn module(robot: &Robot, plan: &Plan) -> String {
     let state = sample(robot);
     let offset = robot.base_freedoms();
     let count = offset + robot.bodies.len();
@@ -48,13 +49,13 @@ pub fn module(robot: &Robot) -> String {
         rows.concat()
     );
     let (split, loads) = if offset == 6 {
-        let [w, x, y, z] = attitude.map(number);
+        let ([w, x, y, z], bodies) = (attitude.map(number), plan.given);
         (
             format!(
                 "            // A force in axes of the ground, a torque in axes of the base.\n            \
                  let attitude = Rotation::from_quaternion([{w}, {x}, {y}, {z}])?;\n            \
                  let [fx, fy, fz, tx, ty, tz, torques @ ..] = forces;\n            \
-                 let mut wrenches = vec![Wrench {{ force: [0.0; 3].into(), torque: [0.0; 3].into() }}; scene.bodies()];\n            \
+                 let mut wrenches = [Wrench {{ force: [0.0; 3].into(), torque: [0.0; 3].into() }}; {bodies}];\n            \
                  wrenches[0] = Wrench {{ force: [fx, fy, fz].into(), torque: attitude.turned([tx, ty, tz]).into() }};\n"
             ),
             "Loads::none().efforts(super::efforts(torques)).wrenches(wrenches)",

@@ -147,21 +147,6 @@ macro_rules! mount {
             type Bodies = U0;
             type Freedoms = U0;
         }
-
-        impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Borne, W> for $Mount {
-            type Out = Settled;
-
-            #[inline(always)]
-            fn condense(
-                &self,
-                _: Borne,
-                _: Posture<'_, Spatial<T>, Self>,
-                _: Given<'_, Spatial<T>, Self, W>,
-                (): &mut (),
-            ) -> Settled {
-                Settled
-            }
-        }
         lift!($Mount);
     };
 }
@@ -183,13 +168,13 @@ impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T>, W> for Body
     }
 }
 
-impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T>, W> for Upright {
+impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Borne, W> for BodyAxes {
     type Out = Settled;
 
     #[inline(always)]
     fn condense(
         &self,
-        _: Local<T>,
+        _: Borne,
         _: Posture<'_, Spatial<T>, Self>,
         _: Given<'_, Spatial<T>, Self, W>,
         (): &mut (),
@@ -198,12 +183,37 @@ impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T>, W> for Upri
     }
 }
 
-/// The base of a robot, fixed to the ground: its axes are inertial ones, and the robot begins there, without [`BodyAxes`].
+/// On a base alone: what it hands on is nothing that a joint of inertial axes takes, for whose axes may be turned.
+macro_rules! upright {
+    ($($Outer:ty),*) => {$(
+        impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, $Outer, W> for Upright {
+            type Out = Borne;
+
+            #[inline(always)]
+            fn condense(
+                &self,
+                _: $Outer,
+                _: Posture<'_, Spatial<T>, Self>,
+                _: Given<'_, Spatial<T>, Self, W>,
+                (): &mut (),
+            ) -> Borne {
+                Borne
+            }
+        }
+    )*};
+}
+upright!(Local<T>, Borne);
+
+/// The base of a robot, fixed to the ground: its axes are inertial ones, and the robot begins there, without [`BodyAxes`]. A base that
+/// is tilted is [`Clamped`](crate::spatial::Clamped) at a place and an attitude, with [`BodyAxes`] first in the chain:
 ///
 /// ```
 /// use catena::robot::*;
 /// let link = Link::general(3.0, [0.0, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.01]]);
 /// let arm = System::new(Base::at([0.0, 0.0, 1.0]), (Hinge::level().grounded(), link), Free)?;
+///
+/// let wall = Clamped::at([0.0, 0.0, 1.0], Rotation::from_angles([std::f64::consts::FRAC_PI_2, 0.0, 0.0]));
+/// let on_a_wall = System::new(wall, (BodyAxes, Hinge::level().grounded(), link), Free)?;
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,6 +5,7 @@
 
 use super::number::{Number, Rows, Triangle, Triple, masked, transposed, triangle, triangle_values, triple, values};
 use super::sparse::Sparse;
+use crate::mechanics::spatial::weld::InertialAxes;
 use crate::relation::spatial::algebra::{Columns, Symmetric3};
 use crate::relation::spatial::{Empty, Full, Spatial};
 use crate::relation::{AccelerationOf, Close, Cuts, Join, Open, Promote};
@@ -203,16 +204,23 @@ impl Promote<Empty> for Borne {
     }
 }
 
-/// What a base makes of all that it bears.
+/// The same in inertial axes: what clamps or welds it needs to know as little.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Settled;
 
-impl<T: Scalar> Close<Spatial<T>, Open> for Settled {
-    #[inline(always)]
-    fn multipliers(&self, _: &AccelerationOf<Spatial<T>>) {}
-    #[inline(always)]
-    fn compliance(&self) {}
+impl<T: Scalar> InertialAxes<T> for Settled {}
+
+macro_rules! close {
+    ($($Relation:ident),*) => {$(
+        impl<T: Scalar> Close<Spatial<T>, Open> for $Relation {
+            #[inline(always)]
+            fn multipliers(&self, _: &AccelerationOf<Spatial<T>>) {}
+            #[inline(always)]
+            fn compliance(&self) {}
+        }
+    )*};
 }
+close!(Borne, Settled);
 
 impl<T: Scalar> Promote<Empty> for Local<T> {
     fn promote(_: Empty) -> Self {

@@ -105,12 +105,14 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     }
 
     /// The mass centre of all links (m), and their mass (kg).
+    /// Links without mass have no centre: NaN, where `System::mass_centre` is an error.
     pub fn mass_centre(&self) -> (Vector3<T>, T) {
         let (whole, _) = self.composites();
         (self.base.place.place + whole.moment * whole.mass.recip(), whole.mass)
     }
 
     /// The matrix of centroidal momentum: momentum (kg·m/s) and angular momentum about the mass centre (N·m·s), inertial axes, for a rate of one.
+    /// Links without mass have no centre: NaN, where `System::mass_centre` is an error.
     pub fn momentum_matrix(&self) -> SixRows<T, N> {
         let (whole, all) = self.composites();
         let centre = self.base.place.place + whole.moment * whole.mass.recip();
@@ -122,6 +124,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     }
 
     /// The Jacobian of the mass centre (m/s, inertial axes): of the base, and of the joints.
+    /// Links without mass have no centre: NaN, where `System::mass_centre` is an error.
     pub fn mass_centre_jacobian(&self) -> ([[T; 3]; 6], [[T; 3]; N]) {
         let (SixRows { base, joints }, (_, mass)) = (self.momentum_matrix(), self.mass_centre());
         let of = |[x, y, z, ..]: [T; 6]| [x, y, z].map(|x| x / mass);
@@ -129,6 +132,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     }
 
     /// Momentum (kg·m/s), and angular momentum about the mass centre (N·m·s), of all links, inertial axes.
+    /// Links without mass have no centre: NaN, where `System::mass_centre` is an error.
     pub fn centroidal_momentum(&self) -> [Vector3<T>; 2] {
         let SixRows { base, joints } = self.momentum_matrix();
         let Columns { x, y, z } = self.base.place.attitude;
