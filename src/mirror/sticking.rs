@@ -116,7 +116,7 @@ impl<T: Scalar> Position<T> for Sticking<T> {
         displacement.rate = self.coordinate - from.coordinate;
     }
     #[inline(always)]
-    fn measure(&self, displacement: &Slip<T>, note: &mut impl FnMut(T, T::Real)) {
+    fn measure(&self, displacement: &Slip<T>, note: &mut impl FnMut(T, T)) {
         self.coordinate.measure(&displacement.rate, note);
     }
     #[inline(always)]
