@@ -117,6 +117,9 @@ impl<B, J> Loads<B, J> {
 
     /// Efforts in joints, ON the outboard body: a function of time (s), joint number and motion. In the plane torques (N·m), and forces
     /// along the lines of sliders (N).
+    ///
+    /// Joint 0 is that of the root, and acts from the ground. Of a root that is `Free` it is a torque from outside on the first body in the
+    /// plane, and does nothing in space: there take [`on_bodies`](Self::on_bodies).
     pub fn in_joints<M, F>(self, law: F) -> Loads<B, InJoints<F>>
     where
         M: Seen<Space: Space<JointMotion = M>>,

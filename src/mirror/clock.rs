@@ -32,7 +32,7 @@ impl<T: Scalar<Real = R>, R: Real> Position<T> for Clock<R> {
     #[inline(always)]
     fn apart(&self, _: &Self, (): &mut ()) {}
     #[inline(always)]
-    fn measure(&self, (): &(), _: &mut impl FnMut(T, R)) {}
+    fn measure(&self, (): &(), _: &mut impl FnMut(T, T)) {}
     #[inline(always)]
     fn visit(&self, _: &mut impl FnMut(T)) {}
     #[inline(always)]

@@ -116,7 +116,7 @@ macro_rules! fieldwise_position {
             $(self.$i.apart(&_from.$i, &mut _displacement.$i);)*
         }
         #[inline(always)]
-        fn measure(&self, _displacement: &Self::Rate, _note: &mut impl FnMut(T, T::Real)) {
+        fn measure(&self, _displacement: &Self::Rate, _note: &mut impl FnMut(T, T)) {
             $(self.$i.measure(&_displacement.$i, _note);)*
         }
         #[inline(always)]

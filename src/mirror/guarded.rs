@@ -202,7 +202,7 @@ impl<T: Scalar> Position<T> for Guarded<T> {
         displacement.rate = self.coordinate - from.coordinate;
     }
     #[inline(always)]
-    fn measure(&self, displacement: &GuardedRate<T>, note: &mut impl FnMut(T, T::Real)) {
+    fn measure(&self, displacement: &GuardedRate<T>, note: &mut impl FnMut(T, T)) {
         self.coordinate.measure(&displacement.rate, note);
     }
     #[inline(always)]

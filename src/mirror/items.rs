@@ -137,7 +137,7 @@ macro_rules! mirror_items {
                 items.for_each(|((item, from), displacement)| item.apart(from, displacement));
             }
             #[inline]
-            fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T::Real)) {
+            fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T)) {
                 self.iter().zip(displacement).for_each(|(item, displacement)| item.measure(displacement, note));
             }
             #[inline]

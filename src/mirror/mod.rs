@@ -88,7 +88,7 @@ pub trait Position<T: Scalar>: Clone {
 
     /// Calls `note` with each number of a displacement from here, root to tip, and the size by which to measure it relatively
     /// (that of the coordinate).
-    fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T::Real));
+    fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T));
 
     /// Calls `visit` with each number stored, root to tip.
     fn visit(&self, visit: &mut impl FnMut(T));

@@ -86,8 +86,8 @@ impl<T: Scalar> Position<T> for T {
         *displacement = *self - *from;
     }
     #[inline(always)]
-    fn measure(&self, displacement: &T, note: &mut impl FnMut(T, T::Real)) {
-        note(*displacement, self.real().abs());
+    fn measure(&self, displacement: &T, note: &mut impl FnMut(T, T)) {
+        note(*displacement, Scalar::abs(*self));
     }
     #[inline(always)]
     fn visit(&self, visit: &mut impl FnMut(T)) {

@@ -131,6 +131,8 @@ macro_rules! rates {
 ///
 /// A turn in space (a ball, an elastic hinge, a root that floats) has four coordinates, the quaternion `[w, x, y, z]` as it is stored,
 /// and three rates. What is read and set again is the same to the last bit; a quaternion of another length is brought to length one.
+/// The spring of an elastic hinge tells q from −q, which has turned by a whole turn more or less: see
+/// [`ElasticHinge`](crate::spatial::ElasticHinge). A ball does not.
 ///
 /// Accelerations no longer belong to coordinates or rates that were set until they are found anew
 /// ([`with_accelerations`](crate::system::System::with_accelerations); a run does so by itself).

@@ -87,13 +87,14 @@ where
     pub(super) fn first_step(&self, tolerance: RealOf<S>) -> RealOf<S> {
         let one = RealOf::<S>::one();
         let (mut size, mut slope) = (RealOf::<S>::zero(), RealOf::<S>::zero());
-        let mut note = |rate: S::Scalar, value: RealOf<S>| {
+        let mut note = |rate: S::Scalar, value: S::Scalar| {
+            let value = value.real();
             size = size.max(value / (one + value));
             slope = slope.max(rate.real().abs() / (one + value));
         };
         self.past.position.measure(&self.past.rate, &mut note);
         self.past.acceleration.all(&self.past.rate, &mut |acceleration, rate| {
-            note(acceleration, rate.real().abs());
+            note(acceleration, rate.abs());
             true
         });
         let tiny = RealOf::<S>::of(1e-6);

@@ -159,6 +159,7 @@ where
         if last {
             self.next.set_time(self.end);
         }
+        let progress = self.progress;
         let mut next_value = self.value(Shown::Next)?;
         let outcome = self.shown(self.progress.start, size, [self.value, next_value])?;
         self.progress.steps += 1;
@@ -168,9 +169,10 @@ where
         self.progress.at_event = false;
         self.progress.mark.1 += 1;
         if const { Self::MODES } && cut.is_some() {
-            self.switch()?;
+            let changed = self.switch().and_then(|()| self.value(Shown::Next));
+            let value = changed.inspect_err(|_| self.progress = progress)?; // the step is not taken
             self.progress.mark = (self.next.time, 0);
-            let before = core::mem::replace(&mut next_value, self.value(Shown::Next)?);
+            let before = core::mem::replace(&mut next_value, value);
             if let (Outcome::Continue, Some(before), Some(after)) = (outcome, before, next_value)
                 && crosses([before, after])
             {

@@ -4,7 +4,8 @@ use crate::error::{Cause, Error, Fault, Place};
 use crate::scalar::Real;
 use crate::time::Control;
 
-/// In so many trial steps a run must advance by more than [`ADVANCE`].
+/// In so many trial steps a run must advance by more than [`ADVANCE`], or half of them must be taken: one that has coasted for long may go on
+/// in steps that are short beside those, and has no difficulty.
 const WINDOW: usize = 1000;
 /// A share of the longest step that the run has taken.
 const ADVANCE: f64 = 1e-6;
@@ -46,6 +47,9 @@ pub(super) struct Trials<R> {
     /// When the last window began (s), and the number of trials since.
     mark: R,
     count: usize,
+    /// How many of these were taken.
+    #[cfg_attr(feature = "serde", serde(default))]
+    advances: usize,
     /// Of those from the present motion the most accurate: its size (s) and its error as a multiple of the tolerance.
     best: Option<(R, R)>,
     /// How many shorter ones were no better, the error of the last one, and how many have evaded.
@@ -69,6 +73,7 @@ impl<R: Real> Trials<R> {
             longest: R::zero(),
             mark: time,
             count: 0,
+            advances: 0,
             best: None,
             worse: 0,
             last: R::zero(),
@@ -93,13 +98,13 @@ impl<R: Real> Trials<R> {
 
     /// None since a time (s): the run is tried again.
     pub(super) fn renew(&mut self, time: R) {
-        (self.mark, self.count) = (time, 0);
         self.taken(R::zero());
+        (self.mark, self.count, self.advances) = (time, 0, 0);
     }
 
     /// Whether trials can go on from here: what was read as data may be anything.
     pub(super) fn is_sound(&self) -> bool {
-        let counts = [self.count, self.worse, self.evasions, self.dodges];
+        let counts = [self.count, self.advances, self.worse, self.evasions, self.dodges];
         counts.iter().all(|count| *count <= usize::MAX / 2) && self.mark.is_finite() && self.longest.is_finite()
     }
 
@@ -132,6 +137,7 @@ impl<R: Real> Trials<R> {
     /// A step was taken.
     pub(super) fn taken(&mut self, size: R) {
         self.longest = self.longest.max(size);
+        self.advances += 1;
         (self.best, self.worse, self.evasions, self.dodges, self.settled) = (None, 0, 0, 0, false);
     }
 
@@ -215,10 +221,10 @@ impl<R: Real> Trials<R> {
         }
         self.count += 1;
         if self.count > WINDOW {
-            if time - self.mark <= self.longest * R::of(ADVANCE) {
+            if time - self.mark <= self.longest * R::of(ADVANCE) && 2 * self.advances < WINDOW {
                 return Err(self.too_small(time, size));
             }
-            (self.mark, self.count) = (time, 1);
+            (self.mark, self.count, self.advances) = (time, 1, 0);
         }
         Ok(())
     }
@@ -237,4 +243,35 @@ pub(super) fn factor<R: Real>(error: R, order: f64) -> R {
     }
     let wanted = R::of(0.9) * error.max(R::of(1e-12)).powf(R::of(-1.0 / order));
     wanted.max(R::of(0.2)).min(R::of(6.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A run that coasts for a day and then meets a stiff spring, of whose trial steps one in so many is taken: whether it may go on.
+    fn goes_on(taken: usize) -> Result<(), Error> {
+        let (mut trials, mut time, mut size) = (Trials::new(0.0), 0.0, 1e-3);
+        while time < 86400.0 {
+            trials.count(time, size)?;
+            trials.taken(size);
+            time += size;
+            size *= 6.0;
+        }
+        for trial in 0..5000 {
+            trials.count(time, 5e-6)?;
+            if trial % taken == 0 {
+                trials.taken(5e-6);
+                time += 5e-6;
+            }
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn short_steps_after_long_ones_are_no_failure_if_they_are_taken() {
+        assert_eq!(goes_on(1), Ok(()));
+        let fault = goes_on(10).map_err(|error| error.fault);
+        assert_eq!(fault, Err(Fault::StepTooSmall { step: 5e-6, cause: Cause::Inaccurate }));
+    }
 }

@@ -67,14 +67,15 @@ pub(super) fn mean_square<T: Scalar, P: Position<T>, C: Closures>(
     tolerance: T::Real,
 ) -> f64 {
     let (mut sum, mut count) = (T::Real::zero(), 0usize);
-    let mut note = |error: T, size: T::Real| {
-        let share = error.real() / (tolerance * (T::Real::one() + size));
+    // Of lanes each by its own size.
+    let mut note = |error: T, size: T| {
+        let share = (error / (size + T::one()).scale(tolerance)).real();
         sum += share * share;
         count += 1;
     };
     next.position.measure(position, &mut note);
     rate.all(&next.rate, &mut |error, rate| {
-        note(error, rate.real().abs());
+        note(error, rate.abs());
         true
     });
     sum.as_f64() / count.max(1) as f64

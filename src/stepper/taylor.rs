@@ -172,17 +172,17 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         {
             return size;
         }
-        let mut size = TimeIn::<D, L>::zero();
-        self.origin.rate.visit(&mut |rate| size = size.max(rate.real().abs()));
-        // Four last coefficients of the rates.
+        // Four last coefficients of the rates, each by the size of its rate.
         let mut last = [TimeIn::<D, L>::zero(); 4];
         for (i, most) in last.iter_mut().enumerate() {
             let k = self.order - 4 + i;
-            self.accelerations[k].visit(&mut |term| *most = most.max(term.real().abs()));
+            self.accelerations[k].all(&self.origin.rate, &mut |term, rate| {
+                *most = most.max((term / (rate.abs() + D::Scalar::one())).real().abs());
+                true
+            });
             *most = *most / TimeIn::<D, L>::of((k + 1) as f64);
         }
-        let size = log2((TimeIn::<D, L>::one() + size).as_f64());
-        let mut inverse = last.map(|most| log2(most.as_f64()) - size);
+        let mut inverse = last.map(|most| log2(most.as_f64()));
         for (i, inverse) in inverse.iter_mut().enumerate() {
             *inverse *= 1.0 / (self.order + i - 3) as f64;
         }

@@ -133,14 +133,14 @@ impl<D: Dynamics<L>, L> VcabmStepper<D, L> {
         let integrals = &self.coefficients.whole;
         let weight = |of: &[f64; TERMS]| TimeIn::<D, L>::of(of[order] - of[order - 1]);
         let (mut squares, mut count) = ([TimeIn::<D, L>::zero(); 2], 0_usize);
-        let one = TimeIn::<D, L>::one();
+        let one = D::Scalar::one();
         next.position.measure(difference, &mut |x, size| {
-            let share = x.real() / (one + size);
+            let share = (x / (size + one)).real();
             squares[0] += share * share;
             count += 1;
         });
         difference.all(&next.rate, &mut |x, rate| {
-            let share = x.real() / (one + rate.real().abs());
+            let share = (x / (Scalar::abs(rate) + one)).real();
             squares[1] += share * share;
             count += 1;
             true

@@ -163,7 +163,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             set(&mut step, change.into_iter().map(|x| x.scale(factor)));
             let mut length = RealOf::<S>::zero();
             motion.position.measure(&step, &mut |x, size| {
-                length = length.max(x.real().abs() / size.max(RealOf::<S>::one()));
+                length = length.max(x.real().abs() / size.real().max(RealOf::<S>::one()));
             });
             motion.position.displace(&step);
             if pass > 0 && (length <= tiny || (length <= small && length + length >= last)) {

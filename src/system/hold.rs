@@ -116,7 +116,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let mut displacement = motion.rate.clone();
             corrected.position.apart(&motion.position, &mut displacement);
             motion.position.measure(&displacement, &mut |x, size| {
-                let share = x.real().abs() / size.max(RealOf::<S>::one());
+                let share = x.real().abs() / size.real().max(RealOf::<S>::one());
                 // A rotation by more than half a turn has no coordinates, and corrections that do not close a loop are not finite.
                 step = if share.is_finite() { step.max(share) } else { RealOf::<S>::INFINITY };
             });

@@ -7,6 +7,7 @@ mod jets;
 mod scalars;
 mod sensitivities;
 mod sensitivity;
+mod shared_steps;
 mod sine;
 mod spatial_scalars;
 mod spatial_sensitivity;

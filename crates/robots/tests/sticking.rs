@@ -5,6 +5,7 @@ use catena::planar::*;
 use catena::scalar::Jet;
 use catena::{Error, Fault, spatial};
 use catena_oracle::{has_order, near};
+use std::cell::Cell;
 use std::f64::consts::PI;
 
 const MASS: f64 = 2.0; // (kg)
@@ -353,5 +354,30 @@ fn joints_that_stick_have_no_modes_of_vibration_and_no_one_equilibrium() -> Resu
     let modes = scene.modes(&scene.motion(), &Unloaded).map(|_| ()).map_err(|error| error.fault);
     let rest = scene.equilibrium(scene.motion(), &Unloaded).map(|_| ()).map_err(|error| error.fault);
     assert!([modes, rest].iter().all(|refused| matches!(refused, Err(Fault::Unsupported { .. }))));
+    Ok(())
+}
+
+/// An event function that is no number after a change of mode: the step is not taken, and does not count when the run is tried again.
+#[test]
+fn a_step_whose_change_of_mode_fails_is_not_taken() -> Result<(), Box<dyn std::error::Error>> {
+    let (scene, loads) = (block!(), Loads::none().in_joints(draws));
+    let (last, due) = (Cell::new(f64::NAN), Cell::new(false));
+    let simulation = || {
+        scene.simulation(Rk4::step(0.01)).loads(&loads).event(|now| {
+            let again = last.replace(now.time()) == now.time();
+            if again && due.take() { f64::NAN } else { 1.0 }
+        })
+    };
+    let whole = simulation().run(scene.motion(), 1.0, |_| ())?;
+    due.set(true);
+    let mut run = simulation().begin(scene.motion(), 1.0, |_| ())?;
+    let failed = loop {
+        if let Err(error) = run.step() {
+            break error;
+        }
+    };
+    assert!(matches!(failed.fault, Fault::NotFinite { parameter: "value of the event function" }), "{failed}");
+    let found = run.finish()?;
+    assert_eq!((found.steps, found.motion.coordinates()), (whole.steps, whole.motion.coordinates()));
     Ok(())
 }

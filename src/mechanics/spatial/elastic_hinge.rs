@@ -21,7 +21,9 @@ use nalgebra::Vector3;
 /// The rotary spring stores V = ½ (φ − φ₀)ᵀ K (φ − φ₀) for the rotation vector φ of the outboard body relative to the inboard one, with
 /// stiffnesses K along axes of the inboard body. (33)-(35) of the paper multiply differences of angles along inertial axes instead,
 /// which is neither conservative nor the same in all inertial axes, and balance no moment of the force. The spring follows relative
-/// turns of up to one whole turn. A stiffness may have any finite value; an infinite one is a [`Weld`](super::Weld).
+/// turns of up to one whole turn: so quaternions with w < 0 have turned by more than half a turn. One that is set by hand, from a source
+/// that does not care for its sign, is to be the [`shortest`](Rotation::shortest): −1 has turned by a whole turn about no axis,
+/// where the torque is not a number. A stiffness may have any finite value; an infinite one is a [`Weld`](super::Weld).
 ///
 /// Its coordinates are the attitude relative to the inboard body, with the relative angular velocity in axes of the outboard body as its
 /// rate; before them, where there are linear springs, the displacement along axes of the inboard body (m). Loads in the joint are

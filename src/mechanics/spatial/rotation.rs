@@ -196,8 +196,8 @@ impl<T: Scalar> Position<T> for Rotation<T> {
         *self = from.stepped(Vector3::from(step)).normalised();
     }
     #[inline(always)]
-    fn measure(&self, displacement: &[T; 3], note: &mut impl FnMut(T, T::Real)) {
-        displacement.iter().for_each(|x| note(*x, T::Real::zero()));
+    fn measure(&self, displacement: &[T; 3], note: &mut impl FnMut(T, T)) {
+        displacement.iter().for_each(|x| note(*x, T::zero()));
     }
     #[inline(always)]
     fn apart(&self, from: &Self, displacement: &mut [T; 3]) {

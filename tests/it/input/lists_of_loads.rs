@@ -211,3 +211,19 @@ fn arms_and_loops_take_their_shares() -> Result<(), Error> {
     let _ = spatial::Loads::none();
     Ok(())
 }
+
+/// The joint of a root that is free: in the plane a torque on the first body from outside, in space nothing.
+#[test]
+fn efforts_in_the_joint_of_a_free_root_do_what_its_page_says() -> Result<(), Error> {
+    let plane = {
+        use catena::planar::*;
+        let scene = System::new(Free, RigidBody::new(2.0, 0.5, [0.0; 2], [1.0, 0.0]), Free)?;
+        scene.with_accelerations(scene.motion(), &Loads::none().torques([3.0]))?.accelerations()
+    };
+    assert_eq!(plane, [0.0, 0.0, 6.0]);
+    use catena::spatial::*;
+    let scene = System::new(Free, Rod::uniform(1.0, 0.1, 1.0), Free)?;
+    let loads = Loads::none().in_joints(|_, _, _: &JointMotion<f64>| Effort([0.0, 0.0, 2.0]));
+    assert_eq!(scene.with_accelerations(scene.motion(), &loads)?.accelerations(), [0.0; 6]);
+    Ok(())
+}

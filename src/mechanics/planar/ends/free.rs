@@ -9,7 +9,7 @@ use crate::relation::{Absent, Open};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
 
-/// An end on which nothing acts.
+/// An end on which nothing acts. As a root it has the number of a joint: a torque in joint 0 acts on the first body from outside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Free;

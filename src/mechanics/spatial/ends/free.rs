@@ -11,7 +11,8 @@ use crate::relation::spatial::algebra::zero;
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
-/// An end on which nothing acts.
+/// An end on which nothing acts. As a root it has the number of a joint: what a load says of joint 0 is left out. Act on
+/// the first body instead.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Free;
