@@ -3,8 +3,8 @@
 use super::loads::Drive;
 use super::release::{self, Release};
 use super::rotary_spring::{RotaryLaw, RotarySpring};
+use super::stored::{One, Stored};
 use super::{Acceleration, Frame, Joint, JointMotion, Linear, Rotation, Spatial, Turn};
-use super::{joint::One, joint::Stored};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::lift;

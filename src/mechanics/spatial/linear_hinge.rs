@@ -2,10 +2,10 @@
 
 use super::elastic_hinge::{BallRule, Place};
 use super::hinge_elimination::{RotaryElimination, SlideRule};
-use super::joint::{StoredIn, Two};
 use super::loads::Drive;
 use super::release::{self, Release};
 use super::rotary_spring::RotaryLaw;
+use super::stored::{StoredIn, Two};
 use super::{Acceleration, ElasticHinge, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
 use crate::element::{Condense, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;

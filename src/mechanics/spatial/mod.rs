@@ -35,6 +35,7 @@ mod second_moments;
 mod sensitive;
 mod spring;
 mod station;
+mod stored;
 mod surface;
 mod transfer;
 mod turning;
