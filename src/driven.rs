@@ -4,7 +4,7 @@ use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Implicit, Posture, Springs, Sweep};
 use crate::error::Fault;
 use crate::kinematics::{Kinematics, Outboard};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::mirror::Clock;
 use crate::relation::{AccelerationOf, Closures, Full};
 use crate::release::Release;
@@ -85,12 +85,7 @@ impl<J, F> Counted for Driven<J, F> {
     type Freedoms = U0;
 }
 
-impl<T: Scalar, U: Scalar, J: Lift<T, U>, F: Lift<T, U>> Lift<T, U> for Driven<J, F> {
-    type Over = Driven<J::Over, F::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Driven { joint: self.joint.lift(number), law: self.law.lift(number) }
-    }
-}
+lift!(Driven<J, F> { joint, law });
 
 impl<S: Space, J: Kinematics<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J, F> {
     type Position = Clock<RealOf<S>>;

@@ -2,6 +2,7 @@
 
 use crate::scalar::Scalar;
 use crate::tuples::for_each_tuple;
+use nalgebra::Vector3;
 
 /// A value whose numbers can be replaced by numbers of type `U`.
 pub trait Lift<T: Scalar, U: Scalar> {
@@ -23,6 +24,13 @@ impl<T: Scalar, U: Scalar, A: Lift<T, U>, const K: usize> Lift<T, U> for [A; K] 
     type Over = [A::Over; K];
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
         self.each_ref().map(|item| item.lift(number))
+    }
+}
+
+impl<T: Scalar, U: Scalar> Lift<T, U> for Vector3<T> {
+    type Over = Vector3<U>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Vector3::new(number(self.x), number(self.y), number(self.z))
     }
 }
 
@@ -50,7 +58,8 @@ for_each_tuple!(lift_tuple);
 
 /// Lifts structs field by field, or as they are where they hold no number.
 ///
-/// Fields are numbers `T`, or of types that can be lifted themselves; further parameters of the struct are types of fields.
+/// Fields are numbers `T`, or of types that can be lifted themselves; further parameters of the struct are types of fields. A struct whose
+/// parameters are types of fields alone stands without `T`.
 ///
 /// ```
 /// /// A wheel on an axle of a kind to be chosen.
@@ -79,6 +88,19 @@ macro_rules! lift {
     )*};
     ($($Name:ident { $($field:ident),* }),*) => {
         $($crate::lift!($Name<T> { $($field),* });)*
+    };
+    ($Name:ident<$($Part:ident),*> { $($field:tt),* }) => {
+        impl<T, U, $($Part),*> $crate::Lift<T, U> for $Name<$($Part),*>
+        where
+            T: $crate::Scalar,
+            U: $crate::Scalar,
+            $($Part: $crate::Lift<T, U>),*
+        {
+            type Over = $Name<$($Part::Over),*>;
+            fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+                $Name { $($field: $crate::Lift::lift(&self.$field, number)),* }
+            }
+        }
     };
     ($($Name:ident),*) => {$(
         impl<T: $crate::Scalar, U: $crate::Scalar> $crate::Lift<T, U> for $Name {

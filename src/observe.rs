@@ -1,18 +1,20 @@
 //! Reading a motion: bodies, stations, energy and momentum. Every reading is a walk of its own and costs a sweep nothing.
 
+mod budget;
 mod by_joint;
 mod doubts;
 mod in_turn;
 mod residuals;
 
 pub use crate::state::{StateVector, TransferMatrix};
+pub(crate) use budget::budget;
 pub(crate) use doubts::doubts;
 #[cfg(feature = "alloc")]
 pub(crate) use residuals::each_residual;
 pub(crate) use residuals::loop_residual;
 
 use crate::counts::HasBody;
-use crate::element::{Budget, Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit, Watch};
+use crate::element::{Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit, Watch};
 use crate::relation::{Wrench, WrenchOf};
 use crate::shape::{self, PerJoint};
 use crate::space::FrameOf;
@@ -245,35 +247,6 @@ struct Show<F>(F);
 impl<S: Space, F: FnMut(&S::BodyMotion)> Watch<S> for Show<F> {
     fn body(&mut self, body: &S::BodyMotion) {
         (self.0)(body);
-    }
-}
-
-/// Energy and momentum of a motion.
-pub(crate) fn budget<S: Space, E: Element<S>>(
-    chain: &E,
-    ground: FrameOf<S>,
-    gravity: S::Vector,
-    motion: Coordinates<'_, S, E>,
-) -> Budget<S> {
-    let mut audit = Audit { gravity, sum: Budget::none() };
-    show(chain, ground, motion, &mut audit);
-    audit.sum
-}
-
-/// Adds up energy and momentum.
-struct Audit<S: Space> {
-    gravity: S::Vector,
-    sum: Budget<S>,
-}
-
-impl<S: Space> Watch<S> for Audit<S> {
-    fn body(&mut self, body: &S::BodyMotion) {
-        self.sum = self.sum + S::budget(body, self.gravity);
-    }
-    fn joint(&mut self, joint: &S::JointMotion) {
-        let [kinetic, potential] = S::stored(joint);
-        self.sum =
-            Budget { kinetic: self.sum.kinetic + kinetic, potential: self.sum.potential + potential, ..self.sum };
     }
 }
 

@@ -14,7 +14,7 @@ pub use stops::Stops;
 use crate::element::{Reading, Springs};
 use crate::error::Fault;
 use crate::error::checks::not_negative;
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::{Absent, Coefficient, Term};
 use crate::scalar::{Real, Scalar};
 use core::fmt::Debug;
@@ -243,10 +243,4 @@ impl<T: Scalar, K: Coefficient<T>, D: Coefficient<T>, P: Term<T>> SpringLaw<T> f
     }
 }
 
-impl<T: Scalar, U: Scalar, K: Lift<T, U>, D: Lift<T, U>, P: Lift<T, U>> Lift<T, U> for Spring<K, D, P> {
-    type Over = Spring<K::Over, D::Over, P::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        let Self { stiffness, damping, rest } = self;
-        Spring { stiffness: stiffness.lift(number), damping: damping.lift(number), rest: rest.lift(number) }
-    }
-}
+lift!(Spring<K, D, P> { stiffness, damping, rest });

@@ -2,9 +2,8 @@
 
 use crate::counts::Counted;
 use crate::element::{Carrying, Condense, Element, Given, Posture, Space, Sweep};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::{Join, Open};
-use crate::scalar::Scalar;
 use crate::shape::{Arm, Aside, Field, Inward, Kept, Of, Outward, PerAxes, Shape, arm_inward, arm_outward};
 use num_traits::Zero;
 
@@ -150,9 +149,4 @@ impl<A: Counted> Counted for Branch<A> {
     type Freedoms = A::Freedoms;
 }
 
-impl<T: Scalar, U: Scalar, A: Lift<T, U>> Lift<T, U> for Branch<A> {
-    type Over = Branch<A::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Branch(self.0.lift(number))
-    }
-}
+lift!(Branch<A> { 0 });

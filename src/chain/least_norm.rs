@@ -2,9 +2,8 @@
 
 use crate::element::Space;
 use crate::error::Fault;
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::{Cut, Shared, WrenchOf};
-use crate::scalar::Scalar;
 use crate::shape::{Closing, Ends};
 use crate::space::FrameOf;
 
@@ -84,9 +83,4 @@ where
     }
 }
 
-impl<T: Scalar, U: Scalar, K: Lift<T, U>> Lift<T, U> for LeastNorm<K> {
-    type Over = LeastNorm<K::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        LeastNorm(self.0.lift(number))
-    }
-}
+lift!(LeastNorm<K> { 0 });

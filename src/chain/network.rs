@@ -2,10 +2,9 @@
 
 use super::{deeper, sum};
 use crate::element::{Element, Space};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::mirror::{Tied, TiedPosition};
 use crate::relation::Looped;
-use crate::scalar::Scalar;
 use crate::shape::{
     Closing, ClosingEntry, Field, Inward, Main, MainStore, Of, Outward, Parallel, PerAxes, Shape, Side, SideStore,
 };
@@ -220,9 +219,4 @@ where
     type Freedoms = Sum<M::Freedoms, A::Freedoms>;
 }
 
-impl<T: Scalar, U: Scalar, M: Lift<T, U>, A: Lift<T, U>, K: Lift<T, U>> Lift<T, U> for Network<M, A, K> {
-    type Over = Network<M::Over, A::Over, K::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Network { arms: self.arms.lift(number), closing: self.closing.lift(number) }
-    }
-}
+lift!(Network<M, A, K> { arms, closing });

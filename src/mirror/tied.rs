@@ -2,7 +2,7 @@
 
 use super::fieldwise::{fieldwise_position, fieldwise_rate};
 use super::{GuardedRate, Mode, Position, Rate, Term};
-use crate::lift::Lift;
+use crate::lift::{Lift, lift};
 use crate::scalar::Scalar;
 use core::marker::PhantomData;
 
@@ -44,12 +44,7 @@ impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
     fieldwise_position!(arms);
 }
 
-impl<T: Scalar, U: Scalar, X: Lift<T, U>, F: Lift<T, U>> Lift<T, U> for Tied<X, F> {
-    type Over = Tied<X::Over, F::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Tied { arms: self.arms.lift(number), closing: self.closing.lift(number) }
-    }
-}
+lift!(Tied<X, F> { arms, closing });
 
 impl<T: Scalar, U: Scalar, F: Lift<T, U>> Lift<T, U> for PhantomData<F> {
     type Over = PhantomData<F::Over>;

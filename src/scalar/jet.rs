@@ -1,9 +1,9 @@
 //! A value with `K` first derivatives: dual numbers without an allocation, an option or a branch.
 
+use super::made::of_numbers;
 use super::{Real, Scalar};
 use core::array::from_fn;
-use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
-use num_traits::{One, Zero};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value and its derivatives with respect to `K` seeds.
 ///
@@ -66,22 +66,7 @@ impl<T: Scalar, const K: usize> Jet<T, K> {
     }
 }
 
-impl<T: Scalar, const K: usize> Zero for Jet<T, K> {
-    #[inline(always)]
-    fn zero() -> Self {
-        Self::of(T::zero())
-    }
-    fn is_zero(&self) -> bool {
-        *self == Self::zero()
-    }
-}
-
-impl<T: Scalar, const K: usize> One for Jet<T, K> {
-    #[inline(always)]
-    fn one() -> Self {
-        Self::of(T::one())
-    }
-}
+of_numbers!(Jet<T, K>);
 
 impl<T: Scalar, const K: usize> Neg for Jet<T, K> {
     type Output = Self;
@@ -125,18 +110,6 @@ impl<T: Scalar, const K: usize> Div for Jet<T, K> {
         Self { re, eps: each(|k| (-re).mul_add(other.eps[k], self.eps[k]) * inverse) }
     }
 }
-
-macro_rules! assign {
-    ($($Trait:ident $method:ident $with:tt),*) => {$(
-        impl<T: Scalar, const K: usize> $Trait for Jet<T, K> {
-            #[inline(always)]
-            fn $method(&mut self, other: Self) {
-                *self = *self $with other;
-            }
-        }
-    )*};
-}
-assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *);
 
 impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
     type Real = T::Real;

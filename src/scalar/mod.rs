@@ -40,6 +40,7 @@ mod float;
 mod jet;
 #[cfg(feature = "simd")]
 mod lanes;
+mod made;
 mod pack;
 mod powers;
 mod trig;

@@ -1,9 +1,9 @@
 //! Numbers side by side: what many costates of one motion are carried in.
 
 use super::Scalar;
+use super::made::of_numbers;
 use core::array::from_fn;
-use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
-use num_traits::{One, Zero};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `N` numbers side by side, which a compiler puts into the lanes of registers.
 ///
@@ -38,22 +38,7 @@ impl<T: Scalar, const N: usize> Pack<T, N> {
     }
 }
 
-impl<T: Scalar, const N: usize> Zero for Pack<T, N> {
-    #[inline(always)]
-    fn zero() -> Self {
-        Self::of(T::zero())
-    }
-    fn is_zero(&self) -> bool {
-        *self == Self::zero()
-    }
-}
-
-impl<T: Scalar, const N: usize> One for Pack<T, N> {
-    #[inline(always)]
-    fn one() -> Self {
-        Self::of(T::one())
-    }
-}
+of_numbers!(Pack<T, N>);
 
 impl<T: Scalar, const N: usize> Neg for Pack<T, N> {
     type Output = Self;
@@ -64,7 +49,7 @@ impl<T: Scalar, const N: usize> Neg for Pack<T, N> {
 }
 
 macro_rules! operators {
-    ($($Trait:ident $method:ident $Assign:ident $assign:ident $with:tt),*) => {$(
+    ($($Trait:ident $method:ident $with:tt),*) => {$(
         impl<T: Scalar, const N: usize> $Trait for Pack<T, N> {
             type Output = Self;
             #[inline(always)]
@@ -72,23 +57,9 @@ macro_rules! operators {
                 Self(from_fn(|k| self.0[k] $with other.0[k]))
             }
         }
-        impl<T: Scalar, const N: usize> $Assign for Pack<T, N> {
-            #[inline(always)]
-            fn $assign(&mut self, other: Self) {
-                *self = *self $with other;
-            }
-        }
     )*};
 }
-operators!(Add add AddAssign add_assign +, Sub sub SubAssign sub_assign -, Mul mul MulAssign mul_assign *);
-
-impl<T: Scalar, const N: usize> Div for Pack<T, N> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        Self(from_fn(|k| self.0[k] / other.0[k]))
-    }
-}
+operators!(Add add +, Sub sub -, Mul mul *, Div div /);
 
 macro_rules! functions {
     ($($name:ident),*) => {$(

@@ -1,9 +1,10 @@
 //! Power series as numbers: what a function of time is made of around an instant.
 
+use super::made::of_numbers;
 use super::{Real, Scalar};
 use core::array::from_fn;
-use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
-use num_traits::{One, Zero};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use num_traits::One;
 
 /// The first `N` coefficients of a power series. Decisions are made on the first.
 ///
@@ -56,20 +57,7 @@ impl<T: Scalar, const N: usize> Powers<T, N> {
     }
 }
 
-impl<T: Scalar, const N: usize> Zero for Powers<T, N> {
-    fn zero() -> Self {
-        Self::of(T::zero())
-    }
-    fn is_zero(&self) -> bool {
-        *self == Self::zero()
-    }
-}
-
-impl<T: Scalar, const N: usize> One for Powers<T, N> {
-    fn one() -> Self {
-        Self::of(T::one())
-    }
-}
+of_numbers!(Powers<T, N>);
 
 impl<T: Scalar, const N: usize> Neg for Powers<T, N> {
     type Output = Self;
@@ -109,17 +97,6 @@ impl<T: Scalar, const N: usize> Div for Powers<T, N> {
         })
     }
 }
-
-macro_rules! assign {
-    ($($Trait:ident $method:ident $with:tt),*) => {$(
-        impl<T: Scalar, const N: usize> $Trait for Powers<T, N> {
-            fn $method(&mut self, other: Self) {
-                *self = *self $with other;
-            }
-        }
-    )*};
-}
-assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *);
 
 impl<T: Scalar, const N: usize> Scalar for Powers<T, N> {
     type Real = T::Real;

@@ -1,7 +1,8 @@
 //! A run under way: its steps, samples by dense output, location of events.
 
 use super::crossing::{DEPARTED, LEFT, crosses, crossing, of_one_number};
-use super::{EventFunction, Find, Now, Progress, Simulation, limits, settled};
+use super::now::{Find, settled};
+use super::{EventFunction, Now, Progress, Simulation, limits};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, ensure_finite};

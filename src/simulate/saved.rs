@@ -5,8 +5,9 @@ mod data;
 
 use super::drive::Running;
 use super::limits::MOST;
+use super::now::settled;
 use super::trials::Trials;
-use super::{EventFunction, Interrupted, Now, Run, Simulation, settled};
+use super::{EventFunction, Interrupted, Now, Run, Simulation};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, ensure_finite};

@@ -1,9 +1,10 @@
 //! Joints with modes in a run: where these change, and which follow.
 
 use super::EventFunction;
+use super::Now;
 use super::crossing::crossing;
 use super::drive::Running;
-use super::{Now, settled};
+use super::now::settled;
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Cause, Error, Fault};

@@ -1,7 +1,7 @@
 //! Elastic beams, as chains of rigid rods and springs.
 
 use super::{ElasticHinge, Rod, Slider, Spring};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::{Absent, Coefficient};
 use crate::scalar::{Real, Scalar};
 #[cfg(feature = "alloc")]
@@ -155,15 +155,4 @@ impl<T: Scalar, D: Coefficient<T>> Stretch<T, D> for T {
     }
 }
 
-impl<T: Scalar, U: Scalar, E: Lift<T, U>, D: Lift<T, U>> Lift<T, U> for Beam<T, E, D> {
-    type Over = Beam<U, E::Over, D::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Beam {
-            length: number(self.length),
-            bending: number(self.bending),
-            density: number(self.density),
-            extension: self.extension.lift(number),
-            damping: self.damping.lift(number),
-        }
-    }
-}
+lift!(Beam<T, E, D> { length, bending, density, extension, damping });

@@ -5,7 +5,7 @@ use super::spring::Custom;
 use super::{Acceleration, Frame, Joint, JointMotion, Linear, Planar, Spring, SpringState, Turn, release};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
 use crate::error::Fault;
-use crate::lift::{Lift, lift};
+use crate::lift::lift;
 use crate::relation::planar::{Full, Point, RelativeGain, Rigid, Slides};
 use crate::relation::{Absent, Closures, Minus, Term};
 use crate::release::Release;
@@ -229,11 +229,6 @@ where
     }
 }
 
-impl<T: Scalar, U: Scalar, R: Lift<T, U>, L: Lift<T, U>> Lift<T, U> for ElasticHinge<R, L> {
-    type Over = ElasticHinge<R::Over, L::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        ElasticHinge { rotary: self.rotary.lift(number), linear: self.linear.lift(number) }
-    }
-}
+lift!(ElasticHinge<R, L> { rotary, linear });
 
 lift!(Absent);

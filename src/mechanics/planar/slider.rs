@@ -4,7 +4,7 @@ use super::axes::{Inboard, Offset};
 use super::{Acceleration, Frame, Joint, JointMotion, Planar, Spring, SpringState, Turn, release};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::error::Fault;
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::planar::{Full, Relation, RelativeGain, Slides, along, back};
 use crate::relation::{Absent, Closures, Term};
 use crate::release::Release;
@@ -198,10 +198,4 @@ where
     }
 }
 
-impl<T: Scalar, U: Scalar, S: Lift<T, U>> Lift<T, U> for Slider<T, S> {
-    type Over = Slider<U, S::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        let (direction, lumped) = (number(self.direction), number(self.lumped));
-        Slider { direction, lumped, spring: self.spring.lift(number) }
-    }
-}
+lift!(Slider<T, S> { direction, lumped, spring });

@@ -2,7 +2,7 @@
 
 use crate::element::Springs;
 use crate::error::Fault;
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;
 
@@ -30,9 +30,4 @@ impl<T: Scalar, L: SpringLaw<T>> SpringLaw<T> for Custom<L> {
     }
 }
 
-impl<T: Scalar, U: Scalar, L: Lift<T, U>> Lift<T, U> for Custom<L> {
-    type Over = Custom<L::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Custom(self.0.lift(number))
-    }
-}
+lift!(Custom<L> { 0 });

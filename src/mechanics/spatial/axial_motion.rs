@@ -4,7 +4,7 @@
 //! c = (ω × (ω × d) + 2 ω × ḋ, ω × ω_rel + …), ω that of the inboard body.
 
 use super::axial::{Axial, Listed, Relative};
-use super::joint::Stored;
+use super::stored::Stored;
 use super::{Acceleration, Frame, JointMotion, Turn};
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::{Columns, add_scaled, centripetal, cross, cross_onto, zero};

@@ -1,11 +1,12 @@
 //! Elimination and recovery of joints that turn about axes or slide along them.
 
+use super::Joint;
 use super::axial::{Axial, Listed};
 use super::axial_motion::{moved, oriented, pushed};
-use super::joint::{Joint, One, Stored};
 use super::loads::Drive;
 use super::release::{self, Release};
 use super::spring::PivotRule;
+use super::stored::{One, Stored};
 use super::{Acceleration, Cylindrical, Frame, JointMotion, Prismatic, Revolute, Spatial, Turn, Universal};
 use crate::element::{Condense, Given, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;

@@ -2,7 +2,7 @@
 
 use super::loads::Drive;
 use super::release::{self, Release};
-use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, joint::One, joint::Stored};
+use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, stored::One, stored::Stored};
 use crate::element::{Condense, Given, InJoint, Posture, Sweep};
 use crate::lift::lift;
 use crate::relation::Closures;

@@ -2,7 +2,7 @@
 
 use super::rotary_spring::{RotaryDamper, RotarySpring};
 use super::{ElasticBall, ElasticHinge, Linear, Prismatic, Rod, Spring};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::{Absent, Coefficient};
 use crate::scalar::{Real, Scalar};
 #[cfg(feature = "alloc")]
@@ -227,17 +227,4 @@ impl<T: Scalar, D: Retardation<T>> Stretch<T, D> for [T; 3] {
     }
 }
 
-impl<T: Scalar, U: Scalar, E: Lift<T, U>, D: Lift<T, U>> Lift<T, U> for Beam<T, E, D> {
-    type Over = Beam<U, E::Over, D::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Beam {
-            length: number(self.length),
-            bending: self.bending.lift(number),
-            torsion: number(self.torsion),
-            density: number(self.density),
-            polar: number(self.polar),
-            extension: self.extension.lift(number),
-            damping: self.damping.lift(number),
-        }
-    }
-}
+lift!(Beam<T, E, D> { length, bending, torsion, density, polar, extension, damping });

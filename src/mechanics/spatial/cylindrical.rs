@@ -5,7 +5,7 @@ use super::axial::{Axial, Relative, check_axis, unit};
 use super::maps::about;
 use crate::element::Implicit;
 use crate::error::Fault;
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::zero;
 use crate::scalar::Scalar;
@@ -92,14 +92,4 @@ impl<T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>> Axial<T, 2> for Cylindrical<T,
     }
 }
 
-impl<T: Scalar, U: Scalar, L: Lift<T, U>, M: Lift<T, U>> Lift<T, U> for Cylindrical<T, L, M> {
-    type Over = Cylindrical<U, L::Over, M::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Cylindrical {
-            axis: self.axis.map(&mut *number),
-            along: self.along.lift(number),
-            about: self.about.lift(number),
-            lumped: number(self.lumped),
-        }
-    }
-}
+lift!(Cylindrical<T, L, M> { axis, along, about, lumped });

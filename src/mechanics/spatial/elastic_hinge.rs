@@ -3,11 +3,11 @@
 use super::loads::Drive;
 use super::release::{self, Release};
 use super::rotary_spring::{RotaryLaw, RotarySpring};
+use super::stored::{One, Stored};
 use super::{Acceleration, Frame, Joint, JointMotion, Linear, Rotation, Spatial, Turn};
-use super::{joint::One, joint::Stored};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::spatial::algebra::{Columns, cross, zero};
 use crate::relation::spatial::{BallGain, Couple, Full, Point, Rigid, Slides};
 use crate::relation::{Absent, Closures, Symmetric, Term};
@@ -288,9 +288,4 @@ where
     }
 }
 
-impl<T: Scalar, U: Scalar, R: Lift<T, U>, L: Lift<T, U>> Lift<T, U> for ElasticHinge<R, L> {
-    type Over = ElasticHinge<R::Over, L::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        ElasticHinge { rotary: self.rotary.lift(number), linear: self.linear.lift(number) }
-    }
-}
+lift!(ElasticHinge<R, L> { rotary, linear });

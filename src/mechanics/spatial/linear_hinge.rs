@@ -2,14 +2,14 @@
 
 use super::elastic_hinge::{BallRule, Place};
 use super::hinge_elimination::{RotaryElimination, SlideRule};
-use super::joint::{StoredIn, Two};
 use super::loads::Drive;
 use super::release::{self, Release};
 use super::rotary_spring::RotaryLaw;
+use super::stored::{StoredIn, Two};
 use super::{Acceleration, ElasticHinge, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
 use crate::element::{Condense, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::spatial::algebra::{Columns, centripetal, cross, cross_onto, zero};
 use crate::relation::spatial::{BallGain, Full, Relation, Rigid};
 use crate::relation::{Absent, Closures};
@@ -260,9 +260,4 @@ where
     }
 }
 
-impl<T: Scalar, U: Scalar, X: Lift<T, U>, Y: Lift<T, U>, Z: Lift<T, U>> Lift<T, U> for Linear<T, X, Y, Z> {
-    type Over = Linear<U, X::Over, Y::Over, Z::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Linear { x: self.x.lift(number), y: self.y.lift(number), z: self.z.lift(number), lumped: number(self.lumped) }
-    }
-}
+lift!(Linear<T, X, Y, Z> { x, y, z, lumped });

@@ -36,6 +36,7 @@ mod second_moments;
 mod sensitive;
 mod spring;
 mod station;
+mod stored;
 mod surface;
 mod transfer;
 mod turning;

@@ -4,7 +4,7 @@ use super::Turn;
 use super::axial::{Axial, Relative, check_axis, unit};
 use crate::element::Implicit;
 use crate::error::Fault;
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::zero;
 use crate::scalar::Scalar;
@@ -90,9 +90,4 @@ impl<T: Scalar, L: SpringLaw<T>> Axial<T, 1> for Prismatic<T, L> {
     }
 }
 
-impl<T: Scalar, U: Scalar, L: Lift<T, U>> Lift<T, U> for Prismatic<T, L> {
-    type Over = Prismatic<U, L::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Prismatic { axis: self.axis.map(&mut *number), law: self.law.lift(number), lumped: number(self.lumped) }
-    }
-}
+lift!(Prismatic<T, L> { axis, law, lumped });

@@ -5,7 +5,7 @@ use super::axial::{Axial, Relative, check_axis, unit};
 use super::maps::about;
 use crate::element::Implicit;
 use crate::error::Fault;
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::zero;
 use crate::scalar::{Real, Scalar};
@@ -105,9 +105,4 @@ impl<T: Scalar, L: SpringLaw<T>> Axial<T, 1> for Revolute<T, L> {
     }
 }
 
-impl<T: Scalar, U: Scalar, L: Lift<T, U>> Lift<T, U> for Revolute<T, L> {
-    type Over = Revolute<U, L::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Revolute { axis: self.axis.map(&mut *number), law: self.law.lift(number) }
-    }
-}
+lift!(Revolute<T, L> { axis, law });

@@ -5,7 +5,7 @@ use super::maps::{spring_couple, spring_slope};
 use crate::element::Implicit;
 use crate::error::Fault;
 use crate::error::checks::{finite, not_negative};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::spatial::algebra::{Columns, Symmetric3, dot, zero};
 use crate::relation::{Absent, Part, Symmetric, Term};
 use crate::scalar::{Real, Scalar};
@@ -211,10 +211,4 @@ impl<T: Scalar> Term<Vector3<T>> for [T; 3] {
     }
 }
 
-impl<T: Scalar, U: Scalar, D: Lift<T, U>, P: Lift<T, U>> Lift<T, U> for RotarySpring<T, D, P> {
-    type Over = RotarySpring<U, D::Over, P::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        let Self { stiffness, damping, rest } = self;
-        RotarySpring { stiffness: stiffness.lift(number), damping: damping.lift(number), rest: rest.lift(number) }
-    }
-}
+lift!(RotarySpring<T, D, P> { stiffness, damping, rest });

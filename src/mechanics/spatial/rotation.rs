@@ -15,7 +15,7 @@
 
 use super::axial::{check_length, squarable};
 use crate::error::{Error, Fault};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::mirror::{Position, Term};
 use crate::relation::spatial::algebra::{Columns, add_scaled, cross, cross_onto, dot};
 use crate::scalar::{Real, Scalar};
@@ -298,9 +298,4 @@ impl<T: Scalar> Position<T> for Rotation<T> {
     }
 }
 
-impl<T: Scalar, U: Scalar> Lift<T, U> for Rotation<T> {
-    type Over = Rotation<U>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Rotation<U> {
-        Rotation { w: number(self.w), v: Vector3::new(number(self.v.x), number(self.v.y), number(self.v.z)) }
-    }
-}
+lift!(Rotation { w, v });

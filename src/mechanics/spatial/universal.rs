@@ -5,7 +5,7 @@ use super::axial::{Axial, Relative, check_axis, unit};
 use super::maps::about;
 use crate::element::Implicit;
 use crate::error::Fault;
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::{cross, dot, zero};
 use crate::scalar::{Real, Scalar};
@@ -86,13 +86,4 @@ impl<T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>> Axial<T, 2> for Universal<T, L
     }
 }
 
-impl<T: Scalar, U: Scalar, L: Lift<T, U>, M: Lift<T, U>> Lift<T, U> for Universal<T, L, M> {
-    type Over = Universal<U, L::Over, M::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Universal {
-            axes: self.axes.map(|axis| axis.map(&mut *number)),
-            first: self.first.lift(number),
-            second: self.second.lift(number),
-        }
-    }
-}
+lift!(Universal<T, L, M> { axes, first, second });

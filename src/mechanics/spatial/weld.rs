@@ -2,7 +2,7 @@
 
 use super::axial::orthonormal;
 use super::release::{self, Release};
-use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, joint::One, joint::Stored};
+use super::{Acceleration, Frame, Joint, JointMotion, Rotation, Spatial, Turn, stored::One, stored::Stored};
 use crate::element::{Condense, Given, Posture, Sweep};
 use crate::error::Fault;
 use crate::lift::lift;

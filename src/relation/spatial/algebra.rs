@@ -1,6 +1,6 @@
 //! Vectors and 3 × 3 matrices, with products fused where the target can.
 
-use crate::lift::Lift;
+use crate::lift::lift;
 pub use crate::relation::geometry::{add_scaled, dot, zero};
 use crate::relation::{Additive, Symmetric, VectorSpace};
 use crate::scalar::Scalar;
@@ -116,13 +116,7 @@ impl<T: Scalar> Columns<T> {
     }
 }
 
-impl<T: Scalar, U: Scalar> Lift<T, U> for Columns<T> {
-    type Over = Columns<U>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Columns<U> {
-        let mut of = |v: Vector3<T>| Vector3::new(number(v.x), number(v.y), number(v.z));
-        Columns { x: of(self.x), y: of(self.y), z: of(self.z) }
-    }
-}
+lift!(Columns { x, y, z });
 
 /// A symmetric 3 × 3 matrix, one triangle stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -250,14 +244,7 @@ impl<T: Scalar> Symmetric3<T> {
     }
 }
 
-impl<T: Scalar, U: Scalar> Lift<T, U> for Symmetric3<T> {
-    type Over = Symmetric3<U>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Symmetric3<U> {
-        let Self { xx, xy, xz, yy, yz, zz } = *self;
-        let [xx, xy, xz, yy, yz, zz] = [xx, xy, xz, yy, yz, zz].map(number);
-        Symmetric3 { xx, xy, xz, yy, yz, zz }
-    }
-}
+lift!(Symmetric3 { xx, xy, xz, yy, yz, zz });
 
 /// L D Lᵀ of a symmetric positive definite 3 × 3 matrix; not finite where it is singular.
 #[derive(Clone, Copy, Debug)]

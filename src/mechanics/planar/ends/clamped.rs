@@ -3,7 +3,7 @@
 use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::mechanics::planar::{BodyMotion, Frame, Internal, Planar, Turn, Weld};
 use crate::relation::planar::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
@@ -135,9 +135,4 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, [T; 3]>> Tip<Planar<
     }
 }
 
-impl<T: Scalar, U: Scalar> Lift<T, U> for Clamped<[T; 2], T> {
-    type Over = Clamped<[U; 2], U>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Clamped { place: self.place.lift(number), attitude: number(self.attitude) }
-    }
-}
+lift!(Clamped<G, A> { place, attitude });

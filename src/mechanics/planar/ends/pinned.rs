@@ -3,7 +3,7 @@
 use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Place};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::mechanics::planar::{BodyMotion, Frame, Internal, Pin, Planar, Turn};
 use crate::relation::planar::Point;
 use crate::relation::planar::algebra::Symmetric2;
@@ -100,9 +100,4 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Tip<Planar<T>> for Pinned<G> {
     }
 }
 
-impl<T: Scalar, U: Scalar> Lift<T, U> for Pinned<[T; 2]> {
-    type Over = Pinned<[U; 2]>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Pinned { place: self.place.lift(number) }
-    }
-}
+lift!(Pinned<G> { place });

@@ -3,7 +3,7 @@
 use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::mechanics::spatial::away::turned_away;
 use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Rotation, Spatial, Turn, Weld};
 use crate::relation::spatial::algebra::zero;
@@ -155,9 +155,4 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
     }
 }
 
-impl<T: Scalar, U: Scalar> Lift<T, U> for Clamped<[T; 3], Rotation<T>> {
-    type Over = Clamped<[U; 3], Rotation<U>>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Clamped { place: self.place.lift(number), attitude: self.attitude.lift(number) }
-    }
-}
+lift!(Clamped<G, A> { place, attitude });

@@ -1,8 +1,8 @@
 //! The joint of a chain that floats.
 
 use crate::element::{Condense, Given, Posture, Sweep};
-use crate::mechanics::spatial::joint::{One, Stored};
 use crate::mechanics::spatial::release::{self, Release};
+use crate::mechanics::spatial::stored::{One, Stored};
 use crate::mechanics::spatial::{Acceleration, Ball, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
 use crate::relation::spatial::algebra::{Columns, is_finite, zero};
 use crate::relation::spatial::{Empty, Relation, Rigid};

@@ -3,7 +3,7 @@
 use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Place};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::mechanics::spatial::{Ball, BodyMotion, Frame, Internal, Spatial, Turn};
 use crate::relation::spatial::Point;
 use crate::relation::spatial::algebra::{Symmetric3, zero};
@@ -95,9 +95,4 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Tip<Spatial<T>> for Pinned<G> {
     }
 }
 
-impl<T: Scalar, U: Scalar> Lift<T, U> for Pinned<[T; 3]> {
-    type Over = Pinned<[U; 3]>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Pinned { place: self.place.lift(number) }
-    }
-}
+lift!(Pinned<G> { place });
