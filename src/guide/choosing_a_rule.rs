@@ -45,4 +45,9 @@
 //!
 //! An explicit rule needs steps below some 2.8 / ω (RK4) of the fastest vibration, seen or not. If a run takes far more steps
 //! than its motion has turns, ask [`modes`](crate::system::System::modes) for the highest frequency, and take an implicit rule. On taut
-//! ropes the stiffness is that of tension, which implicit rules do not know: see their pages.
+//! ropes the stiffness is that of tension, which implicit rules do not know: see their pages. `Auto` finds the fastest rate of springs by itself.
+//!
+//! # Single precision
+//!
+//! Over `f32` long chains at rest have motions so small that their products are subnormal, and slow: up to half as much time again. Where a
+//! program may set its processor's flush-to-zero mode, they take what `f64` takes.

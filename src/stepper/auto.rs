@@ -1,6 +1,7 @@
 //! Steps by the rule that leads a motion farthest for its sweeps.
 
 mod race;
+mod stiffness;
 
 use super::{ExplicitStepper, Method, MotionIn, SdirkStepper, Stepper, TimeIn, VcabmStepper};
 use crate::error::Error;
@@ -11,10 +12,15 @@ use crate::time::{Auto, Dop853, Sdirk4, Vcabm};
 pub use race::Chosen;
 use race::Race;
 
-/// From so many coordinates on, where none is a turn in space, what a multistep method does beside its sweeps is worth their number.
-const MANY: usize = 8;
+/// From so many coordinates on what a multistep method does beside its sweeps is worth their number; where some are turns in space, at
+/// tolerances from this one on.
+const MANY: usize = 7;
+const COARSE: f64 = 1e-3;
 /// Share of the limit of stability from which on steps by DOP853 look limited by it: h λ, which is about 6 there.
 const LIMITED: f64 = 2.5;
+/// The first step of a trial of the implicit rule, as a multiple of one that is worth its sweeps, and the longest one of a run.
+const GENEROUS: f64 = 2.0;
+const LONGEST: f64 = 16.0;
 /// Multistep methods that stiffness limits fall to orders up to this one.
 const LOW: usize = 3;
 
@@ -33,9 +39,7 @@ impl<D: StiffDynamics<L> + Clone, L> Method<D, L> for Auto {
 
     fn stepper(&self, scene: D) -> AutoStepper<D, L> {
         let still = scene.still();
-        let mut count = 0;
-        still.rate.visit(&mut |_| count += 1);
-        let plain = if count >= MANY && !D::Position::CURVED { Chosen::Vcabm } else { Chosen::Dop853 };
+        let plain = plain::<D, L>(&still.rate, None);
         AutoStepper {
             single: Dop853.stepper(scene.clone()),
             multi: Vcabm::new().stepper(scene.clone()),
@@ -45,6 +49,14 @@ impl<D: StiffDynamics<L> + Clone, L> Method<D, L> for Auto {
             room: still.rate,
         }
     }
+}
+
+/// The rule for what is not stiff, at a tolerance if there is one.
+fn plain<D: StiffDynamics<L>, L>(rate: &D::Rate, tolerance: Option<TimeIn<D, L>>) -> Chosen {
+    let mut count = 0;
+    rate.visit(&mut |_| count += 1);
+    let coarse = tolerance.is_some_and(|tolerance| tolerance.as_f64() >= COARSE);
+    if count >= MANY && (!D::Position::CURVED || coarse) { Chosen::Vcabm } else { Chosen::Dop853 }
 }
 
 /// Calls the stepper of a rule.
@@ -71,6 +83,19 @@ impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
     /// The rule that makes the next step.
     pub fn chosen(&self) -> Chosen {
         self.race.chosen
+    }
+
+    /// The size (s) of a first step by the implicit rule: by tolerance and accelerations, and not so long that fast vibration is sure to
+    /// shorten it.
+    fn first(&self, past: &MotionIn<D, L>, tolerance: TimeIn<D, L>) -> TimeIn<D, L> {
+        let real = TimeIn::<D, L>::of;
+        let mut slope = real(1e-6);
+        past.acceleration.all(&past.rate, &mut |acceleration, rate| {
+            slope = slope.max(acceleration.real().abs() / (real(1.0) + rate.real().abs()));
+            true
+        });
+        let smooth = (real(0.01) * tolerance / slope).powf(real(1.0 / self.stiff.error_order()));
+        smooth.min(real(LONGEST * self.race.paying()))
     }
 
     /// Whether stability seems to have limited the last step by DOP853, whose last stage and end are at one time: by how much accelerations
@@ -121,6 +146,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
+        self.race.meet(dt);
         let Race { chosen, plain, from, written, .. } = &mut self.race;
         let now = Some(past.time);
         if written.0 == now {
@@ -146,13 +172,25 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
     }
 
     fn propose(&mut self, past: &MotionIn<D, L>, loads: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
-        let before = self.race.chosen;
-        if self.race.written.0 == Some(past.time) {
-            self.race.judge(past.time);
+        let (before, accepted) = (self.race.chosen, self.race.written.0 == Some(past.time));
+        if self.race.wonders() && (accepted || self.race.fastest.is_none()) {
+            self.race.fastest = Some(self.stiff.fastest(past, loads));
         }
-        let Race { chosen, plain, size, .. } = self.race;
+        if accepted {
+            self.race.judge(past.time);
+        } else if self.race.written.0.is_none() {
+            self.race.open(plain::<D, L>(&past.rate, Some(tolerance)));
+        }
+        let Race { chosen, size, written, .. } = self.race;
         let proposed = of!(chosen, self, |stepper| stepper.propose(past, loads, tolerance));
-        if chosen == plain && before != plain { size } else { proposed }
+        if chosen == before {
+            return proposed;
+        }
+        match (self.race.is_stiff(), written.0) {
+            (false, _) => size,
+            (true, None) => Some(self.first(past, tolerance)),
+            (true, _) => Some(TimeIn::<D, L>::of(GENEROUS * self.race.paying())),
+        }
     }
 
     fn error(
@@ -221,7 +259,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
 
     fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
         let remembered = self.multi.remembers(&memory.multi, motion) && self.stiff.remembers(&memory.stiff, motion);
-        remembered && memory.race.is_sound() && memory.race.plain == self.race.plain
+        remembered && memory.race.is_sound()
     }
 
     fn restore(&mut self, memory: &Self::Memory) {

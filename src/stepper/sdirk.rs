@@ -16,26 +16,28 @@ use num_traits::{One, Zero};
 /// A step needs no accelerations of its start: [`step`](Stepper::step) and [`advance`](Stepper::advance) do the same.
 pub struct SdirkStepper<D: StiffDynamics<L>, L> {
     rule: Sdirk4,
-    scene: D,
+    pub(super) scene: D,
     workspace: D::Workspace,
-    stiff: D::StiffWorkspace,
+    pub(super) stiff: D::StiffWorkspace,
     /// What joints keep of the step, while others are looked at within it.
-    kept: D::Gains,
+    pub(super) kept: D::Gains,
     /// Accelerations of the stages.
-    slopes: [D::Rate; STAGES],
+    pub(super) slopes: [D::Rate; STAGES],
     /// Where positions and rates of a stage would be without its acceleration.
-    free: (D::Position, D::Rate),
+    pub(super) free: (D::Position, D::Rate),
     /// Where the geometry of a sweep is taken.
     at: (D::Position, D::Rate),
     /// The acceleration that led there, where something is read there.
-    led: D::Rate,
+    pub(super) led: D::Rate,
     still: MotionIn<D, L>,
-    zero: D::Rate,
+    pub(super) zero: D::Rate,
     /// Room for increments of positions.
-    room: D::Rate,
+    pub(super) room: D::Rate,
     /// Estimated errors of the last step, in positions and in rates.
     estimate: (D::Rate, D::Rate),
-    sweeps: usize,
+    /// What steps are controlled by, if they are.
+    tolerance: Option<TimeIn<D, L>>,
+    pub(super) sweeps: usize,
 }
 
 impl<D: StiffDynamics<L>, L> Method<D, L> for Sdirk4 {
@@ -60,6 +62,7 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for Sdirk4 {
             zero,
             scene,
             still,
+            tolerance: None,
             sweeps: 0,
         }
     }
@@ -160,6 +163,36 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
         self.scene.project_stiff(next, &mut self.stiff);
     }
 
+    /// Takes from errors of rates what springs would not let last: of e in positions and ė in rates (1 + γ h D + γ² h² K)⁻¹ (ė − γ h K e)
+    /// is left, by one more sweep of the last stage with its springs displaced by e + γ h ė (E. Hairer, G. Wanner, IV.8).
+    fn filter(&mut self, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) {
+        let own = TimeIn::<D, L>::of(GAMMA) * dt;
+        let springs = Implicit { position: own * own, rate: own };
+        let (position, rate) = &mut self.estimate;
+        self.room.mix_1(position, (own, rate));
+        self.free.0.displace(&self.room);
+        self.free.1.add(rate);
+        if Self::FOLLOWS {
+            self.at.0.displace(&self.room);
+            self.at.1.add(rate);
+        } else {
+            self.led.set(&self.slopes[STAGES - 1]);
+        }
+        let (at, free) = ((&self.at.0, &self.at.1), (&self.free.0, &self.free.1));
+        let reading = if Self::FOLLOWS {
+            Reading { position: at.0, rate: at.1, acceleration: &self.led }
+        } else {
+            Reading { position: free.0, rate: free.1, acceleration: &self.zero }
+        };
+        self.scene.copy_gains(self.scene.gains(&self.stiff), &mut self.kept);
+        let (pushed, stiff) = (&mut self.room, &mut self.stiff);
+        self.scene.implicit_accelerations(next.time, at, free, reading, springs, loads, stiff, pushed);
+        core::mem::swap(self.scene.gains_mut(&mut self.stiff), &mut self.kept);
+        self.sweeps += 1;
+        self.slopes[0].mix_2(&self.zero, (own, &self.room), (-own, &self.led));
+        rate.add(&self.slopes[0]);
+    }
+
     /// Finds where a step went wrong: at its start, or stage by stage.
     #[cold]
     fn diagnose(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>) -> Error {
@@ -199,10 +232,21 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
         let (position, rate) = &mut self.estimate;
         gather(position, &self.zero, dt * dt, &ERROR.position, &self.slopes);
         gather(rate, &self.zero, dt, &ERROR.rate, &self.slopes);
+        // A sweep that only steps take which would be rejected.
+        if let Some(tolerance) = self.tolerance
+            && mean_square(next, (&self.estimate.0, &self.estimate.1), tolerance) > 1.0
+        {
+            self.filter(loads, dt, next);
+        }
         match self.scene.accept(next) {
             Err(Error { fault: Fault::NonFiniteMotion, .. }) => Err(self.diagnose(past, loads, dt)),
             outcome => outcome,
         }
+    }
+
+    fn propose(&mut self, _: &MotionIn<D, L>, _: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
+        self.tolerance = Some(tolerance);
+        None
     }
 
     fn error(

@@ -86,6 +86,10 @@ impl Sdirk4 {
     }
 
     /// Steps that keep the error of each within a tolerance, absolute (rad, m) and relative.
+    ///
+    /// Where the error of rates would reject a step, it counts as far as springs and dampers let it last: that of a vibration too fast for the
+    /// step divided by some 1 + γ h δ + (γ h ω)², which a sweep more finds (E. Hairer, G. Wanner, IV.8). Errors of positions count in full, so
+    /// that vibration is damped away only where it moves nothing by more than the tolerance.
     pub fn tolerance<R>(self, tolerance: R) -> Rule<Self, R> {
         Rule { method: self, control: Control::Tolerance(tolerance) }
     }

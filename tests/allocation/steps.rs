@@ -34,6 +34,7 @@ where
         outcome.map(|()| count)
     };
     let by_advance = ten(&mut || {
+        stepper.propose(&past, loads, 1e-12);
         stepper.advance(&past, loads, 1e-3, &mut next)?;
         stepper.error(&past, 1e-3, &next, 1e-6);
         stepper.interpolate(&past, loads, 1e-3, &next, 0.5, &mut between);
@@ -81,6 +82,14 @@ fn steps_of_every_rule_allocate_nothing() -> Result<(), Error> {
     no_scene_allocates!(Vcabm::new().up_to(3));
     no_scene_allocates!(GeneralizedAlpha::new(0.8));
     no_scene_allocates!(Sdirk4::new());
+    Ok(())
+}
+
+#[test]
+fn the_choice_of_a_rule_allocates_nothing() -> Result<(), Error> {
+    let (rod, hinge) = (Rod::uniform(0.5, 1.0), ElasticHinge::rotary(1e5));
+    let plate = RigidBody::new(1.0, 0.1, [0.2, 0.1], [0.5, 0.1]);
+    assert_eq!(in_steps(Pinned::<[f64; 2]>::origin(), (rod, vec![(hinge, plate); 5]), &Unloaded, Auto)?, [0; 3]);
     Ok(())
 }
 
