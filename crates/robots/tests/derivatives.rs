@@ -193,6 +193,28 @@ fn afloat() -> Result<(), Error> {
         let MassMatrix { base: of_base, coupling, joints } = now.mass_matrix();
         let base_by_joints = std::array::from_fn(|i| coupling.map(|column| column[i]));
         let mass = dense(&Blocks { base: of_base, base_by_joints, joints_by_base: coupling, joints });
+        let found = scene.mass_matrix_afloat(base.place, &q)?;
+        agree(found.base.as_flattened(), of_base.as_flattened(), DIRECT);
+        agree(found.coupling.as_flattened(), coupling.as_flattened(), DIRECT);
+        agree(found.joints.as_flattened(), joints.as_flattened(), DIRECT);
+        for joint in [None, Some(1), Some(N - 1)] {
+            let point = list(&mut noise, 0.5);
+            let (found, right) = (scene.jacobian_afloat(base.place, &q, joint, point)?, now.jacobian(joint, point)?);
+            agree(found.base.as_flattened(), right.base.as_flattened(), DIRECT);
+            agree(found.joints.as_flattened(), right.joints.as_flattened(), DIRECT);
+        }
+        assert!(scene.jacobian_afloat(base.place, &q, Some(N), [0.0; 3]).is_err());
+        let found = scene.mass_matrix_afloat(base.place, &q)?;
+        agree(found.base.as_flattened(), of_base.as_flattened(), DIRECT);
+        agree(found.coupling.as_flattened(), coupling.as_flattened(), DIRECT);
+        agree(found.joints.as_flattened(), joints.as_flattened(), DIRECT);
+        for joint in [None, Some(1), Some(N - 1)] {
+            let point = list(&mut noise, 0.5);
+            let (found, right) = (scene.jacobian_afloat(base.place, &q, joint, point)?, now.jacobian(joint, point)?);
+            agree(found.base.as_flattened(), right.base.as_flattened(), DIRECT);
+            agree(found.joints.as_flattened(), right.joints.as_flattened(), DIRECT);
+        }
+        assert!(scene.jacobian_afloat(base.place, &q, Some(N), [0.0; 3]).is_err());
         let inverse = mass.try_inverse().expect("masses are positive");
         let (a, b) = now.inverse_dynamics(&[0.0; 6], &[0.0; N]);
         let free = |k: usize| if k < 6 { wrench[k] - a[k] } else { torques[k - 6] - b[k - 6] };
@@ -204,10 +226,10 @@ fn afloat() -> Result<(), Error> {
         let mut own = vec![];
         Rate::visit(moved.acceleration(), &mut |x: f64| own.push(x));
         agree(&[&of_base[..], &of_joints].concat(), &own, INVERTED);
-        let (of_base, of_joints) = scene.mass_solved_afloat(base, &q, &wrench, &torques)?;
+        let (of_base, of_joints) = scene.mass_solved_afloat(base.place, &q, &wrench, &torques)?;
         let right = &inverse * DVector::from_iterator(6 + N, wrench.into_iter().chain(torques));
         agree(&[&of_base[..], &of_joints].concat(), right.as_slice(), INVERTED);
-        agree(dense(&scene.mass_inverse_afloat(base, &q)?).as_slice(), inverse.as_slice(), INVERTED);
+        agree(dense(&scene.mass_inverse_afloat(base.place, &q)?).as_slice(), inverse.as_slice(), INVERTED);
 
         let (of_base, seconds) = scene.forward_dynamics_afloat(base, &q, &v, &wrench, &torques)?;
         let taken = scene.inverse_dynamics_derivatives_afloat(base, &q, &v, &of_base, &seconds)?;

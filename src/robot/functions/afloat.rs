@@ -1,12 +1,13 @@
 //! Dynamics of robots whose base floats: what moves, from forces, and how that changes.
 
-use super::derivatives::one;
-use super::snapshot::Floating;
-use super::{Afloat, Blocks, MassMatrix, S, Snapshot, Tasks, finite};
+use super::snapshot::{Derived, Floating, six};
+use super::{Afloat, Blocks, S, SixRows, Snapshot, Tasks, finite};
 use crate::element::Element;
 use crate::ends::Tip;
-use crate::error::Error;
+use crate::error::{Error, Fault};
 use crate::mechanics::spatial::Free;
+use crate::mechanics::spatial::body_axes::Place;
+use crate::relation::spatial::algebra::{Columns, cross, zero};
 use crate::scalar::Scalar;
 use crate::system::System;
 
@@ -19,32 +20,38 @@ pub struct ByStateAfloat<T, const N: usize> {
     pub rates: Blocks<T, N>,
 }
 
-impl<T: Scalar, const N: usize> Blocks<T, N> {
-    /// `by` · M⁻¹ times this.
-    fn solved(mut self, by: T, mass: &Floating<'_, T, N>) -> Result<Self, Error> {
-        mass.solve(by, &mut self.base, &mut self.joints_by_base);
-        mass.solve(by, &mut self.base_by_joints, &mut self.joints);
-        let of_base = finite(self.base.as_flattened()).and(finite(self.base_by_joints.as_flattened()));
-        let of_joints = finite(self.joints_by_base.as_flattened()).and(finite(self.joints.as_flattened()));
-        of_base.and(of_joints).map(|()| self)
-    }
-
-    /// The identity.
-    fn one() -> Self {
-        Self { base: one(), joints: one(), ..Self::zero() }
+impl<T: Scalar, const N: usize> Derived<T, N> {
+    /// Refuses numbers that are not finite.
+    fn finite(self) -> Result<Self, Error> {
+        let of_base = finite(self.base.as_flattened().as_flattened());
+        let of_base = of_base.and(finite(self.base_by_joints.as_flattened().as_flattened()));
+        let of_joints = finite(self.joints_by_base.as_flattened().as_flattened());
+        of_base.and(of_joints).and(finite(self.joints.as_flattened().as_flattened())).map(|()| self)
     }
 }
 
 /// M⁻¹ times a wrench on the base and torques of the joints.
 fn solved<T: Scalar, const N: usize>(
-    now: &Snapshot<T, N>,
+    mass: &Floating<'_, T, N>,
     wrench: &[T; 6],
     torques: &[T; N],
 ) -> Result<([T; 6], [T; N]), Error> {
     let (mut base, mut joints) = (wrench.map(|x| [x]), torques.map(|x| [x]));
-    Floating::of(now.mass_matrix(), now.parents()).solve(T::one(), &mut base, &mut joints);
+    mass.solve(T::one(), &mut base, &mut joints);
     finite(base.as_flattened()).and(finite(joints.as_flattened()))?;
     Ok((base.map(|[x]| x), joints.map(|[x]| x)))
+}
+
+/// Accelerations of a robot at an instant.
+fn accelerations<T: Scalar, const N: usize>(
+    now: &Snapshot<T, N>,
+    mass: &Floating<'_, T, N>,
+    wrench: &[T; 6],
+    torques: &[T; N],
+) -> Result<([T; 6], [T; N]), Error> {
+    let (of_base, of_joints) = now.inverse_dynamics(&[T::zero(); 6], &[T::zero(); N]);
+    let wrench = core::array::from_fn(|k| wrench[k] - of_base[k]);
+    solved(mass, &wrench, &core::array::from_fn(|k| torques[k] - of_joints[k]))
 }
 
 impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
@@ -78,9 +85,36 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         C: Tasks<T, N>,
     {
         let now = self.snapshot_afloat(base, q, v)?;
-        let (of_base, of_joints) = now.inverse_dynamics(&[T::zero(); 6], &[T::zero(); N]);
-        let wrench = core::array::from_fn(|k| wrench[k] - of_base[k]);
-        solved(&now, &wrench, &core::array::from_fn(|k| torques[k] - of_joints[k]))
+        accelerations(&now, &Floating::of(self.mass_matrix_afloat(base.place, q)?, now.parents()), wrench, torques)
+    }
+
+    /// The Jacobian of a point (m, axes of its body) of the body on a joint, or of the base, as a [`Snapshot`] has it, from the joints on the way
+    /// there alone.
+    ///
+    /// # Errors
+    /// As [`jacobian`](Self::jacobian).
+    pub fn jacobian_afloat<const N: usize>(
+        &self,
+        base: Place<T>,
+        q: &[T; N],
+        joint: Option<usize>,
+        point: [T; 3],
+    ) -> Result<SixRows<T, N>, Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let Place { place, attitude } = base;
+        let Columns { x, y, z } = attitude;
+        [place, x, y, z].iter().try_for_each(|vector| finite(vector.as_slice())).and(finite(q)).and(finite(&point))?;
+        if let Some(joint) = joint.filter(|joint| *joint >= N) {
+            return Err(Error::new(Fault::NoSuchJoint { joint, joints: N }));
+        }
+        let (joints, point) = self.columns(base, q, joint.unwrap_or(usize::MAX), point);
+        let (from, Columns { x: a, y: b, z: c }) = (point - place, Columns::identity());
+        let turning = |axis| six([cross(axis, from), axis]);
+        let [a, b, c] = [a, b, c].map(|axis| six([axis, zero()]));
+        Ok(SixRows { base: [a, b, c, turning(x), turning(y), turning(z)], joints })
     }
 
     /// M⁻¹ times six numbers of the base and one of each joint.
@@ -89,7 +123,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     /// As [`forward_dynamics`](Self::forward_dynamics).
     pub fn mass_solved_afloat<const N: usize>(
         &self,
-        base: Afloat<T>,
+        base: Place<T>,
         q: &[T; N],
         wrench: &[T; 6],
         torques: &[T; N],
@@ -97,38 +131,33 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
-        solved(&self.snapshot_afloat(base, q, &[T::zero(); N])?, wrench, torques)
+        solved(&Floating::of(self.mass_matrix_afloat(base, q)?, &self.parents()), wrench, torques)
     }
 
     /// M⁻¹ of a robot whose base floats.
     ///
     /// # Errors
     /// As [`forward_dynamics`](Self::forward_dynamics).
-    pub fn mass_inverse_afloat<const N: usize>(&self, base: Afloat<T>, q: &[T; N]) -> Result<Blocks<T, N>, Error>
+    pub fn mass_inverse_afloat<const N: usize>(&self, base: Place<T>, q: &[T; N]) -> Result<Blocks<T, N>, Error>
     where
         C: Tasks<T, N>,
     {
-        let now = self.snapshot_afloat(base, q, &[T::zero(); N])?;
-        Blocks::one().solved(T::one(), &Floating::of(now.mass_matrix(), now.parents()))
-    }
-
-    /// Derivatives of [inverse dynamics](Snapshot::inverse_dynamics) by positions and rates of base and joints, and the mass matrix, which is that
-    /// by accelerations, from one kernel.
-    fn derived<const N: usize>(
-        &self,
-        now: &Snapshot<T, N>,
-        [q, v]: [&[T; N]; 2],
-        base: &[T; 6],
-        seconds: &[T; N],
-    ) -> (ByStateAfloat<T, N>, MassMatrix<T, N>)
-    where
-        C: Tasks<T, N>,
-    {
-        let (partials, whole) = now.partials(base, seconds);
-        let mut joints = now.pairs(&partials);
-        self.stiffened(q, v, &mut joints);
-        let ([positions, rates], mass) = now.blocks(base, &partials, &whole, joints);
-        (ByStateAfloat { positions, rates }, mass)
+        let (parents, o) = (self.parents(), T::zero());
+        let mass = Floating::of(self.mass_matrix_afloat(base, q)?, &parents);
+        let (of_six, of_joints) = ([o; 6], [o; N]);
+        let mut one = Blocks {
+            base: [of_six; 6],
+            base_by_joints: [of_joints; 6],
+            joints_by_base: [of_six; N],
+            joints: [of_joints; N],
+        };
+        (0..6).for_each(|k| one.base[k][k] = T::one());
+        (0..N).for_each(|k| one.joints[k][k] = T::one());
+        mass.solve(T::one(), &mut one.base, &mut one.joints_by_base);
+        mass.solve(T::one(), &mut one.base_by_joints, &mut one.joints);
+        let of_base = finite(one.base.as_flattened()).and(finite(one.base_by_joints.as_flattened()));
+        let of_joints = finite(one.joints_by_base.as_flattened()).and(finite(one.joints.as_flattened()));
+        of_base.and(of_joints).map(|()| one)
     }
 
     /// Derivatives of [inverse dynamics](Snapshot::inverse_dynamics) of a robot whose base floats, by positions and rates of base and joints,
@@ -148,7 +177,10 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
-        Ok(self.derived(&self.snapshot_afloat(base, q, v)?, [q, v], of_base, seconds).0)
+        let mut by = self.snapshot_afloat(base, q, v)?.derived(of_base, seconds);
+        self.stiffened(q, v, &mut by.joints);
+        let by = by.finite()?;
+        Ok(ByStateAfloat { positions: by.of(0), rates: by.of(1) })
     }
 
     /// Derivatives of [`forward_dynamics_afloat`](Self::forward_dynamics_afloat) by positions and rates of base and joints, and by the wrench on
@@ -168,11 +200,16 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
-        let (of_base, seconds) = self.forward_dynamics_afloat(base, q, v, wrench, torques)?;
         let now = self.snapshot_afloat(base, q, v)?;
-        let (ByStateAfloat { positions, rates }, mass) = self.derived(&now, [q, v], &of_base, &seconds);
-        let (mass, less) = (Floating::of(mass, now.parents()), -T::one());
-        let (positions, rates) = (positions.solved(less, &mass)?, rates.solved(less, &mass)?);
-        Ok((ByStateAfloat { positions, rates }, Blocks::one().solved(T::one(), &mass)?))
+        let mass = Floating::of(self.mass_matrix_afloat(base.place, q)?, now.parents());
+        let (of_base, seconds) = accelerations(&now, &mass, wrench, torques)?;
+        let mut by = now.derived(&of_base, &seconds);
+        self.stiffened(q, v, &mut by.joints);
+        (0..6).for_each(|k| by.base[k][2][k] = -T::one());
+        (0..N).for_each(|k| by.joints[k][2][k] = -T::one());
+        mass.solve(-T::one(), &mut by.base, &mut by.joints_by_base);
+        mass.solve(-T::one(), &mut by.base_by_joints, &mut by.joints);
+        let by = by.finite()?;
+        Ok((ByStateAfloat { positions: by.of(0), rates: by.of(1) }, by.of(2)))
     }
 }

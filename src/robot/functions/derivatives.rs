@@ -1,6 +1,6 @@
 //! Derivatives of inverse and forward dynamics by positions, rates and torques.
 
-use super::snapshot::{Factor, Pairs};
+use super::snapshot::{By, Factor};
 use super::{FixedBase, S, Tasks, finite};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
@@ -19,24 +19,17 @@ pub struct ByState<T, const N: usize> {
     pub rates: [[T; N]; N],
 }
 
-/// The identity.
-pub(super) fn one<T: Scalar, const N: usize>() -> [[T; N]; N] {
-    let mut one = [[T::zero(); N]; N];
-    one.iter_mut().enumerate().for_each(|(k, row)| row[k] = T::one());
-    one
-}
-
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// What laws of the joints add to derivatives of torques, by positions and rates.
-    pub(super) fn stiffened<const N: usize>(&self, q: &[T; N], v: &[T; N], by: &mut Pairs<T, N>)
+    pub(super) fn stiffened<const N: usize>(&self, q: &[T; N], v: &[T; N], by: &mut [By<T, N>; N])
     where
         C: Tasks<T, N>,
     {
         let mut walk = Slopes { positions: *q, rates: *v, slopes: [[T::zero(); 2]; N], next: 0 };
         Takes::<S<T>, Slopes<T, N>>::take(self.chain(), &mut walk, (), ());
         for (k, [stiffness, damping]) in walk.slopes.into_iter().enumerate() {
-            by.positions[k][k] += stiffness;
-            by.rates[k][k] += damping;
+            by[k][0][k] += stiffness;
+            by[k][1][k] += damping;
         }
     }
 
@@ -57,11 +50,11 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         C: Tasks<T, N>,
     {
         let now = self.snapshot(q, v)?;
-        let mut by = now.pairs(&now.partials(&[T::zero(); 6], seconds).0);
+        let mut by = [[[T::zero(); N]; 3]; N];
+        now.pairs(&now.partials(&[T::zero(); 6], seconds).0, &mut by);
         self.stiffened(q, v, &mut by);
-        let Pairs { positions, rates, .. } = by;
-        finite(positions.as_flattened()).and(finite(rates.as_flattened()))?;
-        Ok(ByState { positions, rates })
+        finite(by.as_flattened().as_flattened())?;
+        Ok(ByState { positions: by.map(|[by, ..]| by), rates: by.map(|[_, by, _]| by) })
     }
 
     /// Derivatives of [`forward_dynamics`](Self::forward_dynamics) by positions and rates, and by torques (the last one is M⁻¹): those of inverse
@@ -94,15 +87,12 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         let seconds = self.forward_dynamics(q, v, torques)?;
         let now = self.snapshot(q, v)?;
-        let mut by = now.pairs(&now.partials(&[T::zero(); 6], &seconds).0);
+        let (partials, mut by) = (now.partials(&[T::zero(); 6], &seconds).0, [[[T::zero(); N]; 3]; N]);
+        now.pairs(&partials, &mut by);
         self.stiffened(q, v, &mut by);
-        let Pairs { mut positions, mut rates, mass } = by;
-        let factor = Factor::of(mass, now.parents());
-        let mut inverse = one();
-        factor.solve(-T::one(), &mut positions);
-        factor.solve(-T::one(), &mut rates);
-        factor.solve(T::one(), &mut inverse);
-        finite(positions.as_flattened()).and(finite(rates.as_flattened())).and(finite(inverse.as_flattened()))?;
-        Ok((ByState { positions, rates }, inverse))
+        by.iter_mut().enumerate().for_each(|(k, [.., row])| row[k] = -T::one());
+        Factor::of(now.lower(&partials), now.parents()).solve(-T::one(), &mut by);
+        finite(by.as_flattened().as_flattened())?;
+        Ok((ByState { positions: by.map(|[by, ..]| by), rates: by.map(|[_, by, _]| by) }, by.map(|[.., by]| by)))
     }
 }

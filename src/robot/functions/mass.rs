@@ -1,17 +1,20 @@
 //! The mass matrix, and solutions with it.
 
-use super::{FixedBase, S, Tasks, finite, resisting};
+use super::{FixedBase, MassMatrix, S, Tasks, finite, resisting};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::Error;
+use crate::mechanics::spatial::Free;
 use crate::mechanics::spatial::body_axes::composite::{Composite, Whole};
 use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
-use crate::mechanics::spatial::body_axes::{Gains, Local};
+use crate::mechanics::spatial::body_axes::{Gains, Local, Place};
 use crate::relation::Promote;
 use crate::relation::spatial::Empty;
+use crate::relation::spatial::algebra::{Columns, cross};
 use crate::scalar::Scalar;
 use crate::shape::Takes;
 use crate::system::System;
+use nalgebra::Vector3;
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// The mass matrix M (kg·m², kg·m, kg), reflected inertias on its diagonal.
@@ -25,11 +28,20 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         self.has_joints(N)?;
         finite(q)?;
+        Ok(self.composite(q).0.matrix)
+    }
+
+    /// The mass matrix of the joints, what they take of the base, and all of the robot as one body, in axes of the base.
+    #[inline(always)]
+    fn composite<const N: usize>(&self, q: &[T; N]) -> (Composite<T, N>, Whole<T>)
+    where
+        C: Tasks<T, N>,
+    {
         let stands = resisting(self.chain(), q, q).stands;
         let (o, matrix) = ([T::zero(); 3], [[T::zero(); N]; N]);
         let mut walk = Composite { stands, columns: [[o; 2]; N], matrix, next: N };
-        Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut walk, Whole::nothing(N), ());
-        Ok(walk.matrix)
+        let whole = Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut walk, Whole::nothing(N), ());
+        (walk, whole)
     }
 
     /// M factored.
@@ -90,5 +102,49 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
             *row = self.solved(&factor, &unit); // M⁻¹ is symmetric
         }
         finite(inverse.as_flattened()).map(|()| inverse)
+    }
+}
+
+impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
+    /// The mass matrix of a robot whose base floats, there: as a [`Snapshot`](super::Snapshot) has it, in less time.
+    ///
+    /// # Errors
+    /// As [`forward_dynamics`](Self::forward_dynamics).
+    pub fn mass_matrix_afloat<const N: usize>(&self, base: Place<T>, q: &[T; N]) -> Result<MassMatrix<T, N>, Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let Place { place, attitude } = &base;
+        let of_base = [*place, attitude.x, attitude.y, attitude.z];
+        of_base.iter().try_for_each(|vector| finite(vector.as_slice())).and(finite(q))?;
+        let (Composite { columns, matrix, .. }, Whole { mass, moment, tensor: [xx, yy, zz, yz, xz, xy], .. }) =
+            self.composite(q);
+        let coupling = columns.map(|[force, torque]| {
+            let force = attitude.apply(Vector3::from(force));
+            let [x, y, z] = torque;
+            [force.x, force.y, force.z, x, y, z]
+        });
+        // Of a turn about an own axis: −R σ × , and J.
+        let (o, moment) = (T::zero(), Vector3::from(moment));
+        let turning = |axis: Vector3<T>, [x, y, z]: [T; 3]| {
+            let force = attitude.apply(cross(axis, moment));
+            [force.x, force.y, force.z, x, y, z]
+        };
+        let Columns { x, y, z } = Columns::identity();
+        let [a, b, c] = [turning(x, [xx, xy, xz]), turning(y, [xy, yy, yz]), turning(z, [xz, yz, zz])];
+        let along = |k: usize| {
+            core::array::from_fn(|i| match i {
+                0..3 => {
+                    if i == k {
+                        mass
+                    } else {
+                        o
+                    }
+                }
+                _ => [a, b, c][i - 3][k],
+            })
+        };
+        Ok(MassMatrix { base: [along(0), along(1), along(2), a, b, c], coupling, joints: matrix })
     }
 }

@@ -18,7 +18,7 @@ use crate::error::{Error, Fault, counted};
 use crate::mechanics::spatial::body_axes::composite::Composite;
 use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
 use crate::mechanics::spatial::body_axes::inverse::{Carrying as Load, Loaded, Resisting, Slopes};
-use crate::mechanics::spatial::body_axes::places::{Places, Tally};
+use crate::mechanics::spatial::body_axes::places::{Parents, Places, Tally, Way};
 use crate::mechanics::spatial::body_axes::solids::Solids;
 use crate::mechanics::spatial::body_axes::{Base, Stand, Torques};
 use crate::mechanics::spatial::{Clamped, Spatial};
@@ -73,6 +73,8 @@ pub trait Tasks<T: Scalar, const N: usize>:
     + Takes<S<T>, Inward<T, N>>
     + Takes<S<T>, Outward<T, N>>
     + Takes<S<T>, Places<T, N>>
+    + Takes<S<T>, Parents<N>>
+    + Takes<S<T>, Way<T, N>>
     + Takes<S<T>, Tally<T, N>>
     + Takes<S<T>, Solids<T, N>>
 {
@@ -92,6 +94,8 @@ impl<T: Scalar, const N: usize, C> Tasks<T, N> for C where
         + Takes<S<T>, Inward<T, N>>
         + Takes<S<T>, Outward<T, N>>
         + Takes<S<T>, Places<T, N>>
+        + Takes<S<T>, Parents<N>>
+        + Takes<S<T>, Way<T, N>>
         + Takes<S<T>, Tally<T, N>>
         + Takes<S<T>, Solids<T, N>>
 {

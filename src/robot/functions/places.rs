@@ -5,7 +5,7 @@ use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mechanics::spatial::Frame;
-use crate::mechanics::spatial::body_axes::places::{Places, Tally};
+use crate::mechanics::spatial::body_axes::places::{Parents, Places, Tally, Way};
 use crate::mechanics::spatial::body_axes::{Place, Stand};
 use crate::relation::spatial::algebra::{cross, dot, zero};
 use crate::scalar::{Real, Scalar};
@@ -59,20 +59,51 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         self.has_joints(N)?;
         finite(q).and(finite(&point))?;
-        let Places { places, parents, slides, .. } = self.placed(q);
-        let Some(body) = places.get(joint) else {
+        if joint >= N {
             return Err(Error::new(Fault::NoSuchJoint { joint, joints: N }));
-        };
-        let point = body.attitude.apply_onto(Vector3::from(point), body.place);
-        let mut columns = [[T::zero(); 6]; N];
-        let mut next = joint;
-        while let (Some(place), Some(column)) = (places.get(next), columns.get_mut(next)) {
-            let axis = place.attitude.z;
-            let [velocity, spin] = if slides[next] { [axis, zero()] } else { [cross(axis, point - place.place), axis] };
+        }
+        let (joints, _) = self.columns(self.standing(), q, joint, point);
+        Ok(joints)
+    }
+
+    /// The joint inboard of each.
+    pub(super) fn parents<const N: usize>(&self) -> [usize; N]
+    where
+        C: Tasks<T, N>,
+    {
+        let mut walk = Parents { parents: [usize::MAX; N], next: 0 };
+        Takes::<S<T>, Parents<N>>::take(self.chain(), &mut walk, usize::MAX, ());
+        walk.parents
+    }
+
+    /// Columns of the joints on the way to a body, if it is not the base, and where the point is. Nothing else is found.
+    pub(super) fn columns<const N: usize>(
+        &self,
+        base: Place<T>,
+        q: &[T; N],
+        joint: usize,
+        point: [T; 3],
+    ) -> ([[T; 6]; N], Vector3<T>)
+    where
+        C: Tasks<T, N>,
+    {
+        let (parents, mut met, mut next) = (self.parents(), [false; N], joint);
+        while let Some(own) = met.get_mut(next) {
+            *own = true;
+            next = parents[next];
+        }
+        let joints = [[zero(); 2]; N];
+        let mut way = Way { positions: *q, met, joints, slides: [false; N], end: base, next: 0 };
+        Takes::<S<T>, Way<T, N>>::take(self.chain(), &mut way, base, ());
+        let point = way.end.attitude.apply_onto(Vector3::from(point), way.end.place);
+        let (mut columns, mut next) = ([[T::zero(); 6]; N], joint);
+        while let (Some([place, axis]), Some(column)) = (way.joints.get(next), columns.get_mut(next)) {
+            let turning = [cross(*axis, point - *place), *axis];
+            let [velocity, spin] = if way.slides[next] { [*axis, zero()] } else { turning };
             *column = [velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z];
             next = parents[next];
         }
-        Ok(columns)
+        (columns, point)
     }
 
     fn tallied<const N: usize>(&self, stands: [Stand<T>; N], v: &[T; N]) -> Tally<T, N>

@@ -59,6 +59,58 @@ impl<T: Scalar, const N: usize> Through<T> for Places<T, N> {
     }
 }
 
+/// The joint inboard of each.
+pub struct Parents<const N: usize> {
+    pub parents: [usize; N],
+    pub next: usize,
+}
+
+through!([const N: usize] Parents<N>, usize, outward);
+
+impl<T: Scalar, const N: usize> Through<T> for Parents<N> {
+    #[inline(always)]
+    fn axis<A: Standing<T>>(&mut self, _: &A, parent: usize) -> usize {
+        let own = self.next;
+        self.next += 1;
+        self.parents[own] = parent;
+        own
+    }
+    #[inline(always)]
+    fn link<B: Solid<T>>(&mut self, _: &B, own: usize) -> usize {
+        own
+    }
+}
+
+/// Joints on the way to a body: their places and axes, whether they slide, and where the body is; others are passed by.
+pub struct Way<T, const N: usize> {
+    pub positions: [T; N],
+    pub met: [bool; N],
+    pub joints: [[Vector3<T>; 2]; N],
+    pub slides: [bool; N],
+    pub end: Place<T>,
+    pub next: usize,
+}
+
+through!([const N: usize] Way<T, N>, Place<T>, outward);
+
+impl<T: Scalar, const N: usize> Through<T> for Way<T, N> {
+    #[inline(always)]
+    fn axis<A: Standing<T>>(&mut self, axis: &A, place: Place<T>) -> Place<T> {
+        let own = self.next;
+        self.next += 1;
+        if !self.met[own] {
+            return place;
+        }
+        let place = place.beyond(axis, axis.stand(self.positions[own]));
+        (self.joints[own], self.slides[own], self.end) = ([place.place, place.attitude.z], !A::TURNS, place);
+        place
+    }
+    #[inline(always)]
+    fn link<B: Solid<T>>(&mut self, _: &B, place: Place<T>) -> Place<T> {
+        place
+    }
+}
+
 /// Mass, first moment about the origin (inertial axes) and twice the kinetic energy of all links that move.
 pub struct Tally<T, const N: usize> {
     pub stands: [Stand<T>; N],

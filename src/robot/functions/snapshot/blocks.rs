@@ -1,10 +1,11 @@
 //! Derivatives by coordinates of a base that floats, and of what acts on it.
 
-use super::partials::{Outboard, Pairs, Partial};
+use super::Snapshot;
+use super::partials::{By, Outboard};
 use super::screws::sum;
-use super::{MassMatrix, Snapshot};
 use crate::relation::spatial::algebra::{cross, zero};
 use crate::scalar::Scalar;
+use nalgebra::Vector3;
 
 /// A matrix over the coordinates of a base that floats and of joints: six rows and columns of the base, and one of each joint. A row is of what
 /// is found, a column of what it is found from.
@@ -20,57 +21,66 @@ pub struct Blocks<T, const N: usize> {
     pub joints: [[T; N]; N],
 }
 
-impl<T: Scalar, const N: usize> Blocks<T, N> {
+/// Rows of derivatives over the coordinates of base and joints, those by positions, rates and torques side by side.
+pub struct Derived<T, const N: usize> {
+    pub base: [By<T, 6>; 6],
+    pub base_by_joints: [By<T, N>; 6],
+    pub joints_by_base: [By<T, 6>; N],
+    pub joints: [By<T, N>; N],
+}
+
+impl<T: Scalar, const N: usize> Derived<T, N> {
     /// Zeros.
-    pub(in crate::robot::functions) fn zero() -> Self {
-        let o = T::zero();
-        Self { base: [[o; 6]; 6], base_by_joints: [[o; N]; 6], joints_by_base: [[o; 6]; N], joints: [[o; N]; N] }
+    pub fn zero() -> Self {
+        let (of_six, of_joints) = ([[T::zero(); 6]; 3], [[T::zero(); N]; 3]);
+        Self { base: [of_six; 6], base_by_joints: [of_joints; 6], joints_by_base: [of_six; N], joints: [of_joints; N] }
+    }
+
+    /// Those by positions, rates or torques.
+    pub fn of(&self, which: usize) -> Blocks<T, N> {
+        Blocks {
+            base: self.base.each_ref().map(|by| by[which]),
+            base_by_joints: self.base_by_joints.each_ref().map(|by| by[which]),
+            joints_by_base: self.joints_by_base.each_ref().map(|by| by[which]),
+            joints: self.joints.each_ref().map(|by| by[which]),
+        }
     }
 
     /// A column of the base.
-    fn set_base(&mut self, column: usize, entries: [T; 6]) {
-        self.base.iter_mut().zip(entries).for_each(|(row, entry)| row[column] = entry);
+    fn set_base(&mut self, column: usize, which: usize, entries: [T; 6]) {
+        self.base.iter_mut().zip(entries).for_each(|(row, entry)| row[which][column] = entry);
     }
 
     /// A column of a joint, as far as it is of the base.
-    fn set_joint(&mut self, column: usize, entries: [T; 6]) {
-        self.base_by_joints.iter_mut().zip(entries).for_each(|(row, entry)| row[column] = entry);
+    fn set_joint(&mut self, column: usize, which: usize, entries: [T; 6]) {
+        self.base_by_joints.iter_mut().zip(entries).for_each(|(row, entry)| row[which][column] = entry);
     }
 }
 
 impl<T: Scalar, const N: usize> Snapshot<T, N> {
-    /// Derivatives of inverse dynamics by positions and rates of base and joints, and the mass matrix, the joints' own given: of the base by its
-    /// place or velocity there are none.
+    /// Derivatives of inverse dynamics by positions and rates of base and joints: of the base by its place or velocity there are none.
     ///
     /// A base is a joint of three slides that rest and three turns about its own axes: its ψ′ is zero, seen by one who moves with its
     /// velocity, and its ψ″ is a × S, where a is the acceleration of its place.
-    pub(in crate::robot::functions) fn blocks(
-        &self,
-        base: &[T; 6],
-        partials: &[Partial<T>; N],
-        whole: &Outboard<T>,
-        joints: Pairs<T, N>,
-    ) -> ([Blocks<T, N>; 2], MassMatrix<T, N>) {
-        let [[_, spin], [a, _]] = self.ground(base);
-        let Outboard { inertial, stirred, wrench } = whole;
-        let [mut positions, mut rates] =
-            [joints.positions, joints.rates].map(|joints| Blocks { joints, ..Blocks::zero() });
-        let mut mass = MassMatrix { base: [[T::zero(); 6]; 6], coupling: [[T::zero(); 6]; N], joints: joints.mass };
-        mass.base = self.units_of_base().map(|unit| self.on_base(inertial.moved(unit)));
+    pub(in crate::robot::functions) fn derived(&self, base: &[T; 6], seconds: &[T; N]) -> Derived<T, N> {
+        let (partials, Outboard { inertial, stirred, wrench }) = self.partials(base, seconds);
+        let ([[_, spin], [a, _]], mut by) = (self.ground(base), Derived::zero());
+        self.pairs(&partials, &mut by.joints);
         for (k, axis) in self.axes().into_iter().enumerate() {
             let felt = cross(axis, wrench[0] - a * inertial.mass);
-            positions.set_base(3 + k, self.on_base([felt, cross(inertial.moment, cross(a, axis))]));
+            by.set_base(3 + k, 0, self.on_base([felt, cross(inertial.moment, cross(a, axis))]));
             let (stirring, turning) = (stirred.apply(axis), inertial.moved([zero(), cross(spin, axis)]));
-            rates.set_base(3 + k, self.on_base(sum(sum(stirring, stirring), turning)));
+            by.set_base(3 + k, 1, self.on_base(sum(sum(stirring, stirring), turning)));
         }
         for (k, of) in partials.iter().enumerate() {
-            mass.coupling[k] = self.on_base(of.inertial);
-            positions.set_joint(k, self.on_base(of.position));
-            rates.set_joint(k, self.on_base(of.rate));
+            for which in 0..2 {
+                let [x, y, z, a, b, c] = of.wrenches.map(|two| two[which]);
+                by.set_joint(k, which, self.on_base([Vector3::new(x, y, z), Vector3::new(a, b, c)]));
+            }
             let [force, torque] = of.inertial;
-            positions.joints_by_base[k] = self.on_base([zero(), cross(force, a)]);
-            rates.joints_by_base[k] = self.on_base([zero(), of.stirred + cross(torque, spin)]);
+            let by_turns = [cross(force, a), of.stirred + cross(torque, spin)];
+            (0..2).for_each(|which| by.joints_by_base[k][which] = self.on_base([zero(), by_turns[which]]));
         }
-        ([positions, rates], mass)
+        by
     }
 }

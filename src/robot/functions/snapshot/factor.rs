@@ -11,19 +11,51 @@ pub struct Factor<'a, T, const N: usize> {
     lower: [[T; N]; N],
     inverse: [T; N],
     parents: &'a [usize; N],
+    /// How many joints are outboard of each: those that follow it.
+    outboard: [usize; N],
 }
 
-/// a − factor · b.
-#[inline(always)]
-fn less<T: Scalar, const W: usize>(a: &mut [T; W], factor: T, b: &[T; W]) {
-    a.iter_mut().zip(b).for_each(|(a, b)| *a = (-factor).mul_add(*b, *a));
+/// Right-hand sides side by side: numbers, or lists of numbers.
+pub trait Row<T>: Copy {
+    /// Less factors times others.
+    fn less<const M: usize>(&mut self, factors: [T; M], others: [&Self; M]);
+    /// Times a factor.
+    fn scaled(self, factor: T) -> Self;
+}
+
+impl<T: Scalar, const W: usize> Row<T> for [T; W] {
+    #[inline(always)]
+    fn less<const M: usize>(&mut self, factors: [T; M], others: [&Self; M]) {
+        for (k, x) in self.iter_mut().enumerate() {
+            *x = factors.iter().zip(others).fold(*x, |x, (factor, other)| (-*factor).mul_add(other[k], x));
+        }
+    }
+    #[inline(always)]
+    fn scaled(self, factor: T) -> Self {
+        self.map(|x| x * factor)
+    }
+}
+
+impl<T: Scalar, const W: usize, const K: usize> Row<T> for [[T; W]; K] {
+    #[inline(always)]
+    fn less<const M: usize>(&mut self, factors: [T; M], others: [&Self; M]) {
+        self.iter_mut().enumerate().for_each(|(k, list)| list.less(factors, others.map(|other| &other[k])));
+    }
+    #[inline(always)]
+    fn scaled(self, factor: T) -> Self {
+        self.map(|list| list.scaled(factor))
+    }
 }
 
 impl<'a, T: Scalar, const N: usize> Factor<'a, T, N> {
     /// Of the lower half of a matrix.
     pub fn of(mut lower: [[T; N]; N], parents: &'a [usize; N]) -> Self {
-        let mut inverse = [T::zero(); N];
+        let (mut inverse, mut outboard) = ([T::zero(); N], [0; N]);
         for k in (0..N).rev() {
+            let reach = outboard[k] + 1;
+            if let Some(sum) = outboard.get_mut(parents[k]) {
+                *sum += reach;
+            }
             let (mut own, free) = (lower[k], lower[k][k].recip());
             let mut i = parents[k];
             while let Some(entry) = own.get(i).copied() {
@@ -38,26 +70,31 @@ impl<'a, T: Scalar, const N: usize> Factor<'a, T, N> {
             }
             (lower[k], inverse[k]) = (own, free);
         }
-        Self { lower, inverse, parents }
+        Self { lower, inverse, parents, outboard }
     }
 
-    /// `by` · M⁻¹ times columns: L⁻ᵀ from the tips on, 1 / D, and L⁻¹ from the root on.
-    pub fn solve<const W: usize>(&self, by: T, rows: &mut [[T; W]; N]) {
-        for k in (0..N).rev() {
-            let (own, free) = (rows[k], self.inverse[k] * by);
-            let mut i = self.parents[k];
-            while let Some(row) = rows.get_mut(i) {
-                less(row, self.lower[k][i], &own);
-                i = self.parents[i];
+    /// `by` · M⁻¹ times columns: L⁻ᵀ from the tips on, 1 / D, and L⁻¹ from the root on. Rows are met several at a time.
+    pub fn solve<L: Row<T>>(&self, by: T, rows: &mut [L; N]) {
+        for i in (0..N).rev() {
+            let Some(([.., own], outboard)) = rows.split_at_mut_checked(i + 1) else { continue };
+            let (fours, rest) = outboard.get(..self.outboard[i]).unwrap_or_default().as_chunks::<4>();
+            for (k, four) in fours.iter().enumerate() {
+                own.less(core::array::from_fn(|c| self.lower[i + 1 + 4 * k + c][i]), four.each_ref());
             }
-            rows[k] = own.map(|x| x * free);
+            let first = i + 1 + 4 * fours.len();
+            rest.iter().enumerate().for_each(|(k, row)| own.less([self.lower[first + k][i]], [row]));
         }
         for k in 0..N {
-            let mut own = rows[k];
+            let (mut own, lower) = (rows[k].scaled(self.inverse[k] * by), &self.lower[k]);
             let mut i = self.parents[k];
             while let Some(row) = rows.get(i) {
-                less(&mut own, self.lower[k][i], row);
-                i = self.parents[i];
+                let next = self.parents[i];
+                let Some(other) = rows.get(next) else {
+                    own.less([lower[i]], [row]);
+                    break;
+                };
+                own.less([lower[i], lower[next]], [row, other]);
+                i = self.parents[next];
             }
             rows[k] = own;
         }
@@ -81,20 +118,21 @@ impl<'a, T: Scalar, const N: usize> Floating<'a, T, N> {
         let (joints, mut giving) = (Factor::of(joints, parents), coupling);
         joints.solve(T::one(), &mut giving);
         for (coupling, giving) in coupling.iter().zip(&giving) {
-            base.iter_mut().zip(coupling).for_each(|(row, entry)| less(row, *entry, giving));
+            base.iter_mut().zip(coupling).for_each(|(row, entry)| row.less([*entry], [giving]));
         }
         Self { joints, giving, base: Factor::of(base, &CHAIN) }
     }
 
     /// `by` · M⁻¹ times columns.
-    pub fn solve<const W: usize>(&self, by: T, base: &mut [[T; W]; 6], joints: &mut [[T; W]; N]) {
-        for (giving, row) in self.giving.iter().zip(&*joints) {
-            base.iter_mut().zip(giving).for_each(|(sum, entry)| less(sum, *entry, row));
+    pub fn solve<L: Row<T>>(&self, by: T, base: &mut [L; 6], joints: &mut [L; N]) {
+        // Rows four at a time, which are read once then.
+        let ((givings, giving), (rows, row)) = (self.giving.as_chunks::<4>(), joints.as_chunks::<4>());
+        for (k, sum) in base.iter_mut().enumerate() {
+            givings.iter().zip(rows).for_each(|(of, rows)| sum.less(of.map(|of| of[k]), rows.each_ref()));
+            giving.iter().zip(row).for_each(|(of, row)| sum.less([of[k]], [row]));
         }
         self.base.solve(by, base);
         self.joints.solve(by, joints);
-        for (giving, row) in self.giving.iter().zip(joints) {
-            base.iter().zip(giving).for_each(|(found, entry)| less(row, *entry, found));
-        }
+        self.giving.iter().zip(joints).for_each(|(giving, row)| row.less(*giving, base.each_ref()));
     }
 }

@@ -9,9 +9,10 @@ mod regressor;
 mod screws;
 
 pub use blocks::Blocks;
+pub(super) use blocks::Derived;
 pub use dynamics::MassMatrix;
 pub(super) use factor::{Factor, Floating};
-pub(super) use partials::Pairs;
+pub(super) use partials::By;
 pub use regressor::Regressor;
 
 use super::{FixedBase, Resisting, S, Tasks, finite, resisting};
@@ -180,7 +181,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
 }
 
 /// A vector and another one as six numbers.
-fn six<T: Scalar>([a, b]: [Vector3<T>; 2]) -> [T; 6] {
+pub(super) fn six<T: Scalar>([a, b]: [Vector3<T>; 2]) -> [T; 6] {
     [a.x, a.y, a.z, b.x, b.y, b.z]
 }
 

@@ -13,30 +13,28 @@
 //! Robotics and Automation Letters 7, 2022.) What depends on i alone is found once, so that a pair takes 36 products.
 
 use super::massive::{Inertial, Stirred};
-use super::screws::{Pair, along, more, sum, swept, swept_wrench};
-use super::{Moving, Snapshot};
-use crate::relation::spatial::algebra::{dot_onto, zero};
+use super::screws::{Pair, more, sum, swept, swept_wrench};
+use super::{Moving, Snapshot, six};
+use crate::relation::spatial::algebra::zero;
 use crate::scalar::Scalar;
 use core::ops::Add;
 use nalgebra::Vector3;
 
-/// A joint: how it moves what it carries, and what that takes.
+/// A joint: how it moves what it carries, and what that takes. What is by positions and what is by rates stand side by side.
 #[derive(Clone, Copy)]
 pub struct Partial<T> {
     /// S.
-    unit: Pair<T>,
-    /// ψ′.
-    swept: Pair<T>,
-    /// ψ″.
-    turned: Pair<T>,
+    unit: [T; 6],
+    /// ψ″ and 2 ψ′.
+    carried: [[T; 2]; 6],
+    /// Angular velocities of ψ′ and of S.
+    turned: [[T; 2]; 3],
     /// I S, what an acceleration of one takes.
     pub inertial: Pair<T>,
     /// 2 Bᵀ S.
     pub stirred: Vector3<T>,
-    /// Wrench by the position.
-    pub position: Pair<T>,
-    /// Wrench by the rate.
-    pub rate: Pair<T>,
+    /// Wrenches by the position and by the rate.
+    pub wrenches: [[T; 2]; 6],
 }
 
 /// All that is outboard of a joint, or of the base: I, B, and the wrench f that its motion takes.
@@ -56,12 +54,13 @@ impl<T: Scalar> Add for Outboard<T> {
     }
 }
 
-/// Derivatives of the torques of joints by positions and by rates, and the lower half of the mass matrix, as far as joints are
-/// related, where joint i is outboard of k.
-pub struct Pairs<T, const N: usize> {
-    pub positions: [[T; N]; N],
-    pub rates: [[T; N]; N],
-    pub mass: [[T; N]; N],
+/// A row of derivatives of one number: by positions, by rates, and by torques, each by as many coordinates.
+pub type By<T, const W: usize> = [[T; W]; 3];
+
+/// sum + factor · two.
+#[inline(always)]
+fn onto<T: Scalar>(sum: [T; 2], factor: T, two: [T; 2]) -> [T; 2] {
+    [factor.mul_add(two[0], sum[0]), factor.mul_add(two[1], sum[1])]
 }
 
 impl<T: Scalar, const N: usize> Snapshot<T, N> {
@@ -110,37 +109,56 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
             let Outboard { inertial, stirred, wrench } = &all[k];
             let (unit, [.., changing, turned]) = (self.unit(k), moving[k]);
             let twice = |pair: Pair<T>| sum(pair, pair);
-            let (position, half) = (twice(stirred.apply(changing[1])), stirred.transposed(unit));
+            let half = stirred.transposed(unit);
+            let position = sum(twice(stirred.apply(changing[1])), inertial.moved(turned));
+            let position = six(sum(position, swept_wrench(unit, *wrench)));
+            let rate = six(twice(sum(stirred.apply(unit[1]), inertial.moved(changing))));
+            let (first, second) = (six(turned), six(twice(changing)));
             Partial {
-                unit,
-                swept: changing,
-                turned,
+                unit: six(unit),
+                carried: core::array::from_fn(|i| [first[i], second[i]]),
+                turned: core::array::from_fn(|i| [changing[1][i], unit[1][i]]),
                 inertial: inertial.moved(unit),
                 stirred: half + half,
-                position: sum(sum(position, inertial.moved(turned)), swept_wrench(unit, *wrench)),
-                rate: twice(sum(stirred.apply(unit[1]), inertial.moved(changing))),
+                wrenches: core::array::from_fn(|i| [position[i], rate[i]]),
             }
         };
         (core::array::from_fn(partial), whole)
     }
 
-    /// What each pair of joints makes of that.
-    pub(in crate::robot::functions) fn pairs(&self, partials: &[Partial<T>; N]) -> Pairs<T, N> {
-        let none = [[T::zero(); N]; N];
-        let mut pairs = Pairs { positions: none, rates: none, mass: none };
+    /// Derivatives of the torques of joints by positions and rates, one pair of joints after the other.
+    pub(in crate::robot::functions) fn pairs(&self, partials: &[Partial<T>; N], by: &mut [By<T, N>; N]) {
         for (i, own) in partials.iter().enumerate() {
-            let twice = sum(own.inertial, own.inertial);
+            let (inertial, stirred) = (six(own.inertial), own.stirred);
             let mut k = i;
             while let Some(inboard) = partials.get(k) {
-                let Partial { unit, swept, turned, .. } = *inboard;
-                (pairs.positions[k][i], pairs.rates[k][i]) = (along(unit, own.position), along(unit, own.rate));
-                pairs.positions[i][k] = dot_onto(own.stirred, swept[1], along(turned, own.inertial));
-                pairs.rates[i][k] = dot_onto(own.stirred, unit[1], along(swept, twice));
-                pairs.mass[i][k] = along(unit, own.inertial);
+                let Partial { unit, carried, turned, .. } = inboard;
+                let (mut of_own, mut of_inboard) = ([T::zero(); 2], [T::zero(); 2]);
+                for c in 0..6 {
+                    of_own = onto(of_own, inertial[c], carried[c]);
+                    of_inboard = onto(of_inboard, unit[c], own.wrenches[c]);
+                }
+                for c in 0..3 {
+                    of_own = onto(of_own, stirred[c], turned[c]);
+                }
+                (by[k][0][i], by[k][1][i]) = (of_inboard[0], of_inboard[1]);
+                (by[i][0][k], by[i][1][k]) = (of_own[0], of_own[1]);
                 k = self.parents[k];
             }
-            pairs.mass[i][i] += self.inertias[i];
         }
-        pairs
+    }
+
+    /// The lower half of the mass matrix, as far as joints are related.
+    pub(in crate::robot::functions) fn lower(&self, partials: &[Partial<T>; N]) -> [[T; N]; N] {
+        let mut mass = [[T::zero(); N]; N];
+        for (i, own) in partials.iter().enumerate() {
+            let (inertial, mut k) = (six(own.inertial), i);
+            while let Some(Partial { unit, .. }) = partials.get(k) {
+                mass[i][k] = unit.iter().zip(inertial).fold(T::zero(), |sum, (x, y)| x.mul_add(y, sum));
+                k = self.parents[k];
+            }
+            mass[i][i] += self.inertias[i];
+        }
+        mass
     }
 }

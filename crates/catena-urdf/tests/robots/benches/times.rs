@@ -6,7 +6,7 @@
 //! cargo bench -p catena-urdf-robots --bench times -- time ROBOT     # nanoseconds a call, a function a line
 //! ```
 
-use catena::robot::{Afloat, ByState, MassMatrix, Place, SixRows, Torques};
+use catena::robot::{Afloat, Blocks, ByState, ByStateAfloat, MassMatrix, Place, SixRows, Torques};
 use catena::system::{Dynamics, Rate};
 use catena_urdf_robots::{arm7_local, cart_local, humanoid_local, quadruped_fixed, quadruped_local};
 use std::error::Error;
@@ -174,7 +174,7 @@ macro_rules! fixed {
     };
 }
 
-/// Functions of a snapshot, for bases that float.
+/// Functions for bases that float.
 macro_rules! floating {
     ($work:ident, $scene:ident, $states:ident, $link:expr) => {
         function!(
@@ -186,31 +186,47 @@ macro_rules! floating {
                 .map(|now| now.inverse_dynamics(&s.base_seconds, &s.seconds)),
             |x| x.0.into_iter().chain(x.1)
         );
+        function!($work, $states, "mass_matrix", |s| $scene.mass_matrix_afloat(s.base().place, &s.q), |x| {
+            let MassMatrix { base, coupling, joints } = x;
+            let mut list = vec![];
+            for (i, row) in base.iter().enumerate() {
+                list.extend(row.iter().copied().chain(coupling.iter().map(|column| column[i])));
+            }
+            for (column, row) in coupling.iter().zip(&joints) {
+                list.extend(column.iter().chain(row));
+            }
+            list
+        });
         function!(
             $work,
             $states,
-            "mass_matrix",
-            |s| $scene.snapshot_afloat(s.base(), &s.q, &s.v).map(|now| now.mass_matrix()),
+            "jacobian",
+            |s| $scene.jacobian_afloat(s.base().place, &s.q, Some($link), [0.0; 3]),
             |x| {
-                let MassMatrix { base, coupling, joints } = x;
-                let mut list = vec![];
-                for (i, row) in base.iter().enumerate() {
-                    list.extend(row.iter().copied().chain(coupling.iter().map(|column| column[i])));
-                }
-                for (column, row) in coupling.iter().zip(&joints) {
-                    list.extend(column.iter().chain(row));
-                }
-                list
+                let SixRows { base, joints } = x;
+                base.into_iter().flatten().chain(joints.into_iter().flatten())
             }
         );
         function!(
             $work,
             $states,
-            "jacobian",
-            |s| $scene.snapshot_afloat(s.base(), &s.q, &s.v).and_then(|now| now.jacobian(Some($link), [0.0; 3])),
+            "forward_dynamics",
+            |s| $scene.forward_dynamics_afloat(s.base(), &s.q, &s.v, &[0.0; 6], &s.torques),
+            |x| x.0.into_iter().chain(x.1)
+        );
+        function!(
+            $work,
+            $states,
+            "forward_dynamics_derivatives",
+            |s| $scene.forward_dynamics_derivatives_afloat(s.base(), &s.q, &s.v, &[0.0; 6], &s.torques),
             |x| {
-                let SixRows { base, joints } = x;
-                base.into_iter().flatten().chain(joints.into_iter().flatten())
+                let (ByStateAfloat { positions, rates }, torques) = x;
+                let mut list = vec![];
+                for Blocks { base, base_by_joints, joints_by_base, joints } in [positions, rates, torques] {
+                    base.iter().zip(&base_by_joints).for_each(|(a, b)| list.extend(a.iter().chain(b).copied()));
+                    joints_by_base.iter().zip(&joints).for_each(|(a, b)| list.extend(a.iter().chain(b).copied()));
+                }
+                list
             }
         );
     };
