@@ -81,13 +81,13 @@ use steps::Steps;
 /// stage by several sweeps, and costates go back through all of them.
 ///
 /// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`
-/// with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom)), composed in the same ways,
-/// in loops that a `Ball`, a `Weld` or a `Revolute` closes, too, from a `Pinned`,
-/// `Clamped` or `Hinged` root that does not move to tips that are free, or that are `Pinned`, `Clamped` or `Hinged` at a place that does not
-/// move. An attitude has three derivatives, by a rotation vector (rad) in axes of its body: costs
-/// add theirs in the same numbers, and steps linearised have their rows and columns so. Rates of balls are angular velocities in axes of the
-/// body (rad/s). Torques are [`Effort`](crate::spatial::Effort)s, in a ball a vector in these axes, in a revolute joint the first number.
-/// Directions of axes, attitudes of welds and of the ground at both ends are parameters like all others.
+/// with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom)), composed in the same ways, also
+/// in loops that a `Ball`, a `Weld` or a `Revolute` closes, from a `Pinned`, `Clamped` or `Hinged` root that does not move to tips that are
+/// free, or `Pinned`, `Clamped` or `Hinged` at a place that does not move; of projections and initial coordinates holds what was said of the
+/// plane. An attitude has three derivatives, by a rotation vector (rad) in axes of its body: costs add theirs in the same numbers, and steps
+/// linearised have their rows and columns so. Rates of balls are angular velocities in axes of the body (rad/s). Torques are
+/// [`Effort`](crate::spatial::Effort)s, in a ball a vector in these axes (of a ball that closes a loop: in axes of the main arm's last body),
+/// in a revolute joint the first number. Directions of axes, attitudes of welds and of the ground at both ends are parameters like all others.
 ///
 /// All else is an error of the compiler that names it.
 ///
@@ -114,6 +114,9 @@ use steps::Steps;
 /// | 3 rods on balls, DOP853 | 3.1 | 3.3 | 3.1 | 677 | 3.1 | 3.3 | 3.1 | 1033 |
 /// | 20 rods on balls, RK4 | 3.0 | 3.2 | 3.0 | 526 | 3.0 | 3.4 | 3.2 | 805 |
 /// | 20 rods on balls, DOP853 | 3.0 | 3.2 | 3.0 | 566 | 3.0 | 3.4 | 3.2 | 856 |
+/// | 3 rods on balls, tip on a ball, RK4 | 3.8 | 4.3 | 4.0 | 1126 | | | | |
+/// | 20 rods on balls, tip on a ball, RK4 | 4.0 | 4.3 | 4.0 | 942 | | | | |
+/// | rod and window of four on balls, RK4 | 4.2 | 4.2 | 4.1 | 1253 | | | | |
 /// | 3 rigid bodies on balls, RK4 | 2.9 | 3.3 | 3.2 | 817 | 3.2 | 3.3 | 3.2 | 1225 |
 /// | 20 rigid bodies on balls, RK4 | 3.2 | 3.3 | 3.2 | 721 | 3.0 | 3.4 | 3.2 | 1106 |
 /// | 7 rigid bodies on revolutes, RK4 | 3.6 | 3.7 | 3.6 | 713 | 3.4 | 3.6 | 3.6 | 1122 |
@@ -121,9 +124,9 @@ use steps::Steps;
 ///
 /// (Plain steps of up to six coordinates have become quicker since the columns of x86-64 were measured: the gradient of two rods has the
 /// instructions that it had.) A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differed by 0.1
-/// from one measurement to the next, by 0.4 at most (3 rods on balls, once 3.3).
+/// from one measurement to the next, by 0.4 at most (3 rods on balls, once 3.3). What is held or closed was not measured for x86-64.
 ///
-/// Chains whose tip is pinned take more: 5.0 plain runs (instructions 6.7) for three rods and RK4, 5.4 (6.8) for twenty, x86-64-v3. A four-bar
+/// In the plane chains whose tip is pinned take more: 5.0 plain runs (instructions 6.7) for three rods and RK4, 5.4 (6.8) for twenty, x86-64-v3. A four-bar
 /// linkage takes 6.5 (DOP853 5.3), a rod with one window of four rods 6.0, with two in a row 6.5, with five 8.9: for each correction of a
 /// projection costates walk once for each loop. Under `Sdirk4` two rods with a stiff hinge take 3.7, twenty 3.9.
 ///
