@@ -1,6 +1,5 @@
 //! Links that begin with an arm, in arrays and vectors: against the same links written out.
 
-use catena::loading::Unloaded;
 use catena::{Error, planar, spatial};
 use catena_oracle::near;
 

@@ -1,6 +1,5 @@
 //! Equilibria and modes of loops that are held more often than they can move, against closed forms and the same in the plane.
 
-use catena::loading::Unloaded;
 use catena::{Error, planar, spatial};
 use catena_oracle::near;
 use core::f64::consts::FRAC_PI_2;
