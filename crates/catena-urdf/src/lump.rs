@@ -27,7 +27,8 @@ pub fn robot(model: &Model, options: &Options, notes: &mut Notes) -> Result<Robo
             return Err(Error::new(Fault::UnknownJoint { by, joint: name.clone() }));
         }
     }
-    let moving = model.joints.iter().filter(|joint| !joint.stays(options)).count();
+    let becomes = |joint: &Joint| if joint.kind == Kind::Planar { SLIDES.len() + 1 } else { 1 };
+    let moving = model.joints.iter().filter(|joint| !joint.stays(options)).map(becomes).sum();
     if moving > MOST_JOINTS {
         return Err(Error::new(Fault::TooLarge { joints: moving, most: MOST_JOINTS }));
     }

@@ -52,3 +52,26 @@ fn options_that_are_no_numbers_are_refused() -> Result<(), Box<dyn Error>> {
     }
     Ok(())
 }
+
+/// A planar joint is three in a scene, whose type is as long.
+#[test]
+fn joints_are_counted_as_what_they_become() {
+    let body = r#"<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>"#;
+    let chain = |kind: &str, joints: usize| {
+        let links = (1..=joints).map(|k| format!(r#"<link name="l{k}">{body}</link>"#)).collect::<String>();
+        let joint = |k: usize| {
+            let inboard = k - 1;
+            format!(
+                r#"<joint name="j{k}" type="{kind}"><parent link="l{inboard}"/><child link="l{k}"/><limit effort="1" velocity="1"/></joint>"#
+            )
+        };
+        let joints = (1..=joints).map(joint).collect::<String>();
+        format!(r#"<robot name="r"><link name="l0"/>{links}{joints}</robot>"#)
+    };
+    let read = |kind: &str, joints: usize| {
+        Options::new().read(&chain(kind, joints)).map(|robot| robot.bodies().len()).map_err(|error| error.to_string())
+    };
+    assert_eq!(read("planar", 20), Ok(60));
+    assert_eq!(read("planar", 171), Err("513 moving joints are more than 512".to_owned()));
+    assert_eq!(read("continuous", 513), Err("513 moving joints are more than 512".to_owned()));
+}
