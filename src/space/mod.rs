@@ -50,6 +50,13 @@ pub trait Space: Geometry {
     fn mass(body: &Self::BodyMotion) -> Self::Scalar;
     /// What may be wrong with the inertia of a body.
     fn doubt(body: &Self::BodyMotion) -> Option<Fault>;
+    /// Whether bodies turn about more than one axis.
+    const TURNS_ABOUT_LINES: bool = false;
+    /// Whether a body has no inertia about the line from its inboard to its outboard end, but for rounding. In the plane there is none.
+    fn spins_about_its_line(body: &Self::BodyMotion) -> bool {
+        let _ = body;
+        false
+    }
 
     /// The orientation of a body in angles.
     fn angles(body: &Self::BodyMotion) -> Self::Angles;

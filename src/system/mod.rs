@@ -53,13 +53,14 @@ use crate::error::{Error, Fault, counted, ensure_finite};
 use crate::lift::Lift;
 use crate::motion::Motion;
 use crate::relation::{Additive, Closures, Geometry};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::shape::{Positions, Rates, Shape};
 use crate::solve::riccati::Site;
 use crate::space::FrameOf;
 use crate::walks::check::check;
 use crate::walks::configure::configure;
 use crate::walks::fits::fits;
+use crate::walks::loose::loose;
 use num_traits::Zero;
 
 /// A mechanical scene. It holds parameters only; its motion is a value of its own ([`Motion`]).
@@ -298,6 +299,16 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         self.independent(motion, workspace, 0.0, &mut |_, _| ())?;
         let mut finite = true;
         motion.acceleration.visit(&mut |x| finite &= x.is_finite());
-        if finite { Ok(()) } else { Err(self.diagnose(motion, loads, workspace)) }
+        if !finite {
+            return Err(self.diagnose(motion, loads, workspace));
+        }
+        if const { S::TURNS_ABOUT_LINES }
+            && let Some(entry) =
+                loose(&self.chain, self.ground(motion.time), coordinates(motion), P::Closures::COUNT == 0)
+        {
+            let error = Error::new(Fault::SingularJoint).at_station(entry).beyond_root();
+            return Err(error.at_time(motion.time.as_f64()));
+        }
+        Ok(())
     }
 }

@@ -29,6 +29,7 @@ pub mod fits;
 pub mod gather;
 pub mod independent;
 pub mod look;
+pub mod loose;
 pub mod measure;
 pub mod meet;
 pub mod missed;

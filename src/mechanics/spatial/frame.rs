@@ -162,6 +162,14 @@ impl<T: Scalar> Space for Spatial<T> {
     fn doubt(body: &BodyMotion<T>) -> Option<Fault> {
         body.inertia.doubt()
     }
+    const TURNS_ABOUT_LINES: bool = true;
+    fn spins_about_its_line(body: &BodyMotion<T>) -> bool {
+        let line = body.inboard.turn.attitude.transposed(body.arm);
+        let inertia = body.inertia.about_inboard();
+        let length = dot(line, line).real();
+        let [about, most] = [dot(line, inertia.apply(line)).real(), (inertia.xx + inertia.yy + inertia.zz).real()];
+        length > T::Real::of(0.0) && about <= most * length * T::Real::EPSILON * T::Real::of(0.25)
+    }
     fn angles(body: &BodyMotion<T>) -> [T; 3] {
         super::angles::angles(&body.inboard.turn.attitude)
     }

@@ -227,6 +227,21 @@ fn a_ball_that_nothing_resists_is_named() -> Result<(), Error> {
     let error = system.with_accelerations(system.motion(), &Unloaded).err();
     let singular = Error { time: Some(0.0), place: Some(Place::Station(1)), fault: Fault::SingularJoint };
     assert_eq!(error, Some(singular));
+    // However it stands: the pivot is then the rounding of zero, and its inverse a number. At the tip, before a ball, in a body of any kind.
+    let thin = RigidBody::new(1.0, [[0.0; 3], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]], [0.4, 0.0, 0.0], [1.0, 0.0, 0.0]);
+    let at = |place| Some(Error { time: Some(0.0), place: Some(place), fault: Fault::SingularJoint });
+    for angles in [[0.3, 0.4, 0.5], [0.0, 0.4, 0.5], [0.1, -0.7, 1.0]] {
+        let bob = System::new(Pinned::origin(), PointMass::new(1.0, 1.0), Free)?.with_gravity([0.0, 0.0, -9.81]);
+        assert_eq!(bob.with_accelerations(bob.at_rest(&angles)?, &Unloaded).err(), at(Place::Root));
+        let chain = (rod(), Ball, thin, Ball, rod());
+        let between = System::new(Pinned::origin(), chain, Free)?.with_gravity([0.0, 0.0, -9.81]);
+        let all = [angles, angles, [0.2, 0.1, 0.4]].concat();
+        assert_eq!(between.with_accelerations(between.at_rest(&all)?, &Unloaded).err(), at(Place::Station(1)));
+        // A joint that hands on torques keeps it from spinning.
+        let chain = (thin, Revolute::about([0.0, 0.0, 1.0]), rod());
+        let held = System::new(Pinned::origin(), chain, Free)?.with_gravity([0.0, 0.0, -9.81]);
+        held.with_accelerations(held.at_rest(&[angles[0], angles[1], angles[2], 0.5])?, &Unloaded)?;
+    }
     Ok(())
 }
 
