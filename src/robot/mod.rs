@@ -38,13 +38,13 @@
 //! | `places`, `jacobian` | where bodies are; how a point moves with the joints |
 //! | `mass_centre`, `joint_energy` | |
 //! | `inverse_dynamics_derivatives`, `forward_dynamics_derivatives` | by positions, rates and torques |
-//! | `forward_dynamics_afloat`, `mass_solved_afloat`, `mass_inverse_afloat` | the same for bases that float: with a wrench on the base |
-//! | `inverse_dynamics_derivatives_afloat`, `forward_dynamics_derivatives_afloat` | by turns, velocities and joints |
+//! | `forward_dynamics_afloat`, `mass_matrix_afloat`, `mass_solved_afloat`, `mass_inverse_afloat`, `jacobian_afloat` | the same for bases that float, with a wrench on the base |
+//! | `inverse_dynamics_derivatives_afloat`, `forward_dynamics_derivatives_afloat` | by turn and angular velocity of the base, positions, rates, wrench and torques |
 //! | `impact` | rates after a joint has struck a hard stop |
 //! | `snapshot`, `snapshot_afloat` | a [`Snapshot`]: points, Jacobians and their rates, mass matrix, inverse dynamics, centroidal momentum, the regressor; for bases that float, too |
 //!
 //! Those without `afloat` are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base
-//! that moves is taken at time zero. Angles out of range (400 000 rad), at which runs stop, are not refused here. None allocates; each is
+//! that moves is taken at time zero. Those with `afloat` are for the root [`Free`], with velocities of the base in inertial axes, angular ones in its own. Angles out of range (400 000 rad), at which runs stop, are not refused here. None allocates; each is
 //! one walk outward, one inward, or both.
 //!
 //! Furniture of joints is laws ([`DryFriction`], [`Stops`], a tuple of laws), drives are [`Motor`]s that a controller asks. Loads on links

@@ -1,6 +1,6 @@
 //! Dynamics of robots whose base floats: what moves, from forces, and how that changes.
 
-use super::snapshot::{Derived, Floating, six};
+use super::snapshot::{Floating, six};
 use super::{Afloat, Blocks, S, SixRows, Snapshot, Tasks, finite};
 use crate::element::Element;
 use crate::ends::Tip;
@@ -18,16 +18,6 @@ pub struct ByStateAfloat<T, const N: usize> {
     pub positions: Blocks<T, N>,
     /// By rates: of the base its velocity in inertial axes and its angular velocity in its own, and of the joints.
     pub rates: Blocks<T, N>,
-}
-
-impl<T: Scalar, const N: usize> Derived<T, N> {
-    /// Refuses numbers that are not finite.
-    fn finite(self) -> Result<Self, Error> {
-        let of_base = finite(self.base.as_flattened().as_flattened());
-        let of_base = of_base.and(finite(self.base_by_joints.as_flattened().as_flattened()));
-        let of_joints = finite(self.joints_by_base.as_flattened().as_flattened());
-        of_base.and(of_joints).and(finite(self.joints.as_flattened().as_flattened())).map(|()| self)
-    }
 }
 
 /// M⁻¹ times a wrench on the base and torques of the joints.
@@ -179,7 +169,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     {
         let mut by = self.snapshot_afloat(base, q, v)?.derived(of_base, seconds);
         self.stiffened(q, v, &mut by.joints);
-        let by = by.finite()?;
+        by.all_finite()?;
         Ok(ByStateAfloat { positions: by.of(0), rates: by.of(1) })
     }
 
@@ -209,7 +199,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         (0..N).for_each(|k| by.joints[k][2][k] = -T::one());
         mass.solve(-T::one(), &mut by.base, &mut by.joints_by_base);
         mass.solve(-T::one(), &mut by.base_by_joints, &mut by.joints);
-        let by = by.finite()?;
+        by.all_finite()?;
         Ok((ByStateAfloat { positions: by.of(0), rates: by.of(1) }, by.of(2)))
     }
 }

@@ -54,7 +54,8 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         now.pairs(&now.partials(&[T::zero(); 6], seconds).0, &mut by);
         self.stiffened(q, v, &mut by);
         finite(by.as_flattened().as_flattened())?;
-        Ok(ByState { positions: by.map(|[by, ..]| by), rates: by.map(|[_, by, _]| by) })
+        let of = |which: usize| by.each_ref().map(|by| by[which]);
+        Ok(ByState { positions: of(0), rates: of(1) })
     }
 
     /// Derivatives of [`forward_dynamics`](Self::forward_dynamics) by positions and rates, and by torques (the last one is M⁻¹): those of inverse
@@ -93,6 +94,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         by.iter_mut().enumerate().for_each(|(k, [.., row])| row[k] = -T::one());
         Factor::of(now.lower(&partials), now.parents()).solve(-T::one(), &mut by);
         finite(by.as_flattened().as_flattened())?;
-        Ok((ByState { positions: by.map(|[by, ..]| by), rates: by.map(|[_, by, _]| by) }, by.map(|[.., by]| by)))
+        let of = |which: usize| by.each_ref().map(|by| by[which]);
+        Ok((ByState { positions: of(0), rates: of(1) }, of(2)))
     }
 }

@@ -1,8 +1,9 @@
 //! Derivatives by coordinates of a base that floats, and of what acts on it.
 
-use super::Snapshot;
 use super::partials::{By, Outboard};
 use super::screws::sum;
+use super::{Snapshot, finite};
+use crate::error::Error;
 use crate::relation::spatial::algebra::{cross, zero};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -34,6 +35,14 @@ impl<T: Scalar, const N: usize> Derived<T, N> {
     pub fn zero() -> Self {
         let (of_six, of_joints) = ([[T::zero(); 6]; 3], [[T::zero(); N]; 3]);
         Self { base: [of_six; 6], base_by_joints: [of_joints; 6], joints_by_base: [of_six; N], joints: [of_joints; N] }
+    }
+
+    /// Refuses numbers that are not finite.
+    pub fn all_finite(&self) -> Result<(), Error> {
+        let all =
+            [self.base.as_flattened(), self.joints_by_base.as_flattened()].map(|rows| finite(rows.as_flattened()));
+        let wide = [self.base_by_joints.as_flattened(), self.joints.as_flattened()];
+        all.into_iter().chain(wide.map(|rows| finite(rows.as_flattened()))).collect()
     }
 
     /// Those by positions, rates or torques.

@@ -9,7 +9,6 @@ mod regressor;
 mod screws;
 
 pub use blocks::Blocks;
-pub(super) use blocks::Derived;
 pub use dynamics::MassMatrix;
 pub(super) use factor::{Factor, Floating};
 pub(super) use partials::By;
@@ -73,7 +72,7 @@ pub struct SixRows<T, const N: usize> {
 /// A robot at an instant: one walk finds where all bodies are and how they move, and each question is answered from that in inertial axes,
 /// in time proportional to the number of joints, or to that of the numbers that it gives. Nothing allocates.
 ///
-/// Functions of the scene itself ([`System::forward_dynamics`] and so on) are faster where there is one, for bases that are fixed. Velocities
+/// Functions of the scene itself ([`System::forward_dynamics`], [`System::mass_matrix_afloat`] and so on) are faster where there is one. Velocities
 /// of a base that floats are those of its origin in inertial axes, and its angular velocity in its own, as scenes have them.
 ///
 /// ```
