@@ -29,7 +29,6 @@
 //! (`mechanics/planar/adjoint/`, `mechanics/spatial/adjoint/`).
 
 pub mod laws;
-mod named;
 mod outboard;
 mod rigid;
 

@@ -15,6 +15,7 @@ mod named;
 mod network;
 mod parallel;
 mod poses;
+mod reversible;
 mod selective;
 mod sensitive;
 mod tuple;

@@ -64,7 +64,7 @@ bodies!(Rod, RigidBody, PointMass);
 
 /// A joint, between two bodies or to close a loop: what its numbers do to a cost.
 pub trait Numbered<T: Scalar, const K: usize> {
-    /// Adds that.
+    /// Adds what the numbers of the joint do.
     fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>);
 }
 

@@ -64,7 +64,7 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     pub(super) in_loops: <Elements<S, R, C> as Shape<S>>::Store<PerClosure>,
     pub(super) at_ends: <Elements<S, R, C> as Shape<S>>::Store<PerLoop<S::AtEnds>>,
     pub(super) no_loops: <Elements<S, R, C> as Shape<S>>::Store<PerClosure>,
-    /// How their ends are turned, where nothing reads it.
+    /// Turns of ends of loops, where nothing reads them.
     pub(super) no_turns: <Elements<S, R, C> as Shape<S>>::Store<Turns<S>>,
     /// Weights of each row's acceleration in the positions and rates of all rows: columns of the tableau.
     pub(super) weights: M::Rows<[[f64; ROWS]; 2]>,

@@ -16,7 +16,7 @@ fn forces<T: Scalar>() -> [Wrench<T>; 2] {
     [Vector2::new(one, zero), Vector2::new(zero, one)].map(Wrench::of_force)
 }
 
-/// And of a torque.
+/// The wrenches of forces along x and y, and of a torque.
 fn columns<T: Scalar>() -> [Wrench<T>; 3] {
     let [x, y] = forces();
     [x, y, Wrench { force: Vector2::null(), torque: T::one() }]

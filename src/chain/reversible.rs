@@ -1,7 +1,7 @@
 //! Joints with names that close loops, backward: as those without.
 
-use super::{OfEach, Outboard, Reversed, ReversibleClosing};
-use crate::chain::Named;
+use super::Named;
+use crate::adjoint::{OfEach, Outboard, Reversed, ReversibleClosing};
 use crate::element::Level;
 use crate::loading::EffortOf;
 use crate::relation::{Closures, Looped, WrenchOf};
