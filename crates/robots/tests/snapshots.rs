@@ -116,7 +116,12 @@ fn on_the_ground() -> Result<(), catena::Error> {
     let (scene, plain, mut noise) = (fixed()?, plain_fixed(), Noise::new(31));
     for _ in 0..20 {
         let [q, v]: [[f64; 6]; 2] = std::array::from_fn(|_| list(&mut noise, 2.0));
-        check(&scene.snapshot(&q, &v)?, &plain, &plain.at(&q, &v), &v, &mut noise)?;
+        let now = scene.snapshot(&q, &v)?;
+        check(&now, &plain, &plain.at(&q, &v), &v, &mut noise)?;
+        for joint in 0..6 {
+            let (point, right) = ([0.2, -0.1, 0.3], now.jacobian(Some(joint), [0.2, -0.1, 0.3])?.joints);
+            agree(scene.jacobian(&q, joint, point)?.as_flattened(), right.as_flattened(), DIRECT);
+        }
     }
     assert!(scene.snapshot(&[0.0; 5], &[0.0; 5]).is_err());
     assert!(scene.snapshot(&[0.0; 6], &[0.0; 6])?.jacobian(Some(6), [0.0; 3]).is_err());
