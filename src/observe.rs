@@ -14,7 +14,9 @@ pub(crate) use residuals::each_residual;
 pub(crate) use residuals::loop_residual;
 
 use crate::counts::HasBody;
-use crate::element::{Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit, Watch};
+#[cfg(feature = "alloc")]
+use crate::element::Watch;
+use crate::element::{Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
 use crate::relation::{Wrench, WrenchOf};
 use crate::shape::{self, PerJoint};
 use crate::space::FrameOf;
@@ -22,7 +24,9 @@ use crate::visit::survey;
 use crate::walks::entries::{Entry, entries};
 use crate::walks::find;
 use crate::walks::gather::gather;
-use crate::walks::travel::{show, travel};
+#[cfg(feature = "alloc")]
+use crate::walks::travel::show;
+use crate::walks::travel::travel;
 use core::fmt;
 use core::marker::PhantomData;
 use in_turn::in_turn;
