@@ -148,7 +148,7 @@ fn errors_of_rates_are_those_that_springs_let_last() -> Result<(), Box<dyn Error
         (0.5 * (x * x + v * v)).sqrt()
     };
     for tolerance in [1e-6, 10.0] {
-        let (mut stepper, mut next) = (scene.stepper(Sdirk4::new()), start.clone());
+        let (mut stepper, mut next) = (scene.stepper(Sdirk4::new()), start);
         stepper.propose(&start, &Unloaded, tolerance);
         stepper.advance(&start, &Unloaded, dt, &mut next)?;
         let found = stepper.error(&start, dt, &next, tolerance).ok_or("no error")?;
