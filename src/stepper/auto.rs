@@ -85,8 +85,8 @@ impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
         self.race.chosen
     }
 
-    /// The size (s) of a first step by the implicit rule: by tolerance and accelerations, and not so long that fast vibration is sure to
-    /// shorten it.
+    /// The size (s) of a first step by the rule chosen, as tolerance and accelerations say, and of the implicit one not so long that fast
+    /// vibration is sure to shorten it.
     fn first(&self, past: &MotionIn<D, L>, tolerance: TimeIn<D, L>) -> TimeIn<D, L> {
         let real = TimeIn::<D, L>::of;
         let mut slope = real(1e-6);
@@ -94,8 +94,8 @@ impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
             slope = slope.max(acceleration.real().abs() / (real(1.0) + rate.real().abs()));
             true
         });
-        let smooth = (real(0.01) * tolerance / slope).powf(real(1.0 / self.stiff.error_order()));
-        smooth.min(real(LONGEST * self.race.paying()))
+        let smooth = (real(0.01) * tolerance / slope).powf(real(1.0 / self.error_order()));
+        if self.race.is_stiff() { smooth.min(real(LONGEST * self.race.paying())) } else { smooth }
     }
 
     /// Whether stability seems to have limited the last step by DOP853, whose last stage and end are at one time: by how much accelerations
@@ -186,10 +186,10 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
         if chosen == before {
             return proposed;
         }
-        match (self.race.is_stiff(), written.0) {
-            (false, _) => size,
-            (true, None) => Some(self.first(past, tolerance)),
-            (true, _) => Some(TimeIn::<D, L>::of(GENEROUS * self.race.paying())),
+        match (written.0, self.race.is_stiff()) {
+            (None, _) => Some(self.first(past, tolerance)),
+            (_, false) => size,
+            (_, true) => Some(TimeIn::<D, L>::of(GENEROUS * self.race.paying())),
         }
     }
 
