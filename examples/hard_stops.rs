@@ -33,7 +33,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         seen.borrow_mut().push((now.time(), angle.to_degrees(), now.energy()));
         *before.borrow_mut() = (rate, now.energy());
     })?;
-    println!("An arm of two bones, 0.4 m and 1.5 kg each; its elbow goes from 0 to 90 degrees, restitution {RESTITUTION}\n");
+    println!(
+        "An arm of two bones, 0.4 m and 1.5 kg each; its elbow goes from 0 to 90 degrees, restitution {RESTITUTION}\n"
+    );
     common::heads(&[
         ("time (s)", 8),
         ("elbow (degrees)", 15),
@@ -49,7 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         if after * rate < 0.0 || (after == 0.0 && rate != 0.0) {
             let taken = energy - arm.budget(run.motion())?.energy();
-            if rate.abs() > 0.05 {
+            if rate.abs() > 1.0 {
                 let (time, angle) = (run.motion().time(), run.motion().coordinates()[1].to_degrees());
                 println!("  {time:8.4}  {angle:15.3}  {rate:19.4}  {after:13.4}  {taken:16.5}");
             } else {
@@ -57,9 +59,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
-    println!("\nAnd {small} shocks below 0.05 rad/s. The elbow rests at the end of {} steps.", rests.len());
-    drop(run);
-    let seen = seen.into_inner();
+    println!("\nAnd {small} shocks below 1 rad/s. The elbow rests at the end of {} steps.", rests.len());
+    let seen = seen.borrow();
     let gained = seen.windows(2).map(|pair| pair[1].2 - pair[0].2).fold(0.0, f64::max);
     println!("Between shocks energy is kept: the largest gain in a step is {gained:.1e} J.");
     println!("Picture: {}", draw(&seen)?.display());
@@ -69,7 +70,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The elbow between its stops, and the energy that shocks take.
 fn draw(seen: &[Seen]) -> Drawn<PathBuf> {
     common::picture("hard_stops", (860, 560), |area| {
-        let subtitle = "The elbow strikes its stops at 0 and 90 degrees, gives back half of its rate, and rests against them.";
+        let subtitle =
+            "The elbow strikes its stops at 0 and 90 degrees, gives back half of its rate, and rests against them.";
         let area = common::heading(area, "An arm with an elbow", subtitle)?;
         let (upper, lower) = area.split_vertically(common::pixels(290.0));
         let mut elbow = common::chart(&upper, "Elbow (degrees)", "time (s)", 0.0..END, -8.0..98.0)?;

@@ -32,7 +32,7 @@ pub(crate) struct Stops {
 
 /// A motor behind a gear.
 pub(crate) struct Motor {
-    /// Its largest torque (N·m, N), velocity without load and torque at rest, were that not limited.
+    /// Largest torque of the motor (N·m, N), velocity without load and torque at rest, were that not limited.
     pub peak: f64,
     pub free: f64,
     pub stall: f64,

@@ -28,7 +28,7 @@ const FLOORS: [&[&str]; 9] = [
         "release",
         "kinematics",
     ],
-    &["chain", "coulomb", "counts", "driven", "struts"],
+    &["chain", "guarded", "counts", "driven", "struts"],
     &["mechanics"],
     &["solve", "observe"],
     &["system"],

@@ -204,7 +204,7 @@ impl Promote<Empty> for Borne {
     }
 }
 
-/// The same in inertial axes: what clamps or welds it needs to know as little.
+/// A relation in inertial axes that nobody reads: what clamps or welds it needs to know as little as a base does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Settled;
 
