@@ -60,7 +60,7 @@ impl Mode {
         matches!(self, Self::Sticks | Self::RestsBelow | Self::RestsAbove | Self::Struck)
     }
 
-    /// That of such a joint which moves, with friction of whichever sign.
+    /// The mode of such a joint where it moves, with friction of whichever sign.
     pub(crate) fn moving(self) -> Self {
         match self {
             Self::Sticks | Self::SlipsForward | Self::SlipsBack => Self::SlipsForward,
@@ -68,7 +68,7 @@ impl Mode {
         }
     }
 
-    /// That of such a joint of which nothing is known but its rate.
+    /// The mode of such a joint of which nothing is known but its rate.
     pub(crate) fn forgotten(self) -> Self {
         match self {
             Self::Sticks | Self::SlipsForward | Self::SlipsBack => Self::Sticks,

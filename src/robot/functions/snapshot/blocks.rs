@@ -45,7 +45,7 @@ impl<T: Scalar, const N: usize> Derived<T, N> {
         all.into_iter().chain(wide.map(|rows| finite(rows.as_flattened()))).collect()
     }
 
-    /// Those by positions, rates or torques.
+    /// Derivatives by positions, rates or torques.
     pub fn of(&self, which: usize) -> Blocks<T, N> {
         Blocks {
             base: self.base.each_ref().map(|by| by[which]),
