@@ -45,7 +45,7 @@ where
         let mut largest = 0.0_f64;
         next.rate.visit(&mut |rate| largest = largest.max(rate.real().as_f64().abs()));
         system.accelerate(next, loads, &mut workspace)?;
-        self.stand()?;
+        self.stand();
         let rounding = largest * RealOf::<S>::EPSILON.as_f64() * ROUNDINGS;
         let still = rounding.max(Mode::touch::<RealOf<S>>().as_f64());
         for count in 0..BLOWS[1] {
@@ -69,29 +69,36 @@ where
         Err(inconsistent(joint, time))
     }
 
-    /// Puts joints that touch a stop where that is.
+    /// Refuses a motion with a joint beyond its stop.
     ///
     /// # Errors
-    /// [`Fault::OutOfRange`] for a joint beyond its stop.
-    fn stand(&mut self) -> Result<(), Error> {
-        let (motion, touch) = (&mut self.next, Mode::touch::<RealOf<S>>().as_f64());
-        let (mut step, mut beyond) = (motion.rate.clone(), None);
+    /// [`Fault::OutOfRange`].
+    pub(super) fn stands_between(&mut self) -> Result<(), Error> {
+        let (system, loads, motion) = (self.plan.system, self.plan.loads, &mut self.next);
+        system.accelerate(motion, loads, &mut Dynamics::<L>::workspace(system))?;
+        let (most, mut beyond) = (1.0 + Mode::touch::<RealOf<S>>().as_f64(), None);
+        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, _, told| {
+            if *mode == Mode::Swings && told.guard.real().as_f64().abs() > most {
+                beyond = Some(told.apart.real().as_f64().abs());
+            }
+        });
+        let Some(value) = beyond else { return Ok(()) };
+        let (parameter, outside) = ("distance of a joint beyond its hard stop", "a hard stop does not yield");
+        let fault = Fault::OutOfRange { parameter, value, least: 0.0, most: 0.0, outside };
+        Err(Error::new(fault).at_time(motion.time.as_f64()))
+    }
+
+    /// Puts joints that touch a stop, or that a long step has brought beyond it by rounding, where that is.
+    fn stand(&mut self) {
+        let motion = &mut self.next;
+        let mut step = motion.rate.clone();
         step.replace(&mut |_| S::Scalar::zero());
         motion.position.each_mode(&mut step, &motion.acceleration, &mut |mode, step, told| {
             if touched(*mode, told.guard).is_some() {
                 *step = told.apart;
-                if told.guard.real().as_f64().abs() - 1.0 > touch {
-                    beyond = Some(told.apart.real().as_f64().abs());
-                }
             }
         });
-        if let Some(value) = beyond {
-            let (parameter, outside) = ("distance of a joint beyond its hard stop", "a hard stop does not yield");
-            let fault = Fault::OutOfRange { parameter, value, least: 0.0, most: 0.0, outside };
-            return Err(Error::new(fault).at_time(motion.time.as_f64()));
-        }
         motion.position.displace(&step);
-        Ok(())
     }
 
     /// Ends rebounds that rise no higher than what touches, now that it is known what rests and by how much others are pressed.

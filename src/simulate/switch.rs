@@ -255,7 +255,12 @@ where
                 *mode = Mode::of(*rate);
             }
         });
-        if stops { self.strike() } else { self.settle_modes(None) }
+        if !stops {
+            return self.settle_modes(None);
+        }
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, _| *mode = mode.moving());
+        self.stands_between()?;
+        self.strike()
     }
 
     /// Finds modes that belong together where the next step begins, and the accelerations there: what friction does not hold breaks away,
@@ -332,7 +337,7 @@ where
             let pushed_back = slips && rate.is_zero() && margin(*mode, second, told.guard) < 0.0;
             let strikes = touched(*mode, told.guard).is_some_and(|side| side * rate.real().as_f64() > 0.0);
             let moved = mode.is_locked() && !rate.is_zero();
-            let passed = *mode != Mode::Swings && margin(*mode, *rate, told.guard) < 0.0;
+            let passed = margin(*mode, *rate, told.guard) < 0.0;
             due |= passed || pushed_back || strikes || moved || rests(*mode, *rate, &told).is_some();
         });
         if due {

@@ -152,7 +152,8 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
         if written.0 == now {
             *from = *written;
         } else if from.0 != now {
-            *from = (now, *plain);
+            // A start is as it is said to be; an instant within a step is as the rule of that step left it.
+            *from = (now, if written.0.is_none() { *plain } else { written.1 });
         }
         // Implicit steps leave other accelerations than the true ones.
         let settled = self.resumed && from.1 != Chosen::Sdirk4;

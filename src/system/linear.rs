@@ -281,7 +281,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<L, S, R, C, P>,
     {
         let mut near = still.clone();
-        core::mem::swap(&mut near.position, place);
+        near.position.clone_from(place);
         if self.hold(&mut near, loads, &mut self.workspace()).is_ok() {
             core::mem::swap(&mut near.position, place);
         }

@@ -250,3 +250,25 @@ fn afloat() -> Result<(), Error> {
     }
     Ok(())
 }
+
+#[test]
+fn lists_of_another_length_are_refused_by_robots_that_float() -> Result<(), catena::Error> {
+    let scene = kit::floating()?;
+    let place = Place { place: Vector3::zeros(), attitude: Columns::identity() };
+    let expected = catena::Fault::Count { expected: 5, given: 1 };
+    let none = [0.0; 6];
+    let base = Afloat { place, velocity: Vector3::zeros(), spin: Vector3::zeros() };
+    let refused = [
+        scene.mass_inverse_afloat(place, &[0.3]).map(|_| ()),
+        scene.mass_matrix_afloat(place, &[0.3]).map(|_| ()),
+        scene.mass_solved_afloat(place, &[0.3], &none, &[0.0]).map(|_| ()),
+        scene.jacobian_afloat(place, &[0.3], None, [0.0; 3]).map(|_| ()),
+        scene.forward_dynamics_afloat(base, &[0.3], &[0.0], &none, &[0.0]).map(|_| ()),
+        scene.forward_dynamics_derivatives_afloat(base, &[0.3], &[0.0], &none, &[0.0]).map(|_| ()),
+        scene.inverse_dynamics_derivatives_afloat(base, &[0.3], &[0.0], &none, &[0.0]).map(|_| ()),
+    ];
+    for refused in refused {
+        assert_eq!(refused.map_err(|error| error.fault), Err(expected));
+    }
+    Ok(())
+}

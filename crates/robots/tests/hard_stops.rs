@@ -290,6 +290,19 @@ fn shocks_go_over_friction() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 #[test]
+fn long_falls_end_at_their_stop() -> Result<(), Box<dyn std::error::Error>> {
+    let scene = block!(0.5);
+    for number in 0..60 {
+        let height = 300.0 * 1.1_f64.powi(number);
+        let (mut start, first) = (scene.motion(), (2.0 * height / GRAVITY).sqrt());
+        start.set_coordinates(&[height])?;
+        let end = scene.simulation(Dop853::tolerance(1e-9)).run(start, 1.5 * first, |_| ())?.motion;
+        near(end.coordinates()[0] / height, 0.25, 1e-9);
+    }
+    Ok(())
+}
+
+#[test]
 fn what_makes_no_run_with_stops_is_refused() -> Result<(), Error> {
     let body = RigidBody::new(1.0, 0.1, [0.0; 2], [0.0; 2]);
     let between = |range: [f64; 2]| HardStops::between(Slider::along(0.0), range);
@@ -315,6 +328,15 @@ fn what_makes_no_run_with_stops_is_refused() -> Result<(), Error> {
     let mut start = scene.motion();
     start.set_coordinates(&[1.25])?;
     let refused = scene.simulation(Rk4::step(0.1)).run(start, 1.0, |_| ()).map(|_| ()).map_err(|end| end.error.fault);
+    assert!(matches!(refused, Err(Fault::OutOfRange { value: 0.25, most: 0.0, .. })), "{refused:?}");
+    // Also where a run goes on from there.
+    let mut run = scene.simulation(Rk4::step(0.1)).begin(scene.motion(), 1.0, |_| ())?;
+    run.until(0.5)?;
+    let mut moved = run.save();
+    moved.motion.set_coordinates(&[1.25])?;
+    moved.motion.set_rates(&[-1.0])?;
+    let refused =
+        scene.simulation(Rk4::step(0.1)).resume(moved, 1.0, |_| ()).map(|_| ()).map_err(|end| end.error.fault);
     assert!(matches!(refused, Err(Fault::OutOfRange { value: 0.25, most: 0.0, .. })), "{refused:?}");
     // Steps by hand past one.
     let mut now = scene.with_rates(scene.motion(), &[4.0])?;

@@ -132,8 +132,9 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
+        let matrix = self.mass_matrix_afloat(base, q)?; // which refuses another number of joints
         let (parents, o) = (self.parents(), T::zero());
-        let mass = Floating::of(self.mass_matrix_afloat(base, q)?, &parents);
+        let mass = Floating::of(matrix, &parents);
         let (of_six, of_joints) = ([o; 6], [o; N]);
         let mut one = Blocks {
             base: [of_six; 6],
