@@ -7,7 +7,7 @@ use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::kinematics::{Acting, Driving, Kinematics, Outboard};
-use crate::lift::Lift;
+use crate::lift::lift;
 use crate::mirror::{self, GuardedRate, Mode};
 use crate::relation::{Absent, AccelerationOf, Closures, Full};
 use crate::release::{Freedom, Release, Resistance};
@@ -90,12 +90,7 @@ impl<J, G, L> Counted for Guarded<J, G, L> {
     type Freedoms = U1;
 }
 
-impl<T: Scalar, U: Scalar, J: Lift<T, U>, G: Lift<T, U>, L: Lift<T, U>> Lift<T, U> for Guarded<J, G, L> {
-    type Over = Guarded<J::Over, G::Over, L::Over>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
-        Guarded { joint: self.joint.lift(number), guard: self.guard.lift(number), law: self.law.lift(number) }
-    }
-}
+lift!(Guarded<J, G, L> { joint, guard, law });
 
 impl<S: Space, J: Kinematics<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Joint<S> for Guarded<J, G, L> {
     type Position = mirror::Guarded<S::Scalar>;

@@ -3,10 +3,12 @@
 
 mod accept;
 pub(crate) mod crossing;
+mod cut;
 mod drive;
 #[cfg(feature = "rayon")]
 mod ensemble;
 pub(crate) mod limits;
+mod margin;
 mod now;
 mod saved;
 mod strike;

@@ -1,7 +1,7 @@
 //! Shocks in a run: joints that strike their stops, and what that does to all rates.
 
 use super::drive::Running;
-use super::switch::{inconsistent, touched};
+use super::margin::{inconsistent, touched};
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
@@ -51,7 +51,7 @@ where
         for count in 0..BLOWS[1] {
             let next = &mut self.next;
             system.accelerate(next, loads, &mut workspace)?;
-            let Some(mut blow) = fastest::<S, R, C, P>(next, still) else {
+            let Some(mut blow) = Self::fastest(next, still) else {
                 next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| {
                     if *mode != Mode::Swings {
                         *mode = Mode::of(*rate);
@@ -105,7 +105,7 @@ where
     fn end_rebounds(&mut self) -> Result<(), Error> {
         let mut joint = 0;
         for _ in 0..BLOWS[1] {
-            let Some(blow) = lowest::<S, R, C, P>(&mut self.next) else { return Ok(()) };
+            let Some(blow) = Self::lowest(&mut self.next) else { return Ok(()) };
             joint = blow.joint;
             self.give(&blow)?;
             self.settle_modes(None)?;
@@ -151,54 +151,42 @@ where
         response.mix_1(&struck, (-one, &still));
         Ok(response)
     }
-}
 
-/// The joint that moves into its stop fastest. What is `still` at its stop is put to rest.
-fn fastest<S, R, C, P>(motion: &mut MotionOf<S, R, C, P>, still: f64) -> Option<Blow>
-where
-    S: Space,
-    R: Root<S>,
-    C: Element<S>,
-    P: Tip<S>,
-{
-    let touch = Mode::touch::<RealOf<S>>().as_f64();
-    let (mut worst, mut blow, mut count) = (0.0, None, 0);
-    motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-        let joint = count;
-        count += 1;
-        let Some(side) = touched(*mode, told.guard) else { return };
-        let speed = side * rate.real().as_f64();
-        if speed.abs() <= still {
-            *rate = S::Scalar::zero();
-        } else if speed > worst {
-            let share = told.answer.real().as_f64();
-            let rises = !is_low(share * speed, side * told.rate.real().as_f64(), touch);
-            let restitution = if rises { share } else { 0.0 };
-            (worst, blow) = (speed, Some(Blow { joint, rate: rate.real().as_f64(), restitution }));
-        }
-    });
-    blow
-}
+    /// The joint that moves into its stop fastest. What is `still` at its stop is put to rest.
+    fn fastest(motion: &mut MotionOf<S, R, C, P>, still: f64) -> Option<Blow> {
+        let touch = Mode::touch::<RealOf<S>>().as_f64();
+        let (mut worst, mut blow, mut count) = (0.0, None, 0);
+        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
+            let joint = count;
+            count += 1;
+            let Some(side) = touched(*mode, told.guard) else { return };
+            let speed = side * rate.real().as_f64();
+            if speed.abs() <= still {
+                *rate = S::Scalar::zero();
+            } else if speed > worst {
+                let share = told.answer.real().as_f64();
+                let rises = !is_low(share * speed, side * told.rate.real().as_f64(), touch);
+                let restitution = if rises { share } else { 0.0 };
+                (worst, blow) = (speed, Some(Blow { joint, rate: rate.real().as_f64(), restitution }));
+            }
+        });
+        blow
+    }
 
-/// A joint whose rebound rises no higher than what touches, with the blow that ends it.
-fn lowest<S, R, C, P>(motion: &mut MotionOf<S, R, C, P>) -> Option<Blow>
-where
-    S: Space,
-    R: Root<S>,
-    C: Element<S>,
-    P: Tip<S>,
-{
-    let touch = Mode::touch::<RealOf<S>>().as_f64();
-    let (mut blow, mut count) = (None, 0);
-    motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-        let (joint, rate) = (count, rate.real().as_f64());
-        count += 1;
-        let Some(side) = touched(*mode, told.guard) else { return };
-        if side * rate < 0.0 && is_low(rate, side * told.rate.real().as_f64(), touch) {
-            blow = Some(Blow { joint, rate, restitution: 0.0 });
-        }
-    });
-    blow
+    /// A joint whose rebound rises no higher than what touches, with the blow that ends it.
+    fn lowest(motion: &mut MotionOf<S, R, C, P>) -> Option<Blow> {
+        let touch = Mode::touch::<RealOf<S>>().as_f64();
+        let (mut blow, mut count) = (None, 0);
+        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
+            let (joint, rate) = (count, rate.real().as_f64());
+            count += 1;
+            let Some(side) = touched(*mode, told.guard) else { return };
+            if side * rate < 0.0 && is_low(rate, side * told.rate.real().as_f64(), touch) {
+                blow = Some(Blow { joint, rate, restitution: 0.0 });
+            }
+        });
+        blow
+    }
 }
 
 /// Whether a rebound at this rate, pressed back by this acceleration, rises no higher than that.

@@ -31,6 +31,8 @@ pub struct AutoStepper<D: StiffDynamics<L>, L> {
     stiff: SdirkStepper<D, L>,
     race: Race<TimeIn<D, L>>,
     resumed: bool,
+    /// Whether what was carried has been put back since a step was proposed.
+    restored: bool,
     room: D::Rate,
 }
 
@@ -46,6 +48,7 @@ impl<D: StiffDynamics<L> + Clone, L> Method<D, L> for Auto {
             stiff: Sdirk4::new().stepper(scene),
             race: Race::of(plain),
             resumed: false,
+            restored: false,
             room: still.rate,
         }
     }
@@ -146,9 +149,12 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
         dt: TimeIn<D, L>,
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
-        self.race.meet(dt);
-        let Race { chosen, plain, from, written, .. } = &mut self.race;
         let now = Some(past.time);
+        // A step that was made, and is made anew to end earlier, says nothing of the race: it is one by the same rule.
+        if !(self.restored && self.race.from.0 == now && self.race.written.0 != now) {
+            self.race.meet(dt);
+        }
+        let Race { chosen, plain, from, written, .. } = &mut self.race;
         if written.0 == now {
             *from = *written;
         } else if from.0 != now {
@@ -173,6 +179,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
     }
 
     fn propose(&mut self, past: &MotionIn<D, L>, loads: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
+        self.restored = false;
         let (before, accepted) = (self.race.chosen, self.race.written.0 == Some(past.time));
         if self.race.wonders() && (accepted || self.race.fastest.is_none()) {
             self.race.fastest = Some(self.stiff.fastest(past, loads));
@@ -264,7 +271,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
     }
 
     fn restore(&mut self, memory: &Self::Memory) {
-        self.race = memory.race;
+        (self.race, self.restored) = (memory.race, true);
         self.multi.restore(&memory.multi);
         self.stiff.restore(&memory.stiff);
     }

@@ -17,7 +17,7 @@ pub fn loose<S: Space, E: Shape<S>>(
     Coordinates { position, rate, acceleration }: Coordinates<'_, S, E>,
     free: bool,
 ) -> Option<usize> {
-    let mut walk = Loose { met: 0, ball: None, spins: None, found: None };
+    let mut walk = Loose { met: 0, ball: None, spins: None, found: None, closed: false };
     chain.outward(&mut walk, ground, (position, rate, acceleration));
     walk.found.or(walk.spins.filter(|_| free))
 }
@@ -30,6 +30,8 @@ struct Loose {
     /// Such a joint, if the body just met has no inertia about its line.
     spins: Option<usize>,
     found: Option<usize>,
+    /// Whether the arm to come is that of a loop, which its other end holds.
+    closed: bool,
 }
 
 impl<S: Space> Walk<S> for Loose {
@@ -42,9 +44,11 @@ impl<S: Space> Outward<S> for Loose {
 
     /// What leaves a body there may hold it: that is not looked at.
     fn enter<Y: Way, X>(&mut self, go: impl FnOnce(&mut Self) -> X) -> X {
+        let closed = core::mem::replace(&mut self.closed, false);
         (self.ball, self.spins) = (None, None);
         let out = go(self);
-        (self.ball, self.spins) = (None, None);
+        self.found = self.found.or(self.spins.take().filter(|_| !closed));
+        (self.ball, self.spins, self.closed) = (None, None, closed);
         out
     }
     fn body<B: Body<S>>(&mut self, body: &B, frame: FrameOf<S>, _: AtBody<'_, S, Self, B>) -> FrameOf<S> {
@@ -70,9 +74,9 @@ impl<S: Space> Outward<S> for Loose {
         self.met += 1;
     }
     fn parallel<N: Parallel<S>>(&mut self, net: &N, frame: FrameOf<S>, stores: Of<'_, S, Self, N>) -> FrameOf<S> {
-        (self.ball, self.spins) = (None, None);
+        let outer = core::mem::replace(&mut self.closed, true);
         let end = parallel_outward(self, net, frame, stores);
-        (self.ball, self.spins) = (None, None);
+        (self.ball, self.spins, self.closed) = (None, None, outer);
         end
     }
 }

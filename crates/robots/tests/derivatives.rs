@@ -272,3 +272,21 @@ fn lists_of_another_length_are_refused_by_robots_that_float() -> Result<(), cate
     }
     Ok(())
 }
+
+#[test]
+fn a_base_that_carries_no_link_is_refused() -> Result<(), catena::Error> {
+    let link = Link::general(3.0_f64, [0.1, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.06, 0.0], [0.0, 0.0, 0.01]]);
+    let robot = System::new(Free, (BodyAxes, Hinge::at::<7>([0.3, 0.2, -0.1]), link), Free)?;
+    for angle in [0.0, 0.4, 1.1] {
+        let (s, c) = f64::sin_cos(angle);
+        let attitude = Columns {
+            x: Vector3::new(c, s, 0.0),
+            y: Vector3::new(-0.6 * s, 0.6 * c, 0.8),
+            z: Vector3::new(0.8 * s, -0.8 * c, 0.6),
+        };
+        let place = Place { place: Vector3::new(1.0, 2.0, 3.0), attitude };
+        let refused = robot.mass_inverse_afloat(place, &[0.3]).map_err(|error| error.fault);
+        assert_eq!(refused.map(|_| ()), Err(catena::Fault::NonFiniteMotion));
+    }
+    Ok(())
+}

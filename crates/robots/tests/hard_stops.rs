@@ -3,6 +3,7 @@
 
 use catena::planar::*;
 use catena::scalar::Jet;
+use catena::simulate::Chosen;
 use catena::{Error, Fault, spatial};
 use catena_oracle::{Noise, has_order, near};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -286,6 +287,22 @@ fn shocks_go_over_friction() -> Result<(), Box<dyn std::error::Error>> {
     let end = scene.simulation(Dop853::tolerance(1e-10)).run(start, 3.0, |_| ())?.motion;
     assert_eq!(end.rates(), [0.0; 2]);
     near(end.coordinates()[0], 1.0, 1e-9); // v²/2a = 4 / (2 · 2)
+    Ok(())
+}
+
+#[test]
+fn a_step_that_a_shock_cuts_is_by_the_rule_that_made_it() -> Result<(), Box<dyn std::error::Error>> {
+    // A stiff damped hinge brings the implicit rule on trial, and the first step of that ends at a stop.
+    let rod = Rod::uniform(0.5, 1.0);
+    let stiff = ElasticHinge::with(Spring::new(1e5).damped(20.0));
+    let knee = HardStops::between(Revolute::smooth(), [-1.0, 1e-5]).rebounding(0.5);
+    let scene = System::new(Clamped::origin(), (stiff, rod, knee, rod), Free)?;
+    let start = scene.with_rates(scene.motion(), &[0.0, 1.0])?;
+    let mut run = scene.simulation(Auto::tolerance(1e-3)).begin(start, 0.1, |_| ())?;
+    assert!(run.step()?);
+    assert!(run.motion().rates()[1] < 0.0, "the first step ends at the stop");
+    near(run.motion().coordinates()[1], 1e-5, 1e-12);
+    assert_eq!(run.stepper().chosen(), Chosen::Sdirk4);
     Ok(())
 }
 

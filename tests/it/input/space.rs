@@ -237,6 +237,10 @@ fn a_ball_that_nothing_resists_is_named() -> Result<(), Error> {
         let between = System::new(Pinned::origin(), chain, Free)?.with_gravity([0.0, 0.0, -9.81]);
         let all = [angles, angles, [0.2, 0.1, 0.4]].concat();
         assert_eq!(between.with_accelerations(between.at_rest(&all)?, &Unloaded).err(), at(Place::Station(1)));
+        // At the end of an arm.
+        let chain = (rod(), Branch((Ball, thin)), Ball, rod());
+        let arm = System::new(Pinned::origin(), chain, Free)?.with_gravity([0.0, 0.0, -9.81]);
+        assert_eq!(arm.with_accelerations(arm.at_rest(&all)?, &Unloaded).err(), at(Place::Station(1)));
         // A joint that hands on torques keeps it from spinning.
         let chain = (thin, Revolute::about([0.0, 0.0, 1.0]), rod());
         let held = System::new(Pinned::origin(), chain, Free)?.with_gravity([0.0, 0.0, -9.81]);

@@ -4,7 +4,7 @@
 //! Journal of Robotics Research 24, 2005). Right-hand sides stand side by side, so that each number of L is met by a row of them.
 
 use super::MassMatrix;
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 
 /// L below the diagonal, 1 / D, and which joint carries which.
 pub struct Factor<'a, T, const N: usize> {
@@ -101,6 +101,8 @@ impl<'a, T: Scalar, const N: usize> Factor<'a, T, N> {
     }
 }
 
+/// Up to so many roundings of it, what is left of an inertia of the base is none.
+const ROUNDINGS: f64 = 64.0;
 /// Each coordinate of a base carries the next.
 const CHAIN: [usize; 6] = [usize::MAX, 0, 1, 2, 3, 4];
 
@@ -114,13 +116,23 @@ pub struct Floating<'a, T, const N: usize> {
 
 impl<'a, T: Scalar, const N: usize> Floating<'a, T, N> {
     /// Of a mass matrix.
-    pub fn of(MassMatrix { mut base, coupling, joints }: MassMatrix<T, N>, parents: &'a [usize; N]) -> Self {
+    pub fn of(MassMatrix { base: mass, coupling, joints }: MassMatrix<T, N>, parents: &'a [usize; N]) -> Self {
+        let mut base = mass;
         let (joints, mut giving) = (Factor::of(joints, parents), coupling);
         joints.solve(T::one(), &mut giving);
         for (coupling, giving) in coupling.iter().zip(&giving) {
             base.iter_mut().zip(coupling).for_each(|(row, entry)| row.less([*entry], [giving]));
         }
-        Self { joints, giving, base: Factor::of(base, &CHAIN) }
+        let whole: [T; 6] = core::array::from_fn(|k| mass[k][k]);
+        let mut base = Factor::of(base, &CHAIN);
+        // What rounding leaves of an inertia is none: a base without a link moves as a joint on it does.
+        for (inverse, whole) in base.inverse.iter_mut().zip(whole) {
+            let left = (*inverse * whole).recip().real();
+            if left <= T::Real::EPSILON * T::Real::of(ROUNDINGS) {
+                *inverse = T::zero().recip();
+            }
+        }
+        Self { joints, giving, base }
     }
 
     /// `by` · M⁻¹ times columns.

@@ -2,6 +2,6 @@
 
 mod held_tips;
 mod linear_springs;
-mod space;
+pub mod space;
 mod spatial_hinges;
 mod spatial_product;

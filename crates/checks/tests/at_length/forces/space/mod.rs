@@ -2,4 +2,4 @@
 
 mod hinges;
 #[path = "../../../../../../tests/it/forces/space/twins.rs"]
-mod twins;
+pub mod twins;

@@ -1,27 +1,12 @@
 //! Trees in space.
 
 use super::*;
+use crate::forces::space::twins::body;
 use catena::Error;
 use catena::loading::Loading;
 use catena::spatial::{self, *};
 use catena::system::MotionOf;
 use catena::system::{Root, Tip};
-
-/// A body in general position, and its twin.
-fn body(noise: &mut Noise) -> (RigidBody<f64>, oracle::Body) {
-    let mass = noise.between(0.5, 2.0);
-    let axes = oracle::angles([noise.next(), noise.next(), noise.next()]);
-    // Moments from second moments of mass, so that they are possible.
-    let [a, b, c] = [noise.between(0.01, 0.1), noise.between(0.01, 0.1), noise.between(0.01, 0.1)];
-    let inertia = axes * oracle::Matrix::from_diagonal(&Vector::new(b + c, a + c, a + b)) * axes.transpose();
-    let inertia = (inertia + inertia.transpose()) * 0.5;
-    let centre = Vector::new(noise.between(0.2, 0.6), noise.between(-0.2, 0.2), noise.between(-0.2, 0.2));
-    let outboard = Vector::new(noise.between(0.5, 1.0), noise.between(-0.3, 0.3), noise.between(-0.3, 0.3));
-    let o = Vector::zeros();
-    let twin = oracle::Body { mass, inertia, centre, outboard, force: o, at: o, torque: o };
-    let tensor = core::array::from_fn(|i| core::array::from_fn(|j| inertia[(i, j)]));
-    (RigidBody::new(mass, tensor, centre.into(), outboard.into()), twin)
-}
 
 fn read<R, C, P, L>(
     system: &spatial::System<f64, R, C, P>,

@@ -1,0 +1,166 @@
+//! Where a mode of a joint changes within a step, which ends there.
+
+use super::crossing::crossing;
+use super::drive::Running;
+use super::margin::{inconsistent, margin};
+use super::now::settled;
+use super::{EventFunction, Now};
+use crate::element::{Element, Loading, RealOf, Space};
+use crate::ends::{Root, Tip};
+use crate::error::Error;
+use crate::mirror::{Mode, Position};
+use crate::scalar::{Real, Scalar};
+use crate::stepper::Stepper;
+use crate::system::{MotionOf, RateOf, Runs, System};
+use crate::time::Control;
+
+/// Halvings of a step in which a joint moves on before it comes to rest.
+const HALVINGS: i32 = 40;
+/// So many corrections put the end of a step where a joint meets its stop.
+const NEWTON: usize = 3;
+/// Into so many parts a step is divided by looks at what sticks in it, and where these show that friction changes much.
+const LOOKS: [u32; 2] = [2, 8];
+/// By how much friction may change from look to look, as a share of that at which a joint breaks away.
+const CHANGE: f64 = 0.1;
+
+impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
+where
+    S: Space,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    L: Loading<S>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>,
+    K: Stepper<&'a System<S, R, C, P>, L>,
+    E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
+    O: FnMut(&Now<'_, S, R, C, P, L>),
+{
+    /// The least margin at the end of the step, with the accelerations that belong to it.
+    fn margin_ahead(&mut self) -> f64 {
+        if K::SETTLED {
+            return Self::margins(&mut self.next).0;
+        }
+        Self::margins(&mut settled(self.plan.system, self.plan.loads, &self.next)).0
+    }
+
+    /// How friction of the joints that stick has changed at most from what is kept, which it replaces, and the least margin of those that do not
+    /// move.
+    fn pull(motion: &mut MotionOf<S, R, C, P>, kept: &mut RateOf<S, R, C>) -> (f64, f64) {
+        let (mut change, mut least) = (0.0_f64, f64::INFINITY);
+        motion.position.each_mode(kept, &motion.acceleration, &mut |mode, kept, told| {
+            if mode.is_locked() {
+                least = least.min(margin(*mode, told.rate, told.guard));
+            }
+            if *mode == Mode::Sticks {
+                change = change.max((told.guard - *kept).real().as_f64().abs());
+                *kept = told.guard;
+            }
+        });
+        (change, least)
+    }
+
+    /// The first instant in the step at which a joint that does not move would do so, of some that are looked at, and its margin. What
+    /// rests errs by nothing, whatever loads do: so the next step is to be no longer than one in which friction changes little.
+    fn look(&mut self, size: RealOf<S>) -> Option<(f64, f64)> {
+        let (system, loads) = (self.plan.system, self.plan.loads);
+        let mut start = self.past.rate.clone();
+        if Self::pull(&mut self.past, &mut start).1.is_infinite() {
+            return None;
+        }
+        let mut coarse = None;
+        for looks in LOOKS {
+            let (mut kept, mut most) = (start.clone(), 0.0_f64);
+            for k in 1..=looks {
+                let theta = f64::from(k) / f64::from(looks);
+                let mut seen = if k == looks {
+                    settled(system, loads, &self.next)
+                } else {
+                    self.interpolate(size, theta);
+                    settled(system, loads, &self.between)
+                };
+                let (change, margin) = Self::pull(&mut seen, &mut kept);
+                if margin < 0.0 && k < looks {
+                    return Some((theta, margin));
+                }
+                most = most.max(change);
+            }
+            coarse.get_or_insert(most);
+            if most <= CHANGE {
+                break;
+            }
+        }
+        let progress = &mut self.progress;
+        if let Some(change) = coarse.filter(|change| *change > 0.5 * CHANGE) {
+            progress.size = progress.size.min(size * RealOf::<S>::of((CHANGE / change).max(0.2)));
+            progress.careful = true;
+        }
+        None
+    }
+
+    /// For how long the joint that is to change its mode has been beyond its stop (s), if it strikes one.
+    fn beyond(&mut self) -> f64 {
+        let mut next = settled(self.plan.system, self.plan.loads, &self.next);
+        let (earliest, mut count, mut time) = (Self::margins(&mut next).1, 0, 0.0);
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
+            if count == earliest && *mode == Mode::Swings && told.guard.real().as_f64().abs() > 1.0 {
+                time = -(told.apart / *rate).real().as_f64();
+            }
+            count += 1;
+        });
+        time
+    }
+
+    /// Makes the step anew, as long as a share of it, with what the stepper carried after it.
+    fn made_anew(&mut self, memory: &K::Memory, size: RealOf<S>, share: f64) -> Result<f64, Error> {
+        self.stepper.restore(memory);
+        self.stepper.advance(&self.past, self.plan.loads, size * RealOf::<S>::of(share), &mut self.next)?;
+        Ok(self.margin_ahead())
+    }
+
+    /// Ends the step where the first of all joints is to change its mode, if one is: by steps made anew, so that the rule's order is that of
+    /// the place found. Gives the size of the step (s).
+    pub(super) fn cut(&mut self, size: RealOf<S>) -> Result<Option<RealOf<S>>, Error> {
+        let mut high = (1.0, self.margin_ahead());
+        if let Control::Tolerance(_) = self.plan.rule.control
+            && let Some(earlier) = self.look(size)
+        {
+            high = earlier;
+        }
+        if high.1.is_nan() || high.1 >= 0.0 {
+            return Ok(None);
+        }
+        let memory = self.stepper.memory();
+        let (margin, least) = Self::margins(&mut self.past);
+        let mut low = (0.0, margin);
+        // One that has just begun to slip is at rest where the step begins.
+        let mut share = high.0;
+        for _ in 0..HALVINGS {
+            if low.1 > 0.0 {
+                break;
+            }
+            share *= 0.5;
+            let margin = self.made_anew(&memory, size, share)?;
+            if margin > 0.0 {
+                low = (share, margin);
+            } else {
+                high = (share, margin);
+            }
+        }
+        if low.1 <= 0.0 {
+            return Err(inconsistent(least, self.past.time));
+        }
+        let (width, below) = (high.0 - low.0, low.0);
+        let within = crossing([low.1, high.1], |theta| self.made_anew(&memory, size, below + theta * width))?;
+        let mut share = below + within * width;
+        // What strikes has been found a little beyond its stop, where it is faster by what it has fallen since.
+        for _ in 0..NEWTON {
+            let back = self.beyond() / size.as_f64();
+            if !(back > 0.0 && back < 0.5 * share) {
+                break;
+            }
+            share -= back;
+            self.made_anew(&memory, size, share)?;
+        }
+        Ok(Some(size * RealOf::<S>::of(share)))
+    }
+}
