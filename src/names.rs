@@ -101,9 +101,25 @@ impl serde::Serialize for Label {
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for Label {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = <&str>::deserialize(deserializer)?;
+        deserializer.deserialize_str(Text)
+    }
+}
+
+/// Formats may own a text, as where it was escaped.
+#[cfg(feature = "serde")]
+struct Text;
+
+#[cfg(feature = "serde")]
+impl serde::de::Visitor<'_> for Text {
+    type Value = Label;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a name")
+    }
+
+    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Label, E> {
         let cut = text.strip_suffix("...").filter(|_| text.len() > 23);
-        let label = Self::of(cut.unwrap_or(text));
-        Ok(if cut.is_some() { Self { length: label.length | 0x80, ..label } } else { label })
+        let label = Label::of(cut.unwrap_or(text));
+        Ok(if cut.is_some() { Label { length: label.length | 0x80, ..label } } else { label })
     }
 }

@@ -43,7 +43,7 @@ impl<T: Scalar, const K: usize> Derived for Jet<T, K> {
         self.re
     }
     fn is_constant(self) -> bool {
-        self.eps.iter().all(|x| *x == T::zero())
+        self.eps.iter().all(|x| x.is_identical(T::zero()))
     }
     fn seeded(self, k: usize) -> Self {
         Self::seed(self.re, k)

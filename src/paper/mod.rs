@@ -103,6 +103,11 @@
 //! amplification is −1 or beyond. Such rules are allowed and say so: [`Rule::is_weak_on_rigid_joints`], and the
 //! picture at [`Newmark`].
 //!
+//! # Loads in joints
+//!
+//! Laws in joints are told how the bodies on either side of a joint move, by which it turns and how fast; slides, springs and reflected
+//! inertia of the [`JointMotion`](crate::planar::JointMotion) are zero, for at displacement level a joint has none of its own.
+//!
 //! # What it is good for
 //!
 //! For chains of moderate accuracy at a fixed cost: one sweep a step, linear, no iteration; with [`GeneralizedAlpha`] at the predictor it

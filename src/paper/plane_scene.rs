@@ -133,7 +133,7 @@ where
             return [T::zero()];
         }
         let outboard = outer.map_or(*ground, |body| body.inboard);
-        let inboard = Frame { turn: inner.map_or(ground.turn, |body| body.inboard.turn), ..outboard };
+        let inboard = inner.map_or(*ground, BodyMotion::outboard);
         let spring = SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() };
         let arm = Vector2::new(T::zero(), T::zero());
         let none = [T::zero(); 2];

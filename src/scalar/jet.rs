@@ -175,7 +175,12 @@ impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         // Divided by the larger coordinate first: neither very long nor very short vectors overflow.
-        let length = T::constant(Real::max(Scalar::abs(x.re.real()), Scalar::abs(self.re.real())));
+        let length = if T::LANES {
+            let (x, y) = (x.re.abs(), self.re.abs());
+            (x - y).if_negative(y, x)
+        } else {
+            T::constant(Real::max(Scalar::abs(x.re.real()), Scalar::abs(self.re.real())))
+        };
         let (across, along) = (self.re / length, x.re / length);
         let inverse = (across.mul_add(across, along * along) * length).recip();
         let eps = each(|k| (along * self.eps[k] - across * x.eps[k]) * inverse);
@@ -202,6 +207,10 @@ impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
     #[inline(always)]
     fn sign(self) -> Self {
         Self::of(self.re.sign())
+    }
+    fn if_negative(self, then: Self, otherwise: Self) -> Self {
+        let eps = each(|k| self.re.if_negative(then.eps[k], otherwise.eps[k]));
+        Self { re: self.re.if_negative(then.re, otherwise.re), eps }
     }
 }
 

@@ -136,6 +136,17 @@ macro_rules! lanes {
             fn sign(self) -> Self {
                 self.map_lanes(Scalar::sign)
             }
+
+            #[inline]
+            fn if_negative(self, then: Self, otherwise: Self) -> Self {
+                let mut chosen = otherwise.into_arr();
+                for ((chosen, then), own) in chosen.iter_mut().zip(then.into_arr()).zip(self.into_arr()) {
+                    if own < 0.0 {
+                        *chosen = then;
+                    }
+                }
+                chosen.into()
+            }
         }
     )*};
 }

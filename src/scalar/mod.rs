@@ -158,6 +158,13 @@ pub trait Scalar:
     /// −1, 0 or 1, as it is negative, zero (or NaN) or positive: the derivative of [`abs`](Scalar::abs). It has none itself.
     fn sign(self) -> Self;
 
+    /// `then` where it is below zero, `otherwise` where it is not (or NaN): of lanes each decides for itself. Whatever is not taken may
+    /// be NaN. For input and output: kernels decide nothing.
+    #[inline]
+    fn if_negative(self, then: Self, otherwise: Self) -> Self {
+        if self.real() < Self::Real::zero() { then } else { otherwise }
+    }
+
     /// A whole power, by products: `powi(0)` is 1 everywhere, without derivatives, also at zero; negative powers are reciprocals.
     #[inline]
     fn powi(self, exponent: i32) -> Self {

@@ -117,5 +117,8 @@ impl<T: Scalar, const N: usize> Scalar for Pack<T, N> {
     fn atan2(self, x: Self) -> Self {
         Self(from_fn(|k| self.0[k].atan2(x.0[k])))
     }
+    fn if_negative(self, then: Self, otherwise: Self) -> Self {
+        Self(from_fn(|k| self.first().if_negative(then.0[k], otherwise.0[k])))
+    }
     functions!(recip, sqrt, exp, ln, tanh, abs, sign);
 }

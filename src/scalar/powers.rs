@@ -156,6 +156,9 @@ impl<T: Scalar, const N: usize> Scalar for Powers<T, N> {
         }
         Self(all)
     }
+    fn if_negative(self, then: Self, otherwise: Self) -> Self {
+        Self(core::array::from_fn(|k| self.first().if_negative(then.0[k], otherwise.0[k])))
+    }
     fn abs(self) -> Self {
         Self(self.0.map(|x| x * self.first().sign()))
     }

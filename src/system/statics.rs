@@ -21,6 +21,8 @@ const FAR: f64 = 40.0;
 const NEAR: f64 = 0.01;
 /// Share of the work expected of a step that it must do.
 const GAIN: f64 = 0.2;
+/// Steps once real parts have come to rest, each of which settles another order of derivatives.
+const ORDERS: usize = 3;
 /// Steps so short (rad, m) need no proof that they lead downhill.
 const SHORT: f64 = 1e-4;
 
@@ -39,7 +41,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// A step takes sixteen sweeps for each coordinate and dense algebra, so this is for some hundreds of coordinates. What is
     /// left is rounding: 4e-15 rad for a hundred links with springs, 1e-13 rad for a catenary of 150. Over dual numbers the
-    /// equilibrium has derivatives, to 12 digits. Lanes each have an equilibrium of their own, and are not supported.
+    /// equilibrium has derivatives to third order, to 12 digits. Lanes each have an equilibrium of their own, and are not supported.
     ///
     /// ```
     /// use catena::loading::Unloaded;
@@ -73,7 +75,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         self.settle(&mut now, loads, &mut workspace)?;
         let (small, tiny) = (RealOf::<S>::EPSILON.powf(real(0.6)), real(2.0) * RealOf::<S>::EPSILON);
         let (mut last, mut damping) = (RealOf::<S>::INFINITY, RealOf::<S>::zero());
-        let mut near = false;
+        let (mut near, mut orders) = (false, None);
         for step in 0..STEPS {
             let linear = self.linearise(&now, loads, &mut stiff);
             let inertial = self.inertial_forces(&now, &linear.tangent, &linear.root);
@@ -109,9 +111,13 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let free = ladder <= real(1e6) * RealOf::<S>::EPSILON * fall.scale;
             let stalled = found.size + found.size >= last && (found.size <= small || settled);
             // Not the first step, even if it is short: the derivatives of dual numbers follow real parts.
-            if step > 0 && free && (found.size <= tiny || stalled) {
-                return Ok(now);
-            }
+            let rests = step > 0 && free && (found.size <= tiny || stalled);
+            orders = match orders {
+                Some(1) => return Ok(now),
+                Some(left) => Some(left - 1),
+                None if rests && is_plain(&now.position) => return Ok(now),
+                None => rests.then_some(ORDERS),
+            };
             last = found.size;
         }
         Err(self.unsettled(&now))
@@ -177,6 +183,13 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Error::new(Fault::NoEquilibrium { residual: residual(&motion.acceleration).as_f64() })
             .at_time(motion.time.as_f64())
     }
+}
+
+/// Whether no number has derivatives.
+fn is_plain<T: Scalar, Q: Position<T>>(position: &Q) -> bool {
+    let mut plain = true;
+    position.visit(&mut |x| plain &= x.is_identical(T::constant(x.real())));
+    plain
 }
 
 /// The largest acceleration.

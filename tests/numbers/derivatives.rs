@@ -321,3 +321,32 @@ fn four_lanes_are_four_runs() -> Result<(), Error> {
     println!("{same_bits} of 20 readings have the same bits");
     Ok(())
 }
+
+#[test]
+fn equilibria_have_derivatives_to_third_order() -> Result<(), Error> {
+    // 5 q + p cos q = 0, of which the derivatives follow by differentiating: 5 q′ + (p c)′ = 0 and so on.
+    fn rest<T: Scalar<Real = f64>>(p: T, guess: f64) -> Result<T, Error> {
+        let n = T::literal;
+        let hinge = ElasticHinge::rotary(n(5.0));
+        let bob = PointMass::new(T::one(), n(1.0));
+        let scene = System::new(Clamped::at(n(0.0), n(0.0), n(0.0)), (hinge, bob), Free)?.with_gravity(p);
+        let found = scene.equilibrium(scene.at_rest(&[n(guess)])?, &Unloaded)?;
+        Ok(found.coordinates()[0])
+    }
+    let p = 9.81_f64;
+    let q = rest(p, -1.0)?;
+    assert!((5.0 * q + p * q.cos()).abs() < 1e-14);
+    let (s, c) = q.sin_cos();
+    let slope = 5.0 - p * s;
+    let first = -c / slope;
+    let second = (p * c * first * first + 2.0 * s * first) / slope;
+    let third =
+        (3.0 * p * c * first * second - p * s * first.powi(3) + 3.0 * c * first * first + 3.0 * s * second) / slope;
+    for guess in [q, 1.05 * q, -0.7] {
+        let found = rest(num_dual::Dual3_64::new(p, 1.0, 0.0, 0.0), guess)?;
+        for (found, expected) in [(found.re, q), (found.v1, first), (found.v2, second), (found.v3, third)] {
+            assert!((found - expected).abs() < 1e-12, "{found} instead of {expected} from {guess}");
+        }
+    }
+    Ok(())
+}

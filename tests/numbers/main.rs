@@ -1,5 +1,6 @@
 //! Every kind of number as scalar, and derivatives forward and backward.
 
+mod attitudes;
 mod backward;
 mod derivatives;
 mod ensembles;

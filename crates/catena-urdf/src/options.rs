@@ -72,7 +72,7 @@ impl Options {
     }
 
     /// Takes angles, and axes of joints, within a tolerance (rad) of a right angle for right, and notes by how much each was
-    /// turned. Those right to the last bit of a double are right in any case.
+    /// turned. Those right to the last bit of a double are right in any case. At most 0.1.
     pub fn snap(self, tolerance: f64) -> Self {
         Self { snap: tolerance, ..self }
     }
@@ -121,7 +121,8 @@ impl Options {
 
     /// Rejects numbers that make no mechanics.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        fits("a tolerance of right angles must be zero or more", [self.snap], |x| x >= 0.0)?;
+        let small = |x| (0.0..=0.1).contains(&x); // farther off than six degrees no angle is meant to be right
+        fits("a tolerance of right angles (rad) must be from 0 to 0.1", [self.snap], small)?;
         fits("where a joint is held must be finite", self.held.iter().map(|(_, at)| *at), |_| true)?;
         fits("gravity must be finite", self.gravity, |_| true)?;
         self.laws.check()

@@ -47,9 +47,12 @@ fn options_that_are_no_numbers_are_refused() -> Result<(), Box<dyn Error>> {
         assert_eq!(read(Options::new().hold("j", value)), Err(held));
         let gravity = format!("gravity must be finite, not {said}");
         assert_eq!(read(Options::new().gravity([0.0, value, -9.81])), Err(gravity));
-        let snap = format!("a tolerance of right angles must be zero or more, not {said}");
+        let snap = format!("a tolerance of right angles (rad) must be from 0 to 0.1, not {said}");
         assert_eq!(read(Options::new().snap(value)), Err(snap));
     }
+    // A degree, mistaken for a radian: every axis would be along x.
+    let snap = "a tolerance of right angles (rad) must be from 0 to 0.1, not 1";
+    assert_eq!(read(Options::new().snap(1.0)), Err(snap.to_owned()));
     Ok(())
 }
 

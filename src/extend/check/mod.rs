@@ -75,8 +75,10 @@ type Varied<S, R, C, P> = System<<S as SpaceOver<Dual>>::Over, Over<R>, Over<C>,
 ///
 /// * accelerations of a sweep with the balance of virtual power, of bodies as they move and joints as they describe themselves: gains
 ///   that do not match an elimination, forces that are not the law's;
-/// * the same after an implicit sweep, whose springs move with the accelerations sought: pivots;
-/// * the rate of energy with the power of dampers: energies, reflected inertia, velocities that are no derivatives of places;
+/// * the same after an implicit sweep, whose springs move with the accelerations sought: pivots, but for those of joints with more than
+///   two coordinates, which no check sees;
+/// * the rate of energy with the power of dampers, where neither ground nor drives move: energies, reflected inertia, velocities that are
+///   no derivatives of places;
 /// * slopes of laws with derivatives of forces;
 /// * the force at the root with that by transfer matrices, where the scene has them;
 /// * derivatives by jets with differences.

@@ -81,8 +81,15 @@ where
         still.acceleration.replace(&mut |_| 0.0);
         let ground = self.census::<N>(&still);
         let whole: f64 = here.bodies.iter().flat_map(|(force, _)| force).map(|x| x.abs()).sum();
-        let freedoms = read.joints.iter().flat_map(|joint| joint.coordinates.iter().flatten());
-        for (j, freedom) in freedoms.enumerate() {
+        let freedoms = read.joints.iter().flat_map(|joint| {
+            let own = joint.coordinates.iter().flatten().count();
+            joint.coordinates.iter().flatten().map(move |freedom| (own, freedom))
+        });
+        for (j, (own, freedom)) in freedoms.enumerate() {
+            // Springs of rotations are linear in other numbers than those that an implicit sweep seeks.
+            if own > 2 && state.is_some() {
+                continue;
+            }
             set(&mut still.acceleration, unit(accelerations.len(), j));
             let moved = self.census::<N>(&still);
             let (mut sum, mut size) = (0.0, whole);
@@ -109,10 +116,6 @@ where
     where
         S: Exact<N>,
     {
-        // Springs of rotations are linear in other numbers than those that a sweep seeks.
-        if self.census::<N>(self.motion).joints.iter().any(|joint| joint.coordinates.iter().flatten().count() > 2) {
-            return Ok(());
-        }
         let springs = Implicit { position: 2e-3, rate: 5e-2 };
         let mut workspace = self.scene.stiff_workspace();
         let (mut sought, mut led) = (self.motion.clone(), self.motion.clone());
@@ -138,7 +141,16 @@ where
             .power::<N>(what, Some(&led))
     }
 
-    /// dE/dt along the motion, and the power of dampers.
+    /// Whether ground or drives move bodies, given the motion without rates: they have a power of their own then.
+    fn is_carried(&self, still: &MotionOf<S, R, C, P>) -> Result<bool, Doubt> {
+        let mut later = self.motion.clone();
+        later.time += 1e-3;
+        later.position.set_clocks(later.time);
+        let [now, then, still] = [self.motion, &later, still].map(|motion| self.scene.budget(motion));
+        Ok(now?.energy() != then?.energy() || still?.kinetic != 0.0)
+    }
+
+    /// dE/dt along the motion, and the power of dampers, where nothing else has any.
     pub(super) fn energy(&self) -> Result<(), Doubt> {
         let (rate, acceleration) = (numbers(&self.motion.rate), numbers(&self.motion.acceleration));
         let moving = self.seeded(&rate, &acceleration);
@@ -146,6 +158,9 @@ where
         let found = budget.energy().eps[0];
         let mut still = self.motion.clone();
         still.rate.replace(&mut |_| 0.0);
+        if self.is_carried(&still)? {
+            return Ok(());
+        }
         let (with, without) = (self.releases(self.motion), self.releases(&still));
         let forces = |joints: &[Release<S>]| -> Vec<f64> {
             let freedoms = joints.iter().flat_map(|joint| joint.coordinates.iter().flatten());

@@ -80,11 +80,11 @@ impl<T: Scalar> Rotation<T> {
         (tangent * series.scale(T::Real::of(16.0))).into()
     }
 
-    /// This attitude by the quaternion with w ≥ 0, of at most half a turn. It decides by the real part, of lanes by the first to
-    /// stray; for input and output.
+    /// This attitude by the quaternion with w ≥ 0, of at most half a turn. It decides by the real part, each lane for
+    /// itself; for input and output.
     #[must_use]
     pub fn shortest(&self) -> Self {
-        let sign = if self.w.real() < T::Real::of(0.0) { -T::one() } else { T::one() };
+        let sign = self.w.if_negative(-T::one(), T::one());
         Self { w: self.w * sign, v: self.v * sign }
     }
 }

@@ -20,7 +20,7 @@ use crate::mirror::{Position, Term};
 use crate::relation::spatial::algebra::{Columns, add_scaled, cross, cross_onto, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 /// An attitude: a unit quaternion that turns body axes into inertial (or inboard) axes.
 ///
@@ -89,7 +89,8 @@ impl<T: Scalar> Rotation<T> {
         if !square.is_finite() {
             return Err(Error::new(Fault::NotFinite { parameter: "quaternion" }));
         }
-        if square.real() <= T::Real::zero() {
+        // A lane of length zero gives the least of them, and no other is less.
+        if (-square).if_negative(T::zero(), T::one()).real() > T::Real::zero() {
             return Err(Error::new(Fault::NotPositive { parameter: "length of the quaternion", value: 0.0 }));
         }
         let inverse = square.sqrt().recip();
@@ -222,8 +223,8 @@ impl<T: Scalar> Position<T> for Rotation<T> {
     }
     /// A quaternion whose length is one but for rounding stays as it is, to the last bit.
     fn normalise(&mut self) -> bool {
-        let square = self.w.mul_add(self.w, dot(self.v, self.v)).real();
-        if (square - T::Real::one()).abs() <= T::Real::EPSILON * T::Real::of(64.0) {
+        let over = (self.w.mul_add(self.w, dot(self.v, self.v)) - T::one()).real(); // of lanes the worst
+        if over.abs() <= T::Real::EPSILON * T::Real::of(64.0) {
             return true;
         }
         Self::from_quaternion(self.quaternion()).is_ok_and(|unit| {

@@ -29,7 +29,10 @@ impl<T: Scalar> Turning for Spatial<T> {
         there.after(&Rotation::from_matrix(&here.attitude).inverse()).shortest().log()
     }
     fn carrying(wanted: Rotation<T>, one: &Turn<T>, other: &Turn<T>) -> Rotation<T> {
-        if one.attitude == other.attitude {
+        // Parts of derivatives are compared too.
+        let same = |a: &Vector3<T>, b: &Vector3<T>| a.iter().zip(b).all(|(a, b)| a.is_identical(*b));
+        let (a, b) = (&one.attitude, &other.attitude);
+        if same(&a.x, &b.x) && same(&a.y, &b.y) && same(&a.z, &b.z) {
             return wanted;
         }
         let [one, other] = [one, other].map(|turn| Rotation::from_matrix(&turn.attitude));

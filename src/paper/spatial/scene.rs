@@ -151,7 +151,7 @@ where
             return [T::zero(); 3];
         }
         let outboard = outer.map_or(*ground, |body| body.inboard);
-        let inboard = Frame { turn: inner.map_or(ground.turn, |body| body.inboard.turn), ..outboard };
+        let inboard = inner.map_or(*ground, BodyMotion::outboard);
         let none = [T::zero(); 3];
         let attitude = outboard.turn.attitude;
         let mut rate = attitude.transposed(outboard.turn.spin - inboard.turn.spin).into();

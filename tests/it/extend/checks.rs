@@ -7,7 +7,9 @@ use catena::extend::{Acting, Doubt, JointModel, Kinematics, Release, Resistance,
 use catena::internals::relation::Closures;
 use catena::internals::relation::planar::{Full, RelativeGain};
 use catena::internals::shape::{self, JointPosture};
-use catena::planar::{Acceleration, Frame, Free, JointMotion, Pin, Pinned, Planar, RigidBody, Rod, System, Turn};
+use catena::planar::{
+    Acceleration, Frame, Free, Ground, GroundMotion, JointMotion, Pin, Pinned, Planar, RigidBody, Rod, System, Turn,
+};
 use catena::{Fault, Scalar, planar, spatial};
 
 /// What a joint may do wrong.
@@ -217,6 +219,41 @@ fn what_is_right_passes() -> Result<(), Box<dyn std::error::Error>> {
         &in_space!(spatial::Cylindrical::on(axis).with(spatial::Spring::stiffness(20.0), spatial::Spring::none()))?,
         20,
     )?;
+    Ok(())
+}
+
+/// A table that shakes along x.
+#[derive(Clone, Copy, Debug)]
+struct Shaker<T> {
+    amplitude: T,
+}
+
+catena::lift!(Shaker<T> { amplitude });
+
+impl<T: Scalar> Ground<T, GroundMotion<T>> for Shaker<T> {
+    fn at(&self, time: T::Real) -> GroundMotion<T> {
+        let (s, c) = (T::constant(time) * T::literal(20.0)).sin_cos();
+        let place = |x: T, scale: f64| [self.amplitude * x * T::literal(scale), T::zero()];
+        GroundMotion { place: place(s, 1.0), velocity: place(c, 20.0), acceleration: place(s, -400.0) }
+    }
+}
+
+#[test]
+fn ground_and_drives_that_move_have_a_power_of_their_own() -> Result<(), Box<dyn std::error::Error>> {
+    let joint = Geared { kinematics: planar::Revolute::smooth(), rotor: 1e-4, ratio: 50.0, friction: 0.2 };
+    let rod = Rod::uniform(0.7_f64, 1.0);
+    let root = Pinned::on(Shaker { amplitude: 0.02 });
+    check_element(&System::new(root, (rod, joint, rod), Free)?.with_gravity(9.81), 20)?;
+    // Other errors are still found.
+    let wrong = Stiffening {
+        kinematics: planar::Revolute::smooth(),
+        stiffness: 30.0,
+        damping: 0.4,
+        inertia: 0.2,
+        wrong: Wrong::Stiffness,
+    };
+    let scene = System::new(root, (rod, wrong, rod), Free)?.with_gravity(9.81);
+    assert!(words(check_element(&scene, 10)).contains("stiffness of a law"));
     Ok(())
 }
 

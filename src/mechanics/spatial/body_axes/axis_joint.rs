@@ -168,7 +168,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     }
     fn check(&self) -> Result<(), Fault> {
         finite("place of a joint", &self.place)?;
-        if (0..3).any(|k| PLACE >> k & 1 == 0 && self.place[k] != T::zero()) {
+        if (0..3).any(|k| PLACE >> k & 1 == 0 && !self.place[k].is_identical(T::zero())) {
             return Err(Fault::NotZero { parameter: "place of a joint, where its mask says so" });
         }
         not_negative("reflected inertia", self.armature.add_to(T::zero()))?;

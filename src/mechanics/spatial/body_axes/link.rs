@@ -189,7 +189,9 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> crate::shape::Body<Spatial<T
         let left_out = |mask: u8, list: &[T]| {
             let most = list.iter().fold(T::Real::zero(), |most, x| x.real().abs().max(most));
             let slack = most * T::Real::EPSILON * T::Real::of(64.0); // rounding of what makes them
-            list.iter().enumerate().all(|(bit, x)| mask >> bit & 1 == 1 || x.real().abs() <= slack)
+            // Of a number that is zero derivatives count too; those of one that is rounding are rounding.
+            let none = |x: T| x.real().abs() <= slack && (x.real() != T::Real::zero() || x.is_identical(T::zero()));
+            list.iter().enumerate().all(|(bit, x)| mask >> bit & 1 == 1 || none(*x))
         };
         if !left_out(MOMENT, &self.moment) {
             return Err(Fault::NotZero { parameter: "mass centre, where its mask says so" });

@@ -55,4 +55,15 @@ fn masks_that_leave_out_what_is_there_are_refused() {
     let link = Link::general(mass, centre, tensor);
     let refused = System::new(Base::origin(), (Hinge::at::<0b100>([0.1, 0.0, 0.2]), link), Free);
     assert!(matches!(refused.err().map(|error| error.fault), Some(Fault::NotZero { .. })));
+    // Zeros with derivatives are there too.
+    let [seeded, zero, height] = [Dual64::new(0.0, 1.0), Dual64::from(0.0), Dual64::from(0.2)];
+    let (mass, tensor) = (Dual64::from(mass), tensor.map(|row| row.map(Dual64::from)));
+    let link = Link::<_, 0b100, 63>::new(mass, [seeded, zero, height], tensor);
+    let refused = System::new(Base::origin(), (Hinge::level(), link), Free);
+    assert!(matches!(refused.err().map(|error| error.fault), Some(Fault::NotZero { .. })));
+    let link = Link::general(mass, [zero, zero, height], tensor);
+    let refused = System::new(Base::origin(), (Hinge::at::<0b100>([seeded, zero, height]), link), Free);
+    assert!(matches!(refused.err().map(|error| error.fault), Some(Fault::NotZero { .. })));
+    let link = Link::<_, 0b100, 63>::new(mass, [zero, zero, height], tensor);
+    assert!(System::new(Base::origin(), (Hinge::at::<0b100>([zero, zero, height]), link), Free).is_ok());
 }
