@@ -32,6 +32,7 @@ const TABLES: &[Table] = &[
     ("stability losses", "stability", tables::losses),
     ("skip", "skip-", tables::skip),
     ("precision", "precision", tables::precision),
+    ("gradients beside phyz", "gradients.csv", tables::gradients),
     ("robots", "robots.csv", robots::beside),
     ("robots' losses", "robots.csv", robots::losses),
 ];

@@ -227,3 +227,22 @@ fn figures(x: f64) -> String {
     let _ = write!(text, "{x:.digits$}");
     text
 }
+
+/// Gradients backward as multiples of their own plain runs: bodies down, libraries across.
+pub fn gradients(rows: &Rows) -> String {
+    let all: Vec<&Row> = rows.0.iter().collect();
+    let libraries = Rows::distinct(&all, &["library"]);
+    let names = libraries.iter().map(|library| format!("{}: gradient / plain run (ms)", library[0]));
+    let mut text = head(std::iter::once("bodies".to_owned()).chain(names).collect());
+    for bodies in Rows::distinct(&all, &["bodies"]) {
+        let cells = libraries.iter().map(|library| {
+            let row = all.iter().find(|row| row.get("library") == library[0] && row.get("bodies") == bodies[0]);
+            row.map_or("–".to_owned(), |row| {
+                let [plain, whole] = ["plain", "gradient"].map(|column| 1e3 * row.number(column));
+                format!("{:.1} ({} / {})", whole / plain, figures(whole), figures(plain))
+            })
+        });
+        text += &line(std::iter::once(bodies[0].to_owned()).chain(cells));
+    }
+    text
+}
