@@ -17,6 +17,10 @@
 //!
 //! Coefficients are those of powers of time (s): the acceleration of a coordinate is Σ a_k tᵏ from a step's start.
 
+mod laws;
+
+pub use laws::{AffineLaw, Strain};
+
 use crate::element::{Element, Space};
 use crate::loading::{Loading, Loads, SeriesLaw, Unloaded};
 use crate::relation::{Absent, Part};
@@ -38,11 +42,15 @@ pub trait Expandable: Space {
     type AxesSeries<const N: usize>: Copy + 'static;
     /// What the walks keep of a joint.
     type JointSeries: Copy + 'static;
+    /// What is carried outward where a series begins.
+    type Begun: Copy;
 
     /// What lies beyond a free tip.
     fn nothing() -> Self::Articulated;
     /// With what lies outboard of an arm.
     fn join(chain: Self::Articulated, arm: Self::Articulated) -> Self::Articulated;
+    /// What the ground hands on where a series begins.
+    fn begun(ground: Self::Turn) -> Self::Begun;
     /// Nothing has been kept.
     fn untouched<const N: usize>() -> (Self::AxesSeries<N>, Self::JointSeries);
 }

@@ -65,6 +65,9 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Method<D, L> for Taylor<P> {
     }
 }
 
+/// How far an attitude turns in one step under error control (rad): coordinates of steps end at half a turn, and lose digits before.
+const TURN: f64 = 2.2;
+
 /// The order whose steps to a tolerance take the least time: measured for two rods on pins and for twenty, flat within three orders.
 fn order_for(tolerance: f64) -> usize {
     (3.5 - 0.48 * log2(tolerance.max(f64::MIN_POSITIVE))).max(8.0) as usize
@@ -161,6 +164,9 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         }
         to.position.drift_1(&origin.position, (time, &origin.rate), (square, position));
         to.rate.mix_1(&origin.rate, (time, rate));
+        if D::Position::CURVED {
+            to.position.retract_rate(&origin.position, &mut to.rate);
+        }
     }
 
     /// How long a step may be (s): as far as the last term of the series is a tolerance, by the radius of convergence that two last terms
@@ -189,7 +195,17 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         let larger = |a: f64, b: f64| if a > b { a } else { b };
         let (before, newest) = (larger(inverse[0], inverse[1]), larger(inverse[2], inverse[3]));
         let inverse = if before > newest + 1.0 { before } else { newest };
-        let size = TimeIn::<D, L>::of(exp2(log2(tolerance.as_f64()) / self.order as f64 - inverse));
+        let mut size = TimeIn::<D, L>::of(exp2(log2(tolerance.as_f64()) / self.order as f64 - inverse));
+        if D::Position::CURVED {
+            let mut fastest = TimeIn::<D, L>::zero();
+            let mut note = |rate: [D::Scalar; 3]| {
+                let square = rate.iter().fold(TimeIn::<D, L>::zero(), |sum, x| sum + x.real() * x.real());
+                fastest = fastest.max(square);
+            };
+            self.origin.position.each_turn(&self.origin.rate, &mut note);
+            let turn = TimeIn::<D, L>::of(TURN) / fastest.sqrt();
+            size = if size < turn { size } else { turn };
+        }
         self.reached = Some([tolerance, size]);
         size
     }
