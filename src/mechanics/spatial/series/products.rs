@@ -25,7 +25,7 @@ fn add_each<T: Scalar>(sum: [T; 4], a: [T; 4], b: [T; 4]) -> [T; 4] {
     core::array::from_fn(|i| a[i].mul_add(b[i], sum[i]))
 }
 
-/// Both, number by number.
+/// The difference, number by number.
 #[inline(always)]
 fn minus<T: Scalar>(a: [T; 4], b: [T; 4]) -> [T; 4] {
     core::array::from_fn(|i| a[i] - b[i])
@@ -50,53 +50,90 @@ pub fn crossed<T: Scalar>([x, y, z]: &Rows<T>, at: usize) -> Vector3<T> {
     Vector3::new(y[at] - z[at + 1], z[at] - x[at + 1], x[at] - y[at + 1])
 }
 
+/// Sums up products of all coefficients whose numbers add up to that of the last ones. Those of the newest come last: others need not wait
+/// for them.
+#[inline(always)]
+fn convolve<T: Copy, X>(
+    turned: &[Rows<T>],
+    turning: &[Rows<T>],
+    sum: X,
+    mut add: impl FnMut(X, &Rows<T>, &Rows<T>) -> X,
+) -> X {
+    let (Some((first, turned)), Some((last, turning))) = (turned.split_first(), turning.split_first()) else {
+        return sum;
+    };
+    let (Some((newest, turned)), Some((recent, turning))) = (turned.split_last(), turning.split_last()) else {
+        return add(sum, first, last);
+    };
+    let mut sum = sum;
+    for (a, b) in turned.iter().zip(turning.iter().rev()) {
+        sum = add(sum, a, b);
+    }
+    sum = add(sum, first, recent);
+    add(sum, newest, last)
+}
+
+/// Each entry of the vector that turns times its row.
+///
+/// A function of its own, with its sums in memory: so a compiler keeps four of them in one register.
+#[inline(never)]
+fn sweep<T: Scalar>(turned: &[Rows<T>], turning: &[Rows<T>]) -> Rows<T> {
+    convolve(turned, turning, none(), |[x, y, z], [v, ..], [a, b, c]| {
+        [add(x, v[0], *a), add(y, v[1], *b), add(z, v[2], *c)]
+    })
+}
+
+/// Each entry of the vector that turns times the one row.
+#[inline(never)]
+fn spread<T: Scalar>(turned: &[Rows<T>], turning: &[Rows<T>]) -> Rows<T> {
+    convolve(turned, turning, none(), |[x, y, z], [v, ..], [a, ..]| {
+        [add(x, v[0], *a), add(y, v[1], *a), add(z, v[2], *a)]
+    })
+}
+
+/// Cross products of three vectors side by side, whose entries are rows, with three others, and of the angular velocity, the last column of
+/// these, with each of them; what adds to them and what is taken from them.
+#[inline(never)]
+fn cross<T: Scalar>(turned: &[Rows<T>], turning: &[Rows<T>]) -> [Rows<T>; 4] {
+    convolve(turned, turning, [none(); 4], |[plus, less, ahead, behind], [x, y, z], [u, v, w]| {
+        let [p, q, r] = [u[3], v[3], w[3]];
+        [
+            [add_each(plus[0], *y, *w), add_each(plus[1], *z, *u), add_each(plus[2], *x, *v)],
+            [add_each(less[0], *z, *v), add_each(less[1], *x, *w), add_each(less[2], *y, *u)],
+            [add(ahead[0], q, *z), add(ahead[1], r, *x), add(ahead[2], p, *y)],
+            [add(behind[0], r, *y), add(behind[1], p, *z), add(behind[2], q, *x)],
+        ]
+    })
+}
+
 impl<T: Scalar, const N: usize> AxesSeries<T, N> {
-    /// Sums up products of all coefficients whose numbers add up to `k`. Those of the newest come last: others need not wait for them.
+    /// Coefficients up to a number.
     #[inline(always)]
-    fn convolve<X>(&self, k: usize, sum: X, mut add: impl FnMut(X, &Rows<T>, &Rows<T>) -> X) -> X {
-        let (Some((first, turned)), Some((last, turning))) = (
-            self.turned.get(..=k).and_then(<[_]>::split_first),
-            self.turning.get(..=k).and_then(<[_]>::split_first),
-        ) else {
-            return sum;
-        };
-        let (Some((newest, turned)), Some((recent, turning))) = (turned.split_last(), turning.split_last()) else {
-            return add(sum, first, last);
-        };
-        let mut sum = sum;
-        for (a, b) in turned.iter().zip(turning.iter().rev()) {
-            sum = add(sum, a, b);
-        }
-        sum = add(sum, first, recent);
-        add(sum, newest, last)
+    fn known(&self, k: usize) -> (&[Rows<T>], &[Rows<T>]) {
+        let count = (k + 1).min(N);
+        (&self.turned[..count], &self.turning[..count])
     }
 
     /// Each entry of the vector that turns times its row.
     #[inline(always)]
     pub(super) fn swept(&self, k: usize) -> Rows<T> {
-        self.convolve(k, none(), |[x, y, z], [v, ..], [a, b, c]| [add(x, v[0], *a), add(y, v[1], *b), add(z, v[2], *c)])
+        let (turned, turning) = self.known(k);
+        sweep(turned, turning)
     }
 
     /// Each entry of the vector that turns times the one row.
     #[inline(always)]
     pub(super) fn spread(&self, k: usize) -> Rows<T> {
-        self.convolve(k, none(), |[x, y, z], [v, ..], [a, ..]| [add(x, v[0], *a), add(y, v[1], *a), add(z, v[2], *a)])
+        let (turned, turning) = self.known(k);
+        spread(turned, turning)
     }
 
     /// Of three vectors side by side, whose entries are rows: the sum of their cross products with three others, and those of the angular
     /// velocity, the last column of these, with each of them.
     #[inline(always)]
     pub(super) fn crossed(&self, k: usize) -> (Vector3<T>, Rows<T>) {
-        let sums = [none(); 4];
-        let [plus, less, ahead, behind] = self.convolve(k, sums, |[plus, less, ahead, behind], [x, y, z], [u, v, w]| {
-            let [p, q, r] = [u[3], v[3], w[3]];
-            [
-                [add_each(plus[0], *y, *w), add_each(plus[1], *z, *u), add_each(plus[2], *x, *v)],
-                [add_each(less[0], *z, *v), add_each(less[1], *x, *w), add_each(less[2], *y, *u)],
-                [add(ahead[0], q, *z), add(ahead[1], r, *x), add(ahead[2], p, *y)],
-                [add(behind[0], r, *y), add(behind[1], p, *z), add(behind[2], q, *x)],
-            ]
-        });
+        let (turned, turning) = self.known(k);
+        let [plus, less, ahead, behind] = cross(turned, turning);
         let sum = |i: usize| {
             let [a, b, c, _] = minus(plus[i], less[i]);
             a + b + c
