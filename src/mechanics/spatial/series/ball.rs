@@ -11,7 +11,7 @@
 //! A₀ε + u × w in inertial ones, with w = p₀ A₀ε + ½ u × A₀ε.
 
 use super::AxesSeries;
-use super::products::row;
+use super::products::{columns, row, vector};
 use super::rods::scaled;
 use crate::mechanics::spatial::loads::{Drive, Effort};
 use crate::mechanics::spatial::{Acceleration, Ball, Internal, Spatial};
@@ -43,16 +43,10 @@ impl<T: Scalar> Applied<T> for Effort<T> {
     }
 }
 
-/// The first three of a row.
-#[inline(always)]
-fn vector<T: Scalar>([x, y, z, _]: [T; 4]) -> Vector3<T> {
-    Vector3::new(x, y, z)
-}
-
 impl<T: Scalar, const N: usize> AxesSeries<T, N> {
     /// Coefficient `k` of the torque, inertial axes, from that in axes of the body.
     fn couple(&mut self, k: usize, torque: Vector3<T>) -> Vector3<T> {
-        let (half, torque) = (T::literal(0.5), self.axes.apply(torque));
+        let (half, torque) = (T::literal(0.5), columns(&self.axes).apply(torque));
         let (Some(turned), Some(turning)) = (self.turned.get_mut(..=k), self.turning.get(..k)) else {
             return torque;
         };
@@ -80,7 +74,7 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for Ball {
         _: Vector3<T>,
         (attitude, _, _, (_, rate), (room, _)): Of<'_, Spatial<T>, Begin<N>, Self>,
     ) -> Vector3<T> {
-        room.axes = *attitude;
+        room.axes = [row(attitude.x), row(attitude.y), row(attitude.z)];
         let spin = attitude.apply(Vector3::from(*rate));
         room.turned[0][0] = row(spin);
         room.turning[0][0] = [T::zero(), spin.x, spin.y, spin.z];
@@ -119,8 +113,8 @@ impl<T: Scalar, Q: Applied<T>, const N: usize> Takes<Spatial<T>, Push<Spatial<T>
             half.mul_add(z[1] - x[3], y[0]),
             half.mul_add(x[2] - y[1], z[0]),
         );
-        axes.curls.x = scaled(turned, order.next);
-        axes.force.x = ((x[1] + y[2] + z[3]) * quarter).scale(order.next);
+        let [p, q, r]: [T; 3] = scaled(turned, order.next).into();
+        axes.curls[0] = [p, q, r, ((x[1] + y[2] + z[3]) * quarter).scale(order.next)];
         let (missed, torque) = match efforts[order.k].torque() {
             Some(torque) => {
                 let couple = axes.couple(order.k, torque);
@@ -142,13 +136,13 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N>> for Ball
         ((axes, room), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
     ) -> Acceleration<T> {
         let angular = room.gain.angular(inboard.linear, &());
-        let turned = angular + axes.curls.x;
-        *acceleration = axes.axes.transposed(turned).into();
+        let turned = angular + vector(axes.curls[0]);
+        *acceleration = columns(&axes.axes).transposed(turned).into();
         let number = order.k + 1;
         if let (Some(spin), Some(attitude)) = (axes.turned.get_mut(number), axes.turning.get_mut(number)) {
             spin[0] = row(scaled(angular, order.once));
             let [x, y, z]: [T; 3] = scaled(turned, order.twice).into();
-            attitude[0] = [axes.force.x.scale(order.twice), x, y, z];
+            attitude[0] = [axes.curls[0][3].scale(order.twice), x, y, z];
         }
         Acceleration { angular, ..inboard }
     }

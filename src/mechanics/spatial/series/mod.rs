@@ -32,15 +32,18 @@ use products::Rows;
 /// What a body keeps, or a joint of the vectors that turn with its bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct AxesSeries<T, const N: usize> {
-    /// The vectors that turn, where the series begins: an arm, three axes, an axis.
-    axes: Columns<T>,
+    /// The vectors that turn, where the series begins: an arm; an axis; three axes, of a body side by side, entries as rows.
+    axes: Rows<T>,
+    /// Second moments of a body; shares of its axes in its arm and in its first moment.
+    moments: Rows<T>,
+    shares: [[T; 4]; 2],
     /// What accelerations and angular accelerations of the inboard end do to the force that is convolved; in a joint that turns, to force
     /// and torque.
     linear: Symmetric3<T>,
     coupling: Columns<T>,
     angular: Symmetric3<T>,
     /// Of the present order: p of each vector, and what is known of that force.
-    curls: Columns<T>,
+    curls: Rows<T>,
     force: Vector3<T>,
     /// What is convolved: vectors that turn, from number 1 on,
     turned: [Rows<T>; N],
@@ -85,13 +88,15 @@ impl<T: Scalar> Expandable for Spatial<T> {
         ground.spin
     }
     fn untouched<const N: usize>() -> (AxesSeries<T, N>, JointSeries<T>) {
-        let (none, matrix, symmetric) = ([[[T::zero(); 4]; 3]; N], Columns::null(), Symmetric3::null());
+        let (none, matrix, symmetric) = ([products::none(); N], Columns::null(), Symmetric3::null());
         let axes = AxesSeries {
-            axes: matrix,
+            axes: products::none(),
+            moments: products::none(),
+            shares: [[T::zero(); 4]; 2],
             linear: symmetric,
             coupling: matrix,
             angular: symmetric,
-            curls: matrix,
+            curls: products::none(),
             force: zero(),
             turned: none,
             turning: none,

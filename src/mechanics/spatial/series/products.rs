@@ -1,6 +1,7 @@
 //! Taylor series in space: products of series, four numbers at a time.
 
 use super::AxesSeries;
+use crate::relation::spatial::algebra::Columns;
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -35,6 +36,18 @@ fn minus<T: Scalar>(a: [T; 4], b: [T; 4]) -> [T; 4] {
 #[inline(always)]
 pub fn row<T: Scalar>(v: Vector3<T>) -> [T; 4] {
     [v.x, v.y, v.z, T::zero()]
+}
+
+/// The first three of a row.
+#[inline(always)]
+pub fn vector<T: Scalar>([x, y, z, _]: [T; 4]) -> Vector3<T> {
+    Vector3::new(x, y, z)
+}
+
+/// The matrix whose columns are rows here.
+#[inline(always)]
+pub fn columns<T: Scalar>([x, y, z]: &Rows<T>) -> Columns<T> {
+    Columns { x: vector(*x), y: vector(*y), z: vector(*z) }
 }
 
 /// Rows to be multiplied by the entries of a vector, for its cross products with two others: see [`crossed`].
@@ -91,25 +104,79 @@ fn spread<T: Scalar>(turned: &[Rows<T>], turning: &[Rows<T>]) -> Rows<T> {
     })
 }
 
-/// Cross products of three vectors side by side, whose entries are rows, with three others, and of the angular velocity, the last column of
-/// these, with each of them; what adds to them and what is taken from them.
-#[inline(never)]
-fn cross<T: Scalar>(turned: &[Rows<T>], turning: &[Rows<T>]) -> [Rows<T>; 4] {
-    convolve(turned, turning, [none(); 4], |[plus, less, ahead, behind], [x, y, z], [u, v, w]| {
-        let [p, q, r] = [u[3], v[3], w[3]];
-        [
-            [add_each(plus[0], *y, *w), add_each(plus[1], *z, *u), add_each(plus[2], *x, *v)],
-            [add_each(less[0], *z, *v), add_each(less[1], *x, *w), add_each(less[2], *y, *u)],
-            [add(ahead[0], q, *z), add(ahead[1], r, *x), add(ahead[2], p, *y)],
-            [add(behind[0], r, *y), add(behind[1], p, *z), add(behind[2], q, *x)],
-        ]
+/// Cross products of three vectors side by side with three others, what adds to them and what is taken from them.
+#[inline(always)]
+fn add_cross<T: Scalar>([plus, less]: [Rows<T>; 2], [x, y, z]: &Rows<T>, [u, v, w]: &Rows<T>) -> [Rows<T>; 2] {
+    [
+        [add_each(plus[0], *y, *w), add_each(plus[1], *z, *u), add_each(plus[2], *x, *v)],
+        [add_each(less[0], *z, *v), add_each(less[1], *x, *w), add_each(less[2], *y, *u)],
+    ]
+}
+
+/// Cross products of a vector with three others side by side, likewise.
+#[inline(always)]
+fn add_turned<T: Scalar>([plus, less]: [Rows<T>; 2], [x, y, z]: &Rows<T>, [p, q, r]: [T; 3]) -> [Rows<T>; 2] {
+    [
+        [add(plus[0], q, *z), add(plus[1], r, *x), add(plus[2], p, *y)],
+        [add(less[0], r, *y), add(less[1], p, *z), add(less[2], q, *x)],
+    ]
+}
+
+/// The difference of both.
+#[inline(always)]
+fn less<T: Scalar>([plus, less]: [Rows<T>; 2]) -> Rows<T> {
+    core::array::from_fn(|i| minus(plus[i], less[i]))
+}
+
+/// Rows by a number of the clock.
+#[inline(always)]
+pub fn scaled<T: Scalar>(rows: &Rows<T>, factor: T::Real) -> Rows<T> {
+    core::array::from_fn(|i| core::array::from_fn(|j| rows[i][j].scale(factor)))
+}
+
+/// Sums of three vectors side by side, for each column of a symmetric matrix.
+#[inline(always)]
+fn weighed<T: Scalar>(sums: Rows<T>, vectors: &Rows<T>, [x, y, z]: &Rows<T>) -> Rows<T> {
+    core::array::from_fn(|i| {
+        let [a, b, c, _] = vectors[i];
+        add(add(add(sums[i], a, *x), b, *y), c, *z)
     })
+}
+
+/// Of three vectors side by side, entries as rows, that turn: p of each, and their cross products with forces along each, of what is known
+/// of an order, which follow from p by second moments.
+#[inline(never)]
+pub fn curl<T: Scalar>(
+    (turned, turning): (&[Rows<T>], &[Rows<T>]),
+    (axes, moments): (&Rows<T>, &Rows<T>),
+    next: T::Real,
+) -> [Rows<T>; 2] {
+    let [crossed, turns] = convolve(turned, turning, [[none(); 2]; 2], |[crossed, turns], vectors, forces| {
+        let [u, v, w] = forces;
+        [add_cross(crossed, vectors, forces), add_turned(turns, vectors, [u[3], v[3], w[3]])]
+    });
+    let curls = scaled(&less(turns), next);
+    [curls, less(add_cross(crossed, axes, &weighed(none(), &curls, moments)))]
+}
+
+/// Second derivatives of three vectors that turn, entries as rows, for an angular acceleration, and the forces along each: those that their
+/// second moments cause, and shares of two others.
+#[inline(never)]
+pub fn swing<T: Scalar>(
+    (axes, moments, curls): (&Rows<T>, &Rows<T>, &Rows<T>),
+    angular: Vector3<T>,
+    ([some, others], force, other): (&[[T; 4]; 2], Vector3<T>, Vector3<T>),
+) -> [Rows<T>; 2] {
+    let turned = less(add_turned([*curls, none()], axes, angular.into()));
+    let shared = |a: T, b: T| add(add([T::zero(); 4], a, *some), b, *others);
+    let forces = [shared(force.x, other.x), shared(force.y, other.y), shared(force.z, other.z)];
+    [turned, weighed(forces, &turned, moments)]
 }
 
 impl<T: Scalar, const N: usize> AxesSeries<T, N> {
     /// Coefficients up to a number.
     #[inline(always)]
-    fn known(&self, k: usize) -> (&[Rows<T>], &[Rows<T>]) {
+    pub(super) fn known(&self, k: usize) -> (&[Rows<T>], &[Rows<T>]) {
         let count = (k + 1).min(N);
         (&self.turned[..count], &self.turning[..count])
     }
@@ -126,18 +193,5 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
     pub(super) fn spread(&self, k: usize) -> Rows<T> {
         let (turned, turning) = self.known(k);
         spread(turned, turning)
-    }
-
-    /// Of three vectors side by side, whose entries are rows: the sum of their cross products with three others, and those of the angular
-    /// velocity, the last column of these, with each of them.
-    #[inline(always)]
-    pub(super) fn crossed(&self, k: usize) -> (Vector3<T>, Rows<T>) {
-        let (turned, turning) = self.known(k);
-        let [plus, less, ahead, behind] = cross(turned, turning);
-        let sum = |i: usize| {
-            let [a, b, c, _] = minus(plus[i], less[i]);
-            a + b + c
-        };
-        (Vector3::new(sum(0), sum(1), sum(2)), core::array::from_fn(|i| minus(ahead[i], behind[i])))
     }
 }

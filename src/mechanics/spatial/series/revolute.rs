@@ -9,7 +9,7 @@
 
 use super::AxesSeries;
 use super::ball::Applied;
-use super::products::{Rows, row};
+use super::products::{Rows, row, vector};
 use super::rods::scaled;
 use crate::mechanics::spatial::{Acceleration, Internal, Revolute, Spatial};
 use crate::relation::spatial::Full;
@@ -51,7 +51,7 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Begin<N>> for
         (stored, _, _, (angle, rate), (axes, room)): Of<'_, Spatial<T>, Begin<N>, Self>,
     ) -> Vector3<T> {
         let axis = stored.x;
-        axes.axes.x = axis;
+        axes.axes[0] = row(axis);
         axes.keep_axis(0, cross(spin, axis), beside(zero(), spin, *rate));
         room.strain = Strain::begin([*angle, *rate], &self.law);
         add_scaled(spin, *rate, axis)
@@ -66,7 +66,7 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Articulate<N>
         outer: Full<T>,
         (axes, room): Of<'_, Spatial<T>, Articulate<N>, Self>,
     ) -> Full<T> {
-        let axis = axes.axes.x;
+        let axis = vector(axes.axes[0]);
         room.minus_inverse = -dot(axis, outer.angular.apply(axis)).recip();
         let (full, pivot) = outer.released(Way::Turn, axis, T::zero(), Absent);
         room.pivot = pivot;
@@ -88,10 +88,10 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, const N: usize> Takes<Spatial<T>
         let [x, y, z] = axes.swept(order.k);
         // n × ω, the other way round.
         let turned = Vector3::new(z[2] - y[1], x[2] - z[1], y[2] - x[1]);
-        axes.curls.x = scaled(turned, order.next);
+        axes.curls[0] = row(scaled(turned, order.next));
         room.bias = scaled(Vector3::new(x[3], y[3], z[3]), order.next);
         let effort = efforts[order.k].onto(0, room.strain.effort);
-        let missed = dot(axes.axes.x, outer.torque) + (x[0] + y[0] + z[0]) - effort;
+        let missed = dot(vector(axes.axes[0]), outer.torque) + (x[0] + y[0] + z[0]) - effort;
         room.pivot.free = missed * room.minus_inverse;
         let force = add_scaled(outer.force, missed, room.pivot.per_linear);
         let torque = add_scaled(outer.torque, missed, room.pivot.per_angular);
@@ -108,10 +108,10 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Swing<Spatial
         Acceleration { linear, angular }: Acceleration<T>,
         ((axes, room), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
     ) -> Acceleration<T> {
-        let (axis, carried) = (axes.axes.x, angular + room.bias);
+        let (axis, carried) = (vector(axes.axes[0]), angular + room.bias);
         *acceleration = room.pivot.acceleration(linear, carried, &());
         let torque = axes.coupling.transposed_onto(linear, axes.angular.apply_onto(angular, room.torque));
-        let turned = scaled(cross_onto(angular, axis, axes.curls.x), order.twice);
+        let turned = scaled(cross_onto(angular, axis, vector(axes.curls[0])), order.twice);
         let (spin, rate) = (scaled(angular, order.once), acceleration.scale(order.once));
         axes.keep_axis(order.k + 1, turned, beside(torque, spin, rate));
         room.strain.follow(order, *acceleration, &self.law);

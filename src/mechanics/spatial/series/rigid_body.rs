@@ -10,34 +10,29 @@
 //! for the angular momentum about the inboard end is Σ P_ij e_i × ė_j + μ × v.
 
 use super::AxesSeries;
-use super::products::Rows;
+use super::products::{Rows, curl, none, row, scaled as scaled_rows, swing};
 use super::rods::scaled;
 use crate::mechanics::spatial::{Acceleration, Internal, RigidBody, Spatial};
 use crate::relation::spatial::Full;
-use crate::relation::spatial::algebra::{Columns, Symmetric3, add_scaled, cross, cross_onto, zero};
+use crate::relation::spatial::algebra::{Columns, Symmetric3, cross, cross_onto, zero};
 use crate::relation::{Part, Relation, Symmetric};
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector3;
 
-/// The same of three vectors.
+/// Vectors side by side, entries as rows.
 #[inline(always)]
-fn each<T: Scalar>(vectors: Columns<T>, map: impl Fn(Vector3<T>) -> Vector3<T>) -> Columns<T> {
-    Columns { x: map(vectors.x), y: map(vectors.y), z: map(vectors.z) }
+fn side_by_side<T: Scalar>(Columns { x, y, z }: &Columns<T>) -> Rows<T> {
+    let o = T::zero();
+    [[x.x, y.x, z.x, o], [x.y, y.y, z.y, o], [x.z, y.z, z.z, o]]
 }
 
-/// Vectors side by side, entries as rows, and a last one beside them.
+/// The sum of vectors side by side, each times a number.
 #[inline(always)]
-fn rows<T: Scalar>(Columns { x, y, z }: &Columns<T>, last: Vector3<T>) -> Rows<T> {
-    [[x.x, y.x, z.x, last.x], [x.y, y.y, z.y, last.y], [x.z, y.z, z.z, last.z]]
-}
-
-/// Three vectors from entries as rows.
-#[inline(always)]
-fn vectors<T: Scalar>([x, y, z]: &Rows<T>) -> Columns<T> {
-    let of = |i: usize| Vector3::new(x[i], y[i], z[i]);
-    Columns { x: of(0), y: of(1), z: of(2) }
+fn combined<T: Scalar>([x, y, z]: &Rows<T>, [a, b, c]: [T; 3]) -> Vector3<T> {
+    let of = |row: &[T; 4]| row[0].mul_add(a, row[1].mul_add(b, row[2] * c));
+    Vector3::new(of(x), of(y), of(z))
 }
 
 impl<T: Scalar> RigidBody<T> {
@@ -53,9 +48,15 @@ impl<T: Scalar> RigidBody<T> {
 impl<T: Scalar, const N: usize> AxesSeries<T, N> {
     /// Keeps axes of the next number, and angular velocity beside what is convolved with them.
     #[inline(always)]
-    fn keep_axes(&mut self, number: usize, axes: &Columns<T>, forces: &Columns<T>, spin: Vector3<T>) {
+    fn keep_axes(&mut self, number: usize, axes: Rows<T>, forces: &Rows<T>, spin: Vector3<T>) {
         if let (Some(turned), Some(turning)) = (self.turned.get_mut(number), self.turning.get_mut(number)) {
-            (*turned, *turning) = (rows(axes, zero()), rows(forces, spin));
+            let [x, y, z] = forces;
+            *turned = axes;
+            *turning = [
+                [x[0], x[1], x[2], spin.x],
+                [y[0], y[1], y[2], spin.y],
+                [z[0], z[1], z[2], spin.z],
+            ];
         }
     }
 }
@@ -68,9 +69,12 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for RigidBody<T> {
         spin: Vector3<T>,
         (attitude, _, _, _, (room, ())): Of<'_, Spatial<T>, Begin<N>, Self>,
     ) -> Vector3<T> {
-        room.axes = *attitude;
-        let none = Columns { x: zero(), y: zero(), z: zero() };
-        room.keep_axes(0, &each(*attitude, |axis| cross(spin, axis)), &none, spin);
+        let Columns { x, y, z } = *attitude;
+        room.axes = side_by_side(attitude);
+        room.shares = [self.outboard(), self.moment].map(|share| row(share.into()));
+        room.moments = side_by_side(&self.second_moments().columns());
+        let turned = Columns { x: cross(spin, x), y: cross(spin, y), z: cross(spin, z) };
+        room.keep_axes(0, side_by_side(&turned), &none(), spin);
         spin
     }
 }
@@ -83,11 +87,12 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Articulate<N>> for RigidBody<T
         outer: Full<T>,
         (room, ()): Of<'_, Spatial<T>, Articulate<N>, Self>,
     ) -> Full<T> {
-        let of = |list: [T; 3]| room.axes.apply(Vector3::from(list));
+        let of = |list: [T; 3]| combined(&room.axes, list);
         let full = outer.with_mass(self.lumped).carried(of(self.outboard()), zero());
-        let moment = of(self.moment);
+        let (moment, axis) = (of(self.moment), |i: usize| Vector3::new(room.axes[0][i], room.axes[1][i], room.axes[2][i]));
+        let attitude = Columns { x: axis(0), y: axis(1), z: axis(2) };
         (room.linear, room.coupling) = (full.linear, full.coupling);
-        full.with_first_moment(moment, zero()).with_inertia(self.about_inboard.turned(&room.axes), zero())
+        full.with_first_moment(moment, zero()).with_inertia(self.about_inboard.turned(&attitude), zero())
     }
 }
 
@@ -99,18 +104,17 @@ impl<T: Scalar, Q: Part, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N
         outer: Internal<T>,
         ((room, ()), ()): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
     ) -> Internal<T> {
-        let (moment, turning) = room.crossed(order.k);
-        let curls = each(vectors(&turning), |v| scaled(v, order.next));
-        let (axes, outboard) = (&room.axes, Vector3::from(self.outboard()));
-        let arm = curls.apply(outboard);
-        // What the body's own moments do.
-        let own = curls.times(&self.second_moments().columns());
-        let own = cross_onto(axes.x, own.x, cross_onto(axes.y, own.y, cross_onto(axes.z, own.z, moment)));
-        let known = room.coupling.transposed_onto(arm, own) + outer.torque;
+        let [curls, moment] = curl(room.known(order.k), (&room.axes, &room.moments), order.next);
+        let arm = combined(&curls, self.outboard());
+        let moment = combined(&moment, [T::one(); 3]) + outer.torque;
         (room.curls, room.force) = (curls, room.linear.apply_onto(arm, outer.force));
         Internal {
-            force: curls.apply_onto(Vector3::from(self.moment), room.force),
-            torque: cross_onto(axes.apply(outboard), outer.force, known),
+            force: room.force + combined(&curls, self.moment),
+            torque: cross_onto(
+                combined(&room.axes, self.outboard()),
+                outer.force,
+                room.coupling.transposed_onto(arm, moment),
+            ),
         }
     }
 }
@@ -123,19 +127,10 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N>> for Rigi
         Acceleration { linear, angular }: Acceleration<T>,
         ((room, ()), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
     ) -> Acceleration<T> {
-        let (axes, curls) = (&room.axes, &room.curls);
-        let turned = Columns {
-            x: cross_onto(angular, axes.x, curls.x),
-            y: cross_onto(angular, axes.y, curls.y),
-            z: cross_onto(angular, axes.z, curls.z),
-        };
-        let outboard = self.outboard();
         let force = room.coupling.apply_onto(angular, room.linear.apply_onto(linear, room.force));
-        let Columns { x, y, z } = turned.times(&self.second_moments().columns());
-        let along = |i: usize, own| add_scaled(add_scaled(own, outboard[i], force), self.moment[i], linear);
-        let forces = Columns { x: along(0, x), y: along(1, y), z: along(2, z) };
-        let next = each(turned, |v| scaled(v, order.twice));
-        room.keep_axes(order.k + 1, &next, &forces, scaled(angular, order.once));
-        Acceleration { linear: turned.apply_onto(Vector3::from(outboard), linear), angular }
+        let [turned, forces] =
+            swing((&room.axes, &room.moments, &room.curls), angular, (&room.shares, force, linear));
+        room.keep_axes(order.k + 1, scaled_rows(&turned, order.twice), &forces, scaled(angular, order.once));
+        Acceleration { linear: linear + combined(&turned, self.outboard()), angular }
     }
 }

@@ -10,7 +10,7 @@
 //! for the angular momentum of the body is J∥ ω − e d × ḋ. So all of it that is not linear is one cross product, whatever it does.
 
 use super::AxesSeries;
-use super::products::{across, crossed, row};
+use super::products::{across, crossed, row, vector};
 use crate::mechanics::spatial::body::{Body, Pose};
 use crate::mechanics::spatial::{Acceleration, Internal, PointMass, Rod, Spatial};
 use crate::relation::spatial::Full;
@@ -64,7 +64,7 @@ macro_rules! rods {
                 spin: Vector3<T>,
                 (_, _, arm, _, (room, ())): Of<'_, Spatial<T>, Begin<N>, Self>,
             ) -> Vector3<T> {
-                room.axes.x = *arm;
+                room.axes[0] = row(*arm);
                 room.keep(0, cross(spin, *arm), zero(), spin);
                 spin
             }
@@ -77,7 +77,7 @@ macro_rules! rods {
                 outer: Full<T>,
                 (room, ()): Of<'_, Spatial<T>, Articulate<N>, Self>,
             ) -> Full<T> {
-                let (arm, none) = (room.axes.x, zero());
+                let (arm, none) = (vector(room.axes[0]), zero());
                 let pose = Pose { attitude: Columns::identity(), turning: none, arm, centripetal: none };
                 let full = Body::condense(self, outer, &pose);
                 room.linear = full.linear;
@@ -98,8 +98,8 @@ macro_rules! rods {
                 let curl = scaled(crossed(&sums, 2), -order.next);
                 let known = room.coupling.transposed_onto(curl, crossed(&sums, 0)) + outer.torque;
                 let force = room.linear.apply_onto(curl, outer.force);
-                (room.curls.x, room.force) = (curl, add_scaled(force, -self.excess(), curl));
-                Internal { force, torque: cross_onto(room.axes.x, outer.force, known) }
+                (room.curls[0], room.force) = (row(curl), add_scaled(force, -self.excess(), curl));
+                Internal { force, torque: cross_onto(vector(room.axes[0]), outer.force, known) }
             }
         }
         impl<T: Scalar, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N>> for $Body<T> {
@@ -111,7 +111,7 @@ macro_rules! rods {
                 ((room, ()), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
             ) -> Acceleration<T> {
                 let Swing(order) = walk;
-                let turned = cross_onto(angular, room.axes.x, room.curls.x);
+                let turned = cross_onto(angular, vector(room.axes[0]), vector(room.curls[0]));
                 let force = room.coupling.apply_onto(angular, room.linear.apply_onto(linear, room.force));
                 room.keep(order.k + 1, scaled(turned, order.twice), force, scaled(angular, order.once));
                 Acceleration { linear: linear + turned, angular }
