@@ -24,11 +24,7 @@ use nalgebra::Vector3;
 /// Rows to be multiplied by the entries of the axis: the torque, the angular velocity across, the rate.
 #[inline(always)]
 fn beside<T: Scalar>(torque: Vector3<T>, spin: Vector3<T>, rate: T) -> Rows<T> {
-    [
-        [torque.x, spin.y, spin.z, rate],
-        [torque.y, spin.z, spin.x, rate],
-        [torque.z, spin.x, spin.y, rate],
-    ]
+    [[torque.x, spin.y, spin.z, rate], [torque.y, spin.z, spin.x, rate], [torque.z, spin.x, spin.y, rate]]
 }
 
 impl<T: Scalar, const N: usize> AxesSeries<T, N> {

@@ -52,11 +52,7 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
         if let (Some(turned), Some(turning)) = (self.turned.get_mut(number), self.turning.get_mut(number)) {
             let [x, y, z] = forces;
             *turned = axes;
-            *turning = [
-                [x[0], x[1], x[2], spin.x],
-                [y[0], y[1], y[2], spin.y],
-                [z[0], z[1], z[2], spin.z],
-            ];
+            *turning = [[x[0], x[1], x[2], spin.x], [y[0], y[1], y[2], spin.y], [z[0], z[1], z[2], spin.z]];
         }
     }
 }
@@ -89,7 +85,8 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Articulate<N>> for RigidBody<T
     ) -> Full<T> {
         let of = |list: [T; 3]| combined(&room.axes, list);
         let full = outer.with_mass(self.lumped).carried(of(self.outboard()), zero());
-        let (moment, axis) = (of(self.moment), |i: usize| Vector3::new(room.axes[0][i], room.axes[1][i], room.axes[2][i]));
+        let (moment, axis) =
+            (of(self.moment), |i: usize| Vector3::new(room.axes[0][i], room.axes[1][i], room.axes[2][i]));
         let attitude = Columns { x: axis(0), y: axis(1), z: axis(2) };
         (room.linear, room.coupling) = (full.linear, full.coupling);
         full.with_first_moment(moment, zero()).with_inertia(self.about_inboard.turned(&attitude), zero())
@@ -128,8 +125,7 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N>> for Rigi
         ((room, ()), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
     ) -> Acceleration<T> {
         let force = room.coupling.apply_onto(angular, room.linear.apply_onto(linear, room.force));
-        let [turned, forces] =
-            swing((&room.axes, &room.moments, &room.curls), angular, (&room.shares, force, linear));
+        let [turned, forces] = swing((&room.axes, &room.moments, &room.curls), angular, (&room.shares, force, linear));
         room.keep_axes(order.k + 1, scaled_rows(&turned, order.twice), &forces, scaled(angular, order.once));
         Acceleration { linear: linear + combined(&turned, self.outboard()), angular }
     }
