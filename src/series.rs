@@ -2,7 +2,8 @@
 //!
 //! Accelerations solve linear equations whose matrix depends on positions alone. Differentiated k times in time, the equations have the
 //! same matrix and other right-hand sides: products of coefficients that are known. So one elimination, one division and one sine a
-//! body serve a whole step of any order, and a coefficient costs four convolutions a body in the plane. The walks are
+//! body serve a whole step of any order, and a coefficient costs four convolutions a body in the plane, in space 12 a rod and 36 a rigid
+//! body, and 12 more a joint. The walks are
 //!
 //! ```text
 //! pose         root → tip   as in a sweep                                                   Element::pose
@@ -13,9 +14,13 @@
 //! ```
 //!
 //! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics
-//! (`mechanics/planar/series/`).
+//! (`mechanics/planar/series/`, `mechanics/spatial/series/`).
 //!
 //! Coefficients are those of powers of time (s): the acceleration of a coordinate is Σ a_k tᵏ from a step's start.
+
+mod laws;
+
+pub use laws::{AffineLaw, Strain};
 
 use crate::element::{Element, Space};
 use crate::loading::{Loading, Loads, SeriesLaw, Unloaded};
@@ -26,11 +31,6 @@ use crate::space::RealOf;
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 
 /// A space whose elements have Taylor series.
-#[diagnostic::on_unimplemented(
-    message = "`Taylor` knows no motion in `{Self}`",
-    label = "no Taylor series in this space",
-    note = "`Taylor` runs scenes of the plane; `Dop853` runs all"
-)]
 pub trait Expandable: Space {
     /// F = S p of what lies outboard.
     type Articulated: Copy;
@@ -38,11 +38,15 @@ pub trait Expandable: Space {
     type AxesSeries<const N: usize>: Copy + 'static;
     /// What the walks keep of a joint.
     type JointSeries: Copy + 'static;
+    /// What is carried outward where a series begins.
+    type Begun: Copy;
 
     /// What lies beyond a free tip.
     fn nothing() -> Self::Articulated;
     /// With what lies outboard of an arm.
     fn join(chain: Self::Articulated, arm: Self::Articulated) -> Self::Articulated;
+    /// What the ground hands on where a series begins.
+    fn begun(ground: Self::Turn) -> Self::Begun;
     /// Nothing has been kept.
     fn untouched<const N: usize>() -> (Self::AxesSeries<N>, Self::JointSeries);
 }

@@ -85,6 +85,10 @@ macro_rules! fieldwise_position {
             $(self.$i.retract_rate(&_from.$i, &mut _rate.$i);)*
         }
         #[inline(always)]
+        fn each_turn(&self, _rate: &Self::Rate, _visit: &mut impl FnMut([T; 3])) {
+            $(self.$i.each_turn(&_rate.$i, _visit);)*
+        }
+        #[inline(always)]
         fn inverse_retract_acceleration(&self, _from: &Self, _rate: &Self::Rate, _acceleration: &mut Self::Rate) {
             $(self.$i.inverse_retract_acceleration(&_from.$i, &_rate.$i, &mut _acceleration.$i);)*
         }

@@ -103,6 +103,10 @@ macro_rules! mirror_items {
                 self.iter().zip(from).zip(rate).for_each(|((item, from), rate)| item.retract_rate(from, rate));
             }
             #[inline]
+            fn each_turn(&self, rate: &Self::Rate, visit: &mut impl FnMut([T; 3])) {
+                self.iter().zip(rate).for_each(|(item, rate)| item.each_turn(rate, visit));
+            }
+            #[inline]
             fn inverse_retract_acceleration(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
                 let items = self.iter().zip(from).zip(rate).zip(acceleration);
                 items.for_each(|(((item, from), rate), acceleration)| item.inverse_retract_acceleration(from, rate, acceleration));

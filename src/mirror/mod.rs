@@ -110,6 +110,12 @@ pub trait Position<T: Scalar>: Clone {
         let _ = time;
     }
 
+    /// Shows the rates of each attitude: steps in its coordinates end at half a turn.
+    #[inline(always)]
+    fn each_turn(&self, rate: &Self::Rate, visit: &mut impl FnMut([T; 3])) {
+        let _ = (rate, visit);
+    }
+
     /// Whether joints have modes.
     const MODES: bool = false;
 

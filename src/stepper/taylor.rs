@@ -28,6 +28,8 @@ pub struct TaylorStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
     begun: bool,
     /// The time around which the series knows the loads (s).
     known: TimeIn<D, L>,
+    /// The largest rate of an attitude, and what the largest of its coefficients of each order add to coordinates of the step.
+    turns: (TimeIn<D, L>, [TimeIn<D, L>; P]),
     /// How many coefficients are found: `P`, or fewer where a tolerance asks for no more.
     order: usize,
     /// Coefficients of the accelerations.
@@ -59,11 +61,15 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Method<D, L> for Taylor<P> {
             reached: None,
             begun: false,
             known: Zero::zero(),
+            turns: (Zero::zero(), [Zero::zero(); P]),
             order: P,
             sweeps: 0,
         }
     }
 }
+
+/// How large coordinates of a step of an attitude may become under error control: they end at 2, half a turn, and lose digits before.
+const TURNED: f64 = 1.7;
 
 /// The order whose steps to a tolerance take the least time: measured for two rods on pins and for twenty, flat within three orders.
 fn order_for(tolerance: f64) -> usize {
@@ -129,6 +135,9 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
             first.set(&self.origin.acceleration);
             self.scene.expand(&mut self.series, others);
         }
+        if D::Position::CURVED {
+            self.note_turns();
+        }
         (self.begun, self.expanded, self.reached) = (false, true, None);
         self.sweeps += 1;
         Ok(())
@@ -161,6 +170,48 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         }
         to.position.drift_1(&origin.position, (time, &origin.rate), (square, position));
         to.rate.mix_1(&origin.rate, (time, rate));
+        if D::Position::CURVED {
+            to.position.retract_rate(&origin.position, &mut to.rate);
+        }
+    }
+
+    /// Finds the largest of the coefficients of each order in the displacements of attitudes.
+    fn note_turns(&mut self) {
+        let Self { origin, accelerations, turns, order, .. } = self;
+        let largest = |rate: &D::Rate| {
+            let mut largest = TimeIn::<D, L>::zero();
+            origin.position.each_turn(rate, &mut |turn| {
+                largest = largest.max(turn.iter().fold(TimeIn::<D, L>::zero(), |sum, x| sum + x.real() * x.real()));
+            });
+            largest.sqrt()
+        };
+        turns.0 = largest(&origin.rate);
+        for (k, (turn, acceleration)) in turns.1[..*order].iter_mut().zip(&*accelerations).enumerate() {
+            *turn = largest(acceleration) / TimeIn::<D, L>::of(((k + 1) * (k + 2)) as f64);
+        }
+    }
+
+    /// How large coordinates of the step of an attitude are at most, from here to a time (s) after the origin of the series: the sum of
+    /// the sizes of all terms.
+    fn turned(&self, time: TimeIn<D, L>) -> TimeIn<D, L> {
+        let terms = self.turns.1[..self.order].iter().rev();
+        let sum = terms.fold(TimeIn::<D, L>::zero(), |sum, turn| sum * time + *turn);
+        (sum * time + self.turns.0) * time
+    }
+
+    /// A time (s) up to a size, at which they are at most this large.
+    fn turned_less(&self, most: TimeIn<D, L>, size: TimeIn<D, L>) -> TimeIn<D, L> {
+        let turned = self.turned(size);
+        if !(turned > most) {
+            return size;
+        }
+        // They grow at least in proportion to the time.
+        let (mut within, mut beyond) = (size * (most / turned), size);
+        for _ in 0..5 {
+            let middle = (within + beyond) * TimeIn::<D, L>::of(0.5);
+            if self.turned(middle) > most { beyond = middle } else { within = middle }
+        }
+        within
     }
 
     /// How long a step may be (s): as far as the last term of the series is a tolerance, by the radius of convergence that two last terms
@@ -189,7 +240,10 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         let larger = |a: f64, b: f64| if a > b { a } else { b };
         let (before, newest) = (larger(inverse[0], inverse[1]), larger(inverse[2], inverse[3]));
         let inverse = if before > newest + 1.0 { before } else { newest };
-        let size = TimeIn::<D, L>::of(exp2(log2(tolerance.as_f64()) / self.order as f64 - inverse));
+        let mut size = TimeIn::<D, L>::of(exp2(log2(tolerance.as_f64()) / self.order as f64 - inverse));
+        if D::Position::CURVED {
+            size = self.turned_less(TimeIn::<D, L>::of(TURNED), size);
+        }
         self.reached = Some([tolerance, size]);
         size
     }
@@ -209,6 +263,10 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.expand(past, loads)?;
+        if D::Position::CURVED && self.turned(dt) >= TimeIn::<D, L>::of(2.0) {
+            // Coordinates of the step would stand for another attitude.
+            return Err(Error::new(Fault::NonFiniteMotion));
+        }
         next.time = past.time + dt;
         self.sum(dt, next);
         self.ahead.copy_state(next);

@@ -115,7 +115,7 @@ where
         }
         let SeriesRoom { sizes, x, y, p, q, axes, joints, .. } = series;
         self.chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
-        self.chain.take(&mut Begin::<N>, ground.turn, (x, y, (position, rate), (axes, joints)));
+        self.chain.take(&mut Begin::<N>, S::begun(ground.turn), (x, y, p, (position, rate), (axes, joints)));
         self.chain.take(&mut Articulate::<N>, S::nothing(), (axes, joints));
         self.coefficients_of(0, ground.falling(self.gravity), series, acceleration);
     }

@@ -26,9 +26,10 @@ pub struct Push<S: Expandable, Q, const N: usize>(pub Order<RealOf<S>>, pub Phan
 pub struct Swing<S: Expandable, const N: usize>(pub Order<RealOf<S>>);
 
 impl<S: Expandable, const N: usize> Walk<S> for Begin<N> {
-    type Carried = S::Turn;
-    /// Sine and cosine of all axes; positions and rates; what is kept.
-    type Stores = (Ref<PerAxes<S::X>>, Ref<PerAxes<S::Y>>, (Ref<Positions>, Ref<Rates>), Kept<S, N>);
+    type Carried = S::Begun;
+    /// Postures but for what velocities cause; positions and rates; what is kept.
+    type Stores =
+        (Ref<PerAxes<S::X>>, Ref<PerAxes<S::Y>>, Ref<PerAxes<S::P>>, (Ref<Positions>, Ref<Rates>), Kept<S, N>);
 }
 
 impl<S: Expandable, const N: usize> Selective<S> for Begin<N> {

@@ -34,6 +34,7 @@ mod rotary_spring;
 mod rotation;
 mod second_moments;
 mod sensitive;
+mod series;
 mod spring;
 mod station;
 mod stored;

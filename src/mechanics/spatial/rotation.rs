@@ -235,6 +235,11 @@ impl<T: Scalar> Position<T> for Rotation<T> {
 
     const CURVED: bool = true;
 
+    #[inline(always)]
+    fn each_turn(&self, rate: &[T; 3], visit: &mut impl FnMut([T; 3])) {
+        visit(*rate);
+    }
+
     // ω = p₀ v̇ + ¼ v (v · v̇) / p₀ − ½ v × v̇
     #[inline(always)]
     fn retract_rate(&self, from: &Self, rate: &mut [T; 3]) {

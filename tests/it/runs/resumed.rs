@@ -236,6 +236,24 @@ mod space {
     use catena::spatial::*;
 
     #[test]
+    fn series_go_on() -> Result<(), Error> {
+        let rod = Rod::uniform(0.5, 0.05, 1.0);
+        let hinge = Revolute::about([0.1, 1.0, 0.2]).with(Spring::new(20.0).damped(0.1));
+        let body = RigidBody::new(
+            1.0,
+            [[0.02, 0.0, 0.0], [0.0, 0.09, 0.01], [0.0, 0.01, 0.1]],
+            [0.25, 0.03, 0.0],
+            [0.5, 0.1, 0.0],
+        );
+        let scene = System::new(Pinned::origin(), (rod, Branch((hinge, body)), Ball, rod), Free)?;
+        let scene = scene.with_gravity([0.0, 0.0, -9.81]);
+        let start = scene.at_rest(&[0.1, -0.2, -1.0, 0.2, 0.3, 0.2, 0.2])?;
+        assert!(!saved_and_resumed("series", &scene, &start, Taylor::<12>, 0.02)?);
+        run_in_parts("series", &scene, &start, Taylor::<12>::step(0.02))?;
+        run_in_parts("series", &scene, &start, Taylor::<12>::tolerance(1e-9))
+    }
+
+    #[test]
     fn steppers_go_on_in_open_chains() -> Result<(), Error> {
         let rod = Rod::uniform(0.5, 0.05, 1.0);
         let elastic = ElasticBall::rotary([20.0, 5.0, 20.0]).damped(0.01);

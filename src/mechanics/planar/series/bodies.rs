@@ -115,7 +115,7 @@ macro_rules! bodies {
                 &self,
                 _: &mut Begin<N>,
                 turn: Turn<T>,
-                (x, y, _, (room, ())): Of<'_, Planar<T>, Begin<N>, Self>,
+                (x, y, _, _, (room, ())): Of<'_, Planar<T>, Begin<N>, Self>,
             ) -> Turn<T> {
                 let (axes, spin) = (Vector2::new(*x, *y), turn.rate);
                 room.axes = axes;

@@ -3,11 +3,10 @@
 use super::Articulated;
 use crate::mechanics::planar::{Acceleration, ElasticHinge, Internal, Joint, Pin, Planar, Turn, Weld};
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
-use crate::relation::{Absent, Coefficient, Part, Symmetric, Term};
+use crate::relation::{Part, Symmetric, Term};
 use crate::scalar::Scalar;
-use crate::series::Order;
+use crate::series::{AffineLaw, Strain};
 use crate::shape::{Of, Takes};
-use crate::spring::{Spring, SpringLaw};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector2;
 
@@ -23,22 +22,15 @@ pub struct JointSeries<T> {
     pub(super) free: T,
     /// Where the coordinate sets out.
     pub(super) place: T,
-    /// Coefficients of coordinate and rate of the present order, and what spring and damper make of them.
-    now: [T; 2],
-    pub(super) effort: T,
+    /// What spring and damper make of coordinate and rate.
+    pub(super) strain: Strain<T>,
 }
 
 impl<T: Scalar> JointSeries<T> {
     pub(super) fn new() -> Self {
         let zero = T::zero();
         let gain = Vector2::new(zero, zero);
-        Self { minus_inverse: zero, gain, gain_of_turning: zero, free: zero, place: zero, now: [zero; 2], effort: zero }
-    }
-
-    /// Keeps coordinate and rate, and what spring and damper make of them.
-    #[inline(always)]
-    pub(super) fn start(&mut self, now: [T; 2], law: &impl AffineLaw<T>) {
-        (self.place, self.now, self.effort) = (now[0], now, law.force(now[0], now[1]));
+        Self { minus_inverse: zero, gain, gain_of_turning: zero, free: zero, place: zero, strain: Strain::none() }
     }
 
     /// Eliminates the rotation.
@@ -66,14 +58,6 @@ impl<T: Scalar> JointSeries<T> {
     fn angular(&self, linear: Vector2<T>) -> T {
         plus_dot(self.free, self.gain, linear)
     }
-
-    /// What spring and damper make of the next order, after an acceleration of the coordinate.
-    #[inline(always)]
-    pub(super) fn strain(&mut self, order: &Order<T::Real>, acceleration: T, law: &impl AffineLaw<T>) {
-        let [_, rate] = self.now;
-        self.now = [rate.scale(order.once), acceleration.scale(order.once)];
-        self.effort = law.change(self.now[0], self.now[1]);
-    }
 }
 
 impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for Pin {
@@ -82,7 +66,7 @@ impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for Pin {
         &self,
         _: &mut Begin<N>,
         turn: Turn<T>,
-        (_, _, (position, rate), _): Of<'_, Planar<T>, Begin<N>, Self>,
+        (_, _, _, (position, rate), _): Of<'_, Planar<T>, Begin<N>, Self>,
     ) -> Turn<T> {
         Joint::turned(self, position, rate, turn)
     }
@@ -146,35 +130,15 @@ macro_rules! welded {
 }
 welded!([] Articulate<N>: Articulated<T>, [Q] Push<Planar<T>, Q, N>: Internal<T>, [] Swing<Planar<T>, N>: Acceleration<T>);
 
-/// A law that is affine in coordinate and rate: that of its coefficients is the same without what is constant.
-pub trait AffineLaw<T: Scalar>: SpringLaw<T> {
-    /// What coefficients of order one and more cause.
-    fn change(&self, position: T, rate: T) -> T;
-}
-
-impl<T: Scalar> AffineLaw<T> for Absent {
-    #[inline(always)]
-    fn change(&self, _: T, _: T) -> T {
-        T::zero()
-    }
-}
-
-impl<T: Scalar, K: Coefficient<T>, D: Coefficient<T>, P: Term<T>> AffineLaw<T> for Spring<K, D, P> {
-    #[inline(always)]
-    fn change(&self, position: T, rate: T) -> T {
-        self.unstrained().force(position, rate)
-    }
-}
-
 impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for ElasticHinge<L> {
     #[inline(always)]
     fn take(
         &self,
         _: &mut Begin<N>,
         turn: Turn<T>,
-        (_, _, (position, rate), ((), room)): Of<'_, Planar<T>, Begin<N>, Self>,
+        (_, _, _, (position, rate), ((), room)): Of<'_, Planar<T>, Begin<N>, Self>,
     ) -> Turn<T> {
-        room.start([*position, *rate], &self.rotary);
+        room.strain = Strain::begin([*position, *rate], &self.rotary);
         Joint::turned(self, position, rate, turn)
     }
 }
@@ -201,7 +165,7 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, const N: usize> Takes<Planar<T>, Pu
         outer: Internal<T>,
         (((), room), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
     ) -> Internal<T> {
-        let torque = efforts[order.k].add_to(room.effort);
+        let torque = efforts[order.k].add_to(room.strain.effort);
         Internal { force: room.release(outer.force, outer.torque - torque), torque }
     }
 }
@@ -216,7 +180,7 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Swing<Planar<T
     ) -> Acceleration<T> {
         let angular = room.angular(inboard.linear);
         *acceleration = angular - inboard.angular;
-        room.strain(order, *acceleration, &self.rotary);
+        room.strain.follow(order, *acceleration, &self.rotary);
         Acceleration { angular, ..inboard }
     }
 }

@@ -4,7 +4,7 @@ mod bodies;
 mod joints;
 mod slider;
 
-use crate::mechanics::planar::Planar;
+use crate::mechanics::planar::{Planar, Turn};
 use crate::relation::Additive;
 use crate::relation::planar::algebra::Symmetric2;
 use crate::scalar::Scalar;
@@ -28,6 +28,7 @@ impl<T: Scalar> Expandable for Planar<T> {
     type Articulated = Articulated<T>;
     type AxesSeries<const N: usize> = AxesSeries<T, N>;
     type JointSeries = JointSeries<T>;
+    type Begun = Turn<T>;
 
     #[inline(always)]
     fn nothing() -> Articulated<T> {
@@ -36,6 +37,10 @@ impl<T: Scalar> Expandable for Planar<T> {
     #[inline(always)]
     fn join(a: Articulated<T>, b: Articulated<T>) -> Articulated<T> {
         Articulated { linear: a.linear + b.linear, coupling: a.coupling + b.coupling, angular: a.angular + b.angular }
+    }
+    #[inline(always)]
+    fn begun(ground: Turn<T>) -> Turn<T> {
+        ground
     }
     #[inline(always)]
     fn untouched<const N: usize>() -> (AxesSeries<T, N>, JointSeries<T>) {

@@ -6,11 +6,11 @@
 
 use super::Articulated;
 use super::bodies::AxesSeries;
-use super::joints::AffineLaw;
 use crate::mechanics::planar::{Acceleration, Internal, Planar, Slider, Turn};
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::relation::{Symmetric, Term};
 use crate::scalar::Scalar;
+use crate::series::{AffineLaw, Strain};
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector2;
@@ -37,11 +37,11 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for 
         &self,
         _: &mut Begin<N>,
         turn: Turn<T>,
-        (x, y, (position, rate), (axes, room)): Of<'_, Planar<T>, Begin<N>, Self>,
+        (x, y, _, (position, rate), (axes, room)): Of<'_, Planar<T>, Begin<N>, Self>,
     ) -> Turn<T> {
         let (z, r) = (Vector2::new(x[0], y[0]), Vector2::new(x[1], y[1]));
         (axes[0].axes, axes[0].lever) = (z, normal(r));
-        room.start([*position, *rate], &self.spring);
+        (room.place, room.strain) = (*position, Strain::begin([*position, *rate], &self.spring));
         let turned = normal(z) * turn.rate;
         let moved = add_scaled(normal(r) * turn.rate, *rate, z);
         keep(axes, 0, (turned, turn.rate, Vector2::new(T::zero(), T::zero())), (*rate, moved));
@@ -89,7 +89,7 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, const N: usize> Takes<Planar<T>, Pu
         (arm.curl, line.curl) = (curl, known);
         let force = arm.inner.apply_onto(known, outer.force);
         let torque = plus_dot(outer.torque, arm.moment, known);
-        let missed = dot(line.axes, force) + (along + more) - efforts[order.k].add_to(room.effort);
+        let missed = dot(line.axes, force) + (along + more) - efforts[order.k].add_to(room.strain.effort);
         room.free = missed * room.minus_inverse;
         let force = add_scaled(force, missed, room.gain);
         line.known = force;
@@ -115,7 +115,7 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Swing<Planar<T
         let half = |v: Vector2<T>| Vector2::new(v.x.scale(order.twice), v.y.scale(order.twice));
         let (turned, moved, slid) = (half(turned), half(outboard - linear), acceleration.scale(order.twice));
         keep(axes, order.k + 1, (turned, angular.scale(order.once), force), (slid, moved));
-        room.strain(order, *acceleration, &self.spring);
+        room.strain.follow(order, *acceleration, &self.spring);
         Acceleration { linear: outboard, angular }
     }
 }

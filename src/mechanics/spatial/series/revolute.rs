@@ -1,0 +1,116 @@
+//! Taylor series in space: what a revolute joint does.
+//!
+//! Its axis n is a vector that turns with the inboard body. With q the angle, τ the torque through the joint and Q what acts about the
+//! axis,
+//!
+//! ```text
+//! ω′ = ω + q̇ n      α′ = α + q̈ n₀ + β      β = (k + 1) Σ q̇_{k+1−j} n_j      n · τ = Q
+//! ```
+
+use super::AxesSeries;
+use super::ball::Applied;
+use super::products::{Rows, row, vector};
+use super::rods::scaled;
+use crate::mechanics::spatial::{Acceleration, Internal, Revolute, Spatial};
+use crate::relation::spatial::Full;
+use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot, zero};
+use crate::relation::{Absent, Symmetric, Way};
+use crate::scalar::Scalar;
+use crate::series::{AffineLaw, Strain};
+use crate::shape::{Of, Takes};
+use crate::walks::series::{Articulate, Begin, Push, Swing};
+use nalgebra::Vector3;
+
+/// Rows to be multiplied by the entries of the axis: the torque, the angular velocity across, the rate.
+#[inline(always)]
+fn beside<T: Scalar>(torque: Vector3<T>, spin: Vector3<T>, rate: T) -> Rows<T> {
+    [[torque.x, spin.y, spin.z, rate], [torque.y, spin.z, spin.x, rate], [torque.z, spin.x, spin.y, rate]]
+}
+
+impl<T: Scalar, const N: usize> AxesSeries<T, N> {
+    /// Keeps the axis of the next number, and what is convolved with it.
+    #[inline(always)]
+    fn keep_axis(&mut self, number: usize, axis: Vector3<T>, beside: Rows<T>) {
+        if let (Some(turned), Some(turning)) = (self.turned.get_mut(number), self.turning.get_mut(number)) {
+            turned[0] = row(axis);
+            *turning = beside;
+        }
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Begin<N>> for Revolute<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Begin<N>,
+        spin: Vector3<T>,
+        (stored, _, _, (angle, rate), (axes, room)): Of<'_, Spatial<T>, Begin<N>, Self>,
+    ) -> Vector3<T> {
+        let axis = stored.x;
+        axes.axes[0] = row(axis);
+        axes.keep_axis(0, cross(spin, axis), beside(zero(), spin, *rate));
+        room.strain = Strain::begin([*angle, *rate], &self.law);
+        add_scaled(spin, *rate, axis)
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Articulate<N>> for Revolute<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        _: &mut Articulate<N>,
+        outer: Full<T>,
+        (axes, room): Of<'_, Spatial<T>, Articulate<N>, Self>,
+    ) -> Full<T> {
+        let axis = vector(axes.axes[0]);
+        room.minus_inverse = -dot(axis, outer.angular.apply(axis)).recip();
+        let (full, pivot) = outer.released(Way::Turn, axis, T::zero(), Absent);
+        room.pivot = pivot;
+        (axes.coupling, axes.angular) = (full.coupling, full.angular);
+        full
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N>>
+    for Revolute<T, L>
+{
+    #[inline(always)]
+    fn take(
+        &self,
+        Push(order, _): &mut Push<Spatial<T>, Q, N>,
+        outer: Internal<T>,
+        ((axes, room), efforts): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
+    ) -> Internal<T> {
+        let [x, y, z] = axes.swept(order.k);
+        // n × ω, the other way round.
+        let turned = Vector3::new(z[2] - y[1], x[2] - z[1], y[2] - x[1]);
+        axes.curls[0] = row(scaled(turned, order.next));
+        room.bias = scaled(Vector3::new(x[3], y[3], z[3]), order.next);
+        let effort = efforts[order.k].onto(0, room.strain.effort);
+        let missed = dot(vector(axes.axes[0]), outer.torque) + (x[0] + y[0] + z[0]) - effort;
+        room.pivot.free = missed * room.minus_inverse;
+        let force = add_scaled(outer.force, missed, room.pivot.per_linear);
+        let torque = add_scaled(outer.torque, missed, room.pivot.per_angular);
+        room.torque = axes.angular.apply_onto(room.bias, torque);
+        Internal { force: axes.coupling.apply_onto(room.bias, force), torque: room.torque }
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N>> for Revolute<T, L> {
+    #[inline(always)]
+    fn take(
+        &self,
+        Swing(order): &mut Swing<Spatial<T>, N>,
+        Acceleration { linear, angular }: Acceleration<T>,
+        ((axes, room), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
+    ) -> Acceleration<T> {
+        let (axis, carried) = (vector(axes.axes[0]), angular + room.bias);
+        *acceleration = room.pivot.acceleration(linear, carried, &());
+        let torque = axes.coupling.transposed_onto(linear, axes.angular.apply_onto(angular, room.torque));
+        let turned = scaled(cross_onto(angular, axis, vector(axes.curls[0])), order.twice);
+        let (spin, rate) = (scaled(angular, order.once), acceleration.scale(order.once));
+        axes.keep_axis(order.k + 1, turned, beside(torque, spin, rate));
+        room.strain.follow(order, *acceleration, &self.law);
+        Acceleration { linear, angular: add_scaled(carried, *acceleration, axis) }
+    }
+}
