@@ -92,6 +92,13 @@ fn attitudes_that_are_none_are_refused() -> Result<(), Error> {
             scene.mass_inverse_afloat(place, &q).map(|_| ()),
             scene.joint_energy_afloat(base, &q, &o).map(|_| ()),
             scene.impact_afloat(base, &q, &o, 0, 0.5).map(|_| ()),
+            scene
+                .difference_afloat((place, &q), (Place { place: still, attitude: Columns { x, y, z } }, &q))
+                .map(|_| ()),
+            scene
+                .difference_afloat((Place { place: still, attitude: Columns { x, y, z } }, &q), (place, &q))
+                .map(|_| ()),
+            scene.integrate_afloat((place, &q), (&wrench, &o)).map(|_| ()),
         ]
     };
     for (k, (attitude, place)) in spoilt.into_iter().enumerate() {

@@ -1,6 +1,7 @@
 //! Functions of lists in the order of the joints: dynamics.
 
 mod afloat;
+mod configuration;
 mod derivatives;
 mod impact;
 mod inverse;
