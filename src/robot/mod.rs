@@ -37,10 +37,12 @@
 //! | `mass_matrix`, `mass_solved`, `mass_inverse` | M, M⁻¹ times a list, M⁻¹ |
 //! | `places`, `jacobian` | where bodies are; how a point moves with the joints |
 //! | `mass_centre`, `joint_energy` | |
+//! | `difference`, `integrate`, `random_configuration` | what leads from one configuration to another, where that leads; one within limits |
 //! | `inverse_dynamics_derivatives`, `forward_dynamics_derivatives` | by positions, rates and torques |
 //! | `forward_dynamics_afloat`, `mass_matrix_afloat`, `mass_solved_afloat`, `mass_inverse_afloat`, `jacobian_afloat` | the same for bases that float, with a wrench on the base |
 //! | `inverse_dynamics_derivatives_afloat`, `forward_dynamics_derivatives_afloat` | by turn and angular velocity of the base, positions, rates, wrench and torques |
-//! | `impact` | rates after a joint has struck a hard stop |
+//! | `impact`, `impact_afloat` | rates after a joint has struck a hard stop |
+//! | `joint_energy_afloat`, `difference_afloat`, `integrate_afloat`, `random_configuration_afloat` | with place and attitude of the base |
 //! | `snapshot`, `snapshot_afloat` | a [`Snapshot`]: points, Jacobians and their rates, mass matrix, inverse dynamics, centroidal momentum, the regressor; for bases that float, too |
 //!
 //! Those without `afloat` are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base

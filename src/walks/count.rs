@@ -44,6 +44,39 @@ impl<S: Space> Outward<S> for Single {
     }
 }
 
+/// The station of a joint of one coordinate, by its number among these: how many bodies and joints come before it.
+pub fn station_of_coordinate<S: Space, E: Shape<S>>(chain: &E, number: usize) -> usize {
+    let mut walk = Station { before: number, elements: 0, found: false };
+    chain.outward(&mut walk, (), ());
+    walk.elements
+}
+
+/// Counts elements up to a joint of one coordinate.
+struct Station {
+    before: usize,
+    elements: usize,
+    found: bool,
+}
+
+impl<S: Space> Walk<S> for Station {
+    type Carried = ();
+    type Stores = ();
+}
+
+impl<S: Space> Outward<S> for Station {
+    alike!();
+
+    fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {
+        self.elements += usize::from(!self.found);
+    }
+    fn joint<J: Joint<S>>(&mut self, _: &J, (): (), _: AtJoint<'_, S, Self, J>) {
+        let single = <J::Rate as Rate<S::Scalar>>::LENGTH == 1;
+        self.found |= single && self.before == 0;
+        self.before = self.before.saturating_sub(usize::from(single));
+        self.elements += usize::from(!self.found);
+    }
+}
+
 /// Counts what it meets.
 struct Count {
     bodies: usize,

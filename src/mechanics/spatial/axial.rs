@@ -129,7 +129,7 @@ pub(super) fn check_length<T: Scalar>(parameter: &'static str, square: T) -> Res
 }
 
 /// Whether these are axes at right angles, right-handed and of length one, but for rounding.
-pub(super) fn orthonormal<T: Scalar>(Columns { x, y, z }: &Columns<T>) -> bool {
+pub(crate) fn orthonormal<T: Scalar>(Columns { x, y, z }: &Columns<T>) -> bool {
     // Rounding of any kind passes, a digit left out does not.
     let slack = T::Real::EPSILON.sqrt();
     let third = cross(*x, *y) - z;

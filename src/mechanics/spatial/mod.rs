@@ -3,7 +3,7 @@
 mod adjoint;
 mod angles;
 mod away;
-mod axial;
+pub(crate) mod axial;
 mod axial_motion;
 mod axial_walks;
 mod ball;

@@ -153,7 +153,7 @@ impl<T: Scalar> Rotation<T> {
     /// The length brought back to one, where it is one but for rounding: a step of Newton's, without root or branch. Derivatives
     /// along the quaternion vanish.
     #[inline(always)]
-    fn normalised(self) -> Self {
+    pub(crate) fn normalised(self) -> Self {
         let square = self.w.mul_add(self.w, dot(self.v, self.v));
         let factor = T::literal(1.5) - square.scale(T::Real::of(0.5));
         Self { w: self.w * factor, v: self.v * factor }

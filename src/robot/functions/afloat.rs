@@ -1,7 +1,7 @@
 //! Dynamics of robots whose base floats: what moves, from forces, and how that changes.
 
 use super::snapshot::{Floating, six};
-use super::{Afloat, Blocks, S, SixRows, Snapshot, Tasks, finite};
+use super::{Afloat, Blocks, S, SixRows, Snapshot, Tasks, checked, finite};
 use crate::element::Element;
 use crate::ends::Tip;
 use crate::error::{Error, Fault};
@@ -62,7 +62,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     /// ```
     ///
     /// # Errors
-    /// As [`forward_dynamics`](Self::forward_dynamics).
+    /// As [`forward_dynamics`](Self::forward_dynamics); [`Fault::NotZero`] for a base whose axes are not orthonormal and right-handed.
     pub fn forward_dynamics_afloat<const N: usize>(
         &self,
         base: Afloat<T>,
@@ -82,7 +82,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     /// there alone.
     ///
     /// # Errors
-    /// As [`jacobian`](Self::jacobian).
+    /// As [`jacobian`](Self::jacobian); [`Fault::NotZero`] for a base whose axes are not orthonormal and right-handed.
     pub fn jacobian_afloat<const N: usize>(
         &self,
         base: Place<T>,
@@ -96,7 +96,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         self.has_joints(N)?;
         let Place { place, attitude } = base;
         let Columns { x, y, z } = attitude;
-        [place, x, y, z].iter().try_for_each(|vector| finite(vector.as_slice())).and(finite(q)).and(finite(&point))?;
+        checked(&base).and(finite(q)).and(finite(&point))?;
         if let Some(joint) = joint.filter(|joint| *joint >= N) {
             return Err(Error::new(Fault::NoSuchJoint { joint, joints: N }));
         }
@@ -110,7 +110,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     /// M⁻¹ times six numbers of the base and one of each joint.
     ///
     /// # Errors
-    /// As [`forward_dynamics`](Self::forward_dynamics).
+    /// As [`forward_dynamics_afloat`](Self::forward_dynamics_afloat).
     pub fn mass_solved_afloat<const N: usize>(
         &self,
         base: Place<T>,
@@ -127,7 +127,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     /// M⁻¹ of a robot whose base floats.
     ///
     /// # Errors
-    /// As [`forward_dynamics`](Self::forward_dynamics).
+    /// As [`forward_dynamics_afloat`](Self::forward_dynamics_afloat).
     pub fn mass_inverse_afloat<const N: usize>(&self, base: Place<T>, q: &[T; N]) -> Result<Blocks<T, N>, Error>
     where
         C: Tasks<T, N>,
@@ -156,7 +156,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     /// the joints. None is by the place of the base or its velocity.
     ///
     /// # Errors
-    /// As [`forward_dynamics`](Self::forward_dynamics).
+    /// As [`forward_dynamics_afloat`](Self::forward_dynamics_afloat).
     pub fn inverse_dynamics_derivatives_afloat<const N: usize>(
         &self,
         base: Afloat<T>,
@@ -179,7 +179,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     /// those of the base.
     ///
     /// # Errors
-    /// As [`forward_dynamics`](Self::forward_dynamics).
+    /// As [`forward_dynamics_afloat`](Self::forward_dynamics_afloat).
     pub fn forward_dynamics_derivatives_afloat<const N: usize>(
         &self,
         base: Afloat<T>,

@@ -1,11 +1,25 @@
 //! Impacts of joints against hard stops.
 
-use super::{FixedBase, S, Tasks, finite};
+use super::{Afloat, FixedBase, S, Tasks, finite};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::mechanics::spatial::Free;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
+use nalgebra::Vector3;
+
+/// A one for the joint that strikes a stop.
+fn struck<T: Scalar, const N: usize>(joint: usize, restitution: T) -> Result<[T; N], Error> {
+    let value = restitution.real().as_f64();
+    if !(0.0..=1.0).contains(&value) {
+        let (parameter, outside) = ("restitution", "a stop would pull, or give energy");
+        return Err(Error::new(Fault::OutOfRange { parameter, value, least: 0.0, most: 1.0, outside }));
+    }
+    let mut unit = [T::zero(); N];
+    *unit.get_mut(joint).ok_or_else(|| Error::new(Fault::NoSuchJoint { joint, joints: N }))? = T::one();
+    Ok(unit)
+}
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// The rates after joint `joint` has struck a hard stop, and the impulse of the stop (N·m·s, N·s): the rate v of the joint becomes −e v by
@@ -47,19 +61,40 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
-        let value = restitution.real().as_f64();
-        if !(0.0..=1.0).contains(&value) {
-            let (parameter, outside) = ("restitution", "a stop would pull, or give energy");
-            return Err(Error::new(Fault::OutOfRange { parameter, value, least: 0.0, most: 1.0, outside }));
-        }
-        let mut unit = [T::zero(); N];
-        let (Some(own), Some(rate)) = (unit.get_mut(joint), v.get(joint)) else {
-            return Err(Error::new(Fault::NoSuchJoint { joint, joints: N }));
-        };
-        *own = T::one();
+        let unit = struck(joint, restitution)?;
         let column = self.mass_solved(q, &unit)?;
-        let impulse = column.get(joint).map_or(T::zero(), |own| -(T::one() + restitution) * *rate / *own);
+        let impulse = -(T::one() + restitution) * v[joint] / column[joint];
         let after = core::array::from_fn(|k| column[k].mul_add(impulse, v[k]));
         finite(&after).map(|()| (after, impulse))
+    }
+}
+
+impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
+    /// How the base and the joints of a robot whose base floats move after joint `joint` has struck a hard stop, and the impulse of the stop
+    /// (N·m·s, N·s), as [`impact`](Self::impact) has them: momentum and angular momentum stay, for the stop acts between two links.
+    ///
+    /// # Errors
+    /// As [`impact`](Self::impact); [`Fault::NotZero`] for an attitude of the base that is none.
+    pub fn impact_afloat<const N: usize>(
+        &self,
+        base: Afloat<T>,
+        q: &[T; N],
+        v: &[T; N],
+        joint: usize,
+        restitution: T,
+    ) -> Result<(Afloat<T>, [T; N], T), Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let unit = struck(joint, restitution)?;
+        let (of_base, column) = self.mass_solved_afloat(base.place, q, &[T::zero(); 6], &unit)?;
+        let impulse = -(T::one() + restitution) * v[joint] / column[joint];
+        let after = core::array::from_fn(|k| column[k].mul_add(impulse, v[k]));
+        let [x, y, z, a, b, c] = of_base.map(|of_base| of_base * impulse);
+        let velocity = base.velocity + Vector3::new(x, y, z);
+        let base = Afloat { velocity, spin: base.spin + Vector3::new(a, b, c), ..base };
+        let of_base = finite(base.velocity.as_slice()).and(finite(base.spin.as_slice()));
+        of_base.and(finite(&after)).map(|()| (base, after, impulse))
     }
 }

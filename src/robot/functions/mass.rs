@@ -1,6 +1,6 @@
 //! The mass matrix, and solutions with it.
 
-use super::{FixedBase, MassMatrix, S, Tasks, finite, resisting};
+use super::{FixedBase, MassMatrix, S, Tasks, checked, finite, resisting};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::Error;
@@ -109,15 +109,14 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     /// The mass matrix of a robot whose base floats, there: as a [`Snapshot`](super::Snapshot) has it, in less time.
     ///
     /// # Errors
-    /// As [`forward_dynamics`](Self::forward_dynamics).
+    /// As [`forward_dynamics_afloat`](Self::forward_dynamics_afloat).
     pub fn mass_matrix_afloat<const N: usize>(&self, base: Place<T>, q: &[T; N]) -> Result<MassMatrix<T, N>, Error>
     where
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
-        let Place { place, attitude } = &base;
-        let of_base = [*place, attitude.x, attitude.y, attitude.z];
-        of_base.iter().try_for_each(|vector| finite(vector.as_slice())).and(finite(q))?;
+        let Place { attitude, .. } = &base;
+        checked(&base).and(finite(q))?;
         let (Composite { columns, matrix, .. }, Whole { mass, moment, tensor: [xx, yy, zz, yz, xz, xy], .. }) =
             self.composite(q);
         let coupling = columns.map(|[force, torque]| {

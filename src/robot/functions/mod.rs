@@ -1,6 +1,7 @@
 //! Functions of lists in the order of the joints: dynamics.
 
 mod afloat;
+mod configuration;
 mod derivatives;
 mod impact;
 mod inverse;
@@ -15,16 +16,18 @@ pub use snapshot::{Afloat, Blocks, MassMatrix, Regressor, SixRows, Snapshot};
 use crate::element::{Carrying, Condense, Element, Explicit, Given, Posture, Reading};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, counted};
+use crate::mechanics::spatial::axial::orthonormal;
 use crate::mechanics::spatial::body_axes::composite::Composite;
 use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
 use crate::mechanics::spatial::body_axes::inverse::{Carrying as Load, Loaded, Resisting, Slopes};
 use crate::mechanics::spatial::body_axes::places::{Parents, Places, Tally, Way};
 use crate::mechanics::spatial::body_axes::solids::Solids;
-use crate::mechanics::spatial::body_axes::{Base, Stand, Torques};
+use crate::mechanics::spatial::body_axes::{Base, Place, Stand, Torques};
 use crate::mechanics::spatial::{Clamped, Spatial};
 use crate::mirror::{Position, Rate};
 use crate::relation::Open;
 use crate::relation::spatial::Empty;
+use crate::relation::spatial::algebra::Columns;
 use crate::scalar::Scalar;
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Positions, Rates, Takes};
 use crate::space::Space;
@@ -139,6 +142,15 @@ fn resisting<T: Scalar, const N: usize, C: Tasks<T, N>>(chain: &C, q: &[T; N], v
 fn finite<T: Scalar>(list: &[T]) -> Result<(), Error> {
     let finite = list.iter().fold(true, |all, x| all & x.is_finite()); // without branches
     if finite { Ok(()) } else { Err(Error::new(Fault::NonFiniteMotion)) }
+}
+
+/// Refuses places of a base that are none: numbers that are not finite, axes that stretch, shear or mirror.
+#[inline(always)]
+fn checked<T: Scalar>(Place { place, attitude }: &Place<T>) -> Result<(), Error> {
+    let Columns { x, y, z } = attitude;
+    [place, x, y, z].iter().try_for_each(|vector| finite(vector.as_slice()))?;
+    let parameter = "what the axes of a base miss to be orthonormal and right-handed";
+    if orthonormal(attitude) { Ok(()) } else { Err(Error::new(Fault::NotZero { parameter })) }
 }
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {

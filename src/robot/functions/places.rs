@@ -1,12 +1,12 @@
 //! Where bodies are and how they move.
 
-use super::{FixedBase, S, Tasks, finite, resisting};
+use super::{Afloat, FixedBase, S, Tasks, checked, finite, resisting};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mechanics::spatial::Frame;
-use crate::mechanics::spatial::body_axes::places::{Parents, Places, Tally, Way};
+use crate::mechanics::spatial::body_axes::places::{Moving, Parents, Places, Tally, Way};
 use crate::mechanics::spatial::body_axes::{Place, Stand};
+use crate::mechanics::spatial::{Frame, Free};
 use crate::relation::spatial::algebra::{cross, dot, zero};
 use crate::scalar::{Real, Scalar};
 use crate::shape::Takes;
@@ -30,6 +30,14 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         let mut walk = Places { stands, places: [base; N], parents: [usize::MAX; N], slides: [false; N], next: 0 };
         Takes::<S<T>, Places<T, N>>::take(self.chain(), &mut walk, (base, usize::MAX), ());
         walk
+    }
+
+    /// Which joints slide.
+    pub(super) fn slides<const N: usize>(&self) -> [bool; N]
+    where
+        C: Tasks<T, N>,
+    {
+        self.placed(&[T::zero(); N]).slides
     }
 
     /// Where bodies are, by the joints that carry them.
@@ -106,17 +114,33 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         (columns, point)
     }
 
-    fn tallied<const N: usize>(&self, stands: [Stand<T>; N], v: &[T; N]) -> Tally<T, N>
+    fn tallied<const N: usize>(&self, base: Moving<T>, stands: [Stand<T>; N], v: &[T; N]) -> Tally<T, N>
     where
         C: Tasks<T, N>,
     {
-        let Frame { velocity, turn, .. } = self.ground(T::Real::zero());
-        let of = |vector: Vector3<T>| turn.attitude.transposed(vector).into();
         let (mass, moment, twice_kinetic) = (T::zero(), zero(), T::zero());
         let mut walk = Tally { stands, rates: *v, mass, moment, twice_kinetic, next: 0 };
-        let base = (self.standing(), [of(velocity), of(turn.spin)]);
         Takes::<S<T>, Tally<T, N>>::take(self.chain(), &mut walk, base, ());
         walk
+    }
+
+    /// How the ground of a fixed base moves.
+    fn on_ground(&self) -> Moving<T> {
+        let Frame { velocity, turn, .. } = self.ground(T::Real::zero());
+        let of = |vector: Vector3<T>| turn.attitude.transposed(vector).into();
+        (self.standing(), [of(velocity), of(turn.spin)])
+    }
+
+    /// Kinetic and potential energy (J) on a base that moves like this.
+    fn energies<const N: usize>(&self, base: Moving<T>, q: &[T; N], v: &[T; N]) -> Result<[T; 2], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        let own = resisting(self.chain(), q, v);
+        let Tally { moment, twice_kinetic, .. } = self.tallied(base, own.stands, v);
+        let springs = own.energies.iter().fold(T::zero(), |sum, energy| sum + *energy);
+        let energies = [twice_kinetic.scale(T::Real::of(0.5)), springs - dot(self.gravity(), moment)];
+        finite(&energies).map(|()| energies)
     }
 
     /// The mass centre of all links (m), and their mass (kg).
@@ -129,7 +153,8 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
-        let Tally { mass, moment, .. } = self.tallied(resisting(self.chain(), q, q).stands, &[T::zero(); N]);
+        let Tally { mass, moment, .. } =
+            self.tallied(self.on_ground(), resisting(self.chain(), q, q).stands, &[T::zero(); N]);
         let centre = moment * mass.recip();
         finite(centre.as_slice()).map(|()| (centre, mass))
     }
@@ -144,10 +169,23 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
-        let own = resisting(self.chain(), q, v);
-        let Tally { moment, twice_kinetic, .. } = self.tallied(own.stands, v);
-        let springs = own.energies.iter().fold(T::zero(), |sum, energy| sum + *energy);
-        let energies = [twice_kinetic.scale(T::Real::of(0.5)), springs - dot(self.gravity(), moment)];
-        finite(&energies).map(|()| energies)
+        self.energies(self.on_ground(), q, v)
+    }
+}
+
+impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
+    /// Kinetic energy (J) of a robot whose base floats, with that of the base and of reflected inertias, and potential energy in gravity (zero at
+    /// the origin) and in springs.
+    ///
+    /// # Errors
+    /// As [`forward_dynamics_afloat`](Self::forward_dynamics_afloat).
+    pub fn joint_energy_afloat<const N: usize>(&self, base: Afloat<T>, q: &[T; N], v: &[T; N]) -> Result<[T; 2], Error>
+    where
+        C: Tasks<T, N>,
+    {
+        self.has_joints(N)?;
+        let Afloat { place, velocity, spin } = base;
+        checked(&place)?;
+        self.energies((place, [place.attitude.transposed(velocity).into(), spin.into()]), q, v)
     }
 }

@@ -14,7 +14,7 @@ pub(super) use factor::{Factor, Floating};
 pub(super) use partials::By;
 pub use regressor::Regressor;
 
-use super::{FixedBase, Resisting, S, Tasks, finite, resisting};
+use super::{FixedBase, Resisting, S, Tasks, checked, finite, resisting};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -165,7 +165,8 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     /// A robot whose base floats, at positions and rates of its joints.
     ///
     /// # Errors
-    /// [`Fault::Count`] where `N` is not the number of joints, [`Fault::NonFiniteMotion`] for numbers that are not finite.
+    /// [`Fault::Count`] where `N` is not the number of joints, [`Fault::NonFiniteMotion`] for numbers that are not finite,
+    /// [`Fault::NotZero`] for a base whose axes are not orthonormal and right-handed.
     pub fn snapshot_afloat<const N: usize>(
         &self,
         base: Afloat<T>,
@@ -175,6 +176,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
+        checked(&base.place)?;
         self.seen(base, [zero(); 2], q, v)
     }
 }
