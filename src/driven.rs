@@ -27,14 +27,73 @@ impl<T: Scalar, F: Fn(T::Real) -> [T; 3] + Copy + 'static> MotionLaw<T> for F {
     }
 }
 
+/// What is asked of a joint that can be driven, besides its motion: how it turns what it carries.
+///
+/// All [`Kinematics`] can be driven, and joints in axes of their bodies.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be driven",
+    label = "not the bare motion of one coordinate",
+    note = "`Driven` takes joints with one coordinate: `Revolute` and `Slider` in the plane, `Revolute` and `Prismatic` in space, `Hinge` and `Slide` of robots, kinematics of one's own"
+)]
+pub trait Drivable<S: Space>: Joint<S, Position = S::Scalar, Rate = S::Scalar> {
+    /// [`Kinematics::lump`].
+    fn lump(&mut self, mass: S::Scalar) -> S::Scalar;
+    /// [`Kinematics::turned`].
+    fn turned(&self, position: &S::Scalar, rate: &S::Scalar, inboard: S::Turn) -> S::Turn;
+    /// [`Kinematics::orient`].
+    #[allow(clippy::too_many_arguments)] // one store each
+    fn orient(
+        &self,
+        position: &S::Scalar,
+        rate: &S::Scalar,
+        inboard: S::Turn,
+        x: &mut Self::Per<S::X>,
+        y: &mut Self::Per<S::Y>,
+        p: &mut Self::Per<S::P>,
+        q: &mut Self::Per<S::Q>,
+    ) -> S::Turn;
+    /// [`Kinematics::resolve`].
+    fn resolve(x: &mut Self::Per<S::X>, y: &mut Self::Per<S::Y>, p: &mut Self::Per<S::P>, q: &mut Self::Per<S::Q>);
+}
+
+impl<S: Space, J: Kinematics<S>> Drivable<S> for J {
+    fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
+        Kinematics::lump(self, mass)
+    }
+    #[inline(always)]
+    fn turned(&self, position: &S::Scalar, rate: &S::Scalar, inboard: S::Turn) -> S::Turn {
+        Kinematics::turned(self, position, rate, inboard)
+    }
+    #[inline(always)]
+    fn orient(
+        &self,
+        position: &S::Scalar,
+        rate: &S::Scalar,
+        inboard: S::Turn,
+        x: &mut Self::Per<S::X>,
+        y: &mut Self::Per<S::Y>,
+        p: &mut Self::Per<S::P>,
+        q: &mut Self::Per<S::Q>,
+    ) -> S::Turn {
+        Kinematics::orient(self, position, rate, inboard, x, y, p, q)
+    }
+    #[inline(always)]
+    fn resolve(x: &mut Self::Per<S::X>, y: &mut Self::Per<S::Y>, p: &mut Self::Per<S::P>, q: &mut Self::Per<S::Q>) {
+        <J as Kinematics<S>>::resolve(x, y, p, q);
+    }
+}
+
 /// A joint that is driven: its coordinate is a given function of time, and no freedom of the scene. A crank, a winch, a spindle.
 ///
 /// Any joint with one coordinate can be driven: `planar::Revolute::smooth()` and `planar::Slider::along(..)`,
-/// `spatial::Revolute::about(..)` and `spatial::Prismatic::along(..)`, kinematics of one's own. It stands anywhere in a scene, also in
+/// `spatial::Revolute::about(..)` and `spatial::Prismatic::along(..)`, [`Hinge`](crate::robot::Hinge) and
+/// [`Slide`](crate::robot::Slide) of robots, kinematics of one's own. It stands anywhere in a scene, also in
 /// arms and loops. A coordinate is that of the joint (relative angle, displacement); the law must give its true derivatives.
 ///
 /// What the drive exerts is the internal force of its station: ON the outboard body the torque −m, the force q along the line. Springs
-/// of the joint and loads in it move nothing: they are part of that force. Its power is that force times the rate.
+/// of the joint and loads in it move nothing: they are part of that force. Its power is that force times the rate. A robot's joint begins
+/// at the origin of its parent: what its drive exerts is read a station further, at the link that it carries, about or along z of that;
+/// reflected inertia takes I q̈ besides.
 ///
 /// ```
 /// use catena::planar::*;
@@ -87,13 +146,24 @@ impl<J, F> Counted for Driven<J, F> {
 
 lift!(Driven<J, F> { joint, law });
 
-impl<S: Space, J: Kinematics<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J, F> {
+impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J, F> {
     type Position = Clock<RealOf<S>>;
     type Rate = ();
     type Kept<C: Closures> = J::Kept<C>;
     type Per<X: Copy> = J::Per<X>;
 
     const LINEAR: bool = true;
+    const SINES: usize = J::SINES;
+
+    #[inline(always)]
+    fn angle(&self, clock: &Self::Position) -> S::Scalar {
+        let [position, ..] = self.law.at(clock.0);
+        self.joint.angle(&position)
+    }
+    #[inline(always)]
+    fn set_sine(&self, x: &mut J::Per<S::X>, sine_cosine: [S::Scalar; 2]) {
+        self.joint.set_sine(x, sine_cosine);
+    }
 
     fn position() -> Self::Position {
         Clock(Zero::zero())
@@ -155,9 +225,9 @@ impl<S: Space, J: Kinematics<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J,
     }
 }
 
-leaf!(joint [S: Space, J: Kinematics<S>, F: MotionLaw<S::Scalar>] Driven<J, F>: S);
+leaf!(joint [S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>] Driven<J, F>: S);
 
-impl<S: Space, J: Kinematics<S>, F: MotionLaw<S::Scalar>> Element<S> for Driven<J, F> {
+impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Element<S> for Driven<J, F> {
     type Position = Clock<RealOf<S>>;
     type Rate = ();
     const ABSOLUTE: bool = false;
@@ -192,7 +262,7 @@ impl<S: Space, J: Kinematics<S>, F: MotionLaw<S::Scalar>> Element<S> for Driven<
         p: &mut Self::Store<PerAxes<S::P>>,
         q: &mut Self::Store<PerAxes<S::Q>>,
     ) {
-        <J as Kinematics<S>>::resolve(x, y, p, q);
+        <J as Drivable<S>>::resolve(x, y, p, q);
     }
 }
 

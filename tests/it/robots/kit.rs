@@ -146,7 +146,7 @@ pub fn plain_fixed() -> plain::Robot {
     plain::Robot { base: None, parts, gravity: Vector::from(GRAVITY) }
 }
 
-fn plain_floating(place: [f64; 3], attitude: &Rotation<f64>, [velocity, spin]: [[f64; 3]; 2]) -> plain::Robot {
+pub fn plain_floating(place: [f64; 3], attitude: &Rotation<f64>, [velocity, spin]: [[f64; 3]; 2]) -> plain::Robot {
     let (mass, centre, tensor) = body(0);
     let base = plain::Base {
         mass,

@@ -1,8 +1,9 @@
 //! Joints in body axes in a sweep: what they store on the way outward, what they eliminate on the way inward.
 
 use super::axis::{Armature, Axis, Bearing, Mode};
-use super::number::{Number, values};
+use super::number::{Number, Triple, values};
 use super::relation::{Gains, Outboard};
+use super::sparse::Sparse;
 use super::standing::Standing;
 use super::turns::Offset;
 use crate::element::{Condense, Element, Given, InJoint, Posture, Springs, Sweep};
@@ -59,6 +60,20 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     fn resolve((): &(), _: &mut Columns<T>, _: &mut [Vector3<T>; 2], _: &mut Vector3<T>, _: &mut Vector3<T>) {}
 }
 
+impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Armature<T>, B: Bearing>
+    Axis<T, M, C, PLACE, L, A, B>
+{
+    /// The relation at the parent's origin, from that at the joint's place in axes that are turned by the offset alone.
+    #[inline(always)]
+    pub(super) fn handed_on(&self, relation: Sparse<T>, swung: Triple<T>) -> B::Relation<T> {
+        let (turn, arm, swung) = (self.offset.rows(), self.arm(), Self::known_swung(swung));
+        B::relation(
+            #[inline(always)]
+            || relation.turned(&turn).shifted(arm, swung).dense(),
+        )
+    }
+}
+
 impl<T, M, C, const PLACE: u8, L, A, B, R, W> Condense<Spatial<T>, R, W> for Axis<T, M, C, PLACE, L, A, B>
 where
     T: Scalar,
@@ -111,10 +126,6 @@ where
             let o = Number::zero();
             relation.shifted([o, o, Number::of(stand[1])], [o; 3])
         };
-        let (turn, arm, swung) = (self.offset.rows(), self.arm(), Self::known_swung(swung));
-        B::relation(
-            #[inline(always)]
-            || relation.turned(&turn).shifted(arm, swung).dense(),
-        )
+        self.handed_on(relation, swung)
     }
 }

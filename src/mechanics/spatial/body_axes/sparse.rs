@@ -105,6 +105,15 @@ impl<T: Scalar> Sparse<T> {
         (Self { linear, coupling, angular, force, torque }, gains)
     }
 
+    /// The body accelerates by (c, γ) besides: e + S (c, γ).
+    #[inline(always)]
+    pub fn accelerated(self, [c, gamma]: [Triple<T>; 2]) -> Self {
+        let (linear, angular, back) = (rows(&self.linear), rows(&self.angular), transposed(&self.coupling));
+        let force = apply_onto(&self.coupling, gamma, apply_onto(&linear, c, self.force));
+        let torque = apply_onto(&angular, gamma, apply_onto(&back, c, self.torque));
+        Self { force, torque, ..self }
+    }
+
     /// Turned about z by an angle of this sine and cosine: 8 operations for a symmetric pair.
     #[inline(always)]
     pub fn turned_about_z(self, sine: T, cosine: T) -> Self {
