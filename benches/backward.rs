@@ -25,9 +25,12 @@ struct Row {
     make: fn() -> Case,
 }
 
-/// A scene, its angles at the start, the efforts in its joints, a rule.
+/// A scene, its angles at the start, the efforts in its joints, a rule, and which of its steps are those under torques.
 macro_rules! row {
     ($rows:ident, $name:literal, $bodies:literal, $method:expr, $stages:literal, $dt:literal, $scene:expr, $angles:expr, $effort:expr) => {
+        row!($rows, $name, $bodies, $method, $stages, $dt, $scene, $angles, $effort, advance)
+    };
+    ($rows:ident, $name:literal, $bodies:literal, $method:expr, $stages:literal, $dt:literal, $scene:expr, $angles:expr, $effort:expr, $step:ident) => {
         $rows.push(Row {
             name: $name,
             sweeps: $bodies * $stages * STEPS,
@@ -55,7 +58,7 @@ macro_rules! row {
                         past.clone_from(&start);
                         for k in 0..STEPS {
                             let loads = Loads::none().efforts(&torques[k * joints..][..joints]);
-                            driven.advance(&past, &loads, $dt, &mut next).unwrap();
+                            driven.$step(&past, &loads, $dt, &mut next).unwrap();
                             core::mem::swap(&mut past, &mut next);
                         }
                         past.rates()[0]
@@ -210,6 +213,30 @@ fn rows() -> Vec<Row> {
         row!(rows, "rod and five windows, RK4", 21, Rk4, 4, 1e-3, windows!(5), lattice::<21>(), 1e-3);
         row!(rows, "2 rods, stiff hinge, SDIRK4", 2, Sdirk4::new(), 16, 1e-2, hinges!(2), [0.0; 2], 1e-3);
         row!(rows, "20 rods, stiff hinges, SDIRK4", 20, Sdirk4::new(), 16, 1e-2, hinges!(20), [0.0; 20], 1e-3);
+        row!(
+            rows,
+            "2 rods, stiff hinge, generalised-α",
+            2,
+            GeneralizedAlpha::new(0.8),
+            2,
+            1e-2,
+            hinges!(2),
+            [0.0; 2],
+            1e-3,
+            step
+        );
+        row!(
+            rows,
+            "20 rods, stiff hinges, generalised-α",
+            20,
+            GeneralizedAlpha::new(0.8),
+            2,
+            1e-2,
+            hinges!(20),
+            [0.0; 20],
+            1e-3,
+            step
+        );
         row!(rows, "20 rods on pins, DOP853", 20, Dop853, 12, 1e-3, pins!(20), [0.0; 20], 1e-3);
     }
     use catena::spatial::*;

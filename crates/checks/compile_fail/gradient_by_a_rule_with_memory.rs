@@ -1,12 +1,12 @@
 //! The costate sweep does not know what a rule carries from step to step.
 //@ no gradient of a run by `
-//@ GeneralizedAlpha
+//@ Adams
 
 use catena::planar::*;
 
 fn main() -> Result<(), catena::Error> {
     let rod = Rod::uniform(1.0, 1.0);
     let scene = System::new(Pinned::origin(), (rod, ElasticHinge::rotary(1.0), rod), Free)?;
-    let _ = scene.backward(GeneralizedAlpha::new(0.8));
+    let _ = scene.backward(Adams);
     Ok(())
 }

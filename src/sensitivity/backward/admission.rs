@@ -53,8 +53,9 @@ where
         scene.accelerate(&mut self.spare, &Unloaded, &mut scene.workspace())
     }
 
-    /// Refuses lists of torques of another length.
+    /// Refuses lists of torques of another length, and parameters that make no rule.
     pub(super) fn admits(&self, steps: usize, given: usize) -> Result<(), Error> {
+        self.method.fault().map_or(Ok(()), |fault| Err(Error::new(fault)))?;
         let joints = self.steps.scene.joints();
         if given == 0 || given == joints { Ok(()) } else { counted(steps.saturating_mul(joints), given) }
     }

@@ -78,7 +78,7 @@ where
 {
     /// Room for a step of a tape: a slice of them is what [`gradient_between`](Self::gradient_between) needs.
     pub fn tape(&self) -> Tape<S, R, C, P, M> {
-        let torques = (M::OWN > 0.0).then(|| self.steps.torques.clone());
+        let torques = M::IMPLICIT.then(|| self.steps.torques.clone());
         Tape { before: self.steps.scene.motion(), size: RealOf::<S>::zero(), torques, record: self.steps.record() }
     }
 
@@ -100,9 +100,10 @@ where
         }
         self.independent(start)?;
         states[0].copy_state(start);
+        self.steps.forget(&mut states[0]);
         for k in 1..states.len() {
             let [past, next, ..] = &mut states[k - 1..] else { break };
-            next.copy_state(past);
+            self.steps.copy_past(past, next);
             let between = plan.between(k - 1);
             for step in between.clone() {
                 let time = start.time + plan.step * RealOf::<S>::of((step + 1) as f64);
@@ -169,7 +170,10 @@ where
         cost(plan.steps, last, &mut gradient.start)?;
         for (k, state) in states[..states.len() - 1].iter().enumerate().rev() {
             let between = plan.between(k);
-            self.onto_tape(clock, state, between.clone(), torques, tape);
+            if let [room, ..] = &mut *tape {
+                self.steps.copy_past(state, &mut room.before);
+            }
+            self.onto_tape(clock, between.clone(), torques, tape);
             self.back_from_tape(between, tape, by_torques, &mut gradient, &mut cost)?;
         }
         complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
@@ -199,7 +203,12 @@ where
             return Err(Error::new(Fault::Shape));
         }
         self.independent(start)?;
-        self.onto_tape((start.time, step), start, 0..steps, torques, tape);
+        self.spare.copy_state(start);
+        self.steps.forget(&mut self.spare);
+        if let [room, ..] = &mut *tape {
+            self.steps.copy_past(&self.spare, &mut room.before);
+        }
+        self.onto_tape((start.time, step), 0..steps, torques, tape);
         end.copy_state(if steps > 0 { &self.spare } else { start });
         let motions = tape.iter().map(|room| &room.before).chain([&*end]);
         motions.skip(1).try_for_each(|motion| Dynamics::<Unloaded>::accept(self.steps.scene, motion))
@@ -233,21 +242,17 @@ where
         Ok(gradient)
     }
 
-    /// Makes steps of these numbers from a state, onto a tape; the motion after them is then the spare one.
+    /// Makes steps of these numbers from the first motion of a tape, onto it; the motion after them is then the spare one.
     fn onto_tape(
         &mut self,
         (start, size): (RealOf<S>, RealOf<S>),
-        state: &MotionOf<S, R, C, P>,
         between: Range<usize>,
         torques: &[EffortOf<S>],
         tape: &mut [Tape<S, R, C, P, M>],
     ) {
-        let (mut before, count) = (Some(state), between.len());
+        let count = between.len();
         for (place, step) in between.enumerate() {
             let [room, rest @ ..] = &mut tape[place..] else { break };
-            if let Some(state) = before.take() {
-                room.before.copy_state(state);
-            }
             let end = start + size * RealOf::<S>::of((step + 1) as f64);
             room.size = end - room.before.time;
             self.steps.take_torques(torques, step);

@@ -57,6 +57,10 @@ where
         }
         self.of_position.as_mut()[last].set(&gradient.start.position);
         self.of_rate.as_mut()[last].set(&gradient.start.rate);
+        if const { M::REMEMBERS } {
+            self.pull_back_memory(past, step, record, gradient);
+            return;
+        }
         if Self::CURVED {
             let (room, (position, rate)) = ((&self.zero, &mut self.sum), &mut self.end);
             let slopes = record.accelerations.as_ref();
@@ -80,7 +84,7 @@ where
                 self.of_second.set(&self.of_acceleration);
                 position.transposed_acceleration(&past.position, &mut self.of_acceleration);
             }
-            if const { M::OWN > 0.0 } {
+            if const { M::IMPLICIT } {
                 self.pull_back_solution(row, past, step, record, gradient);
                 continue;
             }
@@ -118,8 +122,12 @@ where
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) -> S::Scalar {
         self.of_own = Some(S::Scalar::zero());
+        self.of_memory.set(&self.zero);
         self.pull_back(past, step, record, gradient);
         let mut sum = self.of_own.take().unwrap_or(S::Scalar::zero());
+        if const { M::REMEMBERS } {
+            return sum;
+        }
         let (one, slopes) = (RealOf::<S>::one(), record.accelerations.as_ref());
         for row in 0..=M::STAGES {
             let (position, rate) = M::weights(row);

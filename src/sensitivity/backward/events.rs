@@ -164,6 +164,7 @@ where
             *by_size += self.steps.of_size(past, size, &self.record, scratch);
         }
         self.steps.give_torques(&mut [], 0);
+        self.steps.of_memory.set(&self.steps.zero);
         let moves = by_event.is_finite() && !by_event.real().is_zero();
         ensure_finite(moves, "time of the end per change of the event's function")?;
         let share = by_cost * by_event.recip();

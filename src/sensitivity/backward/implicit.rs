@@ -11,8 +11,8 @@
 //! and, as B = (γ h)² and Γ = γ h, the costate of the size h takes 2 γ² h Q + γ V, times x, of laws, and times x of the sweep before, of the
 //! geometry.
 //!
-//! The geometry of a stage's first sweep follows the stage before, that of a step's the motion at its start. Sweeps before the last of a
-//! stage are made once more on the way back.
+//! The geometry of a stage's first sweep follows the stage before, that of a step's the motion at its start; of a rule that
+//! [remembers](super::memory) it is a prediction without accelerations. Sweeps before the last of a stage are made once more on the way back.
 
 use super::record::{Place, Record, Stage, StageOf};
 use super::rules::Staged;
@@ -34,40 +34,40 @@ use num_traits::Zero;
 /// Room for the sweeps of a stage.
 pub(super) struct Again<S: Reversed, E: Element<S>, X: Closures> {
     /// Positions and rates without the acceleration sought, and where laws are read.
-    free: (E::Position, E::Rate),
+    pub(super) free: (E::Position, E::Rate),
     read: (E::Position, E::Rate),
     /// A sweep, and what it has found.
     stage: Stage<S, E, X>,
     slope: E::Rate,
-    /// Costates of `free`; of the acceleration from which the geometry of the next stage set out.
+    /// Costates of `free`; of the acceleration from which the geometry of the next stage set out; of the geometry that was predicted.
     of_free: (E::Rate, E::Rate),
     of_before: E::Rate,
+    pub(super) of_predicted: (E::Rate, E::Rate),
 }
 
 /// The room of a scene.
 pub(super) type AgainOf<S, R, C, P> = Again<S, Elements<S, R, C>, <P as Tip<S>>::Closures>;
 
 /// Where accelerations lead.
-fn follow<S: Reversed, E: Element<S>>(
+pub(super) fn follow<S: Reversed, E: Element<S>>(
     (position, rate): (&E::Position, &E::Rate),
-    own: RealOf<S>,
+    [of_position, of_rate]: [RealOf<S>; 2],
     acceleration: &E::Rate,
     zero: &E::Rate,
     into: (&mut E::Position, &mut E::Rate),
 ) {
-    into.0.drift_1(position, (RealOf::<S>::zero(), zero), (own * own, acceleration));
-    into.1.mix_1(rate, (own, acceleration));
+    into.0.drift_1(position, (RealOf::<S>::zero(), zero), (of_position, acceleration));
+    into.1.mix_1(rate, (of_rate, acceleration));
 }
 
-/// The costate of the size of the step, by what it changes of where an acceleration leads: by 2 γ own and γ of it.
-fn of_own<S: Reversed, E: Element<S>>(
-    gamma: RealOf<S>,
-    own: RealOf<S>,
+/// Σ of costates of positions and rates, times an acceleration with a weight in each.
+pub(super) fn paired<S: Reversed, E: Element<S>>(
+    [in_position, in_rate]: [RealOf<S>; 2],
     (of_position, of_rate): (&E::Rate, &E::Rate),
     acceleration: &E::Rate,
 ) -> S::Scalar {
     let mut sum = S::Scalar::zero();
-    for (costate, factor) in [(of_position, (gamma + gamma) * own), (of_rate, gamma)] {
+    for (costate, factor) in [(of_position, in_position), (of_rate, in_rate)] {
         costate.all(acceleration, &mut |costate, acceleration| {
             sum += (costate * acceleration).scale(factor);
             true
@@ -88,7 +88,7 @@ where
     EffortOf<S>: Additive,
 {
     /// Room, made once.
-    fn again(&mut self, stage: &StageOf<S, R, C, P>) -> AgainOf<S, R, C, P> {
+    pub(super) fn again(&mut self, stage: &StageOf<S, R, C, P>) -> AgainOf<S, R, C, P> {
         self.again.take().unwrap_or_else(|| {
             let (place, zero) = (self.scene.elements().store::<Positions>(()), &self.zero);
             let motion = (place, zero.clone());
@@ -99,6 +99,7 @@ where
                 slope: zero.clone(),
                 of_free: (zero.clone(), zero.clone()),
                 of_before: zero.clone(),
+                of_predicted: (zero.clone(), zero.clone()),
             }
         })
     }
@@ -114,15 +115,26 @@ where
         free: &mut Place<S, R, C>,
         (stage, slope): (&mut StageOf<S, R, C, P>, &mut RateOf<S, R, C>),
     ) {
-        let (own, node) = (RealOf::<S>::of(M::OWN) * step, M::node(row));
-        let sums = (&self.zero, &mut self.sum);
-        displace(past, slopes, node, M::weights(row), step, sums, (&mut free.0, &mut free.1));
+        let (springs, node) = (self.rule.springs::<S::Scalar>(row, step), M::node(row));
+        let [own, _] = self.rule.own::<S::Scalar>(step);
+        if const { M::REMEMBERS } {
+            self.remember(past, step, slopes, free);
+        } else {
+            let sums = (&self.zero, &mut self.sum);
+            displace(past, slopes, node, M::weights(row), step, sums, (&mut free.0, &mut free.1));
+        }
         for sweep in 0..sweeps {
-            let led = if sweep > 0 { Some(&*slope) } else { row.checked_sub(1).and_then(|before| slopes.get(before)) };
-            let (from, into) = ((&free.0, &free.1), (&mut stage.position, &mut stage.rate));
-            follow::<S, Elements<S, R, C>>(from, own, led.unwrap_or(&self.zero), &self.zero, into);
+            if M::REMEMBERS && sweep == 0 {
+                stage.position.drift_0(&past.position, (step, &past.rate));
+                stage.rate.set(&past.rate);
+            } else {
+                let before = || row.checked_sub(1).and_then(|before| slopes.get(before));
+                let led = if sweep > 0 { Some(&*slope) } else { before() };
+                let (from, into) = ((&free.0, &free.1), (&mut stage.position, &mut stage.rate));
+                follow::<S, Elements<S, R, C>>(from, own, led.unwrap_or(&self.zero), &self.zero, into);
+            }
             let time = past.time + RealOf::<S>::of(node) * step;
-            self.sweep(None, Some(&*free), M::springs(step), time, stage, slope);
+            self.sweep(None, Some(&*free), springs, time, stage, slope);
         }
     }
 
@@ -151,9 +163,9 @@ where
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
-        let (last, gamma) = (self.rule.sweeps(row), RealOf::<S>::of(M::OWN));
-        let own = gamma * step;
-        let by_own = |of: (&_, &_), slope: &_| of_own::<S, Elements<S, R, C>>(gamma, own, of, slope);
+        let (last, [own, by_size]) = (self.rule.sweeps(row), self.rule.own::<S::Scalar>(step));
+        let [in_position, in_rate] = own;
+        let by_own = |of: (&_, &_), slope: &_| paired::<S, Elements<S, R, C>>(by_size, of, slope);
         let time = past.time + RealOf::<S>::of(M::node(row)) * step;
         let mut again = self.again(&record.stages.as_ref()[row]);
         if row + 1 < M::STAGES {
@@ -184,11 +196,16 @@ where
                 *sum += by_own((&*of_position, &*of_rate), slope);
             }
             let (of_place, of_speed) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
+            if M::REMEMBERS && sweep == 1 {
+                again.of_predicted.0.set(of_place);
+                again.of_predicted.1.set(of_speed);
+                continue;
+            }
             of_position.add(of_place);
             of_rate.add(of_speed);
-            self.of_acceleration.mix_2(&self.zero, (own * own, of_place), (own, of_speed));
+            self.of_acceleration.mix_2(&self.zero, (in_position, of_place), (in_rate, of_speed));
         }
-        if let (Some(sum), Some(before)) = (&mut self.of_own, row.checked_sub(1)) {
+        if let (Some(sum), Some(before), false) = (&mut self.of_own, row.checked_sub(1), M::REMEMBERS) {
             let (of_geometry, slopes) =
                 ((&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]), record.accelerations.as_ref());
             *sum += by_own(of_geometry, &slopes[before]);

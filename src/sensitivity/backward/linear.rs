@@ -47,7 +47,9 @@ where
         self.independent(past)?;
         self.steps.take_torques(torques, 0);
         self.steps.give_torques(&mut [], 0);
-        self.steps.step_to(past.time + size, past, &mut self.record, next);
+        self.spare.copy_state(past);
+        self.steps.forget(&mut self.spare);
+        self.steps.step_to(past.time + size, &self.spare, &mut self.record, next);
         Ok(())
     }
 
@@ -98,7 +100,8 @@ where
             let start = &mut self.scratch.start;
             start.position.replace(&mut unit);
             start.rate.replace(&mut unit);
-            self.steps.pull_back(past, end - past.time, &self.record, &mut self.scratch);
+            self.steps.of_memory.set(&self.steps.zero);
+            self.steps.pull_back(&self.spare, end - past.time, &self.record, &mut self.scratch);
             let mut entries = row.iter_mut();
             let mut put = |x| entries.next().into_iter().for_each(|entry| *entry = x);
             self.scratch.start.position.visit(&mut put);
@@ -155,7 +158,8 @@ where
             let start = &mut self.scratch.start;
             start.position.replace(&mut unit);
             start.rate.replace(&mut unit);
-            self.steps.pull_back(past, end - past.time, &self.record, &mut self.scratch);
+            self.steps.of_memory.set(&self.steps.zero);
+            self.steps.pull_back(&self.spare, end - past.time, &self.record, &mut self.scratch);
             let mut column = 0;
             let mut put = |x: Pack<T, N>| {
                 let list = by_state.iter_mut().skip(first * rows + column).step_by(rows);

@@ -9,6 +9,7 @@ mod held;
 mod implicit;
 mod linear;
 mod loads;
+mod memory;
 mod projection;
 mod record;
 mod rules;
@@ -20,6 +21,7 @@ use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Resting, Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
+use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
@@ -29,7 +31,7 @@ use record::Record;
 use rules::{Closing, Staged};
 use steps::Steps;
 
-/// Runs of a scene by a method without memory, and their gradients.
+/// Runs of a scene by fixed steps or accepted ones, and their gradients.
 ///
 /// ```
 /// use catena::planar::*;
@@ -77,8 +79,13 @@ use steps::Steps;
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
 ///
-/// By [`Sdirk4`](crate::time::Sdirk4), at fixed steps, chains and trees of the plane with a free tip, whose laws are `Spring`s: it solves each
-/// stage by several sweeps, and costates go back through all of them.
+/// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, chains and trees of the plane
+/// with a free tip, whose laws are `Spring`s: they solve a step by several sweeps, and costates go back through all of them.
+///
+/// `GeneralizedAlpha` remembers its auxiliary acceleration A. Its steps are those of [`step`](crate::stepper::Stepper::step): each begins with
+/// the accelerations a that the torques of this step cause, where `simulate` goes on with those that the last sweep has left. A run begins with
+/// A = a; the motions that it keeps hold (A − a) / h, by the size h of the step before (m/s³ or rad/s³), in the place of accelerations, without
+/// which there is no gradient of it: states that another rule or `simulate` has left are refused. A step linearised is the first of a run.
 ///
 /// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`
 /// with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom)), composed in the same ways, also
@@ -147,7 +154,8 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: St
 type CostateOf<S, R, C> = Costate<RateOf<S, R, C>, <S as Geometry>::Scalar>;
 
 impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Runs by a method without memory, whose gradients go backward: `Rk4`, `Dopri5`, `Dop853`, and for chains of the plane `Sdirk4`.
+    /// Runs by a rule whose gradients go backward: `Rk4`, `Dopri5`, `Dop853`, and for chains and trees of the plane with a free tip `Sdirk4`
+    /// and `GeneralizedAlpha`.
     ///
     /// See [`sensitivity::Backward`](crate::sensitivity::Backward).
     pub fn backward<M: Closing<P::Closures>>(&self, method: M) -> Backward<'_, S, R, C, P, M>
@@ -184,8 +192,8 @@ where
     /// step begins. `torques` are those in all joints (the root's first), held over the first step, then those over the second, and so on;
     /// or those of one step, held over all; or none.
     ///
-    /// The last state has no accelerations but zeros, and by `Sdirk4`, which finds none where a step begins, so has each:
-    /// `with_accelerations` finds them.
+    /// The last state has no accelerations but zeros, and by `Sdirk4`, which finds none where a step begins, so has each; by
+    /// `GeneralizedAlpha` all have what the rule remembers instead: `with_accelerations` finds them.
     ///
     /// A step ends at a multiple of its size after the start, without the rounding of a running sum, as in
     /// [`simulate`](System::simulate).
@@ -193,7 +201,7 @@ where
     /// # Errors
     /// [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of another scene;
     /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip,
-    /// or closes a loop, twice in the same way.
+    /// or closes a loop, twice in the same way; what is wrong with the parameters of the rule.
     pub fn run(
         &mut self,
         start: &MotionOf<S, R, C, P>,
@@ -212,6 +220,7 @@ where
         }
         self.independent(start)?;
         states[0].copy_state(start);
+        self.steps.forget(&mut states[0]);
         for k in 0..steps {
             let [past, next, ..] = &mut states[k..] else { break };
             self.steps.take_torques(torques, k);
@@ -227,12 +236,14 @@ where
     /// each of them, and adds the derivatives of the cost by its position and rate. `by_torques` becomes the gradient by torques, of
     /// each step or of all; it may be empty.
     ///
-    /// The steps are those of this method from one state to the next, as long as their times are apart: whatever run they are of.
+    /// The steps are those of this method from one state to the next, as long as their times are apart: whatever run they are of. A rule that
+    /// remembers, `GeneralizedAlpha`, knows its own run alone.
     ///
     /// What a cost reads besides positions and rates, a length for the place of the tip, is not in this gradient.
     ///
     /// # Errors
-    /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; those of the cost.
+    /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; [`Fault::Unsupported`] where a rule that
+    /// remembers is given states that are not of its run, with the time; those of the cost.
     pub fn gradient(
         &mut self,
         torques: &[EffortOf<S>],
@@ -262,6 +273,7 @@ where
             let size = next.time - past.time;
             self.steps.take_torques(torques, k);
             self.steps.evaluate(past, size, &mut self.record);
+            self.steps.recognise(past, next, &self.record, &mut self.spare)?;
             self.steps.pull_back(past, size, &self.record, gradient);
             self.steps.give_torques(by_torques, k);
             cost(k, past, &mut gradient.start)?;
@@ -274,6 +286,7 @@ where
     fn begin(&mut self, by_torques: &mut [EffortOf<S>]) -> Gradient<S, Elements<S, R, C>> {
         by_torques.fill(EffortOf::<S>::null());
         self.steps.give_torques(&mut [], 0);
+        self.steps.of_memory.set(&self.steps.zero);
         Gradient::none(self.steps.scene.elements(), &self.steps.zero)
     }
 }

@@ -61,10 +61,14 @@ impl<S: Reversed, E: Element<S>, M: Staged, X: Closures> Clone for Record<S, E, 
 }
 
 impl<S: Reversed, E: Element<S>, M: Staged, X: Closures> Record<S, E, M, X> {
-    /// Gives the motion before the step the accelerations in which it begins, where the first stage stands there; else zeros.
+    /// Gives the motion before the step the accelerations in which it begins, where the first stage stands there; else zeros. What a rule
+    /// remembers stays.
     pub(super) fn begin(&self, before: &mut Motion<S::Scalar, E::Position, X>) {
+        if const { M::REMEMBERS } {
+            return;
+        }
         before.acceleration.set(&self.accelerations.as_ref()[0]);
-        if const { M::OWN > 0.0 } {
+        if const { M::IMPLICIT } {
             before.acceleration.replace(&mut |_| S::Scalar::zero());
         }
     }

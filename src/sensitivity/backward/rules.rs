@@ -1,25 +1,28 @@
 //! Rules whose runs go backward.
 
 use crate::element::{self, Springs};
+use crate::error::Fault;
 use crate::relation::{Closures, Open};
 use crate::scalar::{Real, Scalar};
 use crate::time::sdirk4::{GAMMA, STAGES, TABLE};
-use crate::time::{Dop853, Dopri5, Explicit, Rk4, Sdirk4};
+use crate::time::{Dop853, Dopri5, Explicit, GeneralizedAlpha, Rk4, Sdirk4};
 use core::fmt::Debug;
+use num_traits::Zero;
 
-/// A rule without memory, through whose steps costates go backward: by rows of a tableau, each with an acceleration that is found by one sweep
-/// or several.
+/// A rule through whose steps costates go backward: by rows of a tableau, each with an acceleration that is found by one sweep or several.
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward through the rule `{Self}`",
     label = "not a rule that goes backward",
-    note = "`Rk4`, `Dopri5`, `Dop853` and, for chains of the plane, `Sdirk4` do",
+    note = "`Rk4`, `Dopri5`, `Dop853` and, for chains of the plane, `Sdirk4` and `GeneralizedAlpha` do",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait Staged: Copy + Debug {
     /// Accelerations found in a step: rows 1 to `STAGES`, of which the last is the step itself.
     const STAGES: usize;
-    /// Weight of its own acceleration in the rates of a row; none of an explicit rule.
-    const OWN: f64;
+    /// Whether rows depend on their own accelerations.
+    const IMPLICIT: bool;
+    /// Whether a step depends on what the step before it has left besides positions and rates.
+    const REMEMBERS: bool = false;
     /// Values for rows.
     type Rows<X>: AsRef<[X]> + AsMut<[X]>;
     /// How springs enter sweeps.
@@ -33,25 +36,39 @@ pub trait Staged: Copy + Debug {
     fn weights(row: usize) -> (&'static [f64], &'static [f64]);
     /// Sweeps of a row.
     fn sweeps(&self, row: usize) -> usize;
-    /// How springs enter sweeps of a step (s).
-    fn springs<T: Scalar>(step: T::Real) -> Self::Springs<T>;
+    /// How springs enter sweeps of a row in a step (s).
+    fn springs<T: Scalar>(&self, row: usize, step: T::Real) -> Self::Springs<T>;
+    /// Weights of its own acceleration in positions and rates of a row, in a step (s), and their derivatives by its size.
+    fn own<T: Scalar>(&self, step: T::Real) -> [[T::Real; 2]; 2] {
+        let _ = step;
+        [[T::Real::zero(); 2]; 2]
+    }
+    /// The family of a rule that remembers.
+    fn family(&self) -> Option<&GeneralizedAlpha> {
+        None
+    }
+    /// What is wrong with its parameters.
+    fn fault(&self) -> Option<Fault> {
+        None
+    }
 }
 
 /// A rule by which costates go backward where the closure forces `C` hold the tip.
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run by `{Self}` goes backward, or none where a tip is held",
     label = "not a rule that goes backward, or one that knows free tips alone",
-    note = "`Rk4`, `Dopri5` and `Dop853` go backward, also where tips are held, and `Sdirk4` in chains of the plane with a free tip"
+    note = "`Rk4`, `Dopri5` and `Dop853` go backward, also where tips are held, and `Sdirk4` and `GeneralizedAlpha` in chains of the plane with a free tip"
 )]
 pub trait Closing<C: Closures>: Staged {}
 
 impl Closing<Open> for Sdirk4 {}
+impl Closing<Open> for GeneralizedAlpha {}
 
 macro_rules! explicit {
     ($($Rule:ty),*) => {$(
         impl Staged for $Rule {
             const STAGES: usize = <Self as Explicit>::STAGES;
-            const OWN: f64 = 0.0;
+            const IMPLICIT: bool = false;
             type Rows<X> = <Self as Explicit>::Rows<X>;
             type Springs<T: Scalar> = element::Explicit;
 
@@ -69,7 +86,7 @@ macro_rules! explicit {
             fn sweeps(&self, _: usize) -> usize {
                 1
             }
-            fn springs<T: Scalar>(_: T::Real) -> element::Explicit {
+            fn springs<T: Scalar>(&self, _: usize, _: T::Real) -> element::Explicit {
                 element::Explicit
             }
         }
@@ -81,7 +98,7 @@ explicit!(Rk4, Dopri5, Dop853);
 
 impl Staged for Sdirk4 {
     const STAGES: usize = STAGES;
-    const OWN: f64 = GAMMA;
+    const IMPLICIT: bool = true;
     type Rows<X> = [X; STAGES + 1];
     type Springs<T: Scalar> = element::Implicit<T::Real>;
 
@@ -99,8 +116,53 @@ impl Staged for Sdirk4 {
     fn sweeps(&self, row: usize) -> usize {
         self.sweeps + usize::from(row == 0)
     }
-    fn springs<T: Scalar>(step: T::Real) -> element::Implicit<T::Real> {
+    fn springs<T: Scalar>(&self, _: usize, step: T::Real) -> element::Implicit<T::Real> {
         let own = T::Real::of(GAMMA) * step;
         element::Implicit { position: own * own, rate: own }
+    }
+    fn own<T: Scalar>(&self, step: T::Real) -> [[T::Real; 2]; 2] {
+        let gamma = T::Real::of(GAMMA);
+        let own = gamma * step;
+        [[own * own, own], [(gamma + gamma) * own, gamma]]
+    }
+}
+
+/// Row 0 is where a step begins, row 1 its end.
+impl Staged for GeneralizedAlpha {
+    const STAGES: usize = 2;
+    const IMPLICIT: bool = true;
+    const REMEMBERS: bool = true;
+    type Rows<X> = [X; 3];
+    type Springs<T: Scalar> = element::Implicit<T::Real>;
+
+    fn rows<X: Clone>(value: &X) -> [X; 3] {
+        core::array::from_fn(|_| value.clone())
+    }
+    fn node(row: usize) -> f64 {
+        if row > 0 { 1.0 } else { 0.0 }
+    }
+    /// They are the parameters', and stand in [`memory`](super::memory).
+    fn weights(row: usize) -> (&'static [f64], &'static [f64]) {
+        let none: &[f64] = &[0.0; 2][..row];
+        (none, none)
+    }
+    fn sweeps(&self, row: usize) -> usize {
+        if row > 0 { self.sweeps } else { 1 }
+    }
+    /// A step begins with accelerations that are found by an explicit sweep.
+    fn springs<T: Scalar>(&self, row: usize, step: T::Real) -> element::Implicit<T::Real> {
+        let [[position, rate], _] = self.own::<T>(if row > 0 { step } else { T::Real::zero() });
+        element::Implicit { position, rate }
+    }
+    fn own<T: Scalar>(&self, step: T::Real) -> [[T::Real; 2]; 2] {
+        let [kappa, ..] = self.recurrence();
+        let [position, rate] = [self.beta * kappa, self.gamma * kappa].map(T::Real::of);
+        [[position * (step * step), rate * step], [(position + position) * step, rate]]
+    }
+    fn family(&self) -> Option<&GeneralizedAlpha> {
+        Some(self)
+    }
+    fn fault(&self) -> Option<Fault> {
+        self.fault
     }
 }

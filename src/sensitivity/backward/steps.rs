@@ -56,6 +56,8 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     pub(super) zero: <Elements<S, R, C> as Element<S>>::Rate,
     /// The costate of the step's size by what stages of an implicit rule do of their own, where it is asked for.
     pub(super) of_own: Option<S::Scalar>,
+    /// The costate of what the rule remembers.
+    pub(super) of_memory: <Elements<S, R, C> as Element<S>>::Rate,
     /// Room for the sweeps of a stage of an implicit rule.
     pub(super) again: Option<AgainOf<S, R, C, P>>,
     pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
@@ -119,6 +121,7 @@ where
             of_second: zero.clone(),
             end: (elements.store::<Positions>(()), zero.clone()),
             of_own: None,
+            of_memory: zero.clone(),
             again: None,
             sum: zero.clone(),
             zero,
@@ -187,7 +190,7 @@ where
         record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
     ) {
         for row in 0..M::STAGES {
-            if const { M::OWN > 0.0 } {
+            if M::IMPLICIT && !(M::REMEMBERS && row == 0) {
                 self.solve(row, past, step, record);
                 continue;
             }
@@ -202,7 +205,8 @@ where
             }
             let time = past.time + RealOf::<S>::of(M::node(row)) * step;
             let (stage, slope) = (&mut record.stages.as_mut()[row], &mut record.accelerations.as_mut()[row]);
-            self.sweep((row == 0).then_some(past), None, M::springs(step), time, stage, slope);
+            let springs = self.rule.springs::<S::Scalar>(row, step);
+            self.sweep((row == 0).then_some(past), None, springs, time, stage, slope);
             if Self::CURVED && row > 0 {
                 let Stage { position, rate, acceleration, .. } = &mut record.stages.as_mut()[row];
                 let slope = &mut record.accelerations.as_mut()[row];
@@ -215,7 +219,7 @@ where
         }
     }
 
-    /// The step to a time, from the past motion to the next, which has no accelerations.
+    /// The step to a time, from the past motion to the next, which has no accelerations but what a rule remembers.
     pub(super) fn step_to(
         &mut self,
         time: RealOf<S>,
@@ -227,6 +231,10 @@ where
         self.evaluate(past, step, record);
         next.acceleration.set(&self.zero);
         next.time = time;
+        if const { M::REMEMBERS } {
+            self.end_with_memory(past, step, record, next);
+            return;
+        }
         if let Some(projection) = &record.projection {
             next.position.clone_from(projection.place());
             next.rate.set(projection.rate());

@@ -18,9 +18,9 @@ fn chains() {
         numbers
     };
     macro_rules! of {
-        ($name:expr, $sweeps:literal, $stiffness:literal) => {
+        ($name:expr, $method:expr, $stiffness:literal) => {
             let (numbers, angles) = (parameters($stiffness), vec![-0.3, 0.1, -0.8, 0.2, -0.2, 0.1]);
-            gradients!($name, kinds, numbers, angles, 7, Sdirk4::new().with_sweeps($sweeps), 4, 0.02, |x| {
+            gradients!($name, kinds, numbers, angles, 7, $method, 4, 0.02, |x| {
                 let rod = Rod::<N>::new(x(0), x(1), x(2), x(3));
                 let rigid = RigidBody::<N>::new(x(4), x(5), [x(6), x(7)], [x(8), x(9)]);
                 let hinge = ElasticHinge::rotary(x(10)).damped(x(11)).resting_at(x(12));
@@ -42,8 +42,13 @@ fn chains() {
             });
         };
     }
-    of!("one sweep", 1, 10.0);
-    of!("three sweeps, stiff", 3, 1e4);
+    of!("one sweep", Sdirk4::new().with_sweeps(1), 10.0);
+    of!("three sweeps, stiff", Sdirk4::new().with_sweeps(3), 1e4);
+    of!("generalised-α, one sweep", GeneralizedAlpha::new(0.8).with_sweeps(1), 10.0);
+    of!("generalised-α", GeneralizedAlpha::new(0.8), 10.0);
+    of!("generalised-α, three sweeps, stiff", GeneralizedAlpha::new(0.3).with_sweeps(3), 1e4);
+    of!("Newmark", GeneralizedAlpha::newmark(0.3, 0.6), 10.0);
+    of!("trapezoidal rule, stiff", GeneralizedAlpha::trapezoidal(), 1e4);
 }
 
 /// Against a dense system, differentiated by complex steps.
@@ -100,33 +105,40 @@ fn numbers_of_a_dense_system() {
 }
 
 /// Loads are read at the geometry of each sweep; a tape keeps what the last sweep of a stage has found.
+macro_rules! under_loads {
+    ($method:expr) => {{
+        const STEPS: usize = 4;
+        let rod = Rod::uniform(0.5, 0.6);
+        let chain = (rod, ElasticHinge::rotary(20.0).damped(0.1), rod);
+        let scene = System::new(Pinned::origin(), chain, Free).unwrap().with_gravity(9.81);
+        let start = scene.at_rest(&[-0.5, -0.2]).unwrap();
+        let end = |step: usize, _: &_, by: &mut Costate<_, f64>| {
+            if step == STEPS { by.add(&[1.0, 0.5], &[0.2, 0.0]) } else { Ok(()) }
+        };
+        let (mut backward, mut states) = (scene.backward($method).under(Drag { drag: 0.7 }), vec![start; STEPS + 1]);
+        backward.run(&start, 0.03, STEPS, &[], &mut states).unwrap();
+        let gradient = backward.gradient(&[], &states, &mut [], end).unwrap();
+        let (mut tape, mut last) = (vec![backward.tape(); STEPS], start);
+        backward.run_on_tape(&start, 0.03, STEPS, &[], &mut tape, &mut last).unwrap();
+        let taped = backward.gradient_on_tape(STEPS, &tape, &last, &mut [], end).unwrap();
+        assert_eq!(taped.by_position(), gradient.by_position());
+        assert_eq!(taped.by_loads().unwrap(), gradient.by_loads().unwrap());
+        let value = |drag: f64| {
+            let (mut now, mut next, mut stepper) = (start, start, scene.stepper($method));
+            for _ in 0..STEPS {
+                stepper.step(&now, &Loads::none().on_bodies_by(Drag { drag }), 0.03, &mut next).unwrap();
+                core::mem::swap(&mut now, &mut next);
+            }
+            now.coordinates()[0] + 0.5 * now.coordinates()[1] + 0.2 * now.rates()[0]
+        };
+        let slope = (value(0.7001) - value(0.6999)) / 2e-4;
+        let found = gradient.by_loads().unwrap()[0];
+        assert!((found - slope).abs() < 1e-7 * slope.abs(), "{found} not {slope}");
+    }};
+}
+
 #[test]
 fn under_loads_and_on_a_tape() {
-    const STEPS: usize = 4;
-    let rod = Rod::uniform(0.5, 0.6);
-    let chain = (rod, ElasticHinge::rotary(20.0).damped(0.1), rod);
-    let scene = System::new(Pinned::origin(), chain, Free).unwrap().with_gravity(9.81);
-    let start = scene.at_rest(&[-0.5, -0.2]).unwrap();
-    let end = |step: usize, _: &_, by: &mut Costate<_, f64>| {
-        if step == STEPS { by.add(&[1.0, 0.5], &[0.2, 0.0]) } else { Ok(()) }
-    };
-    let (mut backward, mut states) = (scene.backward(Sdirk4::new()).under(Drag { drag: 0.7 }), vec![start; STEPS + 1]);
-    backward.run(&start, 0.03, STEPS, &[], &mut states).unwrap();
-    let gradient = backward.gradient(&[], &states, &mut [], end).unwrap();
-    let (mut tape, mut last) = (vec![backward.tape(); STEPS], start);
-    backward.run_on_tape(&start, 0.03, STEPS, &[], &mut tape, &mut last).unwrap();
-    let taped = backward.gradient_on_tape(STEPS, &tape, &last, &mut [], end).unwrap();
-    assert_eq!(taped.by_position(), gradient.by_position());
-    assert_eq!(taped.by_loads().unwrap(), gradient.by_loads().unwrap());
-    let value = |drag: f64| {
-        let (mut now, mut next, mut stepper) = (start, start, scene.stepper(Sdirk4::new()));
-        for _ in 0..STEPS {
-            stepper.step(&now, &Loads::none().on_bodies_by(Drag { drag }), 0.03, &mut next).unwrap();
-            core::mem::swap(&mut now, &mut next);
-        }
-        now.coordinates()[0] + 0.5 * now.coordinates()[1] + 0.2 * now.rates()[0]
-    };
-    let slope = (value(0.7001) - value(0.6999)) / 2e-4;
-    let found = gradient.by_loads().unwrap()[0];
-    assert!((found - slope).abs() < 1e-7 * slope.abs(), "{found} not {slope}");
+    under_loads!(Sdirk4::new());
+    under_loads!(GeneralizedAlpha::new(0.8));
 }

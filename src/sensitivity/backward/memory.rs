@@ -1,0 +1,199 @@
+//! Steps of a rule that remembers: of the generalised-α family, whose auxiliary acceleration A goes on from step to step.
+//!
+//! With A₀ = a₀ + h o₀, κ, o_t and o_a the weights of a₁, a₀ and A₀ in A₁, and B = β κ h², Γ = γ κ h,
+//!
+//! ```text
+//! q₁ = free + B a₁       free = q₀ + h v₀ + h² ((½ − β κ) a₀ + h p o₀)       p = ½ − β + β o_a
+//! v₁ = free + Γ a₁       free =      v₀ + h  ((1 − γ κ) a₀ + h r o₀)         r = 1 − γ + γ o_a
+//! o₁ = (κ − 1) (a₁ − a₀) / h + o_a o₀
+//! ```
+//!
+//! a₀ is found where the step begins, under its torques; o, which is zero where a run begins, is what the rule remembers. Motions of a run
+//! keep it in the place of their accelerations.
+//!
+//! Backward, a₁ gets B Q + Γ V + (κ − 1) ō / h and is [pulled back](super::implicit) to costates of both `free`; by these, and by ō, go a₀,
+//! o₀, q₀ and v₀. The first geometry of the step, q₀ + h v₀ and v₀, gives q₀ and v₀ costates of its own.
+
+use super::implicit::{follow, paired};
+use super::record::{Place, Record};
+use super::rules::Staged;
+use super::steps::Steps;
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
+use crate::element::{Element, RealOf};
+use crate::ends::Resting;
+use crate::error::{Error, Fault};
+use crate::loading::EffortOf;
+use crate::mirror::{Position, Rate};
+use crate::relation::Additive;
+use crate::scalar::Real;
+use crate::sensitivity::Gradient;
+use crate::system::{Elements, MotionOf, RateOf};
+use num_traits::Zero;
+
+/// What a rule of the family makes of the motion before a step.
+struct Weights<R> {
+    /// Of a₀ in both `free`, and of o₀; their derivatives by the size of the step.
+    first: [R; 2],
+    memory: [R; 2],
+    first_by_size: [R; 2],
+    memory_by_size: [R; 2],
+    /// Of a₁ − a₀, and of o₀, in o₁.
+    change: R,
+    last: R,
+}
+
+impl<R: Real> Weights<R> {
+    /// Those of a step (s); zeros for a rule without memory.
+    fn of(rule: &impl Staged, step: R) -> Self {
+        let none = || [R::zero(); 2];
+        let Some(family) = rule.family() else {
+            let (first, memory) = (none(), none());
+            let (first_by_size, memory_by_size) = (none(), none());
+            return Self { first, memory, first_by_size, memory_by_size, change: R::zero(), last: R::zero() };
+        };
+        let ([kappa, _, of_last], beta, gamma) = (family.recurrence(), family.beta, family.gamma);
+        let (u, v) = (R::of(0.5 - beta * kappa), R::of(1.0 - gamma * kappa));
+        let (p, r) = (R::of(0.5 - beta + beta * of_last), R::of(1.0 - gamma + gamma * of_last));
+        let square = step * step;
+        Self {
+            first: [u * square, v * step],
+            memory: [p * square * step, r * square],
+            first_by_size: [(u + u) * step, v],
+            memory_by_size: [(p + p + p) * square, (r + r) * step],
+            change: R::of(kappa - 1.0) / step,
+            last: R::of(of_last),
+        }
+    }
+}
+
+impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
+where
+    S: Reversed,
+    R: Resting<S>,
+    C: Element<S>,
+    P: ReversibleTip<S>,
+    M: Staged,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
+    EffortOf<S>: Additive,
+{
+    /// Makes a motion one in which a run begins.
+    pub(super) fn forget(&self, start: &mut MotionOf<S, R, C, P>) {
+        if const { M::REMEMBERS } {
+            start.acceleration.set(&self.zero);
+        }
+    }
+
+    /// Copies the state of a motion, and what the rule remembers of it.
+    pub(super) fn copy_past(&self, from: &MotionOf<S, R, C, P>, into: &mut MotionOf<S, R, C, P>) {
+        into.copy_state(from);
+        if const { M::REMEMBERS } {
+            into.acceleration.set(&from.acceleration);
+        }
+    }
+
+    /// Where positions and rates would be at the end of a step without a₁.
+    pub(super) fn remember(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        slopes: &[RateOf<S, R, C>],
+        (position, rate): &mut Place<S, R, C>,
+    ) {
+        let Weights { first, memory, .. } = Weights::of(&self.rule, step);
+        let (slope, offset) = (slopes.first().unwrap_or(&self.zero), &past.acceleration);
+        position.drift_2(&past.position, (step, &past.rate), (first[0], slope), (memory[0], offset));
+        rate.mix_2(&past.rate, (first[1], slope), (memory[1], offset));
+    }
+
+    /// The motion at the end of a step whose stages have been evaluated.
+    pub(super) fn end_with_memory(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        next: &mut MotionOf<S, R, C, P>,
+    ) {
+        let [first, found, ..] = record.accelerations.as_ref() else { return };
+        let mut again = self.again(&record.stages.as_ref()[0]);
+        let ([own, _], Weights { change, last, .. }) =
+            (self.rule.own::<S::Scalar>(step), Weights::of(&self.rule, step));
+        self.remember(past, step, record.accelerations.as_ref(), &mut again.free);
+        let (free, into) = ((&again.free.0, &again.free.1), (&mut next.position, &mut next.rate));
+        follow::<S, Elements<S, R, C>>(free, own, found, &self.zero, into);
+        next.acceleration.mix_3(&self.zero, (change, found), (-change, first), (last, &past.acceleration));
+        self.again = Some(again);
+    }
+
+    /// Refuses states that are not those of a run by this rule, which remembers more than positions and rates: by the end of a step whose
+    /// stages have been evaluated, and with it.
+    pub(super) fn recognise(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        next: &MotionOf<S, R, C, P>,
+        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        end: &mut MotionOf<S, R, C, P>,
+    ) -> Result<(), Error> {
+        if const { !M::REMEMBERS } {
+            return Ok(());
+        }
+        self.end_with_memory(past, next.time - past.time, record, end);
+        if next.has_state(next.time, &end.position, &end.rate) {
+            return Ok(());
+        }
+        let what = "the gradient of a run by a rule that remembers, from states that another run has left";
+        Err(Error::new(Fault::Unsupported { what }).at_time(next.time.as_f64()))
+    }
+
+    /// From the costates after a step, which stand in its last row, to those before it.
+    pub(super) fn pull_back_memory(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        gradient: &mut Gradient<S, Elements<S, R, C>>,
+    ) {
+        let (start, [first, found, ..]) = (&record.stages.as_ref()[0], record.accelerations.as_ref()) else { return };
+        let ([own, by_size], weights) = (self.rule.own::<S::Scalar>(step), Weights::of(&self.rule, step));
+        let Weights { change, last, .. } = weights;
+        let one = RealOf::<S>::of(1.0);
+        {
+            let (of_position, of_rate) = (&self.of_position.as_ref()[2], &self.of_rate.as_ref()[2]);
+            if let Some(sum) = &mut self.of_own {
+                *sum += paired::<S, Elements<S, R, C>>(by_size, (of_position, of_rate), found);
+            }
+            let (q, v, memory) = ((own[0], of_position), (own[1], of_rate), (change, &self.of_memory));
+            self.of_acceleration.mix_3(&self.zero, q, v, memory);
+        }
+        self.pull_back_solution(1, past, step, record, gradient);
+        let ([.., of_free, of_end], [.., by_free, by_end]) = (self.of_position.as_mut(), self.of_rate.as_mut()) else {
+            return;
+        };
+        of_free.add(of_end);
+        by_free.add(by_end);
+        let (of_free, by_free) = (&*of_free, &*by_free);
+        if let Some(sum) = &mut self.of_own {
+            let of = (of_free, by_free);
+            *sum += paired::<S, Elements<S, R, C>>(weights.first_by_size, of, first);
+            *sum += paired::<S, Elements<S, R, C>>(weights.memory_by_size, of, &past.acceleration);
+            *sum += paired::<S, Elements<S, R, C>>([one, RealOf::<S>::zero()], of, &past.rate);
+            if let Some(again) = &self.again {
+                let of = (&again.of_predicted.0, &again.of_predicted.1);
+                *sum += paired::<S, Elements<S, R, C>>([one, RealOf::<S>::zero()], of, &past.rate);
+            }
+        }
+        let ([in_place, in_speed], memory) = (weights.first, weights.memory);
+        let of_change = (-change, &self.of_memory);
+        self.of_acceleration.mix_3(&self.zero, (in_place, of_free), (in_speed, by_free), of_change);
+        self.sum.set(&self.of_memory);
+        self.of_memory.mix_3(&self.zero, (last, &self.sum), (memory[0], of_free), (memory[1], by_free));
+        self.pull_back_stage(Some(past), (0, true), past.time, (start, first), gradient);
+        let Some(again) = &self.again else { return };
+        let (q, v) = (self.of_position.as_ref(), self.of_rate.as_ref());
+        let ([q_start, q_free, _], [v_start, v_free, _]) = (q, v) else { return };
+        let (q_predicted, v_predicted) = &again.of_predicted;
+        gradient.start.position.mix_2(q_start, (one, q_free), (one, q_predicted));
+        self.sum.mix_2(v_start, (one, v_free), (one, v_predicted));
+        gradient.start.rate.mix_2(&self.sum, (step, q_free), (step, q_predicted));
+    }
+}
