@@ -10,7 +10,7 @@
 
 use super::inertial::{Arm, Base, Inertial, swept};
 use super::{Kind, OnBody, Outboard, Pulled, Stirred};
-use crate::element::Element;
+use crate::element::{Element, Springs};
 use crate::mechanics::spatial::body::{Body, Pose};
 use crate::mechanics::spatial::{Acceleration, PointMass, RigidBody, Rod, Spatial, Turn, Wrench};
 use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot};
@@ -79,13 +79,13 @@ macro_rules! bodies {
             }
         }
 
-        impl<T: Scalar, C: Closures> Takes<Spatial<T>, Factor<C>> for $Body<T> {
+        impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Spatial<T>, Factor<C, By>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Factor<C>,
+                _: &mut Factor<C, By>,
                 outer: Outboard<T, C>,
-                (&attitude, &[turning, _], &arm, &centripetal, ..): Of<'_, Spatial<T>, Factor<C>, Self>,
+                (&attitude, &[turning, _], &arm, &centripetal, ..): Of<'_, Spatial<T>, Factor<C, By>, Self>,
             ) -> Outboard<T, C> {
                 factor(self, &Pose { attitude, turning, arm, centripetal }, outer)
             }

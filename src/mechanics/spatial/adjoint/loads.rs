@@ -1,4 +1,4 @@
-//! The costate sweep in space: no loads on bodies and no implicit rules, for which these walks have nothing to do.
+//! The costate sweep in space: no loads on bodies, for which walks have nothing to do, and bodies and joints without a law.
 
 use crate::adjoint::laws::ReversibleLaw;
 use crate::mechanics::spatial::{Ball, PointMass, Revolute, RigidBody, Rod, Spatial, Weld, Wrench};
@@ -20,11 +20,17 @@ macro_rules! unloaded {
                 outer
             }
         }
-
-        impl<T: Scalar, $($L: ReversibleLaw<T>)?> Takes<Spatial<T>, Strain> for $Element {
-            fn take(&self, _: &mut Strain, (): (), _: Of<'_, Spatial<T>, Strain, Self>) {}
-        }
-
     )*};
 }
 unloaded!([] Rod<T>, [] RigidBody<T>, [] PointMass<T>, [] Ball, [] Weld<T>, [L] Revolute<T, L>);
+
+/// What has no law.
+macro_rules! lawless {
+    ($($Element:ty),*) => {$(
+        impl<T: Scalar> Takes<Spatial<T>, Strain> for $Element {
+            #[inline(always)]
+            fn take(&self, _: &mut Strain, (): (), _: Of<'_, Spatial<T>, Strain, Self>) {}
+        }
+    )*};
+}
+lawless!(Rod<T>, RigidBody<T>, PointMass<T>, Ball, Weld<T>);

@@ -23,8 +23,8 @@
 //! ```
 
 use super::{Outboard, Pulled, Stirred, Turning};
-use crate::adjoint::laws::ReversibleLaw;
-use crate::element::Element;
+use crate::adjoint::laws::{Reads, ReversibleLaw};
+use crate::element::{Element, Springs};
 use crate::mechanics::spatial::{Acceleration, Revolute, Spatial, Turn, Wrench};
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::{Columns, add_scaled, cross, dot, dot_onto};
@@ -37,6 +37,7 @@ use crate::walks::orient::Orient;
 use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
+use crate::walks::strain::Strain;
 use nalgebra::Vector3;
 
 /// Adds what turns of the axis do, from Θ_O and X.
@@ -48,19 +49,28 @@ pub(super) fn of_axis<T: Scalar>(axes: &Columns<T>, turned: Vector3<T>, x: Vecto
     sum.y += dot_onto(apart, cross(turned, axis), dot(inboard, cross(y, axis)));
 }
 
-impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Factor<C>> for Revolute<T, L> {
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T> + Reads<L>> Takes<Spatial<T>, Factor<C, By>>
+    for Revolute<T, L>
+{
+    /// Under an implicit rule the pivot knows the stiffness.
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Factor<C>,
+        walk: &mut Factor<C, By>,
         outer: Outboard<T, C>,
-        (axes, bias, .., (angle, rate), torque, [gain], pivot): Of<'_, Spatial<T>, Factor<C>, Self>,
+        (axes, bias, .., (angle, rate), torque, [gain], pivot): Of<'_, Spatial<T>, Factor<C, By>, Self>,
     ) -> Outboard<T, C> {
-        let axis = axes.x;
+        let (axis, torque) = (axes.x, torque.0[0] + self.law.force(*angle, *rate));
         // The same quotient as in the elimination: it is formed once.
-        pivot.factor.set_number(dot(axis, outer.relation.angular.apply(axis)).recip());
-        let (relation, found) =
-            outer.relation.released(Way::Turn, axis, torque.0[0] + self.law.force(*angle, *rate), Absent);
+        let inertia = dot(axis, outer.relation.angular.apply(axis));
+        let (relation, found) = if const { By::STIFF } {
+            let stiffness = self.law.pivot(*angle, *rate, walk.springs);
+            pivot.factor.set_number((inertia + stiffness).recip());
+            outer.relation.released(Way::Turn, axis, torque, stiffness)
+        } else {
+            pivot.factor.set_number(inertia.recip());
+            outer.relation.released(Way::Turn, axis, torque, Absent)
+        };
         *gain = found;
         Outboard::rigid(relation.turning(bias[1]))
     }
@@ -153,6 +163,18 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T,
         let x = add_scaled(x, *rate, spin - cross(turning.spin, outer.angular));
         of_axis(axes, turned, x, &mut sums.turn);
         Pulled { spin, ..outer }
+    }
+}
+
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Strain> for Revolute<T, L> {
+    fn take(
+        &self,
+        _: &mut Strain,
+        (): (),
+        (angle, rate, w, sums, of_angle, of_rate): Of<'_, Spatial<T>, Strain, Self>,
+    ) {
+        let [more, also] = self.law.pull_back(*angle, *rate, *w, &mut sums.law);
+        (*of_angle, *of_rate) = (*of_angle + more, *of_rate + also);
     }
 }
 

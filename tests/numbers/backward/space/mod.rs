@@ -314,4 +314,5 @@ fn revolutes_about_a_ball_have_the_gradients_of_jets() {
 
 // Behind the macro, which it uses.
 mod held;
+mod implicit;
 mod loops;
