@@ -202,7 +202,8 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
     /// A time (s) up to a size, at which they are at most this large.
     fn turned_less(&self, most: TimeIn<D, L>, size: TimeIn<D, L>) -> TimeIn<D, L> {
         let turned = self.turned(size);
-        if !(turned > most) {
+        let too_far = turned > most;
+        if !too_far {
             return size;
         }
         // They grow at least in proportion to the time.

@@ -53,10 +53,11 @@ where
         scene.accelerate(&mut self.spare, &Unloaded, &mut scene.workspace())
     }
 
-    /// Refuses lists of torques of another length, and parameters that make no rule.
+    /// Refuses lists of torques of another length, parameters that make no rule, and a law of loads that does not fit the scene.
     pub(super) fn admits(&self, steps: usize, given: usize) -> Result<(), Error> {
         self.method.fault().map_or(Ok(()), |fault| Err(Error::new(fault)))?;
-        let joints = self.steps.scene.joints();
+        let (bodies, joints) = (self.steps.scene.elements().bodies(), self.steps.scene.joints());
+        self.steps.loads.law.check(bodies).map_err(Error::new)?;
         if given == 0 || given == joints { Ok(()) } else { counted(steps.saturating_mul(joints), given) }
     }
 }

@@ -44,7 +44,7 @@ where
     ///
     /// # Errors
     /// [`Fault::Count`] for torques of another number, [`Fault::Shape`] for motions of another scene, [`Fault::NotFinite`] where the function
-    /// is no number, [`Fault::Unsupported`] for lanes, which cross zero one by one.
+    /// is no number, [`Fault::Unsupported`] for lanes, which cross zero one by one; what the loads on bodies refuse.
     pub fn cut(
         &mut self,
         torques: &[EffortOf<S>],
@@ -113,7 +113,7 @@ where
     /// ```
     ///
     /// Loads on bodies ([`under`](Self::under)) may not depend on time here: their part in what the last step's size changes is not found.
-    /// A law that gives other loads at three times of the last step is refused. So are scenes over jets, dual numbers and lanes: times are
+    /// A law that gives other loads at three times of the last step, for a motion at its start, its end or one of its stages, is refused. So are scenes over jets, dual numbers and lanes: times are
     /// plain numbers, and what the time of the end does to second derivatives, or in each lane, is not found.
     ///
     /// # Errors
@@ -137,12 +137,23 @@ where
         let [.., past, _] = states else {
             return Err(Error::new(Fault::Count { expected: 2, given: states.len() }));
         };
+        let (k, size) = (states.len() - 2, last.time - past.time);
+        self.steps.take_torques(torques, k);
+        self.steps.evaluate(past, size, &mut self.record);
         if const { L::ON } {
             let Steps { scene, zero, .. } = &self.steps;
-            let (law, size) = (self.steps.loads.law, last.time - past.time);
+            let law = self.steps.loads.law;
             let times = [0.0, 0.37, 1.0].map(|share| past.time + size * RealOf::<S>::of(share));
-            let motion = Coordinates { position: &past.position, rate: &past.rate, acceleration: zero };
-            if depend_on_time(law, scene.elements(), scene.ground(past.time), motion, &times) {
+            let depends = |position: &_, rate: &_| {
+                let motion = Coordinates { position, rate, acceleration: zero };
+                depend_on_time(law, scene.elements(), scene.ground(past.time), motion, &times)
+            };
+            // What multiplies the time may be zero at either end.
+            let stages = &self.record.stages.as_ref()[usize::from(!M::IMPLICIT)..M::STAGES]; // the first of others is `past`
+            if depends(&past.position, &past.rate)
+                || depends(&last.position, &last.rate)
+                || stages.iter().any(|stage| depends(&stage.position, &stage.rate))
+            {
                 let what = "the gradient up to an event of loads that depend on time";
                 return Err(Error::new(Fault::Unsupported { what }));
             }
@@ -153,9 +164,6 @@ where
         cost(states.len() - 1, last, &mut gradient.start)?;
         event(last, &mut scratch.start)?;
         let of_event = scratch.start.clone();
-        let (k, size) = (states.len() - 2, last.time - past.time);
-        self.steps.take_torques(torques, k);
-        self.steps.evaluate(past, size, &mut self.record);
         // By the size of the last step, of either alone.
         let [mut by_cost, mut by_event] = [gradient.start.time, of_event.time];
         for (start, by_size) in [(&gradient.start, &mut by_cost), (&of_event, &mut by_event)] {

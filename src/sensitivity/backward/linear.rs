@@ -78,7 +78,8 @@ where
     ///
     /// # Errors
     /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; [`Fault::NonFiniteMotion`] or
-    /// [`Fault::AngleOutOfRange`]; [`Fault::RedundantClosures`] where the step begins with a tip held twice in the same way.
+    /// [`Fault::AngleOutOfRange`]; [`Fault::RedundantClosures`] where the step begins with a tip held twice in the same way; what the loads on
+    /// bodies refuse, as in [`run`](Self::run).
     pub fn linearised_step(
         &mut self,
         past: &MotionOf<S, R, C, P>,

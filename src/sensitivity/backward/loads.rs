@@ -149,6 +149,7 @@ where
     /// ```
     ///
     /// What a law reads of a body, the place of its mass centre, say, is in [`Gradient::along`](crate::sensitivity::Gradient::along).
+    /// A law that does not fit the scene ([`LoadLaw::check`](crate::loading::LoadLaw::check)) is refused by whatever runs or differentiates.
     /// Run and gradient take some 8 plain runs under the same loads (RK4, twenty rods on pins, drag on each; x86-64-v3). Room is made anew.
     pub fn under<N: BodyLaw<S>>(self, law: N) -> Backward<'s, S, R, C, P, M, N>
     where

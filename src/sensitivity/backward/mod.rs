@@ -202,7 +202,8 @@ where
     /// # Errors
     /// [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of another scene;
     /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip,
-    /// or closes a loop, twice in the same way; what is wrong with the parameters of the rule.
+    /// or closes a loop, twice in the same way; what is wrong with the parameters of the rule; what
+    /// [`LoadLaw::check`](crate::loading::LoadLaw::check) of the loads on bodies refuses.
     pub fn run(
         &mut self,
         start: &MotionOf<S, R, C, P>,
@@ -244,7 +245,8 @@ where
     ///
     /// # Errors
     /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; [`Fault::Unsupported`] where a rule that
-    /// remembers is given states that are not of its run, with the time; those of the cost.
+    /// remembers is given states that are not of its run, with the time; what the loads on bodies refuse, as in [`run`](Self::run); those of
+    /// the cost.
     pub fn gradient(
         &mut self,
         torques: &[EffortOf<S>],

@@ -126,3 +126,87 @@ fn a_gradient_up_to_an_event_under_loads_of_time_is_refused() -> Result<(), Erro
     assert!(matches!(fault, Fault::Unsupported { .. }), "{fault:?}");
     backward.gradient(&[], &states, &mut [], cost).map(|_| ()) // of a given end it is whole
 }
+
+/// A brake that fades in with time: nothing where nothing moves.
+#[derive(Clone, Copy, Debug)]
+struct Fading<T> {
+    pace: T, // (N/m)
+}
+catena::lift!(Fading<T> { pace });
+
+impl<T: Scalar> LoadLaw<BodyMotion<T>> for Fading<T> {
+    type Value = Wrench<T>;
+
+    fn at(&self, time: T::Real, _: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+        let v = motion.outboard().velocity * -self.pace.scale(time);
+        motion.force_at([T::zero(); 2], [v.x, v.y])
+    }
+}
+
+/// The last step begins at rest, or ends there, where such loads are the same at all times.
+#[test]
+fn loads_of_time_are_found_out_by_all_motions_of_the_last_step() -> Result<(), Error> {
+    let system = pendulum()?;
+    let mut states = [system.at_rest(&[-1.0, -0.5])?; 2];
+    let mut backward = system.backward(Rk4).under(Fading { pace: 0.1 });
+    let start = states[0];
+    backward.run(&start, 0.01, 1, &[], &mut states)?;
+    let mut ends_at_rest = [states[1].at_time(0.0), start.at_time(0.01)];
+    for states in [&mut states, &mut ends_at_rest] {
+        let cost = |_: usize, _: &_, by: &mut Costate<_>| by.add(&[1.0, 0.0], &[0.0; 2]);
+        let event = |_: &_, by: &mut Costate<_>| by.add(&[0.0, 1.0], &[0.0; 2]);
+        let found = backward.gradient_to_event(&[], states, &mut [], cost, event).err().map(|error| error.fault);
+        assert!(matches!(found, Some(Fault::Unsupported { .. })), "{found:?}");
+    }
+    Ok(())
+}
+
+/// The number of a body.
+#[derive(Clone, Copy, Debug)]
+struct Body(usize);
+catena::lift!(Body);
+
+/// A pull on one body.
+#[derive(Clone, Copy, Debug)]
+struct Pull<T> {
+    body: Body,
+    force: T, // (N)
+}
+catena::lift!(Pull { body, force });
+
+impl<T: Scalar> LoadLaw<BodyMotion<T>> for Pull<T> {
+    type Value = Wrench<T>;
+
+    fn at(&self, _: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+        let force = if body == self.body.0 { self.force } else { T::zero() };
+        motion.force_at([T::zero(); 2], [force, T::zero()])
+    }
+    fn check(&self, bodies: usize) -> Result<(), Fault> {
+        if self.body.0 < bodies { Ok(()) } else { Err(Fault::NoSuchBody { body: self.body.0, bodies }) }
+    }
+}
+
+#[test]
+fn loads_on_bodies_that_do_not_exist_are_refused() -> Result<(), Error> {
+    let system = pendulum()?;
+    let start = system.at_rest(&[-1.0, -0.5])?;
+    let refused = |found: Result<(), Error>| {
+        let fault = found.unwrap_err().fault;
+        assert!(matches!(fault, Fault::NoSuchBody { body: 5, .. }), "{fault:?}");
+    };
+    let (mut states, mut next) = ([start; 3], start);
+    let mut backward = system.backward(Rk4).under(Pull { body: Body(5), force: 1.0 });
+    let plan = Checkpoints { step: 0.01, steps: 2, every: 1 };
+    let mut tape = [backward.tape(), backward.tape()];
+    refused(backward.run(&start, 0.01, 2, &[], &mut states));
+    refused(backward.run_between(&start, plan, &[], &mut states));
+    refused(backward.run_on_tape(&start, 0.01, 2, &[], &mut tape, &mut next));
+    refused(backward.linearised_step(&start, 0.01, &[], &mut next, &mut [0.0; 16], &mut []));
+    refused(backward.cut(&[], &mut states, |_| 1.0).map(|_| ()));
+    let cost = |_: usize, _: &_, _: &mut Costate<_>| Ok(());
+    refused(backward.gradient(&[], &states, &mut [], cost).map(|_| ()));
+    refused(backward.gradient_between(plan, &[], &states, &mut tape, &mut [], cost).map(|_| ()));
+    refused(backward.gradient_on_tape(2, &tape, &start, &mut [], cost).map(|_| ()));
+    refused(backward.gradient_to_event(&[], &states, &mut [], cost, |_, _| Ok(())).map(|_| ()));
+    system.backward(Rk4).under(Pull { body: Body(1), force: 1.0 }).run(&start, 0.01, 2, &[], &mut states)
+}
