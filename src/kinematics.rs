@@ -6,10 +6,11 @@
 
 use crate::element::Reading;
 use crate::error::Fault;
+use crate::error::checks::not_negative;
 use crate::relation::{AccelerationOf, Closures, Full, Part};
 pub use crate::release::Resistance;
 use crate::release::{Freedom, Release};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use crate::shape::{Joint, JointPosture};
 use crate::space::{FrameOf, RealOf, Space};
 use crate::sweep::{Implicit, Springs, Sweep};
@@ -214,12 +215,6 @@ pub fn release<S: Space, J: JointModel<S>>(
 /// What is wrong with its parameters.
 pub fn check<S: Space, J: JointModel<S>>(model: &J) -> Result<(), Fault> {
     model.kinematics().check()?;
-    let inertia = model.reflected_inertia();
-    if !Scalar::is_finite(inertia) {
-        return Err(Fault::NotFinite { parameter: "reflected inertia" });
-    }
-    if inertia.real() < Zero::zero() {
-        return Err(Fault::Negative { parameter: "reflected inertia", value: inertia.real().as_f64() });
-    }
+    not_negative("reflected inertia", model.reflected_inertia())?;
     model.check()
 }

@@ -1,4 +1,4 @@
-//! Checks of parameters.
+//! Checks of parameters, of lanes each.
 
 use super::Fault;
 use crate::scalar::{Real, Scalar};
@@ -12,8 +12,9 @@ pub fn finite<T: Scalar>(parameter: &'static str, values: &[T]) -> Result<(), Fa
 /// Fails where a value is NaN, infinite or negative.
 pub fn not_negative<T: Scalar>(parameter: &'static str, value: T) -> Result<(), Fault> {
     finite(parameter, &[value])?;
-    if value.real() < T::Real::zero() {
-        return Err(Fault::Negative { parameter, value: value.real().as_f64() });
+    let below = value.if_negative(value, T::zero()).real();
+    if below < T::Real::zero() {
+        return Err(Fault::Negative { parameter, value: below.as_f64() });
     }
     Ok(())
 }
@@ -21,8 +22,9 @@ pub fn not_negative<T: Scalar>(parameter: &'static str, value: T) -> Result<(), 
 /// Fails where a value is NaN, infinite, zero or negative.
 pub fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(), Fault> {
     finite(parameter, &[value])?;
-    if value.real() <= T::Real::zero() {
-        return Err(Fault::NotPositive { parameter, value: value.real().as_f64() });
+    if (-value).if_negative(T::zero(), T::one()).real() > T::Real::zero() {
+        let below = value.if_negative(value, T::zero()).real();
+        return Err(Fault::NotPositive { parameter, value: below.as_f64() });
     }
     Ok(())
 }

@@ -70,15 +70,13 @@ impl<'p, P: Sync, F: FnMut(usize) + Send> Ensemble<'p, P, F> {
     /// What the closure returns for each parameter, in their order, where it runs `N` of them at once: one scene of numbers that are
     /// lanes (feature `simd`), threads outside and lanes inside. Where parameters are left over, the first of them fills the rest.
     ///
-    /// Lanes share their steps. At fixed steps each is its own run, with the bits of plain numbers (in loops to rounding: the lane
-    /// that closes last sets the passes of all); under error control the lane that
-    /// errs most sets the steps of all, so a result depends, within the tolerance, on its neighbours in the batch, and on nothing
-    /// else: it is the same in each run. Event functions are refused, for each lane would have its own events: [`run`](Self::run) is for these.
+    /// Lanes share their steps. At fixed steps each is its own run, with the bits of plain numbers (in loops to rounding: the lane that
+    /// closes last sets the passes of all); under error control the lane that errs most sets the steps of all, so a result depends, within
+    /// the tolerance, on its neighbours in the batch, and on nothing else: it is the same in each run. Event functions are refused, for each lane would have its own events: [`run`](Self::run) is for these.
     ///
     /// An error is that of one lane, nobody knows which. Then the runs of the batch are made anew, each alone in all lanes, so that
-    /// errors stand where they belong and stop no other run. Parameters are checked in the lane of largest magnitude (and all lanes for
-    /// being finite): a negative mass beside a larger positive one is not seen. Where parameters may be wrong, look at them in the
-    /// closure, or build the scene of plain numbers first.
+    /// errors stand where they belong and stop no other run. Parameters are checked in each lane, but for principal moments of inertia in
+    /// space, which are checked in that of largest magnitude (and all for being finite).
     ///
     /// ```
     /// # #[cfg(feature = "simd")]

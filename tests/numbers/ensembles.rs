@@ -183,3 +183,19 @@ fn a_panic_of_the_closure_is_the_callers() {
     assert!(catch_unwind(AssertUnwindSafe(|| ensemble(&starts[..15]).run(run))).is_ok());
     assert!(catch_unwind(AssertUnwindSafe(|| ensemble(&starts).run(run))).is_err());
 }
+
+#[test]
+fn parameters_are_checked_in_each_lane() {
+    let built = |lengths: [f64; 4], masses: [f64; 4]| {
+        let rod = Rod::uniform(WideF64x4::from(lengths), masses.into());
+        System::new(Pinned::origin(), rod, Free).map(|_| ()).map_err(|error| error.fault)
+    };
+    let (large, none) = ([5.0, -0.1, 7.0, 6.0], [5.0, 0.1, 0.0, 6.0]);
+    assert_eq!(built([1.0, 2.0, 3.0, 4.0], [5.0, 0.1, 7.0, 6.0]), Ok(()));
+    assert_eq!(built([1.0; 4], large), Err(Fault::NotPositive { parameter: "mass", value: -0.1 }));
+    assert!(matches!(
+        built(large, [1.0; 4]),
+        Err(Fault::NotPositive { value: -0.1, .. } | Fault::Negative { value: -0.1, .. })
+    ));
+    assert_eq!(built([1.0; 4], none), Err(Fault::NotPositive { parameter: "mass", value: 0.0 }));
+}

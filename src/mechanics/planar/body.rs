@@ -37,7 +37,7 @@ impl<T: Scalar> Inertia<T> {
         let scale = *mass * (centre[0] * centre[0] + centre[1] * centre[1]);
         let slack = scale.real() * T::Real::EPSILON * T::Real::of(8.0);
         match not_negative("moment of inertia", *about_centre) {
-            Err(Fault::Negative { .. }) if about_centre.real() >= -slack => Ok(()),
+            Err(Fault::Negative { .. }) if not_negative("", *about_centre + T::constant(slack)).is_ok() => Ok(()),
             checked => checked,
         }
     }

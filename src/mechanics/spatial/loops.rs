@@ -8,7 +8,7 @@ use crate::error::Fault;
 use crate::relation::spatial::algebra::{Columns, Symmetric3, cross, dot, zero};
 use crate::relation::spatial::{Couple, Full, FullColumn, Point};
 use crate::relation::{Carry, Cut, Cuts, Forces, Reacting, Shared, Symmetric, Term, Twisted, Wrenches};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
 /// An arm that comes back to the body from which it leaves: a branch which is a loop. The chain goes on from the station where it stands.
@@ -152,7 +152,7 @@ impl<T: Scalar> Closing<Spatial<T>> for Weld<T> {
 /// Two directions normal to a unit vector and to each other, so that the three are right-handed (Duff et al. 2017).
 fn normals<T: Scalar>(u: Vector3<T>) -> [Vector3<T>; 2] {
     let one = T::one();
-    let sign = if u.z.real() < T::Real::of(0.0) { -one } else { one };
+    let sign = u.z.if_negative(-one, one);
     let a = -(sign + u.z).recip();
     let b = u.x * u.y * a;
     let first = Vector3::new(one + sign * u.x * u.x * a, sign * b, -(sign * u.x));

@@ -78,7 +78,8 @@ impl<T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>> Axial<T, 2> for Universal<T, L
     fn verify(&self) -> Result<(), Fault> {
         self.axes.into_iter().try_for_each(check_axis)?;
         let normal = cross(self.axes[0], self.axes[1]);
-        if dot(normal, normal).real() <= T::Real::EPSILON {
+        let short = T::constant(T::Real::EPSILON) - dot(normal, normal);
+        if short.if_negative(T::zero(), T::one()).real() > T::Real::of(0.0) {
             return Err(Fault::ParallelAxes);
         }
         self.first.check()?;
