@@ -1,5 +1,5 @@
 //! Nor loops.
-//@ no gradient of a run by an implicit rule goes backward around loops
+//@ no gradient of a run by this implicit rule goes backward around loops
 
 use catena::planar::*;
 

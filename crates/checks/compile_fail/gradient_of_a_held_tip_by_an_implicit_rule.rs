@@ -1,4 +1,4 @@
-//! The costate sweep of an implicit rule does not know tips that are held.
+//! The costate sweep of a rule that puts tips back in each sweep does not know them.
 //@ no gradient of a run by `
 //@ Sdirk4
 //@ none where a tip is held

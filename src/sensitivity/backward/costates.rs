@@ -53,7 +53,7 @@ where
     ) {
         let (last, one) = (M::STAGES, RealOf::<S>::one());
         if const { Self::CLOSED > 0 } {
-            self.pull_back_projection(past.time + step, past, record, gradient);
+            self.pull_back_projection(step, past, record, gradient);
         }
         self.of_position.as_mut()[last].set(&gradient.start.position);
         self.of_rate.as_mut()[last].set(&gradient.start.rate);

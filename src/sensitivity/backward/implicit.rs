@@ -88,7 +88,7 @@ where
     EffortOf<S>: Additive,
 {
     /// Room, made once.
-    pub(super) fn again(&mut self, stage: &StageOf<S, R, C, P>) -> AgainOf<S, R, C, P> {
+    fn again(&mut self, stage: &StageOf<S, R, C, P>) -> AgainOf<S, R, C, P> {
         self.again.take().unwrap_or_else(|| {
             let (place, zero) = (self.scene.elements().store::<Positions>(()), &self.zero);
             let motion = (place, zero.clone());
@@ -188,6 +188,9 @@ where
                 *sum -= by_own((&of_free.0, &of_free.1), slope);
             }
             self.pull_back_stage(None, (row, false), time, (stage, slope), gradient);
+            if let (Some(room), true) = (&self.room, sweep == last && row + 1 == M::STAGES) {
+                self.of_position.as_mut()[row].add(&room.of_stage);
+            }
             follow::<S, Elements<S, R, C>>((&free.0, &free.1), own, slope, &self.zero, (&mut read.0, &mut read.1));
             let (w, of_position, of_rate) = (&self.of_acceleration, &mut of_free.0, &mut of_free.1);
             let stores = (&read.0, &read.1, w, &mut gradient.joints, &mut *of_position, &mut *of_rate);

@@ -27,7 +27,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
-use crate::system::{Elements, MotionOf, RateOf};
+use crate::system::{Elements, MotionOf, PositionOf, RateOf};
 use num_traits::Zero;
 
 /// What a rule of the family makes of the motion before a step.
@@ -106,6 +106,21 @@ where
         rate.mix_2(&past.rate, (first[1], slope), (memory[1], offset));
     }
 
+    /// Where positions and rates are at the end of a step whose stages have been evaluated, before closures put them back.
+    pub(super) fn end_unprojected(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        step: RealOf<S>,
+        slopes: &M::Rows<RateOf<S, R, C>>,
+        into: (&mut PositionOf<S, R, C>, &mut RateOf<S, R, C>),
+    ) {
+        let (slopes, Some(mut again)) = (slopes.as_ref(), self.again.take()) else { return };
+        let ([_, found, ..], [own, _]) = (slopes, self.rule.own::<S::Scalar>(step)) else { return };
+        self.remember(past, step, slopes, &mut again.free);
+        follow::<S, Elements<S, R, C>>((&again.free.0, &again.free.1), own, found, &self.zero, into);
+        self.again = Some(again);
+    }
+
     /// The motion at the end of a step whose stages have been evaluated.
     pub(super) fn end_with_memory(
         &mut self,
@@ -114,15 +129,15 @@ where
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
         next: &mut MotionOf<S, R, C, P>,
     ) {
+        if let Some(projection) = &record.projection {
+            next.position.clone_from(projection.place());
+            next.rate.set(projection.rate());
+        } else {
+            self.end_unprojected(past, step, &record.accelerations, (&mut next.position, &mut next.rate));
+        }
         let [first, found, ..] = record.accelerations.as_ref() else { return };
-        let mut again = self.again(&record.stages.as_ref()[0]);
-        let ([own, _], Weights { change, last, .. }) =
-            (self.rule.own::<S::Scalar>(step), Weights::of(&self.rule, step));
-        self.remember(past, step, record.accelerations.as_ref(), &mut again.free);
-        let (free, into) = ((&again.free.0, &again.free.1), (&mut next.position, &mut next.rate));
-        follow::<S, Elements<S, R, C>>(free, own, found, &self.zero, into);
+        let Weights { change, last, .. } = Weights::of(&self.rule, step);
         next.acceleration.mix_3(&self.zero, (change, found), (-change, first), (last, &past.acceleration));
-        self.again = Some(again);
     }
 
     /// Refuses states that are not those of a run by this rule, which remembers more than positions and rates: by the end of a step whose

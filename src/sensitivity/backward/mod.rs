@@ -79,9 +79,9 @@ use steps::Steps;
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
 ///
-/// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, chains and trees with a free
-/// tip, whose laws are `Spring`s, of the plane, and in space without balls, from a `Clamped` or `Hinged` root: they solve a step by several
-/// sweeps, and costates go back through all of them.
+/// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, scenes whose laws are
+/// `Spring`s, of the plane, and in space without balls, from a `Clamped` or `Hinged` root: they solve a step by several sweeps, and costates
+/// go back through all of them. Held tips and loops by `GeneralizedAlpha` alone.
 ///
 /// `GeneralizedAlpha` remembers its auxiliary acceleration A. Its steps are those of [`step`](crate::stepper::Stepper::step): each begins with
 /// the accelerations a that the torques of this step cause, where `simulate` goes on with those that the last sweep has left. A run begins with
@@ -155,8 +155,8 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: St
 type CostateOf<S, R, C> = Costate<RateOf<S, R, C>, <S as Geometry>::Scalar>;
 
 impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Runs by a rule whose gradients go backward: `Rk4`, `Dopri5`, `Dop853`, and for chains and trees without balls and with a free tip
-    /// `Sdirk4` and `GeneralizedAlpha`.
+    /// Runs by a rule whose gradients go backward: `Rk4`, `Dopri5`, `Dop853`, and without balls `GeneralizedAlpha` and, of chains and trees
+    /// with a free tip, `Sdirk4`.
     ///
     /// See [`sensitivity::Backward`](crate::sensitivity::Backward).
     pub fn backward<M: Closing<P::Closures>>(&self, method: M) -> Backward<'_, S, R, C, P, M>

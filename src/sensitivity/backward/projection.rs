@@ -10,9 +10,11 @@
 //! which is the costate sweep at rest, x for accelerations, G = ν, F = −κ at the tip, without springs. A loop closes without moving the
 //! station where it begins, so each has a system of its own, of what moves with it: M and Γ of its arms and of all that lies outboard, where
 //! other loops stay closed. Corrections are as many as a stepper makes, and costates go back through each. Where positions are curved a
-//! correction is a step from the place before it.
+//! correction is a step from the place before it. Under an implicit rule M is that of its last sweep, with springs and dampers: by these, and by
+//! the size of the step, −w · W x has derivatives, too.
 
 use super::held::{Room, add, opposite};
+use super::implicit::paired;
 use super::record::Record;
 use super::rules::Staged;
 use super::steps::Steps;
@@ -24,7 +26,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::{Acceleration, Additive, Closures, Solvable};
 use crate::scalar::{Real, Scalar};
 use crate::sensitivity::Gradient;
-use crate::shape::{Positions, Takes};
+use crate::shape::{PerJoint, Positions, Takes};
 use crate::stepper::displace::displace;
 use crate::system::{Corrections, Elements, MOST_CORRECTIONS, MotionOf, PositionOf, RateOf};
 use crate::walks::look::look;
@@ -34,11 +36,37 @@ use crate::walks::pull_loads::PullLoads;
 use crate::walks::restore::restore;
 use crate::walks::singled::{self, Left, single};
 use crate::walks::stir::Stir;
+use crate::walks::strain::Strain;
 use crate::walks::swept::swept;
 use num_traits::Zero;
 
 /// Most positions, or rates, of a projection: before it, and after each correction.
 const PLACES: usize = MOST_CORRECTIONS + 2;
+
+/// What the springs and dampers of W = M + B K + Γ C do in −w · W x: adds to costates of their numbers; gives that of the size of the step, by
+/// which B and Γ have derivatives.
+fn metric<S: Reversed, E: Element<S> + Takes<S, Strain>>(
+    elements: &E,
+    [[in_position, in_rate], by_size]: [[RealOf<S>; 2]; 2],
+    (correction, w): (&E::Rate, &E::Rate),
+    zero: &E::Rate,
+    sums: &mut E::Store<PerJoint<S::OfJoint>>,
+    (of_position, of_rate): (&mut E::Rate, &mut E::Rate),
+) -> S::Scalar {
+    let (mut place, mut rate, mut against) = (elements.store::<Positions>(()), zero.clone(), w.clone());
+    of_position.set(zero);
+    of_rate.set(zero);
+    against.replace(&mut |x| -x);
+    // Laws are linear: their difference from what they do at rest.
+    elements.take(&mut Strain, (), (&place, &rate, &against, &mut *sums, &mut *of_position, &mut *of_rate));
+    let from = place.clone();
+    place.drift_0(&from, (in_position, correction));
+    rate.mix_1(zero, (in_rate, correction));
+    of_position.set(zero);
+    of_rate.set(zero);
+    elements.take(&mut Strain, (), (&place, &rate, w, sums, &mut *of_position, &mut *of_rate));
+    paired::<S, E>(by_size, (of_position, of_rate), correction)
+}
 
 /// The projection at the end of a step.
 #[derive(Clone)]
@@ -87,13 +115,19 @@ where
         step: RealOf<S>,
         record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
     ) {
+        if let (true, Some(projection)) = (M::REMEMBERS, &mut record.projection) {
+            let Projection { places: [place, ..], rates: [rate, ..], .. } = projection;
+            self.end_unprojected(past, step, &record.accelerations, (place, rate));
+        }
         let (Some(room), Some(projection)) = (&mut self.room, &mut record.projection) else { return };
         let (elements, tip, time) = (self.scene.elements(), self.scene.tip(), past.time + step);
         let (ground, stage) = (self.scene.ground(time), &record.stages.as_ref()[M::STAGES - 1]);
         let (row, slopes) = (M::STAGES, record.accelerations.as_ref());
         let Projection { places, moves, rates, changes } = projection;
-        let (of, sums) = ((M::node(row), M::weights(row)), (&self.zero, &mut self.sum));
-        displace(past, slopes, of.0, of.1, step, sums, (&mut places[0], &mut rates[0]));
+        if !M::REMEMBERS {
+            let (of, sums) = ((M::node(row), M::weights(row)), (&self.zero, &mut self.sum));
+            displace(past, slopes, of.0, of.1, step, sums, (&mut places[0], &mut rates[0]));
+        }
         if Self::CURVED {
             places[0].retract_rate(&past.position, &mut rates[0]);
         }
@@ -142,7 +176,7 @@ where
     /// From the costates after the projection of a step to those before it; those of the last stage stay in the room.
     pub(super) fn pull_back_projection(
         &mut self,
-        time: RealOf<S>,
+        step: RealOf<S>,
         past: &MotionOf<S, R, C, P>,
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
@@ -153,7 +187,7 @@ where
         for rate in rates[..*changes].iter().rev() {
             let Some(room) = &mut self.room else { continue };
             room.costates.set(&gradient.start.rate);
-            self.pull_back_correction(Level::Velocity, (&places[*moves], rate), time, past, record, gradient);
+            self.pull_back_correction(Level::Velocity, (&places[*moves], rate), step, past, record, gradient);
         }
         for pair in places[..=*moves].windows(2).rev() {
             let ([place, moved], Some(room)) = (pair, &mut self.room) else { continue };
@@ -165,7 +199,7 @@ where
                 let (still, of_step) = ((&self.zero, &self.zero), (&mut room.costates, &mut room.of_rate));
                 moved.transposed_step(place, still, &self.zero, of_step, &mut gradient.start.position);
             }
-            self.pull_back_correction(Level::Place, (place, &rates[0]), time, past, record, gradient);
+            self.pull_back_correction(Level::Place, (place, &rates[0]), step, past, record, gradient);
         }
     }
 
@@ -174,12 +208,12 @@ where
         &mut self,
         level: Level,
         (place, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
-        time: RealOf<S>,
+        step: RealOf<S>,
         past: &MotionOf<S, R, C, P>,
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
-        let Some(room) = &mut self.room else { return };
+        let (Some(room), time) = (&mut self.room, past.time + step) else { return };
         let (elements, tip, ground) = (self.scene.elements(), self.scene.tip(), self.scene.ground(time));
         let (row, zero) = (M::STAGES - 1, &self.zero);
         let stage = &record.stages.as_ref()[row];
@@ -236,9 +270,18 @@ where
             let reached = (&room.at_bodies, &room.at_joints, &*on_bodies, &*in_joints, &stage.pivots, in_loops);
             let motion = (position, zero, &*correction, &*solved);
             let sums = (&mut gradient.bodies, &mut gradient.joints);
-            let stores = (&*x, &*y, &*p, &*q, motion, reached, sums, (&mut *of_position, of_rate));
+            let stores = (&*x, &*y, &*p, &*q, motion, reached, sums, (&mut *of_position, &mut *of_rate));
             let left = elements.take(&mut PullBack { laws: false }, pulled, stores);
             room.of_stage.add(of_position);
+            if const { M::REMEMBERS } {
+                let weights = self.rule.own::<S::Scalar>(step);
+                let of_laws = (&mut *of_position, &mut *of_rate);
+                let by_size =
+                    metric::<S, _>(elements, weights, (correction, solved), zero, &mut gradient.joints, of_laws);
+                if let Some(sum) = &mut self.of_own {
+                    *sum += by_size;
+                }
+            }
             gradient.ground = gradient.ground + S::of_ground(&left, &ground).1;
             if let Some(number) = number {
                 single::<S, _>(elements, number, Left::Own, &mut room.solved, &mut room.of_forces);

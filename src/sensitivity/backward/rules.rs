@@ -4,6 +4,7 @@ use crate::element::{self, Springs};
 use crate::error::Fault;
 use crate::relation::{Closures, Open};
 use crate::scalar::{Real, Scalar};
+use crate::sweep::Restored;
 use crate::time::sdirk4::{GAMMA, STAGES, TABLE};
 use crate::time::{Dop853, Dopri5, Explicit, GeneralizedAlpha, Rk4, Sdirk4};
 use core::fmt::Debug;
@@ -13,7 +14,7 @@ use num_traits::Zero;
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward through the rule `{Self}`",
     label = "not a rule that goes backward",
-    note = "`Rk4`, `Dopri5`, `Dop853` and, for chains of the plane, `Sdirk4` and `GeneralizedAlpha` do",
+    note = "`Rk4`, `Dopri5`, `Dop853`, `Sdirk4` and `GeneralizedAlpha` do",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait Staged: Copy + Debug {
@@ -57,12 +58,12 @@ pub trait Staged: Copy + Debug {
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run by `{Self}` goes backward, or none where a tip is held",
     label = "not a rule that goes backward, or one that knows free tips alone",
-    note = "`Rk4`, `Dopri5` and `Dop853` go backward, also where tips are held, and `Sdirk4` and `GeneralizedAlpha` in chains of the plane with a free tip"
+    note = "`Rk4`, `Dopri5`, `Dop853` and `GeneralizedAlpha` go backward, also where tips are held, and `Sdirk4` where tips are free"
 )]
 pub trait Closing<C: Closures>: Staged {}
 
 impl Closing<Open> for Sdirk4 {}
-impl Closing<Open> for GeneralizedAlpha {}
+impl<C: Closures> Closing<C> for GeneralizedAlpha {}
 
 macro_rules! explicit {
     ($($Rule:ty),*) => {$(
@@ -100,7 +101,7 @@ impl Staged for Sdirk4 {
     const STAGES: usize = STAGES;
     const IMPLICIT: bool = true;
     type Rows<X> = [X; STAGES + 1];
-    type Springs<T: Scalar> = element::Implicit<T::Real>;
+    type Springs<T: Scalar> = Restored<T::Real>;
 
     fn rows<X: Clone>(value: &X) -> [X; STAGES + 1] {
         core::array::from_fn(|_| value.clone())
@@ -116,9 +117,9 @@ impl Staged for Sdirk4 {
     fn sweeps(&self, row: usize) -> usize {
         self.sweeps + usize::from(row == 0)
     }
-    fn springs<T: Scalar>(&self, _: usize, step: T::Real) -> element::Implicit<T::Real> {
+    fn springs<T: Scalar>(&self, _: usize, step: T::Real) -> Restored<T::Real> {
         let own = T::Real::of(GAMMA) * step;
-        element::Implicit { position: own * own, rate: own }
+        Restored(element::Implicit { position: own * own, rate: own })
     }
     fn own<T: Scalar>(&self, step: T::Real) -> [[T::Real; 2]; 2] {
         let gamma = T::Real::of(GAMMA);

@@ -113,6 +113,7 @@ fn pinned() {
     }
     of!(Rk4, 6, 0.02);
     of!(Dop853, 3, 0.05);
+    of!(GeneralizedAlpha::new(0.8), 6, 0.02);
 }
 
 /// Rigid bodies, a hinge with a spring and a damper, a weld, an arm and a joint that slides, clamped at both ends.
@@ -121,28 +122,45 @@ fn clamped() {
     let kinds = [("bodies", 10), ("springs", 3), ("angles", 2), ("ends", 6), ("gravity", 1)];
     let mut parameters = vec![1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2, 12.0, 0.3, 0.4, 0.3, 0.4];
     parameters.extend([0.1, 0.2, 0.3, 1.9, 0.2, 0.5, 9.81]);
-    gradients!("clamped", kinds, parameters, vec![0.6, -0.5, 0.3, 0.2, -0.3, -0.9], 8, Rk4, 5, 0.01, |x| {
-        let rod = Rod::<N>::new(x(0), x(1), x(2), x(3));
-        let rigid = RigidBody::<N>::new(x(4), x(5), [x(6), x(7)], [x(8), x(9)]);
-        let hinge = ElasticHinge::rotary(x(10)).damped(x(11)).resting_at(x(12));
-        let chain = (
-            hinge,
-            rigid,
-            Branch((Pin, rod)),
-            Pin,
-            rod,
-            Weld::at(x(13)),
-            rod,
-            Slider::along(x(14)),
-            rigid,
-            Pin,
-            rod,
-            Pin,
-            rod,
-        );
-        let root = Clamped::at(x(15), x(16), x(17));
-        System::new(root, chain, Clamped::at(x(18), x(19), x(20))).unwrap().with_gravity(x(21))
-    });
+    macro_rules! of {
+        ($name:expr, $method:expr) => {
+            gradients!(
+                $name,
+                kinds,
+                parameters.clone(),
+                vec![0.6, -0.5, 0.3, 0.2, -0.3, -0.9],
+                8,
+                $method,
+                5,
+                0.01,
+                |x| {
+                    let rod = Rod::<N>::new(x(0), x(1), x(2), x(3));
+                    let rigid = RigidBody::<N>::new(x(4), x(5), [x(6), x(7)], [x(8), x(9)]);
+                    let hinge = ElasticHinge::rotary(x(10)).damped(x(11)).resting_at(x(12));
+                    let chain = (
+                        hinge,
+                        rigid,
+                        Branch((Pin, rod)),
+                        Pin,
+                        rod,
+                        Weld::at(x(13)),
+                        rod,
+                        Slider::along(x(14)),
+                        rigid,
+                        Pin,
+                        rod,
+                        Pin,
+                        rod,
+                    );
+                    let root = Clamped::at(x(15), x(16), x(17));
+                    System::new(root, chain, Clamped::at(x(18), x(19), x(20))).unwrap().with_gravity(x(21))
+                }
+            );
+        };
+    }
+    of!("clamped", Rk4);
+    of!("clamped, generalised-α", GeneralizedAlpha::new(0.8));
+    of!("clamped, generalised-α, one sweep", GeneralizedAlpha::new(0.2).with_sweeps(1));
 }
 
 /// A tip that a line guides.

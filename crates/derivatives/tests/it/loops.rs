@@ -24,6 +24,8 @@ fn four_bar() {
     }
     of!(Rk4, 6, 0.02);
     of!(Dop853, 3, 0.05);
+    of!(GeneralizedAlpha::new(0.8), 6, 0.02);
+    of!(GeneralizedAlpha::new(0.8).with_sweeps(3), 6, 0.02);
 }
 
 /// A chain with a window in it, whose loop begins where joints inboard of it could move, too.
@@ -57,8 +59,8 @@ fn nested() {
     let kinds = [("lengths", 4), ("masses", 4), ("place", 2), ("gravity", 1)];
     let parameters = vec![0.5, 0.6, 0.55, 0.5, 0.6, 0.7, 0.5, 0.9, 1.3, -1.5, 9.81];
     macro_rules! of {
-        ($name:expr, $angles:expr, |$inner:ident, $plain:ident| $arms:expr) => {
-            gradients!($name, kinds, parameters.clone(), $angles, 12, Rk4, 4, 0.02, |x| {
+        ($name:expr, $method:expr, $angles:expr, |$inner:ident, $plain:ident| $arms:expr) => {
+            gradients!($name, kinds, parameters.clone(), $angles, 12, $method, 4, 0.02, |x| {
                 let rod = |i: usize| Rod::<N>::uniform(x(i), x(4 + i));
                 let window = Network::new((Pin, rod(0), Pin, rod(1)), (Pin, rod(2), Pin, rod(3)), Pin);
                 let $inner = (Pin, rod(0), window);
@@ -71,8 +73,10 @@ fn nested() {
     }
     let (inner, plain) = ([-1.0, -0.8, -1.6, -1.5, -1.0], [-1.8, -1.2, -0.9]);
     let of_arms = |first: &[f64], second: &[f64]| [&[-1.3], first, second, &[-0.7]].concat();
-    of!("in a main arm", of_arms(&inner, &plain), |inner, plain| (inner, plain));
-    of!("in a side arm", of_arms(&plain, &inner), |inner, plain| (plain, inner));
+    of!("in a main arm", Rk4, of_arms(&inner, &plain), |inner, plain| (inner, plain));
+    of!("in a side arm", Rk4, of_arms(&plain, &inner), |inner, plain| (plain, inner));
+    let alpha = GeneralizedAlpha::new(0.8);
+    of!("in a side arm, generalised-α", alpha, of_arms(&plain, &inner), |inner, plain| (plain, inner));
 }
 
 /// A loop that a weld closes, on a body that slides, with a rigid body, a weld and an arm within.
