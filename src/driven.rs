@@ -3,10 +3,10 @@
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Implicit, Posture, Springs, Sweep};
 use crate::error::Fault;
-use crate::kinematics::{Kinematics, Outboard};
+use crate::inner::{Drivable, Eliminates};
 use crate::lift::lift;
 use crate::mirror::Clock;
-use crate::relation::{AccelerationOf, Closures, Full};
+use crate::relation::{AccelerationOf, Closures};
 use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::shape::{Joint, JointPosture, Kept, PerAxes, leaf};
@@ -24,62 +24,6 @@ pub trait MotionLaw<T: Scalar>: Copy + 'static {
 impl<T: Scalar, F: Fn(T::Real) -> [T; 3] + Copy + 'static> MotionLaw<T> for F {
     fn at(&self, time: T::Real) -> [T; 3] {
         self(time)
-    }
-}
-
-/// What is asked of a joint that can be driven, besides its motion: how it turns what it carries.
-///
-/// All [`Kinematics`] can be driven, and joints in axes of their bodies.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot be driven",
-    label = "not the bare motion of one coordinate",
-    note = "`Driven` takes joints with one coordinate: `Revolute` and `Slider` in the plane, `Revolute` and `Prismatic` in space, `Hinge` and `Slide` of robots, kinematics of one's own"
-)]
-pub trait Drivable<S: Space>: Joint<S, Position = S::Scalar, Rate = S::Scalar> {
-    /// [`Kinematics::lump`].
-    fn lump(&mut self, mass: S::Scalar) -> S::Scalar;
-    /// [`Kinematics::turned`].
-    fn turned(&self, position: &S::Scalar, rate: &S::Scalar, inboard: S::Turn) -> S::Turn;
-    /// [`Kinematics::orient`].
-    #[allow(clippy::too_many_arguments)] // one store each
-    fn orient(
-        &self,
-        position: &S::Scalar,
-        rate: &S::Scalar,
-        inboard: S::Turn,
-        x: &mut Self::Per<S::X>,
-        y: &mut Self::Per<S::Y>,
-        p: &mut Self::Per<S::P>,
-        q: &mut Self::Per<S::Q>,
-    ) -> S::Turn;
-    /// [`Kinematics::resolve`].
-    fn resolve(x: &mut Self::Per<S::X>, y: &mut Self::Per<S::Y>, p: &mut Self::Per<S::P>, q: &mut Self::Per<S::Q>);
-}
-
-impl<S: Space, J: Kinematics<S>> Drivable<S> for J {
-    fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
-        Kinematics::lump(self, mass)
-    }
-    #[inline(always)]
-    fn turned(&self, position: &S::Scalar, rate: &S::Scalar, inboard: S::Turn) -> S::Turn {
-        Kinematics::turned(self, position, rate, inboard)
-    }
-    #[inline(always)]
-    fn orient(
-        &self,
-        position: &S::Scalar,
-        rate: &S::Scalar,
-        inboard: S::Turn,
-        x: &mut Self::Per<S::X>,
-        y: &mut Self::Per<S::Y>,
-        p: &mut Self::Per<S::P>,
-        q: &mut Self::Per<S::Q>,
-    ) -> S::Turn {
-        Kinematics::orient(self, position, rate, inboard, x, y, p, q)
-    }
-    #[inline(always)]
-    fn resolve(x: &mut Self::Per<S::X>, y: &mut Self::Per<S::Y>, p: &mut Self::Per<S::P>, q: &mut Self::Per<S::Q>) {
-        <J as Kinematics<S>>::resolve(x, y, p, q);
     }
 }
 
@@ -269,12 +213,12 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Element<S> for Driven<J,
 impl<S, J, F, Outer, W> Condense<S, Outer, W> for Driven<J, F>
 where
     S: Space,
-    J: Kinematics<S>,
+    J: Eliminates<S, Outer, W>,
     F: MotionLaw<S::Scalar>,
-    Outer: Outboard<S>,
-    W: Sweep<S, Closures = Outer::Closures>,
+    Outer: Copy,
+    W: Sweep<S>,
 {
-    type Out = Full<S, Outer::Closures>;
+    type Out = J::Out;
 
     #[inline(always)]
     fn condense(
@@ -282,10 +226,9 @@ where
         outer: Outer,
         posture: Posture<'_, S, Self>,
         given: Given<'_, S, Self, W>,
-        kept: &mut Self::Store<Kept<Outer::Closures>>,
-    ) -> Self::Out {
+        kept: &mut Self::Store<Kept<W::Closures>>,
+    ) -> J::Out {
         let [.., second] = self.law.at(given.position.0);
-        let posture = (posture.x, posture.y, posture.p, posture.q);
-        self.joint.drive::<Outer::Closures>(outer.whole(), posture, second, kept)
+        self.joint.drive(outer, (posture.x, posture.y, posture.p, posture.q), second, kept)
     }
 }

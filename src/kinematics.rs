@@ -40,6 +40,12 @@ pub trait Driving<S: Space>: Part {
 ///
 /// The library's own are `planar::Revolute`, `planar::Slider`, `spatial::Revolute` and `spatial::Prismatic` without springs. One of a
 /// user's own says the same: its motion as any joint does ([`Joint`]), and the elimination of its coordinate.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no joint that can be driven, stick or strike stops",
+    label = "not the bare motion of one coordinate",
+    note = "`Driven`, `Coulomb` and `HardStops` take `Revolute` and `Slider` of the plane, `Revolute` and `Prismatic` of space, `Hinge` and `Slide` of robots, kinematics of one's own",
+    note = "springs, dampers and laws go beside friction and stops, not into the joint inside: `Coulomb::new(..).with(..)`"
+)]
 pub trait Kinematics<S: Space>: Joint<S, Position = S::Scalar, Rate = S::Scalar> + Debug {
     /// Takes the point mass (kg) that its outboard neighbour lumps at the joint. Where the points of a joint coincide it hands it on.
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar;

@@ -93,6 +93,7 @@ pub mod extend;
 mod guarded;
 #[cfg(any(doc, doctest))]
 pub mod guide;
+mod inner;
 #[doc(hidden)]
 pub mod internals;
 mod kinematics;

@@ -17,7 +17,7 @@ use crate::scalar::{Real, Scalar};
 /// the modes of its start from its rates; where rates are set by hand they follow from these. Steps of a [`Stepper`] of one's own change no
 /// mode, and are refused where a joint has come to move against that in which a run has left it: [`DryFriction`] is the smooth law for these.
 ///
-/// Any joint with one coordinate can have such friction, in the plane and in space, and a spring, damper or law beside it. Runs over numbers
+/// Any joint with one coordinate can have such friction, in the plane, in space and of robots, and a spring, damper or law beside it. Runs over numbers
 /// with derivatives, and over lanes, are refused: changes of mode have none of these. So are equilibria and modes of vibration, for a joint
 /// that sticks rests anywhere within what friction holds, and mechanisms that come to rest with more such joints than they have freedoms: what
 /// each of them bears is not determined.

@@ -6,10 +6,11 @@ mod range;
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
-use crate::kinematics::{Acting, Driving, Kinematics, Outboard};
+use crate::inner::{Drivable, Eliminates, Guardable};
+use crate::kinematics::{Acting, Driving};
 use crate::lift::lift;
 use crate::mirror::{self, GuardedRate, Mode};
-use crate::relation::{Absent, AccelerationOf, Closures, Full};
+use crate::relation::{Absent, AccelerationOf, Closures};
 use crate::release::{Freedom, Release, Resistance};
 use crate::scalar::Scalar;
 use crate::shape::{Joint, JointPosture, Kept, PerAxes, leaf};
@@ -92,13 +93,23 @@ impl<J, G, L> Counted for Guarded<J, G, L> {
 
 lift!(Guarded<J, G, L> { joint, guard, law });
 
-impl<S: Space, J: Kinematics<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Joint<S> for Guarded<J, G, L> {
+impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Joint<S> for Guarded<J, G, L> {
     type Position = mirror::Guarded<S::Scalar>;
     type Rate = GuardedRate<S::Scalar>;
     type Kept<C: Closures> = Grip<S::Scalar, J::Kept<C>>;
     type Per<X: Copy> = J::Per<X>;
 
     const LINEAR: bool = L::LINEAR;
+    const SINES: usize = J::SINES;
+
+    #[inline(always)]
+    fn angle(&self, position: &Self::Position) -> S::Scalar {
+        self.joint.angle(&position.coordinate)
+    }
+    #[inline(always)]
+    fn set_sine(&self, x: &mut J::Per<S::X>, sine_cosine: [S::Scalar; 2]) {
+        self.joint.set_sine(x, sine_cosine);
+    }
 
     fn position() -> Self::Position {
         mirror::Guarded { coordinate: S::Scalar::zero(), mode: G::START }
@@ -192,9 +203,9 @@ impl<S: Space, J: Kinematics<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> J
     }
 }
 
-leaf!(joint [S: Space, J: Kinematics<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>] Guarded<J, G, L>: S);
+leaf!(joint [S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>] Guarded<J, G, L>: S);
 
-impl<S: Space, J: Kinematics<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Element<S> for Guarded<J, G, L> {
+impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Element<S> for Guarded<J, G, L> {
     type Position = mirror::Guarded<S::Scalar>;
     type Rate = GuardedRate<S::Scalar>;
     const ABSOLUTE: bool = false;
@@ -227,21 +238,21 @@ impl<S: Space, J: Kinematics<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> E
         p: &mut Self::Store<PerAxes<S::P>>,
         q: &mut Self::Store<PerAxes<S::Q>>,
     ) {
-        <J as Kinematics<S>>::resolve(x, y, p, q);
+        <J as Drivable<S>>::resolve(x, y, p, q);
     }
 }
 
 impl<S, J, G, L, Outer, W> Condense<S, Outer, W> for Guarded<J, G, L>
 where
     S: Space,
-    J: Kinematics<S>,
+    J: Guardable<S> + Eliminates<S, Outer, W>,
     G: Guard<S::Scalar>,
     L: SpringLaw<S::Scalar>,
-    Outer: Outboard<S>,
-    W: Sweep<S, Closures = Outer::Closures>,
+    Outer: Copy,
+    W: Sweep<S>,
     InJoint<S, W>: Driving<S>,
 {
-    type Out = Full<S, Outer::Closures>;
+    type Out = J::Out;
 
     #[inline(always)]
     fn condense(
@@ -249,26 +260,26 @@ where
         outer: Outer,
         posture: Posture<'_, S, Self>,
         given: Given<'_, S, Self, W>,
-        kept: &mut Self::Store<Kept<Outer::Closures>>,
-    ) -> Self::Out {
+        kept: &mut Self::Store<Kept<W::Closures>>,
+    ) -> J::Out {
         let Given { in_joints, position, rate, reading, springs, .. } = given;
         let posture = (posture.x, posture.y, posture.p, posture.q);
         let Reading { position: led, rate: led_rate, acceleration } = reading;
         let led = Reading { position: &led.coordinate, rate: &led_rate.rate, acceleration: &acceleration.rate };
         let [force, pivot] = read(&self.law, (position.coordinate, rate.rate), led, springs);
-        let (force, outer, none) = (in_joints.onto(force), outer.whole(), S::Scalar::zero());
+        let (force, none) = (in_joints.onto(force), S::Scalar::zero());
         let mode = position.mode_at(rate);
         if mode.is_locked() {
-            let mut loose = [(); 2].map(|()| J::kept::<Outer::Closures>());
+            let mut loose = [(); 2].map(|()| J::kept::<W::Closures>());
             let [free, tried] = &mut loose;
-            self.joint.eliminate::<Outer::Closures>(outer, posture, force, none, free);
-            self.joint.eliminate::<Outer::Closures>(outer, posture, force + self.guard.trial(), none, tried);
+            self.joint.eliminate(outer, posture, force, none, free);
+            self.joint.eliminate(outer, posture, force + self.guard.trial(), none, tried);
             kept.loose = Some((mode, loose));
             let second = if mode == Mode::Struck { S::Scalar::one() } else { none };
-            return self.joint.drive::<Outer::Closures>(outer, posture, second, &mut kept.own);
+            return self.joint.drive(outer, posture, second, &mut kept.own);
         }
         (kept.loose, kept.told) = (None, self.guard.free(position.coordinate));
         let force = force - self.guard.resists(mode);
-        self.joint.eliminate::<Outer::Closures>(outer, posture, force, pivot, &mut kept.own)
+        self.joint.eliminate(outer, posture, force, pivot, &mut kept.own)
     }
 }

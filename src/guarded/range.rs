@@ -21,7 +21,7 @@ use num_traits::One;
 /// stop where it would do so at more than 1e-6 (rad/s², m/s²; in `f32` 0.02). What has come as near to its
 /// stop as that stands at it. Shocks take energy and are seen in no force. An accepted step that ends at a shock is shown as it is before it.
 ///
-/// Any joint with one coordinate can have stops, in the plane and in space, and a spring, damper or law beside them; an end at infinity is
+/// Any joint with one coordinate can have stops, in the plane, in space and of robots, and a spring, damper or law beside them; an end at infinity is
 /// none. A step of a [`Stepper`] of one's own changes no mode, and is refused where the step before has brought a joint beyond its stop: [`Stops`]
 /// is the compliant law for these. As data an end at infinity needs a format that has infinity; JSON has none. Runs over numbers with derivatives, and over lanes, are refused, and so are equilibria and modes of vibration. A
 /// joint that passes its stop and comes back within one step is not seen: [`longest_step`] is for such.

@@ -49,7 +49,8 @@
 //! that moves is taken at time zero. Those with `afloat` are for the root [`Free`], with velocities of the base in inertial axes, angular ones in its own. Angles out of range (400 000 rad), at which runs stop, are not refused here. None allocates; each is
 //! one walk outward, one inward, or both.
 //!
-//! Furniture of joints is laws ([`DryFriction`], [`Stops`], a tuple of laws), drives are [`Motor`]s that a controller asks. Loads on links
+//! Furniture of joints is laws ([`DryFriction`], [`Stops`], a tuple of laws), drives are [`Motor`]s that a controller asks. Scenes, not functions of
+//! lists, know joints with modes ([`Coulomb`], [`HardStops`]) and joints whose coordinate is a function of time ([`Driven`]). Loads on links
 //! are those of [`spatial`](crate::spatial), in inertial axes; points that touch the ground are [`Contacts`].
 //!
 //! Not yet: held tips, loops, derivatives through kept gains, gradients backward: such scenes do not compile.

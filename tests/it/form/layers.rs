@@ -26,6 +26,7 @@ const FLOORS: [&[&str]; 9] = [
         "series",
         "adjoint",
         "release",
+        "inner",
         "kinematics",
     ],
     &["chain", "guarded", "counts", "driven", "struts"],

@@ -4,7 +4,7 @@ use super::axis::{Armature, Axis, Bearing, Mode};
 use super::number::{Number, Triple, values};
 use super::relation::{Gains, Outboard};
 use super::sparse::Sparse;
-use super::standing::Standing;
+use super::standing::{Stand, Standing};
 use super::turns::Offset;
 use crate::element::{Condense, Element, Given, InJoint, Posture, Springs, Sweep};
 use crate::mechanics::spatial::spring::PivotRule;
@@ -72,6 +72,26 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
             || relation.turned(&turn).shifted(arm, swung).dense(),
         )
     }
+
+    /// The relation at the parent's origin with the coordinate gone, which went under an effort against what else adds to the pivot.
+    #[inline(always)]
+    pub(super) fn let_go(
+        &self,
+        relation: Sparse<T>,
+        effort: T,
+        more: Number<T>,
+        (stand, [swung, bias]): (Stand<T>, [Triple<T>; 2]),
+    ) -> (B::Relation<T>, Gains<T>) {
+        let (relation, gains) = if const { M::TURNS } {
+            let (relation, gains) = relation.hinged(effort, more, [bias[0].value(), bias[1].value()]);
+            (relation.turned_about_z(stand[0], stand[1]), gains)
+        } else {
+            let (relation, gains) = relation.slid(effort, more, values(bias));
+            let o = Number::zero();
+            (relation.shifted([o, o, Number::of(stand[1])], [o; 3]), gains)
+        };
+        (self.handed_on(relation, swung), gains)
+    }
 }
 
 impl<T, M, C, const PLACE: u8, L, A, B, R, W> Condense<Spatial<T>, R, W> for Axis<T, M, C, PLACE, L, A, B>
@@ -114,18 +134,8 @@ where
             more = more.plus(Number::of(stiffness));
         }
         let stiffened = const { A::ON || <W::Springs as Springs<T>>::STIFF };
-        let (stand, [swung, bias]) = Self::posture(posture.x, posture.y);
-        let relation = outer.sparse();
-        let relation = if const { M::TURNS } {
-            let (relation, gains) = relation.hinged(effort, more, [bias[0].value(), bias[1].value()]);
-            kept.set(gains, true, stiffened);
-            relation.turned_about_z(stand[0], stand[1])
-        } else {
-            let (relation, gains) = relation.slid(effort, more, values(bias));
-            kept.set(gains, false, stiffened);
-            let o = Number::zero();
-            relation.shifted([o, o, Number::of(stand[1])], [o; 3])
-        };
-        self.handed_on(relation, swung)
+        let (relation, gains) = self.let_go(outer.sparse(), effort, more, Self::posture(posture.x, posture.y));
+        kept.set(gains, const { M::TURNS }, stiffened);
+        relation
     }
 }

@@ -7,7 +7,7 @@
 //! Robotics and Automation 11, 1995), with the zeros of a description taken out at compile time.
 
 mod axis;
-mod axis_driven;
+mod axis_inner;
 mod axis_joint;
 mod axis_sweep;
 pub mod composite;

@@ -1,16 +1,19 @@
-//! Joints in body axes whose coordinate is a given function of time.
+//! Joints in body axes inside of those that are driven or have modes.
 
 use super::axis::{Armature, Axis, Bearing, Mode};
 use super::number::Number;
 use super::relation::{Gains, Outboard};
+use super::standing::Standing;
 use super::turns::Offset;
-use crate::driven::{Drivable, Driven, MotionLaw};
-use crate::element::{Condense, Element, Given, Posture, Sweep};
-use crate::mechanics::spatial::{Spatial, Turn};
+use crate::element::{Element, Sweep};
+use crate::inner::{Drivable, Eliminates, Guardable};
+use crate::kinematics::Acting;
+use crate::mechanics::spatial::{JointMotion, Spatial, Turn};
 use crate::relation::Open;
 use crate::relation::spatial::algebra::Columns;
 use crate::scalar::Scalar;
-use crate::spring::SpringLaw;
+use crate::shape::JointPosture;
+use crate::spring::{Spring, SpringLaw};
 use nalgebra::Vector3;
 
 impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Armature<T>, B: Bearing>
@@ -40,7 +43,15 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     fn resolve(_: &mut Columns<T>, _: &mut [Vector3<T>; 2], _: &mut Vector3<T>, _: &mut Vector3<T>) {}
 }
 
-impl<T, M, C, const PLACE: u8, L, A, B, F, R, W> Condense<Spatial<T>, R, W> for Driven<Axis<T, M, C, PLACE, L, A, B>, F>
+impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, A: Armature<T>, B: Bearing> Guardable<Spatial<T>>
+    for Axis<T, M, C, PLACE, Spring, A, B>
+{
+    fn under(motion: JointMotion<T>, Acting { resistance, energy, .. }: Acting<T>) -> JointMotion<T> {
+        JointMotion { effort: [resistance.force, T::zero(), T::zero()], energy, ..motion }
+    }
+}
+
+impl<T, M, C, const PLACE: u8, L, A, B, R, W> Eliminates<Spatial<T>, R, W> for Axis<T, M, C, PLACE, L, A, B>
 where
     T: Scalar,
     M: Mode,
@@ -48,29 +59,41 @@ where
     L: SpringLaw<T>,
     A: Armature<T>,
     B: Bearing,
-    F: MotionLaw<T>,
     R: Outboard<T>,
     W: Sweep<Spatial<T>, Closures = Open>,
 {
     type Out = B::Relation<T>;
 
     #[inline(always)]
-    fn condense(
+    fn eliminate(
         &self,
         outer: R,
-        posture: Posture<'_, Spatial<T>, Self>,
-        given: Given<'_, Spatial<T>, Self, W>,
+        (x, y, ..): JointPosture<'_, Spatial<T>, Self>,
+        force: T,
+        resistance: T,
         kept: &mut Gains<T>,
     ) -> B::Relation<T> {
-        let [.., second] = self.law().at(given.position.0);
-        *kept = Gains { free: second, ..Gains::blank() };
-        let (stand, [swung, [x, y, z]]) = Axis::<T, M, C, PLACE, L, A, B>::posture(posture.x, posture.y);
-        let (relation, second, o) = (outer.sparse(), Number::of(second), Number::zero());
+        let more = self.inertia().plus(Number::of(resistance));
+        let (relation, gains) = self.let_go(outer.sparse(), force, more, Self::posture(x, y));
+        *kept = gains;
+        relation
+    }
+    #[inline(always)]
+    fn drive(
+        &self,
+        outer: R,
+        (x, y, ..): JointPosture<'_, Spatial<T>, Self>,
+        acceleration: T,
+        kept: &mut Gains<T>,
+    ) -> B::Relation<T> {
+        *kept = Gains { free: acceleration, ..Gains::blank() };
+        let (stand, [swung, [x, y, z]]) = Self::posture(x, y);
+        let (relation, second, o) = (outer.sparse(), Number::of(acceleration), Number::zero());
         let relation = if const { M::TURNS } {
             relation.accelerated([[o; 3], [x, y, second]]).turned_about_z(stand[0], stand[1])
         } else {
             relation.accelerated([[x, y, z.plus(second)], [o; 3]]).shifted([o, o, Number::of(stand[1])], [o; 3])
         };
-        self.joint().handed_on(relation, swung)
+        self.handed_on(relation, swung)
     }
 }
