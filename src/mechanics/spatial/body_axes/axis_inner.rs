@@ -74,9 +74,7 @@ where
         kept: &mut Gains<T>,
     ) -> B::Relation<T> {
         let more = self.inertia().plus(Number::of(resistance));
-        let (relation, gains) = self.let_go(outer.sparse(), force, more, Self::posture(x, y));
-        *kept = gains;
-        relation
+        self.let_go(outer.sparse(), force, more, Self::posture(x, y), (kept, true))
     }
     #[inline(always)]
     fn drive(

@@ -73,7 +73,8 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         )
     }
 
-    /// The relation at the parent's origin with the coordinate gone, which went under an effort against what else adds to the pivot.
+    /// The relation at the parent's origin with the coordinate gone, which went under an effort against what else adds to the pivot; its gains
+    /// are kept, that of its own axis where something `stiffened` the pivot.
     #[inline(always)]
     pub(super) fn let_go(
         &self,
@@ -81,16 +82,19 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         effort: T,
         more: Number<T>,
         (stand, [swung, bias]): (Stand<T>, [Triple<T>; 2]),
-    ) -> (B::Relation<T>, Gains<T>) {
-        let (relation, gains) = if const { M::TURNS } {
+        (kept, stiffened): (&mut Gains<T>, bool),
+    ) -> B::Relation<T> {
+        let relation = if const { M::TURNS } {
             let (relation, gains) = relation.hinged(effort, more, [bias[0].value(), bias[1].value()]);
-            (relation.turned_about_z(stand[0], stand[1]), gains)
+            kept.set(gains, true, stiffened);
+            relation.turned_about_z(stand[0], stand[1])
         } else {
             let (relation, gains) = relation.slid(effort, more, values(bias));
+            kept.set(gains, false, stiffened);
             let o = Number::zero();
-            (relation.shifted([o, o, Number::of(stand[1])], [o; 3]), gains)
+            relation.shifted([o, o, Number::of(stand[1])], [o; 3])
         };
-        (self.handed_on(relation, swung), gains)
+        self.handed_on(relation, swung)
     }
 }
 
@@ -134,8 +138,6 @@ where
             more = more.plus(Number::of(stiffness));
         }
         let stiffened = const { A::ON || <W::Springs as Springs<T>>::STIFF };
-        let (relation, gains) = self.let_go(outer.sparse(), effort, more, Self::posture(posture.x, posture.y));
-        kept.set(gains, const { M::TURNS }, stiffened);
-        relation
+        self.let_go(outer.sparse(), effort, more, Self::posture(posture.x, posture.y), (kept, stiffened))
     }
 }
