@@ -119,8 +119,9 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
             None => "What goes on.".to_owned(),
         };
         let _ = writeln!(text, "/// {title}\npub type {}<T> = (", names.types[number]);
-        for part in &arm.parts {
+        for (k, part) in arm.parts.iter().enumerate() {
             let local = robot.elements != Elements::Inertial;
+            let (open, close) = arm.nested(k);
             let (kind, remark) = match part {
                 Part::Axes => ("BodyAxes".to_owned(), String::new()),
                 Part::Base(_) if local => {
@@ -154,7 +155,9 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
                 Part::Rest(arm) => (format!("{}<T>", names.types[*arm]), String::new()),
             };
             let remark = if remark.is_empty() { remark } else { format!(" // {remark}") };
-            let _ = writeln!(text, "    {kind},{remark}");
+            let close = if close.is_empty() { close } else { format!("\n    {close},") };
+            let comma = if close.is_empty() { "," } else { "" };
+            let _ = writeln!(text, "    {open}{kind}{comma}{remark}{close}");
         }
         text += ");\n\n";
     }
@@ -214,8 +217,9 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
             text += "pub ";
         }
         let _ = writeln!(text, "fn {name}<T: Scalar>() -> {kind} {{\n    {open}");
-        for part in &arm.parts {
+        for (k, part) in arm.parts.iter().enumerate() {
             let local = robot.elements != Elements::Inertial;
+            let (before, after) = arm.nested(k);
             let element = match part {
                 Part::Axes => "BodyAxes".to_owned(),
                 Part::Base(_) if local => structure::link(&robot.base.unwrap_or(Inertia::NONE)),
@@ -250,7 +254,10 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
                 Part::Rest(arm) => format!("{}(){ask}", names.functions[*arm]),
             };
             let comma = if matches!(part, Part::Joint(_)) { "" } else { "," };
-            let _ = writeln!(text, "        {element}{comma}");
+            let _ = writeln!(text, "        {before}{element}{comma}");
+            if !after.is_empty() {
+                let _ = writeln!(text, "        {after},");
+            }
         }
         let _ = writeln!(text, "    {close}\n}}\n");
     }

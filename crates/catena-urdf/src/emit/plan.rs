@@ -9,6 +9,8 @@ use crate::robot::Robot;
 
 /// Tuples of the library end at sixteen.
 const LONGEST: usize = 16;
+/// Parts of an arm that is written as pairs: three joints with their links.
+const SHORT: usize = 6;
 
 /// An element of a chain, bodies and joints by number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +38,24 @@ pub struct Arm {
     pub parts: Vec<Part>,
     /// First joint of the chain; none if it has none, as the base alone.
     pub first: Option<usize>,
+    /// Whether it is an arm in axes of its bodies.
+    in_pairs: bool,
+}
+
+impl Arm {
+    /// What opens before a part of this number and closes after the last one: short arms in axes of their bodies are pairs of pairs.
+    ///
+    /// Legs have equal types, and compilers call what is used twice; pairs are inlined anyhow, so that relations need not pass through
+    /// memory. Longer arms stay tuples, for what they would take to compile.
+    pub fn nested(&self, part: usize) -> (&'static str, String) {
+        let (count, plain) = (self.parts.len(), |part: &Part| matches!(part, Part::Body(..) | Part::Joint(_)));
+        if !self.in_pairs || count > SHORT || !self.parts.iter().all(plain) {
+            return ("", String::new());
+        }
+        let inner = count.saturating_sub(2);
+        let open = if (1..=inner).contains(&part) { "(" } else { "" };
+        (open, if part + 1 == count { ")".repeat(inner) } else { String::new() })
+    }
 }
 
 /// All chains, and the numbers that a scene gives to bodies and joints.
@@ -81,7 +101,8 @@ impl Plan {
             plan.root = ZERO;
         }
         let whole = plan.chain(robot, &children, parts, count, end(count));
-        plan.close(whole);
+        let whole = plan.close(whole);
+        plan.arms[whole].in_pairs = false;
         plan
     }
 
@@ -154,7 +175,7 @@ impl Plan {
             Part::Joint(joint) => Some(*joint),
             _ => None,
         });
-        self.arms.push(Arm { parts, first });
+        self.arms.push(Arm { parts, first, in_pairs: self.local });
         self.arms.len() - 1
     }
 }
