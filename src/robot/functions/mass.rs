@@ -1,6 +1,6 @@
 //! The mass matrix, and solutions with it.
 
-use super::{FixedBase, MassMatrix, S, Tasks, checked, finite, resisting};
+use super::{FixedBase, MassMatrix, S, Tasks, checked, finite, resisting, stands};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::Error;
@@ -16,6 +16,13 @@ use crate::shape::Takes;
 use crate::system::System;
 use nalgebra::Vector3;
 
+/// The walk that finds the mass matrix of the joints, what they take of the base, and all of the robot as one body, in axes of the base.
+#[inline(always)]
+fn composite<T: Scalar, const N: usize>(q: &[T; N]) -> Composite<T, N> {
+    let (o, matrix) = ([T::zero(); 3], [[T::zero(); N]; N]);
+    Composite { positions: *q, sines: stands(q), columns: [[o; 2]; N], matrix, next: N }
+}
+
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// The mass matrix M (kg·m², kg·m, kg), reflected inertias on its diagonal.
     ///
@@ -28,20 +35,9 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         self.has_joints(N)?;
         finite(q)?;
-        Ok(self.composite(q).0.matrix)
-    }
-
-    /// The mass matrix of the joints, what they take of the base, and all of the robot as one body, in axes of the base.
-    #[inline(always)]
-    fn composite<const N: usize>(&self, q: &[T; N]) -> (Composite<T, N>, Whole<T>)
-    where
-        C: Tasks<T, N>,
-    {
-        let stands = resisting(self.chain(), q, q).stands;
-        let (o, matrix) = ([T::zero(); 3], [[T::zero(); N]; N]);
-        let mut walk = Composite { stands, columns: [[o; 2]; N], matrix, next: N };
-        let whole = Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut walk, Whole::nothing(N), ());
-        (walk, whole)
+        let mut walk = composite(q);
+        Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut walk, Whole::nothing(N), ());
+        Ok(walk.matrix)
     }
 
     /// M factored.
@@ -115,35 +111,42 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
-        let Place { attitude, .. } = &base;
         checked(&base).and(finite(q))?;
-        let (Composite { columns, matrix, .. }, Whole { mass, moment, tensor: [xx, yy, zz, yz, xz, xy], .. }) =
-            self.composite(q);
-        let coupling = columns.map(|[force, torque]| {
+        // Written where it is returned, for it is large.
+        let mut found = Ok(MassMatrix::zero());
+        if let Ok(mass) = &mut found {
+            self.inertia_afloat(&base.attitude, q, mass);
+        }
+        found
+    }
+
+    /// The mass matrix at positions that were looked at.
+    #[inline(always)]
+    fn inertia_afloat<const N: usize>(&self, attitude: &Columns<T>, q: &[T; N], found: &mut MassMatrix<T, N>)
+    where
+        C: Tasks<T, N>,
+    {
+        let mut walk = composite(q);
+        let whole = Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut walk, Whole::nothing(N), ());
+        let Whole { mass, moment, tensor: [xx, yy, zz, yz, xz, xy], .. } = whole;
+        for (coupling, [force, torque]) in found.coupling.iter_mut().zip(walk.columns) {
             let force = attitude.apply(Vector3::from(force));
             let [x, y, z] = torque;
-            [force.x, force.y, force.z, x, y, z]
-        });
+            *coupling = [force.x, force.y, force.z, x, y, z];
+        }
         // Of a turn about an own axis: −R σ × , and J.
-        let (o, moment) = (T::zero(), Vector3::from(moment));
+        let moment = Vector3::from(moment);
         let turning = |axis: Vector3<T>, [x, y, z]: [T; 3]| {
             let force = attitude.apply(cross(axis, moment));
             [force.x, force.y, force.z, x, y, z]
         };
         let Columns { x, y, z } = Columns::identity();
-        let [a, b, c] = [turning(x, [xx, xy, xz]), turning(y, [xy, yy, yz]), turning(z, [xz, yz, zz])];
-        let along = |k: usize| {
-            core::array::from_fn(|i| match i {
-                0..3 => {
-                    if i == k {
-                        mass
-                    } else {
-                        o
-                    }
-                }
-                _ => [a, b, c][i - 3][k],
-            })
-        };
-        Ok(MassMatrix { base: [along(0), along(1), along(2), a, b, c], coupling, joints: matrix })
+        let turns = [turning(x, [xx, xy, xz]), turning(y, [xy, yy, yz]), turning(z, [xz, yz, zz])];
+        for (k, turn) in turns.into_iter().enumerate() {
+            found.base[k][k] = mass;
+            found.base[3 + k] = turn;
+            (0..3).for_each(|i| found.base[i][3 + k] = turn[i]);
+        }
+        found.joints = walk.matrix;
     }
 }

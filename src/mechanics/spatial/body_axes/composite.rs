@@ -10,7 +10,9 @@ use crate::scalar::Scalar;
 
 /// The mass matrix as far as it is known, and what its columns are at the present body.
 pub struct Composite<T, const N: usize> {
-    pub stands: [Stand<T>; N],
+    pub positions: [T; N],
+    /// Sines and cosines of all positions, which slides do not read.
+    pub sines: [Stand<T>; N],
     pub columns: [[[T; 3]; 2]; N],
     pub matrix: [[T; N]; N],
     pub next: usize,
@@ -78,7 +80,8 @@ impl<T: Scalar, const N: usize> Through<T> for Composite<T, N> {
     #[inline(always)]
     fn axis<A: Standing<T>>(&mut self, axis: &A, whole: Whole<T>) -> Whole<T> {
         self.next -= 1;
-        let (own, stand) = (self.next, self.stands[self.next]);
+        let own = self.next;
+        let stand = if const { A::TURNS } { self.sines[own] } else { [T::zero(), self.positions[own]] };
         let (mass, [x, y, z], tensor) = (whole.mass, whole.moment, whole.tensor);
         let o = T::zero();
         self.columns[own] = if const { A::TURNS } {

@@ -19,6 +19,15 @@ pub struct MassMatrix<T, const N: usize> {
     pub joints: [[T; N]; N],
 }
 
+impl<T: Scalar, const N: usize> MassMatrix<T, N> {
+    /// Zeros.
+    #[inline(always)]
+    pub(in crate::robot::functions) fn zero() -> Self {
+        let o = T::zero();
+        Self { base: [[o; 6]; 6], coupling: [[o; 6]; N], joints: [[o; N]; N] }
+    }
+}
+
 impl<T: Scalar, const N: usize> Snapshot<T, N> {
     /// What a force and a torque about the origin of the body on a joint are along the joint.
     pub(super) fn along(&self, joint: usize, [force, torque]: [Vector3<T>; 2]) -> T {

@@ -55,6 +55,18 @@ fn compare(jets: &[Vec<f64>], taken: impl Fn(usize) -> Vec<f64>, moved: impl Fn(
     }
 }
 
+/// A matrix times another one is one: relative to the largest sum of what is added up for a number of it.
+fn inverts(inverse: &[Vec<f64>], mass: &[Vec<f64>]) {
+    for (i, row) in inverse.iter().enumerate() {
+        for k in 0..mass.len() {
+            let terms = || row.iter().zip(mass).map(|(x, column)| x * column[k]);
+            let (sum, size) = (terms().sum::<f64>(), terms().map(f64::abs).sum::<f64>().max(1.0));
+            let right = f64::from(u8::from(i == k));
+            assert!((sum - right).abs() <= INVERTED * size, "{i}, {k}: {sum}, not {right}");
+        }
+    }
+}
+
 macro_rules! fixed {
     ($($test:ident: $name:ident;)*) => {$(
         #[test]
@@ -66,8 +78,9 @@ macro_rules! fixed {
                 let [q, v, torques]: [[f64; N]; 3] = [noise.list(3.0), noise.list(3.0), noise.list(20.0)];
                 let seconds = scene.forward_dynamics(&q, &v, &torques)?;
                 let taken = scene.inverse_dynamics_derivatives(&q, &v, &seconds)?;
-                let (moved, _) = scene.forward_dynamics_derivatives(&q, &v, &torques)?;
+                let (moved, by_torques) = scene.forward_dynamics_derivatives(&q, &v, &torques)?;
                 let mass = scene.mass_matrix(&q)?.map(|row| row.to_vec());
+                inverts(&by_torques.map(|row| row.to_vec()), &mass);
                 let plain = |list: &[f64; N]| list.map(Dual::of);
                 let column = |matrix: &[[f64; N]; N], k: usize| matrix.iter().map(|row| row[k]).collect::<Vec<_>>();
                 let (mut positions, mut rates) = (vec![], vec![]);
@@ -144,10 +157,17 @@ macro_rules! floating {
                 let [found, given] = [[&force[..], &effort].concat(), [&wrench[..], &torques].concat()];
                 agrees(&found, &given, 50.0, INVERTED);
                 let taken = scene.inverse_dynamics_derivatives_afloat(at, &q, &v, &of_base, &seconds)?;
-                let (moved, _) = scene.forward_dynamics_derivatives_afloat(at, &q, &v, &wrench, &torques)?;
+                let (moved, by_torques) = scene.forward_dynamics_derivatives_afloat(at, &q, &v, &wrench, &torques)?;
                 let MassMatrix { base, coupling, joints } = scene.mass_matrix_afloat(at.place, &q)?;
                 let first = (0..6).map(|i| base[i].into_iter().chain(coupling.iter().map(|row| row[i])).collect());
                 let mass: Vec<Vec<f64>> = first.chain((0..N).map(|i| [&coupling[i][..], &joints[i]].concat())).collect();
+                for Blocks { base, base_by_joints, joints_by_base, joints } in
+                    [by_torques, scene.mass_inverse_afloat(at.place, &q)?]
+                {
+                    let first = (0..6).map(|i| [&base[i][..], &base_by_joints[i]].concat());
+                    let rows = first.chain((0..N).map(|i| [&joints_by_base[i][..], &joints[i]].concat()));
+                    inverts(&rows.collect::<Vec<_>>(), &mass);
+                }
                 // Columns by turn or spin of the base, then by joints.
                 let column = |blocks: &Blocks<f64, N>, k: usize| -> Vec<f64> {
                     let Blocks { base, base_by_joints, joints_by_base, joints } = blocks;
