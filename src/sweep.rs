@@ -92,18 +92,3 @@ impl<T: Scalar> Springs<T> for Implicit<T::Real> {
         damping.times_onto(T::constant(self.rate), stiffness.scaled(self.position))
     }
 }
-
-/// Springs of a rule that puts closures back sweep by sweep, as [`Implicit`] ones.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Restored<R>(pub Implicit<R>);
-
-impl<R> Sealed for Restored<R> {}
-
-impl<T: Scalar> Springs<T> for Restored<T::Real> {
-    const STIFF: bool = true;
-
-    #[inline(always)]
-    fn pivot(self, stiffness: impl Coefficient<T>, damping: impl Coefficient<T>) -> T {
-        self.0.pivot(stiffness, damping)
-    }
-}

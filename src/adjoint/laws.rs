@@ -5,7 +5,6 @@ use crate::lift::Lift;
 use crate::relation::{Absent, Coefficient, Term};
 use crate::scalar::Scalar;
 use crate::spring::{Spring, SpringLaw};
-use crate::sweep::Restored;
 
 /// How springs enter sweeps through which costates go backward, where the law `L` is among them: implicitly, laws that are linear in position
 /// and rate, which a sweep takes exactly.
@@ -21,10 +20,6 @@ impl<L> Reads<L> for Explicit {}
 impl<R> Reads<Absent> for Implicit<R> {}
 
 impl<R, K, D, P> Reads<Spring<K, D, P>> for Implicit<R> {}
-
-impl<R> Reads<Absent> for Restored<R> {}
-
-impl<R, K, D, P> Reads<Spring<K, D, P>> for Restored<R> {}
 
 /// Most numbers that a joint is made of, those of its law among them.
 pub const NUMBERS: usize = 6;

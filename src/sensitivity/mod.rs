@@ -34,8 +34,8 @@
 //! # Backward
 //!
 //! One number, the cost, by all that a run depends on, lengths, masses, gravity, initial values, torques of every step, is cheaper backward:
-//! [`System::backward`](crate::system::System::backward) and [`Backward`], some 2.8 plain runs in the plane and three to four in space, however many
-//! derivatives there are.
+//! [`System::backward`](crate::system::System::backward) and [`Backward`], some 2.8 plain runs in the plane and three to four in space, by
+//! implicit rules more, however many derivatives there are.
 //!
 //! Second derivatives need nothing else: [`Backward`] of a scene over `Jet<f64, 1>`, with the parts `eps` of its numbers, start and torques
 //! those of a direction, gives the gradient in the parts `re` and the product of the Hessian with the direction in the parts `eps`, for three

@@ -1,7 +1,7 @@
 //! The elimination of a sweep with what a second right-hand side needs: gains, and the inverse of each pivot.
 
 use crate::adjoint::{Outboard, Reversed, ReversibleClosing};
-use crate::element::{Explicit, Implicit, Springs};
+use crate::element::{Explicit, Springs};
 use crate::loading::EffortOf;
 use crate::relation::{Closures, Open};
 use crate::shape::{
@@ -25,17 +25,6 @@ impl<C, By> Factor<C, By> {
         Self { springs, closures: PhantomData }
     }
 }
-
-/// Springs that enter sweeps around loops through which costates go backward.
-#[diagnostic::on_unimplemented(
-    message = "no gradient of a run by this implicit rule goes backward around loops",
-    label = "a rule that closes loops in each sweep",
-    note = "`Rk4`, `Dopri5`, `Dop853` and `GeneralizedAlpha` know loops"
-)]
-pub trait AroundLoops {}
-
-impl AroundLoops for Explicit {}
-impl<R> AroundLoops for Implicit<R> {}
 
 impl<S: Reversed, C: Closures, By: Springs<S::Scalar>> Walk<S> for Factor<C, By> {
     type Carried = Outboard<S, C>;
@@ -72,7 +61,7 @@ where
     S: Reversed,
     C: Closures,
     K: ReversibleClosing<S>,
-    By: Springs<S::Scalar> + AroundLoops,
+    By: Springs<S::Scalar>,
 {
     #[inline(always)]
     fn around(

@@ -1,5 +1,5 @@
-//! The costate sweep does not know what a rule carries from step to step.
-//@ no gradient of a run by `
+//! The costate sweep does not know what a multistep rule carries from step to step.
+//@ no gradient of a run goes backward through the rule `
 //@ Adams
 
 use catena::planar::*;

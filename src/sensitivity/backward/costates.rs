@@ -52,8 +52,10 @@ where
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let (last, one) = (M::STAGES, RealOf::<S>::one());
-        if const { Self::CLOSED > 0 } {
-            self.pull_back_projection(step, past, record, gradient);
+        if let (true, Some(projection)) = (Self::CLOSED > 0, &record.projection) {
+            let stage = &record.stages.as_ref()[last - 1];
+            let place = if last == 1 { &past.position } else { &stage.position };
+            self.pull_back_projection((past.time + step, step), (stage, place), projection, gradient);
         }
         self.of_position.as_mut()[last].set(&gradient.start.position);
         self.of_rate.as_mut()[last].set(&gradient.start.rate);

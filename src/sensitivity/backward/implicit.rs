@@ -12,8 +12,10 @@
 //! geometry.
 //!
 //! The geometry of a stage's first sweep follows the stage before, that of a step's the motion at its start; of a rule that
-//! [remembers](super::memory) it is a prediction without accelerations. Sweeps before the last of a stage are made once more on the way back.
+//! [remembers](super::memory) it is a prediction without accelerations. Where something is held or closed, that of each further sweep may be
+//! put back by the one before it ([`projection`](super::projection)). Sweeps before the last of a stage are made once more on the way back.
 
+use super::projection::Projection;
 use super::record::{Place, Record, Stage, StageOf};
 use super::rules::Staged;
 use super::steps::Steps;
@@ -43,6 +45,8 @@ pub(super) struct Again<S: Reversed, E: Element<S>, X: Closures> {
     of_free: (E::Rate, E::Rate),
     of_before: E::Rate,
     pub(super) of_predicted: (E::Rate, E::Rate),
+    /// What puts the geometry of a sweep back where something is held or closed.
+    between: Option<Projection<S, E>>,
 }
 
 /// The room of a scene.
@@ -100,6 +104,7 @@ where
                 of_free: (zero.clone(), zero.clone()),
                 of_before: zero.clone(),
                 of_predicted: (zero.clone(), zero.clone()),
+                between: (M::RESTORES && Self::CLOSED > 0).then(|| Projection::new(self.scene.elements(), zero)),
             }
         })
     }
@@ -112,7 +117,7 @@ where
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
         slopes: &[RateOf<S, R, C>],
-        free: &mut Place<S, R, C>,
+        (free, mut between): (&mut Place<S, R, C>, Option<&mut Projection<S, Elements<S, R, C>>>),
         (stage, slope): (&mut StageOf<S, R, C, P>, &mut RateOf<S, R, C>),
     ) {
         let (springs, node) = (self.rule.springs::<S::Scalar>(row, step), M::node(row));
@@ -134,8 +139,21 @@ where
                 follow::<S, Elements<S, R, C>>(from, own, led.unwrap_or(&self.zero), &self.zero, into);
             }
             let time = past.time + RealOf::<S>::of(node) * step;
+            if let (Some(between), true) = (&mut between, sweep > 0) {
+                between.places[0].clone_from(&stage.position);
+                between.rates[0].set(&stage.rate);
+                self.project(time, stage, between);
+                stage.position.clone_from(between.place());
+                stage.rate.set(between.rate());
+            }
             self.sweep(None, Some(&*free), springs, time, stage, slope);
         }
+    }
+
+    /// Exchanges the costates of a row for those of the motion.
+    fn exchange(&mut self, row: usize, gradient: &mut Gradient<S, Elements<S, R, C>>) {
+        core::mem::swap(&mut self.of_position.as_mut()[row], &mut gradient.start.position);
+        core::mem::swap(&mut self.of_rate.as_mut()[row], &mut gradient.start.rate);
     }
 
     /// Solves a stage: its last sweep is kept.
@@ -150,7 +168,8 @@ where
         let (slopes, rest) = record.accelerations.as_mut().split_at_mut(row);
         let [slope, ..] = rest else { return };
         let (sweeps, stage) = (self.rule.sweeps(row), &mut record.stages.as_mut()[row]);
-        self.sweeps((row, sweeps), past, step, slopes, &mut again.free, (stage, slope));
+        let Again { free, between, .. } = &mut again;
+        self.sweeps((row, sweeps), past, step, slopes, (free, between.as_mut()), (stage, slope));
         self.again = Some(again);
     }
 
@@ -174,12 +193,28 @@ where
         again.of_free.0.set(&self.zero);
         again.of_free.1.set(&self.zero);
         for sweep in (1..=last).rev() {
-            let Again { free, read, stage, slope, of_free, .. } = &mut again;
+            let Again { free, read, stage, slope, of_free, between, .. } = &mut again;
             // The last sweep is known, but not where it was free.
-            let sweeps = if sweep == last { 0 } else { sweep };
-            self.sweeps((row, sweeps), past, step, record.accelerations.as_ref(), free, (&mut *stage, &mut *slope));
+            let (sweeps, slopes) = (if sweep == last { 0 } else { sweep }, record.accelerations.as_ref());
+            let room = (&mut *free, between.as_mut());
+            self.sweeps((row, sweeps), past, step, slopes, room, (&mut *stage, &mut *slope));
             let kept = (&record.stages.as_ref()[row], &record.accelerations.as_ref()[row]);
             let (stage, slope) = if sweep == last { kept } else { (&*stage, &*slope) };
+            if sweep < last {
+                // The geometry of the sweep after this one.
+                if let Some(between) = between {
+                    let Projection { places: [place, ..], rates: [rate, ..], .. } = &mut *between;
+                    follow::<S, Elements<S, R, C>>((&free.0, &free.1), own, slope, &self.zero, (place, rate));
+                    self.project(time, stage, between);
+                    self.exchange(row, gradient);
+                    self.pull_back_projection((time, step), (stage, &stage.position), between, gradient);
+                    self.exchange(row, gradient);
+                }
+                let (of_place, of_speed) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
+                of_free.0.add(of_place);
+                of_free.1.add(of_speed);
+                self.of_acceleration.mix_2(&self.zero, (in_position, of_place), (in_rate, of_speed));
+            }
             if let Some(sum) = &mut self.of_own {
                 // By the geometry of the sweep after this one, and below by what laws add to `of_free`.
                 if sweep < last {
@@ -188,7 +223,8 @@ where
                 *sum -= by_own((&of_free.0, &of_free.1), slope);
             }
             self.pull_back_stage(None, (row, false), time, (stage, slope), gradient);
-            if let (Some(room), true) = (&self.room, sweep == last && row + 1 == M::STAGES) {
+            let restored = if sweep == last { row + 1 == M::STAGES } else { M::RESTORES };
+            if let (Some(room), true) = (&self.room, restored) {
                 self.of_position.as_mut()[row].add(&room.of_stage);
             }
             follow::<S, Elements<S, R, C>>((&free.0, &free.1), own, slope, &self.zero, (&mut read.0, &mut read.1));
@@ -198,22 +234,21 @@ where
             if let Some(sum) = &mut self.of_own {
                 *sum += by_own((&*of_position, &*of_rate), slope);
             }
-            let (of_place, of_speed) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
-            if M::REMEMBERS && sweep == 1 {
-                again.of_predicted.0.set(of_place);
-                again.of_predicted.1.set(of_speed);
-                continue;
-            }
-            of_position.add(of_place);
-            of_rate.add(of_speed);
-            self.of_acceleration.mix_2(&self.zero, (in_position, of_place), (in_rate, of_speed));
+        }
+        let (of_place, of_speed) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
+        if const { M::REMEMBERS } {
+            again.of_predicted.0.set(of_place);
+            again.of_predicted.1.set(of_speed);
+        } else {
+            again.of_free.0.add(of_place);
+            again.of_free.1.add(of_speed);
+            again.of_before.mix_2(&self.zero, (in_position, of_place), (in_rate, of_speed));
         }
         if let (Some(sum), Some(before), false) = (&mut self.of_own, row.checked_sub(1), M::REMEMBERS) {
             let (of_geometry, slopes) =
                 ((&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]), record.accelerations.as_ref());
             *sum += by_own(of_geometry, &slopes[before]);
         }
-        again.of_before.set(&self.of_acceleration);
         self.of_position.as_mut()[row].set(&again.of_free.0);
         self.of_rate.as_mut()[row].set(&again.of_free.1);
         self.again = Some(again);

@@ -28,7 +28,7 @@ use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 use crate::walks::complete::complete;
 pub use checkpoints::{Checkpoints, Tape};
 use record::Record;
-use rules::{Closing, Staged};
+use rules::Staged;
 use steps::Steps;
 
 /// Runs of a scene by fixed steps or accepted ones, and their gradients.
@@ -81,7 +81,7 @@ use steps::Steps;
 ///
 /// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, scenes whose laws are
 /// `Spring`s, of the plane, and in space without balls, from a `Clamped` or `Hinged` root: they solve a step by several sweeps, and costates
-/// go back through all of them. Held tips and loops by `GeneralizedAlpha` alone.
+/// go back through all of them.
 ///
 /// `GeneralizedAlpha` remembers its auxiliary acceleration A. Its steps are those of [`step`](crate::stepper::Stepper::step): each begins with
 /// the accelerations a that the torques of this step cause, where `simulate` goes on with those that the last sweep has left. A run begins with
@@ -136,7 +136,19 @@ use steps::Steps;
 ///
 /// In the plane chains whose tip is pinned take more: 5.0 plain runs (instructions 6.7) for three rods and RK4, 5.4 (6.8) for twenty, x86-64-v3. A four-bar
 /// linkage takes 6.5 (DOP853 5.3), a rod with one window of four rods 6.0, with two in a row 6.5, with five 8.9: for each correction of a
-/// projection costates walk once for each loop. Under `Sdirk4` two rods with a stiff hinge take 3.7, twenty 3.9.
+/// projection costates walk once for each loop.
+///
+/// Under implicit rules rods with stiff hinges, x86-64-v3, instructions of the plain run a body and sweep; by `GeneralizedAlpha` the steps under
+/// torques are those of `step`, with three sweeps instead of two:
+///
+/// | chain of rods on stiff hinges | time | instructions | under torques | plain |
+/// |---|---:|---:|---:|---:|
+/// | `Sdirk4`, 2 | 3.7 | 6.2 | 5.6 | 124 |
+/// | `Sdirk4`, 20 | 3.9 | 5.0 | 4.8 | 109 |
+/// | `GeneralizedAlpha`, 2 | | 7.8 | 5.9 | 154 |
+/// | `GeneralizedAlpha`, 20 | | 6.0 | 4.4 | 124 |
+///
+/// Sweeps before the last of a step or stage are made a third time on the way back. (Times of `GeneralizedAlpha` were not measured.)
 ///
 /// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs
 /// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which
@@ -155,11 +167,10 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: St
 type CostateOf<S, R, C> = Costate<RateOf<S, R, C>, <S as Geometry>::Scalar>;
 
 impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Runs by a rule whose gradients go backward: `Rk4`, `Dopri5`, `Dop853`, and without balls `GeneralizedAlpha` and, of chains and trees
-    /// with a free tip, `Sdirk4`.
+    /// Runs by a rule whose gradients go backward: `Rk4`, `Dopri5`, `Dop853`, and without balls `Sdirk4` and `GeneralizedAlpha`.
     ///
     /// See [`sensitivity::Backward`](crate::sensitivity::Backward).
-    pub fn backward<M: Closing<P::Closures>>(&self, method: M) -> Backward<'_, S, R, C, P, M>
+    pub fn backward<M: Staged>(&self, method: M) -> Backward<'_, S, R, C, P, M>
     where
         R: Resting<S>,
         P: ReversibleTip<S>,

@@ -15,7 +15,7 @@
 
 use super::held::{Room, add, opposite};
 use super::implicit::paired;
-use super::record::Record;
+use super::record::{Record, StageOf};
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip, total};
@@ -72,10 +72,10 @@ fn metric<S: Reversed, E: Element<S> + Takes<S, Strain>>(
 #[derive(Clone)]
 pub(super) struct Projection<S: Reversed, E: Element<S>> {
     /// Positions before each correction, and after the last; how many corrections there were.
-    places: [E::Position; PLACES],
+    pub(super) places: [E::Position; PLACES],
     moves: usize,
     /// Rates before each correction, and after the last; how many corrections there were.
-    rates: [E::Rate; PLACES],
+    pub(super) rates: [E::Rate; PLACES],
     changes: usize,
 }
 
@@ -108,29 +108,39 @@ where
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     EffortOf<S>: Additive,
 {
-    /// The end of a step, and its projection: as a stepper makes it.
-    pub(super) fn project(
+    /// Where a step ends, and its projection.
+    pub(super) fn end_projected(
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
         record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
     ) {
-        if let (true, Some(projection)) = (M::REMEMBERS, &mut record.projection) {
-            let Projection { places: [place, ..], rates: [rate, ..], .. } = projection;
-            self.end_unprojected(past, step, &record.accelerations, (place, rate));
+        let Record { stages, accelerations, projection } = record;
+        let Some(projection) = projection else { return };
+        let Projection { places: [place, ..], rates: [rate, ..], .. } = &mut *projection;
+        if const { M::REMEMBERS } {
+            self.end_unprojected(past, step, accelerations, (place, rate));
+        } else {
+            let (row, sums) = (M::STAGES, (&self.zero, &mut self.sum));
+            let weights = M::weights(row);
+            displace(past, accelerations.as_ref(), M::node(row), weights, step, sums, (&mut *place, &mut *rate));
+            if Self::CURVED {
+                place.retract_rate(&past.position, rate);
+            }
         }
-        let (Some(room), Some(projection)) = (&mut self.room, &mut record.projection) else { return };
-        let (elements, tip, time) = (self.scene.elements(), self.scene.tip(), past.time + step);
-        let (ground, stage) = (self.scene.ground(time), &record.stages.as_ref()[M::STAGES - 1]);
-        let (row, slopes) = (M::STAGES, record.accelerations.as_ref());
+        self.project(past.time + step, &stages.as_ref()[M::STAGES - 1], projection);
+    }
+
+    /// The projection of a motion that stands where corrections begin, by what a stage keeps: as a stepper makes it.
+    pub(super) fn project(
+        &mut self,
+        time: RealOf<S>,
+        stage: &StageOf<S, R, C, P>,
+        projection: &mut Projection<S, Elements<S, R, C>>,
+    ) {
+        let Some(room) = &mut self.room else { return };
+        let (elements, tip, ground) = (self.scene.elements(), self.scene.tip(), self.scene.ground(time));
         let Projection { places, moves, rates, changes } = projection;
-        if !M::REMEMBERS {
-            let (of, sums) = ((M::node(row), M::weights(row)), (&self.zero, &mut self.sum));
-            displace(past, slopes, of.0, of.1, step, sums, (&mut places[0], &mut rates[0]));
-        }
-        if Self::CURVED {
-            places[0].retract_rate(&past.position, &mut rates[0]);
-        }
         let most = if Self::LOOPED { MOST_CORRECTIONS } else { Self::CLOSED };
         let (none, into) = (&self.zero, &mut room.correction);
         let correct = |level: Level, position: &_, rate: &_, correction: &mut _| {
@@ -173,21 +183,22 @@ where
         }
     }
 
-    /// From the costates after the projection of a step to those before it; those of the last stage stay in the room.
+    /// From the costates after a projection to those before it, in a step (s) at a time; those of the stage, which stood at a place, stay in
+    /// the room.
     pub(super) fn pull_back_projection(
         &mut self,
-        step: RealOf<S>,
-        past: &MotionOf<S, R, C, P>,
-        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        clock: (RealOf<S>, RealOf<S>),
+        stage: (&StageOf<S, R, C, P>, &PositionOf<S, R, C>),
+        projection: &Projection<S, Elements<S, R, C>>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
-        let (Some(room), Some(projection)) = (&mut self.room, &record.projection) else { return };
+        let Some(room) = &mut self.room else { return };
         room.of_stage.set(&self.zero);
         let Projection { places, moves, rates, changes } = projection;
         for rate in rates[..*changes].iter().rev() {
             let Some(room) = &mut self.room else { continue };
             room.costates.set(&gradient.start.rate);
-            self.pull_back_correction(Level::Velocity, (&places[*moves], rate), step, past, record, gradient);
+            self.pull_back_correction(Level::Velocity, (&places[*moves], rate), clock, stage, gradient);
         }
         for pair in places[..=*moves].windows(2).rev() {
             let ([place, moved], Some(room)) = (pair, &mut self.room) else { continue };
@@ -199,7 +210,7 @@ where
                 let (still, of_step) = ((&self.zero, &self.zero), (&mut room.costates, &mut room.of_rate));
                 moved.transposed_step(place, still, &self.zero, of_step, &mut gradient.start.position);
             }
-            self.pull_back_correction(Level::Place, (place, &rates[0]), step, past, record, gradient);
+            self.pull_back_correction(Level::Place, (place, &rates[0]), clock, stage, gradient);
         }
     }
 
@@ -208,16 +219,13 @@ where
         &mut self,
         level: Level,
         (place, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
-        step: RealOf<S>,
-        past: &MotionOf<S, R, C, P>,
-        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        (time, step): (RealOf<S>, RealOf<S>),
+        (stage, position): (&StageOf<S, R, C, P>, &PositionOf<S, R, C>),
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
-        let (Some(room), time) = (&mut self.room, past.time + step) else { return };
+        let Some(room) = &mut self.room else { return };
         let (elements, tip, ground) = (self.scene.elements(), self.scene.tip(), self.scene.ground(time));
-        let (row, zero) = (M::STAGES - 1, &self.zero);
-        let stage = &record.stages.as_ref()[row];
-        let position = if row == 0 { &past.position } else { &stage.position };
+        let zero = &self.zero;
         // What is missed, and costates of the correction that takes it away.
         let at = Coordinates { position: place, rate, acceleration: zero };
         let frame = missed(elements, ground, at, level, &mut room.missed, &mut room.turns);
@@ -273,7 +281,7 @@ where
             let stores = (&*x, &*y, &*p, &*q, motion, reached, sums, (&mut *of_position, &mut *of_rate));
             let left = elements.take(&mut PullBack { laws: false }, pulled, stores);
             room.of_stage.add(of_position);
-            if const { M::REMEMBERS } {
+            if const { M::IMPLICIT } {
                 let weights = self.rule.own::<S::Scalar>(step);
                 let of_laws = (&mut *of_position, &mut *of_rate);
                 let by_size =

@@ -2,9 +2,7 @@
 
 use crate::element::{self, Springs};
 use crate::error::Fault;
-use crate::relation::{Closures, Open};
 use crate::scalar::{Real, Scalar};
-use crate::sweep::Restored;
 use crate::time::sdirk4::{GAMMA, STAGES, TABLE};
 use crate::time::{Dop853, Dopri5, Explicit, GeneralizedAlpha, Rk4, Sdirk4};
 use core::fmt::Debug;
@@ -24,6 +22,8 @@ pub trait Staged: Copy + Debug {
     const IMPLICIT: bool;
     /// Whether a step depends on what the step before it has left besides positions and rates.
     const REMEMBERS: bool = false;
+    /// Whether geometries of sweeps are put back where something is held or closed.
+    const RESTORES: bool = false;
     /// Values for rows.
     type Rows<X>: AsRef<[X]> + AsMut<[X]>;
     /// How springs enter sweeps.
@@ -54,17 +54,6 @@ pub trait Staged: Copy + Debug {
     }
 }
 
-/// A rule by which costates go backward where the closure forces `C` hold the tip.
-#[diagnostic::on_unimplemented(
-    message = "no gradient of a run by `{Self}` goes backward, or none where a tip is held",
-    label = "not a rule that goes backward, or one that knows free tips alone",
-    note = "`Rk4`, `Dopri5`, `Dop853` and `GeneralizedAlpha` go backward, also where tips are held, and `Sdirk4` where tips are free"
-)]
-pub trait Closing<C: Closures>: Staged {}
-
-impl Closing<Open> for Sdirk4 {}
-impl<C: Closures> Closing<C> for GeneralizedAlpha {}
-
 macro_rules! explicit {
     ($($Rule:ty),*) => {$(
         impl Staged for $Rule {
@@ -91,8 +80,6 @@ macro_rules! explicit {
                 element::Explicit
             }
         }
-
-        impl<C: Closures> Closing<C> for $Rule {}
     )*};
 }
 explicit!(Rk4, Dopri5, Dop853);
@@ -100,8 +87,9 @@ explicit!(Rk4, Dopri5, Dop853);
 impl Staged for Sdirk4 {
     const STAGES: usize = STAGES;
     const IMPLICIT: bool = true;
+    const RESTORES: bool = true;
     type Rows<X> = [X; STAGES + 1];
-    type Springs<T: Scalar> = Restored<T::Real>;
+    type Springs<T: Scalar> = element::Implicit<T::Real>;
 
     fn rows<X: Clone>(value: &X) -> [X; STAGES + 1] {
         core::array::from_fn(|_| value.clone())
@@ -117,9 +105,9 @@ impl Staged for Sdirk4 {
     fn sweeps(&self, row: usize) -> usize {
         self.sweeps + usize::from(row == 0)
     }
-    fn springs<T: Scalar>(&self, _: usize, step: T::Real) -> Restored<T::Real> {
+    fn springs<T: Scalar>(&self, _: usize, step: T::Real) -> element::Implicit<T::Real> {
         let own = T::Real::of(GAMMA) * step;
-        Restored(element::Implicit { position: own * own, rate: own })
+        element::Implicit { position: own * own, rate: own }
     }
     fn own<T: Scalar>(&self, step: T::Real) -> [[T::Real; 2]; 2] {
         let gamma = T::Real::of(GAMMA);

@@ -215,7 +215,7 @@ where
             }
         }
         if const { Self::CLOSED > 0 } {
-            self.project(past, step, record);
+            self.end_projected(past, step, record);
         }
     }
 

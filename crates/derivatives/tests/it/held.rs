@@ -114,6 +114,7 @@ fn pinned() {
     of!(Rk4, 6, 0.02);
     of!(Dop853, 3, 0.05);
     of!(GeneralizedAlpha::new(0.8), 6, 0.02);
+    of!(Sdirk4::new(), 4, 0.02);
 }
 
 /// Rigid bodies, a hinge with a spring and a damper, a weld, an arm and a joint that slides, clamped at both ends.
@@ -160,6 +161,8 @@ fn clamped() {
     }
     of!("clamped", Rk4);
     of!("clamped, generalised-α", GeneralizedAlpha::new(0.8));
+    of!("clamped, SDIRK4", Sdirk4::new());
+    of!("clamped, SDIRK4, one sweep", Sdirk4::new().with_sweeps(1));
     of!("clamped, generalised-α, one sweep", GeneralizedAlpha::new(0.2).with_sweeps(1));
 }
 

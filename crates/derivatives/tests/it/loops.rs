@@ -26,6 +26,7 @@ fn four_bar() {
     of!(Dop853, 3, 0.05);
     of!(GeneralizedAlpha::new(0.8), 6, 0.02);
     of!(GeneralizedAlpha::new(0.8).with_sweeps(3), 6, 0.02);
+    of!(Sdirk4::new(), 4, 0.02);
 }
 
 /// A chain with a window in it, whose loop begins where joints inboard of it could move, too.
@@ -76,6 +77,7 @@ fn nested() {
     of!("in a main arm", Rk4, of_arms(&inner, &plain), |inner, plain| (inner, plain));
     of!("in a side arm", Rk4, of_arms(&plain, &inner), |inner, plain| (plain, inner));
     let alpha = GeneralizedAlpha::new(0.8);
+    of!("in a main arm, SDIRK4", Sdirk4::new(), of_arms(&inner, &plain), |inner, plain| (inner, plain));
     of!("in a side arm, generalised-α", alpha, of_arms(&plain, &inner), |inner, plain| (plain, inner));
 }
 

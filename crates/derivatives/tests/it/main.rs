@@ -9,6 +9,7 @@ mod front_edges;
 mod held;
 mod held_runs;
 mod implicit;
+mod implicit_closed;
 mod implicit_runs;
 mod loop_runs;
 mod loops;
