@@ -12,6 +12,7 @@ use crate::scalar::{Real, Scalar};
 use crate::series::{Expand, Expandable};
 use crate::system::{Elements, SeriesDynamics, System};
 use crate::time::Taylor;
+use core::cmp::Ordering;
 use num_traits::{One, Zero};
 
 /// Steps by [`Taylor`].
@@ -202,7 +203,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
     /// A time (s) up to a size, at which they are at most this large.
     fn turned_less(&self, most: TimeIn<D, L>, size: TimeIn<D, L>) -> TimeIn<D, L> {
         let turned = self.turned(size);
-        if !(turned > most) {
+        if turned.partial_cmp(&most) != Some(Ordering::Greater) {
             return size;
         }
         // They grow at least in proportion to the time.
