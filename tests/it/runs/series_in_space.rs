@@ -143,6 +143,18 @@ fn scenes_move_as_under_dop853() -> Result<(), Error> {
     Ok(())
 }
 
+#[test]
+fn long_chains_move_as_under_dop853() -> Result<(), Error> {
+    let rod = Rod::uniform(0.05, 0.005, 0.05);
+    let chain = System::new(Pinned::origin(), (rod, vec![(Ball, rod); 19]), Free)?.with_gravity(G);
+    let start = chain.at_rest(&[0.0; 60])?;
+    let series = chain.simulate(start.clone(), Taylor::<24>::tolerance(1e-13), 0.1, |_| ())?;
+    let other = chain.simulate(start, Dop853::tolerance(1e-13), 0.1, |_| ())?;
+    println!("twenty rods: {} steps", series.steps);
+    assert!(apart(&series.motion.coordinates(), &other.motion.coordinates()) < 1e-11);
+    Ok(())
+}
+
 /// Coordinates of a step end at half a turn: beyond, they would stand for another attitude. The series of a fast top reaches farther, and so
 /// does that of a rod which a torque turns from rest.
 #[test]

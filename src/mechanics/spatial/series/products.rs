@@ -26,10 +26,10 @@ fn add_each<T: Scalar>(sum: [T; 4], a: [T; 4], b: [T; 4]) -> [T; 4] {
     core::array::from_fn(|i| a[i].mul_add(b[i], sum[i]))
 }
 
-/// The difference, number by number.
+/// `sum` − a b, number by number.
 #[inline(always)]
-fn minus<T: Scalar>(a: [T; 4], b: [T; 4]) -> [T; 4] {
-    core::array::from_fn(|i| a[i] - b[i])
+fn take_each<T: Scalar>(sum: [T; 4], a: [T; 4], b: [T; 4]) -> [T; 4] {
+    core::array::from_fn(|i| (-a[i]).mul_add(b[i], sum[i]))
 }
 
 /// The vector as a row.
@@ -104,28 +104,18 @@ fn spread<T: Scalar>(turned: &[Rows<T>], turning: &[Rows<T>]) -> Rows<T> {
     })
 }
 
-/// Cross products of three vectors side by side with three others, what adds to them and what is taken from them.
+/// `sum` and cross products of three vectors side by side with three others.
 #[inline(always)]
-fn add_cross<T: Scalar>([plus, less]: [Rows<T>; 2], [x, y, z]: &Rows<T>, [u, v, w]: &Rows<T>) -> [Rows<T>; 2] {
-    [
-        [add_each(plus[0], *y, *w), add_each(plus[1], *z, *u), add_each(plus[2], *x, *v)],
-        [add_each(less[0], *z, *v), add_each(less[1], *x, *w), add_each(less[2], *y, *u)],
-    ]
+fn add_cross<T: Scalar>(sum: Rows<T>, [x, y, z]: &Rows<T>, [u, v, w]: &Rows<T>) -> Rows<T> {
+    let [a, b, c] = [add_each(sum[0], *y, *w), add_each(sum[1], *z, *u), add_each(sum[2], *x, *v)];
+    [take_each(a, *z, *v), take_each(b, *x, *w), take_each(c, *y, *u)]
 }
 
-/// Cross products of a vector with three others side by side, likewise.
+/// `sum` and cross products of a vector with three others side by side.
 #[inline(always)]
-fn add_turned<T: Scalar>([plus, less]: [Rows<T>; 2], [x, y, z]: &Rows<T>, [p, q, r]: [T; 3]) -> [Rows<T>; 2] {
-    [
-        [add(plus[0], q, *z), add(plus[1], r, *x), add(plus[2], p, *y)],
-        [add(less[0], r, *y), add(less[1], p, *z), add(less[2], q, *x)],
-    ]
-}
-
-/// The difference of both.
-#[inline(always)]
-fn less<T: Scalar>([plus, less]: [Rows<T>; 2]) -> Rows<T> {
-    core::array::from_fn(|i| minus(plus[i], less[i]))
+fn add_turned<T: Scalar>(sum: Rows<T>, [x, y, z]: &Rows<T>, [p, q, r]: [T; 3]) -> Rows<T> {
+    let [a, b, c] = [add(sum[0], q, *z), add(sum[1], r, *x), add(sum[2], p, *y)];
+    [add(a, -r, *y), add(b, -p, *z), add(c, -q, *x)]
 }
 
 /// Rows by a number of the clock.
@@ -151,12 +141,12 @@ pub fn curl<T: Scalar>(
     (axes, moments): (&Rows<T>, &Rows<T>),
     next: T::Real,
 ) -> [Rows<T>; 2] {
-    let [crossed, turns] = convolve(turned, turning, [[none(); 2]; 2], |[crossed, turns], vectors, forces| {
+    let [crossed, turns] = convolve(turned, turning, [none(); 2], |[crossed, turns], vectors, forces| {
         let [u, v, w] = forces;
         [add_cross(crossed, vectors, forces), add_turned(turns, vectors, [u[3], v[3], w[3]])]
     });
-    let curls = scaled(&less(turns), next);
-    [curls, less(add_cross(crossed, axes, &weighed(none(), &curls, moments)))]
+    let curls = scaled(&turns, next);
+    [curls, add_cross(crossed, axes, &weighed(none(), &curls, moments))]
 }
 
 /// Second derivatives of three vectors that turn, entries as rows, for an angular acceleration, and the forces along each: those that their
@@ -167,7 +157,7 @@ pub fn swing<T: Scalar>(
     angular: Vector3<T>,
     ([some, others], force, other): (&[[T; 4]; 2], Vector3<T>, Vector3<T>),
 ) -> [Rows<T>; 2] {
-    let turned = less(add_turned([*curls, none()], axes, angular.into()));
+    let turned = add_turned(*curls, axes, angular.into());
     let shared = |a: T, b: T| add(add([T::zero(); 4], a, *some), b, *others);
     let forces = [shared(force.x, other.x), shared(force.y, other.y), shared(force.z, other.z)];
     [turned, weighed(forces, &turned, moments)]
