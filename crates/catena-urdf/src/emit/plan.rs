@@ -38,7 +38,7 @@ pub struct Arm {
     pub parts: Vec<Part>,
     /// First joint of the chain; none if it has none, as the base alone.
     pub first: Option<usize>,
-    /// Whether it is an arm in axes of its bodies.
+    /// Whether the arm is in axes of its bodies and not the whole robot.
     in_pairs: bool,
 }
 
