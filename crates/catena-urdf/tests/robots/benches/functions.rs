@@ -77,8 +77,8 @@ fn run(robot: &str, function: &str, times: usize) -> Outcome {
     Ok(())
 }
 
-/// Instructions of a call.
-fn instructions(robot: &str, function: &str) -> Result<usize, Box<dyn Error>> {
+/// Instructions of a call, where valgrind knows them all.
+fn instructions(robot: &str, function: &str) -> Result<Option<usize>, Box<dyn Error>> {
     let mut counts = [0; 2];
     for (count, calls) in counts.iter_mut().zip(CALLS) {
         let output = Command::new("valgrind")
@@ -86,11 +86,14 @@ fn instructions(robot: &str, function: &str) -> Result<usize, Box<dyn Error>> {
             .arg(std::env::current_exe()?)
             .args(["repeat", robot, function, &calls.to_string()])
             .output()?;
+        if !output.status.success() {
+            return Ok(None);
+        }
         let text = String::from_utf8_lossy(&output.stderr).into_owned();
         let counted = text.lines().find_map(|line| line.split("Collected : ").nth(1));
         *count = counted.ok_or("valgrind counted nothing")?.trim().parse()?;
     }
-    Ok((counts[1] - counts[0]) / (CALLS[1] - CALLS[0]))
+    Ok(Some((counts[1] - counts[0]) / (CALLS[1] - CALLS[0])))
 }
 
 fn main() -> Outcome {
@@ -101,7 +104,8 @@ fn main() -> Outcome {
     println!("| function | {} |\n|---|{}", ROBOTS.join(" | "), "---:|".repeat(ROBOTS.len()));
     for function in FUNCTIONS {
         let counts: Result<Vec<_>, _> = ROBOTS.iter().map(|robot| instructions(robot, function)).collect();
-        let cells: Vec<_> = counts?.iter().map(usize::to_string).collect();
+        let cells: Vec<_> =
+            counts?.iter().map(|count| count.map_or("–".to_owned(), |count| count.to_string())).collect();
         println!("| `{function}` | {} |", cells.join(" | "));
     }
     Ok(())
