@@ -10,6 +10,7 @@ mod held;
 mod held_runs;
 mod implicit;
 mod implicit_closed;
+mod implicit_in_space;
 mod implicit_runs;
 mod loop_runs;
 mod loops;
