@@ -27,7 +27,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::{Additive, Closures};
 use crate::scalar::{Real, Scalar};
 use crate::sensitivity::Gradient;
-use crate::shape::{Positions, Shape, Takes};
+use crate::shape::{PerJoint, Positions, Shape, Takes};
 use crate::stepper::displace::displace;
 use crate::system::{Elements, MotionOf, RateOf};
 use crate::walks::strain::Strain;
@@ -45,8 +45,6 @@ pub(super) struct Again<S: Reversed, E: Element<S>, X: Closures> {
     of_free: (E::Rate, E::Rate),
     of_before: E::Rate,
     pub(super) of_predicted: (E::Rate, E::Rate),
-    /// What puts the geometry of a sweep back where something is held or closed.
-    between: Option<Projection<S, E>>,
 }
 
 /// The room of a scene.
@@ -80,6 +78,31 @@ pub(super) fn paired<S: Reversed, E: Element<S>>(
     sum
 }
 
+/// What the springs and dampers of W = M + B K + Γ C do in −w · W x: adds to costates of their numbers; gives that of the size of the step, by
+/// which B and Γ have derivatives.
+pub(super) fn metric<S: Reversed, E: Element<S> + Takes<S, Strain>>(
+    elements: &E,
+    [[in_position, in_rate], by_size]: [[RealOf<S>; 2]; 2],
+    (correction, w): (&E::Rate, &E::Rate),
+    zero: &E::Rate,
+    sums: &mut E::Store<PerJoint<S::OfJoint>>,
+    (of_position, of_rate): (&mut E::Rate, &mut E::Rate),
+) -> S::Scalar {
+    let (mut place, mut rate, mut against) = (elements.store::<Positions>(()), zero.clone(), w.clone());
+    of_position.set(zero);
+    of_rate.set(zero);
+    against.replace(&mut |x| -x);
+    // Laws are linear: their difference from what they do at rest.
+    elements.take(&mut Strain, (), (&place, &rate, &against, &mut *sums, &mut *of_position, &mut *of_rate));
+    let from = place.clone();
+    place.drift_0(&from, (in_position, correction));
+    rate.mix_1(zero, (in_rate, correction));
+    of_position.set(zero);
+    of_rate.set(zero);
+    elements.take(&mut Strain, (), (&place, &rate, w, sums, &mut *of_position, &mut *of_rate));
+    paired::<S, E>(by_size, (of_position, of_rate), correction)
+}
+
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
@@ -91,6 +114,9 @@ where
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     EffortOf<S>: Additive,
 {
+    /// Whether geometries of sweeps are put back.
+    pub(super) const RESTORED: bool = M::RESTORES && Self::CLOSED > 0;
+
     /// Room, made once.
     fn again(&mut self, stage: &StageOf<S, R, C, P>) -> AgainOf<S, R, C, P> {
         self.again.take().unwrap_or_else(|| {
@@ -104,7 +130,6 @@ where
                 of_free: (zero.clone(), zero.clone()),
                 of_before: zero.clone(),
                 of_predicted: (zero.clone(), zero.clone()),
-                between: (M::RESTORES && Self::CLOSED > 0).then(|| Projection::new(self.scene.elements(), zero)),
             }
         })
     }
@@ -139,7 +164,7 @@ where
                 follow::<S, Elements<S, R, C>>(from, own, led.unwrap_or(&self.zero), &self.zero, into);
             }
             let time = past.time + RealOf::<S>::of(node) * step;
-            if let (Some(between), true) = (&mut between, sweep > 0) {
+            if let (true, Some(between), true) = (Self::RESTORED, &mut between, sweep > 0) {
                 between.places[0].clone_from(&stage.position);
                 between.rates[0].set(&stage.rate);
                 self.project(time, stage, between);
@@ -168,8 +193,14 @@ where
         let (slopes, rest) = record.accelerations.as_mut().split_at_mut(row);
         let [slope, ..] = rest else { return };
         let (sweeps, stage) = (self.rule.sweeps(row), &mut record.stages.as_mut()[row]);
-        let Again { free, between, .. } = &mut again;
-        self.sweeps((row, sweeps), past, step, slopes, (free, between.as_mut()), (stage, slope));
+        let mut between = None;
+        if const { Self::RESTORED } {
+            between = self.between.take();
+        }
+        self.sweeps((row, sweeps), past, step, slopes, (&mut again.free, between.as_mut()), (stage, slope));
+        if const { Self::RESTORED } {
+            self.between = between;
+        }
         self.again = Some(again);
     }
 
@@ -192,8 +223,12 @@ where
         }
         again.of_free.0.set(&self.zero);
         again.of_free.1.set(&self.zero);
+        let mut between = None;
+        if const { Self::RESTORED } {
+            between = self.between.take();
+        }
         for sweep in (1..=last).rev() {
-            let Again { free, read, stage, slope, of_free, between, .. } = &mut again;
+            let Again { free, read, stage, slope, of_free, .. } = &mut again;
             // The last sweep is known, but not where it was free.
             let (sweeps, slopes) = (if sweep == last { 0 } else { sweep }, record.accelerations.as_ref());
             let room = (&mut *free, between.as_mut());
@@ -202,7 +237,7 @@ where
             let (stage, slope) = if sweep == last { kept } else { (&*stage, &*slope) };
             if sweep < last {
                 // The geometry of the sweep after this one.
-                if let Some(between) = between {
+                if let Some(between) = &mut between {
                     let Projection { places: [place, ..], rates: [rate, ..], .. } = &mut *between;
                     follow::<S, Elements<S, R, C>>((&free.0, &free.1), own, slope, &self.zero, (place, rate));
                     self.project(time, stage, between);
@@ -234,6 +269,9 @@ where
             if let Some(sum) = &mut self.of_own {
                 *sum += by_own((&*of_position, &*of_rate), slope);
             }
+        }
+        if const { Self::RESTORED } {
+            self.between = between;
         }
         let (of_place, of_speed) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
         if const { M::REMEMBERS } {

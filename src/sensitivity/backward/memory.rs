@@ -43,7 +43,7 @@ struct Weights<R> {
 }
 
 impl<R: Real> Weights<R> {
-    /// Those of a step (s); zeros for a rule without memory.
+    /// The weights in a step (s); zeros for a rule without memory.
     fn of(rule: &impl Staged, step: R) -> Self {
         let none = || [R::zero(); 2];
         let Some(family) = rule.family() else {

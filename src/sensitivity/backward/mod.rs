@@ -148,7 +148,7 @@ use steps::Steps;
 /// | `GeneralizedAlpha`, 2 | | 7.8 | 5.9 | 154 |
 /// | `GeneralizedAlpha`, 20 | | 6.0 | 4.4 | 124 |
 ///
-/// Sweeps before the last of a step or stage are made a third time on the way back. (Times of `GeneralizedAlpha` were not measured.)
+/// Sweeps before the last are made a third time on the way back. (Times of `GeneralizedAlpha` were not measured.)
 ///
 /// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs
 /// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which

@@ -14,7 +14,7 @@
 //! the size of the step, −w · W x has derivatives, too.
 
 use super::held::{Room, add, opposite};
-use super::implicit::paired;
+use super::implicit::metric;
 use super::record::{Record, StageOf};
 use super::rules::Staged;
 use super::steps::Steps;
@@ -26,7 +26,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::{Acceleration, Additive, Closures, Solvable};
 use crate::scalar::{Real, Scalar};
 use crate::sensitivity::Gradient;
-use crate::shape::{PerJoint, Positions, Takes};
+use crate::shape::{Positions, Takes};
 use crate::stepper::displace::displace;
 use crate::system::{Corrections, Elements, MOST_CORRECTIONS, MotionOf, PositionOf, RateOf};
 use crate::walks::look::look;
@@ -36,37 +36,11 @@ use crate::walks::pull_loads::PullLoads;
 use crate::walks::restore::restore;
 use crate::walks::singled::{self, Left, single};
 use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
 use crate::walks::swept::swept;
 use num_traits::Zero;
 
 /// Most positions, or rates, of a projection: before it, and after each correction.
 const PLACES: usize = MOST_CORRECTIONS + 2;
-
-/// What the springs and dampers of W = M + B K + Γ C do in −w · W x: adds to costates of their numbers; gives that of the size of the step, by
-/// which B and Γ have derivatives.
-fn metric<S: Reversed, E: Element<S> + Takes<S, Strain>>(
-    elements: &E,
-    [[in_position, in_rate], by_size]: [[RealOf<S>; 2]; 2],
-    (correction, w): (&E::Rate, &E::Rate),
-    zero: &E::Rate,
-    sums: &mut E::Store<PerJoint<S::OfJoint>>,
-    (of_position, of_rate): (&mut E::Rate, &mut E::Rate),
-) -> S::Scalar {
-    let (mut place, mut rate, mut against) = (elements.store::<Positions>(()), zero.clone(), w.clone());
-    of_position.set(zero);
-    of_rate.set(zero);
-    against.replace(&mut |x| -x);
-    // Laws are linear: their difference from what they do at rest.
-    elements.take(&mut Strain, (), (&place, &rate, &against, &mut *sums, &mut *of_position, &mut *of_rate));
-    let from = place.clone();
-    place.drift_0(&from, (in_position, correction));
-    rate.mix_1(zero, (in_rate, correction));
-    of_position.set(zero);
-    of_rate.set(zero);
-    elements.take(&mut Strain, (), (&place, &rate, w, sums, &mut *of_position, &mut *of_rate));
-    paired::<S, E>(by_size, (of_position, of_rate), correction)
-}
 
 /// The projection at the end of a step.
 #[derive(Clone)]
@@ -185,6 +159,7 @@ where
 
     /// From the costates after a projection to those before it, in a step (s) at a time; those of the stage, which stood at a place, stay in
     /// the room.
+    #[allow(clippy::type_complexity)] // two in one argument
     pub(super) fn pull_back_projection(
         &mut self,
         clock: (RealOf<S>, RealOf<S>),
@@ -215,6 +190,7 @@ where
     }
 
     /// From the costates of a correction, which are in the room, to those of what it depends on.
+    #[allow(clippy::type_complexity)] // two in one argument
     fn pull_back_correction(
         &mut self,
         level: Level,

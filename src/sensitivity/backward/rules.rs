@@ -130,7 +130,7 @@ impl Staged for GeneralizedAlpha {
     fn node(row: usize) -> f64 {
         if row > 0 { 1.0 } else { 0.0 }
     }
-    /// They are the parameters', and stand in [`memory`](super::memory).
+    /// Weights here are the parameters', and stand in [`memory`](super::memory).
     fn weights(row: usize) -> (&'static [f64], &'static [f64]) {
         let none: &[f64] = &[0.0; 2][..row];
         (none, none)

@@ -58,6 +58,8 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     pub(super) of_own: Option<S::Scalar>,
     /// The costate of what the rule remembers.
     pub(super) of_memory: <Elements<S, R, C> as Element<S>>::Rate,
+    /// What puts the geometry of a sweep back where something is held or closed, if a rule does.
+    pub(super) between: Option<Projection<S, Elements<S, R, C>>>,
     /// Room for the sweeps of a stage of an implicit rule.
     pub(super) again: Option<AgainOf<S, R, C, P>>,
     pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
@@ -122,6 +124,7 @@ where
             end: (elements.store::<Positions>(()), zero.clone()),
             of_own: None,
             of_memory: zero.clone(),
+            between: Self::RESTORED.then(|| Projection::new(elements, &zero)),
             again: None,
             sum: zero.clone(),
             zero,
