@@ -75,8 +75,8 @@ impl<'p, P: Sync, F: FnMut(usize) + Send> Ensemble<'p, P, F> {
     /// the tolerance, on its neighbours in the batch, and on nothing else: it is the same in each run. Event functions are refused, for each lane would have its own events: [`run`](Self::run) is for these.
     ///
     /// An error is that of one lane, nobody knows which. Then the runs of the batch are made anew, each alone in all lanes, so that
-    /// errors stand where they belong and stop no other run. Parameters are checked in each lane, but for principal moments of inertia in
-    /// space, which are checked in that of largest magnitude (and all for being finite).
+    /// errors stand where they belong and stop no other run. Parameters are checked in each lane, but for inertia tensors in space, of which
+    /// each entry is checked in the lane where it is largest (and all for being finite).
     ///
     /// ```
     /// # #[cfg(feature = "simd")]

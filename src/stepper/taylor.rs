@@ -243,7 +243,8 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         let inverse = if before > newest + 1.0 { before } else { newest };
         let mut size = TimeIn::<D, L>::of(exp2(log2(tolerance.as_f64()) / self.order as f64 - inverse));
         if D::Position::CURVED {
-            size = self.turned_less(TimeIn::<D, L>::of(TURNED), size);
+            let finite = size.min(TimeIn::<D, L>::of(2.0) / self.turns.0); // a first term of two is beyond in any case
+            size = self.turned_less(TimeIn::<D, L>::of(TURNED), finite);
         }
         self.reached = Some([tolerance, size]);
         size
@@ -264,9 +265,9 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.expand(past, loads)?;
-        if D::Position::CURVED && self.turned(dt) >= TimeIn::<D, L>::of(2.0) {
+        if D::Position::CURVED && self.turned(dt.abs()) >= TimeIn::<D, L>::of(2.0) {
             // Coordinates of the step would stand for another attitude.
-            return Err(Error::new(Fault::NonFiniteMotion));
+            return Err(Error::new(Fault::NonFiniteMotion).at_time((past.time + dt).as_f64()));
         }
         next.time = past.time + dt;
         self.sum(dt, next);

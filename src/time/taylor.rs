@@ -24,7 +24,8 @@ use super::{Control, Rule};
 /// the heap, arrays on the stack, of which builds that are not optimised take many times as much.
 ///
 /// In space steps are also so short that no ball turns by half a turn in one of them, where [coordinates of steps](crate::spatial::Rotation)
-/// end: a fast top takes some four steps a turn. One of a given size that is longer is refused.
+/// end: a fast top takes some four steps a turn. One of a given size that may turn farther, by the sum of the sizes of all terms (from 100° of
+/// a steady turn on), is refused as not finite.
 ///
 /// Orders within three of these cost a tenth more time at most; 12 instead of 24 at 1e-13 costs 60 %. Steps of a given size that are longer
 /// than the series reaches diverge.

@@ -9,8 +9,10 @@ use crate::shape::{
 
 /// Carries G and F inward, sets the costates of positions and rates, and adds to those of parameters.
 pub struct PullBack {
-    /// Whether laws of springs and dampers act, and torques: in corrections by closures nothing does but inertia.
+    /// Whether laws of springs and dampers act here: where springs enter implicitly, they are read elsewhere.
     pub laws: bool,
+    /// Whether torques act: in corrections by closures nothing does but inertia.
+    pub torques: bool,
 }
 
 impl<S: Reversed> Walk<S> for PullBack {
@@ -58,7 +60,7 @@ impl<S: Reversed, K: ReversibleClosing<S>> Around<S, K> for PullBack {
         side: impl FnOnce(&mut Self, S::Pulled) -> S::Pulled,
     ) -> S::Pulled {
         let (weights, axes) = (K::Closures::map(minus_weights, |x| -x), Ends { x, y, p, q });
-        let [on_side, on_main] = closing.pulled(axes, (&weights, forces), self.laws.then_some(pivot), ends, sums);
+        let [on_side, on_main] = closing.pulled(axes, (&weights, forces), self.torques.then_some(pivot), ends, sums);
         let side = side(self, on_side);
         main(self, outer + on_main) + side
     }

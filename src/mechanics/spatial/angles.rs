@@ -94,7 +94,13 @@ fn angles_near<T: Scalar>(a: &Columns<T>, previous: [T; 3]) -> [T; 3] {
 /// An angle changed by whole turns to come nearest to another one.
 fn unwrapped<T: Scalar>(angle: T, near: T) -> T {
     let turn = core::f64::consts::TAU;
-    // Rounded half away from zero by hand, digit by digit: lanes turn by numbers of their own.
+    if !T::LANES {
+        let turns = (near - angle).real().as_f64() / turn;
+        // Rounded half away from zero by hand: without `std` there is no `round`.
+        let turns = (turns + if turns < 0.0 { -0.5 } else { 0.5 }) as i64 as f64;
+        return angle + T::literal(turns * turn);
+    }
+    // Digit by digit: lanes turn by numbers of their own.
     let apart = (near - angle).scale(T::Real::of(1.0 / turn));
     let (mut left, mut turns) = (apart.abs() + T::literal(0.5), T::zero());
     for digit in (0..63).rev().map(|k| T::literal((1_u64 << k) as f64)) {

@@ -120,7 +120,8 @@ pub(super) fn check_axis<T: Scalar>(axis: Vector3<T>) -> Result<(), Fault> {
 /// Rejects directions and quaternions whose length is not one, but for rounding, given its square: those that were read, and those whose
 /// square was too small for all its digits.
 pub(super) fn check_length<T: Scalar>(parameter: &'static str, square: T) -> Result<(), Fault> {
-    let (value, slack) = (square.real().sqrt(), T::Real::EPSILON.sqrt());
+    let worst = if T::LANES { (square - T::one()).real() + T::Real::one() } else { square.real() };
+    let (value, slack) = (worst.sqrt(), T::Real::EPSILON.sqrt());
     if (value - T::Real::one()).abs() <= slack {
         return Ok(());
     }

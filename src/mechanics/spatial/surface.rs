@@ -57,7 +57,8 @@ impl<T: Scalar> Surface<T> for Plane<T> {
         finite("height of a plane", &[self.offset])?;
         finite("normal of a plane", &self.normal)?;
         let normal = Vector3::from(self.normal);
-        let (value, rounding) = (dot(normal, normal).sqrt().real().as_f64(), 1e-6);
+        let (over, rounding) = ((dot(normal, normal).sqrt() - T::one()).real(), 1e-6); // of lanes the worst
+        let value = 1.0 + over.as_f64();
         if (value - 1.0).abs() <= rounding {
             return Ok(());
         }

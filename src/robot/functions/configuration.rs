@@ -156,7 +156,8 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     }
 
     /// Where a step of base and joints leads, as [`difference_afloat`](Self::difference_afloat) has it: exact on the group of rotations, for a
-    /// steady angular velocity over any time. Axes come out orthonormal to rounding, however many steps follow each other.
+    /// steady angular velocity over any time, as far as the digits of its turn (rad) go. Axes come out orthonormal to rounding, however many steps
+    /// follow each other.
     ///
     /// # Errors
     /// As [`forward_dynamics_afloat`](Self::forward_dynamics_afloat).
@@ -169,7 +170,8 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         checked(&base)?;
         finite(of_base)?;
         let [x, y, z, a, b, c] = *of_base;
-        let attitude = Rotation::from_matrix(&base.attitude).after(&Rotation::exp([a, b, c])).normalised();
+        let turned = Rotation::from_matrix(&base.attitude).after(&Rotation::exp([a, b, c]));
+        let attitude = Rotation::from_quaternion(turned.quaternion())?;
         let place = base.place + Vector3::new(x, y, z);
         finite(place.as_slice()).map(|()| (Place { place, attitude: attitude.matrix() }, q))
     }

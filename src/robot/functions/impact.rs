@@ -11,8 +11,10 @@ use nalgebra::Vector3;
 
 /// A one for the joint that strikes a stop.
 fn struck<T: Scalar, const N: usize>(joint: usize, restitution: T) -> Result<[T; N], Error> {
-    let value = restitution.real().as_f64();
-    if !(0.0..=1.0).contains(&value) {
+    // Of lanes any that is not.
+    let (low, high) = (restitution, T::one() - restitution);
+    let each = [low.if_negative(low, T::zero()), high.if_negative(restitution, T::zero()), restitution];
+    if let Some(value) = each.map(|x| x.real().as_f64()).into_iter().find(|x| !(0.0..=1.0).contains(x)) {
         let (parameter, outside) = ("restitution", "a stop would pull, or give energy");
         return Err(Error::new(Fault::OutOfRange { parameter, value, least: 0.0, most: 1.0, outside }));
     }

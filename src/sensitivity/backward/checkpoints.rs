@@ -2,7 +2,7 @@
 
 use super::record::Record;
 use super::rules::Staged;
-use super::steps::TorquesOf;
+use super::steps::{Steps, TorquesOf};
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
@@ -174,6 +174,7 @@ where
                 self.steps.copy_past(state, &mut room.before);
             }
             self.onto_tape(clock, between.clone(), torques, tape);
+            Steps::<S, R, C, P, M, L>::found_again(&states[k + 1], &self.spare)?;
             self.back_from_tape(between, tape, by_torques, &mut gradient, &mut cost)?;
         }
         complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);

@@ -183,7 +183,7 @@ where
         let of_loops = (&self.in_loops, in_loops, &self.at_ends);
         let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots, of_loops);
         let stores = (x, y, p, q, (position, rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
-        let left = elements.take(&mut PullBack { laws }, pulled, stores);
+        let left = elements.take(&mut PullBack { laws, torques: true }, pulled, stores);
         let (gravity, turn) = S::of_ground(&left, &frame);
         (gradient.gravity, gradient.ground) = (gradient.gravity + gravity, gradient.ground + turn);
         if const { L::ON } {

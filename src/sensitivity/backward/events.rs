@@ -39,8 +39,8 @@ where
     EffortOf<S>: Additive,
 {
     /// Cuts the first step of a run in which a function of the motion crosses zero, so that it is zero at the step's end, and gives the
-    /// number of steps up to there; none where it does not cross. The state of this number has no accelerations but zeros; those beyond are
-    /// of no run. Jets and dual numbers have there the derivatives at a fixed time.
+    /// number of steps up to there; none where it does not cross. The state of this number has no accelerations but zeros (by
+    /// `GeneralizedAlpha` what that remembers); those beyond are of no run. Jets and dual numbers have there the derivatives at a fixed time.
     ///
     /// # Errors
     /// [`Fault::Count`] for torques of another number, [`Fault::Shape`] for motions of another scene, [`Fault::NotFinite`] where the function
@@ -149,7 +149,7 @@ where
                 depend_on_time(law, scene.elements(), scene.ground(past.time), motion, &times)
             };
             // What multiplies the time may be zero at either end.
-            let stages = &self.record.stages.as_ref()[usize::from(!M::IMPLICIT)..M::STAGES]; // the first of others is `past`
+            let stages = &self.record.stages.as_ref()[usize::from(!M::IMPLICIT || M::REMEMBERS)..M::STAGES]; // the first of others is `past`
             if depends(&past.position, &past.rate)
                 || depends(&last.position, &last.rate)
                 || stages.iter().any(|stage| depends(&stage.position, &stage.rate))

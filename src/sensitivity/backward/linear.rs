@@ -53,9 +53,9 @@ where
         Ok(())
     }
 
-    /// A step of a size (s), whose end `next` has no accelerations but zeros, with its Jacobians: with x the positions of all n coordinates and then their rates, u the torques in all m joints
-    /// (the root's first) held over the step, A = ∂x′/∂x (2n × 2n) and B = ∂x′/∂u (2n × m), row by row. No torques stand for zeros; a list
-    /// for B may be empty.
+    /// A step of a size (s), whose end `next` has no accelerations but zeros, with its Jacobians: with x the positions of all n coordinates
+    /// and then their rates, u the torques in all m joints (the root's first) held over the step, A = ∂x′/∂x (2n × 2n) and B = ∂x′/∂u (2n × m), row by row. No torques stand for zeros; a list
+    /// for B may be empty. By `GeneralizedAlpha` it is the first of a run: what the rule remembers of steps before is no part of x.
     ///
     /// ```
     /// use catena::planar::*;

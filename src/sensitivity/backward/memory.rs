@@ -52,6 +52,9 @@ impl<R: Real> Weights<R> {
             return Self { first, memory, first_by_size, memory_by_size, change: R::zero(), last: R::zero() };
         };
         let ([kappa, _, of_last], beta, gamma) = (family.recurrence(), family.beta, family.gamma);
+        // A step that is too short for its time remembers what it has.
+        let [change, last] =
+            if step.is_zero() { [R::zero(), R::one()] } else { [R::of(kappa - 1.0) / step, R::of(of_last)] };
         let (u, v) = (R::of(0.5 - beta * kappa), R::of(1.0 - gamma * kappa));
         let (p, r) = (R::of(0.5 - beta + beta * of_last), R::of(1.0 - gamma + gamma * of_last));
         let square = step * step;
@@ -60,8 +63,8 @@ impl<R: Real> Weights<R> {
             memory: [p * square * step, r * square],
             first_by_size: [(u + u) * step, v],
             memory_by_size: [(p + p + p) * square, (r + r) * step],
-            change: R::of(kappa - 1.0) / step,
-            last: R::of(of_last),
+            change,
+            last,
         }
     }
 }
@@ -153,7 +156,12 @@ where
             return Ok(());
         }
         self.end_with_memory(past, next.time - past.time, record, end);
-        if next.has_state(next.time, &end.position, &end.rate) {
+        Self::found_again(next, end)
+    }
+
+    /// Refuses a state that is not where steps of this rule have led.
+    pub(super) fn found_again(next: &MotionOf<S, R, C, P>, end: &MotionOf<S, R, C, P>) -> Result<(), Error> {
+        if !M::REMEMBERS || next.has_state(next.time, &end.position, &end.rate) {
             return Ok(());
         }
         let what = "the gradient of a run by a rule that remembers, from states that another run has left";

@@ -255,7 +255,7 @@ where
             let motion = (position, zero, &*correction, &*solved);
             let sums = (&mut gradient.bodies, &mut gradient.joints);
             let stores = (&*x, &*y, &*p, &*q, motion, reached, sums, (&mut *of_position, &mut *of_rate));
-            let left = elements.take(&mut PullBack { laws: false }, pulled, stores);
+            let left = elements.take(&mut PullBack { laws: false, torques: false }, pulled, stores);
             room.of_stage.add(of_position);
             if const { M::IMPLICIT } {
                 let weights = self.rule.own::<S::Scalar>(step);

@@ -316,10 +316,15 @@ fn faults_are_those_of_other_rules() -> Result<(), Error> {
     let by_series = scene.stepper(Taylor::<12>).step(&start, &Unloaded, 0.01, &mut next);
     let by_sweeps = scene.stepper(Dop853).step(&start, &Unloaded, 0.01, &mut next);
     assert!(by_series.is_err() && by_series == by_sweeps, "{by_series:?}, {by_sweeps:?}");
-    // A step of more than half a turn.
+    // Steps of more than half a turn, also backward.
     let (scene, start) = pendulum!(rod(), [0.0; 3], [100.0, 0.0, 0.0]);
     let mut next = start;
-    let outcome = scene.stepper(Taylor::<12>).step(&start, &Unloaded, 0.04, &mut next);
-    assert!(matches!(outcome.map_err(|error| error.fault), Err(Fault::NonFiniteMotion)));
+    for dt in [0.04, -0.04] {
+        let error = scene.stepper(Taylor::<12>).step(&start, &Unloaded, dt, &mut next).err();
+        assert!(
+            error.is_some_and(|error| error.fault == Fault::NonFiniteMotion && error.time == Some(dt)),
+            "{error:?}"
+        );
+    }
     Ok(())
 }

@@ -82,7 +82,7 @@ macro_rules! events {
     }};
 }
 
-/// `Sdirk4` closes loops sweep by sweep with as many corrections as it takes: their number jumps, and differences up to an event see that.
+/// `Sdirk4` around a loop is not among them: differences up to its event scatter by 1e-6, as if the number of corrections in a sweep jumped.
 #[test]
 fn events() {
     events!(held, HELD, 4, GeneralizedAlpha::new(0.8));

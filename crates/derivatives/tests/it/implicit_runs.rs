@@ -137,6 +137,17 @@ fn states_of_another_run_are_refused() {
     let error = backward.gradient(&[], &states, &mut [], end).err().unwrap();
     assert!(matches!(error.fault, Fault::Unsupported { .. }), "{error:?}");
     assert_eq!(error.time, Some(H * STEPS as f64));
+    let plan = Checkpoints { step: H, steps: STEPS, every: 7 };
+    let (mut few, mut tape) = (vec![start; plan.states()], vec![backward.tape(); STEPS]);
+    backward.run_between(&start, plan, &[], &mut few).unwrap();
+    assert!(backward.gradient_between(plan, &[], &few, &mut tape, &mut [], end).is_ok());
+    scene.backward(Sdirk4::new()).run_between(&start, plan, &[], &mut few).unwrap();
+    let error = backward.gradient_between(plan, &[], &few, &mut tape, &mut [], end).err().unwrap();
+    assert!(matches!(error.fault, Fault::Unsupported { .. }), "{error:?}");
+    // Steps of no size lead nowhere.
+    backward.run(&start, 0.0, 2, &[], &mut states).unwrap();
+    assert_eq!(states[2].coordinates(), start.coordinates());
+    states[2].acceleration().visit(&mut |x| assert!(x.is_finite()));
     // What makes no rule makes no run.
     let error = scene.backward(GeneralizedAlpha::new(1.5)).run(&start, H, STEPS, &[], &mut states).err().unwrap();
     assert!(matches!(error.fault, Fault::OutOfRange { parameter: "rho", .. }), "{error:?}");

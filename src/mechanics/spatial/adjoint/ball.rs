@@ -107,7 +107,7 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Ball {
         outer: Pulled<T>,
         (attitude, .., (.., inner, pivot, _), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
-        let torque = if walk.laws { pivot.torque } else { zero() };
+        let torque = if walk.torques { pivot.torque } else { zero() };
         let turn = cross(torque, inner.stirring);
         *of_position = attitude.transposed(outer.turn - turn).into();
         *of_rate = attitude.transposed(-outer.spin).into();

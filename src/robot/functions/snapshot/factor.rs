@@ -127,10 +127,8 @@ impl<'a, T: Scalar, const N: usize> Floating<'a, T, N> {
         let mut base = Factor::of(base, &CHAIN);
         // What rounding leaves of an inertia is none: a base without a link moves as a joint on it does.
         for (inverse, whole) in base.inverse.iter_mut().zip(whole) {
-            let left = (*inverse * whole).recip().real();
-            if left <= T::Real::EPSILON * T::Real::of(ROUNDINGS) {
-                *inverse = T::zero().recip();
-            }
+            let left = (*inverse * whole).recip() - T::constant(T::Real::EPSILON * T::Real::of(ROUNDINGS));
+            *inverse = left.if_negative(T::zero().recip(), *inverse);
         }
         Self { joints, giving, base }
     }
