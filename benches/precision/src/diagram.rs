@@ -10,7 +10,8 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// Time and sweeps against error, and which line is whose.
 pub fn draw(path: &Path, scene: &Scene) -> Result<(), Box<dyn Error>> {
-    let root = SVGBackend::new(path, (1380, 600)).into_drawing_area();
+    let named = scene.series.iter().filter(|series| series.scalar == "f64").count() as u32;
+    let root = SVGBackend::new(path, (1400, 600.max(90 + 20 * named))).into_drawing_area();
     root.fill(&WHITE)?;
     let (panels, names) = root.split_horizontally(1180);
     let (left, right) = panels.split_horizontally(590);
@@ -20,7 +21,10 @@ pub fn draw(path: &Path, scene: &Scene) -> Result<(), Box<dyn Error>> {
     let mut y = 50;
     for series in scene.series.iter().filter(|series| series.scalar == "f64") {
         let name = series.name();
-        names.draw(&PathElement::new([(4, y + 6), (26, y + 6)], colour(series).stroke_width(2)))?;
+        let parts: &[[i32; 2]] = if series.rival.is_none() { &[[4, 26]] } else { &[[4, 9], [13, 18], [22, 27]] };
+        for [from, to] in parts {
+            names.draw(&PathElement::new([(*from, y + 6), (*to, y + 6)], colour(series).stroke_width(2)))?;
+        }
         names.draw(&Text::new(name.trim_end_matches(" f64").to_owned(), (32, y), font))?;
         y += 20;
     }
@@ -31,10 +35,16 @@ pub fn draw(path: &Path, scene: &Scene) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// One colour a rule; single precision is pale.
+/// One colour a rule, one a library of others, whose rules of lower order are lighter; single precision is pale.
 fn colour(series: &Series) -> RGBAColor {
     let colour = match (series.rival.as_deref().unwrap_or(&series.rule), series.control) {
         ("Pinocchio", _) => RGBColor(0, 158, 115),
+        ("Pinocchio native", _) => RGBColor(0, 95, 70),
+        ("Drake", _) => RGBColor(140, 90, 40),
+        ("Exudyn", _) => RGBColor(235, 120, 110),
+        ("heyoka", _) => RGBColor(20, 40, 200),
+        ("phyz", _) => RGBColor(110, 180, 30),
+        ("ode_solvers by hand", _) => RGBColor(255, 110, 0),
         ("MuJoCo", _) => RGBColor(204, 121, 167),
         ("RK4", _) => RGBColor(0, 0, 0),
         ("DOPRI5", "fixed") => RGBColor(86, 180, 233),
@@ -48,9 +58,17 @@ fn colour(series: &Series) -> RGBAColor {
         ("generalised-alpha", "fixed") => RGBColor(170, 170, 170),
         ("generalised-alpha", _) => RGBColor(100, 100, 100),
         ("SDIRK4", "fixed") => RGBColor(150, 210, 170),
+        ("Auto", _) => RGBColor(30, 30, 90),
         _ => RGBColor(40, 140, 80),
     };
-    colour.mix(if series.scalar == "f32" { 0.25 } else { 1.0 })
+    let lower = series.rival.is_some() && ["RK4", "RK44", "runge_kutta3"].contains(&series.rule.as_str());
+    colour.mix(if series.scalar == "f32" {
+        0.25
+    } else if lower {
+        0.55
+    } else {
+        1.0
+    })
 }
 
 fn panel(area: &Area<'_>, scene: &Scene, work: &str, value: impl Fn(&Point) -> f64) -> Result<(), Box<dyn Error>> {
@@ -75,7 +93,11 @@ fn panel(area: &Area<'_>, scene: &Scene, work: &str, value: impl Fn(&Point) -> f
         let colour = colour(series);
         let points: Vec<(f64, f64)> =
             series.points.iter().filter(&shown).map(|point| (point.error.max(1e-13), value(point))).collect();
-        chart.draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?;
+        if series.rival.is_none() {
+            chart.draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?;
+        } else {
+            chart.draw_series(DashedLineSeries::new(points.clone(), 5, 4, colour.stroke_width(2)))?;
+        }
         chart.draw_series(points.into_iter().map(|point| Circle::new(point, 2, colour.filled())))?;
     }
     Ok(())
