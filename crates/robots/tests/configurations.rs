@@ -64,6 +64,9 @@ fn bases_go_where_differences_lead() -> Result<(), Error> {
     assert!((matrix(&base).transpose() * matrix(&base) - Matrix3::identity()).amax() < ROUNDING);
     let whole = Rotation3::new(Vector3::new(0.011, -0.023, 0.017) * 1e5);
     assert!((matrix(&base) - whole.matrix()).amax() < 1e-10);
+    // A turn whose last digit is a thousandth of a radian leads somewhere, but to an attitude.
+    let (to, _) = scene.integrate_afloat((from, &none.1), (&[0.0, 0.0, 0.0, 1e13, -2e12, 3e12], &none.1))?;
+    assert!((matrix(&to).transpose() * matrix(&to) - Matrix3::identity()).amax() < ROUNDING);
     Ok(())
 }
 

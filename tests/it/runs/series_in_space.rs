@@ -2,19 +2,13 @@
 //!
 //! Coefficients are those of `series_in_space.csv`, whose head says how they were found.
 
+use super::series::{coefficients, hangs_at_odd_quarters};
 use catena::scalar::Jet;
 use catena::spatial::*;
 use catena::{Error, Fault};
 use catena_oracle::{has_order, near};
 
 const G: [f64; 3] = [0.0, 0.0, -9.81];
-
-/// Coefficients of rates in `series_in_space.csv`, one list for each order from 1 on.
-fn expected(scene: &str) -> Vec<Vec<f64>> {
-    let lines = include_str!("series_in_space.csv").lines().skip_while(|line| *line != scene).skip(1);
-    let rows = lines.map_while(|line| line.split(',').map(|x| x.parse().ok()).collect());
-    rows.collect()
-}
 
 fn rod() -> Rod<f64> {
     Rod::uniform(0.5, 0.05, 1.0)
@@ -85,7 +79,7 @@ macro_rules! misses {
         let mut stepper = scene.stepper(Taylor::<$order>);
         let mut next = start.clone();
         stepper.step(start, &$loads, 1e-3, &mut next)?;
-        let expected = expected($name);
+        let expected = coefficients(include_str!("series_in_space.csv"), $name);
         assert_eq!(expected.len(), $order);
         for (k, expected) in expected.iter().enumerate() {
             let mut found = vec![];
@@ -236,10 +230,7 @@ fn events_are_found_on_the_polynomial() -> Result<(), Error> {
             }
         })?;
     println!("{} steps, events at {found:?}, a quarter is {quarter}", run.steps);
-    assert_eq!(found.len(), 4);
-    for (i, time) in found.iter().enumerate() {
-        near(*time, (2 * i + 1) as f64 * quarter, 2e-12);
-    }
+    hangs_at_odd_quarters(&found, quarter);
     Ok(())
 }
 

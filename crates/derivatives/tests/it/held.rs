@@ -10,9 +10,23 @@ pub fn share<T: Scalar<Real = f64>>(step: usize, last: usize, i: usize, q: T, v:
     if step == last { q.scale(weight) + (v * v).scale(0.5) } else { (q * v).scale(0.05 * weight) }
 }
 
-/// A scene from numbers: parameters of kinds, coordinates that are assembled first, rates, torques.
+/// How one number acts in a joint of the plane.
+pub mod torques {
+    pub fn of<T>(torque: T) -> T {
+        torque
+    }
+    pub fn number<T: Copy>(torque: &T) -> T {
+        *torque
+    }
+}
+
+/// A scene from numbers: parameters of kinds, coordinates that are assembled first, rates, a torque in each joint, as a module says how they act.
 macro_rules! gradients {
-    ($name:expr, $kinds:expr, $parameters:expr, $angles:expr, $joints:expr, $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block $(, under $law:expr)?) => {{
+    ($name:expr, $kinds:expr, $parameters:expr, $angles:expr, $joints:expr, $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block $(, under $law:expr)?) => {
+        gradients!(super::held::torques, $name, $kinds, $parameters, $angles, $joints, $method, $steps, $h, |$x| $scene $(, under $law)?)
+    };
+    ($acts:path, $name:expr, $kinds:expr, $parameters:expr, $angles:expr, $joints:expr, $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block $(, under $law:expr)?) => {{
+        use $acts as acts;
         let (mut numbers, angles, joints): (Vec<f64>, Vec<f64>, usize) = ($parameters, $angles, $joints);
         let (parameters, n, steps, h): (usize, usize, usize, f64) = (numbers.len(), angles.len(), $steps, $h);
         macro_rules! scene {
@@ -42,8 +56,9 @@ macro_rules! gradients {
                     let (q, v) = (now.coordinates(), now.rates());
                     sum = (0..n).fold(sum, |sum, i| sum + share(step, steps, i, q[i], v[i]));
                     if step < steps {
-                        let torques = of[parameters + 2 * n + step * joints..][..joints].to_vec();
-                        let loads = Loads::none().torques(torques)$(.on_bodies_by($law))?;
+                        let torques = of[parameters + 2 * n + step * joints..][..joints].iter();
+                        let torques: Vec<_> = torques.map(|torque| acts::of(*torque)).collect();
+                        let loads = Loads::none().efforts(torques)$(.on_bodies_by($law))?;
                         stepper.step(&now, &loads, h, &mut next).unwrap();
                         core::mem::swap(&mut now, &mut next);
                     }
@@ -51,12 +66,12 @@ macro_rules! gradients {
                 sum
             }};
         }
-        let torques = &numbers[parameters + 2 * n..];
-        let (mut states, mut by_torques) = (vec![start.clone(); steps + 1], torques.to_vec());
+        let torques: Vec<_> = numbers[parameters + 2 * n..].iter().map(|torque| acts::of(*torque)).collect();
+        let (mut states, mut by_torques) = (vec![start.clone(); steps + 1], torques.clone());
         let mut backward = system.backward($method)$(.under($law))?;
-        backward.run(&start, h, steps, torques, &mut states).unwrap();
+        backward.run(&start, h, steps, &torques, &mut states).unwrap();
         let gradient = backward
-            .gradient(torques, &states, &mut by_torques, |step, state, by| {
+            .gradient(&torques, &states, &mut by_torques, |step, state, by| {
                 let (q, v) = (state.coordinates(), state.rates());
                 let parts = |k: usize| -> Vec<f64> {
                     (0..n).map(|i| share(step, steps, i, Jet::<f64, 2>::seed(q[i], 0), Jet::seed(v[i], 1)).eps[k]).collect()
@@ -73,7 +88,8 @@ macro_rules! gradients {
         }
         expected.truncate(numbers.len());
         found.truncate(parameters);
-        found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()).chain(by_torques));
+        found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()));
+        found.extend(by_torques.iter().map(acts::number));
         let mut kinds: Vec<(&str, usize)> = $kinds.to_vec();
         kinds.extend([("coordinates", n), ("rates", n), ("torques", steps * joints)]);
         let mut first = 0;
