@@ -5,6 +5,12 @@ use crate::tuples::for_each_tuple;
 use nalgebra::Vector3;
 
 /// A value whose numbers can be replaced by numbers of type `U`.
+#[diagnostic::on_unimplemented(
+    message = "the numbers in `{Self}` cannot be replaced by others, with derivatives say",
+    label = "a value that cannot be lifted",
+    note = "a struct of the user's own can, once it says which its fields are: `catena::lift!(Name {{ field, other }})`",
+    note = "closures cannot, for their numbers are hidden: write a struct that implements the law"
+)]
 pub trait Lift<T: Scalar, U: Scalar> {
     /// This value over `U`.
     type Over;

@@ -8,6 +8,7 @@ use crate::element::Element;
 use crate::ends::Root;
 use crate::error::Error;
 use crate::lift::Lift;
+use crate::mechanics::spatial::adjoint::{BODY, numbers};
 use crate::mechanics::spatial::{Ball, Base, Inertial, OfJoint, PointMass, Revolute, RigidBody, Rod, Spatial, Weld};
 use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};
@@ -34,7 +35,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 
 impl<T: Scalar, const K: usize> Walk<Spatial<Jet<T, K>>> for Along<T, K> {
     type Carried = ();
-    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; 3]>>, Ref<PerJoint<OfJoint<T>>>);
+    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; BODY]>>, Ref<PerJoint<OfJoint<T>>>);
 }
 
 impl<T: Scalar, const K: usize> Selective<Spatial<Jet<T, K>>> for Along<T, K> {
@@ -48,10 +49,11 @@ macro_rules! bodies {
                 &self,
                 walk: &mut Along<T, K>,
                 (): (),
-                (by, by_arm, ()): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>,
+                (by, by_numbers, ()): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>,
             ) {
                 let Base { outboard, moment, inertia, lumped } = self.base();
-                by.outboard.iter().zip(by_arm).zip(outboard).for_each(|((by, more), x)| walk.add(*by + *more, x));
+                by.outboard.iter().zip(by_numbers).zip(outboard).for_each(|((by, more), x)| walk.add(*by + *more, x));
+                by_numbers.iter().zip(numbers(self)).skip(3).for_each(|(by, x)| walk.add(*by, x));
                 by.moment.iter().zip(moment).for_each(|(by, x)| walk.add(*by, x));
                 by.inertia.iter().zip(inertia).for_each(|(by, x)| walk.add(*by, x));
                 walk.add(by.lumped, lumped);
@@ -179,7 +181,7 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
             + Shape<
                 Spatial<Jet<T, K>>,
                 Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>,
-                Store<PerBody<[T; 3]>> = E::Store<PerBody<[T; 3]>>,
+                Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>,
                 Store<PerJoint<OfJoint<T>>> = E::Store<PerJoint<OfJoint<T>>>,
             >,
     {

@@ -1,6 +1,6 @@
 //! Mechanics in space: bodies, joints, ends and motions, as the front page [`spatial`](crate::spatial) shows them.
 
-mod adjoint;
+pub(crate) mod adjoint;
 mod angles;
 mod away;
 pub(crate) mod axial;

@@ -95,7 +95,7 @@ use steps::Steps;
 /// plane. An attitude has three derivatives, by a rotation vector (rad) in axes of its body: costs add theirs in the same numbers, and steps
 /// linearised have their rows and columns so. Rates of balls are angular velocities in axes of the body (rad/s). Torques are
 /// [`Effort`](crate::spatial::Effort)s, in a ball a vector in these axes (of a ball that closes a loop: in axes of the main arm's last body),
-/// in a revolute joint the first number. Directions of axes, attitudes of welds and of the ground at both ends are parameters like all others.
+/// in a revolute joint the first number. Loads on bodies go backward as in the plane. Directions of axes, attitudes of welds and of the ground at both ends are parameters like all others.
 ///
 /// All else is an error of the compiler that names it.
 ///

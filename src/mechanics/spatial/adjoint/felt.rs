@@ -1,36 +1,47 @@
-//! The costate sweep in space: what closures read, places and attitudes of stations, and their velocities.
+//! The costate sweep in space: what closures and loads on bodies read, places and attitudes of stations, and their velocities.
 //!
-//! With X, Y and Ω the costates of the place p, of the velocity v and of the angular velocity of a station, all that lies outboard of a body
-//! reads its arm d by X·(p + d) + Y·(v + ω × d), and Θ is what a turn of all that has been met since the last balls, with its ω, does:
+//! With X, Y, F, Ω and M the costates of the place p, of the velocity v, of the virtual velocity W, of the angular velocity and of the
+//! virtual one of a station, all that lies outboard of a body reads its arm d by X·(p + d) + Y·(v + ω × d) + F·(W + w × d), and Θ is what a
+//! turn of all that has been met since the last balls, with its ω and w, does:
 //!
 //! ```text
-//! Θ ← Θ + d × X + (ω × d) × Y        Ω ← Ω + d × Y        d̄ = X − ω × Y
-//! ball       Ψ̄ = Aᵀ Θ                ω̄ = Aᵀ Ω             then Θ = Ω = 0
-//! revolute   q̄ = s·(Θ − ω × Ω)       q̇⁻ = s·Ω             Θ_I = Θ_O − s × X, of both brackets, with X = −q̇ Ω
+//! Θ ← Θ + d × X + (ω × d) × Y + (w × d) × F        Ω ← Ω + d × Y        M ← M + d × F        d̄ = X − ω × Y − w × F
+//! ball       Ψ̄ = Aᵀ Θ                        ω̄ = Aᵀ Ω             then Θ = Ω = M = 0
+//! revolute   q̄ = s·(Θ − ω × Ω − w × M)       q̇⁻ = s·Ω             Θ_I = Θ_O − s × X, of both brackets, with X = −q̇ Ω − q̇_w M
 //! ```
+//!
+//! Closures read nothing virtual: F and M are those of loads, which [`read`](super::read) adds.
 
+use super::Turning;
+use super::read::{Read, read};
 use super::revolute::of_axis;
 use crate::adjoint::laws::ReversibleLaw;
-use crate::mechanics::spatial::{Ball, PointMass, Revolute, RigidBody, Rod, Spatial, Weld, Wrench};
+use crate::lift::Lift;
+use crate::loading::{Load, LoadLaw};
+use crate::mechanics::spatial::{Ball, BodyMotion, PointMass, Revolute, RigidBody, Rod, Spatial, Weld, Wrench};
+use crate::relation::Additive;
 use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot, zero};
-use crate::relation::{Absent, Additive};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::pull_loads::PullLoads;
 use core::ops::Add;
 use nalgebra::Vector3;
 
-/// Costates of a station, by what closures read outboard of it.
+/// Costates of a station, by what closures and loads read outboard of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Felt<T> {
     /// X, of its place.
     pub(super) place: Vector3<T>,
     /// Y, of its velocity.
     pub(super) velocity: Vector3<T>,
-    /// Θ, of turns of all that has been met since the last balls, with its ω.
+    /// F, of its virtual velocity.
+    pub(super) stirring: Vector3<T>,
+    /// Θ, of turns of all that has been met since the last balls, with its ω and w.
     pub(super) turn: Vector3<T>,
     /// Ω, of its angular velocity.
     pub(super) spin: Vector3<T>,
+    /// M, of its w.
+    pub(super) torque: Vector3<T>,
 }
 
 impl<T: Scalar> Felt<T> {
@@ -38,13 +49,19 @@ impl<T: Scalar> Felt<T> {
     #[inline(always)]
     pub(super) fn at(of_place: Wrench<T>, of_velocity: Wrench<T>, spin: Vector3<T>) -> Self {
         let turn = cross_onto(spin, of_velocity.torque, of_place.torque);
-        Self { place: of_place.force, velocity: of_velocity.force, turn, spin: of_velocity.torque }
+        Self { place: of_place.force, velocity: of_velocity.force, turn, spin: of_velocity.torque, ..Self::null() }
     }
     /// The costate of a turn of all that has been met since the last balls, where the body on the inboard side turns with ω as it does: a
     /// rotation vector, inertial axes.
     #[inline(always)]
     pub(super) fn turned(&self, spin: Vector3<T>) -> Vector3<T> {
         self.turn - cross(spin, self.spin)
+    }
+    /// The same under a law `L` of loads, where the body on the inboard side has the w of its own, too.
+    #[inline(always)]
+    fn turned_under<L: LoadLaw<BodyMotion<T>>>(&self, met: &Turning<T>) -> Vector3<T> {
+        let turned = self.turned(met.spin);
+        if const { L::ON } { turned - cross(met.stirring, self.torque) } else { turned }
     }
 }
 
@@ -54,79 +71,106 @@ impl<T: Scalar> Add for Felt<T> {
         Self {
             place: self.place + other.place,
             velocity: self.velocity + other.velocity,
+            stirring: self.stirring + other.stirring,
             turn: self.turn + other.turn,
             spin: self.spin + other.spin,
+            torque: self.torque + other.torque,
         }
     }
 }
 
 impl<T: Scalar> Additive for Felt<T> {
     fn null() -> Self {
-        Self { place: zero(), velocity: zero(), turn: zero(), spin: zero() }
+        let none = zero();
+        Self { place: none, velocity: none, stirring: none, turn: none, spin: none, torque: none }
     }
 }
 
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
-        impl<T: Scalar> Takes<Spatial<T>, PullLoads<Absent, T>> for $Body<T> {
+        impl<T: Scalar, L> Takes<Spatial<T>, PullLoads<L, T>> for $Body<T>
+        where
+            L: LoadLaw<BodyMotion<T>>
+                + Lift<T, Read<T>, Over: LoadLaw<BodyMotion<Read<T>>, Value: Load<Spatial<Read<T>>>>>,
+        {
             fn take(
                 &self,
-                _: &mut PullLoads<Absent, T>,
+                walk: &mut PullLoads<L, T>,
                 outer: Felt<T>,
-                (_, _, &arm, _, _, ((frame, _), ..), (sums, ()), _): Of<'_, Spatial<T>, PullLoads<Absent, T>, Self>,
+                (_, _, &arm, _, _, ((frame, _), met, ..), (sums, ()), _): Of<'_, Spatial<T>, PullLoads<L, T>, Self>,
             ) -> Felt<T> {
-                let (Felt { place, velocity, turn, spin: of_spin }, spin) = (outer, frame.turn.spin);
-                let of_arm = frame.turn.attitude.transposed(place - cross(spin, velocity));
+                let Felt { place, velocity, stirring, turn, spin: of_spin, torque } = outer;
+                let spin = frame.turn.spin;
+                let of_arm = place - cross(spin, velocity);
+                let swept = cross_onto(cross(spin, arm), velocity, turn);
+                let felt = Felt { spin: cross_onto(arm, velocity, of_spin), ..outer };
+                if const { !L::ON } {
+                    let of_arm = frame.turn.attitude.transposed(of_arm);
+                    sums.iter_mut().zip(of_arm.iter()).for_each(|(sum, more)| *sum += *more);
+                    return Felt { turn: cross_onto(arm, place, swept), ..felt };
+                }
+                walk.body = walk.body.saturating_sub(1);
+                let (w, moved) = (met.turning.stirring, cross(met.turning.stirring, arm));
+                let of_arm = frame.turn.attitude.transposed(of_arm - cross(w, stirring));
                 sums.iter_mut().zip(of_arm.iter()).for_each(|(sum, more)| *sum += *more);
-                let turn = cross_onto(arm, place, cross_onto(cross(spin, arm), velocity, turn));
-                Felt { turn, spin: cross_onto(arm, velocity, of_spin), ..outer }
+                let more = read(self, frame, (met.velocity - moved, &met.turning), walk, sums);
+                Felt {
+                    place: place + more.place,
+                    velocity: velocity + more.velocity,
+                    stirring: stirring + more.load.force,
+                    turn: more.turn + cross_onto(arm, place, cross_onto(moved, stirring, swept)),
+                    spin: felt.spin + more.spin,
+                    torque: cross_onto(arm, stirring, torque + more.load.torque),
+                }
             }
         }
     )*};
 }
 bodies!(Rod, RigidBody, PointMass);
 
-impl<T: Scalar> Takes<Spatial<T>, PullLoads<Absent, T>> for Ball {
+impl<T: Scalar, L: LoadLaw<BodyMotion<T>>> Takes<Spatial<T>, PullLoads<L, T>> for Ball {
     fn take(
         &self,
-        _: &mut PullLoads<Absent, T>,
+        _: &mut PullLoads<L, T>,
         outer: Felt<T>,
-        (attitude, .., (of_position, of_rate)): Of<'_, Spatial<T>, PullLoads<Absent, T>, Self>,
+        (attitude, .., (of_position, of_rate)): Of<'_, Spatial<T>, PullLoads<L, T>, Self>,
     ) -> Felt<T> {
         *of_position = attitude.transposed_onto(outer.turn, Vector3::from(*of_position)).into();
         *of_rate = attitude.transposed_onto(outer.spin, Vector3::from(*of_rate)).into();
-        Felt { turn: zero(), spin: zero(), ..outer }
+        Felt { turn: zero(), spin: zero(), torque: zero(), ..outer }
     }
 }
 
-impl<T: Scalar> Takes<Spatial<T>, PullLoads<Absent, T>> for Weld<T> {
+impl<T: Scalar, L: LoadLaw<BodyMotion<T>>> Takes<Spatial<T>, PullLoads<L, T>> for Weld<T> {
     fn take(
         &self,
-        _: &mut PullLoads<Absent, T>,
+        _: &mut PullLoads<L, T>,
         outer: Felt<T>,
-        (attitude, .., (.., kept, _), (_, sums), _): Of<'_, Spatial<T>, PullLoads<Absent, T>, Self>,
+        (attitude, .., (.., kept, _), (_, sums), _): Of<'_, Spatial<T>, PullLoads<L, T>, Self>,
     ) -> Felt<T> {
-        sums.turn = attitude.transposed_onto(outer.turned(kept.spin), sums.turn);
+        sums.turn = attitude.transposed_onto(outer.turned_under::<L>(kept), sums.turn);
         outer
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullLoads<Absent, T>> for Revolute<T, L> {
+impl<T: Scalar, L: LoadLaw<BodyMotion<T>>, R: ReversibleLaw<T>> Takes<Spatial<T>, PullLoads<L, T>> for Revolute<T, R> {
     fn take(
         &self,
-        _: &mut PullLoads<Absent, T>,
+        _: &mut PullLoads<L, T>,
         outer: Felt<T>,
-        (axes, .., (_, rate, _), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
+        (axes, .., (_, rate, own), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
             '_,
             Spatial<T>,
-            PullLoads<Absent, T>,
+            PullLoads<L, T>,
             Self,
         >,
     ) -> Felt<T> {
-        let turned = outer.turned(kept.spin);
+        let turned = outer.turned_under::<L>(kept);
         *of_position += dot(axes.x, turned);
         *of_rate += dot(axes.x, outer.spin);
-        of_axis(axes, turned, add_scaled(zero(), -*rate, outer.spin), &mut sums.turn);
+        let x = add_scaled(zero(), -*rate, outer.spin);
+        let x = if const { L::ON } { add_scaled(x, -*own, outer.torque) } else { x };
+        of_axis(axes, turned, x, &mut sums.turn);
         outer
     }
 }

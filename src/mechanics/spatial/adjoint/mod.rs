@@ -7,6 +7,7 @@ mod felt;
 mod inertial;
 mod loads;
 mod loops;
+mod read;
 mod revolute;
 mod weld;
 
@@ -14,6 +15,7 @@ pub use inertial::{Base, Inertial};
 
 use ends::TIP;
 pub(crate) use felt::Felt;
+pub(crate) use read::{BODY, numbers};
 
 use crate::adjoint::laws::NUMBERS;
 use crate::adjoint::{self, Kind, Reversed};
@@ -159,8 +161,7 @@ impl<T: Scalar> Reversed for Spatial<T> {
     type OfBody = Base<T>;
     type OfJoint = OfJoint<T>;
     type Felt = Felt<T>;
-    /// The outboard end, body axes.
-    type OfNumbers = [T; 3];
+    type OfNumbers = [T; BODY];
     type OfTip = [T; TIP];
     type Poses = Orient;
 
@@ -220,8 +221,8 @@ impl<T: Scalar> Reversed for Spatial<T> {
     fn of_place(felt: &Felt<T>, frame: &Frame<T>) -> (Vector3<T>, Vector3<T>) {
         (felt.place, frame.turn.attitude.transposed(felt.turned(frame.turn.spin)))
     }
-    fn of_nothing() -> (Base<T>, [T; 3], OfJoint<T>) {
-        (Base::null(), [T::zero(); 3], OfJoint { turn: zero(), law: [T::zero(); NUMBERS] })
+    fn of_nothing() -> (Base<T>, [T; BODY], OfJoint<T>) {
+        (Base::null(), [T::zero(); BODY], OfJoint { turn: zero(), law: [T::zero(); NUMBERS] })
     }
     fn no_tip() -> [T; TIP] {
         [T::zero(); TIP]

@@ -46,10 +46,25 @@ fn weights(step: usize, last: usize) -> impl Iterator<Item = f64> {
 }
 
 /// A scene from numbers, run by fixed steps, as plain numbers backward and over jets by the rule itself: the gradient of a cost by all
-/// numbers. The scene's constructor takes each from `$number`, by its place in the list: parameters, then displacements from angles, rates,
-/// and torques, three a joint.
+/// numbers. The scene's constructor takes each from `$number`, by its place in the list: parameters, the last of them those of a law of
+/// loads if there is one, then displacements from angles, rates, and torques, three a joint.
 macro_rules! gradients {
-    ($name:expr, $kinds:expr, $parameters:expr, $balls:expr, $joints:expr, $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block) => {{
+    ($name:expr, $kinds:expr, $parameters:expr, $balls:expr, $joints:expr, $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block) => {
+        gradients!(
+            $name,
+            $kinds,
+            $parameters,
+            $balls,
+            $joints,
+            $method,
+            $steps,
+            $h,
+            |$x| $scene,
+            under(0, |_none| { Absent })
+        )
+    };
+    ($name:expr, $kinds:expr, $parameters:expr, $balls:expr, $joints:expr, $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block,
+     under ($of_law:expr, |$y:ident| $law:block)) => {{
         let (mut numbers, steps, h, joints): (Vec<f64>, usize, f64, usize) = ($parameters, $steps, $h, $joints);
         let balls: &[bool] = &$balls;
         let (parameters, n) = (numbers.len(), balls.iter().map(|ball| if *ball { 3 } else { 1 }).sum::<usize>());
@@ -92,12 +107,19 @@ macro_rules! gradients {
                     type N = $N;
                     $scene
                 };
+                let law = {
+                    #[allow(dead_code)] // not each law names it
+                    type N = $N;
+                    let $y = |k: usize| -> N { of[k] };
+                    $law
+                };
                 let (mut now, torques) = start!($N, system, of);
                 let (mut next, mut stepper, mut sum) = (now.clone(), system.stepper($method), <$N>::constant(0.0));
                 for step in 0..=steps {
                     sum += share(step, steps, &now.coordinates(), &now.rates());
                     if step < steps {
-                        let loads = Loads::none().efforts(torques[step * joints..][..joints].to_vec());
+                        let efforts = torques[step * joints..][..joints].to_vec();
+                        let loads = Loads::none().efforts(efforts).on_bodies_by(law);
                         stepper.step(&now, &loads, h, &mut next).unwrap();
                         core::mem::swap(&mut now, &mut next);
                     }
@@ -115,7 +137,13 @@ macro_rules! gradients {
         let (start, torques) = start!(f64, system, numbers);
         let mut states = vec![start.clone(); steps + 1];
         let mut by_torques = vec![Effort([0.0; 3]); torques.len()];
-        let mut backward = system.backward($method);
+        let law = {
+            #[allow(dead_code)] // not each law names it
+            type N = f64;
+            let $y = |k: usize| -> N { numbers[k] };
+            $law
+        };
+        let mut backward = system.backward($method).under(law);
         backward.run(&start, h, steps, &torques, &mut states).unwrap();
         let mut total = 0.0;
         let gradient = backward
@@ -143,7 +171,8 @@ macro_rules! gradients {
             found.extend(gradient.along(&system).unwrap());
         }
         expected.truncate(numbers.len());
-        found.truncate(parameters);
+        found.truncate(parameters - $of_law);
+        found.extend(gradient.by_loads().unwrap());
         found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()));
         found.extend(by_torques.iter().flat_map(|torque| torque.0));
         alike($name, &kinds, &found, &expected, ROUNDING);
@@ -315,4 +344,5 @@ fn revolutes_about_a_ball_have_the_gradients_of_jets() {
 // Behind the macro, which it uses.
 mod held;
 mod implicit;
+mod loads;
 mod loops;

@@ -1,0 +1,99 @@
+//! The costate sweep in space: what a load on a body reads.
+//!
+//! A load f, m about the inboard end I takes W_I·f + w·m from the virtual power P. Its derivatives by what it reads come from jets of just
+//! these: the place p and the velocity v of I, turns of the body's axes and its ω, the numbers of the body and those of its own law.
+
+use super::Turning;
+use crate::lift::Lift;
+use crate::loading::{Load, LoadLaw};
+use crate::mechanics::spatial::body::Body;
+use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn, Wrench};
+use crate::relation::spatial::algebra::{Columns, cross_onto, dot, zero};
+use crate::scalar::{Jet, Scalar};
+use crate::walks::pull_loads::{LAW, PullLoads};
+use nalgebra::Vector3;
+
+/// Place, velocity, turn, angular velocity.
+const MOTION: usize = 12;
+/// The numbers of a body that loads read: outboard end, mass, mass centre and inertia tensor about it, body axes.
+pub(crate) const BODY: usize = 16;
+/// What a load may read.
+const READ: usize = MOTION + BODY + LAW;
+/// A number with derivatives by all that.
+pub(super) type Read<T> = Jet<T, READ>;
+
+/// The numbers of a body that loads read.
+pub(crate) fn numbers<T: Scalar>(body: &impl Body<T>) -> [T; BODY] {
+    let ([x, y, z], Inertia { mass, centre: [a, b, c], about_centre: [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] }) =
+        (body.outboard(), body.inertia());
+    [x, y, z, mass, a, b, c, xx, xy, xz, yx, yy, yz, zx, zy, zz]
+}
+
+/// A vector whose components are seeds.
+fn seeds<T: Scalar>(v: Vector3<T>, first: usize) -> Vector3<Read<T>> {
+    Vector3::new(Read::seed(v.x, first), Read::seed(v.y, first + 1), Read::seed(v.z, first + 2))
+}
+
+/// Axes that turn: δθ × c of each column c.
+fn turning<T: Scalar>(attitude: &Columns<T>, first: usize) -> Columns<Read<T>> {
+    let column = |c: Vector3<T>| {
+        let entry = |value: T, slopes: [T; 3]| {
+            let mut jet = Read::of(value);
+            jet.eps[first..].iter_mut().zip(slopes).for_each(|(slope, x)| *slope = x);
+            jet
+        };
+        let o = T::zero();
+        Vector3::new(entry(c.x, [o, c.z, -c.y]), entry(c.y, [-c.z, o, c.x]), entry(c.z, [c.y, -c.x, o]))
+    };
+    Columns { x: column(attitude.x), y: column(attitude.y), z: column(attitude.z) }
+}
+
+/// What W_I·f + w·m changes by.
+pub(super) struct OfLoad<T> {
+    pub(super) load: Wrench<T>,
+    pub(super) place: Vector3<T>,
+    pub(super) velocity: Vector3<T>,
+    /// With turns of the body, its ω and its w.
+    pub(super) turn: Vector3<T>,
+    pub(super) spin: Vector3<T>,
+}
+
+/// Reads the load on the body that has been met last, weighed by the virtual velocity W of its inboard end and by its w; adds to costates
+/// of numbers.
+pub(super) fn read<T, L>(
+    body: &impl Body<T>,
+    frame: &Frame<T>,
+    (weight, met): (Vector3<T>, &Turning<T>),
+    walk: &mut PullLoads<L, T>,
+    sums: &mut [T; BODY],
+) -> OfLoad<T>
+where
+    T: Scalar,
+    L: Lift<T, Read<T>, Over: LoadLaw<BodyMotion<Read<T>>, Value: Load<Spatial<Read<T>>>>>,
+{
+    let mut seed = MOTION + BODY;
+    let law = walk.law.lift(&mut |number| {
+        seed += 1;
+        Read::seed(number, seed - 1)
+    });
+    let turn = Turn { attitude: turning(&frame.turn.attitude, 6), spin: seeds(frame.turn.spin, 9) };
+    let acceleration = Acceleration { linear: zero(), angular: zero() };
+    let inboard = Frame { place: seeds(frame.place, 0), velocity: seeds(frame.velocity, 3), acceleration, turn };
+    let mut k = MOTION;
+    let [x, y, z, mass, a, b, c, xx, xy, xz, yx, yy, yz, zx, zy, zz] = numbers(body).map(|number| {
+        k += 1;
+        Read::seed(number, k - 1)
+    });
+    let turned = |x, y, z| turn.attitude.apply(Vector3::new(x, y, z));
+    let inertia = Inertia { mass, centre: [a, b, c], about_centre: [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] };
+    let motion = BodyMotion { inboard, arm: turned(x, y, z), to_centre: turned(a, b, c), inertia };
+    let Wrench { force, torque } = law.at(walk.time, walk.body, &motion).wrench();
+    let slope = |k: usize| dot(weight, force.map(|x| x.eps[k])) + dot(met.stirring, torque.map(|x| x.eps[k]));
+    let three = |first: usize| Vector3::new(slope(first), slope(first + 1), slope(first + 2));
+    sums.iter_mut().zip(MOTION..).for_each(|(sum, k)| *sum += slope(k));
+    walk.of_law.1 = seed - MOTION - BODY;
+    walk.of_law.0.iter_mut().zip(MOTION + BODY..).for_each(|(sum, k)| *sum += slope(k));
+    let (load, spin) = (Wrench { force: force.map(|x| x.re), torque: torque.map(|x| x.re) }, three(9));
+    let turn = cross_onto(frame.turn.spin, spin, cross_onto(met.stirring, load.torque, three(6)));
+    OfLoad { load, place: three(0), velocity: three(3), turn, spin }
+}
