@@ -46,6 +46,16 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         self.met += 1;
     }
 
+    /// Adds what a joint with two laws does: each has half of the numbers.
+    pub(super) fn add_two(&mut self, laws: (&impl Lift<Jet<T, K>, T>, &impl Lift<Jet<T, K>, T>), by: &[T; NUMBERS]) {
+        let (one, other) = by.split_at(NUMBERS / 2);
+        let before = core::mem::take(&mut self.most);
+        self.add_joint(laws.0, one);
+        self.add_joint(laws.1, other);
+        self.met -= 1;
+        self.most = before.max(if self.most > NUMBERS / 2 { self.most + NUMBERS / 2 } else { 0 });
+    }
+
     /// Adds what a tip does, number by number.
     pub(super) fn add_tip(&mut self, by: &[T], numbers: &[Jet<T, K>]) {
         by.iter().zip(numbers).for_each(|(costate, number)| self.add(*costate, *number));

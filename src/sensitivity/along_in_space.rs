@@ -9,7 +9,11 @@ use crate::ends::Root;
 use crate::error::Error;
 use crate::lift::Lift;
 use crate::mechanics::spatial::adjoint::{BODY, numbers};
-use crate::mechanics::spatial::{Ball, Base, Inertial, OfJoint, PointMass, Revolute, RigidBody, Rod, Spatial, Weld};
+use crate::mechanics::spatial::axial::{Axial, aside};
+use crate::mechanics::spatial::{
+    Ball, Base, Cylindrical, Inertial, OfJoint, PointMass, Prismatic, Revolute, RigidBody, Rod, Spatial, Universal,
+    Weld,
+};
 use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{
@@ -28,6 +32,17 @@ fn turn<T: Scalar, const K: usize>(attitude: &Columns<Jet<T, K>>) -> Vector3<Jet
 }
 
 impl<T: Scalar, const K: usize> Along<T, K> {
+    /// Adds what an axis does, whose costates are by turns along the column beside it, and across that.
+    fn add_axis(&mut self, axis: Vector3<Jet<T, K>>, [by_aside, by_across]: [T; 2]) {
+        let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
+        let (own, Columns { x, y, .. }) = (still(axis), Columns::identity());
+        let aside = aside(axis, x, y);
+        let across = cross(own, aside);
+        let turned = cross(own, axis) * dot(across, across).recip();
+        self.add(by_aside, dot(turned, aside));
+        self.add(by_across, dot(turned, across));
+    }
+
     fn add_vector(&mut self, costate: Vector3<T>, parameter: Vector3<Jet<T, K>>) {
         (0..3).for_each(|i| self.add(costate[i], parameter[i]));
     }
@@ -96,22 +111,52 @@ where
     /// An axis that turns takes what lies outboard with it, but for the turn about it: there and, on the other side, back.
     fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
         let (axis, law) = self.parts();
-        let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
-        let (own, Columns { x, y, .. }) = (still(axis), Columns::identity());
-        let aside = self.aside(x, y);
-        let across = cross(own, aside);
-        let turned = cross(own, axis) * dot(across, across).recip();
-        walk.add(by.turn.x, dot(turned, aside));
-        walk.add(by.turn.y, dot(turned, across));
+        walk.add_axis(axis, [by.turn.x, by.turn.y]);
         walk.add_joint(law, &by.law);
     }
 }
 
+impl<T: Scalar, const K: usize, L> Numbered<T, K> for Prismatic<Jet<T, K>, L>
+where
+    L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+{
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
+        walk.add_axis(self.axis(), [by.turn.x, by.turn.y]);
+        walk.add(by.more[0], Axial::lumped(self));
+        walk.add_joint(self.law(), &by.law);
+    }
+}
+
+impl<T: Scalar, const K: usize, L, M> Numbered<T, K> for Cylindrical<Jet<T, K>, L, M>
+where
+    L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    M: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+{
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
+        walk.add_axis(self.axis(), [by.turn.x, by.turn.y]);
+        walk.add(by.more[0], Axial::lumped(self));
+        walk.add_two(self.laws(), &by.law);
+    }
+}
+
+impl<T: Scalar, const K: usize, L, M> Numbered<T, K> for Universal<Jet<T, K>, L, M>
+where
+    L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    M: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+{
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
+        let [first, second] = self.axes();
+        walk.add_axis(first, [by.turn.x, by.turn.y]);
+        walk.add_axis(second, by.more);
+        walk.add_two(self.laws(), &by.law);
+    }
+}
+
 macro_rules! joints {
-    ($([$($L:ident)?] $Joint:ty),*) => {$(
-        impl<T: Scalar, const K: usize $(, $L)?> Takes<Spatial<Jet<T, K>>, Along<T, K>> for $Joint
+    ($([$($L:ident)*] $Joint:ty),*) => {$(
+        impl<T: Scalar, const K: usize $(, $L)*> Takes<Spatial<Jet<T, K>>, Along<T, K>> for $Joint
         where
-            $($L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,)?
+            $($L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,)*
         {
             fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
                 self.add_to(walk, by);
@@ -119,7 +164,8 @@ macro_rules! joints {
         }
     )*};
 }
-joints!([] Ball, [] Weld<Jet<T, K>>, [L] Revolute<Jet<T, K>, L>);
+joints!([] Ball, [] Weld<Jet<T, K>>, [L] Revolute<Jet<T, K>, L>, [L] Prismatic<Jet<T, K>, L>);
+joints!([L M] Cylindrical<Jet<T, K>, L, M>, [L M] Universal<Jet<T, K>, L, M>);
 
 impl<T: Scalar, J: Closing<Spatial<Jet<T, K>>> + Numbered<T, K>, const K: usize> Around<Spatial<Jet<T, K>>, J>
     for Along<T, K>

@@ -94,6 +94,12 @@ pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
     fn verify(&self) -> Result<(), Fault>;
 }
 
+/// Which of a body's own axes is not along another: the first one, or the second.
+#[inline(always)]
+pub(crate) fn aside<T: Scalar, X>(axis: Vector3<T>, first: X, second: X) -> X {
+    if axis.x.real().abs() < T::Real::of(0.6) { first } else { second }
+}
+
 /// A direction with length one; one without length stays so, for [`check_axis`] to find.
 pub(super) fn unit<T: Scalar>(axis: [T; 3]) -> Vector3<T> {
     let axis = Vector3::from(squarable(axis));

@@ -47,6 +47,18 @@ impl<T: Scalar> Cylindrical<T> {
     }
 }
 
+impl<T: Scalar, L, M> Cylindrical<T, L, M> {
+    /// The axis, a unit vector in body axes.
+    pub(crate) fn axis(&self) -> Vector3<T> {
+        self.axis
+    }
+
+    /// Springs and dampers along the axis and about it.
+    pub(crate) fn laws(&self) -> (&L, &M) {
+        (&self.along, &self.about)
+    }
+}
+
 impl<T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>> Axial<T, 2> for Cylindrical<T, L, M> {
     type Coordinates = [T; 2];
     const WAYS: [Way; 2] = [Way::Slide, Way::Turn];

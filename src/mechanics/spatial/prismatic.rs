@@ -46,6 +46,18 @@ impl<T: Scalar> Prismatic<T> {
     }
 }
 
+impl<T: Scalar, L> Prismatic<T, L> {
+    /// The axis, a unit vector in body axes.
+    pub(crate) fn axis(&self) -> Vector3<T> {
+        self.axis
+    }
+
+    /// The spring or damper.
+    pub(crate) fn law(&self) -> &L {
+        &self.law
+    }
+}
+
 impl<T: Scalar, L: SpringLaw<T>> Axial<T, 1> for Prismatic<T, L> {
     type Coordinates = T;
     const WAYS: [Way; 1] = [Way::Slide];

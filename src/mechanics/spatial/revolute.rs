@@ -1,14 +1,14 @@
 //! The revolute joint.
 
 use super::Turn;
-use super::axial::{Axial, Relative, check_axis, unit};
+use super::axial::{Axial, Relative, aside, check_axis, unit};
 use super::maps::about;
 use crate::element::Implicit;
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::zero;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use crate::spring::{Spring, SpringLaw};
 use nalgebra::Vector3;
 
@@ -59,8 +59,8 @@ impl<T: Scalar> Revolute<T> {
 impl<T: Scalar, L> Revolute<T, L> {
     /// Which of the body's own axes is not along that of the joint: the first one, or the second.
     #[inline(always)]
-    pub(crate) fn aside<X>(&self, first: X, second: X) -> X {
-        if self.axis.x.real().abs() < T::Real::of(0.6) { first } else { second }
+    pub(super) fn aside<X>(&self, first: X, second: X) -> X {
+        aside(self.axis, first, second)
     }
 
     /// The axis, and the spring or damper.

@@ -42,6 +42,18 @@ impl<T: Scalar> Universal<T> {
     }
 }
 
+impl<T: Scalar, L, M> Universal<T, L, M> {
+    /// The axes, unit vectors in body axes.
+    pub(crate) fn axes(&self) -> [Vector3<T>; 2] {
+        self.axes
+    }
+
+    /// Springs and dampers about the first and the second axis.
+    pub(crate) fn laws(&self) -> (&L, &M) {
+        (&self.first, &self.second)
+    }
+}
+
 impl<T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>> Axial<T, 2> for Universal<T, L, M> {
     type Coordinates = [T; 2];
     const WAYS: [Way; 2] = [Way::Turn, Way::Turn];

@@ -88,14 +88,15 @@ use steps::Steps;
 /// A = a; the motions that it keeps hold (A − a) / h, by the size h of the step before (m/s³ or rad/s³), in the place of accelerations, without
 /// which there is no gradient of it: states that another rule or `simulate` has left are refused. A step linearised is the first of a run.
 ///
-/// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`
-/// with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom)), composed in the same ways, also
+/// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`,
+/// `Prismatic`, `Cylindrical` and `Universal` with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom); where
+/// there are two laws, each of three numbers or less), composed in the same ways, also
 /// in loops that a `Ball`, a `Weld` or a `Revolute` closes, from a `Pinned`, `Clamped` or `Hinged` root that does not move to tips that are
 /// free, or `Pinned`, `Clamped` or `Hinged` at a place that does not move; of projections and initial coordinates holds what was said of the
 /// plane. An attitude has three derivatives, by a rotation vector (rad) in axes of its body: costs add theirs in the same numbers, and steps
 /// linearised have their rows and columns so. Rates of balls are angular velocities in axes of the body (rad/s). Torques are
 /// [`Effort`](crate::spatial::Effort)s, in a ball a vector in these axes (of a ball that closes a loop: in axes of the main arm's last body),
-/// in a revolute joint the first number. Loads on bodies go backward as in the plane. Directions of axes, attitudes of welds and of the ground at both ends are parameters like all others.
+/// in other joints one number for each coordinate. Loads on bodies go backward as in the plane. Directions of axes, attitudes of welds and of the ground at both ends are parameters like all others.
 ///
 /// All else is an error of the compiler that names it.
 ///

@@ -93,7 +93,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Ball {
         let stirring = Gain { free: Vector3::from(*free), ..*gain }.angular(velocity, &walk.forces);
         *free = attitude.transposed(stirring).into();
         torque.0 = attitude.transposed_onto(stirring - inner.stirring, Vector3::from(torque.0)).into();
-        *kept = inner;
+        kept.turning = inner;
         let [spin, acceleration] = [rate, acceleration].map(|list| attitude.apply(Vector3::from(*list)));
         Stirred { velocity, turning: Turning { spin, acceleration, stirring } }
     }
@@ -108,7 +108,7 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Ball {
         (attitude, .., (.., inner, pivot, _), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
         let torque = if walk.torques { pivot.torque } else { zero() };
-        let turn = cross(torque, inner.stirring);
+        let turn = cross(torque, inner.turning.stirring);
         *of_position = attitude.transposed(outer.turn - turn).into();
         *of_rate = attitude.transposed(-outer.spin).into();
         Pulled { turn, torque, angular: zero(), spin: zero(), ..outer }

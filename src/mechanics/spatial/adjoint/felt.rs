@@ -59,7 +59,7 @@ impl<T: Scalar> Felt<T> {
     }
     /// The same under a law `L` of loads, where the body on the inboard side has the w of its own, too.
     #[inline(always)]
-    fn turned_under<L: LoadLaw<BodyMotion<T>>>(&self, met: &Turning<T>) -> Vector3<T> {
+    pub(super) fn turned_under<L: LoadLaw<BodyMotion<T>>>(&self, met: &Turning<T>) -> Vector3<T> {
         let turned = self.turned(met.spin);
         if const { L::ON } { turned - cross(met.stirring, self.torque) } else { turned }
     }
@@ -148,7 +148,7 @@ impl<T: Scalar, L: LoadLaw<BodyMotion<T>>> Takes<Spatial<T>, PullLoads<L, T>> fo
         outer: Felt<T>,
         (attitude, .., (.., kept, _), (_, sums), _): Of<'_, Spatial<T>, PullLoads<L, T>, Self>,
     ) -> Felt<T> {
-        sums.turn = attitude.transposed_onto(outer.turned_under::<L>(kept), sums.turn);
+        sums.turn = attitude.transposed_onto(outer.turned_under::<L>(&kept.turning), sums.turn);
         outer
     }
 }
@@ -165,7 +165,7 @@ impl<T: Scalar, L: LoadLaw<BodyMotion<T>>, R: ReversibleLaw<T>> Takes<Spatial<T>
             Self,
         >,
     ) -> Felt<T> {
-        let turned = outer.turned_under::<L>(kept);
+        let turned = outer.turned_under::<L>(&kept.turning);
         *of_position += dot(axes.x, turned);
         *of_rate += dot(axes.x, outer.spin);
         let x = add_scaled(zero(), -*rate, outer.spin);

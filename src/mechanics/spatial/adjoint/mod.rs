@@ -1,5 +1,6 @@
 //! The costate sweep in space: what is carried and kept.
 
+mod axial;
 mod ball;
 mod bodies;
 mod ends;
@@ -9,6 +10,7 @@ mod loads;
 mod loops;
 mod read;
 mod revolute;
+mod steps;
 mod weld;
 
 pub use inertial::{Base, Inertial};
@@ -82,6 +84,15 @@ pub struct OnBody<T> {
     turning: Turning<T>,
 }
 
+/// What the outward walk keeps of a joint.
+#[derive(Clone, Copy, Debug)]
+pub struct InJoint<T> {
+    /// Virtual velocity of its outboard point, where points slide apart.
+    velocity: Vector3<T>,
+    /// Of the outboard body; of a ball that of the inboard one.
+    turning: Turning<T>,
+}
+
 /// What is carried inward: what P changes by with the motion of the station, and with attitudes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pulled<T> {
@@ -135,19 +146,21 @@ impl<T: Scalar> Additive for Pulled<T> {
 /// What a sweep keeps of an elimination for costates.
 #[derive(Clone, Copy, Debug)]
 pub struct Pivot<T> {
-    /// The inverse of a ball's pivot; of a revolute joint's as a number.
+    /// The inverse of a ball's pivot; of a joint's first coordinate as a number.
     factor: Factor3<T>,
-    /// The torque in a ball, or in a joint that closes a loop (N·m), inertial axes.
+    /// The torque in a ball, or in a joint that closes a loop (N·m), inertial axes; of a joint's second coordinate the inverse, as its x.
     torque: Vector3<T>,
 }
 
 /// Costates of the parameters of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OfJoint<T> {
-    /// By turns of the joint's axes: of a weld the rotation vector in axes of the outboard body, of a revolute joint two numbers, see
+    /// By turns of the joint's axes: of a weld the rotation vector in axes of the outboard body, of all others two numbers, see
     /// [`revolute`].
     pub(crate) turn: Vector3<T>,
-    /// The numbers of its law.
+    /// By turns of a second axis; where points slide apart by the mass at the outboard one.
+    pub(crate) more: [T; 2],
+    /// The numbers of its law; of two laws three each.
     pub(crate) law: [T; NUMBERS],
 }
 
@@ -155,7 +168,7 @@ impl<T: Scalar> Reversed for Spatial<T> {
     type Pivot = Pivot<T>;
     type Stirred = Stirred<T>;
     type OnBody = OnBody<T>;
-    type InJoint = Turning<T>;
+    type InJoint = InJoint<T>;
     type AtEnds = [Turning<T>; 2];
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
@@ -189,9 +202,9 @@ impl<T: Scalar> Reversed for Spatial<T> {
         let turning = Turning { spin: frame.turn.spin, acceleration: angular, stirring: zero() };
         Stirred { velocity: zero(), turning }
     }
-    fn untouched() -> (OnBody<T>, Turning<T>, [Turning<T>; 2]) {
-        let none = Turning::none();
-        (OnBody { velocity: zero(), turning: none }, none, [none; 2])
+    fn untouched() -> (OnBody<T>, InJoint<T>, [Turning<T>; 2]) {
+        let turning = Turning::none();
+        (OnBody { velocity: zero(), turning }, InJoint { velocity: zero(), turning }, [turning; 2])
     }
     fn at_ends(side: &Stirred<T>, main: &Stirred<T>) -> [Turning<T>; 2] {
         [side.turning, main.turning]
@@ -205,9 +218,8 @@ impl<T: Scalar> Reversed for Spatial<T> {
     fn of_body(kept: &OnBody<T>) -> Vector3<T> {
         kept.velocity
     }
-    /// Both points of a joint are one.
-    fn of_joint(_: &Turning<T>) -> Vector3<T> {
-        zero()
+    fn of_joint(kept: &InJoint<T>) -> Vector3<T> {
+        kept.velocity
     }
     /// ν · A − λ · W does not turn with the body: Θ takes away what α × H + w × M would be of it.
     fn pulled((weight, a): (Wrench<T>, &Acceleration<T>), (force, w): (Wrench<T>, &Acceleration<T>)) -> Pulled<T> {
@@ -222,7 +234,7 @@ impl<T: Scalar> Reversed for Spatial<T> {
         (felt.place, frame.turn.attitude.transposed(felt.turned(frame.turn.spin)))
     }
     fn of_nothing() -> (Base<T>, [T; BODY], OfJoint<T>) {
-        (Base::null(), [T::zero(); BODY], OfJoint { turn: zero(), law: [T::zero(); NUMBERS] })
+        (Base::null(), [T::zero(); BODY], OfJoint { turn: zero(), more: [T::zero(); 2], law: [T::zero(); NUMBERS] })
     }
     fn no_tip() -> [T; TIP] {
         [T::zero(); TIP]

@@ -132,7 +132,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Stir<T, C>> 
             acceleration: add_scaled(inner.acceleration + bias[1], *acceleration, axis),
             stirring: add_scaled(inner.stirring, own, axis),
         };
-        *kept = turning;
+        kept.turning = turning;
         Stirred { velocity, turning }
     }
 }
@@ -151,7 +151,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T,
         >,
     ) -> Pulled<T> {
         let axis = axes.x;
-        let (turning, turned) = (*kept, outer.turned(*kept));
+        let (turning, turned) = (kept.turning, outer.turned(kept.turning));
         let of_law = if walk.laws { self.law.pull_back(*angle, *rate, *own, &mut sums.law) } else { [T::zero(); 2] };
         let [of_angle, of_speed] = of_law;
         *of_position = of_angle + dot(axis, turned);

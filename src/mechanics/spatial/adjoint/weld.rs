@@ -36,7 +36,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Weld<T> {
         inner: Stirred<T>,
         (.., ((), kept, _), _): Of<'_, Spatial<T>, Stir<T, C>, Self>,
     ) -> Stirred<T> {
-        *kept = inner.turning;
+        kept.turning = inner.turning;
         inner
     }
 }
@@ -50,7 +50,7 @@ impl<T: Scalar> Takes<Spatial<T>, PullBack> for Weld<T> {
         outer: Pulled<T>,
         (attitude, .., (.., kept, _, _), (_, sums), _): Of<'_, Spatial<T>, PullBack, Self>,
     ) -> Pulled<T> {
-        sums.turn = attitude.transposed_onto(outer.turned(*kept), sums.turn);
+        sums.turn = attitude.transposed_onto(outer.turned(kept.turning), sums.turn);
         outer
     }
 }

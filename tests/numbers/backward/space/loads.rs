@@ -5,10 +5,10 @@ use catena::Real;
 use catena::loading::LoadLaw;
 use catena::nalgebra::Vector3;
 
-/// Drag at the outboard ends of all bodies, −c |v| v, a field that pulls every second one, by its mass, to a point, and a torque that brakes
+/// Drag at the outboard ends of all bodies, −c √(v² + 0.01) v, a field that pulls every second one, by its mass, to a point, and a torque that brakes
 /// turning, −b ω² L of the angular momentum L, and slackens with time.
 #[derive(Clone, Copy, Debug)]
-struct Medium<T> {
+pub(super) struct Medium<T> {
     drag: T,
     pull: T,
     anchor: [T; 3],
@@ -21,7 +21,7 @@ impl<T: Scalar> LoadLaw<BodyMotion<T>> for Medium<T> {
 
     fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
         let v = motion.outboard().velocity;
-        let drag = v * -(self.drag * v.dot(&v).sqrt());
+        let drag = v * -(self.drag * (v.dot(&v) + T::literal(0.01)).sqrt());
         let field = match body % 2 {
             0 => v * T::zero(),
             _ => (motion.centre().place - Vector3::from(self.anchor)) * -(self.pull * motion.inertia.mass),
@@ -34,11 +34,11 @@ impl<T: Scalar> LoadLaw<BodyMotion<T>> for Medium<T> {
 }
 
 /// Numbers of a medium.
-const MEDIUM: [f64; 6] = [0.4, 3.0, 0.5, 0.8, -0.3, 0.2];
+pub(super) const MEDIUM: [f64; 6] = [0.4, 3.0, 0.5, 0.8, -0.3, 0.2];
 
 impl<T: Scalar> Medium<T> {
     /// From numbers after the first.
-    fn of(number: impl Fn(usize) -> T, first: usize) -> Self {
+    pub(super) fn of(number: impl Fn(usize) -> T, first: usize) -> Self {
         let at = |k: usize| number(first + k);
         Self { drag: at(0), pull: at(1), anchor: [at(2), at(3), at(4)], brake: at(5) }
     }

@@ -76,7 +76,14 @@ macro_rules! gradients {
             type N = f64;
             let $x = |k: usize| -> N { numbers[k] };
             let system = $scene;
-            let guess = system.with_rates(system.at_rest(&angles).unwrap(), &rates).unwrap();
+            // Slides are no angles, and begin where they are put.
+            let turns = (0..=n).rev().find_map(|turns| system.at_rest(&angles[..turns]).ok()).unwrap();
+            let mut guess = system.with_rates(turns, &rates).unwrap();
+            if system.at_rest(&angles).is_err() {
+                let mut step = guess.rate().clone();
+                Rate::<f64>::replace(&mut step, &mut |x| 0.3 * x);
+                Position::<f64>::displace(guess.position_mut(), &step);
+            }
             system.assembled(guess, &Unloaded).unwrap()
         };
         numbers.extend((0..n).map(|_| 0.0));
@@ -344,5 +351,6 @@ fn revolutes_about_a_ball_have_the_gradients_of_jets() {
 // Behind the macro, which it uses.
 mod held;
 mod implicit;
+mod joints;
 mod loads;
 mod loops;
