@@ -135,7 +135,7 @@ pub trait Reversible<S: Reversed, C: Closures, By: Springs<S::Scalar>>:
     + Takes<S, Meet<S::Scalar, C>>
     + Takes<S, Stir<S::Scalar, C>>
     + Takes<S, PullBack>
-    + Takes<S, Strain>
+    + Takes<S, Strain<S::Scalar>>
 {
 }
 
@@ -147,7 +147,7 @@ impl<S: Reversed, C: Closures, By: Springs<S::Scalar>, E> Reversible<S, C, By> f
         + Takes<S, Meet<S::Scalar, C>>
         + Takes<S, Stir<S::Scalar, C>>
         + Takes<S, PullBack>
-        + Takes<S, Strain>
+        + Takes<S, Strain<S::Scalar>>
 {
 }
 

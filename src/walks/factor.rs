@@ -28,13 +28,13 @@ impl<C, By> Factor<C, By> {
 
 impl<S: Reversed, C: Closures, By: Springs<S::Scalar>> Walk<S> for Factor<C, By> {
     type Carried = Outboard<S, C>;
-    /// Posture; positions and rates of joints for springs; torques; what is kept.
+    /// Posture; positions and rates of joints for springs, and where the last sweep has led, by which acceleration; torques; what is kept.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
         Ref<PerAxes<S::P>>,
         Ref<PerAxes<S::Q>>,
-        (Ref<Positions>, Ref<Rates>),
+        (Ref<Positions>, Ref<Rates>, (Ref<Positions>, Ref<Rates>, Ref<Rates>)),
         Ref<PerJoint<EffortOf<S>>>,
         Mut<Kept<C>>,
         Mut<PerJoint<S::Pivot>>,

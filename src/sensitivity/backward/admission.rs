@@ -2,6 +2,7 @@
 
 use super::Backward;
 use super::rules::Staged;
+use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, Unloaded};
 use crate::ends::Resting;
@@ -56,6 +57,15 @@ where
     /// Refuses lists of torques of another length, parameters that make no rule, and a law of loads that does not fit the scene.
     pub(super) fn admits(&self, steps: usize, given: usize) -> Result<(), Error> {
         self.method.fault().map_or(Ok(()), |fault| Err(Error::new(fault)))?;
+        // Where such laws were read stands in the stage, but for a prediction.
+        if Steps::<S, R, C, P, M, L>::FOLLOWS
+            && M::REMEMBERS
+            && System::<S, R, C, P>::CLOSED > 0
+            && self.method.sweeps(1) < 2
+        {
+            let what = "the gradient of a run by one sweep a step where something is closed and laws are not linear";
+            return Err(Error::new(Fault::Unsupported { what }));
+        }
         let (bodies, joints) = (self.steps.scene.elements().bodies(), self.steps.scene.joints());
         self.steps.loads.law.check(bodies).map_err(Error::new)?;
         if given == 0 || given == joints { Ok(()) } else { counted(steps.saturating_mul(joints), given) }

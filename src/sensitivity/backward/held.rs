@@ -43,6 +43,8 @@ pub(super) struct Room<S: Reversed, E: Element<S>> {
     pub(super) of_rate: E::Rate,
     /// Costates of the positions of the last stage, by which the end of the step was put back.
     pub(super) of_stage: E::Rate,
+    /// Costates of its rates, which laws that are not linear read.
+    pub(super) of_speed: E::Rate,
     pub(super) on_bodies: E::Store<PerBody<S::OnBody>>,
     pub(super) in_joints: E::Store<PerJoint<S::InJoint>>,
     pub(super) at_ends: E::Store<PerLoop<S::AtEnds>>,
@@ -117,6 +119,7 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
             of_position: zero.clone(),
             of_rate: zero.clone(),
             of_stage: zero.clone(),
+            of_speed: zero.clone(),
             zero,
             on_bodies: elements.store::<PerBody<_>>(on_body),
             in_joints: elements.store::<PerJoint<_>>(in_joint),

@@ -11,97 +11,36 @@
 //! and, as B = (γ h)² and Γ = γ h, the costate of the size h takes 2 γ² h Q + γ V, times x, of laws, and times x of the sweep before, of the
 //! geometry.
 //!
+//! A law that is not linear is read where the sweep before has led, at q′ and v′ by its acceleration a′, and that is where the geometry is taken:
+//!
+//! ```text
+//! τ = f(q′, v′) + K̂ (a′ − x)        F = w ∂/∂(q′, v′) [f + K̂ (a′ − x)], to Q_g, V_g        x̄ of the sweep before ← K̂ w more
+//! ```
+//!
+//! with K̂ = B k + Γ c by the law's slopes there, so that F has second derivatives. A prediction without accelerations is geometry alone: such laws
+//! are read at free then.
+//!
 //! The geometry of a stage's first sweep follows the stage before, that of a step's the motion at its start; of a rule that
 //! [remembers](super::memory) it is a prediction without accelerations. Where something is held or closed, that of each further sweep may be
 //! put back by the one before it ([`projection`](super::projection)). Sweeps before the last of a stage are made once more on the way back.
 
+use super::again::{Again, AgainOf, follow, paired};
 use super::projection::Projection;
-use super::record::{Place, Record, Stage, StageOf};
+use super::record::{Place, Record, StageOf};
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
-use crate::ends::{Resting, Tip};
+use crate::ends::Resting;
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::{Additive, Closures};
-use crate::scalar::{Real, Scalar};
+use crate::relation::Additive;
+use crate::scalar::Real;
 use crate::sensitivity::Gradient;
-use crate::shape::{PerJoint, Positions, Shape, Takes};
+use crate::shape::{Positions, Shape, Takes};
 use crate::stepper::displace::displace;
 use crate::system::{Elements, MotionOf, RateOf};
 use crate::walks::strain::Strain;
-use num_traits::Zero;
-
-/// Room for the sweeps of a stage.
-pub(super) struct Again<S: Reversed, E: Element<S>, X: Closures> {
-    /// Positions and rates without the acceleration sought, and where laws are read.
-    pub(super) free: (E::Position, E::Rate),
-    read: (E::Position, E::Rate),
-    /// A sweep, and what it has found.
-    stage: Stage<S, E, X>,
-    slope: E::Rate,
-    /// Costates of `free`; of the acceleration from which the geometry of the next stage set out; of the geometry that was predicted.
-    of_free: (E::Rate, E::Rate),
-    of_before: E::Rate,
-    pub(super) of_predicted: (E::Rate, E::Rate),
-}
-
-/// The room of a scene.
-pub(super) type AgainOf<S, R, C, P> = Again<S, Elements<S, R, C>, <P as Tip<S>>::Closures>;
-
-/// Where accelerations lead.
-pub(super) fn follow<S: Reversed, E: Element<S>>(
-    (position, rate): (&E::Position, &E::Rate),
-    [of_position, of_rate]: [RealOf<S>; 2],
-    acceleration: &E::Rate,
-    zero: &E::Rate,
-    into: (&mut E::Position, &mut E::Rate),
-) {
-    into.0.drift_1(position, (RealOf::<S>::zero(), zero), (of_position, acceleration));
-    into.1.mix_1(rate, (of_rate, acceleration));
-}
-
-/// Σ of costates of positions and rates, times an acceleration with a weight in each.
-pub(super) fn paired<S: Reversed, E: Element<S>>(
-    [in_position, in_rate]: [RealOf<S>; 2],
-    (of_position, of_rate): (&E::Rate, &E::Rate),
-    acceleration: &E::Rate,
-) -> S::Scalar {
-    let mut sum = S::Scalar::zero();
-    for (costate, factor) in [(of_position, in_position), (of_rate, in_rate)] {
-        costate.all(acceleration, &mut |costate, acceleration| {
-            sum += (costate * acceleration).scale(factor);
-            true
-        });
-    }
-    sum
-}
-
-/// What the springs and dampers of W = M + B K + Γ C do in −w · W x: adds to costates of their numbers; gives that of the size of the step, by
-/// which B and Γ have derivatives.
-pub(super) fn metric<S: Reversed, E: Element<S> + Takes<S, Strain>>(
-    elements: &E,
-    [[in_position, in_rate], by_size]: [[RealOf<S>; 2]; 2],
-    (correction, w): (&E::Rate, &E::Rate),
-    zero: &E::Rate,
-    sums: &mut E::Store<PerJoint<S::OfJoint>>,
-    (of_position, of_rate): (&mut E::Rate, &mut E::Rate),
-) -> S::Scalar {
-    let (mut place, mut rate, mut against) = (elements.store::<Positions>(()), zero.clone(), w.clone());
-    of_position.set(zero);
-    of_rate.set(zero);
-    against.replace(&mut |x| -x);
-    // Laws are linear: their difference from what they do at rest.
-    elements.take(&mut Strain, (), (&place, &rate, &against, &mut *sums, &mut *of_position, &mut *of_rate));
-    let from = place.clone();
-    place.drift_0(&from, (in_position, correction));
-    rate.mix_1(zero, (in_rate, correction));
-    of_position.set(zero);
-    of_rate.set(zero);
-    elements.take(&mut Strain, (), (&place, &rate, w, sums, &mut *of_position, &mut *of_rate));
-    paired::<S, E>(by_size, (of_position, of_rate), correction)
-}
 
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
@@ -116,22 +55,12 @@ where
 {
     /// Whether geometries of sweeps are put back.
     pub(super) const RESTORED: bool = M::RESTORES && Self::CLOSED > 0;
+    /// Whether laws are read where the last sweep has led.
+    pub(super) const FOLLOWS: bool = M::IMPLICIT && !<Elements<S, R, C> as Shape<S>>::LINEAR;
 
     /// Room, made once.
     fn again(&mut self, stage: &StageOf<S, R, C, P>) -> AgainOf<S, R, C, P> {
-        self.again.take().unwrap_or_else(|| {
-            let (place, zero) = (self.scene.elements().store::<Positions>(()), &self.zero);
-            let motion = (place, zero.clone());
-            Again {
-                free: motion.clone(),
-                read: motion,
-                stage: stage.clone(),
-                slope: zero.clone(),
-                of_free: (zero.clone(), zero.clone()),
-                of_before: zero.clone(),
-                of_predicted: (zero.clone(), zero.clone()),
-            }
-        })
+        self.again.take().unwrap_or_else(|| Again::new(self.scene.elements().store::<Positions>(()), &self.zero, stage))
     }
 
     /// Sweeps of a stage up to one of them, which stands in `stage` and `slope`.
@@ -142,7 +71,11 @@ where
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
         slopes: &[RateOf<S, R, C>],
-        (free, mut between): (&mut Place<S, R, C>, Option<&mut Projection<S, Elements<S, R, C>>>),
+        (free, led, mut between): (
+            &mut Place<S, R, C>,
+            &mut RateOf<S, R, C>,
+            Option<&mut Projection<S, Elements<S, R, C>>>,
+        ),
         (stage, slope): (&mut StageOf<S, R, C, P>, &mut RateOf<S, R, C>),
     ) {
         let (springs, node) = (self.rule.springs::<S::Scalar>(row, step), M::node(row));
@@ -154,14 +87,20 @@ where
             displace(past, slopes, node, M::weights(row), step, sums, (&mut free.0, &mut free.1));
         }
         for sweep in 0..sweeps {
-            if M::REMEMBERS && sweep == 0 {
+            // A prediction without accelerations, or where they lead.
+            let predicted = M::REMEMBERS && sweep == 0;
+            let before = || row.checked_sub(1).and_then(|before| slopes.get(before));
+            let by = if sweep > 0 { Some(&*slope) } else { before() };
+            let by = by.filter(|_| !predicted).unwrap_or(&self.zero);
+            if Self::FOLLOWS {
+                led.set(by);
+            }
+            if predicted {
                 stage.position.drift_0(&past.position, (step, &past.rate));
                 stage.rate.set(&past.rate);
             } else {
-                let before = || row.checked_sub(1).and_then(|before| slopes.get(before));
-                let led = if sweep > 0 { Some(&*slope) } else { before() };
                 let (from, into) = ((&free.0, &free.1), (&mut stage.position, &mut stage.rate));
-                follow::<S, Elements<S, R, C>>(from, own, led.unwrap_or(&self.zero), &self.zero, into);
+                follow::<S, Elements<S, R, C>>(from, own, by, &self.zero, into);
             }
             let time = past.time + RealOf::<S>::of(node) * step;
             if let (true, Some(between), true) = (Self::RESTORED, &mut between, sweep > 0) {
@@ -171,7 +110,7 @@ where
                 stage.position.clone_from(between.place());
                 stage.rate.set(between.rate());
             }
-            self.sweep(None, Some(&*free), springs, time, stage, slope);
+            self.sweep(None, Some((&*free, &*led, predicted)), springs, time, stage, slope);
         }
     }
 
@@ -197,7 +136,14 @@ where
         if const { Self::RESTORED } {
             between = self.between.take();
         }
-        self.sweeps((row, sweeps), past, step, slopes, (&mut again.free, between.as_mut()), (stage, slope));
+        self.sweeps(
+            (row, sweeps),
+            past,
+            step,
+            slopes,
+            (&mut again.free, &mut again.led, between.as_mut()),
+            (stage, slope),
+        );
         if const { Self::RESTORED } {
             self.between = between;
         }
@@ -214,7 +160,7 @@ where
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let (last, [own, by_size]) = (self.rule.sweeps(row), self.rule.own::<S::Scalar>(step));
-        let [in_position, in_rate] = own;
+        let ([in_position, in_rate], one) = (own, RealOf::<S>::of(1.0));
         let by_own = |of: (&_, &_), slope: &_| paired::<S, Elements<S, R, C>>(by_size, of, slope);
         let time = past.time + RealOf::<S>::of(M::node(row)) * step;
         let mut again = self.again(&record.stages.as_ref()[row]);
@@ -228,10 +174,11 @@ where
             between = self.between.take();
         }
         for sweep in (1..=last).rev() {
-            let Again { free, read, stage, slope, of_free, .. } = &mut again;
-            // The last sweep is known, but not where it was free.
-            let (sweeps, slopes) = (if sweep == last { 0 } else { sweep }, record.accelerations.as_ref());
-            let room = (&mut *free, between.as_mut());
+            let Again { free, read, stage, slope, of_free, led, of_read, of_led, .. } = &mut again;
+            // The last sweep is known, but not where it was free, nor what led there.
+            let known = sweep == last && !Self::FOLLOWS;
+            let (sweeps, slopes) = (if known { 0 } else { sweep }, record.accelerations.as_ref());
+            let room = (&mut *free, &mut *led, between.as_mut());
             self.sweeps((row, sweeps), past, step, slopes, room, (&mut *stage, &mut *slope));
             let kept = (&record.stages.as_ref()[row], &record.accelerations.as_ref()[row]);
             let (stage, slope) = if sweep == last { kept } else { (&*stage, &*slope) };
@@ -249,6 +196,9 @@ where
                 of_free.0.add(of_place);
                 of_free.1.add(of_speed);
                 self.of_acceleration.mix_2(&self.zero, (in_position, of_place), (in_rate, of_speed));
+                if Self::FOLLOWS {
+                    self.of_acceleration.add(of_led);
+                }
             }
             if let Some(sum) = &mut self.of_own {
                 // By the geometry of the sweep after this one, and below by what laws add to `of_free`.
@@ -261,13 +211,34 @@ where
             let restored = if sweep == last { row + 1 == M::STAGES } else { M::RESTORES };
             if let (Some(room), true) = (&self.room, restored) {
                 self.of_position.as_mut()[row].add(&room.of_stage);
+                if Self::FOLLOWS {
+                    self.of_rate.as_mut()[row].add(&room.of_speed);
+                }
             }
             follow::<S, Elements<S, R, C>>((&free.0, &free.1), own, slope, &self.zero, (&mut read.0, &mut read.1));
+            let predicted = M::REMEMBERS && sweep == 1;
+            if Self::FOLLOWS {
+                of_led.set(led);
+                led.mix_2(&self.zero, (one, of_led), (-one, slope));
+                of_read.0.set(&self.zero);
+                of_read.1.set(&self.zero);
+                of_led.set(&self.zero);
+            }
+            let at = if predicted { (&free.0, &free.1, &*led) } else { (&stage.position, &stage.rate, &*led) };
             let (w, of_position, of_rate) = (&self.of_acceleration, &mut of_free.0, &mut of_free.1);
-            let stores = (&read.0, &read.1, w, &mut gradient.joints, &mut *of_position, &mut *of_rate);
-            self.scene.elements().take(&mut Strain, (), stores);
+            let of_at = (&mut of_read.0, &mut of_read.1, &mut *of_led);
+            let stores = (&read.0, &read.1, w, &mut gradient.joints, &mut *of_position, &mut *of_rate, at, of_at);
+            let mut walk = Strain::by([own, by_size]);
+            self.scene.elements().take(&mut walk, (), stores);
             if let Some(sum) = &mut self.of_own {
-                *sum += by_own((&*of_position, &*of_rate), slope);
+                *sum += by_own((&*of_position, &*of_rate), slope) + walk.of_size;
+            }
+            if Self::FOLLOWS && predicted {
+                of_free.0.add(&of_read.0);
+                of_free.1.add(&of_read.1);
+            } else if Self::FOLLOWS {
+                self.of_position.as_mut()[row].add(&of_read.0);
+                self.of_rate.as_mut()[row].add(&of_read.1);
             }
         }
         if const { Self::RESTORED } {
@@ -281,6 +252,9 @@ where
             again.of_free.0.add(of_place);
             again.of_free.1.add(of_speed);
             again.of_before.mix_2(&self.zero, (in_position, of_place), (in_rate, of_speed));
+            if Self::FOLLOWS {
+                again.of_before.add(&again.of_led);
+            }
         }
         if let (Some(sum), Some(before), false) = (&mut self.of_own, row.checked_sub(1), M::REMEMBERS) {
             let (of_geometry, slopes) =

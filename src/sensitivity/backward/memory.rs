@@ -14,7 +14,7 @@
 //! Backward, a₁ gets B Q + Γ V + (κ − 1) ō / h and is [pulled back](super::implicit) to costates of both `free`; by these, and by ō, go a₀,
 //! o₀, q₀ and v₀. The first geometry of the step, q₀ + h v₀ and v₀, gives q₀ and v₀ costates of its own.
 
-use super::implicit::{follow, paired};
+use super::again::{follow, paired};
 use super::record::{Place, Record};
 use super::rules::Staged;
 use super::steps::Steps;

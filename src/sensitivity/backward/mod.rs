@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod admission;
+mod again;
 mod checkpoints;
 mod costates;
 mod events;
@@ -10,6 +11,7 @@ mod implicit;
 mod linear;
 mod loads;
 mod memory;
+mod metric;
 mod projection;
 mod record;
 mod rules;
@@ -79,9 +81,9 @@ use steps::Steps;
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
 ///
-/// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, scenes whose laws are
-/// `Spring`s, of the plane, and in space without balls, from a `Clamped` or `Hinged` root: they solve a step by several sweeps, and costates
-/// go back through all of them.
+/// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, scenes of the plane, and in
+/// space without balls, from a `Clamped` or `Hinged` root: they solve a step by several sweeps, and costates go back through all of them. Laws
+/// that are not linear have second derivatives here, those of what they add to pivots.
 ///
 /// `GeneralizedAlpha` remembers its auxiliary acceleration A. Its steps are those of [`step`](crate::stepper::Stepper::step): each begins with
 /// the accelerations a that the torques of this step cause, where `simulate` goes on with those that the last sweep has left. A run begins with

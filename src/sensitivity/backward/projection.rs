@@ -14,7 +14,7 @@
 //! the size of the step, −w · W x has derivatives, too.
 
 use super::held::{Room, add, opposite};
-use super::implicit::metric;
+use super::metric::metric;
 use super::record::{Record, StageOf};
 use super::rules::Staged;
 use super::steps::Steps;
@@ -169,6 +169,7 @@ where
     ) {
         let Some(room) = &mut self.room else { return };
         room.of_stage.set(&self.zero);
+        room.of_speed.set(&self.zero);
         let Projection { places, moves, rates, changes } = projection;
         for rate in rates[..*changes].iter().rev() {
             let Some(room) = &mut self.room else { continue };
@@ -260,8 +261,10 @@ where
             if const { M::IMPLICIT } {
                 let weights = self.rule.own::<S::Scalar>(step);
                 let of_laws = (&mut *of_position, &mut *of_rate);
+                let (led, of_led) = ((position, &stage.rate), (&mut room.of_stage, &mut room.of_speed));
+                let pair = (&*correction, &*solved);
                 let by_size =
-                    metric::<S, _>(elements, weights, (correction, solved), zero, &mut gradient.joints, of_laws);
+                    metric::<S, _>(elements, weights, pair, zero, &mut gradient.joints, of_laws, (led, of_led));
                 if let Some(sum) = &mut self.of_own {
                     *sum += by_size;
                 }

@@ -1,7 +1,7 @@
 //! Steps of a run with all that their stages keep for costates.
 
+use super::again::AgainOf;
 use super::held::{Room, unturned};
-use super::implicit::AgainOf;
 use super::loads::Seen;
 use super::projection::Projection;
 use super::record::{Place, Record, Stage, StageOf};
@@ -251,12 +251,14 @@ where
         }
     }
 
-    /// The sweep of a stage, at the start of a step or where the stage stands, with springs there or where they are free.
+    /// The sweep of a stage, at the start of a step or where the stage stands, with springs there, or where they are free; laws that are not
+    /// linear then where the stage stands, or where they are free, too, by the acceleration that led there.
     #[inline(never)] // one copy for forward and backward
+    #[allow(clippy::type_complexity)] // three in one argument
     pub(super) fn sweep(
         &mut self,
         start: Option<&MotionOf<S, R, C, P>>,
-        free: Option<&Place<S, R, C>>,
+        free: Option<(&Place<S, R, C>, &RateOf<S, R, C>, bool)>,
         springs: M::Springs<S::Scalar>,
         time: RealOf<S>,
         stage: &mut StageOf<S, R, C, P>,
@@ -268,7 +270,11 @@ where
         S::pose(elements, position, rate, ground.turn, &self.sizes, x, y, p, q);
         let falling = ground.falling(self.scene.gravity());
         let beyond = Outboard::held(P::KIND, self.scene.tip().columns(), &falling);
-        let motion = free.map_or((position, rate), |(position, rate)| (position, rate));
+        let motion = match free {
+            Some(((place, speed), led, true)) => (place, speed, (place, speed, led)),
+            Some(((place, speed), led, false)) => (place, speed, (position, rate, led)),
+            None => (position, rate, (position, rate, &self.zero)),
+        };
         let chain =
             elements.take(&mut Factor::by(springs), beyond, (x, y, p, q, motion, &self.torques, &mut *kept, pivots));
         let mut burden = Burden(Meet::nothing());

@@ -1,10 +1,11 @@
 //! Gradients of runs that go backward: against jets through the same steps, kind by kind, and against central differences.
 
-use catena::Scalar;
+use catena::planar::{SpringLaw, Springs};
+use catena::{Fault, Scalar};
 
 /// What the macro below names.
 mod names {
-    pub(super) use super::{ROUNDING, alike, share};
+    pub(super) use super::{ROUNDING, Stiffening, alike, share};
     pub(super) use catena::Scalar;
     pub(super) use catena::planar::*;
     pub(super) use catena::scalar::Jet;
@@ -39,6 +40,33 @@ fn alike(name: &str, kinds: Kinds, found: &[f64], expected: &[f64], tolerance: f
 fn share<T: Scalar<Real = f64>>(step: usize, last: usize, i: usize, q: T, v: T) -> T {
     let weight = 1.0 + 0.1 * i as f64;
     if step == last { q.scale(weight) + (v * v).scale(0.5) } else { (q * v).scale(0.01 * weight / (1.0 + step as f64)) }
+}
+
+/// A spring and a damper that stiffen: −k (φ + φ³) − c (1 + φ²) φ̇.
+#[derive(Clone, Copy, Debug)]
+struct Stiffening<T> {
+    stiffness: T,
+    damping: T,
+}
+catena::lift!(Stiffening { stiffness, damping });
+
+impl<T: Scalar> SpringLaw<T> for Stiffening<T> {
+    fn force(&self, position: T, rate: T) -> T {
+        let square = position * position + T::one();
+        -(self.stiffness * position + self.damping * rate) * square
+    }
+    fn energy(&self, position: T) -> T {
+        let square = position * position;
+        self.stiffness * square * (T::literal(0.5) + T::literal(0.25) * square)
+    }
+    fn pivot(&self, position: T, rate: T, springs: impl Springs<T>) -> T {
+        let (square, two) = (position * position, T::literal(2.0));
+        let slope = self.stiffness * (T::one() + T::literal(3.0) * square) + two * self.damping * position * rate;
+        springs.pivot(slope, self.damping * (T::one() + square))
+    }
+    fn check(&self) -> Result<(), Fault> {
+        Ok(())
+    }
 }
 
 /// A scene from numbers, run by fixed steps, as plain numbers backward and over jets by the rule itself: the gradient of a cost by all
@@ -165,6 +193,7 @@ macro_rules! gradients {
 mod attitudes;
 mod chains;
 mod joints;
+mod laws;
 mod linear;
 mod loads;
 mod long;

@@ -1,6 +1,7 @@
 //! Runs by implicit rules whose tip is held or whose loops are closed, with springs in what puts them back: up to an event, with few states,
 //! and on a tape.
 
+use crate::stiffening::Stiffening;
 use catena::planar::*;
 use catena::scalar::{Jet, Scalar};
 use catena::sensitivity::{Checkpoints, Costate};
@@ -28,13 +29,34 @@ macro_rules! scene {
     }};
 }
 
+/// Scenes of the same kinds, the hinge under a law that is not linear.
+macro_rules! led {
+    (held, $x:expr) => {{
+        let (x, of) = ($x, |x: f64| Scalar::constant(x));
+        let rod = |mass: f64| Rod::uniform(x[0], of(mass));
+        let hinge = ElasticHinge::with(Stiffening { stiffness: x[1], damping: x[2], rest: x[3] });
+        let chain = (rod(0.6), hinge, rod(0.4), Pin, rod(0.7), hinge, rod(0.5));
+        System::new(Pinned::at(of(0.0), of(0.0)), chain, Pinned::at(of(1.1), of(0.1))).unwrap().with_gravity(x[4])
+    }};
+    (closed, $x:expr) => {{
+        let (x, of) = ($x, |x: f64| Scalar::constant(x));
+        let rod = |mass: f64| Rod::uniform(x[0], of(mass));
+        let hinge = ElasticHinge::with(Stiffening { stiffness: x[1], damping: x[2], rest: x[3] });
+        let window = Network::new((Pin, rod(0.3), hinge, rod(0.4)), (Pin, rod(0.5), Pin, rod(0.2)), Pin);
+        System::new(Pinned::at(of(0.0), of(0.0)), (rod(0.6), window), Free).unwrap().with_gravity(x[4])
+    }};
+}
+
 /// A start that moves, assembled for the first numbers; costates of the value at the end.
 const HELD: ([f64; 4], [f64; 4]) = ([1.1, -1.0, -1.0, -0.6], [-0.8, 0.4, 0.3, 0.2]);
 const CLOSED: ([f64; 5], [f64; 5]) = ([-0.5, -0.4, -1.1, -1.5, -0.4], [-2.0, 0.4, 0.3, 0.2, 0.5]);
 
 macro_rules! events {
-    ($which:ident, $start:expr, $n:literal, $method:expr) => {{
-        let first = scene!($which, NUMBERS);
+    ($which:ident, $start:expr, $n:literal, $method:expr) => {
+        events!(scene, $which, $start, $n, $method)
+    };
+    ($scene:ident, $which:ident, $start:expr, $n:literal, $method:expr) => {{
+        let first = $scene!($which, NUMBERS);
         let mut guess = first.motion();
         guess.set_coordinates(&$start.0).unwrap();
         guess.set_rates(&$start.1).unwrap();
@@ -49,7 +71,7 @@ macro_rules! events {
         let (mut unit, mut weights) = ([0.0; $n], [0.0; $n]);
         (unit[0], weights[1]) = (1.0, 0.7);
         let run = |x: [f64; 5]| {
-            let scene = scene!($which, x);
+            let scene = $scene!($which, x);
             let (mut backward, mut states) = (scene.backward($method), vec![start; STEPS + 1]);
             backward.run(&start, H, STEPS, &[], &mut states).unwrap();
             let steps = backward.cut(&[], &mut states, |state| state.coordinates()[0] - level).unwrap().unwrap();
@@ -65,7 +87,7 @@ macro_rules! events {
             let event = |_: &_, by: &mut Costate<_, f64>| by.add(&unit, &[0.0; $n]);
             let gradient = backward.gradient_to_event(&[], &states[..=steps], &mut [], cost, event).unwrap();
             let of: [Jet<f64, 5>; 5] = core::array::from_fn(|k| Jet::seed(x[k], k));
-            (value, gradient.along(&scene!($which, of)).unwrap())
+            (value, gradient.along(&$scene!($which, of)).unwrap())
         };
         let (_, found) = run(NUMBERS);
         for (k, found) in found.into_iter().enumerate() {
@@ -88,6 +110,26 @@ fn events() {
     events!(held, HELD, 4, GeneralizedAlpha::new(0.8));
     events!(held, HELD, 4, Sdirk4::new());
     events!(closed, CLOSED, 5, GeneralizedAlpha::new(0.8));
+}
+
+/// Laws that are not linear in what puts scenes back.
+#[test]
+fn events_under_a_law() {
+    events!(led, held, HELD, 4, GeneralizedAlpha::new(0.8));
+    events!(led, held, HELD, 4, Sdirk4::new());
+    events!(led, closed, CLOSED, 5, GeneralizedAlpha::new(0.8));
+}
+
+/// What one sweep has read is known by no stage.
+#[test]
+fn one_sweep_of_a_closed_scene_under_a_law_is_refused() {
+    let scene = led!(held, NUMBERS);
+    let mut guess = scene.motion();
+    guess.set_coordinates(&HELD.0).unwrap();
+    let start = scene.assembled(guess, &Unloaded).unwrap();
+    let mut backward = scene.backward(GeneralizedAlpha::new(0.8).with_sweeps(1));
+    let found = backward.run(&start, H, 1, &[], &mut [start; 2]).unwrap_err().fault;
+    assert!(matches!(found, catena::Fault::Unsupported { .. }), "{found:?}");
 }
 
 macro_rules! kept {

@@ -1,5 +1,6 @@
 //! Runs by an implicit rule, backward: cut at an event, under torques on a tape, and what their states keep.
 
+use crate::stiffening::Stiffening;
 use catena::planar::*;
 use catena::scalar::{Jet, Scalar};
 use catena::sensitivity::{Checkpoints, Costate};
@@ -13,9 +14,18 @@ const NUMBERS: [f64; 8] = [0.5, 400.0, 0.3, 9.81, -0.6, 0.02, 2.0, -0.5];
 
 /// Two rods with a hinge that the steps do not resolve, and how they begin to move.
 macro_rules! scene {
-    ($x:expr) => {{
+    ($x:expr) => {
+        scene!($x, ElasticHinge::rotary($x[1]).damped($x[2]))
+    };
+    (law, $x:expr) => {
+        scene!($x, ElasticHinge::with(Stiffening { stiffness: $x[1], damping: $x[2], rest: Scalar::literal(0.05) }))
+    };
+    (spring, $x:expr) => {
+        scene!($x)
+    };
+    ($x:expr, $hinge:expr) => {{
         let rod = Rod::uniform($x[0], Scalar::literal(0.6));
-        let chain = (rod, ElasticHinge::rotary($x[1]).damped($x[2]), rod);
+        let chain = (rod, $hinge, rod);
         let scene = System::new(Pinned::origin(), chain, Free).unwrap().with_gravity($x[3]);
         let mut start = scene.motion();
         start.set_coordinates(&$x[4..6]).unwrap();
@@ -31,9 +41,9 @@ fn torques() -> Vec<f64> {
 
 /// Where the upper rod has an angle: what the lower one does there, and when, against central differences of such runs.
 macro_rules! events {
-    ($method:expr) => {{
+    ($which:ident, $method:expr) => {{
         let run = |x: &[f64; 8]| -> Result<_, Error> {
-            let (scene, start) = scene!(x);
+            let (scene, start) = scene!($which, x);
             let (mut backward, mut states, torques) = (scene.backward($method), [start; STEPS + 1], torques());
             backward.run(&start, H, STEPS, &torques, &mut states)?;
             let steps = backward.cut(&torques, &mut states, |state| state.coordinates()[0] + 1.0)?.unwrap();
@@ -57,7 +67,7 @@ macro_rules! events {
                 let event = |_: &_, by: &mut Costate<_>| by.add(&[1.0, 0.0], &[0.0; 2]);
                 let gradient = backward.gradient_to_event(torques, &states[..=steps], &mut [], cost, event)?;
                 let of: [Jet<f64, 4>; 8] = core::array::from_fn(|k| Jet::seed(x[k], k));
-                let mut row = gradient.along(&scene!(of).0)?.to_vec();
+                let mut row = gradient.along(&scene!($which, of).0)?.to_vec();
                 row.extend(gradient.by_position().into_iter().chain(gradient.by_rate()));
                 rows.push(row);
             }
@@ -86,8 +96,16 @@ macro_rules! events {
 
 #[test]
 fn events() {
-    events!(Sdirk4::new());
-    events!(GeneralizedAlpha::new(0.8));
+    events!(spring, Sdirk4::new());
+    events!(spring, GeneralizedAlpha::new(0.8));
+}
+
+/// Events under a law that is not linear, which sweeps read where the last one has led.
+#[test]
+fn events_under_a_law() {
+    events!(law, Sdirk4::new());
+    events!(law, GeneralizedAlpha::new(0.8));
+    events!(law, GeneralizedAlpha::new(0.8).with_sweeps(1));
 }
 
 /// Sweeps that are made once more on the way back meet the torques of their step, with all states kept, few, or none.

@@ -17,3 +17,4 @@ mod loops;
 mod recognised;
 mod rows;
 mod second;
+mod stiffening;

@@ -1,6 +1,6 @@
 //! The costate sweep in the plane: what joints do whose points coincide.
 
-use super::laws::{Reads, ReversibleLaw};
+use super::laws::{ReversibleLaw, force, strain};
 use super::{Outboard, Pulled, Stirred, Turning};
 use crate::adjoint::passes;
 use crate::element::Springs;
@@ -122,20 +122,18 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Weld<T> {
     }
 }
 
-impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T> + Reads<L>> Takes<Planar<T>, Factor<C, By>>
-    for ElasticHinge<L>
-{
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for ElasticHinge<L> {
     /// Under an implicit rule the pivot knows the stiffness, and what lies inboard the moment.
     #[inline(always)]
     fn take(
         &self,
         walk: &mut Factor<C, By>,
         outer: Outboard<T, C>,
-        (.., (position, rate), torque, gain, pivot): Of<'_, Planar<T>, Factor<C, By>, Self>,
+        (.., (position, rate, led), torque, gain, pivot): Of<'_, Planar<T>, Factor<C, By>, Self>,
     ) -> Outboard<T, C> {
-        let torque = *torque + self.rotary.force(*position, *rate);
+        let [of_law, stiffness] = force(&self.rotary, [*position, *rate], [*led.0, *led.1, *led.2], walk.springs);
+        let torque = *torque + of_law;
         if const { By::STIFF } {
-            let stiffness = self.rotary.pivot(*position, *rate, walk.springs);
             *pivot = (outer.relation.angular + stiffness).recip();
             let (relation, found) = outer.relation.hinged(torque, stiffness);
             *gain = found;
@@ -222,22 +220,26 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for ElasticHinge
 /// Joints without a law.
 macro_rules! lawless {
     ($($Joint:ty),*) => {$(
-        impl<T: Scalar> Takes<Planar<T>, Strain> for $Joint {
+        impl<T: Scalar> Takes<Planar<T>, Strain<T>> for $Joint {
             #[inline(always)]
-            fn take(&self, _: &mut Strain, (): (), _: Of<'_, Planar<T>, Strain, Self>) {}
+            fn take(&self, _: &mut Strain<T>, (): (), _: Of<'_, Planar<T>, Strain<T>, Self>) {}
         }
     )*};
 }
 lawless!(Pin, Weld<T>, Rod<T>, RigidBody<T>, PointMass<T>);
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Strain> for ElasticHinge<L> {
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Strain<T>> for ElasticHinge<L> {
     fn take(
         &self,
-        _: &mut Strain,
+        walk: &mut Strain<T>,
         (): (),
-        (position, rate, w, sums, of_position, of_rate): Of<'_, Planar<T>, Strain, Self>,
+        (position, rate, w, sums, of_position, of_rate, led, of_led): Of<'_, Planar<T>, Strain<T>, Self>,
     ) {
-        let [more, also] = self.rotary.pull_back(*position, *rate, *w, sums);
+        let at = ([*position, *rate, *w], [*led.0, *led.1, *led.2]);
+        let ([more, also], [q, v, a]) = strain(const { !L::LINEAR }, &self.rotary, walk, at, sums);
         (*of_position, *of_rate) = (*of_position + more, *of_rate + also);
+        if const { !L::LINEAR } {
+            (*of_led.0, *of_led.1, *of_led.2) = (*of_led.0 + q, *of_led.1 + v, *of_led.2 + a);
+        }
     }
 }

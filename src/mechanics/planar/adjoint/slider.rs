@@ -15,7 +15,7 @@
 //!
 //! and the direction of the line has θ̄ of these.
 
-use super::laws::{Reads, ReversibleLaw};
+use super::laws::{ReversibleLaw, force, strain};
 use super::{Outboard, Pulled, Stirred};
 use crate::element::Springs;
 use crate::mechanics::planar::axes::{Axes, Inboard, across};
@@ -32,22 +32,20 @@ use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
 
-impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T> + Reads<L>> Takes<Planar<T>, Factor<C, By>>
-    for Slider<T, L>
-{
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for Slider<T, L> {
     #[inline(always)]
     fn take(
         &self,
         walk: &mut Factor<C, By>,
         outer: Outboard<T, C>,
-        (x, y, p, q, (position, rate), force, gain, pivot): Of<'_, Planar<T>, Factor<C, By>, Self>,
+        (x, y, p, q, (position, rate, led), effort, gain, pivot): Of<'_, Planar<T>, Factor<C, By>, Self>,
     ) -> Outboard<T, C> {
         let offset = Inboard::offset(x, y, p, q);
         let linear = outer.relation.linear.along(offset.direction);
-        let stiffness = self.spring.pivot(*position, *rate, walk.springs);
+        let [of_law, stiffness] = force(&self.spring, [*position, *rate], [*led.0, *led.1, *led.2], walk.springs);
         *pivot = (linear.xx + self.lumped + stiffness).recip();
-        let force = *force + self.spring.force(*position, *rate);
-        Outboard::rigid(self.loosen(outer.relation, offset, force, stiffness, gain))
+        let effort = *effort + of_law;
+        Outboard::rigid(self.loosen(outer.relation, offset, effort, stiffness, gain))
     }
 }
 
@@ -146,14 +144,18 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for Slider<T, L>
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Strain> for Slider<T, L> {
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, Strain<T>> for Slider<T, L> {
     fn take(
         &self,
-        _: &mut Strain,
+        walk: &mut Strain<T>,
         (): (),
-        (position, rate, w, sums, of_position, of_rate): Of<'_, Planar<T>, Strain, Self>,
+        (position, rate, w, sums, of_position, of_rate, led, of_led): Of<'_, Planar<T>, Strain<T>, Self>,
     ) {
-        let [more, also] = self.spring.pull_back(*position, *rate, *w, &mut sums[2..]);
+        let at = ([*position, *rate, *w], [*led.0, *led.1, *led.2]);
+        let ([more, also], [q, v, a]) = strain(const { !L::LINEAR }, &self.spring, walk, at, &mut sums[2..]);
         (*of_position, *of_rate) = (*of_position + more, *of_rate + also);
+        if const { !L::LINEAR } {
+            (*of_led.0, *of_led.1, *of_led.2) = (*of_led.0 + q, *of_led.1 + v, *of_led.2 + a);
+        }
     }
 }

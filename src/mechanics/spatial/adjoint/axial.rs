@@ -3,9 +3,9 @@
 //! Such a joint is a row of joints with one coordinate each at one station, as if bodies without mass were between them: what its coordinates
 //! do to attitudes and lengths stands in [`steps`](super::steps), one coordinate at a time.
 
-use super::steps::Reversing;
+use super::reversing::Reversing;
 use super::{InJoint, Outboard, Pivot, Stirred};
-use crate::adjoint::laws::{Reads, ReversibleLaw};
+use crate::adjoint::laws::ReversibleLaw;
 use crate::element::{Element, Springs};
 use crate::mechanics::spatial::axial::{Axial, Listed};
 use crate::mechanics::spatial::{Acceleration, Cylindrical, Joint, Prismatic, Spatial, Turn, Universal, Wrench};
@@ -85,7 +85,7 @@ macro_rules! axial {
             }
         }
 
-        impl<T: Scalar, C: Closures, $($L: ReversibleLaw<T>,)* By: Springs<T> $(+ Reads<$L>)*>
+        impl<T: Scalar, C: Closures, $($L: ReversibleLaw<T>,)* By: Springs<T>>
             Takes<Spatial<T>, Factor<C, By>> for $Joint
         {
             /// Under an implicit rule the pivots know the stiffness.
@@ -93,22 +93,29 @@ macro_rules! axial {
                 &self,
                 walk: &mut Factor<C, By>,
                 outer: Outboard<T, C>,
-                (axes, bias, .., (position, rate), torque, gain, pivot): Of<'_, Spatial<T>, Factor<C, By>, Self>,
+                (axes, bias, .., (position, rate, led), torque, gain, pivot): Of<'_, Spatial<T>, Factor<C, By>, Self>,
             ) -> Outboard<T, C> {
+                // Laws that are not linear are read where the last sweep has led.
+                let follows = const { !<Self as Axial<T, $K>>::LINEAR && By::STIFF };
+                let (position, rate) = if follows { (led.0, led.1) } else { (position, rate) };
                 let (position, rate) = (Listed::<T, $K>::list(position), Listed::<T, $K>::list(rate));
+                let led = Listed::<T, $K>::list(led.2);
                 let mut relation = outer.relation;
                 if <Self as Axial<T, $K>>::SLIDES {
                     relation = relation.with_mass(self.lumped());
                 }
                 for k in (0..$K).rev() {
                     let (way, n) = (<Self as Axial<T, $K>>::WAYS[k], axis(axes, k));
-                    let force = torque.0[k] + Axial::force(self, k, position[k], rate[k]);
+                    let mut force = torque.0[k] + Axial::force(self, k, position[k], rate[k]);
                     let inertia = match way {
                         Way::Turn => dot(n, relation.angular.apply(n)),
                         Way::Slide => dot(n, relation.linear.apply(n)),
                     };
                     (relation, gain[k]) = if const { By::STIFF } {
                         let stiffness = self.stiffness(k, [position[k], rate[k]], walk.springs);
+                        if follows {
+                            force = stiffness.mul_add(led[k], force);
+                        }
                         pivot.set(k, (inertia + stiffness).recip());
                         relation.released(way, n, force, stiffness)
                     } else {
@@ -204,20 +211,25 @@ macro_rules! axial {
             }
         }
 
-        impl<T: Scalar, $($L: ReversibleLaw<T>),*> Takes<Spatial<T>, Strain> for $Joint {
+        impl<T: Scalar, $($L: ReversibleLaw<T>),*> Takes<Spatial<T>, Strain<T>> for $Joint {
             fn take(
                 &self,
-                _: &mut Strain,
+                walk: &mut Strain<T>,
                 (): (),
-                (position, rate, w, sums, of_position, of_rate): Of<'_, Spatial<T>, Strain, Self>,
+                (position, rate, w, sums, of_position, of_rate, led, of_led): Of<'_, Spatial<T>, Strain<T>, Self>,
             ) {
                 let [q, v, w] = [position, rate, w].map(Listed::<T, $K>::list);
-                let (mut by_q, mut by_v) = (Listed::<T, $K>::list(of_position), Listed::<T, $K>::list(of_rate));
+                let led = [led.0, led.1, led.2].map(Listed::<T, $K>::list);
+                let mut by = [&*of_position, &*of_rate].map(Listed::<T, $K>::list);
+                let mut by_led = [&*of_led.0, &*of_led.1, &*of_led.2].map(Listed::<T, $K>::list);
                 for k in 0..$K {
-                    let [more, also] = self.pull_law(k, [q[k], v[k], w[k]], &mut sums.law);
-                    (by_q[k], by_v[k]) = (by_q[k] + more, by_v[k] + also);
+                    let at = ([q[k], v[k], w[k]], led.map(|list| list[k]));
+                    let (more, of_led) = self.strain_law(k, walk, at, &mut sums.law);
+                    by.iter_mut().zip(more).for_each(|(by, more)| by[k] += more);
+                    by_led.iter_mut().zip(of_led).for_each(|(by, more)| by[k] += more);
                 }
-                (*of_position, *of_rate) = (Listed::from_list(by_q), Listed::from_list(by_v));
+                [*of_position, *of_rate] = by.map(Listed::from_list);
+                [*of_led.0, *of_led.1, *of_led.2] = by_led.map(Listed::from_list);
             }
         }
     };

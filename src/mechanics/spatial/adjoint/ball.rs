@@ -9,7 +9,7 @@
 //! ```
 
 use super::{Outboard, Pivot, Pulled, Stirred, Turning};
-use crate::element::Element;
+use crate::element::{Element, Explicit, Springs};
 use crate::mechanics::spatial::{Acceleration, Ball, Spatial, Turn, Wrench};
 use crate::relation::Closures;
 use crate::relation::spatial::algebra::{cross, zero};
@@ -36,13 +36,24 @@ impl<T: Scalar> Takes<Spatial<T>, Orient> for Ball {
     }
 }
 
-impl<T: Scalar, C: Closures> Takes<Spatial<T>, Factor<C>> for Ball {
+/// How springs enter sweeps through which costates go backward where there are balls: explicitly.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run by an implicit rule goes backward through a `Ball`",
+    label = "an implicit rule, of which the costate sweep knows joints with one coordinate or two",
+    note = "explicit rules know balls",
+    note = "run the same scene over jets or dual numbers instead"
+)]
+pub trait KnowsBalls {}
+
+impl KnowsBalls for Explicit {}
+
+impl<T: Scalar, C: Closures, By: Springs<T> + KnowsBalls> Takes<Spatial<T>, Factor<C, By>> for Ball {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Factor<C>,
+        _: &mut Factor<C, By>,
         outer: Outboard<T, C>,
-        (attitude, .., torque, gain, pivot): Of<'_, Spatial<T>, Factor<C>, Self>,
+        (attitude, .., torque, gain, pivot): Of<'_, Spatial<T>, Factor<C, By>, Self>,
     ) -> Outboard<T, C> {
         // The same factors as in the elimination: they are formed once.
         *pivot = Pivot { factor: outer.relation.angular.factor(), torque: attitude.apply(Vector3::from(torque.0)) };

@@ -57,7 +57,7 @@ impl<T: Scalar> Felt<T> {
     pub(super) fn turned(&self, spin: Vector3<T>) -> Vector3<T> {
         self.turn - cross(spin, self.spin)
     }
-    /// The same under a law `L` of loads, where the body on the inboard side has the w of its own, too.
+    /// The costate of such a turn under a law `L` of loads, where the body on the inboard side has the w of its own, too.
     #[inline(always)]
     pub(super) fn turned_under<L: LoadLaw<BodyMotion<T>>>(&self, met: &Turning<T>) -> Vector3<T> {
         let turned = self.turned(met.spin);

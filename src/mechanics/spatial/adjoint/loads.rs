@@ -65,9 +65,9 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Burden<T, C>> for Weld<T> {
 /// What has no law.
 macro_rules! lawless {
     ($($Element:ty),*) => {$(
-        impl<T: Scalar> Takes<Spatial<T>, Strain> for $Element {
+        impl<T: Scalar> Takes<Spatial<T>, Strain<T>> for $Element {
             #[inline(always)]
-            fn take(&self, _: &mut Strain, (): (), _: Of<'_, Spatial<T>, Strain, Self>) {}
+            fn take(&self, _: &mut Strain<T>, (): (), _: Of<'_, Spatial<T>, Strain<T>, Self>) {}
         }
     )*};
 }

@@ -9,6 +9,7 @@ mod inertial;
 mod loads;
 mod loops;
 mod read;
+mod reversing;
 mod revolute;
 mod steps;
 mod weld;

@@ -23,7 +23,7 @@
 //! ```
 
 use super::{Outboard, Pulled, Stirred, Turning};
-use crate::adjoint::laws::{Reads, ReversibleLaw};
+use crate::adjoint::laws::{ReversibleLaw, force, strain};
 use crate::element::{Element, Springs};
 use crate::mechanics::spatial::{Acceleration, Revolute, Spatial, Turn, Wrench};
 use crate::relation::spatial::Way;
@@ -49,22 +49,20 @@ pub(super) fn of_axis<T: Scalar>(axes: &Columns<T>, turned: Vector3<T>, x: Vecto
     sum.y += dot_onto(apart, cross(turned, axis), dot(inboard, cross(y, axis)));
 }
 
-impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T> + Reads<L>> Takes<Spatial<T>, Factor<C, By>>
-    for Revolute<T, L>
-{
+impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T>> Takes<Spatial<T>, Factor<C, By>> for Revolute<T, L> {
     /// Under an implicit rule the pivot knows the stiffness.
     #[inline(always)]
     fn take(
         &self,
         walk: &mut Factor<C, By>,
         outer: Outboard<T, C>,
-        (axes, bias, .., (angle, rate), torque, [gain], pivot): Of<'_, Spatial<T>, Factor<C, By>, Self>,
+        (axes, bias, .., (angle, rate, led), torque, [gain], pivot): Of<'_, Spatial<T>, Factor<C, By>, Self>,
     ) -> Outboard<T, C> {
-        let (axis, torque) = (axes.x, torque.0[0] + self.law.force(*angle, *rate));
+        let [of_law, stiffness] = force(&self.law, [*angle, *rate], [*led.0, *led.1, *led.2], walk.springs);
+        let (axis, torque) = (axes.x, torque.0[0] + of_law);
         // The same quotient as in the elimination: it is formed once.
         let inertia = dot(axis, outer.relation.angular.apply(axis));
         let (relation, found) = if const { By::STIFF } {
-            let stiffness = self.law.pivot(*angle, *rate, walk.springs);
             pivot.factor.set_number((inertia + stiffness).recip());
             outer.relation.released(Way::Turn, axis, torque, stiffness)
         } else {
@@ -166,15 +164,19 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T,
     }
 }
 
-impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Strain> for Revolute<T, L> {
+impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Strain<T>> for Revolute<T, L> {
     fn take(
         &self,
-        _: &mut Strain,
+        walk: &mut Strain<T>,
         (): (),
-        (angle, rate, w, sums, of_angle, of_rate): Of<'_, Spatial<T>, Strain, Self>,
+        (angle, rate, w, sums, of_angle, of_rate, led, of_led): Of<'_, Spatial<T>, Strain<T>, Self>,
     ) {
-        let [more, also] = self.law.pull_back(*angle, *rate, *w, &mut sums.law);
+        let at = ([*angle, *rate, *w], [*led.0, *led.1, *led.2]);
+        let ([more, also], [q, v, a]) = strain(const { !L::LINEAR }, &self.law, walk, at, &mut sums.law);
         (*of_angle, *of_rate) = (*of_angle + more, *of_rate + also);
+        if const { !L::LINEAR } {
+            (*of_led.0, *of_led.1, *of_led.2) = (*of_led.0 + q, *of_led.1 + v, *of_led.2 + a);
+        }
     }
 }
 

@@ -15,13 +15,12 @@
 
 use super::axial::axis;
 use super::inertial::swept;
+use super::reversing::Reversing;
 use super::revolute::of_axis;
-use super::{Felt, OfJoint, Pulled, Turning};
-use crate::adjoint::laws::{NUMBERS, ReversibleLaw};
-use crate::element::Springs;
+use super::{Felt, Pulled, Turning};
+use crate::adjoint::laws::ReversibleLaw;
 use crate::loading::LoadLaw;
-use crate::mechanics::spatial::axial::{Axial, Listed, aside};
-use crate::mechanics::spatial::maps::about;
+use crate::mechanics::spatial::axial::{Axial, Listed};
 use crate::mechanics::spatial::{BodyMotion, Cylindrical, Prismatic, Spatial, Universal};
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::{Columns, add_scaled, centripetal, cross, cross_onto, dot};
@@ -30,93 +29,6 @@ use crate::shape::{Of, Takes};
 use crate::walks::pull_back::PullBack;
 use crate::walks::pull_loads::PullLoads;
 use nalgebra::Vector3;
-
-/// What a joint may store its columns in.
-type Room<'s, T> = (&'s mut Columns<T>, &'s mut [Vector3<T>; 2], &'s mut Vector3<T>, &'s mut Vector3<T>);
-
-/// What a joint has stored.
-type Stored<'s, T> = (&'s Columns<T>, &'s [Vector3<T>; 2], &'s Vector3<T>, &'s Vector3<T>);
-
-/// A joint through which costates go coordinate by coordinate.
-pub trait Reversing<T: Scalar, const K: usize>: Axial<T, K> {
-    /// Costates of position and rate of a coordinate, by what its law does over w; adds to those of the law's numbers.
-    fn pull_law(&self, k: usize, at: [T; 3], sums: &mut [T; NUMBERS]) -> [T; 2];
-
-    /// What the law of a coordinate adds to its pivot.
-    fn stiffness(&self, k: usize, at: [T; 2], springs: impl Springs<T>) -> T;
-
-    /// Stores columns of both bodies that are not along the axis, as revolute joints do.
-    fn store_asides(&self, ends: [&Columns<T>; 2], position: &Self::Coordinates, room: Room<'_, T>);
-
-    /// These columns for a coordinate, as the body on its inboard side turns them, and that on its outboard side.
-    fn asides(k: usize, stored: Stored<'_, T>) -> [Vector3<T>; 2];
-
-    /// Adds what turns of the axis of a coordinate do.
-    fn add_axis(k: usize, by: Vector3<T>, sums: &mut OfJoint<T>) {
-        let _ = k;
-        sums.turn += by;
-    }
-}
-
-impl<T: Scalar, L: ReversibleLaw<T>> Reversing<T, 1> for Prismatic<T, L> {
-    fn pull_law(&self, _: usize, [position, rate, w]: [T; 3], sums: &mut [T; NUMBERS]) -> [T; 2] {
-        self.law().pull_back(position, rate, w, sums)
-    }
-    fn stiffness(&self, _: usize, [position, rate]: [T; 2], springs: impl Springs<T>) -> T {
-        self.law().pivot(position, rate, springs)
-    }
-    fn store_asides(&self, [inner, _]: [&Columns<T>; 2], _: &T, (_, _, p, _): Room<'_, T>) {
-        *p = aside(self.axis(), inner.x, inner.y);
-    }
-    fn asides(_: usize, (_, _, p, _): Stored<'_, T>) -> [Vector3<T>; 2] {
-        [*p; 2]
-    }
-}
-
-impl<T: Scalar, L: ReversibleLaw<T>, M: ReversibleLaw<T>> Reversing<T, 2> for Cylindrical<T, L, M> {
-    fn pull_law(&self, k: usize, [position, rate, w]: [T; 3], sums: &mut [T; NUMBERS]) -> [T; 2] {
-        let ((along, about), (one, other)) = (self.laws(), sums.split_at_mut(NUMBERS / 2));
-        if k == 0 { along.pull_back(position, rate, w, one) } else { about.pull_back(position, rate, w, other) }
-    }
-    fn stiffness(&self, k: usize, [position, rate]: [T; 2], springs: impl Springs<T>) -> T {
-        let (along, about) = self.laws();
-        if k == 0 { along.pivot(position, rate, springs) } else { about.pivot(position, rate, springs) }
-    }
-    fn store_asides(&self, [inner, outer]: [&Columns<T>; 2], _: &[T; 2], (_, _, p, q): Room<'_, T>) {
-        (*p, *q) = aside(self.axis(), (inner.x, outer.x), (inner.y, outer.y));
-    }
-    fn asides(_: usize, (_, _, p, q): Stored<'_, T>) -> [Vector3<T>; 2] {
-        [*p, *q]
-    }
-}
-
-impl<T: Scalar, L: ReversibleLaw<T>, M: ReversibleLaw<T>> Reversing<T, 2> for Universal<T, L, M> {
-    fn pull_law(&self, k: usize, [position, rate, w]: [T; 3], sums: &mut [T; NUMBERS]) -> [T; 2] {
-        let ((first, second), (one, other)) = (self.laws(), sums.split_at_mut(NUMBERS / 2));
-        if k == 0 { first.pull_back(position, rate, w, one) } else { second.pull_back(position, rate, w, other) }
-    }
-    fn stiffness(&self, k: usize, [position, rate]: [T; 2], springs: impl Springs<T>) -> T {
-        let (first, second) = self.laws();
-        if k == 0 { first.pivot(position, rate, springs) } else { second.pivot(position, rate, springs) }
-    }
-    /// Both points are one: there is room where others store their arm.
-    fn store_asides(&self, [inner, outer]: [&Columns<T>; 2], &[one, _]: &[T; 2], (x, y, p, q): Room<'_, T>) {
-        let [first, second] = self.axes();
-        let between = inner.times(&about(first, one));
-        (x.z, y[0]) = aside(first, (inner.x, between.x), (inner.y, between.y));
-        (*p, *q) = aside(second, (between.x, outer.x), (between.y, outer.y));
-    }
-    fn asides(k: usize, (x, y, p, q): Stored<'_, T>) -> [Vector3<T>; 2] {
-        if k == 0 { [x.z, y[0]] } else { [*p, *q] }
-    }
-    fn add_axis(k: usize, by: Vector3<T>, sums: &mut OfJoint<T>) {
-        if k == 0 {
-            sums.turn += by;
-        } else {
-            sums.more = [sums.more[0] + by.x, sums.more[1] + by.y];
-        }
-    }
-}
 
 /// A coordinate: its axis and columns beside it, rate, acceleration and virtual rate.
 struct Step<T> {

@@ -1,6 +1,6 @@
 //! Gradients of runs in space that go backward: against jets through the same steps, kind by kind, and against central differences.
 
-use super::{Kinds, ROUNDING, alike};
+use super::{Kinds, ROUNDING, Stiffening, alike};
 use catena::planar::Custom;
 use catena::scalar::Jet;
 use catena::spatial::*;
@@ -352,5 +352,6 @@ fn revolutes_about_a_ball_have_the_gradients_of_jets() {
 mod held;
 mod implicit;
 mod joints;
+mod laws;
 mod loads;
 mod loops;

@@ -1,6 +1,7 @@
-//! The costate sweep of an implicit rule does not know laws that are not linear.
-//@ no gradient of a run by an implicit rule goes backward through the law `
-//@ Stiffening
+//! A law of the user's own goes backward by jets of its numbers: it has to say which these are.
+//@ the numbers in `Stiffening<
+//@ cannot be replaced by others, with derivatives say
+//@ catena::lift!(Name { field, other })
 
 use catena::planar::*;
 use catena::{Fault, Scalar};
@@ -9,7 +10,6 @@ use catena::{Fault, Scalar};
 struct Stiffening<T> {
     stiffness: T,
 }
-catena::lift!(Stiffening { stiffness });
 
 impl<T: Scalar> SpringLaw<T> for Stiffening<T> {
     fn force(&self, position: T, _: T) -> T {
@@ -33,7 +33,6 @@ fn num<R: catena::Real>(x: f64) -> R {
 fn main() -> Result<(), catena::Error> {
     let (rod, hinge) = (Rod::uniform(1.0, 1.0), ElasticHinge::with(Stiffening { stiffness: 1.0 }));
     let scene = System::new(Pinned::origin(), (rod, hinge, rod), Free)?;
-    let _ = scene.backward(Rk4);
     let _ = scene.backward(Sdirk4::new());
     Ok(())
 }

@@ -1,0 +1,80 @@
+//! Room for the sweeps of a stage of an implicit rule, and where their accelerations lead.
+
+use super::record::Stage;
+use crate::adjoint::Reversed;
+use crate::element::{Element, RealOf};
+use crate::ends::Tip;
+use crate::mirror::{Position, Rate};
+use crate::relation::Closures;
+use crate::scalar::Scalar;
+use crate::system::Elements;
+use num_traits::Zero;
+
+/// Room for the sweeps of a stage.
+pub(super) struct Again<S: Reversed, E: Element<S>, X: Closures> {
+    /// Positions and rates without the acceleration sought, and where laws are read.
+    pub(super) free: (E::Position, E::Rate),
+    pub(super) read: (E::Position, E::Rate),
+    /// A sweep, and what it has found.
+    pub(super) stage: Stage<S, E, X>,
+    pub(super) slope: E::Rate,
+    /// Costates of `free`; of the acceleration from which the geometry of the next stage set out; of the geometry that was predicted.
+    pub(super) of_free: (E::Rate, E::Rate),
+    pub(super) of_before: E::Rate,
+    pub(super) of_predicted: (E::Rate, E::Rate),
+    /// The acceleration that led to where the last sweep has read laws that are not linear, less that which it found.
+    pub(super) led: E::Rate,
+    /// Costates of what they have read: positions, rates and that acceleration.
+    pub(super) of_read: (E::Rate, E::Rate),
+    pub(super) of_led: E::Rate,
+}
+
+impl<S: Reversed, E: Element<S>, X: Closures> Again<S, E, X> {
+    /// Room, from that of a stage.
+    pub(super) fn new(place: E::Position, zero: &E::Rate, stage: &Stage<S, E, X>) -> Self {
+        let motion = (place, zero.clone());
+        Self {
+            free: motion.clone(),
+            read: motion,
+            stage: stage.clone(),
+            slope: zero.clone(),
+            of_free: (zero.clone(), zero.clone()),
+            of_before: zero.clone(),
+            of_predicted: (zero.clone(), zero.clone()),
+            led: zero.clone(),
+            of_read: (zero.clone(), zero.clone()),
+            of_led: zero.clone(),
+        }
+    }
+}
+
+/// The room of a scene.
+pub(super) type AgainOf<S, R, C, P> = Again<S, Elements<S, R, C>, <P as Tip<S>>::Closures>;
+
+/// Where accelerations lead.
+pub(super) fn follow<S: Reversed, E: Element<S>>(
+    (position, rate): (&E::Position, &E::Rate),
+    [of_position, of_rate]: [RealOf<S>; 2],
+    acceleration: &E::Rate,
+    zero: &E::Rate,
+    into: (&mut E::Position, &mut E::Rate),
+) {
+    into.0.drift_1(position, (RealOf::<S>::zero(), zero), (of_position, acceleration));
+    into.1.mix_1(rate, (of_rate, acceleration));
+}
+
+/// Σ of costates of positions and rates, times an acceleration with a weight in each.
+pub(super) fn paired<S: Reversed, E: Element<S>>(
+    [in_position, in_rate]: [RealOf<S>; 2],
+    (of_position, of_rate): (&E::Rate, &E::Rate),
+    acceleration: &E::Rate,
+) -> S::Scalar {
+    let mut sum = S::Scalar::zero();
+    for (costate, factor) in [(of_position, in_position), (of_rate, in_rate)] {
+        costate.all(acceleration, &mut |costate, acceleration| {
+            sum += (costate * acceleration).scale(factor);
+            true
+        });
+    }
+    sum
+}
