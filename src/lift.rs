@@ -33,6 +33,14 @@ impl<T: Scalar, U: Scalar, A: Lift<T, U>, const K: usize> Lift<T, U> for [A; K] 
     }
 }
 
+/// Numbers of bodies and the like stay.
+impl<T: Scalar, U: Scalar> Lift<T, U> for usize {
+    type Over = Self;
+    fn lift(&self, _: &mut impl FnMut(T) -> U) -> Self {
+        *self
+    }
+}
+
 impl<T: Scalar, U: Scalar> Lift<T, U> for Vector3<T> {
     type Over = Vector3<U>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {

@@ -2,6 +2,7 @@
 
 use super::count;
 use crate::error::Fault;
+use crate::lift::lift;
 use crate::relation::{Absent, Additive, Part};
 use crate::scalar::{Real, Scalar};
 use crate::sealed::Sealed;
@@ -47,6 +48,8 @@ pub trait LoadLaw<M: Seen> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Values<V>(pub V);
+
+lift!(Values<V> { 0 });
 
 /// A function of time, number and motion as the law of what acts on bodies or in joints.
 ///

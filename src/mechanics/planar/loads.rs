@@ -1,6 +1,7 @@
 //! What acts on planar scenes besides gravity.
 
 use super::{BodyMotion, Frame, JointMotion, Planar};
+use crate::lift::Lift;
 use crate::loading::{LoadLaw, OverTime, Seen, SeriesLaw, TimeLaw};
 use crate::relation;
 use crate::relation::planar::algebra::cross;
@@ -15,6 +16,14 @@ impl<T: Scalar> Wrench<T> {
     /// A pure torque (N·m).
     pub fn torque(torque: T) -> Self {
         Self { torque, ..Self::default() }
+    }
+}
+
+impl<T: Scalar, U: Scalar> Lift<T, U> for Wrench<T> {
+    type Over = Wrench<U>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Wrench<U> {
+        let Self { force, torque } = self;
+        Wrench { force: Vector2::new(number(force.x), number(force.y)), torque: number(*torque) }
     }
 }
 

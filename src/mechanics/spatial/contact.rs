@@ -97,6 +97,9 @@ pub struct Contacts<P, G, C> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PlainContacts<P, G, C>(Contacts<P, G, C>);
 
+lift!(Contacts<P, G, C> { points, surface, law });
+lift!(PlainContacts < P, G, C > { 0 });
+
 impl<P, G, C> Contacts<P, G, C> {
     /// These points, this surface.
     pub const fn of(points: P, surface: G, law: C) -> Self {

@@ -1,6 +1,7 @@
 //! What acts on spatial scenes besides gravity.
 
 use super::{BodyMotion, Frame, JointMotion, Spatial};
+use crate::lift::Lift;
 use crate::loading::Seen;
 use crate::relation::spatial::Couple;
 use crate::relation::spatial::algebra::{Columns, cross};
@@ -17,6 +18,13 @@ impl<T: Scalar> Wrench<T> {
     /// A pure torque (N·m), inertial axes.
     pub fn torque(torque: [T; 3]) -> Self {
         Self { torque: Vector3::from(torque), ..Self::default() }
+    }
+}
+
+impl<T: Scalar, U: Scalar> Lift<T, U> for Wrench<T> {
+    type Over = Wrench<U>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Wrench<U> {
+        Wrench { force: self.force.lift(number), torque: self.torque.lift(number) }
     }
 }
 

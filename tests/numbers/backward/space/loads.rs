@@ -53,6 +53,10 @@ fn with_room(test: fn()) {
 /// All bodies and joints, a ball after a ball, an arm, a clamped root at a place: by all of it, and by the numbers of the law.
 #[test]
 fn trees_under_loads_have_the_gradients_of_jets() {
+    with_room(trees);
+}
+
+fn trees() {
     let mut parameters = bodies(2);
     parameters.extend([0.3, 1.0, -0.5, 0.2, 0.1, -0.4]); // an axis, a weld
     parameters.extend([0.7, 0.8, 0.3, 0.02, 0.05, 0.4, 0.3]); // a rod, a bob
@@ -179,6 +183,10 @@ fn closed_scenes_under_loads_have_the_gradients_of_jets() {
 /// Balls at the root, which lies at a place.
 #[test]
 fn balls_under_loads_have_the_gradients_of_jets() {
+    with_room(on_balls);
+}
+
+fn on_balls() {
     let mut parameters = bodies(3);
     parameters.extend([0.3, -0.2, 0.1]);
     parameters.extend(MEDIUM);
@@ -276,4 +284,55 @@ fn a_spin_that_is_braked_has_the_gradient_of_an_exponential() {
     let left = (-brake * end / inertia).exp();
     near(gradient.by_rate()[0], left, 1e-13);
     near(gradient.by_loads().unwrap()[0], -end / inertia * spin * left, 1e-12);
+}
+
+/// Feet on a slope, and wrenches as values: more numbers than are told one by one, of which all else has derivatives.
+#[test]
+fn contacts_and_values_have_the_gradients_of_jets() {
+    with_room(|| {
+        let kinds: Kinds = &[("bodies", 26), ("gravity", 3)];
+        macro_rules! under {
+            ($name:expr, $law:expr) => {
+                gradients!(
+                    $name,
+                    kinds,
+                    bodies(2),
+                    [true; 2],
+                    2,
+                    Rk4,
+                    4,
+                    0.02,
+                    |x| {
+                        let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+                        let root = Pinned::on([0.0; 3].map(N::constant));
+                        System::new(root, (of(0), Ball, of(1)), Free)
+                            .unwrap()
+                            .with_gravity([0, 1, 2].map(|k| x(26 + k)))
+                    },
+                    under(0, |y| { $law(y(0)) })
+                )
+            };
+        }
+        under!("feet", feet);
+        under!("values", values);
+    });
+}
+
+/// Two points on a plane.
+type Feet<T> = PlainContacts<[(usize, [T; 3]); 2], Plane<T>, Contact<T>>;
+
+/// Points of both bodies on a slope that they are pressed into.
+fn feet<T: Scalar>(_: T) -> Feet<T> {
+    let of = |list: [f64; 3]| list.map(T::literal);
+    let points = [(0, of([0.7, -0.1, 0.1])), (1, of([0.6, 0.1, -0.2]))];
+    let law = Contact::new(T::literal(300.0), T::literal(0.05)).damped(T::literal(0.3));
+    let slope = Plane::through(of([0.0, 0.0, 1.0]), of([-0.6, 0.0, 0.8]));
+    Contacts::of(points, slope, law.rubbing(T::literal(0.4), T::literal(0.2))).plain()
+}
+
+/// A force and a torque on each body.
+fn values<T: Scalar>(_: T) -> catena::loading::Values<[Wrench<T>; 2]> {
+    let of = |x: f64, y: f64, z: f64| Vector3::new(T::literal(x), T::literal(y), T::literal(z));
+    let wrench = |x: f64| Wrench { force: of(x, 0.5, -0.3), torque: of(0.2, x, 0.4) };
+    catena::loading::Values([wrench(0.7), wrench(-0.4)])
 }
