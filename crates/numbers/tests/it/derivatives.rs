@@ -1,6 +1,5 @@
 //! One scene with every kind of number, and its derivatives against differences and closed forms. Derivative parts are
 //! compared by themselves: `==` and `near` see only the value of a dual number.
-#![cfg(feature = "num-dual")]
 
 use catena::loading::Unloaded;
 use catena::planar::*;
@@ -301,7 +300,6 @@ fn inverse_dynamics_has_derivatives() -> Result<(), Error> {
     Ok(())
 }
 
-#[cfg(feature = "simd")]
 #[test]
 fn four_lanes_are_four_runs() -> Result<(), Error> {
     use simba::simd::WideF64x4;

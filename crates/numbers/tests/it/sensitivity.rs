@@ -1,6 +1,5 @@
 //! Derivatives through kept gains: against dual numbers through the same steps, differences and closed forms. Derivative parts are
 //! compared one by one.
-#![cfg(feature = "num-dual")]
 
 use super::sensitivities::{FIXED, Parts, ROUNDING, alike, as_dual_numbers, parts};
 use catena::planar::*;

@@ -1,5 +1,4 @@
 //! Ensembles against a serial loop, bit for bit: order, errors in place, progress, lanes inside.
-#![cfg(all(feature = "rayon", feature = "simd"))]
 
 use catena::planar::*;
 use catena::scalar::{Scalar, WideF64x4};

@@ -1,5 +1,4 @@
 //! Derivatives through kept gains in space: against dual numbers through the same steps, part by part.
-#![cfg(feature = "num-dual")]
 
 use super::sensitivities::{FIXED, Parts, ROUNDING, alike, as_dual_numbers, parts};
 use catena::Error;

@@ -1,11 +1,8 @@
 //! Every number does what plain `f64` does, derivatives follow closed forms, and lanes do not see each other.
-#![cfg(any(feature = "std", feature = "libm"))]
 
 use catena::scalar::{Real, Scalar};
 
-#[cfg(feature = "num-dual")]
 mod duals;
-#[cfg(feature = "simd")]
 mod lanes;
 
 /// Points (y, x) in all quadrants, y being an angle [rad] too; exact in `f32`, so that it can be used for all numbers.

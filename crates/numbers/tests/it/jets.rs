@@ -1,5 +1,4 @@
 //! Jets against dual numbers of another library, operation by operation, derivative parts by themselves.
-#![cfg(feature = "num-dual")]
 
 use catena::Scalar;
 use catena::scalar::Jet;
