@@ -24,7 +24,7 @@ pub use laws::{AffineLaw, Strain};
 
 use crate::element::{Element, Space};
 use crate::loading::{Loading, Loads, SeriesLaw, Unloaded};
-use crate::relation::{Absent, Part};
+use crate::relation::{Absent, Closures, Open, Part};
 use crate::scalar::Real;
 use crate::shape::Takes;
 use crate::space::RealOf;
@@ -74,14 +74,18 @@ impl<R: Real> Order<R> {
     }
 }
 
-/// Elements whose motion has a Taylor series of order `N` through kept gains, under efforts `Q` in joints.
-pub trait Expand<S: Expandable, Q: Part, const N: usize>:
-    Element<S> + Takes<S, Begin<N>> + Takes<S, Articulate<N>> + Takes<S, Push<S, Q, N>> + Takes<S, Swing<S, N>>
+/// Elements whose motion has a Taylor series of order `N` through kept gains, under efforts `Q` in joints and closure forces `C`.
+pub trait Expand<S: Expandable, Q: Part, const N: usize, C: Closures = Open>:
+    Element<S> + Takes<S, Begin<N>> + Takes<S, Articulate<S, N, C>> + Takes<S, Push<S, Q, N, C>> + Takes<S, Swing<S, N, C>>
 {
 }
 
-impl<S: Expandable, Q: Part, E, const N: usize> Expand<S, Q, N> for E where
-    E: Element<S> + Takes<S, Begin<N>> + Takes<S, Articulate<N>> + Takes<S, Push<S, Q, N>> + Takes<S, Swing<S, N>>
+impl<S: Expandable, Q: Part, E, C: Closures, const N: usize> Expand<S, Q, N, C> for E where
+    E: Element<S>
+        + Takes<S, Begin<N>>
+        + Takes<S, Articulate<S, N, C>>
+        + Takes<S, Push<S, Q, N, C>>
+        + Takes<S, Swing<S, N, C>>
 {
 }
 

@@ -10,7 +10,7 @@ pub use ground::{Ground, GroundMotion, Moving, Turning};
 
 use crate::element::{Element, RealOf, Space};
 use crate::error::Error;
-use crate::relation::{Closures, Open, Solvable, WrenchOf};
+use crate::relation::{Closures, Own, Solvable, WrenchOf};
 use crate::space::FrameOf;
 
 /// Which of a conjugate pair an end makes known.
@@ -106,11 +106,14 @@ pub trait Tip<S: Space> {
 )]
 pub trait Resting<S: Space>: Root<S> {}
 
-/// A tip that nothing holds.
+/// A tip whose motion has a Taylor series: nothing holds it, or ground that rests does, by forces of directions that rest too.
 #[diagnostic::on_unimplemented(
-    message = "the tip `{Self}` is held",
-    label = "not a free tip",
-    note = "`Taylor` knows chains and trees whose tip is `Free`",
-    note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
+    message = "the tip `{Self}` is held as `Taylor` knows no series of",
+    label = "not a tip that has a series",
+    note = "`Taylor` knows `Free`, and in the plane `Pinned`, `Clamped` and `Guided` at places and angles that are numbers",
+    note = "`Dop853` runs all scenes"
 )]
-pub trait Unheld<S: Space>: Tip<S, Closures = Open> {}
+pub trait ExpandTip<S: Space>: Tip<S, Closures: Own> {
+    /// W: the opposite of the wrench by which each unit force acts on the last body.
+    fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
+}

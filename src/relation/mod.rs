@@ -17,6 +17,7 @@ mod geometry;
 mod join;
 mod kinds;
 mod looped;
+mod open;
 pub mod planar;
 mod redundancy;
 mod shared;

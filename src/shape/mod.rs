@@ -16,7 +16,9 @@ mod slot;
 mod walk;
 
 pub use closing::{Closing, Ends};
-pub use field::{Arm, Field, Kept, Main, PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Side, Way};
+pub use field::{
+    Arm, Columns, Field, Kept, Main, PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Side, Way,
+};
 pub(crate) use leaf::leaf;
 pub use leaf::{AsBody, AsJoint, Body, Joint, JointPosture, Native, PostureOf};
 pub use part::{Aside, ClosingEntry, Items, MainStore, Member, Nth, OwnOf, Parallel, SideStore};

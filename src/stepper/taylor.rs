@@ -2,9 +2,10 @@
 
 mod reach;
 
+use super::between::complete;
 use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::element::Element;
-use crate::ends::{Resting, Unheld};
+use crate::ends::{ExpandTip, Resting};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
@@ -87,8 +88,8 @@ impl<const P: usize> Taylor<P> {
         S: Expandable,
         R: Resting<S>,
         C: Element<S>,
-        E: Unheld<S>,
-        Elements<S, R, C>: Expand<S, Absent, P>,
+        E: ExpandTip<S>,
+        Elements<S, R, C>: Expand<S, Absent, P, E::Closures>,
     {
     }
 }
@@ -104,8 +105,8 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
 
     /// Begins the series at the motion ahead.
     fn open(&mut self, loads: &L) {
-        let Motion { time, position, rate, acceleration, .. } = &mut self.ahead;
-        self.scene.begin(*time, position, rate, loads, &mut self.series, acceleration);
+        let Motion { time, position, rate, acceleration, multipliers } = &mut self.ahead;
+        *multipliers = self.scene.begin(*time, position, rate, loads, &mut self.series, acceleration);
         (self.begun, self.known) = (true, *time);
     }
 
@@ -190,9 +191,17 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         }
         next.time = past.time + dt;
         self.sum(dt, next);
+        if D::CLOSED {
+            // Closed through gains of its own, as between steps.
+            let Motion { time, position, rate, acceleration, .. } = &mut *next;
+            self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
+            self.scene.project(next, &mut self.workspace);
+            self.sweeps += 1;
+        }
         self.ahead.copy_state(next);
         self.open(loads);
         next.acceleration.set(&self.ahead.acceleration);
+        next.multipliers = self.ahead.multipliers;
         match self.scene.accept(next) {
             Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => {
                 // Of a step that was too long the motion before it has nothing to say.
@@ -238,9 +247,11 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         let time = TimeIn::<D, L>::of(theta) * dt;
         between.time = past.time + time;
         self.sum(time, between);
-        let Motion { time, position, rate, acceleration, multipliers } = between;
-        *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
-        self.sweeps += 1;
+        self.sweeps += complete(&self.scene, between, loads, &mut self.workspace);
+    }
+
+    fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {
+        self.scene.independent(next, &self.workspace, least, &mut |_, _| ()).is_ok()
     }
 
     fn sweeps(&self) -> usize {

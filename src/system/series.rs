@@ -1,15 +1,19 @@
 //! Taylor series of a scene's motion.
 
+use super::dynamics::Held;
 use super::{Dynamics, Elements, PositionOf, RateOf, Runs, System};
-use crate::element::{Element, RealOf};
-use crate::ends::{Resting, Root, Unheld};
-use crate::relation::{Acceleration, AccelerationOf, Part, Wrench};
+use crate::element::{Element, RealOf, Space};
+use crate::ends::{ExpandTip, Resting, Root, Tip};
+use crate::relation::{
+    Acceleration, AccelerationOf, Closures, Cuts, Geometry, LoopGain, Open, Own, Part, Wrench, WrenchOf,
+};
 use crate::scalar::Scalar;
 use crate::series::{Expand, ExpandLoads, Expandable, Order};
-use crate::shape::{PerAxes, PerJoint, Shape, Takes};
+use crate::shape::{Columns, PerAxes, PerJoint, Shape, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Recite, Swing};
 use crate::walks::size::sizes;
 use core::marker::PhantomData;
+use num_traits::Zero;
 
 /// What a stepper by Taylor series of order `N` needs of a scene besides.
 pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
@@ -22,7 +26,8 @@ pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
     /// Room for a series.
     fn series(&self) -> Self::Series;
 
-    /// Begins a series where a motion is, and finds the accelerations there, its coefficients of order 0.
+    /// Begins a series where a motion is, and finds the accelerations there, its coefficients of order 0; returns the forces that hold the
+    /// tip.
     fn begin(
         &self,
         time: <Self::Scalar as Scalar>::Real,
@@ -31,7 +36,7 @@ pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
         loads: &L,
         series: &mut Self::Series,
         acceleration: &mut Self::Rate,
-    );
+    ) -> Held<Self, L>;
 
     /// Finds coefficients of the accelerations from order 1 on, one order after the other.
     fn expand(&self, series: &mut Self::Series, accelerations: &mut [Self::Rate]);
@@ -40,9 +45,17 @@ pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
     fn recite(&self, time: <Self::Scalar as Scalar>::Real, loads: &L, series: &mut Self::Series) -> bool;
 }
 
+/// The forces that hold a tip.
+type EachOf<S, P> = <<P as Tip<S>>::Closures as Closures>::Each<<S as Geometry>::Scalar>;
+
+/// The measure of closures whose pivots all count.
+fn unmeasured<S: Space, O: Own>() -> O::Measure<S::Scalar> {
+    O::measure(|| O::each(|_| S::Scalar::zero()))
+}
+
 /// Room for the series of a scene.
 #[derive(Clone)]
-pub struct SeriesRoom<S: Expandable, E: Shape<S>, Q: Part, const N: usize> {
+pub struct SeriesRoom<S: Expandable, E: Shape<S>, Q: Part, O: Own, const N: usize> {
     sizes: E::Store<PerAxes<S::Size>>,
     x: E::Store<PerAxes<S::X>>,
     y: E::Store<PerAxes<S::Y>>,
@@ -51,23 +64,34 @@ pub struct SeriesRoom<S: Expandable, E: Shape<S>, Q: Part, const N: usize> {
     axes: E::Store<PerAxes<S::AxesSeries<N>>>,
     joints: E::Store<PerJoint<S::JointSeries>>,
     efforts: E::Store<PerJoint<[Q; N]>>,
+    columns: E::Store<Columns<O>>,
+    /// Of the forces that hold the tip.
+    gain: LoopGain<WrenchOf<S>, S::Scalar, Open, O>,
 }
 
-impl<S: Expandable, R: Root<S>, C: Element<S>, P> System<S, R, C, P> {
-    /// The walks of one order, for a ground that accelerates like this: one copy for all.
+impl<S: Expandable, R: Root<S>, C: Element<S>, P: ExpandTip<S>> System<S, R, C, P> {
+    /// The walks of one order, for a ground that accelerates like this: one copy for all. Returns the forces that hold the tip.
     #[inline(never)]
     fn coefficients_of<Q: Part, const N: usize>(
         &self,
         k: usize,
         ground: AccelerationOf<S>,
-        series: &mut SeriesRoom<S, Elements<S, R, C>, Q, N>,
+        series: &mut SeriesRoom<S, Elements<S, R, C>, Q, P::Closures, N>,
         accelerations: &mut RateOf<S, R, C>,
-    ) where
-        Elements<S, R, C>: Expand<S, Q, N>,
+    ) -> EachOf<S, P>
+    where
+        Elements<S, R, C>: Expand<S, Q, N, P::Closures>,
     {
-        let (order, SeriesRoom { axes, joints, efforts, .. }) = (Order::of(k), series);
-        self.chain.take(&mut Push::<S, Q, N>(order, PhantomData), Wrench::none(), ((axes, joints), efforts));
-        self.chain.take(&mut Swing::<S, N>(order), ground, ((axes, joints), accelerations));
+        let (order, SeriesRoom { axes, joints, efforts, columns, gain, .. }) = (Order::of(k), series);
+        // What holds the tip stands on the same ground.
+        let gaps = P::Closures::map(&self.tip.columns(), |w| w.work(&ground));
+        let mut push = Push::<S, Q, N, P::Closures> { order, gaps, efforts: PhantomData };
+        self.chain.take(&mut push, Wrench::none(), ((axes, joints, columns), efforts));
+        let gaps = P::Closures::reduced(gain, &push.gaps);
+        let forces = P::Closures::forces(gain, |w| w.work(&ground), &(), &gaps);
+        let mut swing = Swing::<S, N, P::Closures> { order, forces };
+        self.chain.take(&mut swing, ground, ((axes, joints, columns), accelerations));
+        forces
     }
 }
 
@@ -76,14 +100,14 @@ where
     S: Expandable,
     R: Resting<S>,
     C: Element<S>,
-    P: Unheld<S>,
+    P: ExpandTip<S>,
     L: ExpandLoads<S>,
-    Elements<S, R, C>: Expand<S, L::InJoint, N>,
+    Elements<S, R, C>: Expand<S, L::InJoint, N, P::Closures>,
     Self: Runs<L, S, R, C, P>,
 {
     const LOADED: bool = L::ON;
 
-    type Series = SeriesRoom<S, Elements<S, R, C>, L::InJoint, N>;
+    type Series = SeriesRoom<S, Elements<S, R, C>, L::InJoint, P::Closures, N>;
 
     fn series(&self) -> Self::Series {
         let (chain, (x, y, p, q), (axes, joints)) = (&self.chain, S::blank(), S::untouched::<N>());
@@ -96,6 +120,8 @@ where
             axes: chain.store::<PerAxes<_>>(axes),
             joints: chain.store::<PerJoint<_>>(joints),
             efforts: chain.store::<PerJoint<_>>([L::nothing().1; N]),
+            columns: chain.store::<Columns<_>>(()),
+            gain: LoopGain::blank(Wrench::none(), unmeasured::<S, P::Closures>()),
         }
     }
 
@@ -108,16 +134,20 @@ where
         loads: &L,
         series: &mut Self::Series,
         acceleration: &mut RateOf<S, R, C>,
-    ) {
+    ) -> EachOf<S, P> {
         let ground = Root::ground(&self.root, time);
         if L::ON {
             SeriesDynamics::<L, N>::recite(self, time, loads, series);
         }
-        let SeriesRoom { sizes, x, y, p, q, axes, joints, .. } = series;
+        let SeriesRoom { sizes, x, y, p, q, axes, joints, columns, gain, .. } = series;
         self.chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
         self.chain.take(&mut Begin::<N>, S::begun(ground.turn), (x, y, p, (position, rate), (axes, joints)));
-        self.chain.take(&mut Articulate::<N>, S::nothing(), (axes, joints));
-        self.coefficients_of(0, ground.falling(self.gravity), series, acceleration);
+        let cuts = Cuts::at_tip(self.tip.columns(), P::Closures::each(|_| S::Scalar::zero()));
+        let mut articulate = Articulate::<S, N, P::Closures> { cuts };
+        self.chain.take(&mut articulate, S::nothing(), (axes, joints, columns));
+        let cuts = Cuts::none().around(P::Closures::each(|_| Wrench::none())).joined(&articulate.cuts, |a, b| a + b);
+        (_, *gain) = P::Closures::eliminate(cuts, gain.measure(), WrenchOf::<S>::plus_scaled, |_, _, _| ());
+        self.coefficients_of(0, ground.falling(self.gravity), series, acceleration)
     }
 
     #[inline(never)]
@@ -150,8 +180,8 @@ impl<D: SeriesDynamics<L, N>, L, const N: usize> SeriesDynamics<L, N> for &D {
         loads: &L,
         series: &mut Self::Series,
         acceleration: &mut Self::Rate,
-    ) {
-        D::begin(self, time, position, rate, loads, series, acceleration);
+    ) -> Held<Self, L> {
+        D::begin(self, time, position, rate, loads, series, acceleration)
     }
     fn expand(&self, series: &mut Self::Series, accelerations: &mut [Self::Rate]) {
         D::expand(self, series, accelerations);

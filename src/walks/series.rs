@@ -1,84 +1,117 @@
 //! Coefficients of a motion's Taylor series, order by order: the walks of the [contract](crate::series).
 
-use crate::relation::{AccelerationOf, Part, Wrench, WrenchOf};
+use crate::relation::{AccelerationOf, Closures, Cuts, Open, Part, Wrench, WrenchOf};
 use crate::series::{ExpandLoads, Expandable, Order};
 use crate::shape::{
-    AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Outward, PerAxes, PerJoint, Positions, Rates, Ref,
-    Selective, Walk, Way, alike, alike_in_arms,
+    Arm, AtBody, AtClosing, AtJoint, Body, Closing, Columns, Joint, Mut, Outward, PerAxes, PerJoint, Positions, Rates,
+    Ref, Selective, Walk, Way, alike, alike_in_arms,
 };
 use crate::space::{RealOf, Space};
 use core::marker::PhantomData;
 
-/// What the walks keep.
-type Kept<S, const N: usize> =
+/// What the walks keep of axes and joints.
+type Room<S, const N: usize> =
     (Mut<PerAxes<<S as Expandable>::AxesSeries<N>>>, Mut<PerJoint<<S as Expandable>::JointSeries>>);
+/// What the walks keep, where the closure forces `C` act: of these what they do to a body or a joint.
+type Kept<S, C, const N: usize> =
+    (Mut<PerAxes<<S as Expandable>::AxesSeries<N>>>, Mut<PerJoint<<S as Expandable>::JointSeries>>, Mut<Columns<C>>);
 
 /// Keeps the coefficients of order 0, of a posture.
 pub struct Begin<const N: usize>;
 
 /// Condenses what lies outboard, and keeps gains.
-pub struct Articulate<const N: usize>;
+pub struct Articulate<S: Expandable, const N: usize, C: Closures = Open> {
+    /// W and Λ of all that has been met.
+    pub cuts: Cuts<WrenchOf<S>, S::Scalar, C>,
+}
 
 /// Carries inward the force and torque on what lies outboard, as far as coefficients known so far, springs and efforts `Q` cause them.
-pub struct Push<S: Expandable, Q, const N: usize>(pub Order<RealOf<S>>, pub PhantomData<Q>);
+pub struct Push<S: Expandable, Q, const N: usize, C: Closures = Open> {
+    /// Of which order.
+    pub order: Order<RealOf<S>>,
+    /// y: by what all that has been met moves where the closure forces act.
+    pub gaps: C::Each<S::Scalar>,
+    /// Of which type efforts are.
+    pub efforts: PhantomData<Q>,
+}
 
 /// Finds the accelerations of an order from that of the root, and coefficients that follow from them.
-pub struct Swing<S: Expandable, const N: usize>(pub Order<RealOf<S>>);
+pub struct Swing<S: Expandable, const N: usize, C: Closures = Open> {
+    /// Of which order.
+    pub order: Order<RealOf<S>>,
+    /// λ of that order.
+    pub forces: C::Each<S::Scalar>,
+}
 
 impl<S: Expandable, const N: usize> Walk<S> for Begin<N> {
     type Carried = S::Begun;
     /// Postures but for what velocities cause; positions and rates; what is kept.
     type Stores =
-        (Ref<PerAxes<S::X>>, Ref<PerAxes<S::Y>>, Ref<PerAxes<S::P>>, (Ref<Positions>, Ref<Rates>), Kept<S, N>);
+        (Ref<PerAxes<S::X>>, Ref<PerAxes<S::Y>>, Ref<PerAxes<S::P>>, (Ref<Positions>, Ref<Rates>), Room<S, N>);
 }
 
 impl<S: Expandable, const N: usize> Selective<S> for Begin<N> {
     alike_in_arms!();
 }
 
-impl<S: Expandable, const N: usize> Walk<S> for Articulate<N> {
+impl<S: Expandable, C: Closures, const N: usize> Walk<S> for Articulate<S, N, C> {
     type Carried = S::Articulated;
-    type Stores = Kept<S, N>;
+    type Stores = Kept<S, C, N>;
 }
 
-impl<S: Expandable, const N: usize> Selective<S> for Articulate<N> {
+impl<S: Expandable, C: Closures, const N: usize> Selective<S> for Articulate<S, N, C> {
     const OUTWARD: bool = false;
-    type In<Y: Way> = Self;
+    type In<Y: Way> = Articulate<S, N, Y::Forces<C>>;
 
     #[inline(always)]
     fn branch(
         &mut self,
         chain: S::Articulated,
-        go: impl FnOnce(&mut Self, S::Articulated) -> S::Articulated,
+        go: impl FnOnce(&mut Self::In<Arm>, S::Articulated) -> S::Articulated,
     ) -> S::Articulated {
-        S::join(chain, go(self, S::nothing()))
+        S::join(chain, go(&mut Articulate { cuts: Cuts::none() }, S::nothing()))
     }
 }
 
-impl<S: Expandable, Q: Part, const N: usize> Walk<S> for Push<S, Q, N> {
+impl<S: Expandable, Q: Part, C: Closures, const N: usize> Walk<S> for Push<S, Q, N, C> {
     type Carried = WrenchOf<S>;
     /// What is kept; coefficients of efforts.
-    type Stores = (Kept<S, N>, Ref<PerJoint<[Q; N]>>);
+    type Stores = (Kept<S, C, N>, Ref<PerJoint<[Q; N]>>);
 }
 
-impl<S: Expandable, Q: Part, const N: usize> Selective<S> for Push<S, Q, N> {
+impl<S: Expandable, Q: Part, C: Closures, const N: usize> Selective<S> for Push<S, Q, N, C> {
     const OUTWARD: bool = false;
-    type In<Y: Way> = Self;
+    type In<Y: Way> = Push<S, Q, N, Y::Forces<C>>;
 
     #[inline(always)]
-    fn branch(&mut self, chain: WrenchOf<S>, go: impl FnOnce(&mut Self, WrenchOf<S>) -> WrenchOf<S>) -> WrenchOf<S> {
-        chain + go(self, Wrench::none())
+    fn branch(
+        &mut self,
+        chain: WrenchOf<S>,
+        go: impl FnOnce(&mut Self::In<Arm>, WrenchOf<S>) -> WrenchOf<S>,
+    ) -> WrenchOf<S> {
+        chain + go(&mut Push { order: self.order, gaps: (), efforts: PhantomData }, Wrench::none())
     }
 }
 
-impl<S: Expandable, const N: usize> Walk<S> for Swing<S, N> {
+impl<S: Expandable, C: Closures, const N: usize> Walk<S> for Swing<S, N, C> {
     type Carried = AccelerationOf<S>;
     /// What is kept; accelerations.
-    type Stores = (Kept<S, N>, Mut<Rates>);
+    type Stores = (Kept<S, C, N>, Mut<Rates>);
 }
 
-impl<S: Expandable, const N: usize> Selective<S> for Swing<S, N> {
-    alike_in_arms!();
+impl<S: Expandable, C: Closures, const N: usize> Selective<S> for Swing<S, N, C> {
+    const OUTWARD: bool = true;
+    type In<Y: Way> = Swing<S, N, Y::Forces<C>>;
+
+    #[inline(always)]
+    fn branch(
+        &mut self,
+        carried: AccelerationOf<S>,
+        go: impl FnOnce(&mut Self::In<Arm>, AccelerationOf<S>) -> AccelerationOf<S>,
+    ) -> AccelerationOf<S> {
+        go(&mut Swing { order: self.order, forces: () }, carried);
+        carried
+    }
 }
 
 /// Finds the coefficients of efforts in all joints, and whether they are those that were there.

@@ -1,6 +1,6 @@
 //! No Taylor series of a tip that is held in space is known.
-//@ is held
-//@ not a free tip
+//@ is held as `Taylor` knows no series of
+//@ not a tip that has a series
 
 use catena::spatial::*;
 

@@ -12,6 +12,7 @@ mod named_runs;
 mod references;
 mod resumed;
 mod series;
+mod series_held;
 mod series_in_space;
 mod spatial_orders;
 mod spatial_references;

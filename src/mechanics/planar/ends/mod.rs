@@ -7,8 +7,8 @@ mod guided;
 mod pinned;
 
 use super::Planar;
+use crate::ends::Resting;
 pub use crate::ends::{Ground, Moving, Turning};
-use crate::ends::{Resting, Unheld};
 use crate::scalar::Scalar;
 pub use clamped::Clamped;
 pub(super) use compliance::Compliance;
@@ -21,4 +21,3 @@ pub type GroundMotion<T> = crate::ends::GroundMotion<T, 2>;
 
 impl<T: Scalar> Resting<Planar<T>> for Pinned<[T; 2]> {}
 impl<T: Scalar> Resting<Planar<T>> for Clamped<[T; 2], T> {}
-impl<T: Scalar> Unheld<Planar<T>> for Free {}

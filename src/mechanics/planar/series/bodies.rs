@@ -10,11 +10,11 @@
 //!
 //! so two convolutions give X and two the moment, whatever the body. Of a rod z is its arm, so that o is one and Y is F.
 
-use super::Articulated;
+use super::{Articulated, pulled};
 use crate::mechanics::planar::body::Base;
 use crate::mechanics::planar::{Acceleration, Body, Internal, Planar, PointMass, RigidBody, Rod, Turn};
-use crate::relation::planar::algebra::{Symmetric2, add_scaled, normal, plus_dot};
-use crate::relation::{Part, Symmetric};
+use crate::relation::planar::algebra::{Symmetric2, add_scaled, dot, normal, plus_dot};
+use crate::relation::{Closures, Part, Symmetric};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
@@ -126,17 +126,20 @@ macro_rules! bodies {
                 turn
             }
         }
-        impl<T: Scalar, const N: usize> Takes<Planar<T>, Articulate<N>> for $Body<T> {
+        impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Articulate<N>,
+                Articulate { cuts }: &mut Articulate<Planar<T>, N, C>,
                 outer: Articulated<T>,
-                (room, ()): Of<'_, Planar<T>, Articulate<N>, Self>,
+                (room, (), columns): Of<'_, Planar<T>, Articulate<Planar<T>, N, C>, Self>,
             ) -> Articulated<T> {
                 let Base { outboard, moment, inertia, lumped } = base(self);
                 let Articulated { linear, coupling, angular } = outer;
                 let (linear, lever) = (linear.plus_diagonal(lumped), room.lever);
+                let inner = |w: Vector2<T>| if Self::MOMENT { back(outboard, w) } else { w };
+                *columns = C::map(&cuts.columns, |w| Internal { force: inner(w.force), torque: T::zero() });
+                cuts.columns = C::map(&cuts.columns, |w| Internal { torque: plus_dot(w.torque, lever, w.force), ..w });
                 let swung = linear.apply_onto(lever, coupling);
                 let angular = plus_dot(angular + inertia, lever, coupling + swung);
                 let coupling = if Self::MOMENT {
@@ -156,19 +159,19 @@ macro_rules! bodies {
                 Articulated { linear, coupling, angular }
             }
         }
-        impl<T: Scalar, Q: Part, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N>> for $Body<T> {
+        impl<T: Scalar, Q: Part, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                walk: &mut Push<Planar<T>, Q, N>,
+                Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
                 outer: Internal<T>,
-                ((room, ()), ()): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
+                ((room, (), columns), ()): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
             ) -> Internal<T> {
-                let Push(order, _) = walk;
                 let [x, y, m, n] = room.convolved(order.k);
                 let curl = normal(Vector2::new(x.scale(order.next), y.scale(order.next)));
                 let torque = plus_dot(plus_dot(m + n, room.moment, curl) + outer.torque, room.lever, outer.force);
                 room.curl = curl;
+                *gaps = C::zip(gaps, columns, |gap, w| gap - dot(w.force, curl));
                 if Self::MOMENT {
                     let [along_x, along_y] = room.force;
                     room.known = room.inner.apply_onto(curl, back(base(self).outboard, outer.force));
@@ -179,22 +182,23 @@ macro_rules! bodies {
                 }
             }
         }
-        impl<T: Scalar, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N>> for $Body<T> {
+        impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                walk: &mut Swing<Planar<T>, N>,
+                walk: &mut Swing<Planar<T>, N, C>,
                 inboard: Acceleration<T>,
-                ((room, ()), ()): Of<'_, Planar<T>, Swing<Planar<T>, N>, Self>,
+                ((room, (), columns), ()): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
             ) -> Acceleration<T> {
-                let (Swing(order), Acceleration { linear, angular }) = (walk, inboard);
+                let (Swing { order, forces }, Acceleration { linear, angular }) = (walk, inboard);
+                let known = pulled::<T, C>(room.known, columns, forces);
                 let turned = add_scaled(room.curl, angular, normal(room.axes));
                 let (force, outboard) = if Self::MOMENT {
                     let [along_x, along_y] = room.force;
-                    let force = Vector2::new(plus_dot(room.known.x, along_x, linear), plus_dot(room.known.y, along_y, linear));
+                    let force = Vector2::new(plus_dot(known.x, along_x, linear), plus_dot(known.y, along_y, linear));
                     (force, linear + times(base(self).outboard, room.curl))
                 } else {
-                    (room.inner.apply_onto(linear, room.known), linear + room.curl)
+                    (room.inner.apply_onto(linear, known), linear + room.curl)
                 };
                 // Last what waits for the inboard body.
                 let outboard = add_scaled(outboard, angular, room.lever);

@@ -3,7 +3,7 @@
 use super::Articulated;
 use crate::mechanics::planar::{Acceleration, ElasticHinge, Internal, Joint, Pin, Planar, Turn, Weld};
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
-use crate::relation::{Part, Symmetric, Term};
+use crate::relation::{Closures, Cuts, Part, Symmetric, Term};
 use crate::scalar::Scalar;
 use crate::series::{AffineLaw, Strain};
 use crate::shape::{Of, Takes};
@@ -35,9 +35,17 @@ impl<T: Scalar> JointSeries<T> {
 
     /// Eliminates the rotation.
     #[inline(always)]
-    fn loosen(&mut self, Articulated { linear, coupling, angular }: Articulated<T>) -> Articulated<T> {
+    fn loosen<C: Closures>(
+        &mut self,
+        Articulated { linear, coupling, angular }: Articulated<T>,
+        cuts: &mut Cuts<Internal<T>, T, C>,
+        columns: &mut C::Each<Internal<T>>,
+    ) -> Articulated<T> {
         self.minus_inverse = -angular.recip();
         self.gain = coupling * self.minus_inverse;
+        *columns = C::map(&cuts.columns, |w| w);
+        let moved = |w: Internal<T>, _| Internal { force: add_scaled(w.force, w.torque, self.gain), torque: T::zero() };
+        (*cuts, _) = cuts.eliminated(self.minus_inverse, T::zero(), |w| w.torque, moved);
         let zero = T::zero();
         Articulated {
             linear: linear.plus_outer(coupling, self.gain),
@@ -55,8 +63,16 @@ impl<T: Scalar> JointSeries<T> {
 
     /// The angular acceleration of the outboard body.
     #[inline(always)]
-    fn angular(&self, linear: Vector2<T>) -> T {
-        plus_dot(self.free, self.gain, linear)
+    fn angular<C: Closures>(&self, linear: Vector2<T>, columns: &C::Each<Internal<T>>, forces: &C::Each<T>) -> T {
+        plus_dot(self.held::<C>(columns, forces), self.gain, linear)
+    }
+
+    /// The acceleration of the present order under closure forces if the station stays where it is.
+    #[inline(always)]
+    pub(super) fn held<C: Closures>(&self, columns: &C::Each<Internal<T>>, forces: &C::Each<T>) -> T {
+        let mut free = self.free;
+        C::zip(columns, forces, |w, by| free = (w.torque * self.minus_inverse).mul_add(by, free));
+        free
     }
 }
 
@@ -72,40 +88,42 @@ impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for Pin {
     }
 }
 
-impl<T: Scalar, const N: usize> Takes<Planar<T>, Articulate<N>> for Pin {
+impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>> for Pin {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Articulate<N>,
+        Articulate { cuts }: &mut Articulate<Planar<T>, N, C>,
         outer: Articulated<T>,
-        ((), room): Of<'_, Planar<T>, Articulate<N>, Self>,
+        ((), room, columns): Of<'_, Planar<T>, Articulate<Planar<T>, N, C>, Self>,
     ) -> Articulated<T> {
-        room.loosen(outer)
+        room.loosen(outer, cuts, columns)
     }
 }
 
-impl<T: Scalar, Q: Term<T>, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N>> for Pin {
+impl<T: Scalar, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>> for Pin {
     #[inline(always)]
     fn take(
         &self,
-        Push(order, _): &mut Push<Planar<T>, Q, N>,
+        Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
         outer: Internal<T>,
-        (((), room), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
+        (((), room, columns), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
     ) -> Internal<T> {
         let effort = efforts[order.k];
-        Internal { force: room.release(outer.force, effort.take_from(outer.torque)), torque: effort.add_to(T::zero()) }
+        let force = room.release(outer.force, effort.take_from(outer.torque));
+        *gaps = C::zip(gaps, columns, |gap, w| (-w.torque).mul_add(room.free, gap));
+        Internal { force, torque: effort.add_to(T::zero()) }
     }
 }
 
-impl<T: Scalar, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N>> for Pin {
+impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>> for Pin {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Swing<Planar<T>, N>,
+        Swing { forces, .. }: &mut Swing<Planar<T>, N, C>,
         inboard: Acceleration<T>,
-        (((), room), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N>, Self>,
+        (((), room, columns), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
     ) -> Acceleration<T> {
-        *acceleration = room.angular(inboard.linear);
+        *acceleration = room.angular::<C>(inboard.linear, columns, forces);
         Acceleration { angular: *acceleration, ..inboard }
     }
 }
@@ -120,7 +138,7 @@ impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for Weld<T> {
 /// Walks that a weld hands on.
 macro_rules! welded {
     ($([$($Q:ident)?] $Walk:ty: $Carried:ty),*) => {$(
-        impl<T: Scalar, $($Q: Part,)? const N: usize> Takes<Planar<T>, $Walk> for Weld<T> {
+        impl<T: Scalar, $($Q: Part,)? C: Closures, const N: usize> Takes<Planar<T>, $Walk> for Weld<T> {
             #[inline(always)]
             fn take(&self, _: &mut $Walk, carried: $Carried, _: Of<'_, Planar<T>, $Walk, Self>) -> $Carried {
                 carried
@@ -128,7 +146,11 @@ macro_rules! welded {
         }
     )*};
 }
-welded!([] Articulate<N>: Articulated<T>, [Q] Push<Planar<T>, Q, N>: Internal<T>, [] Swing<Planar<T>, N>: Acceleration<T>);
+welded!(
+    [] Articulate<Planar<T>, N, C>: Articulated<T>,
+    [Q] Push<Planar<T>, Q, N, C>: Internal<T>,
+    [] Swing<Planar<T>, N, C>: Acceleration<T>
+);
 
 impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for ElasticHinge<L> {
     #[inline(always)]
@@ -143,42 +165,48 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for 
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Articulate<N>> for ElasticHinge<L> {
-    #[inline(always)]
-    fn take(
-        &self,
-        _: &mut Articulate<N>,
-        outer: Articulated<T>,
-        ((), room): Of<'_, Planar<T>, Articulate<N>, Self>,
-    ) -> Articulated<T> {
-        room.loosen(outer)
-    }
-}
-
-impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N>>
+impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>>
     for ElasticHinge<L>
 {
     #[inline(always)]
     fn take(
         &self,
-        Push(order, _): &mut Push<Planar<T>, Q, N>,
-        outer: Internal<T>,
-        (((), room), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
-    ) -> Internal<T> {
-        let torque = efforts[order.k].add_to(room.strain.effort);
-        Internal { force: room.release(outer.force, outer.torque - torque), torque }
+        Articulate { cuts }: &mut Articulate<Planar<T>, N, C>,
+        outer: Articulated<T>,
+        ((), room, columns): Of<'_, Planar<T>, Articulate<Planar<T>, N, C>, Self>,
+    ) -> Articulated<T> {
+        room.loosen(outer, cuts, columns)
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N>> for ElasticHinge<L> {
+impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>>
+    for ElasticHinge<L>
+{
     #[inline(always)]
     fn take(
         &self,
-        Swing(order): &mut Swing<Planar<T>, N>,
+        Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
+        outer: Internal<T>,
+        (((), room, columns), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
+    ) -> Internal<T> {
+        let torque = efforts[order.k].add_to(room.strain.effort);
+        let force = room.release(outer.force, outer.torque - torque);
+        *gaps = C::zip(gaps, columns, |gap, w| (-w.torque).mul_add(room.free, gap));
+        Internal { force, torque }
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>>
+    for ElasticHinge<L>
+{
+    #[inline(always)]
+    fn take(
+        &self,
+        Swing { order, forces }: &mut Swing<Planar<T>, N, C>,
         inboard: Acceleration<T>,
-        (((), room), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N>, Self>,
+        (((), room, columns), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
     ) -> Acceleration<T> {
-        let angular = room.angular(inboard.linear);
+        let angular = room.angular::<C>(inboard.linear, columns, forces);
         *acceleration = angular - inboard.angular;
         room.strain.follow(order, *acceleration, &self.rotary);
         Acceleration { angular, ..inboard }

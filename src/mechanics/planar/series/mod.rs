@@ -3,10 +3,11 @@
 mod bodies;
 mod joints;
 mod slider;
+mod tips;
 
-use crate::mechanics::planar::{Planar, Turn};
-use crate::relation::Additive;
-use crate::relation::planar::algebra::Symmetric2;
+use crate::mechanics::planar::{Internal, Planar, Turn};
+use crate::relation::planar::algebra::{Symmetric2, add_scaled};
+use crate::relation::{Additive, Closures};
 use crate::scalar::Scalar;
 use crate::series::Expandable;
 use bodies::AxesSeries;
@@ -46,4 +47,16 @@ impl<T: Scalar> Expandable for Planar<T> {
     fn untouched<const N: usize>() -> (AxesSeries<T, N>, JointSeries<T>) {
         (AxesSeries::new(), JointSeries::new())
     }
+}
+
+/// A force with those that closure forces cause by their columns.
+#[inline(always)]
+fn pulled<T: Scalar, C: Closures>(
+    force: Vector2<T>,
+    columns: &C::Each<Internal<T>>,
+    forces: &C::Each<T>,
+) -> Vector2<T> {
+    let mut sum = force;
+    C::zip(columns, forces, |w, by| sum = add_scaled(sum, by, w.force));
+    sum
 }

@@ -4,11 +4,11 @@
 //! κ = s₀ p + (k + 1) (k + 2) Σ s_j z_{k+2−j} of what is known, j from 1 to k + 1, and p of z as for a body. The force F through the joint
 //! has the part Re(z̄ F) = Q along the line, and the moment Im(r̄ F) about the inboard point. So eight convolutions: two sets of four lanes.
 
-use super::Articulated;
 use super::bodies::AxesSeries;
+use super::{Articulated, pulled};
 use crate::mechanics::planar::{Acceleration, Internal, Planar, Slider, Turn};
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
-use crate::relation::{Symmetric, Term};
+use crate::relation::{Closures, Symmetric, Term};
 use crate::scalar::Scalar;
 use crate::series::{AffineLaw, Strain};
 use crate::shape::{Of, Takes};
@@ -49,13 +49,15 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for 
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Articulate<N>> for Slider<T, L> {
+impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>>
+    for Slider<T, L>
+{
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Articulate<N>,
+        Articulate { cuts }: &mut Articulate<Planar<T>, N, C>,
         Articulated { linear, coupling, angular }: Articulated<T>,
-        ([line, arm], room): Of<'_, Planar<T>, Articulate<N>, Self>,
+        ([line, arm], room, columns): Of<'_, Planar<T>, Articulate<Planar<T>, N, C>, Self>,
     ) -> Articulated<T> {
         // Before the line yields in one set, after it in the other.
         let linear = linear.plus_diagonal(self.lumped);
@@ -64,6 +66,15 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Articulate<N>>
         room.minus_inverse = -dot(line.axes, along).recip();
         room.gain = along * room.minus_inverse;
         room.gain_of_turning = across * room.minus_inverse;
+        let share = |w: Internal<T>| dot(line.axes, w.force);
+        let reduced = C::map(&cuts.columns, |w| {
+            let by = share(w);
+            let torque = by.mul_add(room.gain_of_turning, w.torque);
+            Internal { force: add_scaled(w.force, by, room.gain), torque }
+        });
+        *columns = C::zip(&cuts.columns, &reduced, |w, reduced| Internal { torque: share(w), ..reduced });
+        (*cuts, _) = cuts.eliminated(room.minus_inverse, T::zero(), share, |w, _| w);
+        cuts.columns = C::map(&reduced, |w| Internal { torque: plus_dot(w.torque, line.lever, w.force), ..w });
         let linear = linear.plus_outer(along, room.gain);
         let coupling = add_scaled(coupling, room.gain_of_turning, along);
         let angular = across.mul_add(room.gain_of_turning, angular);
@@ -73,13 +84,15 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Articulate<N>>
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N>> for Slider<T, L> {
+impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>>
+    for Slider<T, L>
+{
     #[inline(always)]
     fn take(
         &self,
-        Push(order, _): &mut Push<Planar<T>, Q, N>,
+        Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
         outer: Internal<T>,
-        (([line, arm], room), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N>, Self>,
+        (([line, arm], room, columns), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
     ) -> Internal<T> {
         let [x, y, along, more] = line.convolved(order.k);
         let curl = normal(Vector2::new(x.scale(order.next), y.scale(order.next)));
@@ -91,6 +104,9 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, const N: usize> Takes<Planar<T>, Pu
         let torque = plus_dot(outer.torque, arm.moment, known);
         let missed = dot(line.axes, force) + (along + more) - efforts[order.k].add_to(room.strain.effort);
         room.free = missed * room.minus_inverse;
+        // Columns are kept as they are once the line has yielded.
+        let left = room.free - dot(room.gain, known);
+        *gaps = C::zip(gaps, columns, |gap, w| (-w.torque).mul_add(left, gap - dot(w.force, known)));
         let force = add_scaled(force, missed, room.gain);
         line.known = force;
         let torque = missed.mul_add(room.gain_of_turning, torque + (moment + rest));
@@ -98,19 +114,23 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, const N: usize> Takes<Planar<T>, Pu
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N>> for Slider<T, L> {
+impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>>
+    for Slider<T, L>
+{
     #[inline(always)]
     fn take(
         &self,
-        Swing(order): &mut Swing<Planar<T>, N>,
+        Swing { order, forces }: &mut Swing<Planar<T>, N, C>,
         Acceleration { linear, angular }: Acceleration<T>,
-        ((axes, room), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N>, Self>,
+        ((axes, room, columns), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
     ) -> Acceleration<T> {
         let [line, arm] = &*axes;
+        let known = pulled::<T, C>(line.known, columns, forces);
         let carried = add_scaled(linear, angular, line.lever);
-        *acceleration = plus_dot(room.gain_of_turning.mul_add(angular, room.free), room.gain, carried);
+        *acceleration =
+            plus_dot(room.gain_of_turning.mul_add(angular, room.held::<C>(columns, forces)), room.gain, carried);
         let outboard = add_scaled(carried + line.curl, *acceleration, line.axes);
-        let force = line.inner.apply_onto(carried, add_scaled(line.known, angular, line.moment));
+        let force = line.inner.apply_onto(carried, add_scaled(known, angular, line.moment));
         let turned = add_scaled(arm.curl, angular, normal(line.axes));
         let half = |v: Vector2<T>| Vector2::new(v.x.scale(order.twice), v.y.scale(order.twice));
         let (turned, moved, slid) = (half(turned), half(outboard - linear), acceleration.scale(order.twice));

@@ -8,8 +8,8 @@ mod hinged;
 mod pinned;
 
 use super::{Rotation, Spatial};
+use crate::ends::{ExpandTip, Resting};
 pub use crate::ends::{Ground, Moving, Turning};
-use crate::ends::{Resting, Unheld};
 use crate::scalar::Scalar;
 pub use clamped::{AttitudeMotion, Clamped};
 pub(super) use compliance::Compliance;
@@ -24,4 +24,6 @@ pub type GroundMotion<T> = crate::ends::GroundMotion<T, 3>;
 impl<T: Scalar> Resting<Spatial<T>> for Pinned<[T; 3]> {}
 impl<T: Scalar> Resting<Spatial<T>> for Clamped<[T; 3], Rotation<T>> {}
 impl<T: Scalar> Resting<Spatial<T>> for Hinged<[T; 3], Rotation<T>, T> {}
-impl<T: Scalar> Unheld<Spatial<T>> for Free {}
+impl<T: Scalar> ExpandTip<Spatial<T>> for Free {
+    fn columns(&self) {}
+}

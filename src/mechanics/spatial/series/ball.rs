@@ -82,13 +82,13 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for Ball {
     }
 }
 
-impl<T: Scalar, const N: usize> Takes<Spatial<T>, Articulate<N>> for Ball {
+impl<T: Scalar, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N>> for Ball {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Articulate<N>,
+        _: &mut Articulate<Spatial<T>, N>,
         outer: Full<T>,
-        (_, room): Of<'_, Spatial<T>, Articulate<N>, Self>,
+        (_, room, ()): Of<'_, Spatial<T>, Articulate<Spatial<T>, N>, Self>,
     ) -> Full<T> {
         // The same factors as in the elimination: they are formed once.
         room.factor = outer.angular.factor();
@@ -102,9 +102,9 @@ impl<T: Scalar, Q: Applied<T>, const N: usize> Takes<Spatial<T>, Push<Spatial<T>
     #[inline(always)]
     fn take(
         &self,
-        Push(order, _): &mut Push<Spatial<T>, Q, N>,
+        Push { order, .. }: &mut Push<Spatial<T>, Q, N>,
         outer: Internal<T>,
-        ((axes, room), efforts): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
+        ((axes, room, ()), efforts): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
     ) -> Internal<T> {
         let [x, y, z] = axes.spread(order.k);
         let (half, quarter) = (T::literal(0.5), T::literal(-0.25));
@@ -131,9 +131,9 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N>> for Ball
     #[inline(always)]
     fn take(
         &self,
-        Swing(order): &mut Swing<Spatial<T>, N>,
+        Swing { order, .. }: &mut Swing<Spatial<T>, N>,
         inboard: Acceleration<T>,
-        ((axes, room), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
+        ((axes, room, ()), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
     ) -> Acceleration<T> {
         let angular = room.gain.angular(inboard.linear, &());
         let turned = angular + vector(axes.curls[0]);

@@ -54,13 +54,13 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Begin<N>> for
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Articulate<N>> for Revolute<T, L> {
+impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N>> for Revolute<T, L> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Articulate<N>,
+        _: &mut Articulate<Spatial<T>, N>,
         outer: Full<T>,
-        (axes, room): Of<'_, Spatial<T>, Articulate<N>, Self>,
+        (axes, room, ()): Of<'_, Spatial<T>, Articulate<Spatial<T>, N>, Self>,
     ) -> Full<T> {
         let axis = vector(axes.axes[0]);
         room.minus_inverse = -dot(axis, outer.angular.apply(axis)).recip();
@@ -77,9 +77,9 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, const N: usize> Takes<Spatial<T>
     #[inline(always)]
     fn take(
         &self,
-        Push(order, _): &mut Push<Spatial<T>, Q, N>,
+        Push { order, .. }: &mut Push<Spatial<T>, Q, N>,
         outer: Internal<T>,
-        ((axes, room), efforts): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
+        ((axes, room, ()), efforts): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
     ) -> Internal<T> {
         let [x, y, z] = axes.swept(order.k);
         // n × ω, the other way round.
@@ -100,9 +100,9 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Swing<Spatial
     #[inline(always)]
     fn take(
         &self,
-        Swing(order): &mut Swing<Spatial<T>, N>,
+        Swing { order, .. }: &mut Swing<Spatial<T>, N>,
         Acceleration { linear, angular }: Acceleration<T>,
-        ((axes, room), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
+        ((axes, room, ()), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
     ) -> Acceleration<T> {
         let (axis, carried) = (vector(axes.axes[0]), angular + room.bias);
         *acceleration = room.pivot.acceleration(linear, carried, &());

@@ -75,13 +75,13 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for RigidBody<T> {
     }
 }
 
-impl<T: Scalar, const N: usize> Takes<Spatial<T>, Articulate<N>> for RigidBody<T> {
+impl<T: Scalar, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N>> for RigidBody<T> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Articulate<N>,
+        _: &mut Articulate<Spatial<T>, N>,
         outer: Full<T>,
-        (room, ()): Of<'_, Spatial<T>, Articulate<N>, Self>,
+        (room, (), ()): Of<'_, Spatial<T>, Articulate<Spatial<T>, N>, Self>,
     ) -> Full<T> {
         let of = |list: [T; 3]| combined(&room.axes, list);
         let full = outer.with_mass(self.lumped).carried(of(self.outboard()), zero());
@@ -97,9 +97,9 @@ impl<T: Scalar, Q: Part, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N
     #[inline(always)]
     fn take(
         &self,
-        Push(order, _): &mut Push<Spatial<T>, Q, N>,
+        Push { order, .. }: &mut Push<Spatial<T>, Q, N>,
         outer: Internal<T>,
-        ((room, ()), ()): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
+        ((room, (), ()), ()): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
     ) -> Internal<T> {
         let [curls, moment] = curl(room.known(order.k), (&room.axes, &room.moments), order.next);
         let arm = combined(&curls, self.outboard());
@@ -120,9 +120,9 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N>> for Rigi
     #[inline(always)]
     fn take(
         &self,
-        Swing(order): &mut Swing<Spatial<T>, N>,
+        Swing { order, .. }: &mut Swing<Spatial<T>, N>,
         Acceleration { linear, angular }: Acceleration<T>,
-        ((room, ()), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
+        ((room, (), ()), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
     ) -> Acceleration<T> {
         let force = room.coupling.apply_onto(angular, room.linear.apply_onto(linear, room.force));
         let [turned, forces] = swing((&room.axes, &room.moments, &room.curls), angular, (&room.shares, force, linear));

@@ -69,13 +69,13 @@ macro_rules! rods {
                 spin
             }
         }
-        impl<T: Scalar, const N: usize> Takes<Spatial<T>, Articulate<N>> for $Body<T> {
+        impl<T: Scalar, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Articulate<N>,
+                _: &mut Articulate<Spatial<T>, N>,
                 outer: Full<T>,
-                (room, ()): Of<'_, Spatial<T>, Articulate<N>, Self>,
+                (room, (), ()): Of<'_, Spatial<T>, Articulate<Spatial<T>, N>, Self>,
             ) -> Full<T> {
                 let (arm, none) = (vector(room.axes[0]), zero());
                 let pose = Pose { attitude: Columns::identity(), turning: none, arm, centripetal: none };
@@ -91,9 +91,9 @@ macro_rules! rods {
                 &self,
                 walk: &mut Push<Spatial<T>, Q, N>,
                 outer: Internal<T>,
-                ((room, ()), ()): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
+                ((room, (), ()), ()): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
             ) -> Internal<T> {
-                let Push(order, _) = walk;
+                let Push { order, .. } = walk;
                 let sums = room.swept(order.k);
                 let curl = scaled(crossed(&sums, 2), -order.next);
                 let known = room.coupling.transposed_onto(curl, crossed(&sums, 0)) + outer.torque;
@@ -108,9 +108,9 @@ macro_rules! rods {
                 &self,
                 walk: &mut Swing<Spatial<T>, N>,
                 Acceleration { linear, angular }: Acceleration<T>,
-                ((room, ()), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
+                ((room, (), ()), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
             ) -> Acceleration<T> {
-                let Swing(order) = walk;
+                let Swing { order, .. } = walk;
                 let turned = cross_onto(angular, vector(room.axes[0]), vector(room.curls[0]));
                 let force = room.coupling.apply_onto(angular, room.linear.apply_onto(linear, room.force));
                 room.keep(order.k + 1, scaled(turned, order.twice), force, scaled(angular, order.once));

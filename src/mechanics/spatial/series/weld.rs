@@ -20,7 +20,7 @@ macro_rules! welded {
 }
 welded!(
     [] Begin<N>: Vector3<T>,
-    [] Articulate<N>: Full<T>,
+    [] Articulate<Spatial<T>, N>: Full<T>,
     [Q] Push<Spatial<T>, Q, N>: Internal<T>,
     [] Swing<Spatial<T>, N>: Acceleration<T>
 );
