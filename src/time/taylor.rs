@@ -10,9 +10,10 @@ use super::{Control, Rule};
 ///
 /// It knows rods, rigid bodies, point masses, pins, welds, sliders and rotary springs and dampers of the plane, and rods, rigid bodies, point
 /// masses, balls, welds and revolute joints with springs and dampers of space, in tuples, arrays, vectors and branches, on ground that
-/// rests, with a free tip (in the plane also one that `Pinned`, `Clamped` or `Guided` ground holds, which rests), under gravity and efforts in joints: values held over a step
-/// ([`Loads::efforts`](crate::loading::Loads::efforts)), or in the plane functions of time ([`TimeLaw`](crate::loading::TimeLaw)). What it
-/// does not know does not compile: loops, tips held in space or by ground that moves, linear springs of hinges, elastic balls, laws of users, loads that see the motion.
+/// rests, with a free tip (in the plane also one that `Pinned`, `Clamped` or `Guided` holds to ground that rests), under gravity and efforts
+/// in joints: values held over a step ([`Loads::efforts`](crate::loading::Loads::efforts)), or in the plane functions of time
+/// ([`TimeLaw`](crate::loading::TimeLaw)). What it does not know does not compile: loops, tips held in space or to ground that moves, linear
+/// springs of hinges, elastic balls, laws of users, loads that see the motion.
 /// [`Taylor::knows`] makes the compiler say which of these it is.
 ///
 /// Positions within a step are polynomials of an order one higher, and so is what is sampled.

@@ -1,5 +1,8 @@
 //! Taylor series of chains whose tips are held: runs, closures and what holds them, beside rules that know no series.
+//!
+//! Coefficients are those of `series_held.csv`, whose head says how they were found.
 
+use super::series::coefficients;
 use catena::Error;
 use catena::planar::*;
 
@@ -73,5 +76,73 @@ fn held_chains_move_as_under_dop853() -> Result<(), Error> {
     compare!("bridge", bridge!());
     compare!("clamped", clamped!());
     compare!("crank", crank!());
+    Ok(())
+}
+
+#[test]
+fn coefficients_are_those_of_equations_with_multipliers() -> Result<(), Error> {
+    /// The tip need not be where it is held: coefficients are those of what closures demand of accelerations.
+    macro_rules! expand {
+        ($name:literal, $scene:expr, $angles:expr, $rates:expr) => {{
+            let scene = $scene.with_gravity(G);
+            let start = scene.with_rates(scene.at_rest(&$angles)?, &$rates)?;
+            let mut stepper = scene.stepper(Taylor::<20>);
+            assert!(stepper.propose(&start, &Unloaded, 1e-10).is_some() && stepper.error_order() < 20.0);
+            let mut stepper = scene.stepper(Taylor::<20>);
+            let mut next = start.clone();
+            let _ = stepper.step(&start, &Unloaded, 1e-6, &mut next);
+            let expected = coefficients(include_str!("series_held.csv"), $name);
+            assert_eq!(expected.len(), 20);
+            for (k, expected) in expected.iter().enumerate() {
+                let mut found = vec![];
+                stepper.coefficients(k, |x| found.push(x / (k + 1) as f64)); // those of rates
+                let largest = expected.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                let miss = apart(&found, expected) / largest;
+                println!("{}, order {}: {largest:.3e}, miss {miss:.1e}", $name, k + 1);
+                assert!(miss <= 1e-13, "{}, order {}: {found:?}, {expected:?}", $name, k + 1);
+            }
+        }};
+    }
+    let rods = || (Rod::uniform(1.0, 1.0), Pin, Rod::uniform(0.7, 0.4), Pin, Rod::uniform(0.9, 0.6));
+    let bridge = System::new(Pinned::origin(), rods(), Pinned::at(1.5, 0.2))?;
+    expand!("bridge", bridge, [-0.9, 0.1, 0.8], [0.8, -1.5, 0.4]);
+    let piston = RigidBody::new(0.6, 0.02, [0.0, 0.0], [0.0, 0.0]);
+    let chain = (Rod::uniform(0.4, 0.5), Pin, Rod::uniform(1.1, 0.8), Pin, piston);
+    let crank = System::new(Pinned::origin(), chain, Guided::at(1.0, 0.1, 0.2))?;
+    expand!("crank", crank, [0.9, -0.2, 0.2], [0.8, -1.5, 0.4]);
+    let chain = (rods(), Pin, Rod::uniform(0.5, 0.3));
+    let frozen = System::new(Pinned::origin(), chain, Clamped::at(1.5, 0.2, -0.4))?;
+    expand!("frozen", frozen, [-0.9, 0.1, 0.8, -0.4], [0.8, -1.5, 0.4, 0.0]);
+    Ok(())
+}
+
+#[test]
+fn readings_within_a_step_are_closed() -> Result<(), Error> {
+    let (scene, start) = bridge!();
+    let ((mut most, mut sampled), mut bare) = ((0.0_f64, 0), 0.0_f64);
+    let run = scene.simulation(Taylor::<20>::tolerance(1e-10)).every(0.01).run(start, 1.0, |now| {
+        sampled += 1;
+        let tip = scene.stations(now.motion(), &Unloaded).map(|stations| stations.tip().frame.place);
+        most = tip.map_or(f64::NAN, |tip| (tip.x - 1.5).abs().max((tip.y - 0.2).abs())).max(most);
+        bare = bare.max(now.motion().multipliers()[0].abs());
+    })?;
+    println!("{} steps, {sampled} samples, missed by {most:.1e}", run.steps);
+    assert!(sampled > 90 && most < 1e-14 && bare > 0.1 && run.sweeps > run.steps);
+    Ok(())
+}
+
+#[test]
+fn a_run_goes_on_as_if_it_had_not_stopped() -> Result<(), Error> {
+    let (scene, start) = bridge!();
+    let (mut whole, mut first) = (scene.stepper(Taylor::<20>), scene.stepper(Taylor::<20>));
+    let (mut now, mut next) = (start, start);
+    for _ in 0..5 {
+        whole.step(&now, &Unloaded, 0.02, &mut next)?;
+        let mut fresh = now;
+        first.step(&now, &Unloaded, 0.02, &mut fresh)?;
+        assert!(fresh.coordinates() == next.coordinates() && fresh.multipliers() == next.multipliers());
+        first = scene.stepper(Taylor::<20>);
+        core::mem::swap(&mut now, &mut next);
+    }
     Ok(())
 }
