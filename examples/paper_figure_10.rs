@@ -6,7 +6,8 @@
 //! this machine.
 //!
 //! ```text
-//! cargo run --release --example paper_figure_10
+//! cargo run --release --example paper_figure_10          # the best of three rounds
+//! cargo run --release --example paper_figure_10 -- 1     # of one
 //! ```
 
 mod common;
@@ -92,6 +93,13 @@ fn measure(n: usize) -> Result<[Option<f64>; 6], catena::Error> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let rounds = std::env::args()
+        .nth(1)
+        .map_or(Ok(3), |text| text.parse::<u8>())
+        .map_err(|e| format!("number of rounds: {e}"))?;
+    if rounds == 0 {
+        return Err("one round at least".into());
+    }
     println!("Figure 10: time of a step (µs) against the number of bodies, the chain of section 5.5.\n");
     // Two ways to the same accelerations, of bent and moving rods.
     let bent: [Vec<f64>; 2] = [0.7, 1.9].map(|wave| (0..50).map(|k| (wave * f64::from(k)).sin()).collect());
@@ -102,8 +110,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // Neighbours on the machine slow down whatever runs just then: the best of several rounds.
     let numbers = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 5000, 20_000, 100_000];
     let mut best = [[None::<f64>; 6]; 13];
-    let bar = ProgressBar::new(3 * numbers.len() as u64);
-    for _ in 0..3 {
+    let bar = ProgressBar::new(u64::from(rounds) * numbers.len() as u64);
+    for _ in 0..rounds {
         for (n, best) in numbers.into_iter().zip(&mut best) {
             for (best, time) in best.iter_mut().zip(measure(n)?) {
                 *best = best.map_or(time, |best| time.map(|time| time.min(best)));
