@@ -67,8 +67,13 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
+            fn exceeds(self, limit: $number) -> bool {
+                self.0.abs().simd_gt(Self::splat(limit).0).any()
+            }
+
+            #[inline(always)]
             fn is_finite(self) -> bool {
-                self.into_arr().into_iter().all($number::is_finite)
+                (self.0 - self.0).simd_eq(Self::splat(0.0).0).all() // infinities leave NaN
             }
 
             #[inline(always)]
@@ -139,13 +144,7 @@ macro_rules! lanes {
 
             #[inline]
             fn if_negative(self, then: Self, otherwise: Self) -> Self {
-                let mut chosen = otherwise.into_arr();
-                for ((chosen, then), own) in chosen.iter_mut().zip(then.into_arr()).zip(self.into_arr()) {
-                    if own < 0.0 {
-                        *chosen = then;
-                    }
-                }
-                chosen.into()
+                Self(self.0.simd_lt(Self::splat(0.0).0).select(then.0, otherwise.0))
             }
         }
     )*};

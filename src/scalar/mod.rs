@@ -94,6 +94,13 @@ pub trait Scalar:
     /// first number of a [`Pack`].
     fn real(self) -> Self::Real;
 
+    /// Whether the magnitude of its [`real`](Scalar::real) number exceeds a limit, of lanes that of any.
+    #[inline(always)]
+    fn exceeds(self, limit: Self::Real) -> bool {
+        let real = self.real();
+        real > limit || -real > limit
+    }
+
     /// Whether every part is finite: derivative parts and all lanes included.
     fn is_finite(self) -> bool;
 

@@ -121,7 +121,7 @@ where
         let (mut finite, mut far) = (true, false);
         motion.position.visit(&mut |x| {
             finite &= x.is_finite();
-            far |= x.real().abs() > S::Scalar::ANGLE_RANGE;
+            far |= x.exceeds(S::Scalar::ANGLE_RANGE);
         });
         motion.rate.visit(&mut |x| finite &= x.is_finite());
         motion.acceleration.visit(&mut |x| finite &= x.is_finite());
