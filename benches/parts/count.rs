@@ -1,11 +1,11 @@
-//! Counting: instructions of a program under callgrind.
+//! Counting: instructions of a program under callgrind, of the valgrind that the variable `VALGRIND` names, or of the system's.
 
 use std::path::Path;
 use std::process::Command;
 
 /// Instructions that a program takes with these words on its command line. The count is exact.
 pub fn count(program: &Path, words: &[&str]) -> Result<u64, String> {
-    let output = Command::new("valgrind")
+    let output = valgrind()
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
         .arg(program)
         .args(words)
@@ -22,5 +22,9 @@ pub fn count(program: &Path, words: &[&str]) -> Result<u64, String> {
 /// Whether valgrind is there.
 #[allow(dead_code)] // not all that count ask
 pub fn has_valgrind() -> bool {
-    Command::new("valgrind").arg("--version").output().is_ok_and(|output| output.status.success())
+    valgrind().arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+fn valgrind() -> Command {
+    Command::new(std::env::var_os("VALGRIND").unwrap_or_else(|| "valgrind".into()))
 }
