@@ -31,6 +31,7 @@ const TABLES: &[Table] = &[
     ("stability long", "stability/long.csv", tables::noted),
     ("stability losses", "stability", tables::losses),
     ("skip", "skip-", tables::skip),
+    ("ensembles", "ensembles.csv", tables::ensembles),
     ("precision", "precision", tables::precision),
     ("gradients beside phyz", "gradients.csv", tables::gradients),
     ("robots", "robots.csv", robots::beside),

@@ -246,3 +246,26 @@ pub fn gradients(rows: &Rows) -> String {
     }
     text
 }
+
+/// Ensembles: nanoseconds of a scene and step on one thread and on two, and shares of plain numbers on one thread.
+pub fn ensembles(rows: &Rows) -> String {
+    let all: Vec<&Row> = rows.0.iter().collect();
+    let columns = ["scene", "way", "one thread (ns)", "of plain numbers", "two threads (ns)", "faster than one"];
+    let mut text = head(columns.map(str::to_owned).to_vec());
+    for way in Rows::distinct(&all, &["scene", "library", "scalar", "lanes"]) {
+        let [scene, library, scalar, lanes] = [0, 1, 2, 3].map(|k| way[k]);
+        let columns = ["scene", "library", "scalar", "lanes"];
+        let own = |row: &&&Row| columns.iter().zip(&way).all(|(column, value)| row.get(column) == *value);
+        let on = |threads: &str| all.iter().filter(own).find(|row| row.get("threads") == threads);
+        let Some(one) = on("1") else { continue };
+        let alone = one.number("nanoseconds");
+        let both = on("2").map_or(["–".to_owned(), "–".to_owned()], |row| {
+            let taken = row.number("nanoseconds");
+            [figures(taken), format!("{:.2}", alone / taken)]
+        });
+        let name = if library == "Catena" { format!("{scalar} × {lanes}") } else { library.to_owned() };
+        let share = if lanes == "1" { "–".to_owned() } else { format!("{:.3}", one.number("share")) };
+        text += &line([scene.to_owned(), name, figures(alone), share].into_iter().chain(both));
+    }
+    text
+}
