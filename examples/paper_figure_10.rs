@@ -13,16 +13,16 @@
 mod common;
 #[path = "common/global.rs"]
 mod global;
+#[path = "pictures/paper_figure_10.rs"]
+mod pictures;
 
 use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::{ElasticHinge, Free, Pinned, Rod, Spring as HingeSpring, Stepper, System};
-use common::{BLUE, Drawn, GREEN, GREY, INK, ORANGE};
 use indicatif::ProgressBar;
 use plotters::style::RGBColor;
 use std::f64::consts::FRAC_PI_3;
 use std::hint::black_box;
-use std::path::PathBuf;
 use std::time::Instant;
 
 const RED: RGBColor = RGBColor(176, 32, 60);
@@ -157,23 +157,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             println!("From n = {:.0} on dense global equations are slower than {name}.", 10_f64.powf(*n));
         }
     }
-    println!("\nPicture: {}", draw(curves)?.display());
+    println!("\nPicture: {}", pictures::draw(curves)?.display());
     Ok(())
-}
-
-fn draw(curves: [Vec<(f64, f64)>; 6]) -> Drawn<PathBuf> {
-    common::picture("paper_figure_10", (900, 520), |area| {
-        let subtitle = "n rods of 1/n m and 1/n kg with springs of 20 N·m/rad between them. Global equations: formed and factorised anew.";
-        let area = common::heading(area, "Figure 10: time of a step against the number of bodies", subtitle)?;
-        let names =
-            ["paper, product", "paper, Riccati", "joint coordinates", "this crate", "global, dense", "global, blocks"];
-        let colours = [ORANGE, GREEN, INK, BLUE, GREY, RED];
-        let mut chart = common::log_log(&area, "Time of a step (µs)", "number of bodies", 0.0..5.2, -1.0..5.5)?;
-        common::legend(&area, &core::array::from_fn::<_, 6, _>(|k| (names[k], colours[k])))?;
-        for (points, colour) in curves.into_iter().zip(colours) {
-            common::dots(&mut chart, points.clone(), 3.5, colour)?;
-            common::curve(&mut chart, points, common::line(colour, 1.8))?;
-        }
-        Ok(())
-    })
 }
