@@ -76,7 +76,7 @@ use crate::walks::count;
     note = "a chain consists of bodies and joints of one space and one scalar: tuples (to 16), arrays or vectors of them"
 )]
 pub trait Element<S: Space>:
-    Shape<S, Store<Positions> = <Self as Element<S>>::Position, Store<Rates> = <Self as Element<S>>::Rate>
+    Shape<S, Store<Positions> = <Self as Element<S>>::Position> + Shape<S, Store<Rates> = <Self as Element<S>>::Rate>
 {
     /// Positions of the joint coordinates inside.
     type Position: Position<S::Scalar, Rate = Self::Rate>;
