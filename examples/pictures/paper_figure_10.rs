@@ -1,7 +1,7 @@
 //! Pictures of the example `paper_figure_10`.
 
-use crate::common::{self, BLUE, Drawn, GREEN, GREY, INK, ORANGE};
 use crate::RED;
+use crate::common::{self, BLUE, Drawn, GREEN, GREY, INK, ORANGE};
 use std::path::PathBuf;
 
 pub fn draw(curves: [Vec<(f64, f64)>; 6]) -> Drawn<PathBuf> {
