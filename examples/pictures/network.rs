@@ -31,8 +31,9 @@ pub fn draw(readings: &[Reading]) -> Drawn<PathBuf> {
         let names = [("stem", BLUE), ("main arm", ORANGE), ("side arm", GREEN), ("where they meet", INK)];
         let of = [0, 1, 3];
         let all = readings.iter().flat_map(|reading| of.map(|k| reading.angles[k]));
-        let title = "Angles of the stem and of both arms' first rods (rad)";
+        let title = "Angles of first rods (rad)";
         let mut angles = common::chart(&upper, title, "time (s)", 0.0..10.0, common::range(all, 0.08))?;
+        common::legend(&upper, &names[..3])?;
         let all = readings.iter().flat_map(|reading| reading.forces);
         let mut forces = common::chart(&lower, "Forces in pins (N)", "time (s)", 0.0..10.0, common::range(all, 0.08))?;
         common::legend(&lower, &names)?;

@@ -11,7 +11,7 @@ pub fn draw(curves: [Vec<(f64, f64)>; 6]) -> Drawn<PathBuf> {
         let names =
             ["paper, product", "paper, Riccati", "joint coordinates", "this crate", "global, dense", "global, blocks"];
         let colours = [ORANGE, GREEN, INK, BLUE, GREY, RED];
-        let mut chart = common::log_log(&area, "Time of a step (µs)", "number of bodies", 0.0..5.2, -1.0..5.5)?;
+        let mut chart = common::log_log(&area, "Time of a step (µs)", "number of bodies", 0.0..5.2, -1.0..6.0)?;
         common::legend(&area, &core::array::from_fn::<_, 6, _>(|k| (names[k], colours[k])))?;
         for (points, colour) in curves.into_iter().zip(colours) {
             common::dots(&mut chart, points.clone(), 3.5, colour)?;
