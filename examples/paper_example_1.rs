@@ -89,9 +89,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (exact, sweeps) = exact(pendulum, dt, end)?;
 
     println!(
-        "Example 1: rigid double pendulum, steps of {dt} s. Errors after 2 s, of angles (rad) and of the force at the root (N, of 24)"
+        "Example 1: rigid double pendulum, steps of {dt} s. Errors after 2 s, of angles (rad) and of the force at the root"
     );
-    println!("and whether the run stays within 1 rad for {end} s, 25 to 30 periods. The rods are stand-ins.\n");
+    println!(
+        "(N, of 24), and whether the run stays within 1 rad for {end} s, 25 to 30 periods. The rods are stand-ins.\n"
+    );
     println!("  scheme                                         angles    force   60 s");
     let report = |name: &str, record: &Record| {
         let at = |time: f64| (time / dt).round() as usize - 1;
@@ -118,6 +120,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     report("as printed: Newmark β = ¼, γ = ½", &printed);
     let damped = record!(pendulum, Scheme::new(Newmark::damped(0.6)), dt, end);
     report("as printed, γ = 0.6", &damped);
+    // Each rule by a macro: they are types.
+    macro_rules! rules {
+        ($row:ident) => {
+            $row!("Newmark, γ = ½", Newmark::new(0.25, 0.5));
+            $row!("Newmark, β = 1/6, γ = ½", Newmark::new(1.0 / 6.0, 0.5));
+            $row!("generalised-α (0.8)", GeneralizedAlpha::new(0.8));
+            $row!("HHT-α (0.1)", hht_alpha(0.1));
+            $row!("Wilson-θ (1.42)", Wilson::new(1.42));
+            $row!("Houbolt", Multistep::HOUBOLT);
+            $row!("Park", Multistep::PARK);
+            $row!("BDF2", Multistep::BDF2);
+            $row!("midpoint", Midpoint);
+        };
+    }
     for at in [At::Previous, At::Predictor, At::Iterated] {
         macro_rules! row {
             ($name:expr, $rule:expr) => {
@@ -125,15 +141,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             };
         }
         println!();
-        row!("Newmark, γ = ½", Newmark::new(0.25, 0.5));
-        row!("Newmark, β = 1/6, γ = ½", Newmark::new(1.0 / 6.0, 0.5));
-        row!("generalised-α (0.8)", GeneralizedAlpha::new(0.8));
-        row!("HHT-α (0.1)", hht_alpha(0.1));
-        row!("Wilson-θ (1.42)", Wilson::new(1.42));
-        row!("Houbolt", Multistep::HOUBOLT);
-        row!("Park", Multistep::PARK);
-        row!("BDF2", Multistep::BDF2);
-        row!("midpoint", Midpoint);
+        rules!(row);
     }
     println!();
     let joints = record!(pendulum, JointScheme::new(Newmark::new(0.25, 0.5)).with_sweeps(1), dt, end);
@@ -143,21 +151,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             report(&format!("joint coordinates: {}", $name), &record!(pendulum, JointScheme::new($rule), dt, end))
         };
     }
-    row!("Newmark, γ = ½", Newmark::new(0.25, 0.5));
-    row!("Newmark, β = 1/6, γ = ½", Newmark::new(1.0 / 6.0, 0.5));
     row!("Newmark, γ = 0.6", Newmark::damped(0.6));
-    row!("generalised-α (0.8)", GeneralizedAlpha::new(0.8));
-    row!("HHT-α (0.1)", hht_alpha(0.1));
-    row!("Wilson-θ (1.42)", Wilson::new(1.42));
-    row!("Houbolt", Multistep::HOUBOLT);
-    row!("Park", Multistep::PARK);
-    row!("BDF2", Multistep::BDF2);
-    row!("midpoint", Midpoint);
+    rules!(row);
     println!("\n  Forces of Wilson's and the midpoint rule are those of the instant at which they balance.");
-    println!(
-        "  This crate's default, DOP853 at 1e-12, takes {sweeps} sweeps for {end} s; the schemes above, 6000 and more."
-    );
-
+    println!("  This crate's default, DOP853 at 1e-12, takes {sweeps} sweeps for {end} s; those above, 6000 and more.");
     println!("\nPicture: {}", pictures::draw(&exact, &printed, &damped, &joints)?.display());
     Ok(())
 }

@@ -93,13 +93,7 @@ fn measure(n: usize) -> Result<[Option<f64>; 6], catena::Error> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let rounds = std::env::args()
-        .nth(1)
-        .map_or(Ok(3), |text| text.parse::<u8>())
-        .map_err(|e| format!("number of rounds: {e}"))?;
-    if rounds == 0 {
-        return Err("one round at least".into());
-    }
+    let rounds = std::env::args().nth(1).map_or(Ok(3), |text| text.parse::<std::num::NonZeroU8>().map(u8::from))?;
     println!("Figure 10: time of a step (µs) against the number of bodies, the chain of section 5.5.\n");
     // Two ways to the same accelerations, of bent and moving rods.
     let bent: [Vec<f64>; 2] = [0.7, 1.9].map(|wave| (0..50).map(|k| (wave * f64::from(k)).sin()).collect());
@@ -120,9 +114,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     bar.finish_and_clear();
-    println!(
-        "   bodies   paper, product   paper, Riccati   joint coordinates   this crate   global, dense   global, blocks"
-    );
+    let ways = "paper, product   paper, Riccati   joint coordinates   this crate   global, dense   global, blocks";
+    println!("   bodies   {ways}");
     let mut curves: [Vec<(f64, f64)>; 6] = Default::default();
     for (n, times) in numbers.into_iter().zip(best) {
         let [a, b, c, d, e, f] = times.map(|t| t.map_or("-".to_owned(), |t| format!("{:.2}", t * 1e6)));
@@ -134,8 +127,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     println!(
-        "\n  Steps are of 1 ms, those of the product of 10 ms: at 1 ms it has hardly a digit left with 10 bodies, at 10 ms with 1000."
+        "\n  Steps are of 1 ms, those of the product of 10 ms: at 1 ms it has hardly a digit left with 10 bodies,"
     );
+    println!("  at 10 ms with 1000.");
     // Slopes of the logarithms, by least squares, and where the global equations become slower.
     let slope = |curve: &[(f64, f64)], from: f64, to: f64| {
         let points: Vec<_> = curve.iter().filter(|(n, _)| (from.log10()..=to.log10() + 1e-9).contains(n)).collect();

@@ -14,7 +14,7 @@ mod common;
 #[path = "pictures/robot_arm.rs"]
 mod pictures;
 
-use arm::{AXES, Arm, ArmMotion, Joints, LEG, NAMES, POSES, arm, wanted};
+use arm::{AXES, Arm, ArmMotion, Joints, LEG, NAMES, POSES, arm, state, wanted};
 use catena::JointNumbers;
 use catena::spatial::*;
 use nalgebra::Vector3;
@@ -28,14 +28,6 @@ const FEEDBACK: [f64; 2] = [900.0, 60.0];
 /// Gravity compensation: stiffness (N·m/rad) and damping (N·m·s/rad) of each joint.
 const SPRINGS: Joints = [600.0, 900.0, 400.0, 40.0, 60.0, 15.0];
 const DAMPERS: Joints = [60.0, 90.0, 35.0, 2.5, 5.0, 0.8];
-
-/// Positions and rates of the joints.
-fn state(motion: &ArmMotion) -> Result<[Joints; 2], catena::Error> {
-    let (mut angles, mut rates) = ([0.0; 6], [0.0; 6]);
-    motion.coordinates_into(&mut angles)?;
-    motion.rates_into(&mut rates)?;
-    Ok([angles, rates])
-}
 
 /// How torques come about.
 #[derive(Clone, Copy, PartialEq)]
@@ -117,17 +109,15 @@ fn run(control: Control) -> Result<(Vec<Sample>, u128), Box<dyn Error>> {
 
         let [q, ..] = wanted(past.time());
         let [angles, _] = state(&past)?;
-        let place = |motion: &ArmMotion| -> Option<Vector3<f64>> {
-            real.body_motions(motion).ok()?.get(hand).map(|body| body.outboard().place)
-        };
-        let ends = real.body_motions(&past)?;
+        let wanted = real.at_rest(&q)?;
+        let (ends, aims) = (real.body_motions(&past)?, real.body_motions(&wanted)?);
         let end = |k: usize| ends.get(k).map(|body| body.outboard().place);
         let places = [end(0), end(1), end(3), end(hand)].map(Option::unwrap_or_default);
         let off = |k: usize| (q[k] - angles[k]).abs();
         log.push(Sample {
             time: past.time(),
             places,
-            target: place(&real.at_rest(&q)?).ok_or("the hand is a body")?,
+            target: aims.get(hand).map(|body| body.outboard().place).unwrap_or_default(),
             angle: 1e3 * (0..6).fold(0.0_f64, |most, k| most.max(off(k))),
             torques,
         });
@@ -139,22 +129,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}\n", arm(LOAD)?.describe());
     let (computed, nanoseconds) = run(Control::ComputedTorque)?;
     let (compensated, other) = run(Control::GravityCompensation)?;
-    println!(
-        "An arm of six joints carries {LOAD} kg that its controllers ignore: {} cycles of 1 ms, RK4\n",
-        computed.len()
-    );
+    let cycles = computed.len();
+    println!("An arm of six joints carries {LOAD} kg that its controllers ignore: {cycles} cycles of 1 ms, RK4\n");
     println!("             computed torque            gravity compensation       computed torque");
     println!("  time (s)   angle (mrad)   hand (mm)   angle (mrad)   hand (mm)   hand x, y, z (m)");
     for (one, two) in computed.iter().zip(&compensated).skip(299).step_by(300) {
         let [x, y, z]: [f64; 3] = one.places[3].into();
-        println!(
-            "  {:8.2}   {:12.3}   {:9.3}   {:12.3}   {:9.3}   {x:7.4} {y:7.4} {z:7.4}",
-            one.time,
-            one.angle,
-            one.error(),
-            two.angle,
-            two.error()
-        );
+        let ([a, b], [c, d]) = ([one, two].map(|sample| sample.angle), [one, two].map(Sample::error));
+        println!("  {:8.2}   {a:12.3}   {c:9.3}   {b:12.3}   {d:9.3}   {x:7.4} {y:7.4} {z:7.4}", one.time);
     }
     for (name, log) in [("computed torque", &computed), ("gravity compensation", &compensated)] {
         let most = log.iter().map(Sample::error).fold(0.0, f64::max);
@@ -162,9 +144,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let torque = log.iter().flat_map(|sample| sample.torques).fold(0.0_f64, |most, x| most.max(x.abs()));
         println!("{name:>22}: hand off by {most:.2} mm at most, {mean:.2} mm rms; torques to {torque:.1} N·m");
     }
-    println!(
-        "\nA cycle takes {nanoseconds} ns with computed torque, {other} ns with gravity compensation: control and step."
-    );
+    println!("\nA cycle takes {nanoseconds} ns with computed torque, {other} ns with gravity compensation.");
     println!("Pictures: {}", pictures::draw(&computed, &compensated)?.display());
     println!("          {}", pictures::film(&computed)?.display());
     Ok(())

@@ -14,16 +14,14 @@ mod common;
 #[path = "pictures/swing_up.rs"]
 mod pictures;
 
-use cart::{Scene, State, motion_of, scene, state_of};
+use cart::{H, Scene, Square, State, linearised, motion_of, push, scene, state_of};
 use catena::Error;
 use catena::planar::*;
 use indicatif::ProgressBar;
-use nalgebra::{RowVector6, SMatrix};
+use nalgebra::RowVector6;
 use std::f64::consts::FRAC_PI_2;
 use std::time::Instant;
 
-type Square = SMatrix<f64, 6, 6>;
-const H: f64 = 0.01; // (s)
 const SWING: usize = 250; // steps, 2.5 s
 const HOLD: usize = 300; // 3 s
 const FORCE: f64 = 1e-3; // weight of the force, ½ ∫ F² dt (1/N²)
@@ -36,11 +34,6 @@ struct Plan {
     states: Vec<State>,
     forces: Vec<f64>,
     cost: f64,
-}
-
-/// Efforts in the joints: root, track, two pins.
-fn push(force: f64) -> [f64; 4] {
-    [0.0, force, 0.0, 0.0]
 }
 
 /// What a run costs at its end, and the derivative.
@@ -65,14 +58,6 @@ fn run(scene: &Scene, start: State, steps: usize, mut force: impl FnMut(usize, &
     }
     plan.cost += missed(&plan.states[steps]).0;
     Ok(plan)
-}
-
-/// A = ∂x′/∂x and B = ∂x′/∂F of a step.
-fn linearised(scene: &Scene, state: &State, force: f64) -> Result<(Square, State), Error> {
-    let now = motion_of(scene, state)?;
-    let (mut next, mut a, mut b) = (now, [0.0; 36], [0.0; 24]);
-    scene.backward(Rk4).linearised_step(&now, H, &push(force), &mut next, &mut a, &mut b)?;
-    Ok((Square::from_row_slice(&a), State::from_fn(|row, _| b[4 * row + 1])))
 }
 
 /// Changes of the forces of a run that cost least where it is linearised, gains about it.

@@ -81,3 +81,11 @@ pub fn wanted(time: f64) -> [Joints; 3] {
     let of = |factor: f64| core::array::from_fn(|k| factor * step(k));
     [core::array::from_fn(|k| POSES[leg][k] + way * step(k)), of(rate), of(second)]
 }
+
+/// Positions and rates of the joints.
+pub fn state(motion: &ArmMotion) -> Result<[Joints; 2], catena::Error> {
+    let (mut angles, mut rates) = ([0.0; 6], [0.0; 6]);
+    motion.coordinates_into(&mut angles)?;
+    motion.rates_into(&mut rates)?;
+    Ok([angles, rates])
+}

@@ -44,10 +44,7 @@ pub fn draw(computed: &[Sample], compensated: &[Sample]) -> Drawn<PathBuf> {
         }
         let range = common::range(one.iter().flat_map(|sample| sample.torques), 0.08);
         let mut chart = common::chart(&rest, "Torques, computed (N·m)", "time (s)", 0.0..end, range)?;
-        common::legend(
-            &rest,
-            &[("turntable", BLUE), ("shoulder", ORANGE), ("elbow", GREEN), ("others", GREY)],
-        )?;
+        common::legend(&rest, &[("turntable", BLUE), ("shoulder", ORANGE), ("elbow", GREEN), ("others", GREY)])?;
         for (k, colour) in [BLUE, ORANGE, GREEN, GREY, GREY, GREY].into_iter().enumerate() {
             common::curve(&mut chart, one.iter().map(|sample| (sample.time, sample.torques[k])), line(colour, 1.4))?;
         }

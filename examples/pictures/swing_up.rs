@@ -1,8 +1,8 @@
 //! Pictures of the example `swing_up`.
 
-use crate::cart::{LENGTHS, State};
+use crate::cart::{H, LENGTHS, State};
 use crate::common::{self, BLUE, Chart, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
-use crate::{H, HOLD, Plan, SWING};
+use crate::{HOLD, Plan, SWING};
 use std::f64::consts::FRAC_PI_2;
 use std::path::PathBuf;
 

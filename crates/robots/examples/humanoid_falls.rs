@@ -19,7 +19,7 @@ use catena::robot::*;
 use catena::system::MotionOf;
 use catena_robots::humanoid::{self, frame as of};
 use common::Drawn;
-use shape::{Ground, ground, point, strokes};
+use shape::{Ground, START, ground, point, strokes};
 use std::io::{IsTerminal, Write};
 use std::time::Instant;
 
@@ -28,23 +28,6 @@ type State = MotionOf<Spatial<f64>, Free, humanoid::Chain<f64>, Free>;
 
 const STEP: f64 = 1e-3; // (s)
 const END: f64 = 3.0; // (s)
-/// Angles at which it begins, others are zero: knees a little bent, arms lifted to the front.
-const START: [(&str, f64); 14] = [
-    ("left_hip_pitch", -0.25),
-    ("right_hip_pitch", -0.2),
-    ("left_knee", 0.5),
-    ("right_knee", 0.4),
-    ("left_ankle_pitch", -0.25),
-    ("right_ankle_pitch", -0.2),
-    ("left_shoulder_pitch", -0.3),
-    ("right_shoulder_pitch", -0.5),
-    ("left_shoulder_roll", 0.25),
-    ("right_shoulder_roll", -0.25),
-    ("left_elbow", 0.6),
-    ("right_elbow", 0.9),
-    ("neck_yaw", 0.2),
-    ("waist_yaw", 0.1),
-];
 /// How fast it tips over to begin with: forward and to its left (rad/s).
 const TIPPING: [f64; 2] = [0.7, 0.25];
 

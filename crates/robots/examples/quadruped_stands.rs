@@ -130,10 +130,8 @@ fn main() -> Drawn {
         log.push(sample(&scene, &now, &ground)?);
     }
 
-    println!(
-        "A quadruped of {mass:.1} kg falls {DROP} m, is pushed by {FORCE:?} N for {:.1} s, and stands.\n",
-        PUSH[1] - PUSH[0]
-    );
+    let pushed = PUSH[1] - PUSH[0];
+    println!("A quadruped of {mass:.1} kg falls {DROP} m, is pushed by {FORCE:?} N for {pushed:.1} s, and stands.\n");
     println!("  time   trunk at x, y, z (m)          feet push (N)                  sum / weight");
     for sample in log.iter().step_by(500) {
         let [x, y, z] = sample.trunk;
@@ -142,14 +140,8 @@ fn main() -> Drawn {
         println!("{:6.2}  {x:9.4} {y:9.4} {z:8.4}  {a:7.2} {b:7.2} {c:7.2} {d:7.2}   {share:.9}", sample.time);
     }
     let calm = log.iter().filter(|sample| sample.time > 4.0);
-    let (mut least, mut most) = ([[f64::MAX; 3]; 4], [[f64::MIN; 3]; 4]);
-    for (foot, k) in calm.flat_map(|sample| (0..4).map(move |foot| (foot, sample))) {
-        for i in 0..2 {
-            least[foot][i] = least[foot][i].min(k.feet[foot][i]);
-            most[foot][i] = most[foot][i].max(k.feet[foot][i]);
-        }
-    }
-    let drift = (0..8).map(|k| most[k / 2][k % 2] - least[k / 2][k % 2]).fold(0.0, f64::max);
+    let ways = (0..8).map(|k| common::range(calm.clone().map(|sample| sample.feet[k / 2][k % 2]), 0.0));
+    let drift = ways.map(|way| way.end - way.start).fold(0.0, f64::max);
     println!("\nFrom 4 s on no foot moves by more than {:.3} mm, in {:.0} s.", 1e3 * drift, END - 4.0);
     println!("{END} s take {worked:.2} s, {:.0} µs a step of {:.0} ms.", 1e6 * worked * CYCLE / END, 1e3 * CYCLE);
     let sum: f64 = log.last().map_or(f64::NAN, |sample| sample.forces.iter().map(|force| force[2]).sum());

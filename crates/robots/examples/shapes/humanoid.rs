@@ -5,6 +5,23 @@ use catena_robots::humanoid::{self, frame as of};
 
 pub type Ground = Contacts<[(usize, [f64; 3]); POINTS], Plane<f64>, Contact<f64>>;
 const POINTS: usize = 28;
+/// Angles at which it begins, others are zero: knees a little bent, arms lifted to the front.
+pub const START: [(&str, f64); 14] = [
+    ("left_hip_pitch", -0.25),
+    ("right_hip_pitch", -0.2),
+    ("left_knee", 0.5),
+    ("right_knee", 0.4),
+    ("left_ankle_pitch", -0.25),
+    ("right_ankle_pitch", -0.2),
+    ("left_shoulder_pitch", -0.3),
+    ("right_shoulder_pitch", -0.5),
+    ("left_shoulder_roll", 0.25),
+    ("right_shoulder_roll", -0.25),
+    ("left_elbow", 0.6),
+    ("right_elbow", 0.9),
+    ("neck_yaw", 0.2),
+    ("waist_yaw", 0.1),
+];
 
 /// A place in axes of a frame of the description, as a body and a place in its axes. A frame of the ground has no body: contacts refuse it.
 pub fn point(frame: humanoid::Frame, place: [f64; 3]) -> (usize, [f64; 3]) {
