@@ -224,12 +224,9 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
         C: Element<Spatial<Jet<T, K>>>,
         P: ReversibleTip<Spatial<Jet<T, K>>>,
         Elements<Spatial<Jet<T, K>>, R, C>: Takes<Spatial<Jet<T, K>>, Along<T, K>>
-            + Shape<
-                Spatial<Jet<T, K>>,
-                Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>,
-                Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>,
-                Store<PerJoint<OfJoint<T>>> = E::Store<PerJoint<OfJoint<T>>>,
-            >,
+            + Shape<Spatial<Jet<T, K>>, Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>>
+            + Shape<Spatial<Jet<T, K>>, Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>>
+            + Shape<Spatial<Jet<T, K>>, Store<PerJoint<OfJoint<T>>> = E::Store<PerJoint<OfJoint<T>>>>,
     {
         let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
         scene.elements().take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
