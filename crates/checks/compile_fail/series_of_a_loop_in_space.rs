@@ -1,6 +1,6 @@
 //! No Taylor series of forces that turn with the bodies of a loop is known.
 //@ `Taylor` knows no series of loops that `
-//@ Revolute<f64>
+//@ Revolute<
 
 use catena::spatial::*;
 

@@ -1,6 +1,6 @@
-//! No Taylor series of a torque in a ball that closes a loop is known.
+//! No Taylor series of a torque in a ball that closes a loop is known: the rule says what it knows.
 //@ `Taylor<12>` makes no steps of
-//@ `Ball` where no efforts act
+//@ names what it does not know
 
 use catena::spatial::*;
 
