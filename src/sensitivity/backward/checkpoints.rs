@@ -14,7 +14,6 @@ use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::shape::PerJoint;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
-use crate::walks::complete::complete;
 use crate::walks::copy::copy;
 use core::ops::Range;
 use num_traits::Zero;
@@ -177,7 +176,7 @@ where
             Steps::<S, R, C, P, M, L>::found_again(&states[k + 1], &self.spare)?;
             self.back_from_tape(between, tape, by_torques, &mut gradient, &mut cost)?;
         }
-        complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
+        self.finish(start, &mut gradient)?;
         Ok(gradient)
     }
 
@@ -239,7 +238,7 @@ where
         let mut gradient = self.begin(by_torques);
         cost(steps, end, &mut gradient.start)?;
         self.back_from_tape(0..steps, tape, by_torques, &mut gradient, &mut cost)?;
-        complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
+        self.finish(tape.first().map_or(end, |room| &room.before), &mut gradient)?;
         Ok(gradient)
     }
 

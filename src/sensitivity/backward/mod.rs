@@ -3,6 +3,7 @@
 mod adaptive;
 mod admission;
 mod again;
+mod assembly;
 mod checkpoints;
 mod costates;
 mod events;
@@ -27,7 +28,6 @@ use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
-use crate::walks::complete::complete;
 pub use checkpoints::{Checkpoints, Tape};
 use record::Record;
 use rules::Staged;
@@ -76,7 +76,7 @@ use steps::Steps;
 /// projection that puts a tip back and closes loops at the end of a step is part of the step, and of the gradient, as many corrections as it
 /// takes; places, angles and lines of tips are parameters. Forces that hold a tip or close a loop are no part of states here: costs may not
 /// read them. Initial coordinates are derived by as if each could be changed alone: a length, changed at fixed coordinates, opens a loop, which
-/// the first step closes. Springs may have dampers and rest values;
+/// the first step closes; starts that are [assembled](Self::assembled) close with it. Springs may have dampers and rest values;
 /// a law of the user's own in a hinge ([`ElasticHinge::with`](crate::planar::ElasticHinge::with)) goes backward by itself where it is
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
@@ -164,6 +164,8 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: St
     /// For gradients of which no parameters are asked.
     scratch: Gradient<S, Elements<S, R, C>>,
     method: M,
+    /// Whether starts are assembled.
+    assembled: bool,
 }
 
 /// Costates of a motion of a scene.
@@ -200,7 +202,7 @@ where
     fn new(scene: &'s System<S, R, C, P>, method: M, law: L) -> Self {
         let steps = Steps::new(scene, method, law);
         let scratch = Gradient::none(scene.elements(), &steps.zero);
-        Self { record: steps.record(), steps, spare: scene.motion(), scratch, method }
+        Self { record: steps.record(), steps, spare: scene.motion(), scratch, method, assembled: false }
     }
 
     /// Runs `steps` steps of a size (s), and keeps the state before each of them and after the last, with the accelerations in which a
@@ -295,8 +297,7 @@ where
             self.steps.give_torques(by_torques, k);
             cost(k, past, &mut gradient.start)?;
         }
-        complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
-        Ok(())
+        states.first().map_or(Ok(()), |start| self.finish(start, gradient))
     }
 
     /// No gradient yet, by torques neither, nor what an earlier one has left of torques where its cost has failed.

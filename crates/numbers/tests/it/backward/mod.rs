@@ -200,4 +200,5 @@ mod long;
 mod loops;
 mod misuse;
 mod space;
+mod starts;
 mod times;
