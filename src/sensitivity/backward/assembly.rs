@@ -73,7 +73,7 @@ where
     /// From afar a guess is led to a start by corrections that are no part of this: assemble first, or make start and scene over jets
     /// ([`Gradient::along_start`]), which also knows coordinates that are [held](System::assembled_holding).
     ///
-    /// Gradients of such runs are refused where the start is not closed: [`Fault::NotClosed`]. Steps [linearised](Self::step_linearised) and
+    /// Gradients of such runs are refused where the start is not closed: [`Fault::NotClosed`]. Steps [linearised](Self::linearised_step) and
     /// scenes with nothing to be closed are as without.
     #[must_use]
     pub fn assembled(mut self) -> Self {

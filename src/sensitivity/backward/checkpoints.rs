@@ -281,7 +281,7 @@ where
             if let Some(torques) = &room.torques {
                 copy::<S, _, PerJoint<EffortOf<S>>>(self.steps.scene.elements(), torques, &mut self.steps.torques);
             }
-            self.steps.pull_back(&room.before, room.size, &room.record, gradient);
+            self.steps.pull_back(&room.before, room.size, &room.record, None, gradient);
             self.steps.give_torques(by_torques, step);
             cost(step, &room.before, &mut gradient.start)?;
         }

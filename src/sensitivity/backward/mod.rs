@@ -4,6 +4,7 @@ mod adaptive;
 mod admission;
 mod again;
 mod assembly;
+mod between;
 mod checkpoints;
 mod costates;
 mod events;
@@ -16,6 +17,7 @@ mod metric;
 mod projection;
 mod record;
 mod rules;
+mod samples;
 mod steps;
 
 use super::gradient::{Costate, Gradient};
@@ -62,6 +64,8 @@ use steps::Steps;
 /// what the vectors of a scene take: room, once, and the gradient. Of long runs few states are kept
 /// ([`gradient_between`](Self::gradient_between)); of short ones all that their stages know, on a tape
 /// ([`gradient_on_tape`](Self::gradient_on_tape)).
+///
+/// Costs are read at states, or at samples between them ([`gradient_at`](Self::gradient_at)).
 ///
 /// Steps lie between the times of the states: of one size ([`run`](Self::run)), as error control has chosen them
 /// ([`run_adaptive`](Self::run_adaptive)), the last one [cut](Self::cut) at an event ([`gradient_to_event`](Self::gradient_to_event)).
@@ -293,7 +297,7 @@ where
             self.steps.take_torques(torques, k);
             self.steps.evaluate(past, size, &mut self.record);
             self.steps.recognise(past, next, &self.record, &mut self.spare)?;
-            self.steps.pull_back(past, size, &self.record, gradient);
+            self.steps.pull_back(past, size, &self.record, None, gradient);
             self.steps.give_torques(by_torques, k);
             cost(k, past, &mut gradient.start)?;
         }

@@ -1,5 +1,6 @@
 //! Rules whose runs go backward.
 
+use super::steps::ROWS;
 use crate::element::{self, Springs};
 use crate::error::Fault;
 use crate::scalar::{Real, Scalar};
@@ -35,6 +36,13 @@ pub trait Staged: Copy + Debug {
     fn node(row: usize) -> f64;
     /// Weights of the accelerations before it in positions and rates of a row.
     fn weights(row: usize) -> (&'static [f64], &'static [f64]);
+    /// How many accelerations dense output reads; none of a rule that makes shorter steps instead.
+    const SLOPES: usize = 0;
+    /// Their weights in positions and rates at a share of a step.
+    fn dense(share: f64) -> [[f64; ROWS]; 2] {
+        let _ = share;
+        [[0.0; ROWS]; 2]
+    }
     /// Sweeps of a row.
     fn sweeps(&self, row: usize) -> usize;
     /// How springs enter sweeps of a row in a step (s).
@@ -55,7 +63,7 @@ pub trait Staged: Copy + Debug {
 }
 
 macro_rules! explicit {
-    ($($Rule:ty),*) => {$(
+    ($($Rule:ty: $SLOPES:literal),*) => {$(
         impl Staged for $Rule {
             const STAGES: usize = <Self as Explicit>::STAGES;
             const IMPLICIT: bool = false;
@@ -73,6 +81,15 @@ macro_rules! explicit {
             fn weights(row: usize) -> (&'static [f64], &'static [f64]) {
                 (&Self::position(row)[..row], &Self::rate(row)[..row])
             }
+            const SLOPES: usize = $SLOPES;
+            fn dense(share: f64) -> [[f64; ROWS]; 2] {
+                let (mut in_position, mut in_rate) = ([0.0; ROWS], [0.0; ROWS]);
+                <Self as Explicit>::dense(share, &mut in_rate[..<Self as Explicit>::ROWS]);
+                for (row, weight) in in_rate[..$SLOPES].iter().enumerate() {
+                    in_position.iter_mut().zip(Self::rate(row)).for_each(|(sum, a)| *sum += weight * a);
+                }
+                [in_position, in_rate]
+            }
             fn sweeps(&self, _: usize) -> usize {
                 1
             }
@@ -82,7 +99,7 @@ macro_rules! explicit {
         }
     )*};
 }
-explicit!(Rk4, Dopri5, Dop853);
+explicit!(Rk4: 4, Dopri5: 7, Dop853: 16);
 
 impl Staged for Sdirk4 {
     const STAGES: usize = STAGES;
