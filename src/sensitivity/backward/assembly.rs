@@ -104,7 +104,7 @@ where
         start.rate.visit(&mut |x| size = size.max(x.real().abs()));
         for (level, size) in [(Level::Place, RealOf::<S>::one()), (Level::Velocity, size)] {
             let (residual, place) = scene.largest_residual(start, level);
-            if !(residual <= System::<S, R, C, P>::tolerances().0 * size) {
+            if !residual.is_finite() || residual > System::<S, R, C, P>::tolerances().0 * size {
                 let fault = Fault::NotClosed { residual: residual.as_f64() };
                 return Err(Error::new(fault).at(place).at_time(start.time.as_f64()));
             }

@@ -103,6 +103,7 @@ where
     }
 
     /// Pulls costates of motions at shares of a step back, which `cost` adds to those of the motion where it stands, until there are no more shares.
+    #[allow(clippy::type_complexity)] // two in one argument
     pub(super) fn pull_back_between<E>(
         &mut self,
         (past, next): (&MotionOf<S, R, C, P>, &MotionOf<S, R, C, P>),
