@@ -33,6 +33,8 @@ pub(super) struct Between<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: 
     stage: StageOf<S, R, C, P>,
     slope: RateOf<S, R, C>,
     projection: Option<Projection<S, Elements<S, R, C>>>,
+    /// Stages that only dense output reads, in their rows.
+    stages: M::Rows<StageOf<S, R, C, P>>,
     /// Of accelerations of stages.
     pub(super) of_slopes: M::Rows<RateOf<S, R, C>>,
     /// Of positions, rates and memory before the step, and of the coordinates of the step at its end, where positions are curved.
@@ -65,6 +67,7 @@ where
             stage: record.stages.as_ref()[0].clone(),
             slope: rate(),
             projection,
+            stages: M::rows(&record.stages.as_ref()[0]),
             of_slopes: M::rows(&self.zero),
             of_past: [rate(), rate(), rate()],
             of_end: [rate(), rate()],
@@ -77,23 +80,24 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         next: &MotionOf<S, R, C, P>,
-        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
+        accelerations: &mut M::Rows<RateOf<S, R, C>>,
+        stages: &mut M::Rows<StageOf<S, R, C, P>>,
     ) {
         let step = next.time - past.time;
         for row in M::STAGES..M::SLOPES {
-            let Stage { position, rate, .. } = &mut record.stages.as_mut()[row];
+            let Stage { position, rate, .. } = &mut stages.as_mut()[row];
             if row == M::STAGES {
                 position.clone_from(&next.position);
                 rate.set(&next.rate);
             } else {
-                let (slopes, room) = (record.accelerations.as_ref(), (&self.zero, &mut self.sum));
+                let (slopes, room) = (accelerations.as_ref(), (&self.zero, &mut self.sum));
                 displace(past, slopes, M::node(row), M::weights(row), step, room, (&mut *position, &mut *rate));
                 if Self::CURVED {
                     position.retract_rate(&past.position, rate);
                 }
             }
             let time = past.time + RealOf::<S>::of(M::node(row)) * step;
-            let (stage, slope) = (&mut record.stages.as_mut()[row], &mut record.accelerations.as_mut()[row]);
+            let (stage, slope) = (&mut stages.as_mut()[row], &mut accelerations.as_mut()[row]);
             self.sweep(None, None, self.rule.springs::<S::Scalar>(row, step), time, stage, slope);
             if Self::CURVED {
                 stage.acceleration.set(slope);
@@ -125,7 +129,7 @@ where
             .for_each(|sum| sum.set(&self.zero));
         if !M::IMPLICIT {
             self.evaluate(past, step, record);
-            self.evaluate_between(past, next, record);
+            self.evaluate_between(past, next, &mut record.accelerations, &mut between.stages);
         }
         let [position, rate, memory] = &mut between.waiting;
         position.set(&gradient.start.position);
@@ -145,7 +149,7 @@ where
         gradient.start.rate.set(rate);
         self.of_memory.set(memory);
         for row in (M::STAGES..M::SLOPES).rev() {
-            self.pull_back_row(row, past, step, record, between, gradient);
+            self.pull_back_row(row, past, step, &record.accelerations, between, gradient);
         }
         Ok(())
     }
@@ -246,11 +250,11 @@ where
         row: usize,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        accelerations: &M::Rows<RateOf<S, R, C>>,
         between: &mut Between<S, R, C, P, M>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
-        let (stage, slope) = (&record.stages.as_ref()[row], &record.accelerations.as_ref()[row]);
+        let (stage, slope) = (&between.stages.as_ref()[row], &accelerations.as_ref()[row]);
         let Stage { position, rate, acceleration, .. } = stage;
         self.of_acceleration.set(&between.of_slopes.as_ref()[row]);
         if Self::CURVED {

@@ -19,6 +19,7 @@ mod record;
 mod rules;
 mod samples;
 mod steps;
+mod tape;
 
 use super::gradient::{Costate, Gradient};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
@@ -30,10 +31,11 @@ use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
-pub use checkpoints::{Checkpoints, Tape};
+pub use checkpoints::Checkpoints;
 use record::Record;
 use rules::Staged;
 use steps::Steps;
+pub use tape::Tape;
 
 /// Runs of a scene by fixed steps or accepted ones, and their gradients.
 ///

@@ -25,13 +25,15 @@ pub trait Staged: Copy + Debug {
     const REMEMBERS: bool = false;
     /// Whether geometries of sweeps are put back where something is held or closed.
     const RESTORES: bool = false;
-    /// Values for rows.
+    /// Values for rows, and for those of stages alone.
     type Rows<X>: AsRef<[X]> + AsMut<[X]>;
+    type Stages<X>: AsRef<[X]> + AsMut<[X]>;
     /// How springs enter sweeps.
     type Springs<T: Scalar>: Springs<T>;
 
-    /// Copies of a value, for rows.
+    /// Copies of a value, for rows, and for stages.
     fn rows<X: Clone>(value: &X) -> Self::Rows<X>;
+    fn stages<X: Clone>(value: &X) -> Self::Stages<X>;
     /// c of a row.
     fn node(row: usize) -> f64;
     /// Weights of the accelerations before it in positions and rates of a row.
@@ -63,15 +65,19 @@ pub trait Staged: Copy + Debug {
 }
 
 macro_rules! explicit {
-    ($($Rule:ty: $SLOPES:literal),*) => {$(
+    ($($Rule:ty: $STAGES:literal of $SLOPES:literal),*) => {$(
         impl Staged for $Rule {
-            const STAGES: usize = <Self as Explicit>::STAGES;
+            const STAGES: usize = $STAGES;
             const IMPLICIT: bool = false;
             type Rows<X> = <Self as Explicit>::Rows<X>;
+            type Stages<X> = [X; $STAGES];
             type Springs<T: Scalar> = element::Explicit;
 
             fn rows<X: Clone>(value: &X) -> <Self as Explicit>::Rows<X> {
                 <Self as Explicit>::rows(value)
+            }
+            fn stages<X: Clone>(value: &X) -> [X; $STAGES] {
+                core::array::from_fn(|_| value.clone())
             }
             #[inline(always)]
             fn node(row: usize) -> f64 {
@@ -99,16 +105,20 @@ macro_rules! explicit {
         }
     )*};
 }
-explicit!(Rk4: 4, Dopri5: 7, Dop853: 16);
+explicit!(Rk4: 4 of 4, Dopri5: 6 of 7, Dop853: 12 of 16);
 
 impl Staged for Sdirk4 {
     const STAGES: usize = STAGES;
     const IMPLICIT: bool = true;
     const RESTORES: bool = true;
     type Rows<X> = [X; STAGES + 1];
+    type Stages<X> = [X; STAGES];
     type Springs<T: Scalar> = element::Implicit<T::Real>;
 
     fn rows<X: Clone>(value: &X) -> [X; STAGES + 1] {
+        core::array::from_fn(|_| value.clone())
+    }
+    fn stages<X: Clone>(value: &X) -> [X; STAGES] {
         core::array::from_fn(|_| value.clone())
     }
     fn node(row: usize) -> f64 {
@@ -139,9 +149,13 @@ impl Staged for GeneralizedAlpha {
     const IMPLICIT: bool = true;
     const REMEMBERS: bool = true;
     type Rows<X> = [X; 3];
+    type Stages<X> = [X; 2];
     type Springs<T: Scalar> = element::Implicit<T::Real>;
 
     fn rows<X: Clone>(value: &X) -> [X; 3] {
+        core::array::from_fn(|_| value.clone())
+    }
+    fn stages<X: Clone>(value: &X) -> [X; 2] {
         core::array::from_fn(|_| value.clone())
     }
     fn node(row: usize) -> f64 {
