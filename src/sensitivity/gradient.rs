@@ -107,13 +107,13 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
     /// ```
     /// use catena::planar::*;
     /// use catena::scalar::{Jet, Scalar};
-    /// /// A pendulum, and where it begins: its lower end at a height that does not change with the lengths of both rods.
+    /// /// A pendulum, and where it begins: its second rod half a metre of arc below the horizontal, whatever the length of both.
     /// macro_rules! pendulum {
     ///     ($length:expr, $number:expr) => {{
     ///         let rod = Rod::uniform($length, $number(1.0));
     ///         let root = Pinned::at($number(0.0), $number(0.0));
     ///         let scene = System::new(root, (rod, Pin, rod), Free)?.with_gravity($number(9.81));
-    ///         let start = scene.at_rest(&[$number(-1.0), ($number(-1.2) - $length * $number(-1.0_f64).sin()) / $length])?;
+    ///         let start = scene.at_rest(&[$number(-1.0), $number(-0.5) / $length])?;
     ///         (scene, start)
     ///     }};
     /// }

@@ -18,27 +18,27 @@ macro_rules! samples {
         let (numbers, n): (Vec<f64>, usize) = ($numbers, $n);
         let parameters = numbers.len() - 2 * n - $joints;
         macro_rules! cost {
-                                ($N:ty, $number:expr) => {{
-                                    let $x = $number;
-                                    let of: Vec<$N> = (0..numbers.len()).map(&$x).collect();
-                                    let $system = {
-                                        type N = $N;
-                                        $scene
-                                    };
-                                    let mut $now = $system.motion();
-                                    $now.set_coordinates(&of[parameters..][..n]).unwrap();
-                                    $now.set_rates(&of[parameters + n..][..n]).unwrap();
-                                    let $torques = &of[parameters + 2 * n..];
-                                    let (mut sum, mut sample) = (<$N>::constant(0.0), 0);
-                                    let mut $read = |q: Vec<$N>, v: Vec<$N>| {
-                                        (0..n).for_each(|i| sum += share(sample, SAMPLES - 1, i, q[i], v[i]));
-                                        sample += 1;
-                                    };
-                                    $run
-                                    assert_eq!(sample, SAMPLES);
-                                    sum
-                                }};
-                            }
+                                        ($N:ty, $number:expr) => {{
+                                            let $x = $number;
+                                            let of: Vec<$N> = (0..numbers.len()).map(&$x).collect();
+                                            let $system = {
+                                                type N = $N;
+                                                $scene
+                                            };
+                                            let mut $now = $system.motion();
+                                            $now.set_coordinates(&of[parameters..][..n]).unwrap();
+                                            $now.set_rates(&of[parameters + n..][..n]).unwrap();
+                                            let $torques = &of[parameters + 2 * n..];
+                                            let (mut sum, mut sample) = (<$N>::constant(0.0), 0);
+                                            let mut $read = |q: Vec<$N>, v: Vec<$N>| {
+                                                (0..n).for_each(|i| sum += share(sample, SAMPLES - 1, i, q[i], v[i]));
+                                                sample += 1;
+                                            };
+                                            $run
+                                            assert_eq!(sample, SAMPLES);
+                                            sum
+                                        }};
+                                    }
         let system = {
             type N = f64;
             let $x = |k: usize| -> N { numbers[k] };

@@ -165,7 +165,7 @@ mod plane {
             kinds,
             numbers,
             Rk4,
-            |system| { system.at_rest(&[1.0, 0.3, 1.1, 0.4, -1.5]).unwrap() },
+            |system| system.at_rest(&[1.0, 0.3, 1.1, 0.4, -1.5]).unwrap(),
             |x| {
                 let rod = |k: usize| Rod::uniform(x(k), N::constant(1.0 + 0.2 * k as f64));
                 let side = (RigidBody::massless([N::constant(1.0), N::constant(0.0)]), Pin, rod(2));
