@@ -357,3 +357,4 @@ mod joints;
 mod laws;
 mod loads;
 mod loops;
+mod samples;
