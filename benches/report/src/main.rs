@@ -33,6 +33,7 @@ const TABLES: &[Table] = &[
     ("skip", "skip-", tables::skip),
     ("precision", "precision", tables::precision),
     ("gradients beside phyz", "gradients.csv", tables::gradients),
+    ("robots counted", "robot_counts.csv", robots::counted),
     ("robots", "robots.csv", robots::beside),
     ("robots' losses", "robots.csv", robots::losses),
 ];
