@@ -36,7 +36,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     fn add_axis(&mut self, axis: Vector3<Jet<T, K>>, [by_aside, by_across]: [T; 2]) {
         let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
         let (own, Columns { x, y, .. }) = (still(axis), Columns::identity());
-        let aside = aside(axis, x, y);
+        let [aside] = aside(axis, [x], [y]);
         let across = cross(own, aside);
         let turned = cross(own, axis) * dot(across, across).recip();
         self.add(by_aside, dot(turned, aside));

@@ -354,6 +354,7 @@ fn revolutes_about_a_ball_have_the_gradients_of_jets() {
 mod held;
 mod implicit;
 mod joints;
+mod lanes;
 mod laws;
 mod loads;
 mod loops;
