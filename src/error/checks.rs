@@ -28,3 +28,8 @@ pub fn positive<T: Scalar>(parameter: &'static str, value: T) -> Result<(), Faul
     }
     Ok(())
 }
+
+/// The largest magnitude of several values.
+pub fn largest<T: Scalar>(values: impl IntoIterator<Item = T>) -> T {
+    values.into_iter().map(T::abs).fold(T::zero(), |most, x| (most - x).if_negative(x, most))
+}

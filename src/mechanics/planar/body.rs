@@ -12,7 +12,6 @@ use crate::scalar::{Real, Scalar};
 use crate::shape::{PerAxes, PostureOf, Shape};
 use core::fmt::Debug;
 use nalgebra::Vector2;
-use num_traits::Zero;
 use typenum::{U0, U1};
 
 /// Mass, mass centre and moment of inertia of a planar body.
@@ -35,17 +34,18 @@ impl<T: Scalar> Inertia<T> {
         finite("mass centre", centre)?;
         // The moment of inertia may have been rounded when a body was built from its base parameters.
         let scale = *mass * (centre[0] * centre[0] + centre[1] * centre[1]);
-        let slack = scale.real() * T::Real::EPSILON * T::Real::of(8.0);
+        let slack = scale.scale(T::Real::EPSILON * T::Real::of(8.0));
         match not_negative("moment of inertia", *about_centre) {
-            Err(Fault::Negative { .. }) if not_negative("", *about_centre + T::constant(slack)).is_ok() => Ok(()),
+            Err(Fault::Negative { .. }) if not_negative("", *about_centre + slack).is_ok() => Ok(()),
             checked => checked,
         }
     }
 
     /// What may be wrong with an inertia that a sweep can do with: a moment of inertia without mass.
     pub fn doubt(&self) -> Option<Fault> {
-        let (mass, turns) = (self.mass.real().as_f64(), self.about_centre.real() != T::Real::zero());
-        (turns && mass <= 0.0).then_some(Fault::NotPositive { parameter: "mass", value: mass })
+        let idle = (-self.mass).if_negative(T::zero(), self.about_centre.abs());
+        let value = self.mass.if_negative(self.mass, T::zero()).real().as_f64();
+        (idle.real() > T::Real::of(0.0)).then_some(Fault::NotPositive { parameter: "mass", value })
     }
 }
 

@@ -166,9 +166,11 @@ impl<T: Scalar> Space for Spatial<T> {
     fn spins_about_its_line(body: &BodyMotion<T>) -> bool {
         let line = body.inboard.turn.attitude.transposed(body.arm);
         let inertia = body.inertia.about_inboard();
-        let length = dot(line, line).real();
-        let [about, most] = [dot(line, inertia.apply(line)).real(), (inertia.xx + inertia.yy + inertia.zz).real()];
-        length > T::Real::of(0.0) && about <= most * length * T::Real::EPSILON * T::Real::of(0.25)
+        let length = dot(line, line);
+        let whole = (inertia.xx + inertia.yy + inertia.zz) * length;
+        let resists = dot(line, inertia.apply(line)) - whole.scale(T::Real::EPSILON * T::Real::of(0.25));
+        let spins = (-resists).if_negative(T::zero(), T::one());
+        (-length).if_negative(spins, T::zero()).real() > T::Real::of(0.0)
     }
     fn angles(body: &BodyMotion<T>) -> [T; 3] {
         super::angles::angles(&body.inboard.turn.attitude)

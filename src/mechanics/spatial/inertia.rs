@@ -2,7 +2,7 @@
 
 use super::second_moments::SecondMoments;
 use crate::error::Fault;
-use crate::error::checks::{finite, not_negative};
+use crate::error::checks::{finite, largest, not_negative};
 use crate::lift::lift;
 use crate::relation::Symmetric;
 use crate::relation::spatial::algebra::{Columns, Symmetric3, dot};
@@ -51,13 +51,15 @@ impl<T: Scalar> Inertia<T> {
         not_negative("mass", self.mass)?;
         finite("mass centre", &self.centre)?;
         self.about_centre.iter().try_for_each(|row| finite("inertia tensor", row))?;
-        let (j, slack) = (self.about_centre.map(|row| row.map(T::real)), self.slack());
-        if [j[0][1] - j[1][0], j[0][2] - j[2][0], j[1][2] - j[2][1]].iter().any(|off| off.abs() > slack) {
+        let (j, slack) = (self.about_centre, self.slack());
+        let askew = largest([j[0][1] - j[1][0], j[0][2] - j[2][0], j[1][2] - j[2][1]]);
+        if (slack - askew).if_negative(T::one(), T::zero()).real() > T::Real::of(0.0) {
             return Err(Fault::NotSymmetric { parameter: "inertia tensor" });
         }
         let least = SecondMoments::of(self).least_moment();
-        if least < -slack {
-            return Err(Fault::Negative { parameter: "principal moment of inertia", value: least.as_f64() });
+        let below = (least + slack).if_negative(least, T::zero()).real().as_f64();
+        if below < 0.0 {
+            return Err(Fault::Negative { parameter: "principal moment of inertia", value: below });
         }
         Ok(())
     }

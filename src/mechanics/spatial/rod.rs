@@ -111,9 +111,8 @@ impl<T: Scalar> Body<T> for Rod<T> {
         let Inertia { about_centre, mass, .. } = self.inertia();
         let across = about_centre[1][1];
         // It may have been rounded when the rod was built from its base parameters.
-        let scale = (mass * self.length * self.length).real();
-        let slack = (scale + self.axial.real()) * T::Real::EPSILON * T::Real::of(8.0);
-        not_negative("moment of inertia", across + T::constant(slack))
+        let scale = mass * self.length * self.length + self.axial;
+        not_negative("moment of inertia", across + scale.scale(T::Real::EPSILON * T::Real::of(8.0)))
     }
 }
 

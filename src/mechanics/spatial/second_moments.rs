@@ -6,70 +6,74 @@
 
 use super::Inertia;
 use crate::error::Fault;
+use crate::error::checks::largest;
 use crate::scalar::{Real, Scalar};
 
 /// Sweeps of Jacobi's method, which converges quadratically: a matrix of three rows takes five at most.
 const SWEEPS: usize = 8;
 
 /// Principal second moments.
-pub(super) struct SecondMoments<R> {
+pub(super) struct SecondMoments<T> {
     /// Principal second moments (kg·m²).
-    values: [R; 3],
+    values: [T; 3],
     /// Principal axes, in columns.
-    axes: [[R; 3]; 3],
+    axes: [[T; 3]; 3],
 }
 
-impl<R: Real> SecondMoments<R> {
+impl<T: Scalar> SecondMoments<T> {
     /// Of an inertia tensor, whose upper triangle is read.
-    pub fn of<T: Scalar<Real = R>>(inertia: &Inertia<T>) -> Self {
-        let tensor = inertia.about_centre.map(|row| row.map(T::real));
-        let half = (tensor[0][0] + tensor[1][1] + tensor[2][2]) * R::of(0.5);
+    pub fn of(inertia: &Inertia<T>) -> Self {
+        let tensor = inertia.about_centre;
+        let half = (tensor[0][0] + tensor[1][1] + tensor[2][2]) * T::literal(0.5);
         let entry = |i: usize, j: usize| if i == j { half - tensor[i][i] } else { -tensor[i.min(j)][i.max(j)] };
-        let mut matrix: [[R; 3]; 3] = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
-        let mut axes = core::array::from_fn(|i| core::array::from_fn(|j| if i == j { R::one() } else { R::zero() }));
+        let mut matrix: [[T; 3]; 3] = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
+        let mut axes = core::array::from_fn(|i| core::array::from_fn(|j| if i == j { T::one() } else { T::zero() }));
         for _ in 0..SWEEPS {
-            turn::<R, 0, 1>(&mut matrix, &mut axes);
-            turn::<R, 0, 2>(&mut matrix, &mut axes);
-            turn::<R, 1, 2>(&mut matrix, &mut axes);
+            turn::<T, 0, 1>(&mut matrix, &mut axes);
+            turn::<T, 0, 2>(&mut matrix, &mut axes);
+            turn::<T, 1, 2>(&mut matrix, &mut axes);
         }
         Self { values: core::array::from_fn(|k| matrix[k][k]), axes }
     }
 
     /// The least second moment (kg·m²).
-    pub fn least(&self) -> R {
-        self.values[1..].iter().fold(self.values[0], |least, x| x.min(least))
+    pub fn least(&self) -> T {
+        let [x, y, z] = self.values;
+        lesser(x, lesser(y, z))
     }
 
     /// The least principal moment of inertia (kg·m²): the sum of the two lesser ones.
-    pub fn least_moment(&self) -> R {
+    pub fn least_moment(&self) -> T {
         let [x, y, z] = self.values;
-        (x + y).min(x + z).min(y + z)
+        lesser(x + y, lesser(x + z, y + z))
     }
 
     /// The inertia tensor (kg·m²) with those that are negative set to zero.
-    pub fn nearest(&self) -> [[R; 3]; 3] {
-        let values = self.values.map(|x| x.max(R::zero()));
+    pub fn nearest(&self) -> [[T; 3]; 3] {
+        let values = self.values.map(|x| x.if_negative(T::zero(), x));
         let trace = values[0] + values[1] + values[2];
         let entry = |i: usize, j: usize| {
-            let sum = (0..3).fold(R::zero(), |sum, k| sum + self.axes[i][k] * values[k] * self.axes[j][k]);
+            let sum = (0..3).fold(T::zero(), |sum, k| sum + self.axes[i][k] * values[k] * self.axes[j][k]);
             if i == j { trace - sum } else { -sum }
         };
         core::array::from_fn(|i| core::array::from_fn(|j| entry(i.min(j), i.max(j))))
     }
 }
 
-/// Turns axes `I` and `J` in their plane so that the entry between them vanishes. They are constants, so that no compiler, however small
-/// its code is to be, asks whether there are such axes.
-fn turn<R: Real, const I: usize, const J: usize>(matrix: &mut [[R; 3]; 3], axes: &mut [[R; 3]; 3]) {
+fn lesser<T: Scalar>(a: T, b: T) -> T {
+    (a - b).if_negative(a, b)
+}
+
+/// Turns axes `I` and `J` in their plane so that the entry between them vanishes, each lane by its own angle. They are constants, so that no
+/// compiler, however small its code is to be, asks whether there are such axes.
+fn turn<T: Scalar, const I: usize, const J: usize>(matrix: &mut [[T; 3]; 3], axes: &mut [[T; 3]; 3]) {
     let off = matrix[I][J];
-    if off == R::zero() {
-        return;
-    }
+    let there = -off.abs(); // negative unless there is nothing to turn
     // t = tan φ, the smaller root of t² + 2 t (m_jj − m_ii) / (2 m_ij) − 1 = 0.
-    let ratio = (matrix[J][J] - matrix[I][I]) / (off + off);
-    let tangent = (ratio.abs() + (ratio * ratio + R::one()).sqrt()).recip();
-    let tangent = if ratio < R::zero() { -tangent } else { tangent };
-    let cosine = (tangent * tangent + R::one()).sqrt().recip();
+    let ratio = (matrix[J][J] - matrix[I][I]) / there.if_negative(off + off, T::one());
+    let tangent = (ratio.abs() + (ratio * ratio + T::one()).sqrt()).recip();
+    let tangent = there.if_negative(ratio.if_negative(-tangent, tangent), T::zero());
+    let cosine = (tangent * tangent + T::one()).sqrt().recip();
     let sine = tangent * cosine;
     for rows in [&mut *matrix, axes] {
         for row in rows {
@@ -94,18 +98,22 @@ impl<T: Scalar> Inertia<T> {
     /// ```
     pub fn doubt(&self) -> Option<Fault> {
         let least = SecondMoments::of(self).least();
-        if least < -self.slack() {
-            return Some(Fault::ImpossibleInertia { excess: -(least + least).as_f64() });
+        let beyond = (least + self.slack()).if_negative(least, T::zero()).real().as_f64();
+        if beyond < 0.0 {
+            return Some(Fault::ImpossibleInertia { excess: -(beyond + beyond) });
         }
-        let turns = self.about_centre.iter().flatten().any(|x| x.real() != T::Real::of(0.0));
-        let mass = self.mass.real().as_f64();
-        (turns && mass <= 0.0).then_some(Fault::NotPositive { parameter: "mass", value: mass })
+        let idle = (-self.mass).if_negative(T::zero(), self.largest());
+        let value = self.mass.if_negative(self.mass, T::zero()).real().as_f64();
+        (idle.real() > T::Real::of(0.0)).then_some(Fault::NotPositive { parameter: "mass", value })
     }
 
     /// What rounding may do to moments (kg·m²).
-    pub(super) fn slack(&self) -> T::Real {
-        let most = self.about_centre.iter().flatten().fold(T::Real::of(0.0), |most, x| x.real().abs().max(most));
-        most * T::Real::EPSILON * T::Real::of(16.0)
+    pub(super) fn slack(&self) -> T {
+        self.largest().scale(T::Real::EPSILON * T::Real::of(16.0))
+    }
+
+    fn largest(&self) -> T {
+        largest(self.about_centre.into_iter().flatten())
     }
 }
 

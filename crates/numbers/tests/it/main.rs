@@ -5,6 +5,7 @@ mod backward;
 mod derivatives;
 mod ensembles;
 mod jets;
+mod moments;
 mod scalars;
 mod sensitivities;
 mod sensitivity;

@@ -7,6 +7,7 @@ use super::through::Solid;
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Loading, OnBody, Posture, Sweep};
 use crate::error::Fault;
+use crate::error::checks::largest;
 use crate::lift::Lift;
 use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
 use crate::relation::spatial::Empty;
@@ -187,10 +188,10 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> crate::shape::Body<Spatial<T
     fn check(&self) -> Result<(), Fault> {
         self.inertia.check()?;
         let left_out = |mask: u8, list: &[T]| {
-            let most = list.iter().fold(T::Real::zero(), |most, x| x.real().abs().max(most));
-            let slack = most * T::Real::EPSILON * T::Real::of(64.0); // rounding of what makes them
+            let slack = largest(list.iter().copied()).scale(T::Real::EPSILON * T::Real::of(64.0)); // rounding of what makes them
             // Of a number that is zero derivatives count too; those of one that is rounding are rounding.
-            let none = |x: T| x.real().abs() <= slack && (x.real() != T::Real::zero() || x.is_identical(T::zero()));
+            let within = |x: T| (slack - x.abs()).if_negative(T::one(), T::zero()).real() == T::Real::zero();
+            let none = |x: T| within(x) && (x.real() != T::Real::zero() || x.is_identical(T::zero()));
             list.iter().enumerate().all(|(bit, x)| mask >> bit & 1 == 1 || none(*x))
         };
         if !left_out(MOMENT, &self.moment) {
