@@ -1,20 +1,22 @@
 #!/bin/sh
-# Builds the benchmark of sweeps (`count.sh runs`: of whole runs) for the default target and for x86-64-v3, runs both and prints
-# tables of both.
+# Builds the benchmark of sweeps (`count.sh runs`: of whole runs; `count.sh robots`: of functions of robots) for the default target and for
+# x86-64-v3, runs both and prints tables of both.
 # Instructions need valgrind; without it times are printed alone. --quick counts instructions of short chains of rods, no more;
-# --check compares those of all rows but the longest with benches/results/counts.csv, --record writes that file.
+# --check compares those of all rows but the longest with benches/results/counts.csv (of robots: robot_counts.csv), --record writes that
+# file.
 set -eu
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-target}
+package=catena
 bench=sweep
-if [ "${1-}" = runs ]; then
-    bench=runs
-    shift
-fi
+case ${1-} in
+    runs) bench=runs && shift ;;
+    robots) package=catena-urdf-robots && bench=robots && shift ;;
+esac
 
 # build FLAGS DIRECTORY: prints the path of the program.
 build() {
-    RUSTFLAGS=$1 cargo bench --quiet --bench $bench --no-run --target-dir "$2" --message-format=json |
+    RUSTFLAGS=$1 cargo bench --quiet -p $package --bench $bench --no-run --target-dir "$2" --message-format=json |
         sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1
 }
 

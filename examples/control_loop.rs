@@ -9,16 +9,16 @@
 //! ```
 
 mod common;
+#[path = "pictures/control_loop.rs"]
+mod pictures;
 
 use catena::Scalar;
 use catena::loading::Unloaded;
 use catena::planar::*;
-use catena::simulate::{MotionIn, Stepper, StepperOf};
-use common::{BLUE, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
+use catena::simulate::{MotionIn, StepperOf};
 use num_dual::Dual2_64;
 use std::error::Error;
 use std::f64::consts::TAU;
-use std::path::PathBuf;
 use std::time::Instant;
 
 /// The arm and the model of it: the same type, other parameters.
@@ -50,8 +50,7 @@ impl Sample {
     }
 }
 
-/// The arm as its controller has it: torques go in, a motion comes out. All the room there is: a stepper with the scene and its workspace,
-/// and two motions to alternate between.
+/// The arm as its controller has it: torques go in, a motion comes out. All the room there is: a stepper and two motions to alternate between.
 struct Plant {
     arm: StepperOf<Rk4, Arm, Torques>,
     now: ArmMotion,
@@ -136,67 +135,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let nanoseconds = clock.elapsed().as_nanos() / CYCLES as u128;
 
     println!("A two-link arm follows a circle: {CYCLES} cycles of {} ms, RK4\n", CYCLE * 1e3);
-    common::heads(&[
-        ("time (s)", 8),
-        ("target x (m)", 12),
-        ("y (m)", 8),
-        ("hand x (m)", 12),
-        ("y (m)", 8),
-        ("error (mm)", 10),
-        ("shoulder (N·m)", 14),
-        ("elbow (N·m)", 11),
-    ]);
+    let places = [("time (s)", 8), ("target x (m)", 12), ("y (m)", 8), ("hand x (m)", 12), ("y (m)", 8)];
+    let others = [("error (mm)", 10), ("shoulder (N·m)", 14), ("elbow (N·m)", 11)];
+    common::heads(&[&places[..], &others].concat());
     for sample in log.iter().skip(249).step_by(250) {
         let Sample { time, torques: [shoulder, elbow], wanted: [wx, wy], hand: [x, y], .. } = sample;
         let error = sample.error();
         println!("  {time:8.2}  {wx:12.4}  {wy:8.4}  {x:12.4}  {y:8.4}  {error:10.3}  {shoulder:14.3}  {elbow:11.3}");
     }
     println!("\nA cycle takes {nanoseconds} ns: control, step and readings.");
-    println!("Picture: {}", draw(&log)?.display());
+    println!("Picture: {}", pictures::draw(&log)?.display());
     Ok(())
-}
-
-/// The hand's way on the left; its error and the torques over time on the right.
-fn draw(log: &[Sample]) -> Drawn<PathBuf> {
-    common::picture("control_loop", (1000, 520), |area| {
-        let subtitle =
-            "A two-link arm goes around a circle under model-based control, with a load that the model ignores.";
-        let area = common::heading(area, "Control loop", subtitle)?;
-        let (left, right) = area.split_horizontally(common::pixels(470.0));
-        let (upper, lower) = right.split_vertically(common::pixels(227.0));
-
-        // Curves are as smooth with every eighth sample.
-        let (thin, point) = (log.iter().step_by(8), |[x, y]: [f64; 2]| (x, y));
-        let mut way = common::chart(&left, "Way of the hand (m)", "", -0.1..1.15, -0.7..0.537)?;
-        common::legend(&left, &[("target", GREY), ("hand", ORANGE)])?;
-        let poses: Vec<_> = log.iter().take(1875).step_by(125).collect();
-        // The first turn, fading in.
-        for (k, sample) in poses.iter().enumerate() {
-            let colour = blend(FAINT, BLUE, 0.8 * k as f64 / poses.len() as f64);
-            let places = [(0.0, 0.0), point(sample.elbow), point(sample.hand)];
-            common::links(&mut way, places.to_vec(), line(colour, 2.0))?;
-            common::dots(&mut way, [places[1]], 3.0, colour)?;
-        }
-        common::curve(&mut way, thin.clone().map(|sample| point(sample.wanted)), line(GREY, 4.0))?;
-        common::curve(&mut way, thin.clone().map(|sample| point(sample.hand)), line(ORANGE, 1.6))?;
-        common::dots(&mut way, [(0.0, 0.0)], 5.0, INK)?;
-
-        let end = CYCLE * CYCLES as f64;
-        let errors = thin.clone().map(|sample| (sample.time, sample.error()));
-        let range = common::range(errors.clone().map(|(_, error)| error), 0.08);
-        let mut chart = common::chart(&upper, "Error of the hand (mm)", "time (s)", 0.0..end, range)?;
-        common::curve(&mut chart, errors, line(GREEN, 1.6))?;
-
-        let all = thin.clone().flat_map(|sample| sample.torques);
-        let mut chart = common::chart(&lower, "Torques (N·m)", "time (s)", 0.0..end, common::range(all, 0.08))?;
-        common::legend(&lower, &[("shoulder", BLUE), ("elbow", ORANGE)])?;
-        for (joint, colour) in [BLUE, ORANGE].into_iter().enumerate() {
-            common::curve(
-                &mut chart,
-                thin.clone().map(|sample| (sample.time, sample.torques[joint])),
-                line(colour, 1.6),
-            )?;
-        }
-        Ok(())
-    })
 }

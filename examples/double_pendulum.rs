@@ -5,14 +5,13 @@
 //! ```
 
 mod common;
+#[path = "pictures/double_pendulum.rs"]
+mod pictures;
 
 use catena::loading::Unloaded;
 use catena::planar::*;
-use common::film::{Film, Frame};
-use common::{BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use std::error::Error;
 use std::f64::consts::FRAC_PI_3;
-use std::path::PathBuf;
 
 /// Angles (rad) and force of the ground on the first rod (N) at t = 2 s: an integration of order 8 that agrees with a
 /// Taylor series of 30 digits.
@@ -93,7 +92,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut energies = Vec::new();
     pendulum.simulate(start, rule, 10.0, |now| energies.push((now.time(), now.energy() - initial)))?;
 
-    println!("\nPictures: {}", draw(&readings, &energies, run.steps)?.display());
+    println!("\nPictures: {}", pictures::draw(&readings, &energies, run.steps)?.display());
 
     // Released from above, it does not swing but tumble.
     let mut places = Vec::new();
@@ -103,64 +102,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         let (elbow, tip) = (place(1), now.stations().tip().frame.place);
         places.push(vec![vec![(0.0, 0.0), (elbow.x, elbow.y), (tip.x, tip.y)]]);
     })?;
-    println!("          {}", film(&places)?.display());
+    println!("          {}", pictures::film(&places)?.display());
     Ok(())
-}
-
-/// The pendulum as it moves, released from above.
-fn film(frames: &[Frame]) -> Drawn<PathBuf> {
-    let film = Film {
-        title: "Double pendulum",
-        subtitle: "Two uniform rods, 1 m and 1 kg each; the way of the tip.",
-        view: (-2.2..2.2, -2.15..2.15),
-        scale: 110.0,
-        seconds: [12.0; 2],
-        strokes: &[(BLUE, 7.0)],
-        trace: (0, 2, ORANGE),
-        ground: &[(0.0, 0.0)],
-        floor: &[],
-    };
-    film.save("double_pendulum_moving", frames)
-}
-
-/// The path of the tip on the left; angles and energy error over time on the right.
-fn draw(readings: &[Reading], energies: &[(f64, f64)], steps: usize) -> Drawn<PathBuf> {
-    common::picture("double_pendulum", (1000, 560), |area| {
-        let steps = format!("10 s in {steps} steps of DOP853, tolerance 1e-13.");
-        let subtitle =
-            format!("Two uniform rods, 1 m and 1 kg each, released at rest 60° below the horizontal. {steps}");
-        let area = common::heading(area, "Double pendulum", &subtitle)?;
-        let (left, right) = area.split_horizontally(common::pixels(470.0));
-        let (upper, lower) = right.split_vertically(common::pixels(250.0));
-
-        // One metre is as long across as it is down.
-        let mut path =
-            common::chart(&left, "First swing (every 0.1 s) and path of the tip (m)", "", -1.1..1.1, -2.2..0.205)?;
-        let swing: Vec<_> = readings.iter().take(111).step_by(10).collect();
-        for (k, reading) in swing.iter().enumerate() {
-            let share = k as f64 / (swing.len() - 1) as f64;
-            let [elbow, tip] = reading.places;
-            let colour = blend(FAINT, BLUE, 0.1 + 0.9 * share * share);
-            common::links(&mut path, vec![(0.0, 0.0), elbow, tip], line(colour, 3.5))?;
-            common::dots(&mut path, [elbow, tip], 4.5, colour)?;
-        }
-        common::curve(&mut path, readings.iter().map(|reading| reading.places[1]), line(ORANGE, 1.2))?;
-        common::dots(&mut path, [(0.0, 0.0)], 5.0, INK)?;
-
-        let all = readings.iter().flat_map(|reading| reading.angles);
-        let mut angles = common::chart(&upper, "Angles (rad)", "time (s)", 0.0..10.0, common::range(all, 0.08))?;
-        common::legend(&upper, &[("inner rod", BLUE), ("outer rod", ORANGE)])?;
-        for (k, colour) in [BLUE, ORANGE].into_iter().enumerate() {
-            common::curve(
-                &mut angles,
-                readings.iter().map(|reading| (reading.time, reading.angles[k])),
-                line(colour, 1.8),
-            )?;
-        }
-
-        let points = energies.iter().map(|(time, error)| (*time, error * 1e13));
-        let range = common::range(points.clone().map(|(_, error)| error), 0.15);
-        let mut error = common::chart(&lower, "Energy error (10⁻¹³ J)", "time (s)", 0.0..10.0, range)?;
-        common::curve(&mut error, points, line(GREEN, 1.4))
-    })
 }

@@ -8,14 +8,14 @@
 //! ```
 
 mod common;
+#[path = "pictures/paper_example_1.rs"]
+mod pictures;
 
 use catena::Error;
 use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::{Dop853, Free, Pin, Pinned, Rod, System};
-use common::{BLUE, Drawn, GREEN, GREY, ORANGE, line};
 use std::f64::consts::FRAC_PI_3;
-use std::path::PathBuf;
 
 type Pendulum = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Pin, Rod<f64>), Free>;
 
@@ -89,9 +89,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (exact, sweeps) = exact(pendulum, dt, end)?;
 
     println!(
-        "Example 1: rigid double pendulum, steps of {dt} s. Errors after 2 s, of angles (rad) and of the force at the root (N, of 24)"
+        "Example 1: rigid double pendulum, steps of {dt} s. Errors after 2 s, of angles (rad) and of the force at the root"
     );
-    println!("and whether the run stays within 1 rad for {end} s, 25 to 30 periods. The rods are stand-ins.\n");
+    println!(
+        "(N, of 24), and whether the run stays within 1 rad for {end} s, 25 to 30 periods. The rods are stand-ins.\n"
+    );
     println!("  scheme                                         angles    force   60 s");
     let report = |name: &str, record: &Record| {
         let at = |time: f64| (time / dt).round() as usize - 1;
@@ -118,6 +120,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     report("as printed: Newmark β = ¼, γ = ½", &printed);
     let damped = record!(pendulum, Scheme::new(Newmark::damped(0.6)), dt, end);
     report("as printed, γ = 0.6", &damped);
+    // Each rule by a macro: they are types.
+    macro_rules! rules {
+        ($row:ident) => {
+            $row!("Newmark, γ = ½", Newmark::new(0.25, 0.5));
+            $row!("Newmark, β = 1/6, γ = ½", Newmark::new(1.0 / 6.0, 0.5));
+            $row!("generalised-α (0.8)", GeneralizedAlpha::new(0.8));
+            $row!("HHT-α (0.1)", hht_alpha(0.1));
+            $row!("Wilson-θ (1.42)", Wilson::new(1.42));
+            $row!("Houbolt", Multistep::HOUBOLT);
+            $row!("Park", Multistep::PARK);
+            $row!("BDF2", Multistep::BDF2);
+            $row!("midpoint", Midpoint);
+        };
+    }
     for at in [At::Previous, At::Predictor, At::Iterated] {
         macro_rules! row {
             ($name:expr, $rule:expr) => {
@@ -125,15 +141,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             };
         }
         println!();
-        row!("Newmark, γ = ½", Newmark::new(0.25, 0.5));
-        row!("Newmark, β = 1/6, γ = ½", Newmark::new(1.0 / 6.0, 0.5));
-        row!("generalised-α (0.8)", GeneralizedAlpha::new(0.8));
-        row!("HHT-α (0.1)", hht_alpha(0.1));
-        row!("Wilson-θ (1.42)", Wilson::new(1.42));
-        row!("Houbolt", Multistep::HOUBOLT);
-        row!("Park", Multistep::PARK);
-        row!("BDF2", Multistep::BDF2);
-        row!("midpoint", Midpoint);
+        rules!(row);
     }
     println!();
     let joints = record!(pendulum, JointScheme::new(Newmark::new(0.25, 0.5)).with_sweeps(1), dt, end);
@@ -143,52 +151,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             report(&format!("joint coordinates: {}", $name), &record!(pendulum, JointScheme::new($rule), dt, end))
         };
     }
-    row!("Newmark, γ = ½", Newmark::new(0.25, 0.5));
-    row!("Newmark, β = 1/6, γ = ½", Newmark::new(1.0 / 6.0, 0.5));
     row!("Newmark, γ = 0.6", Newmark::damped(0.6));
-    row!("generalised-α (0.8)", GeneralizedAlpha::new(0.8));
-    row!("HHT-α (0.1)", hht_alpha(0.1));
-    row!("Wilson-θ (1.42)", Wilson::new(1.42));
-    row!("Houbolt", Multistep::HOUBOLT);
-    row!("Park", Multistep::PARK);
-    row!("BDF2", Multistep::BDF2);
-    row!("midpoint", Midpoint);
+    rules!(row);
     println!("\n  Forces of Wilson's and the midpoint rule are those of the instant at which they balance.");
-    println!(
-        "  This crate's default, DOP853 at 1e-12, takes {sweeps} sweeps for {end} s; the schemes above, 6000 and more."
-    );
-
-    println!("\nPicture: {}", draw(&exact, &printed, &damped, &joints)?.display());
+    println!("  This crate's default, DOP853 at 1e-12, takes {sweeps} sweeps for {end} s; those above, 6000 and more.");
+    println!("\nPicture: {}", pictures::draw(&exact, &printed, &damped, &joints)?.display());
     Ok(())
-}
-
-/// The last rod's angle over time, and the force at the root.
-fn draw(exact: &[Instant], printed: &Record, damped: &Record, joints: &Record) -> Drawn<PathBuf> {
-    common::picture("paper_example_1", (1000, 620), |area| {
-        let subtitle = "Outer rod of two (1 m, 1 kg each), released at rest 60° below the horizontal. Steps of 0.01 s.";
-        let area = common::heading(area, "Example 1: the paper's scheme on a rigid double pendulum", subtitle)?;
-        let (upper, lower) = area.split_vertically(common::pixels(280.0));
-        let names =
-            [("DOP853", GREY), ("as printed, γ = ½", ORANGE), ("γ = 0.6", GREEN), ("joint coordinates, γ = ½", BLUE)];
-        // Those that agree lie on each other: the wider below.
-        let curves = [(&printed.instants, ORANGE, 1.4), (&damped.instants, GREEN, 4.0), (&joints.instants, BLUE, 1.4)];
-        let until = 8.0;
-        let mut angles = common::chart(&upper, "Angle of the outer rod (rad)", "time (s)", 0.0..until, -4.0..1.0)?;
-        common::legend(&upper, &names)?;
-        let near = |t: f64| t <= until;
-        let points = exact.iter().filter(|now| near(now.time)).map(|now| (now.time, now.angles[1]));
-        common::curve(&mut angles, points, line(GREY, 7.0))?;
-        for (instants, colour, width) in curves {
-            let inside = instants.iter().filter(|now| near(now.time)).take_while(|now| now.angles[1].abs() < 4.0);
-            common::curve(&mut angles, inside.map(|now| (now.time, now.angles[1])), line(colour, width))?;
-        }
-        let title = "Vertical force at the root (N): with γ = ½ it alternates";
-        let mut force = common::chart(&lower, title, "time (s)", 0.0..until, -20.0..60.0)?;
-        for (instants, colour, width) in curves {
-            let inside = instants.iter().filter(|now| near(now.time)).take_while(|now| now.angles[1].abs() < 4.0);
-            let clipped = inside.map(|now| (now.time, now.force[1].clamp(-20.0, 60.0)));
-            common::curve(&mut force, clipped, line(colour, width))?;
-        }
-        Ok(())
-    })
 }

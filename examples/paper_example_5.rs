@@ -9,21 +9,17 @@
 //! ```
 
 mod common;
+#[path = "common/equations.rs"]
+mod equations;
+#[path = "pictures/paper_example_5.rs"]
+mod pictures;
 
 use catena::loading::Unloaded;
 use catena::paper::{At, GeneralizedAlpha, Newmark, Scheme, Slots, Solver};
 use catena::spatial::index::Q;
 use catena::spatial::{Ball, Dop853, Free, Pinned, RigidBody, Rotation, System};
-use common::{BLUE, Drawn, GREEN, GREY, ORANGE, line};
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
-use std::path::PathBuf;
-
-const GRAVITY: f64 = 9.81;
-const MASS: f64 = 1.0;
-const CENTRE: [f64; 3] = [0.5, 0.03, -0.02];
-const NEXT: [f64; 3] = [1.0, 0.0, 0.0];
-/// About the mass centre (kg·m²).
-const INERTIA: [[f64; 3]; 3] = [[0.02, 0.001, 0.002], [0.001, 0.09, 0.003], [0.002, 0.003, 0.1]];
+use equations::{CENTRE, GRAVITY, INERTIA, MASS, NEXT};
+use nalgebra::{Matrix3, Vector3};
 
 /// Times, the angles of all bodies, and the force of the ground on the first.
 type Record = Vec<(f64, Vec<[f64; 3]>, [f64; 3])>;
@@ -41,47 +37,13 @@ fn angle_rates([a, b, _]: [f64; 3], omega: Vector3<f64>) -> Option<Vector3<f64>>
     Some(Matrix3::new(1.0, 0.0, -s2, 0.0, c1, s1 * c2, 0.0, -s1, c1 * c2).try_inverse()? * omega)
 }
 
-/// The ordinary method: angular accelerations in body axes by (41), with E₄₂ and F₄ of (42) corrected, for any number of bodies.
-fn global(angles: &[[f64; 3]], omega: &[Vector3<f64>]) -> Option<Vec<Vector3<f64>>> {
-    let n = angles.len();
-    let [centre, next] = [CENTRE, NEXT].map(Vector3::from);
-    let about_centre = Matrix3::from_fn(|i, k| INERTIA[i][k]);
-    let j = about_centre + MASS * (Matrix3::identity() * centre.norm_squared() - centre * centre.transpose());
-    let turned: Vec<Matrix3<f64>> = angles.iter().map(|a| cosines(*a)).collect();
-    let beyond = |k: usize| (n - 1 - k) as f64; // bodies outboard
-    let first = |k: usize| centre + next * beyond(k);
-    let tilde = |v: Vector3<f64>| v.cross_matrix();
-    let spin = |k: usize, r: Vector3<f64>| omega[k].cross(&omega[k].cross(&r));
-    let (mut e, mut f) = (DMatrix::zeros(3 * n, 3 * n), DVector::zeros(3 * n));
-    for i in 0..n {
-        let mut block = |k: usize, value: Matrix3<f64>| e.view_mut((3 * i, 3 * k), (3, 3)).copy_from(&value);
-        block(i, j - tilde(next) * tilde(next) * (MASS * beyond(i)));
-        let down = turned[i].transpose() * Vector3::y() * GRAVITY;
-        let mut force = -omega[i].cross(&(j * omega[i]))
-            - MASS * first(i).cross(&down)
-            - MASS * beyond(i) * next.cross(&spin(i, next));
-        for k in 0..n {
-            let across = turned[i].transpose() * turned[k];
-            if k > i {
-                block(k, -tilde(next) * across * tilde(first(k)) * MASS);
-                force -= MASS * next.cross(&(across * spin(k, first(k))));
-            } else if k < i {
-                block(k, -tilde(first(i)) * across * tilde(next) * MASS);
-                force -= MASS * first(i).cross(&(across * spin(k, next)));
-            }
-        }
-        f.fixed_rows_mut::<3>(3 * i).copy_from(&force);
-    }
-    let alpha = e.lu().solve(&f)?;
-    Some((0..n).map(|k| alpha.fixed_rows::<3>(3 * k).into()).collect())
-}
-
 /// The ordinary method, integrated by the classical Runge-Kutta rule.
 fn runge_kutta(start: &[([f64; 3], Vector3<f64>)], dt: f64, end: f64) -> Option<Record> {
     type State = Vec<([f64; 3], Vector3<f64>)>;
     let slope = |state: &State| -> Option<State> {
         let (angles, omega): (Vec<_>, Vec<_>) = state.iter().copied().unzip();
-        let alpha = global(&angles, &omega)?;
+        let turned: Vec<_> = angles.iter().map(|angles| cosines(*angles)).collect();
+        let alpha = equations::global(&turned, &omega)?;
         state.iter().zip(alpha).map(|((a, w), alpha)| Some((angle_rates(*a, *w)?.into(), alpha))).collect()
     };
     let moved = |state: &State, slope: &State, h: f64| -> State {
@@ -177,32 +139,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         );
     }
     println!("  {:52} {:>8} {:>9} {:>9} {:8}", "this crate: DOP853 at 1e-12", "free", "-", "-", run.sweeps);
-    println!("\nPicture: {}", draw(&exact, &shown)?.display());
+    println!("\nPicture: {}", pictures::draw(&exact, &shown)?.display());
     Ok(())
-}
-
-/// The angles of the three bodies, by this crate's default and by the paper's scheme at the predictor, and the force at the root, which
-/// alternates as printed.
-fn draw(exact: &Record, shown: &[Record]) -> Drawn<PathBuf> {
-    common::picture("paper_example_5", (1000, 640), |area| {
-        let subtitle = "Angle θ₃ of three bodies, released from a horizontal row. Wide: DOP853; thin: the paper's scheme at the predictor.";
-        let area = common::heading(area, "Example 5: three bodies on smooth balls", subtitle)?;
-        let (Some(printed), Some(found)) = (shown.first(), shown.get(4)) else { return Ok(()) };
-        let (upper, lower) = area.split_vertically(common::pixels(340.0));
-        let mut chart = common::chart(&upper, "Angle θ₃ (rad)", "time (s)", 0.0..1.0, -3.0..0.5)?;
-        common::legend(&upper, &[("body 2", BLUE), ("body 4", ORANGE), ("body 6", GREEN)])?;
-        for (k, colour) in [BLUE, ORANGE, GREEN].into_iter().enumerate() {
-            let of = |record: &Record| record.iter().map(|(t, angles, _)| (*t, angles[k][2])).collect::<Vec<_>>();
-            common::curve(&mut chart, of(exact), line(GREY, 5.0))?;
-            common::curve(&mut chart, of(found), line(colour, 1.6))?;
-        }
-        let title = "Vertical force at the root (N)";
-        let mut chart = common::chart(&lower, title, "time (s)", 0.0..1.0, -100.0..150.0)?;
-        common::legend(&lower, &[("DOP853", GREY), ("as printed, γ = ½", ORANGE), ("generalised-α", BLUE)])?;
-        let of = |record: &Record| record.iter().map(|(t, _, q)| (*t, q[1].clamp(-100.0, 150.0))).collect::<Vec<_>>();
-        for (record, style) in [(printed, line(ORANGE, 1.0)), (exact, line(GREY, 5.0)), (found, line(BLUE, 1.6))] {
-            common::curve(&mut chart, of(record), style)?;
-        }
-        Ok(())
-    })
 }

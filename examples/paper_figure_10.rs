@@ -13,16 +13,16 @@
 mod common;
 #[path = "common/global.rs"]
 mod global;
+#[path = "pictures/paper_figure_10.rs"]
+mod pictures;
 
 use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::{ElasticHinge, Free, Pinned, Rod, Spring as HingeSpring, Stepper, System};
-use common::{BLUE, Drawn, GREEN, GREY, INK, ORANGE};
 use indicatif::ProgressBar;
 use plotters::style::RGBColor;
 use std::f64::consts::FRAC_PI_3;
 use std::hint::black_box;
-use std::path::PathBuf;
 use std::time::Instant;
 
 const RED: RGBColor = RGBColor(176, 32, 60);
@@ -93,13 +93,7 @@ fn measure(n: usize) -> Result<[Option<f64>; 6], catena::Error> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let rounds = std::env::args()
-        .nth(1)
-        .map_or(Ok(3), |text| text.parse::<u8>())
-        .map_err(|e| format!("number of rounds: {e}"))?;
-    if rounds == 0 {
-        return Err("one round at least".into());
-    }
+    let rounds = std::env::args().nth(1).map_or(Ok(3), |text| text.parse::<std::num::NonZeroU8>().map(u8::from))?;
     println!("Figure 10: time of a step (µs) against the number of bodies, the chain of section 5.5.\n");
     // Two ways to the same accelerations, of bent and moving rods.
     let bent: [Vec<f64>; 2] = [0.7, 1.9].map(|wave| (0..50).map(|k| (wave * f64::from(k)).sin()).collect());
@@ -120,9 +114,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     bar.finish_and_clear();
-    println!(
-        "   bodies   paper, product   paper, Riccati   joint coordinates   this crate   global, dense   global, blocks"
-    );
+    let ways = "paper, product   paper, Riccati   joint coordinates   this crate   global, dense   global, blocks";
+    println!("   bodies   {ways}");
     let mut curves: [Vec<(f64, f64)>; 6] = Default::default();
     for (n, times) in numbers.into_iter().zip(best) {
         let [a, b, c, d, e, f] = times.map(|t| t.map_or("-".to_owned(), |t| format!("{:.2}", t * 1e6)));
@@ -134,8 +127,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     println!(
-        "\n  Steps are of 1 ms, those of the product of 10 ms: at 1 ms it has hardly a digit left with 10 bodies, at 10 ms with 1000."
+        "\n  Steps are of 1 ms, those of the product of 10 ms: at 1 ms it has hardly a digit left with 10 bodies,"
     );
+    println!("  at 10 ms with 1000.");
     // Slopes of the logarithms, by least squares, and where the global equations become slower.
     let slope = |curve: &[(f64, f64)], from: f64, to: f64| {
         let points: Vec<_> = curve.iter().filter(|(n, _)| (from.log10()..=to.log10() + 1e-9).contains(n)).collect();
@@ -157,23 +151,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             println!("From n = {:.0} on dense global equations are slower than {name}.", 10_f64.powf(*n));
         }
     }
-    println!("\nPicture: {}", draw(curves)?.display());
+    println!("\nPicture: {}", pictures::draw(curves)?.display());
     Ok(())
-}
-
-fn draw(curves: [Vec<(f64, f64)>; 6]) -> Drawn<PathBuf> {
-    common::picture("paper_figure_10", (900, 520), |area| {
-        let subtitle = "n rods of 1/n m and 1/n kg with springs of 20 N·m/rad between them. Global equations: formed and factorised anew.";
-        let area = common::heading(area, "Figure 10: time of a step against the number of bodies", subtitle)?;
-        let names =
-            ["paper, product", "paper, Riccati", "joint coordinates", "this crate", "global, dense", "global, blocks"];
-        let colours = [ORANGE, GREEN, INK, BLUE, GREY, RED];
-        let mut chart = common::log_log(&area, "Time of a step (µs)", "number of bodies", 0.0..5.2, -1.0..5.5)?;
-        common::legend(&area, &core::array::from_fn::<_, 6, _>(|k| (names[k], colours[k])))?;
-        for (points, colour) in curves.into_iter().zip(colours) {
-            common::dots(&mut chart, points.clone(), 3.5, colour)?;
-            common::curve(&mut chart, points, common::line(colour, 1.8))?;
-        }
-        Ok(())
-    })
 }

@@ -8,67 +8,32 @@
 //! cargo run --release --example swing_up
 //! ```
 
+#[path = "common/cart.rs"]
+mod cart;
 mod common;
+#[path = "pictures/swing_up.rs"]
+mod pictures;
 
+use cart::{H, Scene, Square, State, linearised, motion_of, push, scene, state_of};
 use catena::Error;
 use catena::planar::*;
-use catena::simulate::MotionIn;
-use common::{BLUE, Chart, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
 use indicatif::ProgressBar;
-use nalgebra::{RowVector6, SMatrix, Vector6};
+use nalgebra::RowVector6;
 use std::f64::consts::FRAC_PI_2;
-use std::path::PathBuf;
 use std::time::Instant;
 
-type Square = SMatrix<f64, 6, 6>;
-/// Place of the cart (m), absolute angles of the rods (rad), and their rates.
-type State = Vector6<f64>;
-
-const H: f64 = 0.01; // (s)
 const SWING: usize = 250; // steps, 2.5 s
 const HOLD: usize = 300; // 3 s
-const LENGTHS: [f64; 2] = [0.5, 0.4]; // (m)
 const FORCE: f64 = 1e-3; // weight of the force, ½ ∫ F² dt (1/N²)
 const PLACE: f64 = 0.5; // that of the place on the way, ½ ∫ x² dt (1/m²)
 const UPRIGHT: State = State::new(0.0, FRAC_PI_2, FRAC_PI_2, 0.0, 0.0, 0.0);
 const AT_END: State = State::new(50.0, 200.0, 200.0, 5.0, 5.0, 5.0); // weights of what is missed at the end
-
-type Chain = (Slider<f64, Spring<Absent, f64>>, RigidBody<f64>, Pin, Rod<f64>, Pin, Rod<f64>);
-type Scene = System<f64, Clamped<[f64; 2], f64>, Chain, Free>;
-type Motion = MotionIn<Scene, Unloaded>;
-
-fn scene() -> Result<Scene, Error> {
-    let cart = RigidBody::new(1.0, 0.1, [0.0; 2], [0.0; 2]);
-    let [lower, upper] = [Rod::uniform(LENGTHS[0], 0.3), Rod::uniform(LENGTHS[1], 0.2)];
-    let track = Slider::along(0.0).with(Spring::damping(0.1));
-    Ok(System::new(Clamped::origin(), (track, cart, Pin, lower, Pin, upper), Free)?.with_gravity(9.81))
-}
-
-fn state_of(motion: &Motion) -> Result<State, Error> {
-    let mut state = State::zeros();
-    let (positions, rates) = state.as_mut_slice().split_at_mut(3);
-    motion.coordinates_into(positions)?;
-    motion.rates_into(rates)?;
-    Ok(state)
-}
-
-fn motion_of(scene: &Scene, state: &State) -> Result<Motion, Error> {
-    let mut motion = scene.motion();
-    motion.set_coordinates(&state.as_slice()[..3])?;
-    motion.set_rates(&state.as_slice()[3..])?;
-    Ok(motion)
-}
 
 /// A run: its states, the forces that are held over its steps (N), and what it costs.
 struct Plan {
     states: Vec<State>,
     forces: Vec<f64>,
     cost: f64,
-}
-
-/// Efforts in the joints: root, track, two pins.
-fn push(force: f64) -> [f64; 4] {
-    [0.0, force, 0.0, 0.0]
 }
 
 /// What a run costs at its end, and the derivative.
@@ -93,14 +58,6 @@ fn run(scene: &Scene, start: State, steps: usize, mut force: impl FnMut(usize, &
     }
     plan.cost += missed(&plan.states[steps]).0;
     Ok(plan)
-}
-
-/// A = ∂x′/∂x and B = ∂x′/∂F of a step.
-fn linearised(scene: &Scene, state: &State, force: f64) -> Result<(Square, State), Error> {
-    let now = motion_of(scene, state)?;
-    let (mut next, mut a, mut b) = (now, [0.0; 36], [0.0; 24]);
-    scene.backward(Rk4).linearised_step(&now, H, &push(force), &mut next, &mut a, &mut b)?;
-    Ok((Square::from_row_slice(&a), State::from_fn(|row, _| b[4 * row + 1])))
 }
 
 /// Changes of the forces of a run that cost least where it is linearised, gains about it.
@@ -173,7 +130,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     let most = plan.forces.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
-    println!("\nLargest force {most:.1} N, {:.1?} in all.", clock.elapsed());
+    println!("\nLargest force {most:.1} N, {:.1} s in all.", clock.elapsed().as_secs_f64());
     // The upper rod is pushed on the way to standing still.
     let gain = regulator(&scene)?;
     let mut top = plan.states[SWING];
@@ -184,50 +141,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         "Pushed by 0.5 rad/s at the top, it is off by {off:.1e} (m, rad, m/s, rad/s) after {:.1} s.",
         H * HOLD as f64
     );
-    println!("Picture: {}", draw(&plan, &held)?.display());
-    Ok(())
-}
-
-fn draw(plan: &Plan, held: &Plan) -> Drawn<PathBuf> {
-    common::picture("swing_up", (760, 760), |area| {
-        let subtitle =
-            "A cart with two rods, every 0.1 s from hanging (grey) to standing (black), and the way of the tip.";
-        let area = common::heading(area, "Swing up", subtitle)?;
-        let (upper, lower) = area.split_vertically(common::pixels(464.0));
-        let mut chart = common::chart(&upper, "Height (m)", "x (m)", -1.75..1.75, -1.0..1.05)?;
-        links(&mut chart, plan)?;
-        let all = || plan.states.iter().chain(&held.states[1..]).enumerate().map(|(k, state)| (k as f64 * H, state));
-        let end = H * (SWING + HOLD) as f64;
-        let range = common::range(all().flat_map(|(_, s)| [s[0], s[1] - FRAC_PI_2, s[2] - FRAC_PI_2]), 0.08);
-        let mut chart =
-            common::chart(&lower, "Rods from upright (rad), cart from the middle (m)", "time (s)", 0.0..end, range)?;
-        common::legend(&lower, &[("cart", GREEN), ("lower rod", BLUE), ("upper rod", ORANGE)])?;
-        for (i, from, colour) in [(0, 0.0, GREEN), (1, FRAC_PI_2, BLUE), (2, FRAC_PI_2, ORANGE)] {
-            common::curve(&mut chart, all().map(|(time, state)| (time, state[i] - from)), line(colour, 1.8))?;
-        }
-        Ok(())
-    })
-}
-
-/// Cart, joint between the rods, and tip (m).
-fn points(state: &State) -> Vec<(f64, f64)> {
-    let mut points = vec![(state[0], 0.0)];
-    for i in 0..2 {
-        let (x, y) = points[i];
-        points.push((x + LENGTHS[i] * state[i + 1].cos(), y + LENGTHS[i] * state[i + 1].sin()));
-    }
-    points
-}
-
-/// Cart and rods at instants of the swing, and the way of the tip.
-fn links(chart: &mut Chart, plan: &Plan) -> Drawn {
-    common::links(chart, vec![(-1.75, 0.0), (1.75, 0.0)], line(GREY, 1.0))?;
-    common::curve(chart, plan.states.iter().map(|state| points(state)[2]), line(ORANGE, 1.6))?;
-    for (k, state) in plan.states.iter().enumerate().step_by(10) {
-        let (last, points) = (k == SWING, points(state));
-        let colour = if last { INK } else { blend(FAINT, BLUE, 0.2 + 0.8 * k as f64 / SWING as f64) };
-        common::dots(chart, [points[0], points[1]], 2.5, colour)?;
-        common::links(chart, points, line(colour, if last { 3.5 } else { 1.2 }))?;
-    }
+    println!("Picture: {}", pictures::draw(&plan, &held)?.display());
     Ok(())
 }

@@ -75,8 +75,9 @@ use crate::walks::count;
     label = "not an element of `{S}`",
     note = "a chain consists of bodies and joints of one space and one scalar: tuples (to 16), arrays or vectors of them"
 )]
+// Two bounds of one trait: Rust 1.89 takes no bound that binds `Store` twice (E0719).
 pub trait Element<S: Space>:
-    Shape<S, Store<Positions> = <Self as Element<S>>::Position, Store<Rates> = <Self as Element<S>>::Rate>
+    Shape<S, Store<Positions> = <Self as Element<S>>::Position> + Shape<S, Store<Rates> = <Self as Element<S>>::Rate>
 {
     /// Positions of the joint coordinates inside.
     type Position: Position<S::Scalar, Rate = Self::Rate>;

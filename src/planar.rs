@@ -11,7 +11,7 @@
 //! ```
 
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
-pub use crate::driven::{Driven, MotionLaw};
+pub use crate::driven::Driven;
 pub use crate::guarded::{Coulomb, HardStops};
 pub use crate::mechanics::planar::{
     Beam, ClosedLoop, Custom, ElasticHinge, Inertia, Linear, Pin, PointMass, Revolute, RigidBody, Rod, Segments,
@@ -19,20 +19,26 @@ pub use crate::mechanics::planar::{
 };
 pub use crate::relation::Absent;
 pub use crate::relation::planar::Planar;
-pub use crate::spring::{DryFriction, Motor, Spring, SpringLaw, Stops};
+pub use crate::spring::Spring;
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
-pub use crate::sweep::Springs;
 
 // Named by users as if they stood here.
 #[doc(hidden)]
-pub use self::{ends::*, loads::*, readings::*, rules::*};
+pub use self::{ends::*, laws::*, loads::*, readings::*, rules::*};
 
 /// Ends of a scene, on ground that rests or moves. All are in [`planar`](crate::planar), too.
 pub mod ends {
     pub use crate::mechanics::planar::{
         Clamped, Floating, Free, Ground, GroundMotion, Guided, Moving, Pinned, Turning,
     };
+}
+
+/// Laws of joints: springs of one's own, friction, motors and stops, coordinates given as functions of time. All are in [`planar`](crate::planar), too.
+pub mod laws {
+    pub use crate::driven::MotionLaw;
+    pub use crate::spring::{DryFriction, Motor, SpringLaw, Stops};
+    pub use crate::sweep::Springs;
 }
 
 /// What acts on a scene. All are in [`planar`](crate::planar), too; [`loading`](crate::loading) says more.

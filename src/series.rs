@@ -24,9 +24,9 @@ pub use laws::{AffineLaw, Strain};
 
 use crate::element::{Element, Space};
 use crate::loading::{Loading, Loads, SeriesLaw, Unloaded};
-use crate::relation::{Absent, Closures, Open, Part};
+use crate::relation::{Absent, Closures, Open, Part, WrenchOf};
 use crate::scalar::Real;
-use crate::shape::Takes;
+use crate::shape::{Closing, Takes};
 use crate::space::RealOf;
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 
@@ -45,6 +45,8 @@ pub trait Expandable: Space {
     fn nothing() -> Self::Articulated;
     /// With what lies outboard of an arm.
     fn join(chain: Self::Articulated, arm: Self::Articulated) -> Self::Articulated;
+    /// Stiffened by a closure force that acts by a wrench: S + w wᵀ / Λ.
+    fn closed(open: Self::Articulated, wrench: WrenchOf<Self>, inverse: Self::Scalar) -> Self::Articulated;
     /// What the ground hands on where a series begins.
     fn begun(ground: Self::Turn) -> Self::Begun;
     /// Nothing has been kept.
@@ -87,6 +89,24 @@ impl<S: Expandable, Q: Part, E, C: Closures, const N: usize> Expand<S, Q, N, C> 
         + Takes<S, Push<S, Q, N, C>>
         + Takes<S, Swing<S, N, C>>
 {
+}
+
+/// A joint that closes loops whose motion has a Taylor series, by forces of directions that rest.
+pub trait ExpandClosing<S: Expandable>: Closing<S> {
+    /// W where the side arm ends: the opposite of the wrench by which each unit force acts on its last body.
+    fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
+}
+
+/// A joint that closes such loops, under efforts `Q`.
+#[diagnostic::on_unimplemented(
+    message = "`Taylor` knows no series of loops that `{Self}` closes, under efforts `{Q}`",
+    label = "not a joint that closes loops with a series",
+    note = "it knows loops that a `Pin` or a `Weld` of the plane closes, or of space a `Weld`, or a `Ball` where no efforts act in joints",
+    note = "`Dop853` runs all scenes"
+)]
+pub trait ExertClosing<S: Expandable, Q>: ExpandClosing<S> {
+    /// The force and torque by which an effort acts on what lies outboard of the side arm: on the main one.
+    fn exerted(&self, effort: Q) -> WrenchOf<S>;
 }
 
 /// Loads that have a series.

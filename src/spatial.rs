@@ -36,29 +36,36 @@
 //! ```
 
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
-pub use crate::driven::{Driven, MotionLaw};
+pub use crate::driven::Driven;
 pub use crate::guarded::{Coulomb, HardStops};
 pub use crate::mechanics::spatial::{
     Ball, Beam, ClosedLoop, Cylindrical, ElasticBall, ElasticHinge, Inertia, Linear, PointMass, Prismatic, Revolute,
-    RigidBody, Rod, RotaryLaw, RotarySpring, Rotation, Segments, Universal, Weld, maps,
+    RigidBody, Rod, RotarySpring, Rotation, Segments, Universal, Weld, maps,
 };
 pub use crate::relation::Absent;
 pub use crate::relation::spatial::Spatial;
 pub use crate::relation::spatial::algebra::{Columns, Symmetric3};
-pub use crate::spring::{DryFriction, Motor, Spring, SpringLaw, Stops};
+pub use crate::spring::Spring;
 pub use crate::stepper::Stepper;
 pub use crate::struts::{Strut, Struts};
-pub use crate::sweep::Springs;
 
 // Named by users as if they stood here.
 #[doc(hidden)]
-pub use self::{ends::*, loads::*, readings::*, rules::*};
+pub use self::{ends::*, laws::*, loads::*, readings::*, rules::*};
 
 /// Ends of a scene, on ground that rests or moves. All are in [`spatial`](crate::spatial), too.
 pub mod ends {
     pub use crate::mechanics::spatial::{
         AttitudeMotion, Clamped, Floating, Free, Ground, GroundMotion, Hinged, Moving, Pinned, Turning,
     };
+}
+
+/// Laws of joints: springs of one's own, friction, motors and stops, coordinates given as functions of time. All are in [`spatial`](crate::spatial), too.
+pub mod laws {
+    pub use crate::driven::MotionLaw;
+    pub use crate::mechanics::spatial::RotaryLaw;
+    pub use crate::spring::{DryFriction, Motor, SpringLaw, Stops};
+    pub use crate::sweep::Springs;
 }
 
 /// What acts on a scene. All are in [`spatial`](crate::spatial), too; [`loading`](crate::loading) says more.

@@ -91,6 +91,11 @@ impl Film<'_> {
             let points = self.points(line.iter().copied());
             writeln!(svg, r#"<polyline points="{points}" stroke="{}" stroke-width="1"/>"#, hex(FAINT))?;
         }
+        if !self.floor.is_empty() {
+            // Not behind the words below.
+            let (top, low) = (height - MARGINS[1], MARGINS[1]);
+            writeln!(svg, r#"<rect y="{top}" width="{width}" height="{low}" fill="white"/>"#)?;
+        }
         for (k, (colour, width)) in self.strokes.iter().enumerate() {
             let radius = 0.85 * width;
             writeln!(

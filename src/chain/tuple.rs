@@ -28,18 +28,26 @@ macro_rules! member {
     };
 }
 
-/// Pairs are the links of arrays and vectors. What they hand on is large in space: by way of a call it would pass through memory.
+/// Pairs are the links of arrays and vectors. What they hand on is large in space: by way of a call it would pass through memory. Walks
+/// outward through more than three items are inlined, too: a tuple that is met several times would be called, and be handed all of a frame
+/// where a law reads a rate. (Links of three items, of trees, are better left to the compiler: 1 % of a sweep.)
 macro_rules! chain_tuple {
+    (X1; $($rest:tt)*) => {
+        chain_of!([inline] [inline] X1; $($rest)*);
+    };
     (X2; $($rest:tt)*) => {
-        chain_of!([inline(always)] X2; $($rest)*);
+        chain_of!([inline(always)] [inline(always)] X2; $($rest)*);
+    };
+    (X3; $($rest:tt)*) => {
+        chain_of!([inline] [inline] X3; $($rest)*);
     };
     ($met:ident; $($rest:tt)*) => {
-        chain_of!([inline] $met; $($rest)*);
+        chain_of!([inline] [inline(always)] $met; $($rest)*);
     };
 }
 
 macro_rules! chain_of {
-    ([$($inline:tt)*] $met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
+    ([$($inline:tt)*] [$($outward:tt)*] $met:ident; $($A:ident $i:tt $out:ident $in:ident),*; $($B:ident $j:tt),*) => {
         impl<S: Space, $($A: Shape<S>),*> Shape<S> for ($($A,)*) {
             type Store<Stored: Field<S>> = ($($A::Store<Stored>,)*);
 
@@ -65,7 +73,7 @@ macro_rules! chain_of {
             fn store<Stored: Field<S>>(&self, fill: Stored::Fill) -> Self::Store<Stored> {
                 ($(self.$i.store::<Stored>(fill),)*)
             }
-            #[$($inline)*]
+            #[$($outward)*]
             fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
                 let mut stores = stores;
                 $(let carried = self.$i.outward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$i>));)*

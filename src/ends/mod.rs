@@ -110,7 +110,7 @@ pub trait Resting<S: Space>: Root<S> {}
 #[diagnostic::on_unimplemented(
     message = "the tip `{Self}` is held as `Taylor` knows no series of",
     label = "not a tip that has a series",
-    note = "`Taylor` knows `Free`, and in the plane `Pinned`, `Clamped` and `Guided` at places and angles that are numbers",
+    note = "`Taylor` knows `Free`, `Pinned` and `Clamped`, in the plane `Guided`, in space `Hinged`, at places and angles that are numbers",
     note = "`Dop853` runs all scenes"
 )]
 pub trait ExpandTip<S: Space>: Tip<S, Closures: Own> {

@@ -247,6 +247,12 @@ impl<V: Copy, T: Scalar, C: Closures, O: Own> LoopGain<V, T, C, O> {
         (reduced, riding)
     }
 
+    /// With y of other coefficients, as the elimination would have met it.
+    #[inline(always)]
+    pub fn meet(&mut self, gap: O::Each<T>) {
+        self.gap = gap;
+    }
+
     /// With more of y, as the elimination would have met it.
     #[inline(always)]
     pub fn burden(&mut self, more: &O::Each<T>) {

@@ -42,6 +42,7 @@
 //! | `forward_dynamics_afloat`, `mass_matrix_afloat`, `mass_solved_afloat`, `mass_inverse_afloat`, `jacobian_afloat` | the same for bases that float, with a wrench on the base |
 //! | `inverse_dynamics_derivatives_afloat`, `forward_dynamics_derivatives_afloat` | by turn and angular velocity of the base, positions, rates, wrench and torques |
 //! | `impact`, `impact_afloat` | rates after a joint has struck a hard stop |
+//! | `impact_of_point`, `impact_of_point_afloat` | rates after a point of a body has struck a plane |
 //! | `joint_energy_afloat`, `difference_afloat`, `integrate_afloat`, `random_configuration_afloat` | with place and attitude of the base |
 //! | `snapshot`, `snapshot_afloat` | a [`Snapshot`]: points, Jacobians and their rates, mass matrix, inverse dynamics, centroidal momentum, the regressor; for bases that float, too |
 //!

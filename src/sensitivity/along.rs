@@ -182,12 +182,9 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
         C: Element<Planar<Jet<T, K>>>,
         P: ReversibleTip<Planar<Jet<T, K>>>,
         Elements<Planar<Jet<T, K>>, R, C>: Takes<Planar<Jet<T, K>>, Along<T, K>>
-            + Shape<
-                Planar<Jet<T, K>>,
-                Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>,
-                Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>,
-                Store<PerJoint<[T; NUMBERS]>> = E::Store<PerJoint<[T; NUMBERS]>>,
-            >,
+            + Shape<Planar<Jet<T, K>>, Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>>
+            + Shape<Planar<Jet<T, K>>, Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>>
+            + Shape<Planar<Jet<T, K>>, Store<PerJoint<[T; NUMBERS]>> = E::Store<PerJoint<[T; NUMBERS]>>>,
     {
         let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
         let elements = scene.elements();

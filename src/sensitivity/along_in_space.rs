@@ -36,7 +36,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     fn add_axis(&mut self, axis: Vector3<Jet<T, K>>, [by_aside, by_across]: [T; 2]) {
         let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
         let (own, Columns { x, y, .. }) = (still(axis), Columns::identity());
-        let aside = aside(axis, x, y);
+        let [aside] = aside(axis, [x], [y]);
         let across = cross(own, aside);
         let turned = cross(own, axis) * dot(across, across).recip();
         self.add(by_aside, dot(turned, aside));
@@ -224,12 +224,9 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
         C: Element<Spatial<Jet<T, K>>>,
         P: ReversibleTip<Spatial<Jet<T, K>>>,
         Elements<Spatial<Jet<T, K>>, R, C>: Takes<Spatial<Jet<T, K>>, Along<T, K>>
-            + Shape<
-                Spatial<Jet<T, K>>,
-                Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>,
-                Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>,
-                Store<PerJoint<OfJoint<T>>> = E::Store<PerJoint<OfJoint<T>>>,
-            >,
+            + Shape<Spatial<Jet<T, K>>, Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>>
+            + Shape<Spatial<Jet<T, K>>, Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>>
+            + Shape<Spatial<Jet<T, K>>, Store<PerJoint<OfJoint<T>>> = E::Store<PerJoint<OfJoint<T>>>>,
     {
         let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
         scene.elements().take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));

@@ -3,13 +3,16 @@
 use crate::adjoint::Reversed;
 use crate::element::Element;
 use crate::error::{Error, Fault, counted};
-use crate::mirror::Rate;
-use crate::relation::Additive;
-use crate::scalar::Scalar;
+use crate::lift::Lift;
+use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
+use crate::relation::{Additive, Closures};
+use crate::scalar::{Jet, Scalar};
 use crate::shape::{PerBody, PerJoint};
 use crate::walks::pull_loads::LAW;
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
+use num_traits::Zero;
 
 /// Derivatives of a cost by the positions and rates of a motion, in the shape of the scene, and by its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,6 +98,64 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
     pub fn by_loads(&self) -> Result<&[S::Scalar], Error> {
         let (list, given) = &self.law;
         list.get(..*given).ok_or(Error::new(Fault::Count { expected: LAW, given: *given }))
+    }
+
+    /// The gradient along the seeds of a start over jets, as far as that depends on them: by lengths at which it is
+    /// [assembled](crate::system::System::assembled), by parameters of an equilibrium, or whatever else makes it. What
+    /// [`along`](Self::along) finds of the scene is besides.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// use catena::scalar::{Jet, Scalar};
+    /// /// A pendulum, and where it begins: its second rod half a metre of arc below the horizontal, whatever the length of both.
+    /// macro_rules! pendulum {
+    ///     ($length:expr, $number:expr) => {{
+    ///         let rod = Rod::uniform($length, $number(1.0));
+    ///         let root = Pinned::at($number(0.0), $number(0.0));
+    ///         let scene = System::new(root, (rod, Pin, rod), Free)?.with_gravity($number(9.81));
+    ///         let start = scene.at_rest(&[$number(-1.0), $number(-0.5) / $length])?;
+    ///         (scene, start)
+    ///     }};
+    /// }
+    /// # let end_of = |length: f64| -> Result<f64, catena::Error> {
+    /// #     let (scene, start) = pendulum!(length, |x: f64| x);
+    /// #     Ok(scene.simulate(start, Rk4::step(0.01), 0.5, |_| ())?.motion.coordinates()[1])
+    /// # };
+    /// let (scene, start) = pendulum!(1.0, |x: f64| x);
+    /// let (mut backward, mut states) = (scene.backward(Rk4), [start; 51]);
+    /// backward.run(&start, 0.01, 50, &[], &mut states)?;
+    /// let gradient = backward.gradient(&[], &states, &mut [], |step, _, by| {
+    ///     if step == 50 { by.add(&[0.0, 1.0], &[0.0, 0.0]) } else { Ok(()) }
+    /// })?;
+    /// let (scene, start) = pendulum!(Jet::<f64, 1>::seed(1.0, 0), Jet::of);
+    /// let by_length = gradient.along(&scene)?[0] + gradient.along_start(&start)?[0];
+    /// # assert!((by_length - (end_of(1.0 + 1e-5)? - end_of(1.0 - 1e-5)?) / 2e-5).abs() < 1e-7);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] for the motion of another scene.
+    pub fn along_start<P, X, const K: usize>(
+        &self,
+        start: &Motion<Jet<S::Scalar, K>, P, X>,
+    ) -> Result<[S::Scalar; K], Error>
+    where
+        P: Position<Jet<S::Scalar, K>, Rate: Lift<Jet<S::Scalar, K>, S::Scalar, Over = E::Rate>>,
+        X: Closures,
+    {
+        let (mut still, mut displacement) = (start.position.clone(), start.rate.clone());
+        still.replace(&mut |x| Jet::of(x.re));
+        start.position.apart(&still, &mut displacement);
+        let (mut sum, mut fits) = ([S::Scalar::zero(); K], true);
+        for (list, by) in [(&displacement, &self.start.position), (&start.rate, &self.start.rate)] {
+            for (k, sum) in sum.iter_mut().enumerate() {
+                fits &= by.all(&list.lift(&mut |x| x.eps[k]), &mut |by, slope| {
+                    *sum += by * slope;
+                    true
+                });
+            }
+        }
+        if fits { Ok(sum) } else { Err(Error::new(Fault::Shape)) }
     }
 
     /// By the initial positions of all joints, root to tip, as a list.

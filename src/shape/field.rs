@@ -110,9 +110,10 @@ fields! {
         { () = () } { J::Kept<C> = J::kept::<C>() }
         { (LoopGain<WrenchOf<S>, S::Scalar, C, K::Closures>, WrenchOf<S>) = (LoopGain::blank(Wrench::none(), K::Closures::measure(|| K::Closures::each(|_| S::Scalar::zero()))), Wrench::none()) }
         in Y: Kept<Y::Forces<C>>;
-    /// A wrench for each of the closure forces `C` that acts on a body or a joint.
+    /// A wrench for each of the closure forces `C` that acts on a body or a joint; the gain of a loop, and the wrench through what closes it.
     Columns<C: Closures> = |B, J, K, _fill: ()|
-        { C::Each<WrenchOf<S>> = C::each(|_| Wrench::none()) } { C::Each<WrenchOf<S>> = C::each(|_| Wrench::none()) } { () = () }
+        { C::Each<WrenchOf<S>> = C::each(|_| Wrench::none()) } { C::Each<WrenchOf<S>> = C::each(|_| Wrench::none()) }
+        { (LoopGain<WrenchOf<S>, S::Scalar, C, K::Closures>, WrenchOf<S>) = (LoopGain::blank(Wrench::none(), K::Closures::measure(|| K::Closures::each(|_| S::Scalar::zero()))), Wrench::none()) }
         in Y: Columns<Y::Forces<C>>;
     /// One `X` for each body.
     PerBody<X: Copy> = |B, J, K, fill: X| { X = fill } { () = _ = fill } { () = _ = fill } in Y: Self;

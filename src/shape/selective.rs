@@ -57,7 +57,7 @@ pub(crate) use alike_in_arms;
 #[diagnostic::on_unimplemented(
     message = "a loop that `{K}` closes takes no walk `{Self}`: no gradient of a run goes backward around it, or `Taylor` knows no series of its motion",
     label = "not a loop that this walk knows",
-    note = "gradients know loops that a `Pin` or a `Weld` of the plane closes, or a `Ball`, a `Weld` or a `Revolute` of space",
+    note = "gradients know loops that a `Pin` or a `Weld` of the plane closes, or a `Ball`, a `Weld` or a `Revolute` of space; `Taylor` those but for the last",
     note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
 )]
 pub trait Around<S: Space, K: Closing<S>>: Selective<S> {
@@ -80,9 +80,10 @@ pub trait Around<S: Space, K: Closing<S>>: Selective<S> {
 
 /// An element that takes a selective walk.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` takes no walk `{W}`: no gradient of a run goes backward through it, or `Taylor` knows no series of its motion",
+    message = "`{Self}` takes no walk `{W}`: functions of lists do not know it, no gradient of a run goes backward through it, or `Taylor` knows no series of its motion",
     label = "not known to this walk",
-    note = "gradients know `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider`, `ElasticHinge` without linear springs and `Network` of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld`, `Revolute`, `Prismatic`, `Cylindrical` and `Universal`, in tuples, arrays, vectors and branches, with names or without; `Taylor` knows those but for `Network` and the last three joints",
+    note = "gradients know `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider`, `ElasticHinge` without linear springs and `Network` of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld`, `Revolute`, `Prismatic`, `Cylindrical` and `Universal`, in tuples, arrays, vectors and branches, with names or without; `Taylor` knows those but for the last three joints",
+    note = "functions of lists know `BodyAxes`, `Hinge`, `Slide` and `Link`; joints that are driven or have modes they do not: accelerations of such scenes are those of `System::with_accelerations`",
     note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
 )]
 pub trait Takes<S: Space, W: Walk<S>>: Shape<S> {

@@ -148,12 +148,12 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 
     /// Corrections (relative to coordinates) that are small enough to be the last ones when they fall no more, and those that are
     /// rounding.
-    pub(super) fn tolerances() -> (RealOf<S>, RealOf<S>) {
+    pub(crate) fn tolerances() -> (RealOf<S>, RealOf<S>) {
         (RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.6)), RealOf::<S>::EPSILON)
     }
 
     /// The largest residual of all that is held (m, rad, or these a second), and its place.
-    pub(super) fn largest_residual(&self, motion: &MotionOf<S, R, C, P>, level: Level) -> (RealOf<S>, Place) {
+    pub(crate) fn largest_residual(&self, motion: &MotionOf<S, R, C, P>, level: Level) -> (RealOf<S>, Place) {
         let [place, velocity] = self.residual(motion);
         let at_tip = largest::<S::Scalar, P::Closures>(match level {
             Level::Place => &place,

@@ -1,5 +1,7 @@
 //! Coefficients of a motion's Taylor series, order by order: the walks of the [contract](crate::series).
 
+mod loops;
+
 use crate::relation::{AccelerationOf, Closures, Cuts, Open, Part, Wrench, WrenchOf};
 use crate::series::{ExpandLoads, Expandable, Order};
 use crate::shape::{

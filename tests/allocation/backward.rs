@@ -107,6 +107,8 @@ fn gradients_of_all_kinds_of_runs_allocate_nothing() -> Result<(), Error> {
     let (count, outcome) = allocations(|| {
         backward.run_between(&start, plan, &[], &mut few)?;
         let between = backward.gradient_between(plan, &[], &few, &mut tape, &mut [], end)?;
+        let levels = backward.gradient_in_levels(plan, &[], &few, &mut [few[0]; 4], &mut tape[..2], &mut [], end)?;
+        assert_eq!(levels.start, between.start);
         backward.run_on_tape(&start, 0.01, 40, &[], &mut tape, &mut next)?;
         let taped = backward.gradient_on_tape(40, &tape, &next, &mut [], end)?;
         backward.run(&start, 0.01, 40, &[], &mut states)?;

@@ -17,9 +17,12 @@ macro_rules! golden {
     }};
 }
 
-/// A scene that holds functions, and is no data.
-macro_rules! golden_of_functions {
-    ($($all:tt)*) => { golden!($($all)*) };
+/// States, which hold forces, of a formulation whose runs have no motion.
+macro_rules! golden_states {
+    ($record:ident, $name:literal, $made:expr, $began:expr, |$scene:ident, $start:ident| $states:block) => {{
+        let ($scene, $start) = (&$made, &$began);
+        $record.add_numbers($name, $states);
+    }};
 }
 
 mod plane;

@@ -116,11 +116,10 @@ fn paper(record: &mut Record) -> Result<(), Error> {
     let scene = System::new(Pinned::origin(), chain, Free)?.with_gravity(9.81);
     let start = scene.at_rest(&[-1.0, -0.5, -0.2])?;
     let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).solved_by(Solver::Riccati);
-    let mut run = scheme.start(&scene, &start, &Unloaded, 5e-3)?;
-    run.run_to(0.1)?;
-    record.add_numbers(
-        "the paper's scheme by Riccati",
-        run.stations().iter().flat_map(|state| state.as_vector().iter().copied()).collect(),
-    );
+    golden_states!(record, "the paper's scheme by Riccati", scene, start, |scene, start| {
+        let mut run = scheme.start(scene, start, &Unloaded, 5e-3)?;
+        run.run_to(0.1)?;
+        run.stations().iter().flat_map(|state| state.as_vector().iter().copied()).collect()
+    });
     Ok(())
 }

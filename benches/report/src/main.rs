@@ -34,6 +34,7 @@ const TABLES: &[Table] = &[
     ("ensembles", "ensembles.csv", tables::ensembles),
     ("precision", "precision", tables::precision),
     ("gradients beside phyz", "gradients.csv", tables::gradients),
+    ("robots counted", "robot_counts.csv", robots::counted),
     ("robots", "robots.csv", robots::beside),
     ("robots' losses", "robots.csv", robots::losses),
 ];

@@ -1,4 +1,4 @@
-//! Functions of robots beside another library's, and the aims that they miss.
+//! What functions of robots cost: instructions; beside another library's; the aims that they miss.
 
 use crate::tables::{Row, Rows, head, line};
 
@@ -59,6 +59,32 @@ fn keys(rows: &Rows) -> Vec<[&str; 2]> {
         }
     }
     found
+}
+
+/// Instructions of a call, of each function for each robot: on x86-64-v3, then on the default target.
+pub fn counted(rows: &Rows) -> String {
+    let (mut robots, mut functions) = (vec![], vec![]);
+    for [robot, function] in keys(rows) {
+        for (list, name) in [(&mut robots, robot), (&mut functions, function)] {
+            if !list.contains(&name) {
+                list.push(name);
+            }
+        }
+    }
+    let mut text =
+        head(std::iter::once("instructions, v3 / default").chain(robots.iter().copied()).map(str::to_owned).collect());
+    for function in functions {
+        let mut cells = vec![function.to_owned()];
+        for robot in &robots {
+            let row = rows.0.iter().find(|row| row.get("robot") == *robot && row.get("function") == function);
+            let of = |target: &str| row.map_or(f64::NAN, |row| row.number(target));
+            let (v3, default) = (of("v3"), of("default"));
+            let none = v3.is_nan() && default.is_nan();
+            cells.push(if none { "–".to_owned() } else { format!("{} / {}", number(v3, 0), number(default, 0)) });
+        }
+        text += &line(cells);
+    }
+    text
 }
 
 /// Nanoseconds of both, and how many times faster ours are: bold where they miss the aim.

@@ -1,11 +1,13 @@
-//! No Taylor series of a loop is known.
-//@ takes no walk
+//! No Taylor series of forces that are chosen among many is known.
+//@ `Taylor` knows no series of loops that `
+//@ LeastNorm<Pin>
 
 use catena::planar::*;
 
 fn main() -> Result<(), catena::Error> {
     let rod = Rod::uniform(1.0, 1.0);
-    let scene = System::new(Pinned::origin(), (rod, Network::new((Pin, rod), (Pin, rod), Pin), Pin, rod), Free)?;
+    let arms = Network::new((Pin, rod), (Pin, rod), LeastNorm(Pin));
+    let scene = System::new(Pinned::origin(), (rod, arms, Pin, rod), Free)?;
     Taylor::<12>::knows(&scene);
     Ok(())
 }

@@ -10,13 +10,12 @@
 
 #[path = "../../../examples/common/mod.rs"]
 mod common;
+#[path = "pictures/arm_from_urdf.rs"]
+mod pictures;
 
 use catena::robot::*;
 use catena_robots::{arm7, arm7_bare};
-use common::camera::Camera;
-use common::film::{Film, Frame};
-use common::{BLUE, Drawn, ORANGE};
-use std::path::PathBuf;
+use common::Drawn;
 
 type Joints = [f64; 7];
 
@@ -133,28 +132,6 @@ fn main() -> Drawn {
     if highest < limit || highest > limit + 0.04 {
         return Err("the stop does not hold".into());
     }
-    println!("{}", draw(&logs[0])?.display());
+    println!("{}", pictures::draw(&logs[0])?.display());
     Ok(())
-}
-
-/// The arm as it moves.
-fn draw(log: &[Sample]) -> Drawn<PathBuf> {
-    let camera = Camera::new([2.4, -2.6, 1.6], [0.0, 0.0, 0.55]);
-    let filmed = log.iter().step_by(100);
-    let frames: Vec<Frame> =
-        filmed.map(|sample| vec![sample.places.iter().map(|place| camera.sees(*place)).collect()]).collect();
-    let floor = camera.floor([[-0.8, -0.8], [0.8, 0.8]], 0.2);
-    let seconds = log.last().map_or(0.0, |sample| sample.time);
-    let film = Film {
-        title: "Arm from its description",
-        subtitle: "Computed torque at 1 kHz; friction, motors and stops from the file.",
-        view: (-1.0..1.0, -0.75..1.1),
-        scale: 270.0,
-        seconds: [seconds; 2],
-        strokes: &[(BLUE, 8.0)],
-        trace: (0, 8, ORANGE),
-        ground: &[camera.sees([0.0; 3])],
-        floor: &floor,
-    };
-    film.save("arm_from_urdf", &frames)
 }

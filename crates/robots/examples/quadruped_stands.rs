@@ -10,15 +10,14 @@
 
 #[path = "../../../examples/common/mod.rs"]
 mod common;
+#[path = "pictures/quadruped_stands.rs"]
+mod pictures;
 
 use catena::Fault;
 use catena::robot::*;
 use catena::system::MotionOf;
 use catena_robots::quadruped;
-use common::camera::Camera;
-use common::film::{Film, Frame};
-use common::{BLUE, Drawn, GREY, ORANGE};
-use std::path::PathBuf;
+use common::Drawn;
 use std::time::Instant;
 
 type Scene = quadruped::Scene<f64>;
@@ -131,10 +130,8 @@ fn main() -> Drawn {
         log.push(sample(&scene, &now, &ground)?);
     }
 
-    println!(
-        "A quadruped of {mass:.1} kg falls {DROP} m, is pushed by {FORCE:?} N for {:.1} s, and stands.\n",
-        PUSH[1] - PUSH[0]
-    );
+    let pushed = PUSH[1] - PUSH[0];
+    println!("A quadruped of {mass:.1} kg falls {DROP} m, is pushed by {FORCE:?} N for {pushed:.1} s, and stands.\n");
     println!("  time   trunk at x, y, z (m)          feet push (N)                  sum / weight");
     for sample in log.iter().step_by(500) {
         let [x, y, z] = sample.trunk;
@@ -143,44 +140,14 @@ fn main() -> Drawn {
         println!("{:6.2}  {x:9.4} {y:9.4} {z:8.4}  {a:7.2} {b:7.2} {c:7.2} {d:7.2}   {share:.9}", sample.time);
     }
     let calm = log.iter().filter(|sample| sample.time > 4.0);
-    let (mut least, mut most) = ([[f64::MAX; 3]; 4], [[f64::MIN; 3]; 4]);
-    for (foot, k) in calm.flat_map(|sample| (0..4).map(move |foot| (foot, sample))) {
-        for i in 0..2 {
-            least[foot][i] = least[foot][i].min(k.feet[foot][i]);
-            most[foot][i] = most[foot][i].max(k.feet[foot][i]);
-        }
-    }
-    let drift = (0..8).map(|k| most[k / 2][k % 2] - least[k / 2][k % 2]).fold(0.0, f64::max);
+    let ways = (0..8).map(|k| common::range(calm.clone().map(|sample| sample.feet[k / 2][k % 2]), 0.0));
+    let drift = ways.map(|way| way.end - way.start).fold(0.0, f64::max);
     println!("\nFrom 4 s on no foot moves by more than {:.3} mm, in {:.0} s.", 1e3 * drift, END - 4.0);
     println!("{END} s take {worked:.2} s, {:.0} µs a step of {:.0} ms.", 1e6 * worked * CYCLE / END, 1e3 * CYCLE);
     let sum: f64 = log.last().map_or(f64::NAN, |sample| sample.forces.iter().map(|force| force[2]).sum());
     if drift.is_nan() || drift > 1e-3 || (sum / weight - 1.0).abs() > 1e-6 {
         return Err("it does not stand".into());
     }
-    println!("{}", draw(&log)?.display());
+    println!("{}", pictures::draw(&log)?.display());
     Ok(())
-}
-
-/// The robot as it falls, is pushed and stands.
-fn draw(log: &[Sample]) -> Drawn<PathBuf> {
-    let camera = Camera::new([1.5, -2.2, 1.1], [0.0, 0.05, 0.3]);
-    let filmed = log.iter().take_while(|sample| sample.time <= FILMED).step_by(20);
-    let frames: Vec<Frame> = filmed
-        .map(|sample| {
-            sample.frame.iter().map(|stroke| stroke.iter().map(|place| camera.sees(*place)).collect()).collect()
-        })
-        .collect();
-    let floor = camera.floor([[-0.8, -0.6], [0.8, 0.8]], 0.2);
-    let film = Film {
-        title: "Quadruped",
-        subtitle: "Dropped by 25 cm, pushed from the side at 1.6 s; feet that touch, slip and stick.",
-        view: (-0.85..0.85, -0.62..0.6),
-        scale: 330.0,
-        seconds: [FILMED; 2],
-        strokes: &[(GREY, 6.0), (GREY, 6.0), (ORANGE, 8.0), (BLUE, 7.0), (BLUE, 7.0)],
-        trace: (2, 1, ORANGE),
-        ground: &[],
-        floor: &floor,
-    };
-    film.save("quadruped_stands", &frames)
 }

@@ -78,7 +78,7 @@ impl<T: Scalar> Closing<Planar<T>> for Pin {
 
 /// The pull of the forces of a pin on the side arm, and on the main one.
 #[inline(always)]
-fn pulls<T: Scalar>(one: T) -> [Vector2<T>; 2] {
+pub(super) fn pulls<T: Scalar>(one: T) -> [Vector2<T>; 2] {
     [Vector2::new(one, T::zero()), Vector2::new(T::zero(), one)]
 }
 
@@ -181,7 +181,7 @@ impl<T: Scalar> Closing<Planar<T>> for Weld<T> {
 
 /// The pull of the forces of a weld.
 #[inline(always)]
-fn holds<T: Scalar>(one: T) -> [FullColumn<T>; 3] {
+pub(super) fn holds<T: Scalar>(one: T) -> [FullColumn<T>; 3] {
     let zero = Vector2::new(T::zero(), T::zero());
     let [x, y] = pulls(one);
     [FullColumn::of_force(x), FullColumn::of_force(y), FullColumn { force: zero, torque: one }]

@@ -94,10 +94,19 @@ pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
     fn verify(&self) -> Result<(), Fault>;
 }
 
-/// Which of a body's own axes is not along another: the first one, or the second.
+/// Columns of which of a body's own axes is not along another: the first one, or the second. Lanes decide each for itself.
 #[inline(always)]
-pub(crate) fn aside<T: Scalar, X>(axis: Vector3<T>, first: X, second: X) -> X {
-    if axis.x.real().abs() < T::Real::of(0.6) { first } else { second }
+pub(crate) fn aside<T: Scalar, const N: usize>(
+    axis: Vector3<T>,
+    first: [Vector3<T>; N],
+    second: [Vector3<T>; N],
+) -> [Vector3<T>; N] {
+    let most = T::Real::of(0.6);
+    if const { !T::LANES } {
+        return if axis.x.real().abs() < most { first } else { second };
+    }
+    let beyond = axis.x.abs() - T::constant(most);
+    core::array::from_fn(|k| first[k].zip_map(&second[k], |first, second| beyond.if_negative(first, second)))
 }
 
 /// A direction with length one; one without length stays so, for [`check_axis`] to find.

@@ -46,7 +46,7 @@ fn joint<T: Scalar>(side: &Frame<T>, main: &Frame<T>) -> JointMotion<T> {
 
 /// The pull of forces along x, y and z.
 #[inline(always)]
-fn pulls<T: Scalar>(i: T) -> [Vector3<T>; 3] {
+pub(super) fn pulls<T: Scalar>(i: T) -> [Vector3<T>; 3] {
     let o = T::zero();
     [Vector3::new(i, o, o), Vector3::new(o, i, o), Vector3::new(o, o, i)]
 }
@@ -96,7 +96,7 @@ const PLACES: [&str; 3] = ["x of the ends of a loop", "y of the ends of a loop",
 
 /// Columns of forces along x, y and z, and of torques.
 #[inline(always)]
-fn holds<T: Scalar, const L: usize>(one: T, torques: impl Fn(usize) -> Vector3<T>) -> [FullColumn<T>; L] {
+pub(super) fn holds<T: Scalar, const L: usize>(one: T, torques: impl Fn(usize) -> Vector3<T>) -> [FullColumn<T>; L] {
     let pulls = pulls(one);
     core::array::from_fn(|k| match pulls.get(k) {
         Some(force) => FullColumn::of_force(*force),

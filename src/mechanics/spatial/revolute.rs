@@ -59,7 +59,7 @@ impl<T: Scalar> Revolute<T> {
 impl<T: Scalar, L> Revolute<T, L> {
     /// Which of the body's own axes is not along that of the joint: the first one, or the second.
     #[inline(always)]
-    pub(super) fn aside<X>(&self, first: X, second: X) -> X {
+    pub(super) fn aside<const N: usize>(&self, first: [Vector3<T>; N], second: [Vector3<T>; N]) -> [Vector3<T>; N] {
         aside(self.axis, first, second)
     }
 

@@ -9,15 +9,23 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use nalgebra::Vector3;
 
-/// A one for the joint that strikes a stop.
-fn struck<T: Scalar, const N: usize>(joint: usize, restitution: T) -> Result<[T; N], Error> {
+/// Refuses a restitution outside of 0 to 1.
+pub(super) fn restitutes<T: Scalar>(restitution: T) -> Result<(), Error> {
     // Of lanes any that is not.
     let (low, high) = (restitution, T::one() - restitution);
     let each = [low.if_negative(low, T::zero()), high.if_negative(restitution, T::zero()), restitution];
-    if let Some(value) = each.map(|x| x.real().as_f64()).into_iter().find(|x| !(0.0..=1.0).contains(x)) {
-        let (parameter, outside) = ("restitution", "a stop would pull, or give energy");
-        return Err(Error::new(Fault::OutOfRange { parameter, value, least: 0.0, most: 1.0, outside }));
+    match each.map(|x| x.real().as_f64()).into_iter().find(|x| !(0.0..=1.0).contains(x)) {
+        Some(value) => {
+            let (parameter, outside) = ("restitution", "a stop would pull, or give energy");
+            Err(Error::new(Fault::OutOfRange { parameter, value, least: 0.0, most: 1.0, outside }))
+        }
+        None => Ok(()),
     }
+}
+
+/// A one for the joint that strikes a stop.
+fn struck<T: Scalar, const N: usize>(joint: usize, restitution: T) -> Result<[T; N], Error> {
+    restitutes(restitution)?;
     let mut unit = [T::zero(); N];
     *unit.get_mut(joint).ok_or_else(|| Error::new(Fault::NoSuchJoint { joint, joints: N }))? = T::one();
     Ok(unit)

@@ -8,6 +8,7 @@ mod inverse;
 mod mass;
 mod places;
 mod snapshot;
+mod strike;
 
 pub use afloat::ByStateAfloat;
 pub use derivatives::ByState;

@@ -1,29 +1,25 @@
 //! Gradients of long runs: few states kept, and what the steps between two of them need while costates pass.
 
-use super::record::Record;
 use super::rules::Staged;
-use super::steps::{Steps, TorquesOf};
+use super::steps::Steps;
+use super::tape::Tape;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
-use crate::ends::{Resting, Root, Tip};
+use crate::ends::Resting;
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
-use crate::shape::PerJoint;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
-use crate::walks::complete::complete;
-use crate::walks::copy::copy;
 use core::ops::Range;
-use num_traits::Zero;
 
 /// A run of fixed steps of which few states are kept.
 ///
 /// Memory is least where states and tape take as much: at √(`steps` / r), where a step of the tape takes r times as much as a state: with
-/// RK4 some 35 in the plane (a four-bar linkage 41), 52 in space on balls and 128 on revolute joints, with DOP853 90 (111), 141 and 386. A
-/// million steps of twenty rods by RK4 then take 6 MB.
+/// RK4 some 30 in the plane, 44 in space on balls and 105 on revolute joints, with DOP853 75, 111 and 293. A million steps of twenty rods by
+/// RK4 then take 5.5 MB, and for one run more 0.6 MB ([in levels](super::Backward::gradient_in_levels)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Checkpoints<T> {
     /// Size of a step (s).
@@ -47,23 +43,6 @@ impl<T> Checkpoints<T> {
     }
 }
 
-/// Room for a step of a tape: its motion, and all that its stages keep.
-pub struct Tape<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged> {
-    before: MotionOf<S, R, C, P>,
-    /// Size of the step (s).
-    size: RealOf<S>,
-    /// Torques held over it, where sweeps are made once more on the way back.
-    torques: Option<TorquesOf<S, R, C>>,
-    record: Record<S, Elements<S, R, C>, M, P::Closures>,
-}
-
-impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged> Clone for Tape<S, R, C, P, M> {
-    fn clone(&self) -> Self {
-        let (before, torques, record) = (self.before.clone(), self.torques.clone(), self.record.clone());
-        Self { before, size: self.size, torques, record }
-    }
-}
-
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
@@ -76,12 +55,6 @@ where
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
-    /// Room for a step of a tape: a slice of them is what [`gradient_between`](Self::gradient_between) needs.
-    pub fn tape(&self) -> Tape<S, R, C, P, M> {
-        let torques = M::IMPLICIT.then(|| self.steps.torques.clone());
-        Tape { before: self.steps.scene.motion(), size: RealOf::<S>::zero(), torques, record: self.steps.record() }
-    }
-
     /// As [`run`](Self::run), keeping few states.
     ///
     /// # Errors
@@ -151,17 +124,45 @@ where
         states: &[MotionOf<S, R, C, P>],
         tape: &mut [Tape<S, R, C, P, M>],
         by_torques: &mut [EffortOf<S>],
-        mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
+        cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
     ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
-        self.planned(plan, torques.len(), states.len())?;
-        self.admits(plan.steps, by_torques.len())?;
         let (longest, given) = (plan.every.max(1).min(plan.steps), tape.len());
         if given < longest {
             return Err(Error::new(Fault::Count { expected: longest, given }));
         }
+        self.gradient_in_levels(plan, torques, states, &mut [], tape, by_torques, cost)
+    }
+
+    /// As [`gradient_between`](Self::gradient_between), on a tape of fewer steps than lie between two states: for one run more, `middle` keeps states
+    /// between those, one for each length of the tape. Memory is then least where all three take as much. A million steps of twenty rods by RK4, of
+    /// which every 5000th state is kept, 200 between these and 25 steps of the tape, take 0.6 MB.
+    ///
+    /// # Errors
+    /// As [`gradient_between`](Self::gradient_between); [`Fault::Count`] says how many states `middle` needs.
+    #[allow(clippy::too_many_arguments)] // one for each kind of memory
+    pub fn gradient_in_levels(
+        &mut self,
+        plan: Checkpoints<RealOf<S>>,
+        torques: &[EffortOf<S>],
+        states: &[MotionOf<S, R, C, P>],
+        middle: &mut [MotionOf<S, R, C, P>],
+        tape: &mut [Tape<S, R, C, P, M>],
+        by_torques: &mut [EffortOf<S>],
+        mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
+    ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
+        self.planned(plan, torques.len(), states.len())?;
+        self.admits(plan.steps, by_torques.len())?;
+        let (longest, length) = (plan.every.max(1).min(plan.steps), tape.len());
+        if length == 0 && longest > 0 {
+            return Err(Error::new(Fault::Count { expected: 1, given: 0 }));
+        }
+        let (needed, given) = (if length < longest { longest.div_ceil(length) } else { 0 }, middle.len());
+        if given < needed {
+            return Err(Error::new(Fault::Count { expected: needed, given }));
+        }
         let states = &states[..plan.states()];
-        let mut rooms = tape.iter().map(|room| &room.before);
-        if !(states.iter().all(|state| self.fits(state)) && rooms.all(|room| self.fits(room))) {
+        let mut motions = states.iter().chain(&*middle).chain(tape.iter().map(|room| &room.before));
+        if !motions.all(|motion| self.fits(motion)) {
             return Err(Error::new(Fault::Shape));
         }
         let mut gradient = self.begin(by_torques);
@@ -170,123 +171,50 @@ where
         cost(plan.steps, last, &mut gradient.start)?;
         for (k, state) in states[..states.len() - 1].iter().enumerate().rev() {
             let between = plan.between(k);
-            if let [room, ..] = &mut *tape {
-                self.steps.copy_past(state, &mut room.before);
+            let parts = between.len().div_ceil(length.max(1));
+            let part_of = |part: usize| {
+                let first = between.start + part * length;
+                first..(first + length).min(between.end)
+            };
+            if parts > 1 {
+                self.onto_middle(clock, state, (1..parts).map(|part| part_of(part - 1)), torques, middle);
             }
-            self.onto_tape(clock, between.clone(), torques, tape);
-            Steps::<S, R, C, P, M, L>::found_again(&states[k + 1], &self.spare)?;
-            self.back_from_tape(between, tape, by_torques, &mut gradient, &mut cost)?;
+            for part in (0..parts).rev() {
+                let from = if parts > 1 { &middle[part] } else { state };
+                if let [room, ..] = &mut *tape {
+                    self.steps.copy_past(from, &mut room.before);
+                }
+                self.onto_tape(clock, part_of(part), torques, tape);
+                if part + 1 == parts {
+                    Steps::<S, R, C, P, M, L>::found_again(&states[k + 1], &self.spare)?;
+                }
+                self.back_from_tape(part_of(part), tape, by_torques, &mut gradient, &mut cost)?;
+            }
         }
-        complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
+        self.finish(start, &mut gradient)?;
         Ok(gradient)
     }
 
-    /// As [`run`](Self::run), onto a tape of as many steps, and the motion at the end: for short runs, as
-    /// [`gradient_on_tape`](Self::gradient_on_tape) makes no step once more.
-    ///
-    /// # Errors
-    /// As [`run`](Self::run).
-    pub fn run_on_tape(
-        &mut self,
-        start: &MotionOf<S, R, C, P>,
-        step: RealOf<S>,
-        steps: usize,
-        torques: &[EffortOf<S>],
-        tape: &mut [Tape<S, R, C, P, M>],
-        end: &mut MotionOf<S, R, C, P>,
-    ) -> Result<(), Error> {
-        self.admits(steps, torques.len())?;
-        let given = tape.len();
-        let Some(tape) = tape.get_mut(..steps) else {
-            return Err(Error::new(Fault::Count { expected: steps, given }));
-        };
-        if !(self.fits(start) && self.fits(end) && tape.iter().all(|room| self.fits(&room.before))) {
-            return Err(Error::new(Fault::Shape));
-        }
-        self.independent(start)?;
-        self.spare.copy_state(start);
-        self.steps.forget(&mut self.spare);
-        if let [room, ..] = &mut *tape {
-            self.steps.copy_past(&self.spare, &mut room.before);
-        }
-        self.onto_tape((start.time, step), 0..steps, torques, tape);
-        end.copy_state(if steps > 0 { &self.spare } else { start });
-        let motions = tape.iter().map(|room| &room.before).chain([&*end]);
-        motions.skip(1).try_for_each(|motion| Dynamics::<Unloaded>::accept(self.steps.scene, motion))
-    }
-
-    /// As [`gradient`](Self::gradient), for a run of `steps` steps [on a tape](Self::run_on_tape), and equal to it to the last bit: 1.7
-    /// plain runs with the run, where [`gradient`](Self::gradient) takes 2.6 (RK4, twenty rods, 50 steps).
-    ///
-    /// # Errors
-    /// As [`gradient`](Self::gradient).
-    pub fn gradient_on_tape(
-        &mut self,
-        steps: usize,
-        tape: &[Tape<S, R, C, P, M>],
-        end: &MotionOf<S, R, C, P>,
-        by_torques: &mut [EffortOf<S>],
-        mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
-    ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
-        self.admits(steps, by_torques.len())?;
-        let given = tape.len();
-        let Some(tape) = tape.get(..steps) else {
-            return Err(Error::new(Fault::Count { expected: steps, given }));
-        };
-        if !(self.fits(end) && tape.iter().all(|room| self.fits(&room.before))) {
-            return Err(Error::new(Fault::Shape));
-        }
-        let mut gradient = self.begin(by_torques);
-        cost(steps, end, &mut gradient.start)?;
-        self.back_from_tape(0..steps, tape, by_torques, &mut gradient, &mut cost)?;
-        complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
-        Ok(gradient)
-    }
-
-    /// Makes steps of these numbers from the first motion of a tape, onto it; the motion after them is then the spare one.
-    fn onto_tape(
+    /// Makes steps from a state that is kept, and keeps those in which parts begin.
+    fn onto_middle(
         &mut self,
         (start, size): (RealOf<S>, RealOf<S>),
-        between: Range<usize>,
+        state: &MotionOf<S, R, C, P>,
+        parts: impl Iterator<Item = Range<usize>>,
         torques: &[EffortOf<S>],
-        tape: &mut [Tape<S, R, C, P, M>],
+        middle: &mut [MotionOf<S, R, C, P>],
     ) {
-        let count = between.len();
-        for (place, step) in between.enumerate() {
-            let [room, rest @ ..] = &mut tape[place..] else { break };
-            let end = start + size * RealOf::<S>::of((step + 1) as f64);
-            room.size = end - room.before.time;
-            self.steps.take_torques(torques, step);
-            if let Some(torques) = &mut room.torques {
-                copy::<S, _, PerJoint<EffortOf<S>>>(self.steps.scene.elements(), &self.steps.torques, torques);
+        self.steps.copy_past(state, &mut middle[0]);
+        for (part, between) in parts.enumerate() {
+            let [past, next, ..] = &mut middle[part..] else { break };
+            self.steps.copy_past(past, next);
+            for step in between {
+                let time = start + size * RealOf::<S>::of((step + 1) as f64);
+                self.steps.take_torques(torques, step);
+                self.steps.step_to(time, next, &mut self.record, &mut self.spare);
+                core::mem::swap(next, &mut self.spare);
             }
-            let next = match rest {
-                [room, ..] if place + 1 < count => &mut room.before,
-                _ => &mut self.spare,
-            };
-            self.steps.step_to(end, &room.before, &mut room.record, next);
-            room.record.begin(&mut room.before);
         }
-    }
-
-    /// Pulls costates back through steps of these numbers on a tape.
-    fn back_from_tape(
-        &mut self,
-        between: Range<usize>,
-        tape: &[Tape<S, R, C, P, M>],
-        by_torques: &mut [EffortOf<S>],
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
-        cost: &mut impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
-    ) -> Result<(), Error> {
-        for (step, room) in between.zip(tape).rev() {
-            if let Some(torques) = &room.torques {
-                copy::<S, _, PerJoint<EffortOf<S>>>(self.steps.scene.elements(), torques, &mut self.steps.torques);
-            }
-            self.steps.pull_back(&room.before, room.size, &room.record, gradient);
-            self.steps.give_torques(by_torques, step);
-            cost(step, &room.before, &mut gradient.start)?;
-        }
-        Ok(())
     }
 
     /// Refuses lists of torques and states that a plan has no use for.

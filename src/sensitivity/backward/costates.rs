@@ -11,6 +11,7 @@
 //! Where positions are curved, rules sum up coordinates of the step: then Q, V and λ are the costates of these, of their first and of their
 //! second derivatives, from and to which [`Position`] translates, and positions before the step get their share from each row.
 
+use super::between::Between;
 use super::held::{opposite, weigh};
 use super::record::{Record, Stage, StageOf};
 use super::rules::Staged;
@@ -43,12 +44,14 @@ where
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     EffortOf<S>: Additive,
 {
-    /// From the costates after a step to those before it: the columns of the tableau, from the last to the first.
+    /// From the costates after a step, and what motions between have left, to those before it: the columns of the tableau, from the last to the
+    /// first.
     pub(super) fn pull_back(
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        between: Option<&Between<S, R, C, P, M>>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
         let (last, one) = (M::STAGES, RealOf::<S>::one());
@@ -61,6 +64,7 @@ where
         self.of_rate.as_mut()[last].set(&gradient.start.rate);
         if const { M::REMEMBERS } {
             self.pull_back_memory(past, step, record, gradient);
+            self.add_past(between, gradient);
             return;
         }
         if Self::CURVED {
@@ -72,6 +76,10 @@ where
             let of_end = (&mut self.of_position.as_mut()[last], &mut self.of_rate.as_mut()[last]);
             let of_past = &mut gradient.start.position;
             position.transposed_step(&past.position, (rate, &self.zero), &self.zero, of_end, of_past);
+            if let Some(Between { of_end: [position, rate], .. }) = between {
+                self.of_position.as_mut()[last].add(position);
+                self.of_rate.as_mut()[last].add(rate);
+            }
         }
         for row in (0..last).rev() {
             let [position, rate] = &self.weights.as_ref()[row];
@@ -80,6 +88,9 @@ where
             gather(&mut self.sum, &self.zero, step * step, &position[later.clone()], of_position);
             let of_rate = &self.of_rate.as_ref()[later.clone()];
             gather(&mut self.of_acceleration, &self.sum, step, &rate[later], of_rate);
+            if let Some(between) = between {
+                self.of_acceleration.add(&between.of_slopes.as_ref()[row]);
+            }
             let Stage { position, rate, acceleration, .. } = &record.stages.as_ref()[row];
             let curved = Self::CURVED && row > 0; // the first stage has turned by nothing
             if curved {
@@ -113,6 +124,18 @@ where
         }
         gather(&mut self.sum, &self.zero, one, &[1.0; ROWS], of_rate);
         gather(&mut gradient.start.rate, &self.sum, step, &self.nodes, of_position);
+        self.add_past(between, gradient);
+    }
+
+    /// Adds what motions between the ends of a step do to costates before it.
+    fn add_past(&mut self, between: Option<&Between<S, R, C, P, M>>, gradient: &mut Gradient<S, Elements<S, R, C>>) {
+        if let Some(Between { of_past: [position, rate, memory], .. }) = between {
+            gradient.start.position.add(position);
+            gradient.start.rate.add(rate);
+            if const { M::REMEMBERS } {
+                self.of_memory.add(memory);
+            }
+        }
     }
 
     /// From the costates after a step to those before it, and that of its size.
@@ -125,7 +148,7 @@ where
     ) -> S::Scalar {
         self.of_own = Some(S::Scalar::zero());
         self.of_memory.set(&self.zero);
-        self.pull_back(past, step, record, gradient);
+        self.pull_back(past, step, record, None, gradient);
         let mut sum = self.of_own.take().unwrap_or(S::Scalar::zero());
         if const { M::REMEMBERS } {
             return sum;

@@ -102,7 +102,7 @@ where
             start.position.replace(&mut unit);
             start.rate.replace(&mut unit);
             self.steps.of_memory.set(&self.steps.zero);
-            self.steps.pull_back(&self.spare, end - past.time, &self.record, &mut self.scratch);
+            self.steps.pull_back(&self.spare, end - past.time, &self.record, None, &mut self.scratch);
             let mut entries = row.iter_mut();
             let mut put = |x| entries.next().into_iter().for_each(|entry| *entry = x);
             self.scratch.start.position.visit(&mut put);
@@ -160,7 +160,7 @@ where
             start.position.replace(&mut unit);
             start.rate.replace(&mut unit);
             self.steps.of_memory.set(&self.steps.zero);
-            self.steps.pull_back(&self.spare, end - past.time, &self.record, &mut self.scratch);
+            self.steps.pull_back(&self.spare, end - past.time, &self.record, None, &mut self.scratch);
             let mut column = 0;
             let mut put = |x: Pack<T, N>| {
                 let list = by_state.iter_mut().skip(first * rows + column).step_by(rows);

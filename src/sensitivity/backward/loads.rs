@@ -155,6 +155,6 @@ where
     where
         Elements<S, R, C>: Burdened<S, N, P::Closures>,
     {
-        Backward::new(self.steps.scene, self.method, law)
+        Backward { assembled: self.assembled, ..Backward::new(self.steps.scene, self.method, law) }
     }
 }

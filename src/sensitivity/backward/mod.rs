@@ -3,6 +3,8 @@
 mod adaptive;
 mod admission;
 mod again;
+mod assembly;
+mod between;
 mod checkpoints;
 mod costates;
 mod events;
@@ -15,7 +17,9 @@ mod metric;
 mod projection;
 mod record;
 mod rules;
+mod samples;
 mod steps;
+mod tape;
 
 use super::gradient::{Costate, Gradient};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
@@ -27,11 +31,11 @@ use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
-use crate::walks::complete::complete;
-pub use checkpoints::{Checkpoints, Tape};
+pub use checkpoints::Checkpoints;
 use record::Record;
 use rules::Staged;
 use steps::Steps;
+pub use tape::Tape;
 
 /// Runs of a scene by fixed steps or accepted ones, and their gradients.
 ///
@@ -63,6 +67,8 @@ use steps::Steps;
 /// ([`gradient_between`](Self::gradient_between)); of short ones all that their stages know, on a tape
 /// ([`gradient_on_tape`](Self::gradient_on_tape)).
 ///
+/// Costs are read at states, or at samples between them ([`gradient_at`](Self::gradient_at)).
+///
 /// Steps lie between the times of the states: of one size ([`run`](Self::run)), as error control has chosen them
 /// ([`run_adaptive`](Self::run_adaptive)), the last one [cut](Self::cut) at an event ([`gradient_to_event`](Self::gradient_to_event)).
 ///
@@ -76,7 +82,7 @@ use steps::Steps;
 /// projection that puts a tip back and closes loops at the end of a step is part of the step, and of the gradient, as many corrections as it
 /// takes; places, angles and lines of tips are parameters. Forces that hold a tip or close a loop are no part of states here: costs may not
 /// read them. Initial coordinates are derived by as if each could be changed alone: a length, changed at fixed coordinates, opens a loop, which
-/// the first step closes. Springs may have dampers and rest values;
+/// the first step closes; starts that are [assembled](Self::assembled) close with it. Springs may have dampers and rest values;
 /// a law of the user's own in a hinge ([`ElasticHinge::with`](crate::planar::ElasticHinge::with)) goes backward by itself where it is
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
@@ -164,6 +170,8 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: St
     /// For gradients of which no parameters are asked.
     scratch: Gradient<S, Elements<S, R, C>>,
     method: M,
+    /// Whether starts are assembled.
+    assembled: bool,
 }
 
 /// Costates of a motion of a scene.
@@ -200,7 +208,7 @@ where
     fn new(scene: &'s System<S, R, C, P>, method: M, law: L) -> Self {
         let steps = Steps::new(scene, method, law);
         let scratch = Gradient::none(scene.elements(), &steps.zero);
-        Self { record: steps.record(), steps, spare: scene.motion(), scratch, method }
+        Self { record: steps.record(), steps, spare: scene.motion(), scratch, method, assembled: false }
     }
 
     /// Runs `steps` steps of a size (s), and keeps the state before each of them and after the last, with the accelerations in which a
@@ -291,12 +299,11 @@ where
             self.steps.take_torques(torques, k);
             self.steps.evaluate(past, size, &mut self.record);
             self.steps.recognise(past, next, &self.record, &mut self.spare)?;
-            self.steps.pull_back(past, size, &self.record, gradient);
+            self.steps.pull_back(past, size, &self.record, None, gradient);
             self.steps.give_torques(by_torques, k);
             cost(k, past, &mut gradient.start)?;
         }
-        complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
-        Ok(())
+        states.first().map_or(Ok(()), |start| self.finish(start, gradient))
     }
 
     /// No gradient yet, by torques neither, nor what an earlier one has left of torques where its cost has failed.

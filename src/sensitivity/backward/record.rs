@@ -44,7 +44,7 @@ pub(super) struct Stage<S: Reversed, E: Element<S>, X: Closures> {
 
 /// A step with what its stages keep.
 pub(super) struct Record<S: Reversed, E: Element<S>, M: Staged, X: Closures> {
-    pub(super) stages: M::Rows<Stage<S, E, X>>,
+    pub(super) stages: M::Stages<Stage<S, E, X>>,
     pub(super) accelerations: M::Rows<E::Rate>,
     /// What puts the tip back where it is held and closes loops, if there is something.
     pub(super) projection: Option<Projection<S, E>>,
@@ -53,7 +53,7 @@ pub(super) struct Record<S: Reversed, E: Element<S>, M: Staged, X: Closures> {
 impl<S: Reversed, E: Element<S>, M: Staged, X: Closures> Clone for Record<S, E, M, X> {
     fn clone(&self) -> Self {
         let (mut stages, mut accelerations) =
-            (M::rows(&self.stages.as_ref()[0]), M::rows(&self.accelerations.as_ref()[0]));
+            (M::stages(&self.stages.as_ref()[0]), M::rows(&self.accelerations.as_ref()[0]));
         stages.as_mut().clone_from_slice(self.stages.as_ref());
         accelerations.as_mut().clone_from_slice(self.accelerations.as_ref());
         Self { stages, accelerations, projection: self.projection.clone() }

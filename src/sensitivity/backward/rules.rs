@@ -1,5 +1,6 @@
 //! Rules whose runs go backward.
 
+use super::steps::ROWS;
 use crate::element::{self, Springs};
 use crate::error::Fault;
 use crate::scalar::{Real, Scalar};
@@ -24,17 +25,26 @@ pub trait Staged: Copy + Debug {
     const REMEMBERS: bool = false;
     /// Whether geometries of sweeps are put back where something is held or closed.
     const RESTORES: bool = false;
-    /// Values for rows.
+    /// Values for rows, and for those of stages alone.
     type Rows<X>: AsRef<[X]> + AsMut<[X]>;
+    type Stages<X>: AsRef<[X]> + AsMut<[X]>;
     /// How springs enter sweeps.
     type Springs<T: Scalar>: Springs<T>;
 
-    /// Copies of a value, for rows.
+    /// Copies of a value, for rows, and for stages.
     fn rows<X: Clone>(value: &X) -> Self::Rows<X>;
+    fn stages<X: Clone>(value: &X) -> Self::Stages<X>;
     /// c of a row.
     fn node(row: usize) -> f64;
     /// Weights of the accelerations before it in positions and rates of a row.
     fn weights(row: usize) -> (&'static [f64], &'static [f64]);
+    /// How many accelerations dense output reads; none of a rule that makes shorter steps instead.
+    const SLOPES: usize = 0;
+    /// Their weights in positions and rates at a share of a step.
+    fn dense(share: f64) -> [[f64; ROWS]; 2] {
+        let _ = share;
+        [[0.0; ROWS]; 2]
+    }
     /// Sweeps of a row.
     fn sweeps(&self, row: usize) -> usize;
     /// How springs enter sweeps of a row in a step (s).
@@ -55,15 +65,19 @@ pub trait Staged: Copy + Debug {
 }
 
 macro_rules! explicit {
-    ($($Rule:ty),*) => {$(
+    ($($Rule:ty: $STAGES:literal of $SLOPES:literal),*) => {$(
         impl Staged for $Rule {
-            const STAGES: usize = <Self as Explicit>::STAGES;
+            const STAGES: usize = $STAGES;
             const IMPLICIT: bool = false;
             type Rows<X> = <Self as Explicit>::Rows<X>;
+            type Stages<X> = [X; $STAGES];
             type Springs<T: Scalar> = element::Explicit;
 
             fn rows<X: Clone>(value: &X) -> <Self as Explicit>::Rows<X> {
                 <Self as Explicit>::rows(value)
+            }
+            fn stages<X: Clone>(value: &X) -> [X; $STAGES] {
+                core::array::from_fn(|_| value.clone())
             }
             #[inline(always)]
             fn node(row: usize) -> f64 {
@@ -72,6 +86,15 @@ macro_rules! explicit {
             #[inline(always)]
             fn weights(row: usize) -> (&'static [f64], &'static [f64]) {
                 (&Self::position(row)[..row], &Self::rate(row)[..row])
+            }
+            const SLOPES: usize = $SLOPES;
+            fn dense(share: f64) -> [[f64; ROWS]; 2] {
+                let (mut in_position, mut in_rate) = ([0.0; ROWS], [0.0; ROWS]);
+                <Self as Explicit>::dense(share, &mut in_rate[..<Self as Explicit>::ROWS]);
+                for (row, weight) in in_rate[..$SLOPES].iter().enumerate() {
+                    in_position.iter_mut().zip(Self::rate(row)).for_each(|(sum, a)| *sum += weight * a);
+                }
+                [in_position, in_rate]
             }
             fn sweeps(&self, _: usize) -> usize {
                 1
@@ -82,16 +105,20 @@ macro_rules! explicit {
         }
     )*};
 }
-explicit!(Rk4, Dopri5, Dop853);
+explicit!(Rk4: 4 of 4, Dopri5: 6 of 7, Dop853: 12 of 16);
 
 impl Staged for Sdirk4 {
     const STAGES: usize = STAGES;
     const IMPLICIT: bool = true;
     const RESTORES: bool = true;
     type Rows<X> = [X; STAGES + 1];
+    type Stages<X> = [X; STAGES];
     type Springs<T: Scalar> = element::Implicit<T::Real>;
 
     fn rows<X: Clone>(value: &X) -> [X; STAGES + 1] {
+        core::array::from_fn(|_| value.clone())
+    }
+    fn stages<X: Clone>(value: &X) -> [X; STAGES] {
         core::array::from_fn(|_| value.clone())
     }
     fn node(row: usize) -> f64 {
@@ -122,9 +149,13 @@ impl Staged for GeneralizedAlpha {
     const IMPLICIT: bool = true;
     const REMEMBERS: bool = true;
     type Rows<X> = [X; 3];
+    type Stages<X> = [X; 2];
     type Springs<T: Scalar> = element::Implicit<T::Real>;
 
     fn rows<X: Clone>(value: &X) -> [X; 3] {
+        core::array::from_fn(|_| value.clone())
+    }
+    fn stages<X: Clone>(value: &X) -> [X; 2] {
         core::array::from_fn(|_| value.clone())
     }
     fn node(row: usize) -> f64 {

@@ -162,7 +162,7 @@ where
             reached: Acceleration::zero(),
         };
         let projection = (Self::CLOSED > 0).then(|| Projection::new(elements, &self.zero));
-        Record { stages: M::rows(&stage), accelerations: M::rows(&self.zero), projection }
+        Record { stages: M::stages(&stage), accelerations: M::rows(&self.zero), projection }
     }
 
     /// Takes the torques of a step: none where none are given, whatever an earlier run was given.

@@ -1,6 +1,6 @@
 //! What a run as a function of numbers is put together from: seeds, efforts, states.
 
-use super::{Seeded, WIDTH};
+use super::Seeded;
 use crate::element::{Element, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, counted, ensure_finite};
@@ -125,24 +125,4 @@ where
     motion.set_coordinates(&lifted(coordinates))?;
     motion.set_rates(&lifted(rates))?;
     Ok(shown(scene.with_seeds(motion, first)))
-}
-
-/// What a costate of a start does along the seeds of that start.
-pub fn by_start<T: Scalar, P: Position<Seeded<T>>, C: Closures>(
-    start: &Motion<Seeded<T>, P, C>,
-    by_position: &[T],
-    by_rate: &[T],
-) -> [T; WIDTH] {
-    let (mut still, mut displacement) = (start.position().clone(), start.rate().clone());
-    still.replace(&mut |x| Jet::of(x.re));
-    start.position().apart(&still, &mut displacement);
-    let mut sum = [T::zero(); WIDTH];
-    for (list, by) in [(&displacement, by_position), (start.rate(), by_rate)] {
-        let mut by = by.iter();
-        list.visit(&mut |x| {
-            let by = by.next().copied().unwrap_or(T::zero());
-            sum.iter_mut().zip(x.eps).for_each(|(sum, eps)| *sum += by * eps);
-        });
-    }
-    sum
 }

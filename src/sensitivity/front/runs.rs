@@ -122,9 +122,8 @@ macro_rules! differentiable {
                                 by.add(&slopes[..rates], &slopes[rates..2 * rates])
                             })
                         })?;
-                        let by = (gradient.by_position(), gradient.by_rate());
                         for ((scene, start), part) in scenes.iter().zip(row.chunks_exact_mut(8)) {
-                            let (along, by) = (gradient.along(scene)?, front::by_start(start, &by.0, &by.1));
+                            let (along, by) = (gradient.along(scene)?, gradient.along_start(start)?);
                             part.iter_mut().zip(along).zip(by).for_each(|((sum, a), b)| *sum += a + b);
                         }
                         row.truncate(inputs.len());

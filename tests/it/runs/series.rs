@@ -76,7 +76,7 @@ macro_rules! sliders {
 }
 
 /// Drives all joints.
-struct Drive;
+pub struct Drive;
 
 impl TimeLaw<f64> for Drive {
     fn at<X: Scalar<Real = f64>>(&self, time: X, joint: usize) -> X {

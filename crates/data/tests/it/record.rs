@@ -11,13 +11,6 @@ pub struct Record {
     pub resumed: usize,
 }
 
-impl Record {
-    /// The paper's scheme keeps no motion: its runs are not saved.
-    pub fn add_numbers(&self, _: &'static str, states: Vec<f64>) {
-        assert!(states.iter().all(|x| x.is_finite()));
-    }
-}
-
 /// All bits of a value.
 pub fn bits(value: &impl Serialize) -> Vec<u8> {
     postcard::to_allocvec(value).unwrap()

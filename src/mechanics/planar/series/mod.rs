@@ -2,12 +2,13 @@
 
 mod bodies;
 mod joints;
+mod loops;
 mod slider;
 mod tips;
 
 use crate::mechanics::planar::{Internal, Planar, Turn};
 use crate::relation::planar::algebra::{Symmetric2, add_scaled};
-use crate::relation::{Additive, Closures};
+use crate::relation::{Additive, Closures, Symmetric};
 use crate::scalar::Scalar;
 use crate::series::Expandable;
 use bodies::AxesSeries;
@@ -38,6 +39,16 @@ impl<T: Scalar> Expandable for Planar<T> {
     #[inline(always)]
     fn join(a: Articulated<T>, b: Articulated<T>) -> Articulated<T> {
         Articulated { linear: a.linear + b.linear, coupling: a.coupling + b.coupling, angular: a.angular + b.angular }
+    }
+    #[inline(always)]
+    fn closed(open: Articulated<T>, wrench: Internal<T>, inverse: T) -> Articulated<T> {
+        let (Internal { force, torque }, Articulated { linear, coupling, angular }) = (wrench, open);
+        let share = torque * inverse;
+        Articulated {
+            linear: linear.plus_outer(force, force * inverse),
+            coupling: add_scaled(coupling, share, force),
+            angular: torque.mul_add(share, angular),
+        }
     }
     #[inline(always)]
     fn begun(ground: Turn<T>) -> Turn<T> {

@@ -210,7 +210,8 @@ impl<T: Scalar> ReversibleClosing<Spatial<T>> for Revolute<T> {
     ) {
         self.orient(side, main, x, y, p, q);
         let (from, to) = (&side.attitude, &main.attitude);
-        *x = Columns { x: to.apply(self.axis()), y: self.aside(from.x, from.y), z: self.aside(to.x, to.y) };
+        let [y, z] = self.aside([from.x, to.x], [from.y, to.y]);
+        *x = Columns { x: to.apply(self.axis()), y, z };
     }
     #[inline(always)]
     fn close_off<C: Closures>(

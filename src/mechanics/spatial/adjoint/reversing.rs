@@ -55,7 +55,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Reversing<T, 1> for Prismatic<T, L> {
         self.law().pivot(position, rate, springs)
     }
     fn store_asides(&self, [inner, _]: [&Columns<T>; 2], _: &T, (_, _, p, _): Room<'_, T>) {
-        *p = aside(self.axis(), inner.x, inner.y);
+        [*p] = aside(self.axis(), [inner.x], [inner.y]);
     }
     fn asides(_: usize, (_, _, p, _): Stored<'_, T>) -> [Vector3<T>; 2] {
         [*p; 2]
@@ -77,7 +77,7 @@ impl<T: Scalar, L: ReversibleLaw<T>, M: ReversibleLaw<T>> Reversing<T, 2> for Cy
         if k == 0 { along.pivot(position, rate, springs) } else { about.pivot(position, rate, springs) }
     }
     fn store_asides(&self, [inner, outer]: [&Columns<T>; 2], _: &[T; 2], (_, _, p, q): Room<'_, T>) {
-        (*p, *q) = aside(self.axis(), (inner.x, outer.x), (inner.y, outer.y));
+        [*p, *q] = aside(self.axis(), [inner.x, outer.x], [inner.y, outer.y]);
     }
     fn asides(_: usize, (_, _, p, q): Stored<'_, T>) -> [Vector3<T>; 2] {
         [*p, *q]
@@ -102,8 +102,8 @@ impl<T: Scalar, L: ReversibleLaw<T>, M: ReversibleLaw<T>> Reversing<T, 2> for Un
     fn store_asides(&self, [inner, outer]: [&Columns<T>; 2], &[one, _]: &[T; 2], (x, y, p, q): Room<'_, T>) {
         let [first, second] = self.axes();
         let between = inner.times(&about(first, one));
-        (x.z, y[0]) = aside(first, (inner.x, between.x), (inner.y, between.y));
-        (*p, *q) = aside(second, (between.x, outer.x), (between.y, outer.y));
+        [x.z, y[0]] = aside(first, [inner.x, between.x], [inner.y, between.y]);
+        [*p, *q] = aside(second, [between.x, outer.x], [between.y, outer.y]);
     }
     fn asides(k: usize, (x, y, p, q): Stored<'_, T>) -> [Vector3<T>; 2] {
         if k == 0 { [x.z, y[0]] } else { [*p, *q] }

@@ -191,7 +191,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Orient> for Revolute<T, L
     ) -> Turn<T> {
         let outboard = self.orient(position, rate, turn, x, y, p, q);
         let (inner, outer) = (&turn.attitude, &outboard.attitude);
-        (x.y, x.z) = self.aside((inner.x, outer.x), (inner.y, outer.y));
+        [x.y, x.z] = self.aside([inner.x, outer.x], [inner.y, outer.y]);
         outboard
     }
 }

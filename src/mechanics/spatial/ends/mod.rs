@@ -8,7 +8,7 @@ mod hinged;
 mod pinned;
 
 use super::{Rotation, Spatial};
-use crate::ends::{ExpandTip, Resting};
+use crate::ends::Resting;
 pub use crate::ends::{Ground, Moving, Turning};
 use crate::scalar::Scalar;
 pub use clamped::{AttitudeMotion, Clamped};
@@ -24,6 +24,3 @@ pub type GroundMotion<T> = crate::ends::GroundMotion<T, 3>;
 impl<T: Scalar> Resting<Spatial<T>> for Pinned<[T; 3]> {}
 impl<T: Scalar> Resting<Spatial<T>> for Clamped<[T; 3], Rotation<T>> {}
 impl<T: Scalar> Resting<Spatial<T>> for Hinged<[T; 3], Rotation<T>, T> {}
-impl<T: Scalar> ExpandTip<Spatial<T>> for Free {
-    fn columns(&self) {}
-}

@@ -10,14 +10,14 @@
 //! Coefficients of v̈ are what the walk gives: those of accelerations of coordinates of the step. A torque ε in axes of the body is
 //! A₀ε + u × w in inertial ones, with w = p₀ A₀ε + ½ u × A₀ε.
 
-use super::AxesSeries;
 use super::products::{columns, row, vector};
 use super::rods::scaled;
+use super::{AxesSeries, parted};
 use crate::mechanics::spatial::loads::{Drive, Effort};
 use crate::mechanics::spatial::{Acceleration, Ball, Internal, Spatial};
-use crate::relation::Absent;
-use crate::relation::spatial::Full;
-use crate::relation::spatial::algebra::{add_scaled, cross_onto, zero};
+use crate::relation::spatial::algebra::{add_scaled, cross_onto, dot, zero};
+use crate::relation::spatial::{Full, Gain};
+use crate::relation::{Absent, Closures};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
@@ -82,29 +82,31 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for Ball {
     }
 }
 
-impl<T: Scalar, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N>> for Ball {
+impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>> for Ball {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Articulate<Spatial<T>, N>,
+        Articulate { cuts }: &mut Articulate<Spatial<T>, N, C>,
         outer: Full<T>,
-        (_, room, ()): Of<'_, Spatial<T>, Articulate<Spatial<T>, N>, Self>,
+        (_, room, rows): Of<'_, Spatial<T>, Articulate<Spatial<T>, N, C>, Self>,
     ) -> Full<T> {
         // The same factors as in the elimination: they are formed once.
         room.factor = outer.angular.factor();
-        let (point, gain) = outer.balled(Absent);
-        room.gain = gain;
-        point.whole()
+        let (point, Gain { per_acceleration, per_closure, .. }) = outer.cut(*cuts).balled(Absent);
+        room.gain.per_acceleration = per_acceleration;
+        // Of each closure force the angular acceleration.
+        *rows = C::map(&per_closure, |torque| Internal { force: zero(), torque });
+        parted(point.whole(), cuts)
     }
 }
 
-impl<T: Scalar, Q: Applied<T>, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N>> for Ball {
+impl<T: Scalar, Q: Applied<T>, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for Ball {
     #[inline(always)]
     fn take(
         &self,
-        Push { order, .. }: &mut Push<Spatial<T>, Q, N>,
+        Push { order, gaps, .. }: &mut Push<Spatial<T>, Q, N, C>,
         outer: Internal<T>,
-        ((axes, room, ()), efforts): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
+        ((axes, room, rows), efforts): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N, C>, Self>,
     ) -> Internal<T> {
         let [x, y, z] = axes.spread(order.k);
         let (half, quarter) = (T::literal(0.5), T::literal(-0.25));
@@ -123,19 +125,21 @@ impl<T: Scalar, Q: Applied<T>, const N: usize> Takes<Spatial<T>, Push<Spatial<T>
             None => (outer.torque, zero()),
         };
         room.gain.free = -room.factor.solve(missed);
+        *gaps = C::zip(gaps, rows, |gap, w| gap - dot(w.torque, missed));
         Internal { force: room.gain.per_acceleration.transposed_onto(missed, outer.force), torque }
     }
 }
 
-impl<T: Scalar, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N>> for Ball {
+impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>> for Ball {
     #[inline(always)]
     fn take(
         &self,
-        Swing { order, .. }: &mut Swing<Spatial<T>, N>,
+        Swing { order, forces }: &mut Swing<Spatial<T>, N, C>,
         inboard: Acceleration<T>,
-        ((axes, room, ()), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
+        ((axes, room, rows), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
     ) -> Acceleration<T> {
-        let angular = room.gain.angular(inboard.linear, &());
+        let mut angular = room.gain.angular(inboard.linear, &());
+        C::zip(rows, forces, |w, by| angular = add_scaled(angular, by, w.torque));
         let turned = angular + vector(axes.curls[0]);
         *acceleration = columns(&axes.axes).transposed(turned).into();
         let number = order.k + 1;

@@ -14,16 +14,18 @@
 //! They are taken four at a time from three rows of coefficients, so that each takes a quarter of k products.
 
 mod ball;
+mod loops;
 mod products;
 mod revolute;
 mod rigid_body;
 mod rods;
+mod tips;
 mod weld;
 
-use super::{Spatial, Turn};
-use crate::relation::spatial::algebra::{Columns, Factor3, Symmetric3, zero};
+use super::{Internal, Spatial, Turn};
+use crate::relation::spatial::algebra::{Columns, Factor3, Symmetric3, add_scaled, zero};
 use crate::relation::spatial::{Full, Gain, Pivot};
-use crate::relation::{Additive, Join, Symmetric};
+use crate::relation::{Additive, Closures, Cuts, Geometry, Join, Symmetric};
 use crate::scalar::Scalar;
 use crate::series::{Expandable, Strain};
 use nalgebra::Vector3;
@@ -84,6 +86,16 @@ impl<T: Scalar> Expandable for Spatial<T> {
         Join::join(chain, arm)
     }
     #[inline(always)]
+    fn closed(open: Full<T>, wrench: Internal<T>, inverse: T) -> Full<T> {
+        let (Internal { force, torque }, share) = (wrench, wrench.torque * inverse);
+        Full {
+            linear: open.linear.plus_outer(force, force * inverse),
+            coupling: Spatial::plus_outer(open.coupling, force, share),
+            angular: open.angular.plus_outer(torque, share),
+            ..open
+        }
+    }
+    #[inline(always)]
     fn begun(ground: Turn<T>) -> Vector3<T> {
         ground.spin
     }
@@ -112,4 +124,24 @@ impl<T: Scalar> Expandable for Spatial<T> {
         };
         (axes, joint)
     }
+}
+
+/// What lies outboard without closure forces; these go into the cuts.
+#[inline(always)]
+fn parted<T: Scalar, C: Closures>(full: Full<T, C>, cuts: &mut Cuts<Internal<T>, T, C>) -> Full<T> {
+    let Full { linear, coupling, angular, force, torque, cuts: found } = full;
+    *cuts = found;
+    Full { linear, coupling, angular, force, torque, cuts: Cuts::none() }
+}
+
+/// A force with those that closure forces cause by their columns.
+#[inline(always)]
+fn pulled<T: Scalar, C: Closures>(
+    force: Vector3<T>,
+    columns: &C::Each<Internal<T>>,
+    forces: &C::Each<T>,
+) -> Vector3<T> {
+    let mut sum = force;
+    C::zip(columns, forces, |w, by| sum = add_scaled(sum, by, w.force));
+    sum
 }

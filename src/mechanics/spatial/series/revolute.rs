@@ -7,14 +7,14 @@
 //! ω′ = ω + q̇ n      α′ = α + q̈ n₀ + β      β = (k + 1) Σ q̇_{k+1−j} n_j      n · τ = Q
 //! ```
 
-use super::AxesSeries;
 use super::ball::Applied;
 use super::products::{Rows, row, vector};
 use super::rods::scaled;
+use super::{AxesSeries, parted};
 use crate::mechanics::spatial::{Acceleration, Internal, Revolute, Spatial};
-use crate::relation::spatial::Full;
 use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot, zero};
-use crate::relation::{Absent, Symmetric, Way};
+use crate::relation::spatial::{Full, Pivot};
+use crate::relation::{Absent, Closures, Symmetric, Way};
 use crate::scalar::Scalar;
 use crate::series::{AffineLaw, Strain};
 use crate::shape::{Of, Takes};
@@ -54,32 +54,37 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Begin<N>> for
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N>> for Revolute<T, L> {
-    #[inline(always)]
-    fn take(
-        &self,
-        _: &mut Articulate<Spatial<T>, N>,
-        outer: Full<T>,
-        (axes, room, ()): Of<'_, Spatial<T>, Articulate<Spatial<T>, N>, Self>,
-    ) -> Full<T> {
-        let axis = vector(axes.axes[0]);
-        room.minus_inverse = -dot(axis, outer.angular.apply(axis)).recip();
-        let (full, pivot) = outer.released(Way::Turn, axis, T::zero(), Absent);
-        room.pivot = pivot;
-        (axes.coupling, axes.angular) = (full.coupling, full.angular);
-        full
-    }
-}
-
-impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N>>
+impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>>
     for Revolute<T, L>
 {
     #[inline(always)]
     fn take(
         &self,
-        Push { order, .. }: &mut Push<Spatial<T>, Q, N>,
+        Articulate { cuts }: &mut Articulate<Spatial<T>, N, C>,
+        outer: Full<T>,
+        (axes, room, columns): Of<'_, Spatial<T>, Articulate<Spatial<T>, N, C>, Self>,
+    ) -> Full<T> {
+        let axis = vector(axes.axes[0]);
+        room.minus_inverse = -dot(axis, outer.angular.apply(axis)).recip();
+        let (full, Pivot { per_linear, per_angular, per_closure, .. }) =
+            outer.cut(*cuts).released(Way::Turn, axis, T::zero(), Absent);
+        (room.pivot.per_linear, room.pivot.per_angular) = (per_linear, per_angular);
+        // Of each closure force the angular acceleration instead of the force, and the torque that is left.
+        *columns = C::zip(&full.cuts.columns, &per_closure, |w, row| Internal { force: axis * row, ..w });
+        (axes.coupling, axes.angular) = (full.coupling, full.angular);
+        parted(full, cuts)
+    }
+}
+
+impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, C: Closures, const N: usize>
+    Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for Revolute<T, L>
+{
+    #[inline(always)]
+    fn take(
+        &self,
+        Push { order, gaps, .. }: &mut Push<Spatial<T>, Q, N, C>,
         outer: Internal<T>,
-        ((axes, room, ()), efforts): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
+        ((axes, room, columns), efforts): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N, C>, Self>,
     ) -> Internal<T> {
         let [x, y, z] = axes.swept(order.k);
         // n × ω, the other way round.
@@ -87,8 +92,10 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, const N: usize> Takes<Spatial<T>
         axes.curls[0] = row(scaled(turned, order.next));
         room.bias = scaled(Vector3::new(x[3], y[3], z[3]), order.next);
         let effort = efforts[order.k].onto(0, room.strain.effort);
-        let missed = dot(vector(axes.axes[0]), outer.torque) + (x[0] + y[0] + z[0]) - effort;
+        let axis = vector(axes.axes[0]);
+        let missed = dot(axis, outer.torque) + (x[0] + y[0] + z[0]) - effort;
         room.pivot.free = missed * room.minus_inverse;
+        *gaps = C::zip(gaps, columns, |gap, w| (-missed).mul_add(dot(axis, w.force), gap - dot(w.torque, room.bias)));
         let force = add_scaled(outer.force, missed, room.pivot.per_linear);
         let torque = add_scaled(outer.torque, missed, room.pivot.per_angular);
         room.torque = axes.angular.apply_onto(room.bias, torque);
@@ -96,17 +103,23 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, const N: usize> Takes<Spatial<T>
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N>> for Revolute<T, L> {
+impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>>
+    for Revolute<T, L>
+{
     #[inline(always)]
     fn take(
         &self,
-        Swing { order, .. }: &mut Swing<Spatial<T>, N>,
+        Swing { order, forces }: &mut Swing<Spatial<T>, N, C>,
         Acceleration { linear, angular }: Acceleration<T>,
-        ((axes, room, ()), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
+        ((axes, room, columns), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
     ) -> Acceleration<T> {
         let (axis, carried) = (vector(axes.axes[0]), angular + room.bias);
         *acceleration = room.pivot.acceleration(linear, carried, &());
-        let torque = axes.coupling.transposed_onto(linear, axes.angular.apply_onto(angular, room.torque));
+        let mut torque = axes.coupling.transposed_onto(linear, axes.angular.apply_onto(angular, room.torque));
+        C::zip(columns, forces, |w, by| {
+            *acceleration = dot(axis, w.force).mul_add(by, *acceleration);
+            torque = add_scaled(torque, by, w.torque);
+        });
         let turned = scaled(cross_onto(angular, axis, vector(axes.curls[0])), order.twice);
         let (spin, rate) = (scaled(angular, order.once), acceleration.scale(order.once));
         axes.keep_axis(order.k + 1, turned, beside(torque, spin, rate));

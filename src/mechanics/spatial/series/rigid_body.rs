@@ -9,13 +9,13 @@
 //!
 //! for the angular momentum about the inboard end is Σ P_ij e_i × ė_j + μ × v.
 
-use super::AxesSeries;
 use super::products::{Rows, curl, none, row, scaled as scaled_rows, swing};
 use super::rods::scaled;
+use super::{AxesSeries, parted, pulled};
 use crate::mechanics::spatial::{Acceleration, Internal, RigidBody, Spatial};
 use crate::relation::spatial::Full;
-use crate::relation::spatial::algebra::{Columns, Symmetric3, cross, cross_onto, zero};
-use crate::relation::{Part, Relation, Symmetric};
+use crate::relation::spatial::algebra::{Columns, Symmetric3, cross, cross_onto, dot, zero};
+use crate::relation::{Closures, Part, Relation, Symmetric};
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
@@ -75,34 +75,37 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for RigidBody<T> {
     }
 }
 
-impl<T: Scalar, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N>> for RigidBody<T> {
+impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>> for RigidBody<T> {
     #[inline(always)]
     fn take(
         &self,
-        _: &mut Articulate<Spatial<T>, N>,
+        Articulate { cuts }: &mut Articulate<Spatial<T>, N, C>,
         outer: Full<T>,
-        (room, (), ()): Of<'_, Spatial<T>, Articulate<Spatial<T>, N>, Self>,
+        (room, (), columns): Of<'_, Spatial<T>, Articulate<Spatial<T>, N, C>, Self>,
     ) -> Full<T> {
         let of = |list: [T; 3]| combined(&room.axes, list);
-        let full = outer.with_mass(self.lumped).carried(of(self.outboard()), zero());
+        *columns = cuts.columns;
+        let full = outer.cut(*cuts).with_mass(self.lumped).carried(of(self.outboard()), zero());
         let (moment, axis) =
             (of(self.moment), |i: usize| Vector3::new(room.axes[0][i], room.axes[1][i], room.axes[2][i]));
         let attitude = Columns { x: axis(0), y: axis(1), z: axis(2) };
         (room.linear, room.coupling) = (full.linear, full.coupling);
-        full.with_first_moment(moment, zero()).with_inertia(self.about_inboard.turned(&attitude), zero())
+        let inertia = self.about_inboard.turned(&attitude);
+        parted(full.with_first_moment(moment, zero()).with_inertia(inertia, zero()), cuts)
     }
 }
 
-impl<T: Scalar, Q: Part, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N>> for RigidBody<T> {
+impl<T: Scalar, Q: Part, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for RigidBody<T> {
     #[inline(always)]
     fn take(
         &self,
-        Push { order, .. }: &mut Push<Spatial<T>, Q, N>,
+        Push { order, gaps, .. }: &mut Push<Spatial<T>, Q, N, C>,
         outer: Internal<T>,
-        ((room, (), ()), ()): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
+        ((room, (), columns), ()): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N, C>, Self>,
     ) -> Internal<T> {
         let [curls, moment] = curl(room.known(order.k), (&room.axes, &room.moments), order.next);
         let arm = combined(&curls, self.outboard());
+        *gaps = C::zip(gaps, columns, |gap, w| gap - dot(w.force, arm));
         let moment = combined(&moment, [T::one(); 3]) + outer.torque;
         (room.curls, room.force) = (curls, room.linear.apply_onto(arm, outer.force));
         Internal {
@@ -116,15 +119,16 @@ impl<T: Scalar, Q: Part, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N
     }
 }
 
-impl<T: Scalar, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N>> for RigidBody<T> {
+impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>> for RigidBody<T> {
     #[inline(always)]
     fn take(
         &self,
-        Swing { order, .. }: &mut Swing<Spatial<T>, N>,
+        Swing { order, forces: by }: &mut Swing<Spatial<T>, N, C>,
         Acceleration { linear, angular }: Acceleration<T>,
-        ((room, (), ()), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
+        ((room, (), columns), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
     ) -> Acceleration<T> {
-        let force = room.coupling.apply_onto(angular, room.linear.apply_onto(linear, room.force));
+        let known = pulled::<T, C>(room.force, columns, by);
+        let force = room.coupling.apply_onto(angular, room.linear.apply_onto(linear, known));
         let [turned, forces] = swing((&room.axes, &room.moments, &room.curls), angular, (&room.shares, force, linear));
         room.keep_axes(order.k + 1, scaled_rows(&turned, order.twice), &forces, scaled(angular, order.once));
         Acceleration { linear: linear + combined(&turned, self.outboard()), angular }

@@ -9,13 +9,13 @@
 //!
 //! for the angular momentum of the body is J∥ ω − e d × ḋ. So all of it that is not linear is one cross product, whatever it does.
 
-use super::AxesSeries;
 use super::products::{across, crossed, row, vector};
+use super::{AxesSeries, parted, pulled};
 use crate::mechanics::spatial::body::{Body, Pose};
 use crate::mechanics::spatial::{Acceleration, Internal, PointMass, Rod, Spatial};
 use crate::relation::spatial::Full;
-use crate::relation::spatial::algebra::{Columns, add_scaled, cross, cross_onto, zero};
-use crate::relation::{Geometry, Part, Symmetric};
+use crate::relation::spatial::algebra::{Columns, add_scaled, cross, cross_onto, dot, zero};
+use crate::relation::{Closures, Geometry, Part, Symmetric};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
@@ -69,50 +69,53 @@ macro_rules! rods {
                 spin
             }
         }
-        impl<T: Scalar, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N>> for $Body<T> {
+        impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                _: &mut Articulate<Spatial<T>, N>,
+                Articulate { cuts }: &mut Articulate<Spatial<T>, N, C>,
                 outer: Full<T>,
-                (room, (), ()): Of<'_, Spatial<T>, Articulate<Spatial<T>, N>, Self>,
+                (room, (), columns): Of<'_, Spatial<T>, Articulate<Spatial<T>, N, C>, Self>,
             ) -> Full<T> {
                 let (arm, none) = (vector(room.axes[0]), zero());
                 let pose = Pose { attitude: Columns::identity(), turning: none, arm, centripetal: none };
-                let full = Body::condense(self, outer, &pose);
+                *columns = cuts.columns;
+                let full = Body::condense(self, outer.cut(*cuts), &pose);
                 room.linear = full.linear;
                 room.coupling = Spatial::levered_onto(Symmetric::diagonal(-self.excess()), arm, full.coupling);
-                full
+                parted(full, cuts)
             }
         }
-        impl<T: Scalar, Q: Part, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N>> for $Body<T> {
+        impl<T: Scalar, Q: Part, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                walk: &mut Push<Spatial<T>, Q, N>,
+                walk: &mut Push<Spatial<T>, Q, N, C>,
                 outer: Internal<T>,
-                ((room, (), ()), ()): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N>, Self>,
+                ((room, (), columns), ()): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N, C>, Self>,
             ) -> Internal<T> {
-                let Push { order, .. } = walk;
+                let Push { order, gaps, .. } = walk;
                 let sums = room.swept(order.k);
                 let curl = scaled(crossed(&sums, 2), -order.next);
+                *gaps = C::zip(gaps, columns, |gap, w| gap - dot(w.force, curl));
                 let known = room.coupling.transposed_onto(curl, crossed(&sums, 0)) + outer.torque;
                 let force = room.linear.apply_onto(curl, outer.force);
                 (room.curls[0], room.force) = (row(curl), add_scaled(force, -self.excess(), curl));
                 Internal { force, torque: cross_onto(vector(room.axes[0]), outer.force, known) }
             }
         }
-        impl<T: Scalar, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N>> for $Body<T> {
+        impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>> for $Body<T> {
             #[inline(always)]
             fn take(
                 &self,
-                walk: &mut Swing<Spatial<T>, N>,
+                walk: &mut Swing<Spatial<T>, N, C>,
                 Acceleration { linear, angular }: Acceleration<T>,
-                ((room, (), ()), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N>, Self>,
+                ((room, (), columns), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
             ) -> Acceleration<T> {
-                let Swing { order, .. } = walk;
+                let Swing { order, forces } = walk;
                 let turned = cross_onto(angular, vector(room.axes[0]), vector(room.curls[0]));
-                let force = room.coupling.apply_onto(angular, room.linear.apply_onto(linear, room.force));
+                let known = pulled::<T, C>(room.force, columns, forces);
+                let force = room.coupling.apply_onto(angular, room.linear.apply_onto(linear, known));
                 room.keep(order.k + 1, scaled(turned, order.twice), force, scaled(angular, order.once));
                 Acceleration { linear: linear + turned, angular }
             }

@@ -1,16 +1,23 @@
 //! Taylor series in space: what a weld does. It hands on what it is given, in inertial axes.
 
 use crate::mechanics::spatial::{Acceleration, Internal, Spatial, Weld};
-use crate::relation::Part;
 use crate::relation::spatial::Full;
+use crate::relation::{Closures, Part};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector3;
 
+impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for Weld<T> {
+    #[inline(always)]
+    fn take(&self, _: &mut Begin<N>, spin: Vector3<T>, _: Of<'_, Spatial<T>, Begin<N>, Self>) -> Vector3<T> {
+        spin
+    }
+}
+
 macro_rules! welded {
     ($([$($Q:ident)?] $Walk:ty: $Carried:ty),*) => {$(
-        impl<T: Scalar, $($Q: Part,)? const N: usize> Takes<Spatial<T>, $Walk> for Weld<T> {
+        impl<T: Scalar, $($Q: Part,)? C: Closures, const N: usize> Takes<Spatial<T>, $Walk> for Weld<T> {
             #[inline(always)]
             fn take(&self, _: &mut $Walk, carried: $Carried, _: Of<'_, Spatial<T>, $Walk, Self>) -> $Carried {
                 carried
@@ -19,8 +26,7 @@ macro_rules! welded {
     )*};
 }
 welded!(
-    [] Begin<N>: Vector3<T>,
-    [] Articulate<Spatial<T>, N>: Full<T>,
-    [Q] Push<Spatial<T>, Q, N>: Internal<T>,
-    [] Swing<Spatial<T>, N>: Acceleration<T>
+    [] Articulate<Spatial<T>, N, C>: Full<T>,
+    [Q] Push<Spatial<T>, Q, N, C>: Internal<T>,
+    [] Swing<Spatial<T>, N, C>: Acceleration<T>
 );

@@ -50,6 +50,17 @@ fn few_states_have_the_gradient_of_all_bit_for_bit() {
         let found = backward.gradient_between(plan, &torques, &few, &mut tape, &mut by_torques, cost!()).unwrap();
         assert_eq!(list(&found, &by_torques), expected, "every {every}");
     }
+    // States in two levels, and a tape that is shorter.
+    for (every, length) in [(7, 3), (22, 5), (23, 1), (40, 22), (5, 9)] {
+        let plan = Checkpoints { step: h, steps, every };
+        let (mut few, mut tape) = (vec![start; plan.states()], vec![backward.tape(); length]);
+        let (mut middle, mut by_torques) = (vec![start; every.div_ceil(length)], vec![0.0; 3 * steps]);
+        backward.run_between(&start, plan, &torques, &mut few).unwrap();
+        let found = backward
+            .gradient_in_levels(plan, &torques, &few, &mut middle, &mut tape, &mut by_torques, cost!())
+            .unwrap();
+        assert_eq!(list(&found, &by_torques), expected, "every {every}, {length} on the tape");
+    }
     // All on the tape, which has room to spare.
     let (mut tape, mut last, mut by_torques) = (vec![backward.tape(); 30], start, vec![0.0; 3 * steps]);
     backward.run_on_tape(&start, h, steps, &torques, &mut tape, &mut last).unwrap();
@@ -75,9 +86,26 @@ fn checkpoints_and_tape_say_how_many_are_needed() {
     let gradient = backward.gradient_between(plan, &[], &[start; 16], &mut tape, &mut [], |_, _, _| Ok(()));
     let found = gradient.map(|_| ()).unwrap_err().fault;
     assert!(matches!(found, Fault::Count { expected: 7, given: 6 }), "{found:?}");
+    let gradient =
+        backward.gradient_in_levels(plan, &[], &[start; 16], &mut [start], &mut tape, &mut [], |_, _, _| Ok(()));
+    let found = gradient.map(|_| ()).unwrap_err().fault;
+    assert!(matches!(found, Fault::Count { expected: 2, given: 1 }), "{found:?}");
     let mut end = start;
     let found = backward.run_on_tape(&start, 0.01, 7, &[], &mut tape, &mut end).unwrap_err().fault;
     assert!(matches!(found, Fault::Count { expected: 7, given: 6 }), "{found:?}");
     let found = backward.run_on_tape(&start, f64::NAN, 6, &[], &mut tape, &mut end).unwrap_err().fault;
     assert!(matches!(found, Fault::NonFiniteMotion), "{found:?}");
+}
+
+/// A million steps of twenty rods by RK4, all that is kept of them.
+#[test]
+fn a_million_steps_take_less_than_a_megabyte() {
+    let rod = Rod::uniform(1.0_f64, 1.0);
+    let system = System::new(Pinned::origin(), (rod, [(Pin, rod); 19]), Free).unwrap();
+    let (plan, middle, tape) = (Checkpoints { step: 1e-4, steps: 1_000_000, every: 5000 }, 200, 25);
+    assert!(middle * tape >= plan.every);
+    let states = (plan.states() + middle) * size_of_val(&system.motion());
+    let bytes = states + tape * size_of_val(&system.backward(Rk4).tape());
+    println!("{} kB", bytes / 1000);
+    assert!(bytes < 1_000_000);
 }

@@ -199,5 +199,7 @@ mod loads;
 mod long;
 mod loops;
 mod misuse;
+mod samples;
 mod space;
+mod starts;
 mod times;

@@ -354,6 +354,8 @@ fn revolutes_about_a_ball_have_the_gradients_of_jets() {
 mod held;
 mod implicit;
 mod joints;
+mod lanes;
 mod laws;
 mod loads;
 mod loops;
+mod samples;

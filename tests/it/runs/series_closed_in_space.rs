@@ -1,0 +1,166 @@
+//! Taylor series in space where a tip is held or a loop is closed: runs, closures and forces, beside rules that know no series.
+//!
+//! Coefficients are those of `series_closed_in_space.csv`, whose head says how they were found.
+
+use super::series::coefficients;
+use catena::Error;
+use catena::spatial::*;
+
+const G: [f64; 3] = [0.0, 0.0, -9.81];
+
+/// By how much two lists are apart.
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+}
+
+/// A rod of one kilogram a metre.
+fn rod(length: f64) -> Rod<f64> {
+    Rod::uniform(length, 0.05, length)
+}
+
+fn body() -> RigidBody<f64> {
+    let tensor = [[0.05, 0.01, 0.0], [0.01, 0.04, 0.0], [0.0, 0.0, 0.06]];
+    RigidBody::new(0.8, tensor, [0.2, 0.1, 0.05], [0.4, -0.1, 0.02])
+}
+
+fn hinge() -> Revolute<f64, Spring<f64, f64, f64>> {
+    Revolute::about([0.3, 1.0, 0.2]).with(Spring::new(3.0).damped(0.1).resting_at(0.2))
+}
+
+/// Two rods and a body on balls, between two of them.
+macro_rules! bridge {
+    () => {
+        System::new(Pinned::origin(), (rod(1.0), Ball, rod(0.7), Ball, body()), Pinned::at([1.5, 0.2, 0.1]))?
+            .with_gravity(G)
+    };
+}
+const OF_BRIDGE: [f64; 9] = [0.1, 0.9, 0.2, 0.3, -0.1, 0.1, 0.2, -0.8, 0.4];
+
+/// A loop that a ball closes, a rod before it and one behind.
+macro_rules! ring {
+    () => {{
+        let net = Network::new((Ball, rod(0.6), Ball, rod(0.5)), (Ball, rod(0.45), hinge(), body()), Ball);
+        System::new(Pinned::origin(), (rod(0.8), net, Ball, rod(0.5)), Free)?.with_gravity(G)
+    }};
+}
+const OF_RING: [f64; 16] = [0.1, 0.9, 0.2, 0.3, -0.1, 0.1, 0.2, 0.8, 0.4, 0.3, 0.2, 0.1, 0.4, 0.2, 0.3, 0.5];
+
+/// Two rods, a body on a ball and one on a hinge, to a tip that is held.
+macro_rules! held {
+    ($tip:expr) => {{
+        let chain = (rod(1.0), Ball, body(), hinge(), rod(0.6), Ball, rod(0.7));
+        System::new(Pinned::origin(), chain, $tip)?.with_gravity(G)
+    }};
+}
+const OF_HELD: [f64; 10] = [0.1, 0.9, 0.2, 0.3, -0.1, 0.1, 0.2, -0.8, 0.4, 0.3];
+
+const RATES: [f64; 16] = [0.5, -0.4, 0.9, -0.3, 0.6, 0.7, -0.8, 0.4, 0.1, -0.5, 0.3, 0.2, -0.6, 0.8, -0.1, 0.4];
+
+#[test]
+fn coefficients_are_those_of_equations_with_multipliers() -> Result<(), Error> {
+    /// Ends need not be where they are held: coefficients are those of what closures demand of accelerations.
+    macro_rules! expand {
+        ($name:literal, $scene:expr, $angles:expr) => {{
+            let scene = &$scene;
+            let start = scene.with_rates(scene.at_rest(&$angles)?, &RATES[..scene.motion().rates().len()])?;
+            let mut stepper = scene.stepper(Taylor::<20>);
+            let mut next = start.clone();
+            let _ = stepper.step(&start, &Unloaded, 1e-6, &mut next);
+            let expected = coefficients(include_str!("series_closed_in_space.csv"), $name);
+            assert_eq!(expected.len(), 20);
+            for (k, expected) in expected.iter().enumerate() {
+                let mut found = vec![];
+                stepper.coefficients(k, |x| found.push(x / (k + 1) as f64)); // those of rates
+                let largest = expected.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                let miss = apart(&found, expected) / largest;
+                println!("{}, order {}: {largest:.3e}, miss {miss:.1e}", $name, k + 1);
+                assert!(miss <= 1e-12, "{}, order {}: {found:?}, {expected:?}", $name, k + 1);
+            }
+        }};
+    }
+    expand!("bridge", bridge!(), OF_BRIDGE);
+    expand!("hinged", held!(Hinged::at([1.2, 0.2, 0.1], [0.2, 1.0, 0.0])), OF_HELD);
+    expand!("clamped", held!(Clamped::at([1.2, 0.2, 0.1], Rotation::from_angles([0.1, 0.2, 0.3]))), OF_HELD);
+    expand!("ring", ring!(), OF_RING);
+    Ok(())
+}
+
+#[test]
+fn closed_scenes_move_as_under_dop853() -> Result<(), Error> {
+    macro_rules! compare {
+        ($name:literal, $scene:expr, $angles:expr, $loads:expr) => {{
+            let (scene, loads) = (&$scene, &$loads);
+            let start = scene.assembled(scene.at_rest(&$angles)?, &Unloaded)?;
+            let by_series = Taylor::<24>::tolerance(1e-13);
+            let series = scene.simulation(by_series).loads(loads).run(start.clone(), 0.5, |_| ())?;
+            let other = scene.simulation(Dop853::tolerance(1e-13)).loads(loads).run(start, 0.5, |_| ())?;
+            let (a, b) = (&series.motion, &other.motion);
+            let of_place = apart(&a.coordinates(), &b.coordinates());
+            let of_acceleration = apart(&a.accelerations(), &b.accelerations());
+            // Forces at all stations, those through the joints that close loops among them.
+            let mut of_force = 0.0_f64;
+            for (a, b) in scene.stations(a, loads)?.iter().zip(scene.stations(b, loads)?.iter()) {
+                let d = a.internal - b.internal;
+                of_force = of_force.max(d.force.norm()).max(d.torque.norm());
+            }
+            let (steps, others) = (series.steps, other.steps);
+            println!(
+                "{}: {steps} steps for {others}, apart by {of_place:.1e}, {of_acceleration:.1e}, {of_force:.1e}",
+                $name
+            );
+            assert!(of_place < 1e-11 && of_acceleration < 1e-9 && of_force < 1e-9 && series.rejected == 0);
+        }};
+    }
+    compare!("bridge", bridge!(), OF_BRIDGE, Unloaded);
+    let efforts =
+        Loads::none().efforts([Effort([0.3, 0.1, 0.2]), Effort([-0.1, 0.2, 0.0]), Effort([0.1, 0.05, -0.03])]);
+    compare!("bridge under efforts", bridge!(), OF_BRIDGE, efforts);
+    let knee = Revolute::about([0.1, 0.2, 1.0]);
+    let chain = (body(), hinge(), rod(0.6), Ball, rod(0.7), Ball, PointMass::new(0.3, 0.2), knee, body(), Ball, body());
+    let clamp = Clamped::at([1.2, 0.2, 0.1], Rotation::from_angles([0.1, 0.2, 0.3]));
+    let clamped = System::new(Hinged::origin([0.0, 1.0, 0.0]), chain, clamp)?.with_gravity(G);
+    compare!("clamped", clamped, [0.1, 0.4, 0.2, 0.3, -0.1, 0.1, 0.2, -0.8, 0.4, 0.3, 0.2, 0.1], Unloaded);
+    compare!("hinged", held!(Hinged::at([1.2, 0.2, 0.1], [0.2, 1.0, 0.0])), OF_HELD, Unloaded);
+    compare!("ring", ring!(), OF_RING, Unloaded);
+    let side = (Ball, rod(0.45), hinge(), body(), Ball, rod(0.3));
+    let weld = Weld::at(Rotation::from_angles([0.1, 0.2, 0.3]));
+    let net = Network::new((Ball, rod(0.6), Ball, rod(0.5)), side, weld);
+    let frame = System::new(Pinned::origin(), (rod(0.8), net, Ball, rod(0.5)), Pinned::at([1.4, 0.2, -0.5]))?;
+    let angles = [0.1, 0.9, 0.2, 0.3, -0.1, 0.1, 0.2, 0.8, 0.4, 0.3, 0.2, 0.1, 0.4, 0.2, 0.3, 0.5, 0.1, 0.2, 0.3];
+    compare!("frame", frame.with_gravity(G), angles, Unloaded);
+    Ok(())
+}
+
+#[test]
+fn readings_within_a_step_are_closed() -> Result<(), Error> {
+    let scene = bridge!();
+    let start = scene.assembled(scene.at_rest(&OF_BRIDGE)?, &Unloaded)?;
+    let ((mut most, mut sampled), mut drift) = ((0.0_f64, 0), 0.0_f64);
+    let energy = scene.budget(&start)?.energy();
+    let run = scene.simulation(Taylor::<24>::tolerance(1e-13)).every(0.01).run(start, 1.0, |now| {
+        sampled += 1;
+        drift = drift.max((now.energy() - energy).abs());
+        let tip = scene.stations(now.motion(), &Unloaded).map(|stations| stations.tip().frame.place);
+        most = tip.map_or(f64::NAN, |tip| apart(tip.as_slice(), &[1.5, 0.2, 0.1])).max(most);
+    })?;
+    println!("{} steps, {sampled} samples, missed by {most:.1e}, energy by {drift:.1e}", run.steps);
+    assert!(sampled > 90 && most < 1e-14 && drift < 1e-11 && run.sweeps > run.steps);
+    Ok(())
+}
+
+#[test]
+fn a_run_goes_on_as_if_it_had_not_stopped() -> Result<(), Error> {
+    let scene = ring!();
+    let start = scene.assembled(scene.at_rest(&OF_RING)?, &Unloaded)?;
+    let (mut whole, mut now, mut next) = (scene.stepper(Taylor::<16>), start, start);
+    for _ in 0..5 {
+        whole.step(&now, &Unloaded, 0.02, &mut next)?;
+        let mut fresh = now;
+        scene.stepper(Taylor::<16>).step(&now, &Unloaded, 0.02, &mut fresh)?;
+        assert!(fresh.coordinates() == next.coordinates() && fresh.rates() == next.rates());
+        assert!(fresh.accelerations() == next.accelerations());
+        core::mem::swap(&mut now, &mut next);
+    }
+    Ok(())
+}
