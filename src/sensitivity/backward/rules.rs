@@ -40,7 +40,7 @@ pub trait Staged: Copy + Debug {
     fn weights(row: usize) -> (&'static [f64], &'static [f64]);
     /// How many accelerations dense output reads; none of a rule that makes shorter steps instead.
     const SLOPES: usize = 0;
-    /// Their weights in positions and rates at a share of a step.
+    /// Weights of the rows in positions and rates at a share of a step.
     fn dense(share: f64) -> [[f64; ROWS]; 2] {
         let _ = share;
         [[0.0; ROWS]; 2]
