@@ -8,7 +8,9 @@ use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mechanics::planar::adjoint::{BODY, LAW_NUMBERS, NUMBERS_OF_JOINT};
-use crate::mechanics::planar::{Base, Body, ElasticHinge, HingeAxes, Linear, Pin, Planar, PointMass, RigidBody, Rod, Slider, Weld};
+use crate::mechanics::planar::{
+    Base, Body, ElasticHinge, HingeAxes, Linear, Pin, Planar, PointMass, RigidBody, Rod, Slider, Weld,
+};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{
     Around, AtClosing, Closing, Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms,

@@ -11,8 +11,8 @@ use crate::lift::Lift;
 use crate::mechanics::spatial::adjoint::{BODY, numbers};
 use crate::mechanics::spatial::axial::{Axial, aside};
 use crate::mechanics::spatial::{
-    Ball, Base, Cylindrical, Floating, Inertial, OfJoint, PointMass, Prismatic, Revolute, RigidBody, Rod, Spatial, Universal,
-    Weld,
+    Ball, Base, Cylindrical, Floating, Inertial, OfJoint, PointMass, Prismatic, Revolute, RigidBody, Rod, Spatial,
+    Universal, Weld,
 };
 use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};

@@ -85,8 +85,8 @@ impl<T: Scalar, K: Springs<T>> Rotation<T, K> for Absent {
 #[cfg_attr(
     feature = "serde",
     serde(bound(
-        serialize = "RelativeGain<T, C>: serde::Serialize, Vector2<T>: serde::Serialize",
-        deserialize = "RelativeGain<T, C>: serde::Deserialize<'de>, Vector2<T>: serde::Deserialize<'de>"
+        serialize = "RelativeGain<T, C>: serde::Serialize, Vector2<T>: serde::Serialize, T: serde::Serialize",
+        deserialize = "RelativeGain<T, C>: serde::Deserialize<'de>, Vector2<T>: serde::Deserialize<'de>, T: serde::Deserialize<'de>"
     ))
 )]
 pub struct LinearGains<T: Copy, C: Closures> {

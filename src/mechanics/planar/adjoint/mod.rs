@@ -2,6 +2,7 @@
 
 mod bodies;
 mod ends;
+mod hinge_axes;
 mod joints;
 mod laws;
 mod linear_hinge;
@@ -205,7 +206,11 @@ impl<T: Scalar> Reversed for Planar<T> {
     }
     fn of_nothing() -> (Base<T>, [T; BODY], [T; NUMBERS_OF_JOINT]) {
         let zero = T::zero();
-        (Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero }, [zero; BODY], [zero; NUMBERS_OF_JOINT])
+        (
+            Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero },
+            [zero; BODY],
+            [zero; NUMBERS_OF_JOINT],
+        )
     }
     fn no_tip() -> [T; TIP] {
         [T::zero(); TIP]
