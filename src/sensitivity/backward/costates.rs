@@ -92,7 +92,7 @@ where
                 self.of_acceleration.add(&between.of_slopes.as_ref()[row]);
             }
             let Stage { position, rate, acceleration, .. } = &record.stages.as_ref()[row];
-            let curved = Self::CURVED && row > 0; // the first stage has turned by nothing
+            let curved = Self::CURVED && row > 0 && !M::IMPLICIT; // the first stage has turned by nothing
             if curved {
                 self.of_second.set(&self.of_acceleration);
                 position.transposed_acceleration(&past.position, &mut self.of_acceleration);
@@ -184,8 +184,8 @@ where
         let elements = self.scene.elements();
         let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, in_loops, position, rate, acceleration, .. } =
             stage;
+        let acceleration = if Self::CHARTED && start.is_none() { acceleration } else { slope };
         let (position, rate) = start.map_or((position, rate), |past| (&past.position, &past.rate));
-        let acceleration = if Self::CURVED && row > 0 { acceleration } else { slope };
         let free = &mut self.of_acceleration;
         let frame = self.scene.ground(time);
         let mut walk = Meet::nothing();
