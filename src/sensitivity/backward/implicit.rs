@@ -81,7 +81,6 @@ where
         (stage, slope): (&mut StageOf<S, R, C, P>, &mut RateOf<S, R, C>),
     ) {
         let (springs, node) = (self.rule.springs::<S::Scalar>(row, step), M::node(row));
-        let [own, _] = self.rule.own::<S::Scalar>(step);
         if const { M::REMEMBERS } {
             self.remember(past, step, slopes, free);
         } else {

@@ -88,8 +88,8 @@ pub use tape::Tape;
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
 ///
-/// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, scenes of the plane, and in
-/// space without balls, from a `Clamped` or `Hinged` root: they solve a step by several sweeps, and costates go back through all of them. Laws
+/// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, the same scenes: they
+/// solve a step by several sweeps, and costates go back through all of them. Laws
 /// that are not linear have second derivatives here, those of what they add to pivots.
 ///
 /// `GeneralizedAlpha` remembers its auxiliary acceleration A. Its steps are those of [`step`](crate::stepper::Stepper::step): each begins with
@@ -179,7 +179,7 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: St
 type CostateOf<S, R, C> = Costate<RateOf<S, R, C>, <S as Geometry>::Scalar>;
 
 impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Runs by a rule whose gradients go backward: `Rk4`, `Dopri5`, `Dop853`, and without balls `Sdirk4` and `GeneralizedAlpha`.
+    /// Runs by a rule whose gradients go backward: `Rk4`, `Dopri5`, `Dop853`, `Sdirk4` and `GeneralizedAlpha`.
     ///
     /// See [`sensitivity::Backward`](crate::sensitivity::Backward).
     pub fn backward<M: Staged>(&self, method: M) -> Backward<'_, S, R, C, P, M>

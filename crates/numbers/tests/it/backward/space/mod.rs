@@ -1,6 +1,6 @@
 //! Gradients of runs in space that go backward: against jets through the same steps, kind by kind, and against central differences.
 
-use super::{Kinds, Stiffening, agrees, by_jets};
+use super::{Kinds, ROUNDING, Stiffening, agrees, alike, by_jets};
 use catena::planar::Custom;
 use catena::scalar::Jet;
 use catena::spatial::*;
