@@ -7,7 +7,7 @@ use crate::element::Element;
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::mechanics::planar::adjoint::{BODY, LAW_NUMBERS, NUMBERS_OF_JOINT};
+use crate::mechanics::planar::adjoint::{BODY, LAW_NUMBERS, NUMBERS_OF_JOINT, numbers};
 use crate::mechanics::planar::{
     Base, Body, ElasticHinge, HingeAxes, Linear, Pin, Planar, PointMass, RigidBody, Rod, Slider, Weld,
 };
@@ -123,11 +123,7 @@ macro_rules! bodies {
                 }
                 walk.add(by.inertia, inertia);
                 walk.add(by.lumped, lumped);
-                let mut list = by_numbers.iter();
-                self.lift(&mut |number: Jet<T, K>| {
-                    list.next().into_iter().for_each(|costate| walk.add(*costate, number));
-                    number.re
-                });
+                by_numbers.iter().zip(numbers(self)).for_each(|(by, number)| walk.add(*by, number));
                 walk.met += 1;
             }
         }
