@@ -100,7 +100,7 @@ macro_rules! samples {
 }
 
 /// Rules by fixed steps.
-trait Fixed: Sized {
+pub(super) trait Fixed: Sized {
     fn fixed(self, size: f64) -> catena::time::Rule<Self, f64>;
 }
 

@@ -341,3 +341,4 @@ mod laws;
 mod loads;
 mod loops;
 mod samples;
+mod times;

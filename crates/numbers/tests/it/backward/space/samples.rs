@@ -1,6 +1,6 @@
 //! Gradients of costs at samples between steps, in space: attitudes at samples, and what closes there.
 
-use super::super::samples::{EVERY, H};
+use super::super::samples::{EVERY, Fixed, H};
 use super::*;
 
 const STEPS: usize = 4;
@@ -8,7 +8,7 @@ const SAMPLES: usize = 11;
 
 /// Lengths of two rods, gravity, a place of the tip if there is one; displacements from the start, and rates.
 macro_rules! samples {
-    ($name:expr, $kinds:expr, $parameters:expr, $method:ident, |$system:ident| $start:expr, |$x:ident| $scene:block) => {{
+    ($name:expr, $kinds:expr, $parameters:expr, $method:expr, |$system:ident| $start:expr, |$x:ident| $scene:block) => {{
         let mut numbers: Vec<f64> = $parameters;
         let parameters = numbers.len();
         let $system = {
@@ -32,7 +32,7 @@ macro_rules! samples {
                 Rate::<$N>::replace(&mut step, &mut |_| list.next().unwrap());
                 Position::<$N>::displace(from.position_mut(), &step);
                 let (mut sum, mut sample) = (<$N>::constant(0.0), 0);
-                let run = made.simulation($method::step(H)).every(EVERY);
+                let run = made.simulation(Fixed::fixed($method, H)).every(EVERY);
                 run.run(from, H * STEPS as f64, |now| {
                     sum += share(sample, SAMPLES - 1, &now.motion().coordinates(), &now.motion().rates());
                     sample += 1;
@@ -89,7 +89,7 @@ macro_rules! rods {
 #[test]
 fn attitudes_at_samples() {
     macro_rules! by {
-        ($name:expr, $Method:ident) => {
+        ($name:expr, $Method:expr) => {
             samples!(
                 $name,
                 [("lengths", 2), ("gravity", 3)],
@@ -103,12 +103,13 @@ fn attitudes_at_samples() {
     by!("RK4", Rk4);
     by!("DOPRI5", Dopri5);
     by!("DOP853", Dop853);
+    by!("SDIRK4", Sdirk4::new());
 }
 
 #[test]
 fn a_tip_is_held_at_samples() {
     macro_rules! by {
-        ($name:expr, $Method:ident) => {
+        ($name:expr, $Method:expr) => {
             samples!(
                 $name,
                 [("lengths", 2), ("gravity", 3), ("tip", 3)],
@@ -125,4 +126,5 @@ fn a_tip_is_held_at_samples() {
     by!("tip on a ball, RK4", Rk4);
     by!("tip on a ball, DOPRI5", Dopri5);
     by!("tip on a ball, DOP853", Dop853);
+    by!("tip on a ball, SDIRK4", Sdirk4::new());
 }
