@@ -126,5 +126,4 @@ fn a_tip_is_held_at_samples() {
     by!("tip on a ball, RK4", Rk4);
     by!("tip on a ball, DOPRI5", Dopri5);
     by!("tip on a ball, DOP853", Dop853);
-    by!("tip on a ball, SDIRK4", Sdirk4::new());
 }

@@ -27,7 +27,7 @@ macro_rules! up_to_an_event {
             let angles = [0.2, 0.5, 0.1, 0.4, -0.3, 0.2, 0.6];
             let start = system.with_rates(system.at_rest(&angles).unwrap(), &x[6..]).unwrap();
             let (mut backward, mut states) = (system.backward($method), vec![start.clone(); 21]);
-            backward.run(&start, 0.03, 20, &[], &mut states).unwrap();
+            backward.run(&start, 0.01, 20, &[], &mut states).unwrap();
             let steps = backward.cut(&[], &mut states, |now| now.coordinates()[4] - 0.1 * now.time()).unwrap().unwrap();
             let end = states[steps].clone();
             let (angle, rate, time) = (end.coordinates()[4], end.rates()[0], end.time());
