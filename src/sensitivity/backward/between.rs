@@ -16,7 +16,7 @@ use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
-use crate::ends::{Resting, Root, Tip};
+use crate::ends::{Root, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::Additive;
@@ -47,7 +47,7 @@ pub(super) struct Between<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: 
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,

@@ -18,7 +18,7 @@ use super::rules::Staged;
 use super::steps::{ROWS, Steps};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, Level, RealOf};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Additive, Solvable, Wrench};
@@ -36,7 +36,7 @@ use num_traits::{One, Zero};
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
@@ -188,6 +188,7 @@ where
         let (position, rate) = start.map_or((position, rate), |past| (&past.position, &past.rate));
         let free = &mut self.of_acceleration;
         let frame = self.scene.ground(time);
+        gradient.times = Some([gradient.times.map_or(time, |[last, _]| last), time]);
         let mut walk = Meet::nothing();
         elements.take(&mut walk, Wrench::none(), (x, y, p, q, kept, pivots, &mut *free, &mut self.in_loops));
         let weight = P::Closures::solve(&stage.compliance, &walk.gaps);

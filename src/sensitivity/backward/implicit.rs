@@ -31,7 +31,7 @@ use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::Additive;
@@ -45,7 +45,7 @@ use crate::walks::strain::Strain;
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,

@@ -20,7 +20,7 @@ use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
@@ -72,7 +72,7 @@ impl<R: Real> Weights<R> {
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,

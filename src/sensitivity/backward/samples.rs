@@ -4,7 +4,7 @@ use super::rules::Staged;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::relation::Additive;
@@ -15,7 +15,7 @@ use crate::system::{Elements, MotionOf, Runs, System};
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
