@@ -88,9 +88,8 @@ pub use tape::Tape;
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
 ///
-/// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, the same scenes: they
-/// solve a step by several sweeps, and costates go back through all of them. Laws
-/// that are not linear have second derivatives here, those of what they add to pivots.
+/// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, the same scenes: they solve a step
+/// by several sweeps, and costates go back through all of them. Laws that are not linear have second derivatives here, those of what they add to pivots.
 ///
 /// `GeneralizedAlpha` remembers its auxiliary acceleration A. Its steps are those of [`step`](crate::stepper::Stepper::step): each begins with
 /// the accelerations a that the torques of this step cause, where `simulate` goes on with those that the last sweep has left. A run begins with
@@ -147,9 +146,10 @@ pub use tape::Tape;
 /// instructions that it had.) A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differed by 0.1
 /// from one measurement to the next, by 0.4 at most (3 rods on balls, once 3.3). What is held or closed was not measured for x86-64.
 ///
-/// In the plane chains whose tip is pinned take more: 5.0 plain runs (instructions 6.7) for three rods and RK4, 5.4 (6.8) for twenty, x86-64-v3. A four-bar
-/// linkage takes 6.5 (DOP853 5.3), a rod with one window of four rods 6.0, with two in a row 6.5, with five 8.9: for each correction of a
-/// projection costates walk once for each loop.
+/// In the plane what is held or closed takes more, instructions for plain ones on x86-64-v3 by RK4: 4.2 for three rods whose tip is pinned, 4.4 for
+/// twenty, 4.7 for a rod with one window of four rods or with two in a row. (A four-bar linkage, five windows, and times were measured before closures
+/// were read without jets: 6.5, by DOP853 5.3, and 8.9; three and twenty rods took 5.0 and 5.4 then, with 5.7 and 6.7 times the instructions.) For each
+/// correction of a projection costates walk once for each loop.
 ///
 /// Under implicit rules rods with stiff hinges, x86-64-v3, instructions of the plain run a body and sweep; by `GeneralizedAlpha` the steps under
 /// torques are those of `step`, with three sweeps instead of two:
