@@ -59,8 +59,8 @@
 mod functions;
 
 pub use crate::mechanics::spatial::body_axes::{
-    AboutZ, AlongZ, Armature, Axis, Base, Bearing, Block, BodyAxes, Hinge, Leaning, Level, Link, Offset, OnBody,
-    OnGround, Place, Quarter, Slide, Torques, Turned, Upright, Yielding,
+    AboutZ, AlongZ, Armature, Axis, Base, Bearing, Block, BodyAxes, Flange, Hinge, Leaning, Level, Link, Offset,
+    OnBody, OnGround, Place, Quarter, Slide, Torques, Turned, Upright, Yielding,
 };
 pub use crate::spatial::*;
 pub use functions::{
