@@ -24,17 +24,22 @@ use typenum::U0;
 /// let link = Link::general(3.0, [0.2, 0.0, 0.0], [[0.02, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.05]]);
 /// let (waist, shoulder) = (Hinge::level(), Hinge::level().turned(Quarter::<30>));
 /// let elbow = Hinge::at::<1>([0.4, 0.0, 0.0]);
-/// // The tip of the last link is held where it is, by a ball.
 /// let chain = (waist, link, shoulder, link, elbow, link, elbow, link, Flange::at([0.4, 0.0, 0.0]));
-/// let free = System::new(Base::origin(), chain, Free)?;
-/// let q = [0.1, 0.5, -0.9, 0.7];
-/// let tip = free.places(&q)?[3].point([0.4, 0.0, 0.0]);
-/// let held = System::new(Base::origin(), chain, Pinned::at(tip.into()))?.with_gravity([0.0, 0.0, -9.81]);
-/// let start = held.at_joints(&q, &[0.0; 4])?;
+/// // Where its flange is, a ball holds it.
+/// let open = System::new(Base::origin(), chain, Free)?;
+/// let mut start = open.motion();
+/// start.set_coordinates(&[0.1, 0.5, -0.9, 0.7])?;
+/// let place = open.stations(&start, &Unloaded)?.tip().frame.place;
+/// let held = System::new(Base::origin(), chain, Pinned::at(place.into()))?.with_gravity([0.0, 0.0, -9.81]);
+/// let mut start = held.motion();
+/// start.set_coordinates(&[0.1, 0.5, -0.9, 0.7])?;
+/// let end = held.simulate(held.assembled(start, &Unloaded)?, Dop853::tolerance(1e-9), 0.5, |_| ())?.motion;
+/// let tip = held.stations(&end, &Unloaded)?.tip().frame.place;
+/// assert!((tip - place).norm() < 1e-12);
 /// # Ok::<(), catena::Error>(())
 /// ```
 ///
-/// It is no joint of one coordinate, and counts among joints as a weld does: loads in joints by [`Torques`](super::Torques) do not see it.
+/// It counts among joints as a weld does, but has no coordinate, so [`Torques`](super::Torques) have no number for it. Functions of lists know no flange.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
