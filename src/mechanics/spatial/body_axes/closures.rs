@@ -23,7 +23,7 @@ use nalgebra::Vector3;
     ))
 )]
 pub struct ClosedGains<T: Copy, C: Closures = Open> {
-    /// Its gains.
+    /// Gains of the joint.
     pub gains: Gains<T>,
     /// Acceleration of the coordinate for each closure force.
     pub per_closure: C::Each<T>,

@@ -47,7 +47,7 @@ pub trait Outboard<T: Scalar>: Copy {
     type Closures: Closures;
     /// The relation with what is known of it.
     fn sparse(self) -> Sparse<T>;
-    /// What it says of closure forces.
+    /// What the relation says of closure forces.
     fn cuts(self) -> LocalCuts<T, Self::Closures>;
 }
 
