@@ -1,6 +1,7 @@
 //! Pictures that move: the links of a scene over time as an SVG animated by itself (SMIL), without a script.
 //!
-//! Where readers ask for less motion they see the still: the whole path of the traced point, and the links as they are at the start or at an instant that says more.
+//! Where readers ask for less motion they see the still: the whole path of the traced point, and the links as they are at the start or at an
+//! instant that says more.
 
 use super::panel::Panel;
 use super::{Drawn, FAINT, GREY, INK};
