@@ -25,7 +25,7 @@ use crate::walks::stir::Stir;
 use nalgebra::Vector3;
 
 impl<T: Scalar> Takes<Spatial<T>, Orient> for Ball {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         _: &mut Orient,
@@ -48,7 +48,7 @@ pub trait KnowsBalls {}
 impl KnowsBalls for Explicit {}
 
 impl<T: Scalar, C: Closures, By: Springs<T> + KnowsBalls> Takes<Spatial<T>, Factor<C, By>> for Ball {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         _: &mut Factor<C, By>,
@@ -64,7 +64,7 @@ impl<T: Scalar, C: Closures, By: Springs<T> + KnowsBalls> Takes<Spatial<T>, Fact
 }
 
 impl<T: Scalar, C: Closures> Takes<Spatial<T>, Reach<T, C>> for Ball {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         walk: &mut Reach<T, C>,
@@ -79,7 +79,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Reach<T, C>> for Ball {
 
 impl<T: Scalar, C: Closures> Takes<Spatial<T>, Meet<T, C>> for Ball {
     /// H w + Kᵀ W + e_m = A λ, with w = free + G W and G = −H⁻¹ Kᵀ; what is left in place of λ is free, in inertial axes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         walk: &mut Meet<T, C>,
@@ -94,7 +94,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Meet<T, C>> for Ball {
 }
 
 impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Ball {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         walk: &mut Stir<T, C>,
@@ -111,7 +111,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Ball {
 }
 
 impl<T: Scalar> Takes<Spatial<T>, PullBack> for Ball {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         walk: &mut PullBack,

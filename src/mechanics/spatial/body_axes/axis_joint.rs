@@ -94,7 +94,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         }
         Turn { attitude: self.attitude(*position, &inboard.attitude), ..inboard }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn recover<X: Closures, By: Springs<T>>(
         &self,
         inboard: Acceleration<T>,
@@ -108,7 +108,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         let p = self.accelerated(stand, [Self::known_swung(swung), bias], p);
         self.released(p, kept, kept.free, const { A::ON || By::STIFF }, rate)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn respond<X: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -181,7 +181,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     Axis<T, M, C, PLACE, L, A, B>
 {
     /// The coordinate's acceleration, and that of the body: where nothing adds to the pivot, the share of its own axis is one.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn released(
         &self,
         p: [Triple<T>; 2],

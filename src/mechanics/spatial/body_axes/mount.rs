@@ -71,7 +71,7 @@ macro_rules! mount {
             fn configure(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 inboard
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn recover<C: Closures, By: Springs<T>>(
                 &self,
                 inboard: Acceleration<T>,
@@ -82,7 +82,7 @@ macro_rules! mount {
             ) -> Acceleration<T> {
                 self.respond::<C>(inboard, posture, &(), multipliers, &mut ())
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn respond<C: Closures>(
                 &self,
                 Acceleration { linear, angular }: Acceleration<T>,
@@ -122,7 +122,7 @@ macro_rules! mount {
             fn turned(&self, (): &(), (): &(), turn: Turn<T>) -> Turn<T> {
                 if const { $upright } { turn } else { Turn { spin: turn.attitude.transposed(turn.spin), ..turn } }
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn orient(
                 &self,
                 (): &(),
@@ -156,7 +156,7 @@ mount!(Upright, true);
 impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T>, W> for BodyAxes {
     type Out = Full<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
         outer: Local<T>,
@@ -171,7 +171,7 @@ impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T>, W> for Body
 impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Borne, W> for BodyAxes {
     type Out = Settled;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
         _: Borne,
@@ -189,7 +189,7 @@ macro_rules! upright {
         impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, $Outer, W> for Upright {
             type Out = Borne;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn condense(
                 &self,
                 _: $Outer,
