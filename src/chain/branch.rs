@@ -42,6 +42,7 @@ impl<S: Space, A: Shape<S>> Shape<S> for Branch<A> {
     const LINEAR: bool = A::LINEAR;
     const OWN_AXES: bool = A::OWN_AXES;
     const SINES: usize = A::SINES;
+    const FLANGED: bool = A::FLANGED;
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
         self.0.store::<F::In<Arm>>(F::fill_in::<Arm>(fill))

@@ -59,6 +59,7 @@ impl<S: Space, E: Shape<S>> Shape<S> for Named<E> {
     const LINEAR: bool = E::LINEAR;
     const OWN_AXES: bool = E::OWN_AXES;
     const SINES: usize = E::SINES;
+    const FLANGED: bool = E::FLANGED;
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> E::Store<F> {
         self.item.store::<F>(fill)

@@ -84,6 +84,7 @@ impl<S: Space, M: Shape<S>, A: Shape<S>, K: Closing<S>> Shape<S> for Network<M, 
     const LINEAR: bool = M::LINEAR && A::LINEAR;
     const OWN_AXES: bool = M::OWN_AXES || A::OWN_AXES;
     const SINES: usize = M::SINES.saturating_add(A::SINES);
+    const FLANGED: bool = M::FLANGED || A::FLANGED;
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
         let main = self.main().store::<F::In<Main<OwnOf<S, K>>>>(F::fill_in::<Main<OwnOf<S, K>>>(fill));

@@ -45,6 +45,7 @@ macro_rules! compound {
                 const LINEAR: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::LINEAR;
                 const OWN_AXES: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::OWN_AXES;
                 const SINES: usize = <$Parts as $crate::internals::shape::Shape<Spaced>>::SINES;
+                const FLANGED: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::FLANGED;
 
                 fn store<Stored: $crate::internals::shape::Field<Spaced>>(&self, fill: Stored::Fill) -> Self::Store<Stored> {
                     $crate::internals::shape::Shape::<Spaced>::store::<Stored>(&self.$parts, fill)

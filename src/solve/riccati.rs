@@ -13,6 +13,7 @@ use crate::shape::{Body, Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::space::FrameOf;
 use crate::visit::survey;
 use crate::walks::entries::{Entry, entries};
+use crate::walks::faced::faced;
 use crate::walks::measure::gains;
 use crate::walks::recover::recover;
 use crate::walks::respond::respond;
@@ -117,6 +118,7 @@ pub fn sweep<S: Space, E, W, R, P>(
     let ground = &root.ground(*time);
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
     sines(chain, position, x);
+    faced(chain, *ground, position, rate, x);
     let turn = chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
     // Bodies that take loads in their own axes are told their attitudes.
     let listed = const { W::Loads::ON && !W::Loads::READS && !(E::OWN_AXES && size_of::<OnBody<S, W>>() > 0) };

@@ -29,11 +29,11 @@ impl<T: Scalar, const N: usize> Through<T> for Factor<T, N> {
         let none = [Number::zero(); 3];
         (relation.force, relation.torque) = (none, none);
         let relation = if const { A::TURNS } {
-            let (relation, gains) = relation.hinged(T::one(), axis.inertia(), [o; 2]);
+            let (relation, gains, _) = relation.hinged(T::one(), axis.inertia(), [o; 2]);
             self.gains[self.next] = gains;
             relation.turned_about_z(stand[0], stand[1])
         } else {
-            let (relation, gains) = relation.slid(T::one(), axis.inertia(), [o; 3]);
+            let (relation, gains, _) = relation.slid(T::one(), axis.inertia(), [o; 3]);
             self.gains[self.next] = gains;
             relation.shifted([Number::zero(), Number::zero(), Number::of(stand[1])], none)
         };

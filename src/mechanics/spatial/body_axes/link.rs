@@ -10,6 +10,7 @@ use crate::error::Fault;
 use crate::error::checks::largest;
 use crate::lift::Lift;
 use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
+use crate::relation::Closures;
 use crate::relation::spatial::Empty;
 use crate::relation::spatial::algebra::{Columns, zero};
 use crate::scalar::{Real, Scalar};
@@ -260,20 +261,21 @@ where
     }
 }
 
-impl<T: Scalar, const MOMENT: u8, const TENSOR: u8, W> Condense<Spatial<T>, Local<T>, W> for Link<T, MOMENT, TENSOR>
+impl<T: Scalar, Q: Closures, const MOMENT: u8, const TENSOR: u8, W> Condense<Spatial<T>, Local<T, Q>, W>
+    for Link<T, MOMENT, TENSOR>
 where
     W: Sweep<Spatial<T>, Loads: Loading<Spatial<T>, OnBody: OnLink<T>>>,
 {
-    type Out = Local<T>;
+    type Out = Local<T, Q>;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
-        outer: Local<T>,
+        outer: Local<T, Q>,
         posture: Posture<'_, Spatial<T>, Self>,
         given: Given<'_, Spatial<T>, Self, W>,
         (): &mut (),
-    ) -> Local<T> {
+    ) -> Local<T, Q> {
         let relation = outer.with(self.alone([posture.y[0].into(), posture.y[1].into()]));
         given.on_bodies.on_others(relation, given.springs)
     }

@@ -1,12 +1,12 @@
 //! Loads on links in a sweep: wrenches, and forces that yield.
 
 use super::number::triple;
-use super::relation::{Alone, Local, Outboard};
+use super::relation::{Alone, Local, LocalCuts, Outboard};
 use super::sparse::Sparse;
 use crate::element::{Load, Springs};
 use crate::mechanics::spatial::{BodyMotion, Spatial, Wrench};
 use crate::relation::spatial::algebra::{cross, zero};
-use crate::relation::{Absent, Additive, Join, Part};
+use crate::relation::{Absent, Additive, Closures, Cuts, Join, Open, Part};
 use crate::scalar::Scalar;
 use core::ops::Add;
 use nalgebra::Vector3;
@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 /// A load on a link, in axes of the link about its origin, or none.
 pub trait OnLink<T: Scalar>: Part {
     /// What a link that carries no others makes of it.
-    type Alone<const MOMENT: u8, const TENSOR: u8>: Outboard<T>;
+    type Alone<const MOMENT: u8, const TENSOR: u8>: Outboard<T, Closures = Open>;
     /// The load on a link that carries no others.
     fn on_alone<K: Springs<T>, const MOMENT: u8, const TENSOR: u8>(
         self,
@@ -22,7 +22,7 @@ pub trait OnLink<T: Scalar>: Part {
         springs: K,
     ) -> Self::Alone<MOMENT, TENSOR>;
     /// The load on a link that carries others.
-    fn on_others<K: Springs<T>>(self, relation: Local<T>, springs: K) -> Local<T>;
+    fn on_others<K: Springs<T>, Q: Closures>(self, relation: Local<T, Q>, springs: K) -> Local<T, Q>;
 }
 
 impl<T: Scalar> OnLink<T> for Absent {
@@ -36,7 +36,7 @@ impl<T: Scalar> OnLink<T> for Absent {
         link
     }
     #[inline(always)]
-    fn on_others<K: Springs<T>>(self, relation: Local<T>, _: K) -> Local<T> {
+    fn on_others<K: Springs<T>, Q: Closures>(self, relation: Local<T, Q>, _: K) -> Local<T, Q> {
         relation
     }
 }
@@ -46,10 +46,15 @@ impl<T: Scalar> OnLink<T> for Absent {
 pub struct Bearing<T, const MOMENT: u8, const TENSOR: u8>(Alone<T, MOMENT, TENSOR>);
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Outboard<T> for Bearing<T, MOMENT, TENSOR> {
+    type Closures = Open;
     #[inline(always)]
     fn sparse(self) -> Sparse<T> {
         let (force, torque) = (triple(self.0.force), triple(self.0.torque));
         Sparse { force, torque, ..self.0.parts() }
+    }
+    #[inline(always)]
+    fn cuts(self) -> LocalCuts<T, Open> {
+        Cuts::none()
     }
 }
 
@@ -72,7 +77,7 @@ impl<T: Scalar> OnLink<T> for Wrench<T> {
         Bearing(Alone { force: less(still, self.force), torque: less(link.torque, self.torque), ..link })
     }
     #[inline(always)]
-    fn on_others<K: Springs<T>>(self, relation: Local<T>, _: K) -> Local<T> {
+    fn on_others<K: Springs<T>, Q: Closures>(self, relation: Local<T, Q>, _: K) -> Local<T, Q> {
         let (force, torque) = (less(relation.force, self.force), less(relation.torque, self.torque));
         Local { force, torque, ..relation }
     }
@@ -197,14 +202,14 @@ impl<T: Scalar> OnLink<T> for Yielding<T> {
         self.on_others(link.parts().dense(), springs)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn on_others<K: Springs<T>>(self, relation: Local<T>, springs: K) -> Local<T> {
+    fn on_others<K: Springs<T>, Q: Closures>(self, relation: Local<T, Q>, springs: K) -> Local<T, Q> {
         let relation = self.wrench.on_others(relation, springs);
         if const { !K::STIFF } {
             return relation;
         }
         let Block { linear, coupling, angular } = self.stiffness.with(self.damping, |k, c| springs.pivot(k, c));
         let none = [T::zero(); 3];
-        let yielding = Local { linear, coupling, angular, force: none, torque: none };
+        let yielding = Local { linear, coupling, angular, force: none, torque: none, cuts: Cuts::none() };
         // What it yields to the acceleration sought, less to that which led there.
         let [force, torque] = yielding.answer(self.led);
         let (force, torque) = (less(relation.force, force), less(relation.torque, torque));

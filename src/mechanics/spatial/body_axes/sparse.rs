@@ -5,6 +5,7 @@ use super::number::{
     rows, scaled, sum as added, tilde, transposed, triangle_less, triangle_sum, triangle_values, triple, values,
 };
 use super::relation::{Gains, Local};
+use crate::relation::Cuts;
 use crate::scalar::Scalar;
 
 /// A relation whose zeros are known.
@@ -40,13 +41,14 @@ impl<T: Scalar> Sparse<T> {
             angular: triangle_values(self.angular),
             force: values(self.force),
             torque: values(self.torque),
+            cuts: Cuts::none(),
         }
     }
 
     /// Lets the body turn about z under a torque, with what else adds to the pivot; the other side of the hinge accelerates by (0, c)
-    /// besides, c_z = 0. What is left of S about z is the share of that addition in the pivot: nothing without.
+    /// besides, c_z = 0. What is left of S about z is the share of that addition in the pivot: nothing without. The third answer is 1 / D.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn hinged(self, effort: T, more: Number<T>, [cx, cy]: [T; 2]) -> (Self, Gains<T>) {
+    pub fn hinged(self, effort: T, more: Number<T>, [cx, cy]: [T; 2]) -> (Self, Gains<T>, T) {
         let Self { linear, coupling: [kx, ky, kz], angular, force, torque } = self;
         // U = S z, without its own row; G = U / D.
         let (u, w, own) = ([kx[2], ky[2], kz[2]], [angular[4], angular[3]], angular[2]);
@@ -74,12 +76,12 @@ impl<T: Scalar> Sparse<T> {
             angular: [b[0].value(), b[1].value(), Number::one().minus(share).value()],
             free,
         };
-        (Self { linear, coupling: [kx, ky, kz], angular, force, torque }, gains)
+        (Self { linear, coupling: [kx, ky, kz], angular, force, torque }, gains, inverse)
     }
 
     /// Lets the body slide along z under a force, with what else adds to the pivot; the other side accelerates by (c, 0) besides.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn slid(self, effort: T, more: Number<T>, c: [T; 3]) -> (Self, Gains<T>) {
+    pub fn slid(self, effort: T, more: Number<T>, c: [T; 3]) -> (Self, Gains<T>, T) {
         let Self { linear, coupling: [kx, ky, kz], angular, force, torque } = self;
         let (u, w, own) = ([linear[4], linear[3]], kz, linear[2]);
         let inverse = own.plus(more).value().recip();
@@ -102,7 +104,7 @@ impl<T: Scalar> Sparse<T> {
             angular: values(b),
             free,
         };
-        (Self { linear, coupling, angular, force, torque }, gains)
+        (Self { linear, coupling, angular, force, torque }, gains, inverse)
     }
 
     /// The body accelerates by (c, γ) besides: e + S (c, γ).
