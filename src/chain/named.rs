@@ -175,6 +175,8 @@ impl<S: Space, R: Root<S>> Root<S> for Named<R> {
     type Pairs = R::Pairs;
     type Joint = Named<R::Joint>;
 
+    const RESTS: bool = R::RESTS;
+
     fn joint(&self) -> Named<R::Joint> {
         self.item.joint().named(self.name)
     }

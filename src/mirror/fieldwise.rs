@@ -111,6 +111,21 @@ macro_rules! fieldwise_position {
                 self.$i.transposed_step(&_from.$i, here, &_of_second.$i, of_here, &mut _of_from.$i);
             )*
         }
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn transposed_second(
+            &self,
+            _from: &Self,
+            (_rate, _acceleration): (&Self::Rate, &Self::Rate),
+            _of_second: &Self::Rate,
+            (_of_position, _of_rate): (&mut Self::Rate, &mut Self::Rate),
+            _of_from: &mut Self::Rate,
+        ) {
+            $(
+                let here = (&_rate.$i, &_acceleration.$i);
+                let of_here = (&mut _of_position.$i, &mut _of_rate.$i);
+                self.$i.transposed_second(&_from.$i, here, &_of_second.$i, of_here, &mut _of_from.$i);
+            )*
+        }
         #[inline(always)]
         fn displace(&mut self, _step: &Self::Rate) {
             $(self.$i.displace(&_step.$i);)*

@@ -302,6 +302,27 @@ impl<T: Scalar> Position<T> for Rotation<T> {
         *of_position = add_scaled(sum, -dot(spin, spin).scale(T::Real::of(0.25)), second).into();
         *of_rate = back(y).into();
     }
+
+    // Of v, for given accelerations, −(ω̇·σ) v / (4 p₀) + ½ ω̇ × σ − ¼ ω² σ, which 𝒥⁻ᵀ x = p₀ x − ½ v × x turns into Ψ. Below u = v / 2.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn transposed_second(
+        &self,
+        from: &Self,
+        (rate, acceleration): (&[T; 3], &[T; 3]),
+        of_second: &[T; 3],
+        (of_position, of_rate): (&mut [T; 3], &mut [T; 3]),
+        of_from: &mut [T; 3],
+    ) {
+        let [spin, angular, second] = [rate, acceleration, of_second].map(|list| Vector3::from(*list));
+        let (Self { w, v: u }, half) = (self.relative_to(from), T::literal(0.5));
+        let of_step = cross(angular, second) - u * (dot(angular, second) * w.recip());
+        let of_step = add_scaled(of_step * half, -dot(spin, spin).scale(T::Real::of(0.25)), second);
+        let turned = of_step * w - cross(u, of_step);
+        let before = cross(u + u, cross_onto(u, turned, turned * w)) + turned;
+        *of_position = (Vector3::from(*of_position) + turned).into();
+        *of_rate = add_scaled(Vector3::from(*of_rate), -dot(u, second), spin).into();
+        *of_from = (Vector3::from(*of_from) - before).into();
+    }
 }
 
 lift!(Rotation { w, v });

@@ -12,8 +12,8 @@ mod slider;
 
 use ends::TIP;
 pub(crate) use laws::NUMBERS;
-pub(crate) use loads::BODY;
 use loads::Felt;
+pub(crate) use loads::{BODY, numbers};
 
 use super::body::Base;
 use crate::adjoint::{self, Kind, Reversed};

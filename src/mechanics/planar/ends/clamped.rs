@@ -12,6 +12,8 @@ use nalgebra::Vector2;
 use num_traits::Zero;
 
 impl<T: Scalar> Ground<T, [T; 3]> for T {
+    const RESTS: bool = true;
+
     fn at(&self, _: T::Real) -> [T; 3] {
         [*self, T::zero(), T::zero()]
     }
@@ -80,6 +82,8 @@ impl<G, A> Clamped<G, A> {
 impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, [T; 3]>> Root<Planar<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held);
     type Joint = Weld<T>;
+
+    const RESTS: bool = G::RESTS && A::RESTS;
 
     fn joint(&self) -> Weld<T> {
         Weld::at(T::zero())

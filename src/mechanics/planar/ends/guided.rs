@@ -90,6 +90,8 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, [T; 3]>> Root<Planar
     type Pairs = (Loose, Held, Held); // along the line, across it, the angle
     type Joint = Slider<T>;
 
+    const RESTS: bool = G::RESTS && A::RESTS;
+
     fn joint(&self) -> Slider<T> {
         Slider::along(self.line)
     }

@@ -52,6 +52,8 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Root<Planar<T>> for Pinned<G> {
     type Pairs = (Held, Held, Loose);
     type Joint = Pin;
 
+    const RESTS: bool = G::RESTS;
+
     fn joint(&self) -> Pin {
         Pin
     }

@@ -9,7 +9,7 @@
 //! ```
 
 use super::{Outboard, Pivot, Pulled, Stirred, Turning};
-use crate::element::{Element, Explicit, Springs};
+use crate::element::{Element, Springs};
 use crate::mechanics::spatial::{Acceleration, Ball, Spatial, Turn, Wrench};
 use crate::relation::Closures;
 use crate::relation::spatial::algebra::{cross, zero};
@@ -36,18 +36,7 @@ impl<T: Scalar> Takes<Spatial<T>, Orient> for Ball {
     }
 }
 
-/// How springs enter sweeps through which costates go backward where there are balls: explicitly.
-#[diagnostic::on_unimplemented(
-    message = "no gradient of a run by an implicit rule goes backward through a `Ball`",
-    label = "an implicit rule, of which the costate sweep knows joints with one coordinate or two",
-    note = "explicit rules know balls",
-    note = "run the same scene over jets or dual numbers instead"
-)]
-pub trait KnowsBalls {}
-
-impl KnowsBalls for Explicit {}
-
-impl<T: Scalar, C: Closures, By: Springs<T> + KnowsBalls> Takes<Spatial<T>, Factor<C, By>> for Ball {
+impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Spatial<T>, Factor<C, By>> for Ball {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,

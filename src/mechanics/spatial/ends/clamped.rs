@@ -25,6 +25,8 @@ pub struct AttitudeMotion<T> {
 }
 
 impl<T: Scalar> Ground<T, AttitudeMotion<T>> for Rotation<T> {
+    const RESTS: bool = true;
+
     fn at(&self, _: T::Real) -> AttitudeMotion<T> {
         let zero = [T::zero(); 3];
         AttitudeMotion { attitude: *self, spin: zero, acceleration: zero }
@@ -94,6 +96,8 @@ impl<G, A> Clamped<G, A> {
 impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> Root<Spatial<T>> for Clamped<G, A> {
     type Pairs = (Held, Held, Held, Held, Held, Held);
     type Joint = Weld<T>;
+
+    const RESTS: bool = G::RESTS && A::RESTS;
 
     fn joint(&self) -> Weld<T> {
         Weld::at(Rotation::identity())

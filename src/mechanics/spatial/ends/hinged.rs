@@ -113,6 +113,8 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
     type Pairs = (Held, Held, Held, Held, Held, Loose);
     type Joint = Revolute<T>;
 
+    const RESTS: bool = G::RESTS && A::RESTS;
+
     fn joint(&self) -> Revolute<T> {
         Revolute::about(self.axis.into())
     }

@@ -52,6 +52,8 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Root<Spatial<T>> for Pinned<G> {
     type Pairs = (Held, Held, Held, Loose, Loose, Loose);
     type Joint = Ball;
 
+    const RESTS: bool = G::RESTS;
+
     fn joint(&self) -> Ball {
         Ball
     }
