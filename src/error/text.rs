@@ -101,6 +101,13 @@ impl fmt::Display for Fault {
                     residual = Number(residual)
                 )
             }
+            Fault::NotAssembled { residual } => {
+                write!(
+                    f,
+                    "what is held together is apart by {residual} (m, or rad): no run begins there; assemble it first",
+                    residual = Number(residual)
+                )
+            }
             Fault::ImpossibleHold { what, residual } => {
                 write!(
                     f,

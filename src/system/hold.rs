@@ -170,7 +170,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             return Ok(());
         }
         let (residual, place) = self.largest_residual(motion, Level::Place);
-        Err(Error::new(Fault::NotClosed { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
+        Err(Error::new(Fault::NotAssembled { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
     }
 
     /// The largest correction of a coordinate, relative to it where it is larger than one; infinite where there is none.

@@ -39,7 +39,7 @@ fn runs_do_not_begin_from_open_chains() -> Result<(), Error> {
         let start = scene.at_rest(&[0.3, -0.3])?;
         let mut shown = 0;
         let stopped = scene.simulate(start, Rk4::step(0.01), 0.1, |_| shown += 1).unwrap_err();
-        let Fault::NotClosed { residual } = stopped.error.fault else { panic!("{}", stopped.error) };
+        let Fault::NotAssembled { residual } = stopped.error.fault else { panic!("{}", stopped.error) };
         near(residual, (2.0 * 0.3_f64.cos() - place).abs(), 1e-14);
         assert!(shown == 0 && stopped.last == start && stopped.error.place == Some(Place::Tip));
     }
@@ -53,7 +53,7 @@ fn runs_do_not_begin_from_open_loops() -> Result<(), Error> {
     let scene = System::new(Clamped::at(0.0, 0.0, 0.0), loops, Free)?.with_gravity(9.81);
     let error =
         scene.simulate(scene.at_rest(&[1.0, -0.5, 0.3])?, Sdirk4::new().step(0.01), 0.1, |_| ()).unwrap_err().error;
-    assert!(matches!((error.fault, error.place), (Fault::NotClosed { .. }, Some(Place::Station(7)))), "{error}");
+    assert!(matches!((error.fault, error.place), (Fault::NotAssembled { .. }, Some(Place::Station(7)))), "{error}");
     let start = scene.assembled(scene.at_rest(&[1.0, -0.5, 0.3])?, &Unloaded)?;
     scene.simulate(start, Sdirk4::new().step(0.01), 0.1, |_| ())?;
     Ok(())
@@ -66,7 +66,7 @@ fn nor_in_space() -> Result<(), Error> {
     let scene = System::new(Clamped::origin(), (Ball, rod, Ball, rod), Pinned::at([1.0, 0.5, 0.0]))?;
     let guess = scene.at_rest(&[0.1, 0.3, 0.2, 0.0, -0.4, 0.1])?;
     let error = scene.simulate(guess, Rk4::step(0.01), 0.1, |_| ()).unwrap_err().error;
-    assert!(matches!((error.fault, error.place), (Fault::NotClosed { .. }, Some(Place::Tip))), "{error}");
+    assert!(matches!((error.fault, error.place), (Fault::NotAssembled { .. }, Some(Place::Tip))), "{error}");
     scene.simulate(scene.assembled(guess, &Unloaded)?, Rk4::step(0.01), 0.1, |_| ())?;
     Ok(())
 }
