@@ -7,8 +7,10 @@ use crate::element::Element;
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::mechanics::planar::adjoint::BODY;
-use crate::mechanics::planar::{Base, Body, ElasticHinge, Pin, Planar, PointMass, RigidBody, Rod, Slider, Weld};
+use crate::mechanics::planar::adjoint::{BODY, LAW_NUMBERS, NUMBERS_OF_JOINT};
+use crate::mechanics::planar::{
+    Base, Body, ElasticHinge, HingeAxes, Linear, Pin, Planar, PointMass, RigidBody, Rod, Slider, Weld,
+};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{
     Around, AtClosing, Closing, Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms,
@@ -48,12 +50,18 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 
     /// Adds what a joint with two laws does: each has half of the numbers.
     pub(super) fn add_two(&mut self, laws: (&impl Lift<Jet<T, K>, T>, &impl Lift<Jet<T, K>, T>), by: &[T; NUMBERS]) {
-        let (one, other) = by.split_at(NUMBERS / 2);
+        let (one, other) = by.split_at(LAW_NUMBERS);
+        self.add_law(laws.0, one);
+        self.add_law(laws.1, other);
+        self.met += 1;
+    }
+
+    /// Adds what one of several laws of a joint does: each has a share of its numbers.
+    fn add_law(&mut self, law: &impl Lift<Jet<T, K>, T>, by: &[T]) {
         let before = core::mem::take(&mut self.most);
-        self.add_joint(laws.0, one);
-        self.add_joint(laws.1, other);
+        self.add_joint(law, by);
         self.met -= 1;
-        self.most = before.max(if self.most > NUMBERS / 2 { self.most + NUMBERS / 2 } else { 0 });
+        self.most = before.max(if self.most > LAW_NUMBERS { self.most + NUMBERS - LAW_NUMBERS } else { 0 });
     }
 
     /// Adds what a tip does, number by number.
@@ -75,7 +83,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 
 impl<T: Scalar, const K: usize> Walk<Planar<Jet<T, K>>> for Along<T, K> {
     type Carried = ();
-    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; BODY]>>, Ref<PerJoint<[T; NUMBERS]>>);
+    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; BODY]>>, Ref<PerJoint<[T; NUMBERS_OF_JOINT]>>);
 }
 
 impl<T: Scalar, const K: usize> Selective<Planar<Jet<T, K>>> for Along<T, K> {
@@ -141,6 +149,28 @@ macro_rules! joints {
 }
 joints!([] Pin, [] Weld<Jet<T, K>>, [L] ElasticHinge<L>, [L] Slider<Jet<T, K>, L>);
 
+impl<T, R, X, Y, A, const K: usize> Takes<Planar<Jet<T, K>>, Along<T, K>>
+    for ElasticHinge<R, Linear<Jet<T, K>, X, Y, A>>
+where
+    T: Scalar,
+    R: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    X: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    Y: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    A: HingeAxes,
+{
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
+        let ((rotary, x, y), mass) = self.parts();
+        let mut shares = by.chunks(LAW_NUMBERS);
+        let mut next = || shares.next().unwrap_or_default();
+        let (of_rotary, of_x, of_y) = (next(), next(), next());
+        walk.add_law(rotary, of_rotary);
+        walk.add_law(x, of_x);
+        walk.add_law(y, of_y);
+        next().iter().for_each(|by| walk.add(*by, mass));
+        walk.met += 1;
+    }
+}
+
 impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
     /// The gradient along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them, lengths,
     /// masses, gravity, one thickness in sixty rods. The scene is built over jets once, whatever the length of the run.
@@ -184,7 +214,7 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
         Elements<Planar<Jet<T, K>>, R, C>: Takes<Planar<Jet<T, K>>, Along<T, K>>
             + Shape<Planar<Jet<T, K>>, Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>>
             + Shape<Planar<Jet<T, K>>, Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>>
-            + Shape<Planar<Jet<T, K>>, Store<PerJoint<[T; NUMBERS]>> = E::Store<PerJoint<[T; NUMBERS]>>>,
+            + Shape<Planar<Jet<T, K>>, Store<PerJoint<[T; NUMBERS_OF_JOINT]>> = E::Store<PerJoint<[T; NUMBERS_OF_JOINT]>>>,
     {
         let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
         let elements = scene.elements();

@@ -11,8 +11,8 @@ use crate::lift::Lift;
 use crate::mechanics::spatial::adjoint::{BODY, numbers};
 use crate::mechanics::spatial::axial::{Axial, aside};
 use crate::mechanics::spatial::{
-    Ball, Base, Cylindrical, Inertial, OfJoint, PointMass, Prismatic, Revolute, RigidBody, Rod, Spatial, Universal,
-    Weld,
+    Ball, Base, Cylindrical, Floating, Inertial, OfJoint, PointMass, Prismatic, Revolute, RigidBody, Rod, Spatial,
+    Universal, Weld,
 };
 use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};
@@ -91,6 +91,13 @@ impl<T: Scalar, const K: usize> Numbered<T, K> for Ball {
     }
 }
 
+impl<T: Scalar, const K: usize> Numbered<T, K> for Floating<Jet<T, K>> {
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
+        walk.add(by.more[0], self.lumped());
+        walk.met += 1;
+    }
+}
+
 impl<T: Scalar, const K: usize> Numbered<T, K> for Weld<Jet<T, K>> {
     fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
         walk.add_vector(by.turn, turn(self.attitude()));
@@ -164,7 +171,7 @@ macro_rules! joints {
         }
     )*};
 }
-joints!([] Ball, [] Weld<Jet<T, K>>, [L] Revolute<Jet<T, K>, L>, [L] Prismatic<Jet<T, K>, L>);
+joints!([] Ball, [] Floating<Jet<T, K>>, [] Weld<Jet<T, K>>, [L] Revolute<Jet<T, K>, L>, [L] Prismatic<Jet<T, K>, L>);
 joints!([L M] Cylindrical<Jet<T, K>, L, M>, [L M] Universal<Jet<T, K>, L, M>);
 
 impl<T: Scalar, J: Closing<Spatial<Jet<T, K>>> + Numbered<T, K>, const K: usize> Around<Spatial<Jet<T, K>>, J>

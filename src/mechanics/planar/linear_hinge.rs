@@ -85,16 +85,25 @@ impl<T: Scalar, K: Springs<T>> Rotation<T, K> for Absent {
 #[cfg_attr(
     feature = "serde",
     serde(bound(
-        serialize = "RelativeGain<T, C>: serde::Serialize, Vector2<T>: serde::Serialize",
-        deserialize = "RelativeGain<T, C>: serde::Deserialize<'de>, Vector2<T>: serde::Deserialize<'de>"
+        serialize = "RelativeGain<T, C>: serde::Serialize, Vector2<T>: serde::Serialize, T: serde::Serialize",
+        deserialize = "RelativeGain<T, C>: serde::Deserialize<'de>, Vector2<T>: serde::Deserialize<'de>, T: serde::Deserialize<'de>"
     ))
 )]
 pub struct LinearGains<T: Copy, C: Closures> {
-    rotation: RelativeGain<T, C>,
-    y: RelativeGain<T, C>,
-    x: RelativeGain<T, C>,
+    pub(super) rotation: RelativeGain<T, C>,
+    pub(super) y: RelativeGain<T, C>,
+    pub(super) x: RelativeGain<T, C>,
+    /// Inverse pivots of x, y and rotation: what only costates ask for, and sweeps do not write.
+    pub(super) pivots: [T; 3],
     /// What the inboard body's angular acceleration added to the second derivatives of the coordinates (m/s²), last time.
     swing: Vector2<T>,
+}
+
+impl<T: Scalar, R, X, Y, A> ElasticHinge<R, Linear<T, X, Y, A>> {
+    /// Its laws, of the rotation and along both axes, and the point mass (kg) at its outboard point.
+    pub(crate) fn parts(&self) -> ((&R, &X, &Y), T) {
+        ((&self.rotary, &self.linear.x, &self.linear.y), self.linear.lumped)
+    }
 }
 
 /// The coordinates are the displacement along the axes (m) and the relative angle (rad).
@@ -118,13 +127,14 @@ where
         (T::zero(), T::zero(), T::zero())
     }
     fn kept<C: Closures>() -> LinearGains<T, C> {
-        let swing = Vector2::new(T::zero(), T::zero());
-        LinearGains { rotation: RelativeGain::blank(), y: RelativeGain::blank(), x: RelativeGain::blank(), swing }
+        let (swing, pivots) = (Vector2::new(T::zero(), T::zero()), [T::zero(); 3]);
+        let blank = RelativeGain::blank;
+        LinearGains { rotation: blank(), y: blank(), x: blank(), pivots, swing }
     }
     #[inline(always)]
     fn homogeneous<C: Closures>(kept: &LinearGains<T, C>) -> LinearGains<T, C> {
-        let LinearGains { rotation, y, x, swing } = kept;
-        LinearGains { rotation: rotation.homogeneous(), y: y.homogeneous(), x: x.homogeneous(), swing: *swing }
+        let LinearGains { rotation, y, x, .. } = kept;
+        LinearGains { rotation: rotation.homogeneous(), y: y.homogeneous(), x: x.homogeneous(), ..*kept }
     }
     fn is_finite<C: Closures>(kept: &LinearGains<T, C>) -> bool {
         kept.rotation.is_finite() && kept.y.is_finite() && kept.x.is_finite()

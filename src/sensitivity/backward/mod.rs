@@ -76,9 +76,10 @@ pub use tape::Tape;
 ///
 /// # What it knows
 ///
-/// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs, in tuples, arrays, vectors
+/// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` (with linear springs along axes of
+/// the inboard body, or along those of (33)-(35), each of three laws then of three numbers or less), in tuples, arrays, vectors
 /// and branches, named or not, and in loops that a `Pin` or a `Weld` closes (`Network`, `ClosedLoop`), nested or not, from a `Pinned` or
-/// `Clamped` root that does not move to free tips, or to those that are `Pinned`, `Clamped` or `Guided` at a place that does not move. The
+/// `Clamped` root that does not move, or a `Free` one, to free tips, or to those that are `Pinned`, `Clamped` or `Guided` at a place that does not move. The
 /// projection that puts a tip back and closes loops at the end of a step is part of the step, and of the gradient, as many corrections as it
 /// takes; places, angles and lines of tips are parameters. Forces that hold a tip or close a loop are no part of states here: costs may not
 /// read them. Initial coordinates are derived by as if each could be changed alone: a length, changed at fixed coordinates, opens a loop, which
@@ -99,7 +100,7 @@ pub use tape::Tape;
 /// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`,
 /// `Prismatic`, `Cylindrical` and `Universal` with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom); where
 /// there are two laws, each of three numbers or less), composed in the same ways, also
-/// in loops that a `Ball`, a `Weld` or a `Revolute` closes, from a `Pinned`, `Clamped` or `Hinged` root that does not move to tips that are
+/// in loops that a `Ball`, a `Weld` or a `Revolute` closes, from a `Pinned`, `Clamped` or `Hinged` root that does not move, or a `Free` one, to tips that are
 /// free, or `Pinned`, `Clamped` or `Hinged` at a place that does not move; of projections and initial coordinates holds what was said of the
 /// plane. An attitude has three derivatives, by a rotation vector (rad) in axes of its body: costs add theirs in the same numbers, and steps
 /// linearised have their rows and columns so. Rates of balls are angular velocities in axes of the body (rad/s). Torques are

@@ -2,8 +2,10 @@
 
 mod bodies;
 mod ends;
+mod hinge_axes;
 mod joints;
 mod laws;
+mod linear_hinge;
 mod loads;
 mod loops;
 mod slider;
@@ -24,6 +26,11 @@ use crate::shape::PerAxes;
 use crate::walks::factor::Factor;
 use core::ops::Add;
 use nalgebra::Vector2;
+
+/// Most numbers of each law of a joint that has several.
+pub(crate) const LAW_NUMBERS: usize = NUMBERS / 2;
+/// Most numbers that are kept of a joint: three laws, and a mass.
+pub(crate) const NUMBERS_OF_JOINT: usize = 3 * LAW_NUMBERS + 1;
 
 /// What lies outboard of a station.
 type Outboard<T, C = Open> = adjoint::Outboard<Planar<T>, C>;
@@ -160,7 +167,7 @@ impl<T: Scalar> Reversed for Planar<T> {
     type AtEnds = ();
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
-    type OfJoint = [T; NUMBERS];
+    type OfJoint = [T; NUMBERS_OF_JOINT];
     type Felt = Felt<T>;
     type OfNumbers = [T; BODY];
     type OfTip = [T; TIP];
@@ -197,9 +204,13 @@ impl<T: Scalar> Reversed for Planar<T> {
         let turning = Turning { rate: zero, acceleration: zero, stirring: zero };
         (OnBody { velocity, acceleration: zero, stirring: zero }, AtJoint { turning, velocity }, ())
     }
-    fn of_nothing() -> (Base<T>, [T; BODY], [T; NUMBERS]) {
+    fn of_nothing() -> (Base<T>, [T; BODY], [T; NUMBERS_OF_JOINT]) {
         let zero = T::zero();
-        (Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero }, [zero; BODY], [zero; NUMBERS])
+        (
+            Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero },
+            [zero; BODY],
+            [zero; NUMBERS_OF_JOINT],
+        )
     }
     fn no_tip() -> [T; TIP] {
         [T::zero(); TIP]

@@ -5,6 +5,7 @@ mod ball;
 mod bodies;
 mod ends;
 mod felt;
+mod floating;
 mod inertial;
 mod loads;
 mod loops;

@@ -195,6 +195,7 @@ mod chains;
 mod joints;
 mod laws;
 mod linear;
+mod linear_hinges;
 mod loads;
 mod long;
 mod loops;
