@@ -6,6 +6,7 @@
 //! | two arms meet in a joint | `Network::new(main, side, Pin)` in the chain |
 //! | an arm comes back to its own body | `ClosedLoop` |
 //! | loops in a row | networks within side arms of networks |
+//! | robots in axes of their bodies | arms that begin with `BodyAxes` and end with a [`Flange`](crate::robot::Flange) |
 //! | the ground holds several arms | a `Clamped` root, arms that begin with `RigidBody::massless` |
 //!
 //! A guess does not have to close: `assembled` closes it by the least change of coordinates, or says by how much it cannot.

@@ -78,7 +78,7 @@ impl<T: Scalar> Joint<T> for Floating<T> {
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
         release::floating(self, motion, position, rate)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn moved(
         &self,
         inboard: Frame<T>,
@@ -92,7 +92,7 @@ impl<T: Scalar> Joint<T> for Floating<T> {
         motion.outboard.acceleration.linear += Vector3::from(acceleration.0);
         motion
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -125,7 +125,7 @@ impl<T: Scalar, R: Rigid<T, Closures = Open>, W: Sweep<Spatial<T>, Closures = Op
 {
     type Out = Empty;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
         outer: R,

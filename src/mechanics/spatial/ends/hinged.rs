@@ -112,6 +112,8 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
     type Pairs = (Held, Held, Held, Held, Held, Loose);
     type Joint = Revolute<T>;
 
+    const RESTS: bool = G::RESTS && A::RESTS;
+
     fn joint(&self) -> Revolute<T> {
         Revolute::about(self.axis.into())
     }
@@ -128,7 +130,7 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
     type Closures = Cut<5>;
     type Relation = Full<T, Cut<5>>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn relation(&self, time: T::Real, gravity: Vector3<T>, turn: &Turn<T>) -> Self::Relation {
         let frame = self.ground.frame(time);
         let target = frame.acceleration.linear - gravity;
