@@ -23,7 +23,7 @@ fn paired<T: Scalar>(a: &[T], b: &[T]) -> T {
 /// The impulse by which a plane turns over an approach, for what yields to it: one that leaves the plane is not struck.
 fn struck<T: Scalar>(approach: T, yielded: T, restitution: T) -> T {
     let impulse = -(T::one() + restitution) * approach / yielded;
-    approach.if_negative(impulse, impulse - impulse) // not zero: where nothing yields it is no number
+    approach.if_negative(impulse, impulse * T::zero()) // no number where nothing yields
 }
 
 fn length<T: Scalar>(vector: [T; 3]) -> T {
