@@ -85,7 +85,7 @@ impl<T: Scalar, C: Coefficient<T>> SpringLaw<T> for Stops<T, C> {
         }
         // Halves, for the ends may be as far apart as numbers go.
         let [lower, upper] = [self.lower, self.upper].map(|end| end.scale(T::Real::of(0.5)));
-        positive("range between stops", upper - lower)?;
+        positive("half the range between stops", upper - lower)?;
         positive("depth over which stops set in", self.depth)?;
         not_negative("stiffness of stops", self.stiffness)?;
         not_negative("damping of stops", self.damping.times_onto(T::one(), T::zero()))

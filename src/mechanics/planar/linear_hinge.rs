@@ -100,7 +100,7 @@ pub struct LinearGains<T: Copy, C: Closures> {
 }
 
 impl<T: Scalar, R, X, Y, A> ElasticHinge<R, Linear<T, X, Y, A>> {
-    /// Its laws, of the rotation and along both axes, and the point mass (kg) at its outboard point.
+    /// Laws of the hinge, of its rotation and along both axes, and the point mass (kg) at its outboard point.
     pub(crate) fn parts(&self) -> ((&R, &X, &Y), T) {
         ((&self.rotary, &self.linear.x, &self.linear.y), self.linear.lumped)
     }

@@ -21,7 +21,7 @@ use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::scalar::{Real, Scalar};
 use crate::sensitivity::{Costate, Gradient};
-use crate::simulate::crossing::{LEFT, crosses, crossing, of_one_number};
+use crate::simulate::crossing::{crosses, crossing, departure, of_one_number};
 use crate::system::{Elements, MotionOf, Runs, System};
 use core::any::TypeId;
 use num_traits::Zero;
@@ -68,9 +68,10 @@ where
                 self.steps.step_to(past.time + size * RealOf::<S>::of(theta), past, &mut self.record, next);
                 value(next)
             };
-            let from = if before == 0.0 { LEFT } else { 0.0 };
-            if from > 0.0 {
-                before = cut(from, &mut next.clone())?;
+            let mut from = 0.0;
+            if before == 0.0 || k == 1 {
+                let (rounding, mut beyond) = (RealOf::<S>::EPSILON.sqrt().as_f64(), next.clone());
+                (from, before) = departure([before, after], rounding, |theta| cut(theta, &mut beyond))?;
             }
             if crosses([before, after]) {
                 let share = |part: f64| from + (1.0 - from) * part;
