@@ -103,7 +103,7 @@ pub trait Tip<S: Space> {
 /// A root on ground that rests: that its motion has no derivatives is known by type.
 #[diagnostic::on_unimplemented(
     message = "the root `{Self}` is not known to stand on ground that rests",
-    label = "a ground that may move",
+    label = "a ground that may move, or a root that floats",
     note = "`Taylor` knows `Pinned` and `Clamped`, and `Hinged` of space, at places and angles that are numbers",
     note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
 )]

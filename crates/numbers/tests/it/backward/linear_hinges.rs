@@ -203,3 +203,41 @@ fn motions_of_the_ground_have_no_numbers() {
     let start = states[0];
     assert!(refused(backward.run(&start, 0.1, 2, &[], &mut states)));
 }
+
+/// A root that slides along a line of the ground: its place, angle and line, in a medium.
+#[test]
+fn chains_on_a_line_have_the_gradients_of_jets() {
+    let (steps, coordinates, joints) = (6, 3, 3);
+    let mut noise = Noise::new(22);
+    let mut list = vec![1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2]; // a rod and a rigid body
+    list.extend([0.2, -0.1, 0.3, 0.6, 9.81, 0.2, 3.0, 0.5, 0.4, 0.1]); // the root, gravity, a medium
+    list.extend((0..coordinates).map(|_| noise.between(-1.0, 0.5)));
+    list.extend((0..coordinates).map(|_| noise.next()));
+    list.extend((0..steps * joints).map(|_| 0.5 * noise.next()));
+    let kinds = [
+        ("bodies", 10),
+        ("place of the root", 2),
+        ("its angle and line", 2),
+        ("gravity", 1),
+        ("medium", 5),
+        ("coordinates", coordinates),
+        ("rates", coordinates),
+        ("torques", steps * joints),
+    ];
+    gradients!(
+        "on a line",
+        &kinds,
+        list,
+        [coordinates, joints],
+        Rk4,
+        steps,
+        0.02,
+        |x| {
+            let rod = Rod::<N>::new(x(0), x(1), x(2), x(3));
+            let rigid = RigidBody::<N>::new(x(4), x(5), [x(6), x(7)], [x(8), x(9)]);
+            let root = Guided::on(Clamped::at(x(10), x(11), x(12)), x(13));
+            System::new(root, (rod, Pin, rigid, Pin, rod), Free).unwrap().with_gravity(x(14))
+        },
+        under(5, |x| { Medium { drag: x(15), stiffness: x(16), anchor: [x(17), x(18)], brake: x(19) } })
+    );
+}
