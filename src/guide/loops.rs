@@ -25,6 +25,10 @@
 //! # Ok::<(), catena::Error>(())
 //! ```
 //!
+//! A run begins from what is nearly closed, as from angles of six digits: its first steps close it. Anything else is refused,
+//! [`NotAssembled`](crate::Fault::NotAssembled), rather than drawn together as if by a blow. Rates that closures do not allow are taken to the nearest
+//! that they do, by the inertia of the scene, in the first step, as when links are caught; `assembled` does that before.
+//!
 //! [`assembled_holding`](crate::system::System::assembled_holding) keeps coordinates that are given, a crank's angle for one.
 //!
 //! **Redundant closures.** Loops in space often close more than they have to: a flat four-bar of revolutes holds each of three things twice.

@@ -7,17 +7,18 @@ use crate::element::Element;
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::mechanics::planar::adjoint::{BODY, LAW_NUMBERS, NUMBERS_OF_JOINT};
+use crate::mechanics::planar::adjoint::{BODY, LAW_NUMBERS, NUMBERS_OF_JOINT, numbers};
 use crate::mechanics::planar::{
-    Base, Body, ElasticHinge, HingeAxes, Linear, Pin, Planar, PointMass, RigidBody, Rod, Slider, Weld,
+    Acceleration, Base, Body, ElasticHinge, Frame, HingeAxes, Linear, Pin, Planar, PointMass, RigidBody, Rod, Slider,
+    Weld,
 };
-use crate::scalar::{Jet, Scalar};
+use crate::scalar::{Jet, Real, Scalar};
 use crate::shape::{
     Around, AtClosing, Closing, Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms,
 };
 use crate::spring::SpringLaw;
 use crate::system::{Elements, System};
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// Sums up what derivatives of parameters do to a cost.
 pub struct Along<T, const K: usize> {
@@ -81,6 +82,28 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     }
 }
 
+/// Refuses ground over jets whose motion depends on seeds, but for an offset of its place and orientation that is the same at all times: gradients
+/// know no more of it. `at` gives numbers of both kinds, offsets first.
+pub(super) fn offset_alone<T: Scalar, const K: usize, const N: usize, const M: usize>(
+    times: Option<[T::Real; 2]>,
+    at: impl Fn(T::Real) -> ([Jet<T, K>; N], [Jet<T, K>; M]),
+) -> Result<(), Error> {
+    let Some([last, first]) = times else { return Ok(()) };
+    let (offset, _) = at(first);
+    let slack = T::Real::EPSILON.sqrt();
+    let alike = |a: T, b: T| (a - b).real().abs() <= slack * (T::Real::one() + a.real().abs());
+    for k in 0..9 {
+        // Shares that no period shares.
+        let share = T::Real::of((0.618_033_988_749_895 * k as f64).fract());
+        let (now, moving) = at(first + (last - first) * share);
+        let still = moving.iter().all(|x| x.eps.iter().all(|x| x.is_identical(T::zero())));
+        if !(still && now.iter().zip(&offset).all(|(a, b)| a.eps.iter().zip(b.eps).all(|(a, b)| alike(*a, b)))) {
+            return Err(Error::new(Fault::Unsupported { what: "the gradient by what moves the ground" }));
+        }
+    }
+    Ok(())
+}
+
 impl<T: Scalar, const K: usize> Walk<Planar<Jet<T, K>>> for Along<T, K> {
     type Carried = ();
     type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; BODY]>>, Ref<PerJoint<[T; NUMBERS_OF_JOINT]>>);
@@ -123,11 +146,7 @@ macro_rules! bodies {
                 }
                 walk.add(by.inertia, inertia);
                 walk.add(by.lumped, lumped);
-                let mut list = by_numbers.iter();
-                self.lift(&mut |number: Jet<T, K>| {
-                    list.next().into_iter().for_each(|costate| walk.add(*costate, number));
-                    number.re
-                });
+                by_numbers.iter().zip(numbers(self)).for_each(|(by, number)| walk.add(*by, number));
                 walk.met += 1;
             }
         }
@@ -205,7 +224,8 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
     /// ```
     ///
     /// # Errors
-    /// [`Fault::Shape`] for another scene; [`Fault::Count`] for a joint of more than six numbers.
+    /// [`Fault::Shape`] for another scene; [`Fault::Count`] for a joint of more than six numbers; [`Fault::Unsupported`] where the ground moves, and
+    /// how it does depends on seeds: only a place and an angle that are added to that may.
     pub fn along<R, C, P, const K: usize>(&self, scene: &System<Planar<Jet<T, K>>, R, C, P>) -> Result<[T; K], Error>
     where
         R: Root<Planar<Jet<T, K>>>,
@@ -220,7 +240,14 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
         let elements = scene.elements();
         elements.take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;
-        let ground = scene.ground(Zero::zero());
+        let ground = scene.ground(self.times.map_or(Zero::zero(), |[last, _]| last));
+        if const { !R::RESTS } {
+            offset_alone(self.times, |time| {
+                let Frame { place, velocity, acceleration: Acceleration { linear, angular }, turn } =
+                    scene.ground(time);
+                ([place.x, place.y, turn.angle], [velocity.x, velocity.y, linear.x, linear.y, angular, turn.rate])
+            })?;
+        }
         walk.add(self.ground, ground.turn.angle);
         walk.add(self.place.x, ground.place.x);
         walk.add(self.place.y, ground.place.y);

@@ -73,7 +73,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         <D::Rate as Rate<D::Scalar>>::LENGTH <= FEW && !D::Position::CURVED && !<D::Scalar as Scalar>::LARGE;
 
     /// Positions and rates of a row.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn displace(
         row: usize,
         past: &MotionIn<D, L>,

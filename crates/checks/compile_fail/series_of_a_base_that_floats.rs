@@ -1,6 +1,6 @@
 //! No Taylor series of a base that floats is known.
-//@ takes no walk
-//@ knows no series of its motion
+//@ is not known to stand on ground that rests
+//@ a root that floats
 
 use catena::spatial::*;
 

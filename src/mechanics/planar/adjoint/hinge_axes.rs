@@ -42,7 +42,7 @@ pub trait ReversingAxes: HingeAxes {
     fn inward<T: Scalar>(at: Wrench<T>, offset: Self::Offset<T>) -> Wrench<T>;
     /// Costates of the coordinates and of their rates, and what goes inward, from G and F at the outboard point.
     fn pull_back<T: Scalar>(offset: Self::Offset<T>, moved: &Moved<T>, at: Pulled<T>) -> ([Vector2<T>; 2], Pulled<T>);
-    /// The same of what loads and closures read: what is carried at the outboard point goes on as it is, but for turns of the inboard body.
+    /// Pulls back what loads and closures read, likewise: what is carried at the outboard point goes on as it is, but for turns of the inboard body.
     fn felt<T: Scalar>(offset: Self::Offset<T>, moved: &Moved<T>, felt: &Felt<T>) -> ([Vector2<T>; 2], [T; 2]);
 }
 

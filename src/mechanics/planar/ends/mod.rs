@@ -21,4 +21,3 @@ pub type GroundMotion<T> = crate::ends::GroundMotion<T, 2>;
 
 impl<T: Scalar> Resting<Planar<T>> for Pinned<[T; 2]> {}
 impl<T: Scalar> Resting<Planar<T>> for Clamped<[T; 2], T> {}
-impl<T: Scalar> Resting<Planar<T>> for Free {}

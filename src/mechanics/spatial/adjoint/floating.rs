@@ -4,7 +4,6 @@
 //! place. The attitude turns all that has been met since the last balls, as that of a [ball](super::ball) does, and no torque acts. The place
 //! and its rate do nothing but where loads read them.
 
-use super::ball::KnowsBalls;
 use super::{Felt, Outboard, Pulled, Stirred, Turning};
 use crate::element::{Element, Springs};
 use crate::loading::LoadLaw;
@@ -25,7 +24,7 @@ use crate::walks::stir::Stir;
 use nalgebra::Vector3;
 
 impl<T: Scalar> Takes<Spatial<T>, Orient> for Floating<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         _: &mut Orient,
@@ -36,7 +35,7 @@ impl<T: Scalar> Takes<Spatial<T>, Orient> for Floating<T> {
     }
 }
 
-impl<T: Scalar, By: Springs<T> + KnowsBalls> Takes<Spatial<T>, Factor<Open, By>> for Floating<T> {
+impl<T: Scalar, By: Springs<T>> Takes<Spatial<T>, Factor<Open, By>> for Floating<T> {
     fn take(
         &self,
         _: &mut Factor<Open, By>,

@@ -24,4 +24,3 @@ pub type GroundMotion<T> = crate::ends::GroundMotion<T, 3>;
 impl<T: Scalar> Resting<Spatial<T>> for Pinned<[T; 3]> {}
 impl<T: Scalar> Resting<Spatial<T>> for Clamped<[T; 3], Rotation<T>> {}
 impl<T: Scalar> Resting<Spatial<T>> for Hinged<[T; 3], Rotation<T>, T> {}
-impl<T: Scalar> Resting<Spatial<T>> for Free {}

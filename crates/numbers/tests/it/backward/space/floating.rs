@@ -69,3 +69,58 @@ fn loops_that_float_have_the_gradients_of_jets() {
         });
     });
 }
+
+/// Ground that moves and turns, from a place and behind a turn that are numbers, in a medium.
+#[test]
+fn trees_on_ground_that_moves_have_the_gradients_of_jets() {
+    with_room(|| {
+        let mut parameters = numbers();
+        parameters.extend([0.3, -0.2, 0.1, 0.4, 0.2, -0.6]);
+        parameters.rotate_right(6); // the law is last
+        let kinds: Kinds = &[
+            ("place of the root", 3),
+            ("its turn", 3),
+            ("bodies", 26),
+            ("gravity", 3),
+            ("axis", 3),
+            ("rod", 5),
+            ("law", 6),
+        ];
+        gradients!(
+            "on ground that moves",
+            kinds,
+            parameters,
+            [false, false, true],
+            4,
+            Rk4,
+            4,
+            0.03,
+            |x| {
+                let of = |i: usize| body(core::array::from_fn(|k| x(6 + 13 * i + k)));
+                let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
+                let (at, number) = (vector(0), N::constant);
+                let moved = move |t: f64| {
+                    let (s, c) = (9.0 * t).sin_cos();
+                    GroundMotion {
+                        place: [at[0] + number(0.1 * s), at[1] + number(0.2 * c), at[2]],
+                        velocity: [number(0.9 * c), number(-1.8 * s), number(0.0)],
+                        acceleration: [number(-8.1 * s), number(-16.2 * c), number(0.0)],
+                    }
+                };
+                let turn = Rotation::from_angles(vector(3));
+                let turned = move |t: f64| {
+                    // About y, by 0.3 sin 5 t.
+                    let (s, c) = (5.0 * t).sin_cos();
+                    let about = |x: f64| [number(0.0), number(x), number(0.0)];
+                    let attitude = turn.relative_to(&Rotation::from_angles(about(-0.3 * s)));
+                    AttitudeMotion { attitude, spin: about(1.5 * c), acceleration: about(-7.5 * s) }
+                };
+                let rod = Rod::new(x(38), x(39), x(40), x(41), x(42));
+                let hinge = Revolute::about(vector(35));
+                let chain = (of(0), hinge, rod, Branch((hinge, of(0))), Ball, of(1));
+                System::new(Clamped::on(Moving(moved), Turning(turned)), chain, Free).unwrap().with_gravity(vector(32))
+            },
+            under(6, |y| { Medium::of(y, 43) })
+        );
+    });
+}
