@@ -58,7 +58,7 @@
 //! loop closes, other elements hang. An arm of a [`Network`] begins with [`BodyAxes`] and ends with a `Flange`. Functions of lists know no `Flange`:
 //! torques of such robots are [`Torques`].
 //!
-//! Not yet: tips held of a base that floats, derivatives through kept gains, gradients backward: such scenes do not compile.
+//! Not yet: derivatives through kept gains, gradients backward: such scenes do not compile.
 
 mod functions;
 

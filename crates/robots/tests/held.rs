@@ -8,7 +8,7 @@ use catena::robot::*;
 use catena_oracle::Noise;
 use catena_oracle::space::robot::{Instant, Part, Robot};
 use catena_oracle::space::{Matrix, Vector, tilde};
-use kit::{GRAVITY, agree, body, general, list, matrix, plain_fixed, tree};
+use kit::{Drift, GRAVITY, agree, body, drift, floating, general, list, matrix, plain_fixed, tree};
 use nalgebra::{DMatrix, DVector};
 
 /// Where the last link is held (m), in its axes.
@@ -169,5 +169,63 @@ fn a_hinged_tip_on_ground_that_turns() -> Result<(), catena::Error> {
         }
         rows
     });
+    Ok(())
+}
+
+/// A base that floats: a ball or a hinge holds the tip of its tail, or it is clamped.
+macro_rules! afloat {
+    ($seed:expr, |$place:ident, $attitude:ident| $end:expr, $held:expr) => {{
+        let (open, mut noise) = (floating()?, Noise::new($seed));
+        for _ in 0..30 {
+            let Drift { start: same, plain, q, v } = drift(&open, &mut noise)?;
+            let now = plain.at(&q, &v);
+            let (place, own, ..) = tip(&now);
+            let [x, y, z] = [0, 1, 2].map(|k| own.column(k).into_owned());
+            let ($place, $attitude) = (array(place), Rotation::from_matrix(&Columns { x, y, z }));
+            let scene = System::new(Free, (BodyAxes, tree(), Flange::at(PLACE)), $end)?.with_gravity(GRAVITY);
+            let mut start = scene.motion();
+            start.set_coordinates(&same.coordinates())?;
+            let moving = scene.with_accelerations(scene.with_rates(start, &same.rates())?, &Unloaded)?;
+
+            let dampers = plain.parts.iter().zip(v).map(|(part, v)| -part.damping * v);
+            let forces: Vec<f64> = [0.0; 6].into_iter().chain(dampers).collect();
+            let rows: Vec<([f64; 6], f64)> = $held;
+            let (seconds, held) = by_multipliers(&now, &forces, &rows);
+            agree(&moving.accelerations(), &seconds, 1e-10);
+            let mut expected = [0.0; 6];
+            rows.iter().zip(&held).for_each(|((row, _), force)| (0..6).for_each(|k| expected[k] += row[k] * force));
+            let internal = scene.stations(&moving, &Unloaded)?.tip().internal;
+            agree(&[array(-internal.force), array(internal.torque)].concat(), &expected, 1e-10);
+        }
+    }};
+}
+
+#[test]
+fn tips_of_robots_that_float() -> Result<(), catena::Error> {
+    let moving = |place| Moving(move |_: f64| GroundMotion { place, velocity: VELOCITY, acceleration: ACCELERATION });
+    afloat!(24, |place, _attitude| Pinned::on(moving(place)), along(&ACCELERATION));
+    let demands = [ACCELERATION, ANGULAR].concat();
+    afloat!(25, |place, attitude| ground!(place, attitude), along(&demands));
+    Ok(())
+}
+
+/// A foot that a ball holds while the robot tumbles about it: its energy stays, and so does the foot.
+#[test]
+fn a_robot_tumbles_about_its_foot() -> Result<(), Box<dyn std::error::Error>> {
+    let (upper, lower) = (Hinge::at::<0b111>(PLACES[0]).turned(Turned::by(turn(0))), Hinge::at::<0b111>(PLACES[1]));
+    let chain = (BodyAxes, general(body(0)), upper, general(body(1)), lower, general(body(2)), Flange::at(PLACE));
+    let open = System::new(Free, chain, Free)?;
+    let mut start = open.motion();
+    let coordinates = [0.1, -0.2, 0.9, 1.0, 0.0, 0.0, 0.0, 0.4, -0.7];
+    start.set_coordinates(&coordinates)?;
+    let place = array(open.stations(&start, &Unloaded)?.tip().frame.place);
+    let scene = System::new(Free, chain, Pinned::at(place))?.with_gravity(GRAVITY);
+    let mut start = scene.motion();
+    start.set_coordinates(&coordinates)?;
+    let rates = [0.0, 0.0, 0.0, 1.0, -0.5, 0.8, 0.6, -0.4];
+    let start = scene.assembled(scene.with_rates(start, &rates)?, &Unloaded)?;
+    let end = scene.simulation(Dop853::tolerance(1e-11)).run(start, 1.0, |_| ())?.motion;
+    agree(&[scene.budget(&end)?.energy()], &[scene.budget(&start)?.energy()], 1e-9);
+    agree(&array(scene.stations(&end, &Unloaded)?.tip().frame.place), &place, 1e-12);
     Ok(())
 }

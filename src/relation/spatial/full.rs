@@ -1,22 +1,32 @@
 //! What only relations in space do along a body.
 
-use super::Full;
-use super::algebra::{Columns, Symmetric3, cross, cross_onto};
-use crate::relation::{Absent, Closures};
+use super::algebra::{Columns, Symmetric3, cross, cross_onto, zero};
+use super::pivots::turned_out;
+use super::{Full, Spatial};
+use crate::relation::{Absent, AccelerationOf, Closures, Cuts};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
-impl<T: Scalar> Full<T> {
-    /// The acceleration (a, α) of a station on which nothing acts: S p + e = 0, by block elimination.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn free(self) -> (Vector3<T>, Vector3<T>) {
-        let (point, gain) = self.balled(Absent);
-        let linear = -point.mass.factor().solve(point.offset);
-        (linear, gain.angular(linear, &()))
-    }
-}
+/// A station on which nothing acts: its acceleration, what each closure force adds to that, and what is left to say of them.
+type Afloat<T, C> =
+    (AccelerationOf<Spatial<T>>, <C as Closures>::Each<AccelerationOf<Spatial<T>>>, Cuts<Vector3<T>, T, C>);
 
 impl<T: Scalar, C: Closures> Full<T, C> {
+    /// The acceleration of a station on which nothing acts: S p + e + W λ = 0, by block elimination.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn afloat(self) -> Afloat<T, C> {
+        let (point, gain) = self.balled(Absent);
+        let factor = point.mass.factor();
+        let linear = -factor.solve(point.offset);
+        let (cuts, rows) = turned_out(&point.cuts, |w| w, linear, |w| -factor.solve(w), |_, _| zero());
+        let angular = gain.angular(linear, &C::each(|_| T::zero()));
+        let per_closure = C::zip(&rows, &gain.per_closure, |linear, own| AccelerationOf::<Spatial<T>> {
+            linear,
+            angular: gain.per_acceleration.apply_onto(linear, own),
+        });
+        (AccelerationOf::<Spatial<T>> { linear, angular }, per_closure, cuts)
+    }
+
     /// Adds a body's moments of inertia about the station, inertial axes (kg·m²), and its gyroscopic torque ω × J ω. They may be
     /// less than nothing when they only complete those of point masses.
     #[inline(always)]

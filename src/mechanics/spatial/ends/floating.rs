@@ -4,9 +4,9 @@ use crate::element::{Condense, Given, Posture, Sweep};
 use crate::mechanics::spatial::release::{self, Release};
 use crate::mechanics::spatial::stored::{One, Stored};
 use crate::mechanics::spatial::{Acceleration, Ball, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
-use crate::relation::spatial::algebra::{Columns, is_finite, zero};
-use crate::relation::spatial::{Empty, Factor6, Relation, Rigid};
-use crate::relation::{Closures, Open};
+use crate::relation::spatial::algebra::{Columns, Symmetric3, is_finite, zero};
+use crate::relation::spatial::{Factor6, Point, Relation, Rigid};
+use crate::relation::{Absent, Closures, Open, Symmetric};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -31,18 +31,32 @@ impl<T: Scalar> Floating<T> {
 }
 
 /// What eliminating all six coordinates leaves behind.
-#[derive(Clone, Copy, Debug)]
-pub struct Afloat<T> {
+#[derive(Clone, Copy)]
+pub struct Afloat<T: Scalar, C: Closures = Open> {
     /// Acceleration of the first body's inboard end.
     pub(in crate::mechanics::spatial) acceleration: Acceleration<T>,
+    /// What each closure force adds to that.
+    per_closure: C::Each<Acceleration<T>>,
     /// S, ready to be solved for other forces: what only costates ask for, and sweeps do not write.
     pub(in crate::mechanics::spatial) factor: Factor6<T>,
+}
+
+impl<T: Scalar, C: Closures> Afloat<T, C> {
+    /// The acceleration that closure forces add.
+    #[inline(always)]
+    fn pulled(&self, multipliers: &C::Each<T>) -> Acceleration<T> {
+        let part =
+            |read: fn(Acceleration<T>) -> T| C::plus_dot(T::zero(), &C::map(&self.per_closure, read), multipliers);
+        let linear = Vector3::new(part(|p| p.linear.x), part(|p| p.linear.y), part(|p| p.linear.z));
+        let angular = Vector3::new(part(|p| p.angular.x), part(|p| p.angular.y), part(|p| p.angular.z));
+        Acceleration { linear, angular }
+    }
 }
 
 impl<T: Scalar> Joint<T> for Floating<T> {
     type Position = ([T; 3], Rotation<T>);
     type Rate = ([T; 3], [T; 3]);
-    type Kept<C: Closures> = Afloat<T>;
+    type Kept<C: Closures> = Afloat<T, C>;
     type Sets = One;
 
     fn position() -> Self::Position {
@@ -51,10 +65,11 @@ impl<T: Scalar> Joint<T> for Floating<T> {
     fn rate() -> Self::Rate {
         ([T::zero(); 3], [T::zero(); 3])
     }
-    fn kept<C: Closures>() -> Afloat<T> {
-        Afloat { acceleration: Acceleration::zero(), factor: Factor6::of_one() }
+    fn kept<C: Closures>() -> Afloat<T, C> {
+        let none = Acceleration::zero();
+        Afloat { acceleration: none, per_closure: C::each(|_| none), factor: Factor6::of_one() }
     }
-    fn is_finite<C: Closures>(kept: &Afloat<T>) -> bool {
+    fn is_finite<C: Closures>(kept: &Afloat<T, C>) -> bool {
         is_finite(kept.acceleration.linear) && is_finite(kept.acceleration.angular)
     }
     fn lump(&mut self, mass: T) -> T {
@@ -97,33 +112,36 @@ impl<T: Scalar> Joint<T> for Floating<T> {
         &self,
         inboard: Acceleration<T>,
         (attitude, _): (&Columns<T>, &[Vector3<T>; 2]),
-        kept: &Afloat<T>,
-        _: &C::Each<T>,
+        kept: &Afloat<T, C>,
+        multipliers: &C::Each<T>,
         rate: &mut Self::Rate,
     ) -> Acceleration<T> {
         // The sweep's ground falls upward by gravity; coordinates are relative to the ground.
-        let found = kept.acceleration;
+        let mut found = kept.acceleration;
+        if const { C::COUNT > 0 } {
+            let Acceleration { linear, angular } = kept.pulled(multipliers);
+            found = Acceleration { linear: found.linear + linear, angular: found.angular + angular };
+        }
         *rate = ((found.linear - inboard.linear).into(), attitude.transposed(found.angular).into());
         found
     }
-    /// A chain without closures responds to none.
     fn responded<C: Closures>(
         &self,
         _: Acceleration<T>,
-        _: (&Columns<T>, &[Vector3<T>; 2]),
-        _: &Afloat<T>,
-        _: &C::Each<T>,
+        (attitude, _): (&Columns<T>, &[Vector3<T>; 2]),
+        kept: &Afloat<T, C>,
+        multipliers: &C::Each<T>,
         rate: &mut Self::Rate,
     ) -> Acceleration<T> {
-        *rate = Self::rate();
-        Acceleration { linear: zero(), angular: zero() }
+        let found = kept.pulled(multipliers);
+        *rate = (found.linear.into(), attitude.transposed(found.angular).into());
+        found
     }
 }
 
-impl<T: Scalar, R: Rigid<T, Closures = Open>, W: Sweep<Spatial<T>, Closures = Open>> Condense<Spatial<T>, R, W>
-    for Floating<T>
-{
-    type Out = Empty;
+impl<T: Scalar, R: Rigid<T>, W: Sweep<Spatial<T>, Closures = R::Closures>> Condense<Spatial<T>, R, W> for Floating<T> {
+    /// Closure forces alone: nothing else reaches the ground.
+    type Out = Point<T, Absent, R::Closures>;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
@@ -131,10 +149,10 @@ impl<T: Scalar, R: Rigid<T, Closures = Open>, W: Sweep<Spatial<T>, Closures = Op
         outer: R,
         _: Posture<'_, Spatial<T>, Self>,
         _: Given<'_, Spatial<T>, Self, W>,
-        kept: &mut Afloat<T>,
-    ) -> Empty {
-        let (linear, angular) = outer.full().with_mass(self.lumped).free();
-        kept.acceleration = Acceleration { linear, angular };
-        Empty
+        kept: &mut Afloat<T, R::Closures>,
+    ) -> Self::Out {
+        let (acceleration, per_closure, cuts) = outer.full().with_mass(self.lumped).afloat();
+        (kept.acceleration, kept.per_closure) = (acceleration, per_closure);
+        Point { mass: Symmetric3::diagonal(T::zero()), offset: zero(), torque: Absent, cuts }
     }
 }
