@@ -1,5 +1,7 @@
 //! Powers for the choice of steps: exact enough for that, and cheap.
 
+use crate::scalar::Scalar;
+
 /// The logarithm to base 2 of a positive number, to a hundredth: a parabola between powers of two.
 #[inline]
 pub(super) fn log2(x: f64) -> f64 {
@@ -16,6 +18,17 @@ pub(super) fn exp2(x: f64) -> f64 {
     let power = x as u64;
     let share = x - power as f64;
     f64::from_bits(power << 52) * (1.0 + share * (0.6565 + 0.3435 * share))
+}
+
+/// A positive number to the power −1 / `order`, to eight digits: one step of fourth order from what [`power`] says. Where a compiler knows
+/// the order that takes a third of the instructions of the platform's power.
+#[inline(always)]
+pub(crate) fn inverse_root(x: f64, order: f64) -> f64 {
+    let once = 1.0 / order;
+    let root = power(x, -once);
+    let residual = 1.0 - x * Scalar::powi(root, order as i32);
+    let third = 1.0 + residual * ((2.0 + once) / 3.0);
+    root + root * (residual * once) * (1.0 + residual * (0.5 + 0.5 * once) * third)
 }
 
 /// A positive number to the power `exponent`.
