@@ -20,7 +20,7 @@ pub(super) fn exp2(x: f64) -> f64 {
     f64::from_bits(power << 52) * (1.0 + share * (0.6565 + 0.3435 * share))
 }
 
-/// A positive number to the power −1 / `order`, to eight digits: one step of fourth order from what [`power`] says. Where a compiler knows
+/// A positive number to the power −1 / `order`, to seven digits up to order 13 and six up to 30: one step of fourth order from what [`power`] says. Where a compiler knows
 /// the order that takes a third of the instructions of the platform's power.
 #[inline(always)]
 pub(crate) fn inverse_root(x: f64, order: f64) -> f64 {
@@ -35,4 +35,20 @@ pub(crate) fn inverse_root(x: f64, order: f64) -> f64 {
 #[inline]
 pub(super) fn power(x: f64, exponent: f64) -> f64 {
     exp2(log2(x) * exponent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::inverse_root;
+
+    #[test]
+    fn inverse_roots_are_those_of_logarithms() {
+        for order in 2..=30 {
+            for k in -120..=300 {
+                let x = 10.0_f64.powf(0.1 * k as f64 + 0.03);
+                let expected = (-x.ln() / order as f64).exp();
+                assert!((inverse_root(x, order as f64) / expected - 1.0).abs() < 1e-6, "{x} {order}");
+            }
+        }
+    }
 }
