@@ -20,8 +20,8 @@ pub(super) fn exp2(x: f64) -> f64 {
     f64::from_bits(power << 52) * (1.0 + share * (0.6565 + 0.3435 * share))
 }
 
-/// A positive number to the power −1 / `order`, to seven digits up to order 13 and six up to 30: one step of fourth order from what [`power`] says. Where a compiler knows
-/// the order that takes a third of the instructions of the platform's power.
+/// A positive number to the power −1 / `order`, to seven digits up to order 13 and six up to 30: one step of fourth order from what
+/// [`power`] says. Where a compiler knows the order that takes a third of the instructions of the platform's power.
 #[inline(always)]
 pub(crate) fn inverse_root(x: f64, order: f64) -> f64 {
     let once = 1.0 / order;
