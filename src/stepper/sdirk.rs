@@ -9,7 +9,7 @@ use crate::scalar::{Real, Scalar};
 use crate::system::StiffDynamics;
 use crate::time::Sdirk4;
 use crate::time::sdirk4::{ERROR, GAMMA, STAGES, TABLE};
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 /// Steps by [`Sdirk4`].
 ///
