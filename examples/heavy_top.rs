@@ -5,13 +5,12 @@
 //! ```
 
 mod common;
+#[path = "pictures/heavy_top.rs"]
+mod pictures;
 
 use catena::spatial::*;
-use common::film::Film;
-use common::{BLUE, Drawn, GREEN, INK, ORANGE, line};
 use nalgebra::Vector3;
 use std::error::Error;
-use std::path::PathBuf;
 
 /// Place of the mass centre (m) at t = 2 s: an integration of order 8 at two tolerances that agree to 1e-11. The top is that of
 /// O. Brüls, A. Cardona and M. Arnold (2012).
@@ -68,57 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for ((name, found), reference) in ["x (m)", "y (m)", "z (m)"].iter().zip(last.centre.iter()).zip(REFERENCE) {
         println!("  {name}       {found:15.10}  {reference:15.10}  {:8.1e}", found - reference);
     }
-    println!("\nPictures: {}", draw(&readings, initial, run.steps)?.display());
-    println!("          {}", film(&readings)?.display());
+    println!("\nPictures: {}", pictures::draw(&readings, initial, run.steps)?.display());
+    println!("          {}", pictures::film(&readings)?.display());
     Ok(())
-}
-
-/// The path of the mass centre from above and its height; the energy error.
-fn draw(readings: &[Reading], initial: f64, steps: usize) -> Drawn<PathBuf> {
-    common::picture("heavy_top", (1000, 560), |area| {
-        let subtitle = format!(
-            "15 kg on an arm of 1 m, 150 rad/s about its axis. 2 s in {steps} steps of DOP853, tolerance 1e-12."
-        );
-        let area = common::heading(area, "Heavy top", &subtitle)?;
-        let (left, right) = area.split_horizontally(common::pixels(490.0));
-        let (upper, lower) = right.split_vertically(common::pixels(250.0));
-
-        let title = "Mass centre from above, x and y (m)";
-        let mut path = common::chart(&left, title, "", -1.12..1.12, -1.12..1.12)?;
-        common::curve(&mut path, readings.iter().map(|now| (now.centre.x, now.centre.y)), line(BLUE, 1.4))?;
-        common::dots(&mut path, [(0.0, 0.0)], 5.0, INK)?;
-
-        let heights = readings.iter().map(|now| now.centre.z);
-        let mut height = common::chart(&upper, "Height (m)", "time (s)", 0.0..2.0, common::range(heights, 0.08))?;
-        common::curve(&mut height, readings.iter().map(|now| (now.time, now.centre.z)), line(ORANGE, 1.6))?;
-
-        let points = readings.iter().map(|now| (now.time, (now.energy / initial - 1.0) * 1e12));
-        let range = common::range(points.clone().map(|(_, error)| error), 0.15);
-        let mut error = common::chart(&lower, "Energy error (10⁻¹² of the energy)", "time (s)", 0.0..2.0, range)?;
-        common::curve(&mut error, points, line(GREEN, 1.4))
-    })
-}
-
-/// The axis of the top as it moves, seen aslant and slowed down.
-fn film(readings: &[Reading]) -> Drawn<PathBuf> {
-    let frames: Vec<_> = readings
-        .iter()
-        .step_by(5)
-        .map(|now| {
-            let p = now.centre;
-            vec![vec![(0.0, 0.0), (0.8 * p.x - 0.6 * p.y, p.z + 0.3 * p.x + 0.4 * p.y)]]
-        })
-        .collect();
-    let film = Film {
-        title: "Heavy top",
-        subtitle: "15 kg on an arm of 1 m, spinning at 150 rad/s, from the horizontal.",
-        view: (-1.3..1.3, -1.35..0.9),
-        scale: 190.0,
-        seconds: [2.0, 10.0],
-        strokes: &[(BLUE, 9.0)],
-        trace: (0, 1, ORANGE),
-        ground: &[(0.0, 0.0)],
-        floor: &[],
-    };
-    film.save("heavy_top_moving", &frames)
 }

@@ -20,12 +20,9 @@ use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::{ElasticHinge, Free, Pinned, Rod, Spring as HingeSpring, Stepper, System};
 use indicatif::ProgressBar;
-use plotters::style::RGBColor;
 use std::f64::consts::FRAC_PI_3;
 use std::hint::black_box;
 use std::time::Instant;
-
-const RED: RGBColor = RGBColor(176, 32, 60);
 
 type Chain = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Vec<(ElasticHinge<HingeSpring<f64>>, Rod<f64>)>), Free>;
 
@@ -114,12 +111,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     bar.finish_and_clear();
-    let ways = "paper, product   paper, Riccati   joint coordinates   this crate   global, dense   global, blocks";
-    println!("   bodies   {ways}");
+    let ways =
+        ["paper, product", "paper, Riccati", "joint coordinates", "this crate", "global, dense", "global, blocks"];
+    common::heads(&[&[("bodies", 7)], &ways.map(|way| (way, way.len()))[..]].concat());
     let mut curves: [Vec<(f64, f64)>; 6] = Default::default();
     for (n, times) in numbers.into_iter().zip(best) {
         let [a, b, c, d, e, f] = times.map(|t| t.map_or("-".to_owned(), |t| format!("{:.2}", t * 1e6)));
-        println!("  {n:7} {a:>16} {b:>16} {c:>19} {d:>12} {e:>15} {f:>16}");
+        println!("  {n:7}  {a:>14}  {b:>14}  {c:>17}  {d:>10}  {e:>13}  {f:>14}");
         for (curve, time) in curves.iter_mut().zip(times) {
             if let Some(time) = time {
                 curve.push(((n as f64).log10(), (time * 1e6).max(1e-3).log10()));
@@ -127,16 +125,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     println!(
-        "\n  Steps are of 1 ms, those of the product of 10 ms: at 1 ms it has hardly a digit left with 10 bodies,"
+        "\n  Steps are of 1 ms, those of the product of 10 ms: at 1 ms it has hardly a digit left with 10 bodies, at 10 with 1000."
     );
-    println!("  at 10 ms with 1000.");
-    // Slopes of the logarithms, by least squares, and where the global equations become slower.
     let slope = |curve: &[(f64, f64)], from: f64, to: f64| {
-        let points: Vec<_> = curve.iter().filter(|(n, _)| (from.log10()..=to.log10() + 1e-9).contains(n)).collect();
-        let count = points.len() as f64;
-        let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0 / count, y + p.1 / count));
-        let above: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
-        above / points.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
+        common::slope(curve.iter().filter(|(n, _)| (from.log10()..=to.log10() + 1e-9).contains(n)))
     };
     println!(
         "\nSlopes: paper, Riccati {:.2}, this crate {:.2} (n = 100 to 20 000); global equations {:.2} (dense, n = 100 to 1000) and {:.2} (blocks).",

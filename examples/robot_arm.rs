@@ -113,12 +113,11 @@ fn run(control: Control) -> Result<(Vec<Sample>, u128), Box<dyn Error>> {
         let (ends, aims) = (real.body_motions(&past)?, real.body_motions(&wanted)?);
         let end = |k: usize| ends.get(k).map(|body| body.outboard().place);
         let places = [end(0), end(1), end(3), end(hand)].map(Option::unwrap_or_default);
-        let off = |k: usize| (q[k] - angles[k]).abs();
         log.push(Sample {
             time: past.time(),
             places,
             target: aims.get(hand).map(|body| body.outboard().place).unwrap_or_default(),
-            angle: 1e3 * (0..6).fold(0.0_f64, |most, k| most.max(off(k))),
+            angle: 1e3 * (0..6).fold(0.0_f64, |most, k| most.max((q[k] - angles[k]).abs())),
             torques,
         });
     }

@@ -14,7 +14,7 @@ mod common;
 #[path = "pictures/swing_up.rs"]
 mod pictures;
 
-use cart::{H, Scene, Square, State, linearised, motion_of, push, scene, state_of};
+use cart::{H, Scene, Square, State, linearised, motion_of, push, regulator, scene, state_of};
 use catena::Error;
 use catena::planar::*;
 use indicatif::ProgressBar;
@@ -80,18 +80,17 @@ fn improved(scene: &Scene, plan: &Plan, damping: f64) -> Result<Vec<(f64, RowVec
     Ok(changes)
 }
 
-/// Gains of a regulator at the top, where a step repeats itself.
-fn regulator(scene: &Scene) -> Result<RowVector6<f64>, Error> {
-    let ((a, b), mut bend) = (linearised(scene, &UPRIGHT, 0.0)?, Square::from_diagonal(&AT_END));
-    let mut gain = RowVector6::zeros();
-    for _ in 0..2000 {
-        gain = -(b.transpose() * bend * a) / (b.dot(&(bend * b)) + H * FORCE);
-        let closed = a + b * gain;
-        bend = closed.transpose() * bend * closed
-            + gain.transpose() * gain * (H * FORCE)
-            + Square::from_diagonal(&AT_END) * H;
+/// What the cost of the rest of a run changes by with the state at each instant, which goes backward from the end to the start, and the most that
+/// it changes by with a force (1/N): nothing where forces are the best.
+fn costates(scene: &Scene, plan: &Plan) -> Result<(Vec<State>, f64), Error> {
+    let (mut costates, mut most) = (vec![missed(&plan.states[SWING]).1; SWING + 1], 0.0_f64);
+    for k in (0..SWING).rev() {
+        let (a, b) = linearised(scene, &plan.states[k], plan.forces[k])?;
+        most = most.max((b.dot(&costates[k + 1]) + H * FORCE * plan.forces[k]).abs());
+        costates[k] = a.transpose() * costates[k + 1];
+        costates[k][0] += H * PLACE * plan.states[k][0];
     }
-    Ok(gain)
+    Ok((costates, most))
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -131,8 +130,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let most = plan.forces.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
     println!("\nLargest force {most:.1} N, {:.1} s in all.", clock.elapsed().as_secs_f64());
+    let (costates, slope) = costates(&scene, &plan)?;
+    println!("By its costates, no force changes the cost by more than {slope:.1e} per N.");
     // The upper rod is pushed on the way to standing still.
-    let gain = regulator(&scene)?;
+    let gain = regulator(&scene, &UPRIGHT, FORCE, &AT_END)?;
     let mut top = plan.states[SWING];
     top[5] += 0.5;
     let held = run(&scene, top, HOLD, |_, state| (gain * (state - UPRIGHT))[0])?;
@@ -141,6 +142,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         "Pushed by 0.5 rad/s at the top, it is off by {off:.1e} (m, rad, m/s, rad/s) after {:.1} s.",
         H * HOLD as f64
     );
-    println!("Picture: {}", pictures::draw(&plan, &held)?.display());
+    println!("Pictures: {}", pictures::draw(&plan, &held)?.display());
+    println!("          {}", pictures::film(&plan, &costates)?.display());
     Ok(())
 }

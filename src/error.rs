@@ -168,6 +168,11 @@ pub enum Fault {
         /// Residual of the closures (m, or rad for an angle).
         residual: f64,
     },
+    /// The tip is not where it is held, or the ends of a loop are apart, by more than steps close: no run begins there.
+    NotAssembled {
+        /// Residual of the closures (m, or rad for an angle).
+        residual: f64,
+    },
     /// With what is held as it is given, the tip cannot be brought to where it is held, or the ends of a loop to each other, from this
     /// guess.
     ImpossibleHold {

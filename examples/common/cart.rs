@@ -3,7 +3,7 @@
 use catena::Error;
 use catena::planar::*;
 use catena::simulate::MotionIn;
-use nalgebra::{SMatrix, Vector6};
+use nalgebra::{RowVector6, SMatrix, Vector6};
 
 pub type Square = SMatrix<f64, 6, 6>;
 /// Place of the cart (m), absolute angles of the rods (rad), and their rates.
@@ -49,4 +49,18 @@ pub fn linearised(scene: &Scene, state: &State, force: f64) -> Result<(Square, S
     let (mut next, mut a, mut b) = (now, [0.0; 36], [0.0; 24]);
     scene.backward(Rk4).linearised_step(&now, H, &push(force), &mut next, &mut a, &mut b)?;
     Ok((Square::from_row_slice(&a), State::from_fn(|row, _| b[4 * row + 1])))
+}
+
+/// Gains of a regulator about a state of rest, by weights of the force (1/N²) and of what the state is off by: what a recursion backward through
+/// steps that are all alike comes to.
+pub fn regulator(scene: &Scene, rest: &State, force: f64, off: &State) -> Result<RowVector6<f64>, Error> {
+    let ((a, b), mut bend) = (linearised(scene, rest, 0.0)?, Square::from_diagonal(off));
+    let mut gain = RowVector6::zeros();
+    for _ in 0..2000 {
+        gain = -(b.transpose() * bend * a) / (b.dot(&(bend * b)) + H * force);
+        let closed = a + b * gain;
+        bend =
+            closed.transpose() * bend * closed + gain.transpose() * gain * (H * force) + Square::from_diagonal(off) * H;
+    }
+    Ok(gain)
 }

@@ -1,7 +1,9 @@
 //! Pictures that move: the links of a scene over time as an SVG animated by itself (SMIL), without a script.
 //!
-//! Where readers ask for less motion they see the still: the whole path of the traced point, and the links as they are at the start.
+//! Where readers ask for less motion they see the still: the whole path of the traced point, and the links as they are at the start or at an
+//! instant that says more.
 
+use super::panel::Panel;
 use super::{Drawn, FAINT, GREY, INK};
 use plotters::style::RGBColor;
 use std::fmt::Write;
@@ -15,10 +17,75 @@ const LETTER: f64 = 6.3;
 /// What is above and below the scene (pixels).
 const MARGINS: [f64; 2] = [62.0, 30.0];
 
-/// Links that are drawn in one stroke, from joint to joint, in the order in which `Film::strokes` names them.
+/// Points of each stroke, from joint to joint, in the order in which `Film::strokes` names them.
 pub type Frame = Vec<Vec<(f64, f64)>>;
 
+/// How a stroke looks.
+#[derive(Clone, Copy)]
+pub struct Stroke {
+    colour: RGBColor,
+    /// Pixels.
+    width: f64,
+    look: Look,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Look {
+    Links,
+    Line,
+    Face,
+}
+
+impl Stroke {
+    /// Links of a width (pixels), with a ring at each joint.
+    pub const fn links(colour: RGBColor, width: f64) -> Self {
+        Self { colour, width, look: Look::Links }
+    }
+
+    /// A line of a width (pixels); where all its points are one, a dot.
+    pub const fn line(colour: RGBColor, width: f64) -> Self {
+        Self { colour, width, look: Look::Line }
+    }
+
+    /// A filled face; where all its points are one, nothing.
+    pub const fn face(colour: RGBColor) -> Self {
+        Self { colour, width: 0.0, look: Look::Face }
+    }
+}
+
+/// How a film goes through its frames.
+#[derive(Clone, Copy, Default, PartialEq)]
+pub enum Course {
+    #[default]
+    Forward,
+    /// To the end and, after a moment, back.
+    ThereAndBack,
+}
+
+impl Course {
+    /// Shares of a film that goes there and back at which it has come to the end, turns, and is at the start again.
+    pub const TURNS: [f64; 3] = [0.46, 0.5, 0.96];
+
+    /// Share of the run's time at a share of the film's.
+    fn at(self, share: f64) -> f64 {
+        let [end, turn, start] = Self::TURNS;
+        match self {
+            Self::Forward => share,
+            Self::ThereAndBack if share <= turn => (share / end).min(1.0),
+            Self::ThereAndBack => ((start - share) / (start - turn)).max(0.0),
+        }
+    }
+
+    /// Numbers of the frames as they follow each other, at equal distances.
+    fn order(self, frames: usize) -> Vec<usize> {
+        let last = frames.saturating_sub(1);
+        let shown = if self == Self::Forward { last } else { (last as f64 / Self::TURNS[0]).ceil() as usize };
+        (0..=shown).map(|k| (self.at(k as f64 / shown.max(1) as f64) * last as f64).round() as usize).collect()
+    }
+}
+
 /// What does not move in a moving picture.
+#[derive(Default)]
 pub struct Film<'a> {
     pub title: &'a str,
     pub subtitle: &'a str,
@@ -28,14 +95,20 @@ pub struct Film<'a> {
     pub scale: f64,
     /// Time that the frames span, and time that they are shown (s).
     pub seconds: [f64; 2],
-    /// Colour and width (pixels) of each stroke.
-    pub strokes: &'a [(RGBColor, f64)],
+    pub course: Course,
+    /// Number of the frame that is shown where nothing moves.
+    pub still: usize,
+    pub strokes: &'a [Stroke],
     /// The point that leaves a trace: its stroke, its place in that, and the colour.
-    pub trace: (usize, usize, RGBColor),
+    pub trace: Option<(usize, usize, RGBColor)>,
     /// Points that the ground holds.
     pub ground: &'a [(f64, f64)],
     /// Faint lines behind all else: a floor.
     pub floor: &'a [Vec<(f64, f64)>],
+    /// What colours mean.
+    pub legend: &'a [(&'a str, RGBColor)],
+    /// Curves over time below the scene.
+    pub panels: &'a [Panel<'a>],
 }
 
 impl Film<'_> {
@@ -66,7 +139,8 @@ impl Film<'_> {
     fn svg(&self, frames: &[Frame]) -> Drawn<String> {
         let (across, up) = &self.view;
         let width = (self.scale * (across.end - across.start)).round();
-        let height = (self.scale * (up.end - up.start) + MARGINS[0] + MARGINS[1]).round();
+        let low = MARGINS[0] + self.scale * (up.end - up.start); // where the scene ends
+        let height = (low + Panel::HEIGHT * self.panels.len() as f64 + MARGINS[1]).round();
         let [span, shown] = self.seconds;
         if LETTER * self.subtitle.chars().count() as f64 > width - 40.0 {
             return Err(format!("{}: the subtitle is longer than the picture is wide", self.title).into());
@@ -93,10 +167,12 @@ impl Film<'_> {
         }
         if !self.floor.is_empty() {
             // Not behind the words below.
-            let (top, low) = (height - MARGINS[1], MARGINS[1]);
-            writeln!(svg, r#"<rect y="{top}" width="{width}" height="{low}" fill="white"/>"#)?;
+            writeln!(svg, r#"<rect y="{low:.0}" width="{width}" height="{}" fill="white"/>"#, MARGINS[1])?;
         }
-        for (k, (colour, width)) in self.strokes.iter().enumerate() {
+        for (k, Stroke { colour, width, look }) in self.strokes.iter().enumerate() {
+            if *look != Look::Links {
+                continue;
+            }
             let radius = 0.85 * width;
             writeln!(
                 svg,
@@ -105,18 +181,28 @@ impl Film<'_> {
                 0.4 * width
             )?;
         }
-        self.trace(&mut svg, frames, &again)?;
+        if let Some(trace) = self.trace {
+            self.trace(&mut svg, trace, frames, &again)?;
+        }
+        let order = self.course.order(frames.len());
         for class in ["still", "moving"] {
             writeln!(svg, r#"<g class="{class}">"#)?;
-            for (k, (colour, width)) in self.strokes.iter().enumerate() {
-                let first = frames.first().map_or_else(String::new, |frame| self.points(frame[k].iter().copied()));
-                write!(
-                    svg,
-                    r#"<polyline points="{first}" stroke="{}" stroke-width="{width}" marker-start="url(#j{k})" marker-mid="url(#j{k})" marker-end="url(#j{k})">"#,
-                    hex(*colour)
-                )?;
+            for (k, Stroke { colour, width, look }) in self.strokes.iter().enumerate() {
+                let first =
+                    frames.get(self.still).map_or_else(String::new, |frame| self.points(frame[k].iter().copied()));
+                let colour = hex(*colour);
+                write!(svg, r#"<polyline points="{first}" "#)?;
+                match look {
+                    Look::Face => write!(svg, r#"style="fill:{colour}">"#)?,
+                    Look::Line => write!(svg, r#"stroke="{colour}" stroke-width="{width}">"#)?,
+                    Look::Links => write!(
+                        svg,
+                        r#"stroke="{colour}" stroke-width="{width}" marker-start="url(#j{k})" marker-mid="url(#j{k})" marker-end="url(#j{k})">"#
+                    )?,
+                }
                 if class == "moving" {
-                    let all: Vec<_> = frames.iter().map(|frame| self.points(frame[k].iter().copied())).collect();
+                    let each = order.iter().filter_map(|i| frames.get(*i));
+                    let all: Vec<_> = each.map(|frame| self.points(frame[k].iter().copied())).collect();
                     write!(svg, r#"<animate attributeName="points" {again} values="{}"/>"#, all.join(";"))?;
                 }
                 svg.push_str("</polyline>\n");
@@ -127,7 +213,24 @@ impl Film<'_> {
             let (x, y) = self.pixel(*place);
             writeln!(svg, r#"<circle cx="{x}" cy="{y}" r="5.5" fill="{}"/>"#, hex(INK))?;
         }
+        for (k, panel) in self.panels.iter().enumerate() {
+            panel.write(&mut svg, k, (low + Panel::HEIGHT * k as f64, width), (self.course, &again))?;
+        }
+        let mut left = 20.0;
+        for (name, colour) in self.legend {
+            let y = height - 19.0;
+            writeln!(svg, r#"<text x="{left:.0}" y="{y}" font-size="12.5" fill="{}">{name}</text>"#, hex(*colour))?;
+            left += LETTER * name.chars().count() as f64 + 22.0;
+        }
         let (low, end) = (height - 14.0, width - 20.0);
+        let (how, shown, places) = match self.course {
+            Course::Forward => ("", shown, format!(r#"values="20;{end}""#)),
+            Course::ThereAndBack => {
+                let [first, second, third] = Course::TURNS;
+                let times = format!(r#"keyTimes="0;{first};{second};{third};1""#);
+                (" there and back", shown * first, format!(r#"values="20;{end};{end};20;20" {times}"#))
+            }
+        };
         let pace = if (span - shown).abs() < 1e-9 {
             "as fast as in truth".to_owned()
         } else if shown < span {
@@ -137,7 +240,7 @@ impl Film<'_> {
         };
         writeln!(
             svg,
-            r#"<text x="{end}" y="{}" font-size="11" text-anchor="end" fill="{}">{} s, {pace}</text>"#,
+            r#"<text x="{end}" y="{}" font-size="11" text-anchor="end" fill="{}">{} s{how}, {pace}</text>"#,
             low - 5.0,
             hex(GREY),
             short(span)
@@ -145,7 +248,7 @@ impl Film<'_> {
         writeln!(svg, r#"<path d="M20 {low}H{end}" stroke="{}" stroke-opacity="0.25" stroke-width="2"/>"#, hex(GREY))?;
         writeln!(
             svg,
-            r#"<circle class="moving" cx="20" cy="{low}" r="4" fill="{}"><animate attributeName="cx" {again} values="20;{end}"/></circle>"#,
+            r#"<circle class="moving" cx="20" cy="{low}" r="4" fill="{}"><animate attributeName="cx" {again} {places}/></circle>"#,
             hex(GREY)
         )?;
         svg.push_str("</svg>\n");
@@ -153,8 +256,13 @@ impl Film<'_> {
     }
 
     /// The way of a point, drawn as the point goes: dashes as long as the way, moved along it.
-    fn trace(&self, svg: &mut String, frames: &[Frame], again: &str) -> Drawn {
-        let (stroke, place, colour) = self.trace;
+    fn trace(
+        &self,
+        svg: &mut String,
+        (stroke, place, colour): (usize, usize, RGBColor),
+        frames: &[Frame],
+        again: &str,
+    ) -> Drawn {
         let way: Vec<_> = frames.iter().map(|frame| frame[stroke][place]).collect();
         let mut gone = vec![0.0];
         for pair in way.windows(2) {
@@ -181,7 +289,7 @@ pub fn hex(RGBColor(r, g, b): RGBColor) -> String {
 }
 
 /// A number of few digits.
-fn short(x: f64) -> String {
+pub fn short(x: f64) -> String {
     let text = format!("{x:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

@@ -3,6 +3,8 @@
 
 pub mod camera;
 pub mod film;
+pub mod linkage;
+pub mod panel;
 
 use plotters::chart::{ChartBuilder, ChartContext};
 use plotters::coord::Shift;
@@ -216,4 +218,13 @@ pub fn range(numbers: impl IntoIterator<Item = f64>, share: f64) -> Range<f64> {
     let (low, high) = numbers.into_iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
     let slack = (high - low).max(f64::MIN_POSITIVE) * share;
     low - slack..high + slack
+}
+
+/// The slope of a straight line through points, by least squares.
+pub fn slope<'p>(points: impl IntoIterator<Item = &'p (f64, f64)>) -> f64 {
+    let points: Vec<_> = points.into_iter().collect();
+    let count = points.len() as f64;
+    let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0 / count, y + p.1 / count));
+    let above: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    above / points.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
 }

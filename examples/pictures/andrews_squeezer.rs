@@ -1,7 +1,7 @@
 //! Pictures of the example `andrews_squeezer`.
 
 use crate::Reading;
-use crate::common::film::Film;
+use crate::common::film::{Film, Stroke};
 use crate::common::{self, BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use crate::squeezer::{A, B, C, END};
 use std::path::PathBuf;
@@ -83,10 +83,16 @@ pub fn film(readings: &[Reading]) -> Drawn<PathBuf> {
         view: (-0.085..0.045, -0.045..0.085),
         scale: 4000.0,
         seconds: [END, 12.0],
-        strokes: &[(ORANGE, 5.0), (BLUE, 5.0), (BLUE, 5.0), (INK, 5.0), (GREEN, 2.0)],
-        trace: (0, 2, ORANGE),
+        strokes: &[
+            Stroke::links(ORANGE, 5.0),
+            Stroke::links(BLUE, 5.0),
+            Stroke::links(BLUE, 5.0),
+            Stroke::links(INK, 5.0),
+            Stroke::links(GREEN, 2.0),
+        ],
+        trace: Some((0, 2, ORANGE)),
         ground: &[(0.0, 0.0), (A[0], A[1]), (B[0], B[1]), (C[0], C[1])],
-        floor: &[],
+        ..Film::default()
     };
     film.save("andrews_squeezer_moving", &frames)
 }

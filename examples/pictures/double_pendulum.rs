@@ -1,7 +1,7 @@
 //! Pictures of the example `double_pendulum`.
 
 use crate::Reading;
-use crate::common::film::{Film, Frame};
+use crate::common::film::{Film, Frame, Stroke};
 use crate::common::{self, BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use std::path::PathBuf;
 
@@ -13,10 +13,10 @@ pub fn film(frames: &[Frame]) -> Drawn<PathBuf> {
         view: (-2.2..2.2, -2.15..2.15),
         scale: 110.0,
         seconds: [12.0; 2],
-        strokes: &[(BLUE, 7.0)],
-        trace: (0, 2, ORANGE),
+        strokes: &[Stroke::links(BLUE, 7.0)],
+        trace: Some((0, 2, ORANGE)),
         ground: &[(0.0, 0.0)],
-        floor: &[],
+        ..Film::default()
     };
     film.save("double_pendulum_moving", frames)
 }

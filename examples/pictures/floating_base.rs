@@ -1,6 +1,6 @@
 //! Pictures of the example `floating_base`.
 
-use crate::common::film::Film;
+use crate::common::film::{Film, Stroke};
 use crate::common::{self, BLUE, Drawn, FAINT, GREEN, INK, ORANGE, blend, line};
 use crate::{ROUND, ROUNDS, Reading};
 use std::path::PathBuf;
@@ -42,10 +42,9 @@ pub fn film(readings: &[Reading]) -> Drawn<PathBuf> {
         view: (-0.7..2.8, -1.0..2.3),
         scale: 135.0,
         seconds: [ROUND * ROUNDS as f64, 12.0],
-        strokes: &[(BLUE, 7.0), (INK, 8.5)],
-        trace: (0, 2, ORANGE),
-        ground: &[],
-        floor: &[],
+        strokes: &[Stroke::links(BLUE, 7.0), Stroke::links(INK, 8.5)],
+        trace: Some((0, 2, ORANGE)),
+        ..Film::default()
     };
     film.save("floating_base_moving", &frames)
 }

@@ -1,8 +1,10 @@
 //! Pictures of the example `paper_figure_10`.
 
-use crate::RED;
 use crate::common::{self, BLUE, Drawn, GREEN, GREY, INK, ORANGE};
+use plotters::style::RGBColor;
 use std::path::PathBuf;
+
+const RED: RGBColor = RGBColor(176, 32, 60);
 
 pub fn draw(curves: [Vec<(f64, f64)>; 6]) -> Drawn<PathBuf> {
     common::picture("paper_figure_10", (900, 520), |area| {

@@ -1,7 +1,7 @@
 //! Pictures of the example `robot_arm`.
 
 use crate::arm::{LEG, POSES};
-use crate::common::film::Film;
+use crate::common::film::{Film, Stroke};
 use crate::common::{self, BLUE, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
 use crate::{CYCLE, LOAD, Sample};
 use nalgebra::Vector3;
@@ -65,10 +65,10 @@ pub fn film(log: &[Sample]) -> Drawn<PathBuf> {
         view: (-0.9..1.4, -0.75..1.1),
         scale: 220.0,
         seconds: [LEG * (POSES.len() - 1) as f64; 2],
-        strokes: &[(BLUE, 9.0)],
-        trace: (0, 4, ORANGE),
+        strokes: &[Stroke::links(BLUE, 9.0)],
+        trace: Some((0, 4, ORANGE)),
         ground: &[(0.0, 0.0)],
-        floor: &[],
+        ..Film::default()
     };
     film.save("robot_arm_moving", &frames)
 }

@@ -1,6 +1,8 @@
 //! Pictures of the example `swing_up`.
 
 use crate::cart::{H, LENGTHS, State};
+use crate::common::film::{Course, Film, Stroke};
+use crate::common::panel::{Curve, Panel};
 use crate::common::{self, BLUE, Chart, Drawn, FAINT, GREEN, GREY, INK, ORANGE, blend, line};
 use crate::{HOLD, Plan, SWING};
 use std::f64::consts::FRAC_PI_2;
@@ -48,4 +50,36 @@ fn links(chart: &mut Chart, plan: &Plan) -> Drawn {
         common::links(chart, points, line(colour, if last { 3.5 } else { 1.2 }))?;
     }
     Ok(())
+}
+
+/// The swing, and the costate that goes backward under it.
+pub fn film(plan: &Plan, costates: &[State]) -> Drawn<PathBuf> {
+    let names = [("cart", GREEN, 0.0), ("lower rod", BLUE, FRAC_PI_2), ("upper rod", ORANGE, FRAC_PI_2)];
+    let curves = |states: &[State], upright: f64| {
+        let each = names.into_iter().enumerate();
+        each.map(|(i, (name, colour, from))| Curve {
+            name,
+            colour,
+            values: states.iter().map(|state| state[i] - upright * from).collect(),
+        })
+        .collect()
+    };
+    let panels = [
+        Panel { title: "Run, forward (m, rad)", curves: curves(&plan.states, 1.0), backward: false },
+        Panel { title: "Costate, backward (1/m, 1/rad)", curves: curves(costates, 0.0), backward: true },
+    ];
+    let frames: Vec<_> = plan.states.iter().step_by(5).map(|state| vec![points(state)]).collect();
+    let film = Film {
+        title: "Swing up",
+        subtitle: "Backward goes the costate: what the rest will cost more, if one is off.",
+        view: (-1.75..1.75, -1.0..1.05),
+        scale: 140.0,
+        seconds: [H * SWING as f64, 12.0],
+        course: Course::ThereAndBack,
+        strokes: &[Stroke::links(BLUE, 6.0)],
+        floor: &[vec![(-1.75, 0.0), (1.75, 0.0)]],
+        panels: &panels,
+        ..Film::default()
+    };
+    film.save("swing_up_moving", &frames)
 }

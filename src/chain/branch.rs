@@ -42,6 +42,7 @@ impl<S: Space, A: Shape<S>> Shape<S> for Branch<A> {
     const LINEAR: bool = A::LINEAR;
     const OWN_AXES: bool = A::OWN_AXES;
     const SINES: usize = A::SINES;
+    const FLANGED: bool = A::FLANGED;
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> Self::Store<F> {
         self.0.store::<F::In<Arm>>(F::fill_in::<Arm>(fill))
@@ -78,7 +79,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         mass + self.0.lump(S::Scalar::zero())
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn orient(
         &self,
         position: &Self::Position,
@@ -92,7 +93,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         self.0.orient(position, rate, turn, x, y, p, q);
         turn
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn resolve(
         sizes: &Self::Store<PerAxes<S::Size>>,
         x: &mut Self::Store<PerAxes<S::X>>,
@@ -102,7 +103,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     ) {
         A::resolve(sizes, x, y, p, q);
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn pose(
         &self,
         position: &Self::Position,
@@ -131,7 +132,7 @@ where
 {
     type Out = R::Out;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
         outer: R,

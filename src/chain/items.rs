@@ -42,6 +42,7 @@ macro_rules! chain_items {
             const LOOPS: usize = A::LOOPS;
             const LINEAR: bool = A::LINEAR;
             const OWN_AXES: bool = A::OWN_AXES;
+            const FLANGED: bool = A::FLANGED;
             const SINES: usize = {
                 let $A = Some(A::SINES);
                 match $length {

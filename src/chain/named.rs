@@ -59,11 +59,12 @@ impl<S: Space, E: Shape<S>> Shape<S> for Named<E> {
     const LINEAR: bool = E::LINEAR;
     const OWN_AXES: bool = E::OWN_AXES;
     const SINES: usize = E::SINES;
+    const FLANGED: bool = E::FLANGED;
 
     fn store<F: Field<S>>(&self, fill: F::Fill) -> E::Store<F> {
         self.item.store::<F>(fill)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
         let mut stores = stores;
         let stores = W::Stores::member::<Self, _>(&mut stores, Nth::<0>);
@@ -103,7 +104,7 @@ impl<S: Space, E: Element<S>> Element<S> for Named<E> {
     fn turned(&self, position: &E::Position, rate: &E::Rate, turn: S::Turn) -> S::Turn {
         self.item.turned(position, rate, turn)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn orient(
         &self,
         position: &E::Position,
@@ -116,7 +117,7 @@ impl<S: Space, E: Element<S>> Element<S> for Named<E> {
     ) -> S::Turn {
         self.item.orient(position, rate, turn, x, y, p, q)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn resolve(
         sizes: &E::Store<PerAxes<S::Size>>,
         x: &mut E::Store<PerAxes<S::X>>,
@@ -126,7 +127,7 @@ impl<S: Space, E: Element<S>> Element<S> for Named<E> {
     ) {
         E::resolve(sizes, x, y, p, q);
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn pose(
         &self,
         position: &E::Position,
@@ -145,7 +146,7 @@ impl<S: Space, E: Element<S>> Element<S> for Named<E> {
 impl<S: Space, R, W: Sweep<S>, E: Condense<S, R, W>> Condense<S, R, W> for Named<E> {
     type Out = E::Out;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
         outer: R,
@@ -174,6 +175,8 @@ impl<S: Space, R: Root<S>> Root<S> for Named<R> {
     type Pairs = R::Pairs;
     type Joint = Named<R::Joint>;
 
+    const RESTS: bool = R::RESTS;
+
     fn joint(&self) -> Named<R::Joint> {
         self.item.joint().named(self.name)
     }
@@ -194,7 +197,7 @@ impl<S: Space, K: Closing<S>> Closing<S> for Named<K> {
     fn per_axes<X: Copy>(fill: X) -> K::PerAxes<X> {
         K::per_axes(fill)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn orient(
         &self,
         side: S::Turn,

@@ -69,6 +69,7 @@ macro_rules! chain_of {
             const LINEAR: bool = true $(&& $A::LINEAR)*;
             const OWN_AXES: bool = false $(|| $A::OWN_AXES)*;
             const SINES: usize = 0_usize $(.saturating_add($A::SINES))*;
+            const FLANGED: bool = false $(|| $A::FLANGED)*;
 
             fn store<Stored: Field<S>>(&self, fill: Stored::Fill) -> Self::Store<Stored> {
                 ($(self.$i.store::<Stored>(fill),)*)
@@ -92,12 +93,12 @@ macro_rules! chain_of {
             type Position = ($($A::Position,)*);
             type Rate = ($($A::Rate,)*);
 
-            // Of what follows an item that turns anew, nothing depends on what lies inboard of the tuple.
+            // Of what follows an item that turns anew, nothing depends on what lies inboard of the tuple; axes of bodies are passed in order.
             const ABSOLUTE: bool = {
                 let (absolute, anew) = (true, false);
                 $(let (absolute, anew) = (absolute && (anew || $A::ABSOLUTE), anew || $A::TURNS_ANEW);)*
                 let _ = anew;
-                absolute
+                absolute && !<Self as Shape<S>>::FLANGED
             };
             const TURNS_ANEW: bool = false $(|| $A::TURNS_ANEW)*;
 

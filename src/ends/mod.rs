@@ -60,6 +60,9 @@ pub trait Root<S: Space> {
     /// The joint between the ground and the chain.
     type Joint: Element<S>;
 
+    /// Whether the ground is known to rest.
+    const RESTS: bool = false;
+
     /// The joint between the ground and the chain.
     fn joint(&self) -> Self::Joint;
     /// The motion of the ground where the joint sits.
@@ -101,7 +104,7 @@ pub trait Tip<S: Space> {
 #[diagnostic::on_unimplemented(
     message = "the root `{Self}` is not known to stand on ground that rests",
     label = "a ground that may move, or a root that floats",
-    note = "gradients of a run backward and `Taylor` know `Pinned` and `Clamped`, and `Hinged` of space, at places and angles that are numbers",
+    note = "`Taylor` knows `Pinned` and `Clamped`, and `Hinged` of space, at places and angles that are numbers",
     note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
 )]
 pub trait Resting<S: Space>: Root<S> {}

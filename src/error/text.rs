@@ -3,22 +3,47 @@
 use super::{Cause, Error, Fault, Place};
 use core::fmt;
 
+/// A number to be read: with an exponent where it would be a row of zeros.
+struct Number(f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.0.abs();
+        let plain = size == 0.0 || !size.is_finite() || (1e-5..1e16).contains(&size);
+        if plain { self.0.fmt(f) } else { fmt::LowerExp::fmt(&self.0, f) }
+    }
+}
+
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Fault::NotZero { parameter } => write!(f, "{parameter} must be zero"),
-            Fault::NotPositive { parameter, value } => write!(f, "{parameter} must be positive, but is {value}"),
-            Fault::Negative { parameter, value } => write!(f, "{parameter} must not be negative, but is {value}"),
+            Fault::NotPositive { parameter, value } => {
+                write!(f, "{parameter} must be positive, but is {}", Number(value))
+            }
+            Fault::Negative { parameter, value } => {
+                write!(f, "{parameter} must not be negative, but is {}", Number(value))
+            }
+            Fault::OutOfRange { parameter, value, least, most, outside } if least == most => {
+                let [value, least] = [value, least].map(Number);
+                write!(f, "{parameter} must be {least}, but is {value}: {outside}")
+            }
             Fault::OutOfRange { parameter, value, least, most, outside } if most.is_finite() => {
+                let [value, least, most] = [value, least, most].map(Number);
                 write!(f, "{parameter} must lie between {least} and {most}, but is {value}: {outside}")
             }
             Fault::OutOfRange { parameter, value, least, outside, .. } => {
+                let [value, least] = [value, least].map(Number);
                 write!(f, "{parameter} must be finite and at least {least}, but is {value}: {outside}")
             }
             Fault::NotFinite { parameter } => write!(f, "{parameter} must be finite"),
             Fault::NotSymmetric { parameter } => write!(f, "{parameter} must be symmetric"),
             Fault::ImpossibleInertia { excess } => {
-                write!(f, "no body has these moments of inertia: one exceeds the sum of the others by {excess} kg m2")
+                write!(
+                    f,
+                    "no body has these moments of inertia: one exceeds the sum of the others by {excess} kg m2",
+                    excess = Number(excess)
+                )
             }
             Fault::ParallelAxes => write!(f, "the axes of the joint are parallel"),
             Fault::SingularJoint => write!(
@@ -28,10 +53,14 @@ impl fmt::Display for Fault {
             Fault::NonFiniteLoad => write!(f, "a load is not finite"),
             Fault::NonFiniteMotion => write!(f, "the motion is no longer finite"),
             Fault::AngleOutOfRange { angle } => {
-                write!(f, "the angle {angle} rad lies beyond 4e5 rad, where sines lose digits: wrap it")
+                write!(
+                    f,
+                    "the angle {angle} rad lies beyond 4e5 rad, where sines lose digits: wrap it",
+                    angle = Number(angle)
+                )
             }
             Fault::StepTooSmall { step, cause } => {
-                write!(f, "steps have become too small (the last: {step} s): {cause}")
+                write!(f, "steps have become too small (the last: {step} s): {cause}", step = Number(step))
             }
             Fault::NoSuchBody { body, bodies } => {
                 write!(f, "there is no body {body}: the scene has {bodies}, from 0 on")
@@ -44,7 +73,11 @@ impl fmt::Display for Fault {
                 write!(f, "{name} names {count} of kind {what}: reach them by number")
             }
             Fault::ImpossibleTurn { residual } => {
-                write!(f, "this joint cannot turn its body so: it misses by {residual} (rad, or rad/s)")
+                write!(
+                    f,
+                    "this joint cannot turn its body so: it misses by {residual} (rad, or rad/s)",
+                    residual = Number(residual)
+                )
             }
             Fault::Count { expected, given } => {
                 write!(f, "a list of {expected} values is needed, one of {given} is given")
@@ -64,26 +97,44 @@ impl fmt::Display for Fault {
             Fault::NotClosed { residual } => {
                 write!(
                     f,
-                    "what is held together cannot be brought there from this guess: it misses by {residual} (m, or rad)"
+                    "what is held together cannot be brought there from this guess: it misses by {residual} (m, or rad)",
+                    residual = Number(residual)
+                )
+            }
+            Fault::NotAssembled { residual } => {
+                write!(
+                    f,
+                    "what is held together is apart by {residual} (m, or rad): no run begins there; assemble it first",
+                    residual = Number(residual)
                 )
             }
             Fault::ImpossibleHold { what, residual } => {
                 write!(
                     f,
-                    "nothing closes from this guess with the {what} that are to stay: it misses by {residual} (m or rad; of rates, m/s or rad/s)"
+                    "nothing closes from this guess with the {what} that are to stay: it misses by {residual} (m or rad; of rates, m/s or rad/s)",
+                    residual = Number(residual)
                 )
             }
             Fault::NoEquilibrium { residual } => {
                 write!(
                     f,
-                    "no equilibrium found from this guess: an acceleration of {residual} (rad/s2, or m/s2) is left; guess nearer, or let a run with dampers come to rest and begin there"
+                    "no equilibrium found from this guess: an acceleration of {residual} (rad/s2, or m/s2) is left; guess nearer, or let a run with dampers come to rest and begin there",
+                    residual = Number(residual)
                 )
             }
             Fault::NotAtRest { distance } => {
-                write!(f, "the motion is not at rest: rest is about {distance} (rad, or m) away")
+                write!(
+                    f,
+                    "the motion is not at rest: rest is about {distance} (rad, or m) away",
+                    distance = Number(distance)
+                )
             }
             Fault::NotConservative { asymmetry } => {
-                write!(f, "forces have no potential: the stiffness is asymmetric by {asymmetry}")
+                write!(
+                    f,
+                    "forces have no potential: the stiffness is asymmetric by {asymmetry}",
+                    asymmetry = Number(asymmetry)
+                )
             }
             Fault::CentreOfPercussion => write!(
                 f,
@@ -91,7 +142,8 @@ impl fmt::Display for Fault {
             ),
             Fault::SingularAngles { angle } => write!(
                 f,
-                "the angles 1-2-3 are singular where theta2 = {angle} rad is a right angle; let rotation vectors stand in their slot"
+                "the angles 1-2-3 are singular where theta2 = {angle} rad is a right angle; let rotation vectors stand in their slot",
+                angle = Number(angle)
             ),
             Fault::NotConverged { sweeps } => {
                 write!(f, "the equations of a step are not met after {sweeps} sweeps: take smaller steps")
@@ -111,7 +163,7 @@ impl fmt::Display for Error {
             None => (),
         }
         match self.time {
-            Some(time) => write!(f, ", at t = {time} s"),
+            Some(time) => write!(f, ", at t = {time} s", time = Number(time)),
             None => Ok(()),
         }
     }

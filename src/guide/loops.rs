@@ -6,6 +6,7 @@
 //! | two arms meet in a joint | `Network::new(main, side, Pin)` in the chain |
 //! | an arm comes back to its own body | `ClosedLoop` |
 //! | loops in a row | networks within side arms of networks |
+//! | robots in axes of their bodies | arms that begin with `BodyAxes` and end with a [`Flange`](crate::robot::Flange) |
 //! | the ground holds several arms | a `Clamped` root, arms that begin with `RigidBody::massless` |
 //!
 //! A guess does not have to close: `assembled` closes it by the least change of coordinates, or says by how much it cannot.
@@ -23,6 +24,10 @@
 //! assert!((tip.x - 0.8).abs() < 1e-12 && tip.y.abs() < 1e-12); // closed to rounding
 //! # Ok::<(), catena::Error>(())
 //! ```
+//!
+//! A run begins from what is nearly closed, as from angles of six digits: its first steps close it. Anything else is refused,
+//! [`NotAssembled`](crate::Fault::NotAssembled), rather than drawn together as if by a blow. Rates that closures do not allow are taken to the nearest
+//! that they do, by the inertia of the scene, in the first step, as when links are caught; `assembled` does that before.
 //!
 //! [`assembled_holding`](crate::system::System::assembled_holding) keeps coordinates that are given, a crank's angle for one.
 //!

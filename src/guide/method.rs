@@ -48,6 +48,10 @@
 //! instructions a body in the plane, exact to rounding on chains of 100 000 bodies. Where a pin bears no torque S shrinks to 2 × 2: types
 //! decide that, and a compiler removes the rest.
 //!
+//! By hand, beside the library's own, that is the example `two_walks`. Green is the inertia felt at a pin, S u for all directions u.
+//!
+#![doc = concat!("<div>\n", include_str!("../../docs/pictures/two_walks.svg"), "\n</div>")]
+//!
 //! # Loops and held tips
 //!
 //! Forces λ that close a loop ride inward as columns: F = S p + e + W λ, with −Wᵀ p + Λ λ + y₀ = 0. Where the loop begins they are eliminated

@@ -133,6 +133,21 @@ macro_rules! mirror_items {
                 }
             }
             #[inline]
+            fn transposed_second(
+                &self,
+                from: &Self,
+                (rate, acceleration): (&Self::Rate, &Self::Rate),
+                of_second: &Self::Rate,
+                (of_position, of_rate): (&mut Self::Rate, &mut Self::Rate),
+                of_from: &mut Self::Rate,
+            ) {
+                let here = self.iter().zip(from).zip(rate.iter().zip(acceleration));
+                let of_here = of_second.iter().zip(of_position).zip(of_rate.iter_mut().zip(of_from));
+                for (((item, from), here), ((of_second, of_position), (of_rate, of_from))) in here.zip(of_here) {
+                    item.transposed_second(from, here, of_second, (of_position, of_rate), of_from);
+                }
+            }
+            #[inline]
             fn displace(&mut self, step: &Self::Rate) {
                 self.iter_mut().zip(step).for_each(|(item, step)| item.displace(step));
             }

@@ -54,13 +54,17 @@
 //! lists, know joints with modes ([`Coulomb`], [`HardStops`]) and joints whose coordinate is a function of time ([`Driven`]). Loads on links
 //! are those of [`spatial`](crate::spatial), in inertial axes; points that touch the ground are [`Contacts`].
 //!
-//! Not yet: held tips, loops, derivatives through kept gains, gradients backward: such scenes do not compile.
+//! From a [`Flange`] on, a place on a link, a scene is in inertial axes again: there the ground holds a tip ([`Pinned`], [`Hinged`], [`Clamped`]), a
+//! loop closes, other elements hang. An arm of a [`Network`] begins with [`BodyAxes`] and ends with a `Flange`. Functions of lists know no `Flange`:
+//! torques of such robots are [`Torques`].
+//!
+//! Not yet: tips held of a base that floats, derivatives through kept gains, gradients backward: such scenes do not compile.
 
 mod functions;
 
 pub use crate::mechanics::spatial::body_axes::{
-    AboutZ, AlongZ, Armature, Axis, Base, Bearing, Block, BodyAxes, Hinge, Leaning, Level, Link, Offset, OnBody,
-    OnGround, Place, Quarter, Slide, Torques, Turned, Upright, Yielding,
+    AboutZ, AlongZ, Armature, Axis, Base, Bearing, Block, BodyAxes, Flange, Hinge, Leaning, Level, Link, Offset,
+    OnBody, OnGround, Place, Quarter, Slide, Torques, Turned, Upright, Yielding,
 };
 pub use crate::spatial::*;
 pub use functions::{

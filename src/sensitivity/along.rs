@@ -7,15 +7,18 @@ use crate::element::Element;
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::mechanics::planar::adjoint::BODY;
-use crate::mechanics::planar::{Base, Body, ElasticHinge, Pin, Planar, PointMass, RigidBody, Rod, Slider, Weld};
-use crate::scalar::{Jet, Scalar};
+use crate::mechanics::planar::adjoint::{BODY, LAW_NUMBERS, NUMBERS_OF_JOINT, numbers};
+use crate::mechanics::planar::{
+    Acceleration, Base, Body, ElasticHinge, Frame, HingeAxes, Linear, Pin, Planar, PointMass, RigidBody, Rod, Slider,
+    Weld,
+};
+use crate::scalar::{Jet, Real, Scalar};
 use crate::shape::{
     Around, AtClosing, Closing, Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms,
 };
 use crate::spring::SpringLaw;
 use crate::system::{Elements, System};
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// Sums up what derivatives of parameters do to a cost.
 pub struct Along<T, const K: usize> {
@@ -48,12 +51,18 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 
     /// Adds what a joint with two laws does: each has half of the numbers.
     pub(super) fn add_two(&mut self, laws: (&impl Lift<Jet<T, K>, T>, &impl Lift<Jet<T, K>, T>), by: &[T; NUMBERS]) {
-        let (one, other) = by.split_at(NUMBERS / 2);
+        let (one, other) = by.split_at(LAW_NUMBERS);
+        self.add_law(laws.0, one);
+        self.add_law(laws.1, other);
+        self.met += 1;
+    }
+
+    /// Adds what one of several laws of a joint does: each has a share of its numbers.
+    fn add_law(&mut self, law: &impl Lift<Jet<T, K>, T>, by: &[T]) {
         let before = core::mem::take(&mut self.most);
-        self.add_joint(laws.0, one);
-        self.add_joint(laws.1, other);
+        self.add_joint(law, by);
         self.met -= 1;
-        self.most = before.max(if self.most > NUMBERS / 2 { self.most + NUMBERS / 2 } else { 0 });
+        self.most = before.max(if self.most > LAW_NUMBERS { self.most + NUMBERS - LAW_NUMBERS } else { 0 });
     }
 
     /// Adds what a tip does, number by number.
@@ -73,9 +82,31 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     }
 }
 
+/// Refuses ground over jets whose motion depends on seeds, but for an offset of its place and orientation that is the same at all times: gradients
+/// know no more of it. `at` gives numbers of both kinds, offsets first.
+pub(super) fn offset_alone<T: Scalar, const K: usize, const N: usize, const M: usize>(
+    times: Option<[T::Real; 2]>,
+    at: impl Fn(T::Real) -> ([Jet<T, K>; N], [Jet<T, K>; M]),
+) -> Result<(), Error> {
+    let Some([last, first]) = times else { return Ok(()) };
+    let (offset, _) = at(first);
+    let slack = T::Real::EPSILON.sqrt();
+    let alike = |a: T, b: T| (a - b).real().abs() <= slack * (T::Real::one() + a.real().abs());
+    for k in 0..9 {
+        // Shares that no period shares.
+        let share = T::Real::of((0.618_033_988_749_895 * k as f64).fract());
+        let (now, moving) = at(first + (last - first) * share);
+        let still = moving.iter().all(|x| x.eps.iter().all(|x| x.is_identical(T::zero())));
+        if !(still && now.iter().zip(&offset).all(|(a, b)| a.eps.iter().zip(b.eps).all(|(a, b)| alike(*a, b)))) {
+            return Err(Error::new(Fault::Unsupported { what: "the gradient by what moves the ground" }));
+        }
+    }
+    Ok(())
+}
+
 impl<T: Scalar, const K: usize> Walk<Planar<Jet<T, K>>> for Along<T, K> {
     type Carried = ();
-    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; BODY]>>, Ref<PerJoint<[T; NUMBERS]>>);
+    type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; BODY]>>, Ref<PerJoint<[T; NUMBERS_OF_JOINT]>>);
 }
 
 impl<T: Scalar, const K: usize> Selective<Planar<Jet<T, K>>> for Along<T, K> {
@@ -115,11 +146,7 @@ macro_rules! bodies {
                 }
                 walk.add(by.inertia, inertia);
                 walk.add(by.lumped, lumped);
-                let mut list = by_numbers.iter();
-                self.lift(&mut |number: Jet<T, K>| {
-                    list.next().into_iter().for_each(|costate| walk.add(*costate, number));
-                    number.re
-                });
+                by_numbers.iter().zip(numbers(self)).for_each(|(by, number)| walk.add(*by, number));
                 walk.met += 1;
             }
         }
@@ -140,6 +167,28 @@ macro_rules! joints {
     )*};
 }
 joints!([] Pin, [] Weld<Jet<T, K>>, [L] ElasticHinge<L>, [L] Slider<Jet<T, K>, L>);
+
+impl<T, R, X, Y, A, const K: usize> Takes<Planar<Jet<T, K>>, Along<T, K>>
+    for ElasticHinge<R, Linear<Jet<T, K>, X, Y, A>>
+where
+    T: Scalar,
+    R: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    X: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    Y: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    A: HingeAxes,
+{
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
+        let ((rotary, x, y), mass) = self.parts();
+        let mut shares = by.chunks(LAW_NUMBERS);
+        let mut next = || shares.next().unwrap_or_default();
+        let (of_rotary, of_x, of_y) = (next(), next(), next());
+        walk.add_law(rotary, of_rotary);
+        walk.add_law(x, of_x);
+        walk.add_law(y, of_y);
+        next().iter().for_each(|by| walk.add(*by, mass));
+        walk.met += 1;
+    }
+}
 
 impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
     /// The gradient along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them, lengths,
@@ -175,7 +224,8 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
     /// ```
     ///
     /// # Errors
-    /// [`Fault::Shape`] for another scene; [`Fault::Count`] for a joint of more than six numbers.
+    /// [`Fault::Shape`] for another scene; [`Fault::Count`] for a joint of more than six numbers; [`Fault::Unsupported`] where the ground moves, and
+    /// how it does depends on seeds: only a place and an angle that are added to that may.
     pub fn along<R, C, P, const K: usize>(&self, scene: &System<Planar<Jet<T, K>>, R, C, P>) -> Result<[T; K], Error>
     where
         R: Root<Planar<Jet<T, K>>>,
@@ -184,13 +234,20 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
         Elements<Planar<Jet<T, K>>, R, C>: Takes<Planar<Jet<T, K>>, Along<T, K>>
             + Shape<Planar<Jet<T, K>>, Store<PerBody<Base<T>>> = E::Store<PerBody<Base<T>>>>
             + Shape<Planar<Jet<T, K>>, Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>>
-            + Shape<Planar<Jet<T, K>>, Store<PerJoint<[T; NUMBERS]>> = E::Store<PerJoint<[T; NUMBERS]>>>,
+            + Shape<Planar<Jet<T, K>>, Store<PerJoint<[T; NUMBERS_OF_JOINT]>> = E::Store<PerJoint<[T; NUMBERS_OF_JOINT]>>>,
     {
         let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
         let elements = scene.elements();
         elements.take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;
-        let ground = scene.ground(Zero::zero());
+        let ground = scene.ground(self.times.map_or(Zero::zero(), |[last, _]| last));
+        if const { !R::RESTS } {
+            offset_alone(self.times, |time| {
+                let Frame { place, velocity, acceleration: Acceleration { linear, angular }, turn } =
+                    scene.ground(time);
+                ([place.x, place.y, turn.angle], [velocity.x, velocity.y, linear.x, linear.y, angular, turn.rate])
+            })?;
+        }
         walk.add(self.ground, ground.turn.angle);
         walk.add(self.place.x, ground.place.x);
         walk.add(self.place.y, ground.place.y);

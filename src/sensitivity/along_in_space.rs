@@ -1,7 +1,7 @@
 //! Gradients of runs in space, along whatever parameters a scene is made of.
 
 use super::Gradient;
-use super::along::Along;
+use super::along::{Along, offset_alone};
 use crate::adjoint::ReversibleTip;
 use crate::chain::Named;
 use crate::element::Element;
@@ -11,8 +11,8 @@ use crate::lift::Lift;
 use crate::mechanics::spatial::adjoint::{BODY, numbers};
 use crate::mechanics::spatial::axial::{Axial, aside};
 use crate::mechanics::spatial::{
-    Ball, Base, Cylindrical, Inertial, OfJoint, PointMass, Prismatic, Revolute, RigidBody, Rod, Spatial, Universal,
-    Weld,
+    Acceleration, Ball, Base, Cylindrical, Floating, Frame, Inertial, OfJoint, PointMass, Prismatic, Revolute,
+    RigidBody, Rod, Spatial, Universal, Weld,
 };
 use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};
@@ -91,6 +91,13 @@ impl<T: Scalar, const K: usize> Numbered<T, K> for Ball {
     }
 }
 
+impl<T: Scalar, const K: usize> Numbered<T, K> for Floating<Jet<T, K>> {
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
+        walk.add(by.more[0], self.lumped());
+        walk.met += 1;
+    }
+}
+
 impl<T: Scalar, const K: usize> Numbered<T, K> for Weld<Jet<T, K>> {
     fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
         walk.add_vector(by.turn, turn(self.attitude()));
@@ -164,7 +171,7 @@ macro_rules! joints {
         }
     )*};
 }
-joints!([] Ball, [] Weld<Jet<T, K>>, [L] Revolute<Jet<T, K>, L>, [L] Prismatic<Jet<T, K>, L>);
+joints!([] Ball, [] Floating<Jet<T, K>>, [] Weld<Jet<T, K>>, [L] Revolute<Jet<T, K>, L>, [L] Prismatic<Jet<T, K>, L>);
 joints!([L M] Cylindrical<Jet<T, K>, L, M>, [L M] Universal<Jet<T, K>, L, M>);
 
 impl<T: Scalar, J: Closing<Spatial<Jet<T, K>>> + Numbered<T, K>, const K: usize> Around<Spatial<Jet<T, K>>, J>
@@ -217,7 +224,9 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
     /// ```
     ///
     /// # Errors
-    /// [`Fault::Shape`](crate::Fault::Shape) for another scene; [`Fault::Count`](crate::Fault::Count) for a law of more than six numbers.
+    /// [`Fault::Shape`](crate::Fault::Shape) for another scene; [`Fault::Count`](crate::Fault::Count) for a law of more than six numbers;
+    /// [`Fault::Unsupported`](crate::Fault::Unsupported) where the ground moves, and how it does depends on seeds: only a place that is added to that
+    /// may, and a turn before it.
     pub fn along<R, C, P, const K: usize>(&self, scene: &System<Spatial<Jet<T, K>>, R, C, P>) -> Result<[T; K], Error>
     where
         R: Root<Spatial<Jet<T, K>>>,
@@ -231,7 +240,16 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
         let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
         scene.elements().take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;
-        let ground = scene.ground(Zero::zero());
+        let ground = scene.ground(self.times.map_or(Zero::zero(), |[last, _]| last));
+        if const { !R::RESTS } {
+            offset_alone(self.times, |time| {
+                let Frame { place, velocity: v, acceleration: Acceleration { linear: a, angular: b }, turn: at } =
+                    scene.ground(time);
+                let (turned, w) = (turn(&at.attitude), at.spin);
+                let offset = [place.x, place.y, place.z, turned.x, turned.y, turned.z];
+                (offset, [v.x, v.y, v.z, a.x, a.y, a.z, b.x, b.y, b.z, w.x, w.y, w.z])
+            })?;
+        }
         walk.add_vector(self.ground, turn(&ground.turn.attitude));
         walk.add_vector(self.place, ground.place);
         walk.add_tip(&self.tip, &scene.tip().numbers());

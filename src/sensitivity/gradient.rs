@@ -1,7 +1,7 @@
 //! The gradient of a run.
 
 use crate::adjoint::Reversed;
-use crate::element::Element;
+use crate::element::{Element, RealOf};
 use crate::error::{Error, Fault, counted};
 use crate::lift::Lift;
 use crate::mirror::{Position, Rate};
@@ -50,6 +50,8 @@ pub struct Gradient<S: Reversed, E: Element<S>> {
     /// By initial positions and rates; by the time of all motions at once.
     pub start: Costate<E::Rate, S::Scalar>,
     pub(crate) gravity: S::Vector,
+    /// The last and the first time (s) at which the ground was asked for.
+    pub(crate) times: Option<[RealOf<S>; 2]>,
     /// By the place and the orientation of the ground.
     pub(crate) place: S::Vector,
     pub(crate) ground: S::Angular,
@@ -74,6 +76,7 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
         Self {
             start: Costate { position: zero.clone(), rate: zero.clone(), time: Additive::null() },
             gravity: S::Vector::null(),
+            times: None,
             place: S::Vector::null(),
             ground: S::Angular::null(),
             tip: S::no_tip(),

@@ -77,6 +77,14 @@ pub trait Joint<S: Space>: Copy + 'static {
         let _ = (x, sine_cosine);
     }
 
+    /// Whether the joint has to be told how its inboard body is turned, because poses inboard carry no attitude.
+    const FLANGED: bool = false;
+    /// Stores how the inboard body is turned.
+    #[inline(always)]
+    fn set_attitude(&self, x: &mut Self::Per<S::X>, turn: &S::Turn) {
+        let _ = (x, turn);
+    }
+
     /// The name of the joint's type.
     fn kind() -> &'static str {
         core::any::type_name::<Self>()
@@ -160,12 +168,12 @@ pub trait AsJoint<S: Space>: Shape<S> + Joint<S> {
 /// Gives bodies or joints of a space their shape: `leaf!(body [T: Scalar] Rod<T>: Planar<T>)`. No walk is named here.
 macro_rules! leaf {
     (body [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, true, <Self as $crate::shape::Body<$S>>::OWN_AXES, 0, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, true, <Self as $crate::shape::Body<$S>>::OWN_AXES, 0, false, [$($generics)*] $Leaf, $S);
     };
     (joint [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, false, <Self as $crate::shape::Joint<$S>>::SINES, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, false, <Self as $crate::shape::Joint<$S>>::SINES, <Self as $crate::shape::Joint<$S>>::FLANGED, [$($generics)*] $Leaf, $S);
     };
-    ($As:ident, $In:ident, $meet:ident, $in:ident, $bodies:literal, $joints:literal, $linear:expr, $own_axes:expr, $sines:expr, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
+    ($As:ident, $In:ident, $meet:ident, $in:ident, $bodies:literal, $joints:literal, $linear:expr, $own_axes:expr, $sines:expr, $flanged:expr, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
         impl<$($generics)*> $crate::shape::Shape<$S> for $Leaf {
             type Store<Stored: $crate::shape::Field<$S>> = Stored::$In<Self>;
 
@@ -174,11 +182,12 @@ macro_rules! leaf {
             const LINEAR: bool = $linear;
             const OWN_AXES: bool = $own_axes;
             const SINES: usize = $sines;
+            const FLANGED: bool = $flanged;
 
             fn store<Stored: $crate::shape::Field<$S>>(&self, fill: Stored::Fill) -> Stored::$In<Self> {
                 Stored::$in(self, fill)
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn outward<Walk: $crate::shape::Outward<$S>>(
                 &self,
                 walk: &mut Walk,
@@ -187,7 +196,7 @@ macro_rules! leaf {
             ) -> Walk::Carried {
                 walk.$meet(self, carried, <Walk::Stores as $crate::shape::Slot<$S>>::$meet::<Self>(stores))
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn inward<Walk: $crate::shape::Inward<$S>>(
                 &self,
                 walk: &mut Walk,

@@ -51,6 +51,8 @@ pub trait Shape<S: Space>: Clone + 'static {
     const LOOPS: usize = 0;
     /// Angles inside whose sines are found before bodies are posed (more than any type says where a vector decides).
     const SINES: usize = 0;
+    /// Whether a joint inside leads from axes of bodies back to inertial ones, and has to be told how its body is turned.
+    const FLANGED: bool = false;
     /// Whether no law of a spring or damper inside has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
     /// Whether a body inside takes loads in its own axes.

@@ -40,7 +40,7 @@ macro_rules! alike_in_arms {
         const OUTWARD: bool = true;
         type In<Y: $crate::shape::Way> = Self;
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn branch(
             &mut self,
             carried: Self::Carried,
@@ -82,7 +82,7 @@ pub trait Around<S: Space, K: Closing<S>>: Selective<S> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` takes no walk `{W}`: functions of lists do not know it, no gradient of a run goes backward through it, or `Taylor` knows no series of its motion",
     label = "not known to this walk",
-    note = "gradients know `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider`, `ElasticHinge` without linear springs and `Network` of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld`, `Revolute`, `Prismatic`, `Cylindrical` and `Universal`, in tuples, arrays, vectors and branches, with names or without; `Taylor` knows those but for the last three joints",
+    note = "gradients know `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider`, `ElasticHinge` and `Network` of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld`, `Revolute`, `Prismatic`, `Cylindrical` and `Universal`, in tuples, arrays, vectors and branches, with names or without; `Taylor` knows those but for the last three joints",
     note = "functions of lists know `BodyAxes`, `Hinge`, `Slide` and `Link`; joints that are driven or have modes they do not: accelerations of such scenes are those of `System::with_accelerations`",
     note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
 )]
@@ -92,7 +92,7 @@ pub trait Takes<S: Space, W: Walk<S>>: Shape<S> {
 }
 
 /// Items one after the other.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn take_items<S: Space, W: Selective<S>, E: Items<S>>(
     items: &[E::Item],
     walk: &mut W,

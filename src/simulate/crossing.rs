@@ -3,12 +3,12 @@
 use crate::error::{Error, Fault};
 use crate::scalar::Scalar;
 
-/// The share of a first step after an event from which on another is looked for: it has left the zero where it began.
+/// The share of a first step after an event from which on another is looked for: the function has left the zero where it began.
 pub(super) const DEPARTED: f64 = 1e-3;
 
 /// The share of a step from which on a function is looked at that is zero where the step begins: by then it has left zero by more than
 /// rounding, and by more than steps err, also where it leaves slowly, as from rest.
-pub(crate) const LEFT: f64 = 0.0625;
+pub(super) const LEFT: f64 = 0.0625;
 
 /// Refuses functions of lanes: each crosses zero at a time of its own.
 ///
@@ -22,6 +22,26 @@ pub(crate) fn of_one_number<T: Scalar>() -> Result<(), Error> {
 /// Whether a function arrives at zero, or on its other side, that has these values. Products would be rounded to zero, or be no numbers.
 pub(crate) fn crosses([before, after]: [f64; 2]) -> bool {
     (before < 0.0 && after >= 0.0) || (before > 0.0 && after <= 0.0)
+}
+
+/// The share of a step from which on a function is looked at, and its value there, for a run that begins with a value, and whose first step ends
+/// with another: it begins at zero if it [`crosses`] zero within a share that is rounding, as where an event has ended another run, on
+/// whichever side of zero. Only a value that is nothing beside that at the end is looked at more closely.
+pub(crate) fn departure<E>(
+    [before, after]: [f64; 2],
+    rounding: f64,
+    mut value_at: impl FnMut(f64) -> Result<f64, E>,
+) -> Result<(f64, f64), E> {
+    if before == 0.0 {
+        return Ok((LEFT, value_at(LEFT)?));
+    }
+    if before.abs() > rounding * after.abs() {
+        return Ok((0.0, before));
+    }
+    let departed = value_at(DEPARTED)?;
+    let at_zero = crosses([before, departed])
+        && DEPARTED * crossing([before, departed], |part| value_at(DEPARTED * part))? <= rounding;
+    Ok(if at_zero { (DEPARTED, departed) } else { (0.0, before) })
 }
 
 /// The share at which a function is zero that [`crosses`] zero from 0 to 1 by these values: regula falsi with the Illinois modification.

@@ -1,6 +1,6 @@
 //! A run under way: its steps, samples by dense output, location of events.
 
-use super::crossing::{DEPARTED, LEFT, crosses, crossing, of_one_number};
+use super::crossing::{DEPARTED, crosses, crossing, departure, of_one_number};
 use super::now::{Find, settled};
 use super::{EventFunction, Now, Progress, Simulation, limits};
 use crate::element::{Element, Loading, RealOf, Space};
@@ -67,8 +67,12 @@ where
         system.accept(&self.past)?;
         if System::<S, R, C, P>::CLOSED > 0 {
             // Whether they are independent, once.
-            let outcome = system.accelerate(&mut self.next, self.plan.loads, &mut system.workspace());
+            let mut workspace = system.workspace();
+            let outcome = system.accelerate(&mut self.next, self.plan.loads, &mut workspace);
             outcome.map_err(|error| self.overlocked(error))?;
+            if const { !Self::MODES } {
+                system.nearly_closed(&self.past, self.plan.loads, &mut workspace)?; // joints that stick do not yield to corrections
+            }
         }
         let Simulation { rule, every, longest, .. } = &self.plan;
         limits::check([self.past.time, self.end], rule.control, *every, *longest)
@@ -227,7 +231,10 @@ where
         let crossing = match values {
             [before, Some(after)] => {
                 let (from, before) = match before {
-                    Some(0.0) => (LEFT, self.value_at(size, LEFT)?),
+                    Some(before) if before == 0.0 || self.progress.steps == 0 => {
+                        let rounding = RealOf::<S>::EPSILON.sqrt().as_f64();
+                        departure([before, after], rounding, |theta| self.value_at(size, theta))?
+                    }
                     Some(before) => (0.0, before),
                     None => (DEPARTED, self.value_at(size, DEPARTED)?),
                 };

@@ -204,7 +204,8 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         Self { longest: Some(longest), ..self }
     }
 
-    /// Also shown where a function of the motion crosses zero, once a step, past the first sixteenth where it begins at one. Not over lanes.
+    /// Also shown where a function of the motion crosses zero, once a step, past the first sixteenth where it begins at one. A run that begins
+    /// at a zero but for rounding, as where an event has ended another, does not find that one. Not over lanes.
     pub fn event<F>(self, function: F) -> Simulation<'a, S, R, C, P, L, M, F>
     where
         F: FnMut(&Now<'_, S, R, C, P, L>) -> S::Scalar,

@@ -13,6 +13,7 @@ use crate::shape::{Body, Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::space::FrameOf;
 use crate::visit::survey;
 use crate::walks::entries::{Entry, entries};
+use crate::walks::faced::faced;
 use crate::walks::measure::gains;
 use crate::walks::recover::recover;
 use crate::walks::respond::respond;
@@ -117,6 +118,7 @@ pub fn sweep<S: Space, E, W, R, P>(
     let ground = &root.ground(*time);
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
     sines(chain, position, x);
+    faced(chain, *ground, position, rate, x);
     let turn = chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
     // Bodies that take loads in their own axes are told their attitudes.
     let listed = const { W::Loads::ON && !W::Loads::READS && !(E::OWN_AXES && size_of::<OnBody<S, W>>() > 0) };
@@ -191,7 +193,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for LoadPass<'_, S, L> {
     type OnBody = L::OnBody;
     type InJoint = L::InJoint;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn body(&mut self, motion: &S::BodyMotion) -> L::OnBody {
         let load = self.loads.on_body(&self.seen, self.time, self.body, motion);
         self.body += 1;
@@ -202,7 +204,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for LoadPass<'_, S, L> {
         let load = self.body(motion);
         if const { B::OWN_AXES } { load.in_own_axes(motion) } else { load }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn joint(&mut self, motion: &S::JointMotion) -> L::InJoint {
         let torque = self.loads.in_joint(self.time, self.joint, motion);
         self.joint += 1;

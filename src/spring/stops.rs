@@ -62,7 +62,7 @@ impl<T: Scalar, C> Stops<T, C> {
 }
 
 impl<T: Scalar, C: Coefficient<T>> SpringLaw<T> for Stops<T, C> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn force(&self, position: T, rate: T) -> T {
         let (side, pressed) = self.beyond(position);
         let push = above(self.damping.times_onto(side * rate, T::one()));
@@ -71,7 +71,7 @@ impl<T: Scalar, C: Coefficient<T>> SpringLaw<T> for Stops<T, C> {
     fn energy(&self, position: T) -> T {
         self.stiffness * self.beyond(position).1.energy()
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn pivot(&self, position: T, rate: T, springs: impl Springs<T>) -> T {
         let (side, pressed) = self.beyond(position);
         let push = above(self.damping.times_onto(side * rate, T::one()));
@@ -85,7 +85,7 @@ impl<T: Scalar, C: Coefficient<T>> SpringLaw<T> for Stops<T, C> {
         }
         // Halves, for the ends may be as far apart as numbers go.
         let [lower, upper] = [self.lower, self.upper].map(|end| end.scale(T::Real::of(0.5)));
-        positive("range between stops", upper - lower)?;
+        positive("half the range between stops", upper - lower)?;
         positive("depth over which stops set in", self.depth)?;
         not_negative("stiffness of stops", self.stiffness)?;
         not_negative("damping of stops", self.damping.times_onto(T::one(), T::zero()))

@@ -78,7 +78,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         && !<D::Scalar as Scalar>::LARGE;
 
     /// Positions and rates of a row.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn displace(
         row: usize,
         past: &MotionIn<D, L>,

@@ -14,6 +14,10 @@ use num_traits::{One, Zero};
 pub(super) const CORRECTIONS: usize = 60;
 /// The longest correction of a coordinate (rad, m) at once.
 pub(super) const SHARE: f64 = 0.3;
+/// The longest correction of a coordinate (rad, m) that a run may begin with.
+const NEAR: f64 = 0.1;
+/// The share of it that the next one has at most.
+const NEARER: f64 = 0.1;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// This motion with its loops closed and its tip where it is held: the least correction of positions and rates, as measured
@@ -112,14 +116,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         for pass in 0..CORRECTIONS {
             let mut corrected = motion.clone();
             self.project(&mut corrected, workspace);
-            let mut step = RealOf::<S>::zero();
-            let mut displacement = motion.rate.clone();
-            corrected.position.apart(&motion.position, &mut displacement);
-            motion.position.measure(&displacement, &mut |x, size| {
-                let share = x.real().abs() / size.real().max(RealOf::<S>::one());
-                // A rotation by more than half a turn has no coordinates, and corrections that do not close a loop are not finite.
-                step = if share.is_finite() { step.max(share) } else { RealOf::<S>::INFINITY };
-            });
+            let step = self.correction(motion, &corrected);
             if step <= real(SHARE) {
                 *motion = corrected;
             } else if const { Self::LOOPED } {
@@ -133,7 +130,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 && step > real(SHARE)
                 && matches!(outcome, Err(Error { fault: Fault::RedundantClosures { .. }, .. }));
             if !passing {
-                outcome?;
+                outcome.map_err(|error| self.unreached(motion, error))?;
             }
             // Corrections fall until nothing but rounding is left of them. Not the first one, even if it is small: derivatives of
             // dual numbers follow real parts.
@@ -144,6 +141,55 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         }
         let (residual, place) = self.largest_residual(motion, Level::Place);
         Err(Error::new(Fault::NotClosed { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
+    }
+
+    /// Refuses a motion that steps would not close but by a jump: whose correction is large, or leads to another that is not much smaller.
+    pub(crate) fn nearly_closed<L: Loading<S>>(
+        &self,
+        motion: &MotionOf<S, R, C, P>,
+        loads: &L,
+        workspace: &mut <Self as Dynamics<L>>::Workspace,
+    ) -> Result<(), Error>
+    where
+        Self: Runs<L, S, R, C, P>,
+    {
+        let (mut now, mut steps) = (motion.clone(), [RealOf::<S>::zero(); 2]);
+        for step in &mut steps {
+            if self.accelerate(&mut now, loads, workspace).is_err() {
+                *step = RealOf::<S>::INFINITY;
+                continue;
+            }
+            let mut corrected = now.clone();
+            self.project(&mut corrected, workspace);
+            *step = self.correction(&now, &corrected);
+            now = corrected;
+        }
+        let [first, second] = steps;
+        let [near, nearer] = [NEAR, NEARER].map(RealOf::<S>::of);
+        if first <= Self::tolerances().0 || (first <= near && second <= first * nearer) {
+            return Ok(());
+        }
+        let (residual, place) = self.largest_residual(motion, Level::Place);
+        Err(Error::new(Fault::NotAssembled { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
+    }
+
+    /// The largest correction of a coordinate, relative to it where it is larger than one; infinite where there is none.
+    fn correction(&self, motion: &MotionOf<S, R, C, P>, corrected: &MotionOf<S, R, C, P>) -> RealOf<S> {
+        let (mut step, mut displacement) = (RealOf::<S>::zero(), motion.rate.clone());
+        corrected.position.apart(&motion.position, &mut displacement);
+        motion.position.measure(&displacement, &mut |x, size| {
+            let share = x.real().abs() / size.real().max(RealOf::<S>::one());
+            // A rotation by more than half a turn has no coordinates, and corrections that do not close a loop are not finite.
+            step = if share.is_finite() { step.max(share) } else { RealOf::<S>::INFINITY };
+        });
+        step
+    }
+
+    /// What is wrong where closures came to depend on each other on the way: a guess that is drawn to what it cannot reach is stretched.
+    fn unreached(&self, motion: &MotionOf<S, R, C, P>, error: Error) -> Error {
+        let (residual, place) = self.largest_residual(motion, Level::Place);
+        let open = residual > RealOf::<S>::EPSILON.sqrt() && matches!(error.fault, Fault::RedundantClosures { .. });
+        if open { Error { fault: Fault::NotClosed { residual: residual.as_f64() }, ..error }.at(place) } else { error }
     }
 
     /// Corrections (relative to coordinates) that are small enough to be the last ones when they fall no more, and those that are

@@ -14,7 +14,7 @@ mod common;
 use catena::robot::*;
 use catena_robots::arm7_bare as arm7;
 use common::camera::Camera;
-use common::film::{Film, Frame};
+use common::film::{Film, Frame, Stroke};
 use common::{BLUE, Drawn, ORANGE};
 use nalgebra::{Matrix6, SMatrix, SVector, Vector3, Vector6};
 use std::f64::consts::TAU;
@@ -138,10 +138,11 @@ fn draw(arm: &Arm, poses: &[Joints]) -> Drawn<PathBuf> {
         view: (-1.0..1.0, -0.75..1.1),
         scale: 270.0,
         seconds: [SECONDS; 2],
-        strokes: &[(BLUE, 8.0)],
-        trace: (0, 8, ORANGE),
+        strokes: &[Stroke::links(BLUE, 8.0)],
+        trace: Some((0, 8, ORANGE)),
         ground: &[camera.sees([0.0; 3])],
         floor: &floor,
+        ..Film::default()
     };
     film.save("inverse_kinematics", &frames)
 }

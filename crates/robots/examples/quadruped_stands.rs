@@ -66,10 +66,9 @@ impl LoadLaw<BodyMotion<f64>> for Acting {
 
 /// Torques that hold the stance, as far as motors can give them.
 fn torques(now: &State) -> Result<[f64; 12], catena::Error> {
-    let (mut q, mut v) = ([0.0; 19], [0.0; 18]);
+    let (mut q, mut v, motors) = ([0.0; 19], [0.0; 18], quadruped::motors::<f64>());
     now.coordinates_into(&mut q)?;
     now.rates_into(&mut v)?;
-    let motors = quadruped::motors::<f64>();
     Ok(core::array::from_fn(|k| {
         let wanted = -SPRING * (q[7 + k] - STANCE[k]) - DAMPER * v[6 + k];
         motors[k].map_or(wanted, |motor| motor.torque(wanted, v[6 + k]))
@@ -113,10 +112,8 @@ fn main() -> Drawn {
     let mut now = scene.motion();
     let list: Vec<f64> = [0.0, 0.0, 0.406 + DROP, 1.0, 0.0, 0.0, 0.0].into_iter().chain(STANCE).collect();
     now.set_coordinates(&list)?;
-    let mut next = now;
     let mass: f64 = scene.body_motions(&now)?.iter().map(|body| body.inertia.mass).sum();
-    let weight = 9.81 * mass;
-
+    let (mut next, weight) = (now, 9.81 * mass);
     let mut log = vec![sample(&scene, &now, &ground)?];
     let (mut stepper, started, mut worked) = (scene.stepper(Sdirk4::new()), Instant::now(), 0.0);
     for cycle in 0..(END / CYCLE).round() as usize {

@@ -32,7 +32,7 @@ pub trait Rotation<T: Scalar, K: Springs<T>>: SpringLaw<T> {
 impl<T: Scalar, K: HingeRule<T>, D: Coefficient<T>, P: Term<T>> Rotation<T, K> for Spring<T, D, P> {
     type Out<C: Closures> = K::Out<C>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn turn<C: Closures>(
         &self,
         springs: K,
@@ -48,7 +48,7 @@ impl<T: Scalar, K: HingeRule<T>, D: Coefficient<T>, P: Term<T>> Rotation<T, K> f
 impl<T: Scalar, K: HingeRule<T>, L: SpringLaw<T>> Rotation<T, K> for Custom<L> {
     type Out<C: Closures> = K::Out<C>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn turn<C: Closures>(
         &self,
         springs: K,
@@ -64,7 +64,7 @@ impl<T: Scalar, K: HingeRule<T>, L: SpringLaw<T>> Rotation<T, K> for Custom<L> {
 impl<T: Scalar, K: Springs<T>> Rotation<T, K> for Absent {
     type Out<C: Closures> = Point<T, T, C>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn turn<C: Closures>(
         &self,
         _: K,
@@ -85,16 +85,25 @@ impl<T: Scalar, K: Springs<T>> Rotation<T, K> for Absent {
 #[cfg_attr(
     feature = "serde",
     serde(bound(
-        serialize = "RelativeGain<T, C>: serde::Serialize, Vector2<T>: serde::Serialize",
-        deserialize = "RelativeGain<T, C>: serde::Deserialize<'de>, Vector2<T>: serde::Deserialize<'de>"
+        serialize = "RelativeGain<T, C>: serde::Serialize, Vector2<T>: serde::Serialize, T: serde::Serialize",
+        deserialize = "RelativeGain<T, C>: serde::Deserialize<'de>, Vector2<T>: serde::Deserialize<'de>, T: serde::Deserialize<'de>"
     ))
 )]
 pub struct LinearGains<T: Copy, C: Closures> {
-    rotation: RelativeGain<T, C>,
-    y: RelativeGain<T, C>,
-    x: RelativeGain<T, C>,
+    pub(super) rotation: RelativeGain<T, C>,
+    pub(super) y: RelativeGain<T, C>,
+    pub(super) x: RelativeGain<T, C>,
+    /// Inverse pivots of x, y and rotation: what only costates ask for, and sweeps do not write.
+    pub(super) pivots: [T; 3],
     /// What the inboard body's angular acceleration added to the second derivatives of the coordinates (m/s²), last time.
     swing: Vector2<T>,
+}
+
+impl<T: Scalar, R, X, Y, A> ElasticHinge<R, Linear<T, X, Y, A>> {
+    /// Laws of the hinge, of its rotation and along both axes, and the point mass (kg) at its outboard point.
+    pub(crate) fn parts(&self) -> ((&R, &X, &Y), T) {
+        ((&self.rotary, &self.linear.x, &self.linear.y), self.linear.lumped)
+    }
 }
 
 /// The coordinates are the displacement along the axes (m) and the relative angle (rad).
@@ -118,13 +127,14 @@ where
         (T::zero(), T::zero(), T::zero())
     }
     fn kept<C: Closures>() -> LinearGains<T, C> {
-        let swing = Vector2::new(T::zero(), T::zero());
-        LinearGains { rotation: RelativeGain::blank(), y: RelativeGain::blank(), x: RelativeGain::blank(), swing }
+        let (swing, pivots) = (Vector2::new(T::zero(), T::zero()), [T::zero(); 3]);
+        let blank = RelativeGain::blank;
+        LinearGains { rotation: blank(), y: blank(), x: blank(), pivots, swing }
     }
     #[inline(always)]
     fn homogeneous<C: Closures>(kept: &LinearGains<T, C>) -> LinearGains<T, C> {
-        let LinearGains { rotation, y, x, swing } = kept;
-        LinearGains { rotation: rotation.homogeneous(), y: y.homogeneous(), x: x.homogeneous(), swing: *swing }
+        let LinearGains { rotation, y, x, .. } = kept;
+        LinearGains { rotation: rotation.homogeneous(), y: y.homogeneous(), x: x.homogeneous(), ..*kept }
     }
     fn is_finite<C: Closures>(kept: &LinearGains<T, C>) -> bool {
         kept.rotation.is_finite() && kept.y.is_finite() && kept.x.is_finite()
@@ -142,7 +152,7 @@ where
     fn turned(&self, position: &(T, T, T), rate: &(T, T, T), inboard: Turn<T>) -> Turn<T> {
         Turn { angle: inboard.angle + position.2, rate: inboard.rate + rate.2 }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn orient(
         &self,
         position: &(T, T, T),
@@ -156,7 +166,7 @@ where
         A::store(inboard, [[position.0, position.1], [rate.0, rate.1]], x, y, p, q);
         self.turned(position, rate, inboard)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn moved(&self, inboard: Frame<T>, position: &(T, T, T), rate: &(T, T, T), acceleration: &(T, T, T)) -> Frame<T> {
         let coordinates = [position, rate, acceleration].map(|c| Vector2::new(c.0, c.1));
         let frame = A::moved(inboard, coordinates);
@@ -191,7 +201,7 @@ where
     fn release(&self, motion: &JointMotion<T>, position: &(T, T, T), rate: &(T, T, T)) -> Release<Planar<T>> {
         release::elastic(self, motion, position, rate)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -227,7 +237,7 @@ where
 {
     type Out = Full<T, W::Closures>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
         outer: O,

@@ -98,6 +98,9 @@ impl<T: Scalar> Part for Effort<T> {
     fn is_finite(self) -> bool {
         self.0.iter().all(|x| x.is_finite())
     }
+    fn is_same(self, other: Self) -> bool {
+        self.0.iter().zip(other.0).all(|(x, y)| x.is_identical(y))
+    }
 }
 
 /// What is applied in a joint: an [`Effort`], or nothing.

@@ -79,7 +79,8 @@ fn sum<T: Scalar>(term: impl Fn(usize) -> T) -> T {
 /// An axis of length one, and two directions across it.
 fn basis<T: Scalar>(axis: Vector<T>) -> [Vector<T>; 3] {
     let x = from_fn(|i, j| if i == j { T::one() } else { T::zero() });
-    let other = if axis[0].real().abs() < T::Real::of(0.6) { x[0] } else { x[1] };
+    let beyond = axis[0].abs() - T::constant(T::Real::of(0.6)); // lanes decide each for itself
+    let other = core::array::from_fn(|i| beyond.if_negative(x[0][i], x[1][i]));
     let one = cross(axis, other);
     let length = dot(&one, &one).sqrt().recip();
     let one = one.map(|x| x * length);

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 
 impl<T: Scalar> Full<T> {
     /// The acceleration (a, α) of a station on which nothing acts: S p + e = 0, by block elimination.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn free(self) -> (Vector3<T>, Vector3<T>) {
         let (point, gain) = self.balled(Absent);
         let linear = -point.mass.factor().solve(point.offset);
@@ -25,7 +25,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
     }
 
     /// Adds a first moment σ = m r_C (kg·m) about the station, of a body that turns with ω.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn with_first_moment(self, moment: Vector3<T>, spin: Vector3<T>) -> Self {
         let k = self.coupling;
         let coupling = Columns {

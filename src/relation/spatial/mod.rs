@@ -6,6 +6,7 @@
 
 pub mod algebra;
 mod couple;
+mod factor;
 mod full;
 mod geometry;
 mod pivots;
@@ -13,6 +14,7 @@ mod slides;
 
 pub use super::{Empty, Lump, Relation, Way};
 pub use couple::Couple;
+pub use factor::Factor6;
 pub use full::Rigid;
 pub use geometry::Spatial;
 pub use pivots::{BallGain, Gain, Pivot};

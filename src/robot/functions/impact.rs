@@ -33,7 +33,8 @@ fn struck<T: Scalar, const N: usize>(joint: usize, restitution: T) -> Result<[T;
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// The rates after joint `joint` has struck a hard stop, and the impulse of the stop (N·m·s, N·s): the rate v of the joint becomes −e v by
-    /// Newton's law of restitution e, the others follow by M⁻¹. Energy falls for e below one.
+    /// Newton's law of restitution e, the others follow by M⁻¹. Energy falls for e below one. Which of its stops it is nobody asks: a joint that
+    /// leaves one would be turned back.
     ///
     /// A run that [stops at an event](crate::simulate::Simulation::stopping) where a joint meets its limit, this, and a run that goes on from
     /// there are exact: rules keep their order across. Of several limits the event is the zero of the least distance.

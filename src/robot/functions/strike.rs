@@ -20,14 +20,21 @@ fn paired<T: Scalar>(a: &[T], b: &[T]) -> T {
     a.iter().zip(b).fold(T::zero(), |sum, (a, b)| a.mul_add(*b, sum))
 }
 
+/// The impulse by which a plane turns over an approach, for what yields to it: one that leaves the plane is not struck.
+fn struck<T: Scalar>(approach: T, yielded: T, restitution: T) -> T {
+    let impulse = -(T::one() + restitution) * approach / yielded;
+    approach.if_negative(impulse, impulse * T::zero()) // no number where nothing yields
+}
+
 fn length<T: Scalar>(vector: [T; 3]) -> T {
     paired(&vector, &vector).sqrt()
 }
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// The rates after a point (m, axes of its body) of the body on joint `joint` has struck a smooth plane that stands with the base, and the
-    /// impulse ON the body along the normal (N·s): the velocity of the point along the normal, which is in inertial axes and of any length, is
-    /// turned over and multiplied by the restitution. Energy falls for restitutions below one.
+    /// impulse ON the body along the normal (N·s). The normal, in inertial axes and of any length, points away from the plane to where the
+    /// body may be: the velocity of the point along it, if negative, is turned over and multiplied by the restitution. A point that leaves
+    /// the plane, or slides along it, is not struck: rates stay, and the impulse is zero. Energy falls for restitutions below one.
     ///
     /// A run that [stops at an event](crate::simulate::Simulation::stopping) where the point meets the plane, this, and a run that goes on from
     /// there are exact, as with [`impact`](Self::impact).
@@ -64,7 +71,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         restitutes(restitution)?;
         let row = along(&self.jacobian(q, joint, point)?, normal);
         let column = self.mass_solved(q, &row)?;
-        let impulse = -(T::one() + restitution) * paired(&row, v) / paired(&row, &column);
+        let impulse = struck(paired(&row, v), paired(&row, &column), restitution);
         let after: [T; N] = core::array::from_fn(|k| column[k].mul_add(impulse, v[k]));
         let impulse = impulse * length(normal);
         finite(&after).and(finite(&[impulse])).map(|()| (after, impulse))
@@ -95,7 +102,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         let ([x, y, z], [a, b, c]): ([T; 3], [T; 3]) = (base.velocity.into(), base.spin.into());
         let approach = paired(&rows.0, &[x, y, z, a, b, c]) + paired(&rows.1, v);
         let yielded = paired(&rows.0, &columns.0) + paired(&rows.1, &columns.1);
-        let impulse = -(T::one() + restitution) * approach / yielded;
+        let impulse = struck(approach, yielded, restitution);
         let after: [T; N] = core::array::from_fn(|k| columns.1[k].mul_add(impulse, v[k]));
         let [x, y, z, a, b, c] = columns.0.map(|of_base| of_base * impulse);
         let velocity = base.velocity + Vector3::new(x, y, z);

@@ -4,7 +4,7 @@ use super::Backward;
 use super::rules::Staged;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::{EffortOf, LoadLaw, Loads, Seen};
 use crate::mirror::Rate;
@@ -36,7 +36,7 @@ impl<M: Seen> LoadLaw<M> for Held<'_, M::Load> {
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit + Staged,

@@ -5,7 +5,7 @@ use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, Unloaded};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::error::{Error, Fault, counted};
 use crate::loading::EffortOf;
 use crate::relation::Additive;
@@ -16,7 +16,7 @@ use crate::walks::fits::fits;
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
@@ -64,6 +64,10 @@ where
             && self.method.sweeps(1) < 2
         {
             let what = "the gradient of a run by one sweep a step where something is closed and laws are not linear";
+            return Err(Error::new(Fault::Unsupported { what }));
+        }
+        if !R::RESTS && System::<S, R, C, P>::CLOSED > 0 {
+            let what = "the gradient of a run on ground that moves where something is held or closed";
             return Err(Error::new(Fault::Unsupported { what }));
         }
         let (bodies, joints) = (self.steps.scene.elements().bodies(), self.steps.scene.joints());

@@ -18,10 +18,11 @@ pub(super) struct Again<S: Reversed, E: Element<S>, X: Closures> {
     /// A sweep, and what it has found.
     pub(super) stage: Stage<S, E, X>,
     pub(super) slope: E::Rate,
-    /// Costates of `free`; of the acceleration from which the geometry of the next stage set out; of the geometry that was predicted.
+    /// Costates of `free`; of the acceleration from which the geometry of the next stage set out; of geometries that are no more than where
+    /// accelerations lead, or of the one that was predicted.
     pub(super) of_free: (E::Rate, E::Rate),
     pub(super) of_before: E::Rate,
-    pub(super) of_predicted: (E::Rate, E::Rate),
+    pub(super) of_geometry: (E::Rate, E::Rate),
     /// The acceleration that led to where the last sweep has read laws that are not linear, less that which it found.
     pub(super) led: E::Rate,
     /// Costates of what they have read: positions, rates and that acceleration.
@@ -40,7 +41,7 @@ impl<S: Reversed, E: Element<S>, X: Closures> Again<S, E, X> {
             slope: zero.clone(),
             of_free: (zero.clone(), zero.clone()),
             of_before: zero.clone(),
-            of_predicted: (zero.clone(), zero.clone()),
+            of_geometry: (zero.clone(), zero.clone()),
             led: zero.clone(),
             of_read: (zero.clone(), zero.clone()),
             of_led: zero.clone(),
@@ -61,6 +62,17 @@ pub(super) fn follow<S: Reversed, E: Element<S>>(
 ) {
     into.0.drift_1(position, (RealOf::<S>::zero(), zero), (of_position, acceleration));
     into.1.mix_1(rate, (of_rate, acceleration));
+}
+
+/// From the costate of a position to that of the step that led there, which it becomes, and to that of where this one began, to which it adds.
+pub(super) fn unfollow<T: Scalar, P: Position<T>>(
+    (to, from): (&P, &P),
+    (zero, room): (&P::Rate, &mut P::Rate),
+    of_position: &mut P::Rate,
+    of_from: &mut P::Rate,
+) {
+    room.set(zero);
+    to.transposed_step(from, (zero, zero), zero, (of_position, room), of_from);
 }
 
 /// Σ of costates of positions and rates, times an acceleration with a weight in each.

@@ -16,7 +16,7 @@ use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
-use crate::ends::{Resting, Root, Tip};
+use crate::ends::{Root, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::Additive;
@@ -47,7 +47,7 @@ pub(super) struct Between<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: 
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
@@ -55,10 +55,6 @@ where
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     EffortOf<S>: Additive,
 {
-    /// Whether costates of dense output are known: where positions are curved and closed, not of a rule whose dense output reads how the step's
-    /// coordinates accelerate at the end that closures have put back.
-    pub(super) const DENSE: bool = M::IMPLICIT || !(Self::CURVED && Self::CLOSED > 0 && M::SLOPES > M::STAGES);
-
     pub(super) fn room_between(&self, record: &Record<S, Elements<S, R, C>, M, P::Closures>) -> Between<S, R, C, P, M> {
         let rate = || self.zero.clone();
         let projection = (Self::CLOSED > 0).then(|| Projection::new(self.scene.elements(), &self.zero));
@@ -264,16 +260,21 @@ where
         self.pull_back_stage(None, (row, true), time, (stage, slope), gradient);
         let (of_position, of_rate) = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
         let [of_past, of_past_rate, _] = &mut between.of_past;
+        // The motion after the step may have been put elsewhere than the step led.
+        let put = row == M::STAGES && Self::CLOSED > 0;
         if Self::CURVED {
             let of_second = &between.of_slopes.as_ref()[row];
-            let of_step = (&mut *of_position, &mut *of_rate);
-            position.transposed_step(&past.position, (rate, acceleration), of_second, of_step, of_past);
+            let (here, of_here) = ((rate, acceleration), (&mut *of_position, &mut *of_rate));
+            if put {
+                position.transposed_second(&past.position, here, of_second, of_here, of_past);
+            } else {
+                position.transposed_step(&past.position, here, of_second, of_here, of_past);
+            }
         }
         if row == M::STAGES {
-            // The motion after the step.
             let ([in_position, in_rate], of_next) = (&mut between.of_end, &mut gradient.start);
             let [position, rate] =
-                if Self::CURVED { [in_position, in_rate] } else { [&mut of_next.position, &mut of_next.rate] };
+                if Self::CURVED && !put { [in_position, in_rate] } else { [&mut of_next.position, &mut of_next.rate] };
             position.add(of_position);
             rate.add(of_rate);
             return;

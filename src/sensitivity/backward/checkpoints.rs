@@ -6,7 +6,7 @@ use super::tape::Tape;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::relation::Additive;
@@ -46,7 +46,7 @@ impl<T> Checkpoints<T> {
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
@@ -135,7 +135,8 @@ where
 
     /// As [`gradient_between`](Self::gradient_between), on a tape of fewer steps than lie between two states: for one run more, `middle` keeps states
     /// between those, one for each length of the tape. Memory is then least where all three take as much. A million steps of twenty rods by RK4, of
-    /// which every 5000th state is kept, 200 between these and 25 steps of the tape, take 0.6 MB.
+    /// which every 5000th state is kept, 200 between these and 25 steps of the tape, take 0.6 MB. In instructions run and gradient are 4.4 plain runs then, and 3.4 with all the tape
+    /// (twenty rods on pins, RK4, x86-64-v3; 5000 steps, states every 500 and every 25).
     ///
     /// # Errors
     /// As [`gradient_between`](Self::gradient_between); [`Fault::Count`] says how many states `middle` needs.

@@ -18,7 +18,7 @@ use super::rules::Staged;
 use super::steps::{ROWS, Steps};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, Level, RealOf};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Additive, Solvable, Wrench};
@@ -36,7 +36,7 @@ use num_traits::{One, Zero};
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
@@ -92,7 +92,7 @@ where
                 self.of_acceleration.add(&between.of_slopes.as_ref()[row]);
             }
             let Stage { position, rate, acceleration, .. } = &record.stages.as_ref()[row];
-            let curved = Self::CURVED && row > 0; // the first stage has turned by nothing
+            let curved = Self::CURVED && row > 0 && !M::IMPLICIT; // the first stage has turned by nothing
             if curved {
                 self.of_second.set(&self.of_acceleration);
                 position.transposed_acceleration(&past.position, &mut self.of_acceleration);
@@ -184,10 +184,11 @@ where
         let elements = self.scene.elements();
         let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, in_loops, position, rate, acceleration, .. } =
             stage;
+        let acceleration = if Self::CHARTED && start.is_none() { acceleration } else { slope };
         let (position, rate) = start.map_or((position, rate), |past| (&past.position, &past.rate));
-        let acceleration = if Self::CURVED && row > 0 { acceleration } else { slope };
         let free = &mut self.of_acceleration;
         let frame = self.scene.ground(time);
+        gradient.times = Some([gradient.times.map_or(time, |[last, _]| last), time]);
         let mut walk = Meet::nothing();
         elements.take(&mut walk, Wrench::none(), (x, y, p, q, kept, pivots, &mut *free, &mut self.in_loops));
         let weight = P::Closures::solve(&stage.compliance, &walk.gaps);

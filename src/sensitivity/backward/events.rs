@@ -14,14 +14,14 @@ use super::steps::Steps;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf, Unloaded};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::error::{Error, Fault, ensure_finite};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::scalar::{Real, Scalar};
 use crate::sensitivity::{Costate, Gradient};
-use crate::simulate::crossing::{LEFT, crosses, crossing, of_one_number};
+use crate::simulate::crossing::{crosses, crossing, departure, of_one_number};
 use crate::system::{Elements, MotionOf, Runs, System};
 use core::any::TypeId;
 use num_traits::Zero;
@@ -29,7 +29,7 @@ use num_traits::Zero;
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
@@ -68,9 +68,10 @@ where
                 self.steps.step_to(past.time + size * RealOf::<S>::of(theta), past, &mut self.record, next);
                 value(next)
             };
-            let from = if before == 0.0 { LEFT } else { 0.0 };
-            if from > 0.0 {
-                before = cut(from, &mut next.clone())?;
+            let mut from = 0.0;
+            if before == 0.0 || k == 1 {
+                let (rounding, mut beyond) = (RealOf::<S>::EPSILON.sqrt().as_f64(), next.clone());
+                (from, before) = departure([before, after], rounding, |theta| cut(theta, &mut beyond))?;
             }
             if crosses([before, after]) {
                 let share = |part: f64| from + (1.0 - from) * part;
@@ -112,14 +113,14 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
-    /// Loads on bodies ([`under`](Self::under)) may not depend on time here: their part in what the last step's size changes is not found.
+    /// Loads on bodies ([`under`](Self::under)) may not depend on time here, nor may the ground move: their part in what the last step's size changes is not found.
     /// A law that gives other loads at three times of the last step, for a motion at its start, its end or one of its stages, is refused. So are scenes over jets, dual numbers and lanes: times are
     /// plain numbers, and what the time of the end does to second derivatives, or in each lane, is not found.
     ///
     /// # Errors
     /// As [`gradient`](Self::gradient); [`Fault::Count`] for a run without a step; [`Fault::NotFinite`] where the function of the event does
-    /// not change with the time of the end, so that no time is that of the event; [`Fault::Unsupported`] for loads that depend on time, and
-    /// for numbers that are not plain.
+    /// not change with the time of the end, so that no time is that of the event; [`Fault::Unsupported`] for loads that depend on time, ground that
+    /// moves, and numbers that are not plain.
     pub fn gradient_to_event(
         &mut self,
         torques: &[EffortOf<S>],
@@ -132,6 +133,10 @@ where
         self.admits(states.len() - 1, by_torques.len())?;
         if TypeId::of::<S::Scalar>() != TypeId::of::<RealOf<S>>() {
             let what = "the gradient up to an event of numbers that carry derivatives, or lanes: times have none";
+            return Err(Error::new(Fault::Unsupported { what }));
+        }
+        if const { !R::RESTS } {
+            let what = "the gradient up to an event on ground that moves";
             return Err(Error::new(Fault::Unsupported { what }));
         }
         let [.., past, _] = states else {

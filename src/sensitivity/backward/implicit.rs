@@ -24,14 +24,14 @@
 //! [remembers](super::memory) it is a prediction without accelerations. Where something is held or closed, that of each further sweep may be
 //! put back by the one before it ([`projection`](super::projection)). Sweeps before the last of a stage are made once more on the way back.
 
-use super::again::{Again, AgainOf, follow, paired};
+use super::again::{Again, AgainOf, follow, paired, unfollow};
 use super::projection::Projection;
 use super::record::{Place, Record, StageOf};
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::Additive;
@@ -39,13 +39,13 @@ use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::shape::{Positions, Shape, Takes};
 use crate::stepper::displace::displace;
-use crate::system::{Elements, MotionOf, RateOf};
+use crate::system::{Elements, MotionOf, PositionOf, RateOf};
 use crate::walks::strain::Strain;
 
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
@@ -55,11 +55,13 @@ where
 {
     /// Whether geometries of sweeps are put back.
     pub(super) const RESTORED: bool = M::RESTORES && Self::CLOSED > 0;
+    /// Whether rules sum up coordinates of the step, and positions are curved; a rule that remembers displaces positions one after the other.
+    pub(super) const CHARTED: bool = Self::CURVED && !M::REMEMBERS;
     /// Whether laws are read where the last sweep has led.
     pub(super) const FOLLOWS: bool = M::IMPLICIT && !<Elements<S, R, C> as Shape<S>>::LINEAR;
 
     /// Room, made once.
-    fn again(&mut self, stage: &StageOf<S, R, C, P>) -> AgainOf<S, R, C, P> {
+    pub(super) fn again(&mut self, stage: &StageOf<S, R, C, P>) -> AgainOf<S, R, C, P> {
         self.again.take().unwrap_or_else(|| Again::new(self.scene.elements().store::<Positions>(()), &self.zero, stage))
     }
 
@@ -79,7 +81,6 @@ where
         (stage, slope): (&mut StageOf<S, R, C, P>, &mut RateOf<S, R, C>),
     ) {
         let (springs, node) = (self.rule.springs::<S::Scalar>(row, step), M::node(row));
-        let [own, _] = self.rule.own::<S::Scalar>(step);
         if const { M::REMEMBERS } {
             self.remember(past, step, slopes, free);
         } else {
@@ -99,8 +100,7 @@ where
                 stage.position.drift_0(&past.position, (step, &past.rate));
                 stage.rate.set(&past.rate);
             } else {
-                let (from, into) = ((&free.0, &free.1), (&mut stage.position, &mut stage.rate));
-                follow::<S, Elements<S, R, C>>(from, own, by, &self.zero, into);
+                self.lead((past, step), row, free, by, (&mut stage.position, &mut stage.rate));
             }
             let time = past.time + RealOf::<S>::of(node) * step;
             if let (true, Some(between), true) = (Self::RESTORED, &mut between, sweep > 0) {
@@ -111,7 +111,44 @@ where
                 stage.rate.set(between.rate());
             }
             self.sweep(None, Some((&*free, &*led, predicted)), springs, time, stage, slope);
+            if Self::CHARTED {
+                stage.acceleration.set(slope);
+                stage.position.inverse_retract_acceleration(&past.position, &stage.rate, slope);
+            }
         }
+    }
+
+    /// Where an acceleration leads from where a stage is free, once that has been found.
+    fn lead(
+        &self,
+        (past, step): (&MotionOf<S, R, C, P>, RealOf<S>),
+        row: usize,
+        free: &Place<S, R, C>,
+        by: &RateOf<S, R, C>,
+        (position, rate): (&mut PositionOf<S, R, C>, &mut RateOf<S, R, C>),
+    ) {
+        let [own, _] = self.rule.own::<S::Scalar>(step);
+        if !Self::CHARTED {
+            follow::<S, Elements<S, R, C>>((&free.0, &free.1), own, by, &self.zero, (position, rate));
+            return;
+        }
+        // Coordinates of the step add up, positions do not.
+        let real = RealOf::<S>::of;
+        position.drift_2(&past.position, (real(M::node(row)) * step, &past.rate), (real(1.0), &self.sum), (own[0], by));
+        rate.mix_1(&free.1, (own[1], by));
+        position.retract_rate(&past.position, rate);
+    }
+
+    /// From the costates of where a row was led to those of its coordinates of the step.
+    fn unlead(
+        &mut self,
+        (past, row): (&MotionOf<S, R, C, P>, usize),
+        (position, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
+        gradient: &mut Gradient<S, Elements<S, R, C>>,
+    ) {
+        let of_here = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
+        let (here, of_past) = ((rate, &self.zero), &mut gradient.start.position);
+        position.transposed_step(&past.position, here, &self.zero, of_here, of_past);
     }
 
     /// Exchanges the costates of a row for those of the motion.
@@ -169,12 +206,14 @@ where
         }
         again.of_free.0.set(&self.zero);
         again.of_free.1.set(&self.zero);
+        again.of_geometry.0.set(&self.zero);
+        again.of_geometry.1.set(&self.zero);
         let mut between = None;
         if const { Self::RESTORED } {
             between = self.between.take();
         }
         for sweep in (1..=last).rev() {
-            let Again { free, read, stage, slope, of_free, led, of_read, of_led, .. } = &mut again;
+            let Again { free, read, stage, slope, of_free, of_geometry, led, of_read, of_led, .. } = &mut again;
             // The last sweep is known, but not where it was free, nor what led there.
             let known = sweep == last && !Self::FOLLOWS;
             let (sweeps, slopes) = (if known { 0 } else { sweep }, record.accelerations.as_ref());
@@ -186,15 +225,25 @@ where
                 // The geometry of the sweep after this one.
                 if let Some(between) = &mut between {
                     let Projection { places: [place, ..], rates: [rate, ..], .. } = &mut *between;
-                    follow::<S, Elements<S, R, C>>((&free.0, &free.1), own, slope, &self.zero, (place, rate));
+                    self.lead((past, step), row, free, slope, (place, rate));
                     self.project(time, stage, between);
                     self.exchange(row, gradient);
                     self.pull_back_projection((time, step), (stage, &stage.position), between, gradient);
                     self.exchange(row, gradient);
+                    if Self::CHARTED {
+                        self.unlead((past, row), (&between.places[0], &between.rates[0]), gradient);
+                    }
                 }
-                let (of_place, of_speed) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
-                of_free.0.add(of_place);
-                of_free.1.add(of_speed);
+                let (of_place, of_speed) = (&mut self.of_position.as_mut()[row], &self.of_rate.as_ref()[row]);
+                if const { M::REMEMBERS } {
+                    let (from, into) = ((&free.0, &free.1), (&mut read.0, &mut read.1));
+                    follow::<S, Elements<S, R, C>>(from, own, slope, &self.zero, into);
+                    unfollow((&read.0, &free.0), (&self.zero, &mut self.sum), of_place, &mut of_free.0);
+                    of_free.1.add(of_speed);
+                } else {
+                    of_geometry.0.add(of_place);
+                    of_geometry.1.add(of_speed);
+                }
                 self.of_acceleration.mix_2(&self.zero, (in_position, of_place), (in_rate, of_speed));
                 if Self::FOLLOWS {
                     self.of_acceleration.add(of_led);
@@ -206,6 +255,10 @@ where
                     *sum += by_own((&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]), slope);
                 }
                 *sum -= by_own((&of_free.0, &of_free.1), slope);
+            }
+            if Self::CHARTED {
+                self.of_second.set(&self.of_acceleration);
+                stage.position.transposed_acceleration(&past.position, &mut self.of_acceleration);
             }
             self.pull_back_stage(None, (row, false), time, (stage, slope), gradient);
             let restored = if sweep == last { row + 1 == M::STAGES } else { M::RESTORES };
@@ -240,15 +293,30 @@ where
                 self.of_position.as_mut()[row].add(&of_read.0);
                 self.of_rate.as_mut()[row].add(&of_read.1);
             }
+            if Self::CHARTED {
+                let (here, of_past) = ((&stage.rate, &stage.acceleration), &mut gradient.start.position);
+                let of_here = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
+                stage.position.transposed_second(&past.position, here, &self.of_second, of_here, of_past);
+                // What has been put back is led there by the sweep before.
+                if !Self::RESTORED || sweep == 1 {
+                    self.unlead((past, row), (&stage.position, &stage.rate), gradient);
+                }
+            }
         }
         if const { Self::RESTORED } {
             self.between = between;
         }
         let (of_place, of_speed) = (&self.of_position.as_ref()[row], &self.of_rate.as_ref()[row]);
         if const { M::REMEMBERS } {
-            again.of_predicted.0.set(of_place);
-            again.of_predicted.1.set(of_speed);
+            again.of_geometry.0.set(of_place);
+            again.of_geometry.1.set(of_speed);
         } else {
+            if Self::CHARTED {
+                // What laws read; geometries have given the motion before the step its share.
+                gradient.start.position.add(&again.of_free.0);
+            }
+            again.of_free.0.add(&again.of_geometry.0);
+            again.of_free.1.add(&again.of_geometry.1);
             again.of_free.0.add(of_place);
             again.of_free.1.add(of_speed);
             again.of_before.mix_2(&self.zero, (in_position, of_place), (in_rate, of_speed));

@@ -4,7 +4,7 @@ use super::Backward;
 use super::rules::Staged;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf, Space, Unloaded};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::loading::{EffortOf, Load, Seen as _};
 use crate::mirror::Rate;
 use crate::relation::{Additive, Wrench, WrenchOf};
@@ -99,7 +99,7 @@ impl<S: Reversed, L: BodyLaw<S>> Visit<S> for Telling<S, L> {
 impl<'s, S, R, C, P, M, L> Backward<'s, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,

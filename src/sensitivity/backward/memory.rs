@@ -14,13 +14,13 @@
 //! Backward, a₁ gets B Q + Γ V + (κ − 1) ō / h and is [pulled back](super::implicit) to costates of both `free`; by these, and by ō, go a₀,
 //! o₀, q₀ and v₀. The first geometry of the step, q₀ + h v₀ and v₀, gives q₀ and v₀ costates of its own.
 
-use super::again::{follow, paired};
+use super::again::{follow, paired, unfollow};
 use super::record::{Place, Record};
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
@@ -72,7 +72,7 @@ impl<R: Real> Weights<R> {
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
@@ -180,7 +180,16 @@ where
         let ([own, by_size], weights) = (self.rule.own::<S::Scalar>(step), Weights::of(&self.rule, step));
         let Weights { change, last, .. } = weights;
         let one = RealOf::<S>::of(1.0);
+        let mut again = self.again(&record.stages.as_ref()[1]);
+        // Of where the step would be without a₁, for now.
+        gradient.start.position.set(&self.zero);
         {
+            self.remember(past, step, record.accelerations.as_ref(), &mut again.free);
+            let (from, into) = ((&again.free.0, &again.free.1), (&mut again.read.0, &mut again.read.1));
+            follow::<S, Elements<S, R, C>>(from, own, found, &self.zero, into);
+            let of_position = &mut self.of_position.as_mut()[2];
+            let (between, of_free) = ((&again.read.0, &again.free.0), &mut gradient.start.position);
+            unfollow(between, (&self.zero, &mut self.sum), of_position, of_free);
             let (of_position, of_rate) = (&self.of_position.as_ref()[2], &self.of_rate.as_ref()[2]);
             if let Some(sum) = &mut self.of_own {
                 *sum += paired::<S, Elements<S, R, C>>(by_size, (of_position, of_rate), found);
@@ -188,22 +197,30 @@ where
             let (q, v, memory) = ((own[0], of_position), (own[1], of_rate), (change, &self.of_memory));
             self.of_acceleration.mix_3(&self.zero, q, v, memory);
         }
+        self.again = Some(again);
         self.pull_back_solution(1, past, step, record, gradient);
-        let ([.., of_free, of_end], [.., by_free, by_end]) = (self.of_position.as_mut(), self.of_rate.as_mut()) else {
+        let Some(again) = &mut self.again else { return };
+        let ([.., of_free, _], [.., by_free, by_end]) = (self.of_position.as_mut(), self.of_rate.as_mut()) else {
             return;
         };
-        of_free.add(of_end);
+        of_free.add(&gradient.start.position);
         by_free.add(by_end);
-        let (of_free, by_free) = (&*of_free, &*by_free);
+        // Coordinates of two steps: to there, and to the geometry that was predicted.
+        gradient.start.position.set(&self.zero);
+        again.read.0.drift_0(&past.position, (step, &past.rate));
+        let ends = [(&again.free.0, &mut *of_free), (&again.read.0, &mut again.of_geometry.0)];
+        for (end, of_end) in ends {
+            let room = (&self.zero, &mut self.sum);
+            unfollow((end, &past.position), room, of_end, &mut gradient.start.position);
+        }
+        let (again, of_free, by_free) = (&*again, &*of_free, &*by_free);
         if let Some(sum) = &mut self.of_own {
             let of = (of_free, by_free);
             *sum += paired::<S, Elements<S, R, C>>(weights.first_by_size, of, first);
             *sum += paired::<S, Elements<S, R, C>>(weights.memory_by_size, of, &past.acceleration);
             *sum += paired::<S, Elements<S, R, C>>([one, RealOf::<S>::zero()], of, &past.rate);
-            if let Some(again) = &self.again {
-                let of = (&again.of_predicted.0, &again.of_predicted.1);
-                *sum += paired::<S, Elements<S, R, C>>([one, RealOf::<S>::zero()], of, &past.rate);
-            }
+            let of = (&again.of_geometry.0, &again.of_geometry.1);
+            *sum += paired::<S, Elements<S, R, C>>([one, RealOf::<S>::zero()], of, &past.rate);
         }
         let ([in_place, in_speed], memory) = (weights.first, weights.memory);
         let of_change = (-change, &self.of_memory);
@@ -214,8 +231,8 @@ where
         let Some(again) = &self.again else { return };
         let (q, v) = (self.of_position.as_ref(), self.of_rate.as_ref());
         let ([q_start, q_free, _], [v_start, v_free, _]) = (q, v) else { return };
-        let (q_predicted, v_predicted) = &again.of_predicted;
-        gradient.start.position.mix_2(q_start, (one, q_free), (one, q_predicted));
+        let (q_predicted, v_predicted) = &again.of_geometry;
+        gradient.start.position.add(q_start);
         self.sum.mix_2(v_start, (one, v_free), (one, v_predicted));
         gradient.start.rate.mix_2(&self.sum, (step, q_free), (step, q_predicted));
     }

@@ -24,7 +24,7 @@ mod tape;
 use super::gradient::{Costate, Gradient};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
-use crate::ends::{Resting, Root, Tip};
+use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
@@ -76,9 +76,10 @@ pub use tape::Tape;
 ///
 /// # What it knows
 ///
-/// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` without linear springs, in tuples, arrays, vectors
+/// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` (with linear springs along axes of
+/// the inboard body, or along those of (33)-(35), each of three laws then of three numbers or less), in tuples, arrays, vectors
 /// and branches, named or not, and in loops that a `Pin` or a `Weld` closes (`Network`, `ClosedLoop`), nested or not, from a `Pinned` or
-/// `Clamped` root that does not move to free tips, or to those that are `Pinned`, `Clamped` or `Guided` at a place that does not move. The
+/// `Clamped` root, or a `Free` one, to free tips, or to those that are `Pinned`, `Clamped` or `Guided` at a place that does not move. The
 /// projection that puts a tip back and closes loops at the end of a step is part of the step, and of the gradient, as many corrections as it
 /// takes; places, angles and lines of tips are parameters. Forces that hold a tip or close a loop are no part of states here: costs may not
 /// read them. Initial coordinates are derived by as if each could be changed alone: a length, changed at fixed coordinates, opens a loop, which
@@ -87,9 +88,8 @@ pub use tape::Tape;
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
 /// ([`under`](Self::under)).
 ///
-/// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, scenes of the plane, and in
-/// space without balls, from a `Clamped` or `Hinged` root: they solve a step by several sweeps, and costates go back through all of them. Laws
-/// that are not linear have second derivatives here, those of what they add to pivots.
+/// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, the same scenes: they solve a step
+/// by several sweeps, and costates go back through all of them. Laws that are not linear have second derivatives here, those of what they add to pivots.
 ///
 /// `GeneralizedAlpha` remembers its auxiliary acceleration A. Its steps are those of [`step`](crate::stepper::Stepper::step): each begins with
 /// the accelerations a that the torques of this step cause, where `simulate` goes on with those that the last sweep has left. A run begins with
@@ -99,12 +99,15 @@ pub use tape::Tape;
 /// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`,
 /// `Prismatic`, `Cylindrical` and `Universal` with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom); where
 /// there are two laws, each of three numbers or less), composed in the same ways, also
-/// in loops that a `Ball`, a `Weld` or a `Revolute` closes, from a `Pinned`, `Clamped` or `Hinged` root that does not move to tips that are
+/// in loops that a `Ball`, a `Weld` or a `Revolute` closes, from a `Pinned`, `Clamped` or `Hinged` root, or a `Free` one, to tips that are
 /// free, or `Pinned`, `Clamped` or `Hinged` at a place that does not move; of projections and initial coordinates holds what was said of the
 /// plane. An attitude has three derivatives, by a rotation vector (rad) in axes of its body: costs add theirs in the same numbers, and steps
 /// linearised have their rows and columns so. Rates of balls are angular velocities in axes of the body (rad/s). Torques are
 /// [`Effort`](crate::spatial::Effort)s, in a ball a vector in these axes (of a ball that closes a loop: in axes of the main arm's last body),
 /// in other joints one number for each coordinate. Loads on bodies go backward as in the plane. Directions of axes, attitudes of welds and of the ground at both ends are parameters like all others.
+///
+/// The ground of a root may [move](crate::planar::Moving), as long as nothing is held and no loop closes: parameters of its motion are not among the
+/// derivatives, and are refused where the gradient is asked for along them.
 ///
 /// All else is an error of the compiler that names it.
 ///
@@ -143,9 +146,10 @@ pub use tape::Tape;
 /// instructions that it had.) A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differed by 0.1
 /// from one measurement to the next, by 0.4 at most (3 rods on balls, once 3.3). What is held or closed was not measured for x86-64.
 ///
-/// In the plane chains whose tip is pinned take more: 5.0 plain runs (instructions 6.7) for three rods and RK4, 5.4 (6.8) for twenty, x86-64-v3. A four-bar
-/// linkage takes 6.5 (DOP853 5.3), a rod with one window of four rods 6.0, with two in a row 6.5, with five 8.9: for each correction of a
-/// projection costates walk once for each loop.
+/// In the plane what is held or closed takes more, instructions for plain ones on x86-64-v3 by RK4: 4.2 for three rods whose tip is pinned, 4.4 for
+/// twenty, 4.7 for a rod with one window of four rods or with two in a row. (A four-bar linkage, five windows, and times were measured before closures
+/// were read without jets: 6.5, by DOP853 5.3, and 8.9; three and twenty rods took 5.0 and 5.4 then, with 5.7 and 6.7 times the instructions.) For each
+/// correction of a projection costates walk once for each loop.
 ///
 /// Under implicit rules rods with stiff hinges, x86-64-v3, instructions of the plain run a body and sweep; by `GeneralizedAlpha` the steps under
 /// torques are those of `step`, with three sweeps instead of two:
@@ -178,12 +182,12 @@ pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: St
 type CostateOf<S, R, C> = Costate<RateOf<S, R, C>, <S as Geometry>::Scalar>;
 
 impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Runs by a rule whose gradients go backward: `Rk4`, `Dopri5`, `Dop853`, and without balls `Sdirk4` and `GeneralizedAlpha`.
+    /// Runs by a rule whose gradients go backward: `Rk4`, `Dopri5`, `Dop853`, `Sdirk4` and `GeneralizedAlpha`.
     ///
     /// See [`sensitivity::Backward`](crate::sensitivity::Backward).
     pub fn backward<M: Staged>(&self, method: M) -> Backward<'_, S, R, C, P, M>
     where
-        R: Resting<S>,
+        R: Root<S>,
         P: ReversibleTip<S>,
         Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, Absent, P::Closures>,
         Self: Runs<Unloaded, S, R, C, P>,
@@ -196,7 +200,7 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 impl<'s, S, R, C, P, M, L> Backward<'s, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
@@ -224,7 +228,7 @@ where
     /// # Errors
     /// [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of another scene;
     /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip,
-    /// or closes a loop, twice in the same way; what is wrong with the parameters of the rule; what
+    /// or closes a loop, twice in the same way; [`Fault::Unsupported`] where the ground moves and something is held or closed; what is wrong with the parameters of the rule; what
     /// [`LoadLaw::check`](crate::loading::LoadLaw::check) of the loads on bodies refuses.
     pub fn run(
         &mut self,

@@ -20,7 +20,7 @@ use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip, total};
 use crate::element::{Coordinates, Element, Level, Posture, RealOf};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Acceleration, Additive, Closures, Solvable};
@@ -74,7 +74,7 @@ impl<S: Reversed, E: Element<S>> Projection<S, E> {
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,

@@ -1,11 +1,10 @@
 //! Gradients of costs at samples, wherever they fall between the steps of a run.
 
 use super::rules::Staged;
-use super::steps::Steps;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
-use crate::ends::Resting;
+use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::relation::Additive;
@@ -16,7 +15,7 @@ use crate::system::{Elements, MotionOf, Runs, System};
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
@@ -61,8 +60,7 @@ where
     /// `simulate`.
     ///
     /// # Errors
-    /// As [`gradient`](Self::gradient); [`Fault::OutOfRange`] for times that do not rise, or beyond the run; [`Fault::Unsupported`] for
-    /// `Dopri5` and `Dop853` where in space something is held or closed.
+    /// As [`gradient`](Self::gradient); [`Fault::OutOfRange`] for times that do not rise, or beyond the run.
     pub fn gradient_at(
         &mut self,
         torques: &[EffortOf<S>],
@@ -73,10 +71,6 @@ where
     ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
         let last = self.check(torques, states)?;
         self.admits(states.len() - 1, by_torques.len())?;
-        if const { !Steps::<S, R, C, P, M, L>::DENSE } {
-            let what = "the gradient at samples by dense output that reads the end of steps, where in space something is held or closed";
-            return Err(Error::new(Fault::Unsupported { what }));
-        }
         let mut earliest = states[0].time;
         for time in times {
             if !(earliest <= *time && *time <= last.time) {

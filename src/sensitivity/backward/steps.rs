@@ -8,7 +8,7 @@ use super::record::{Place, Record, Stage, StageOf};
 use super::rules::Staged;
 use crate::adjoint::{BodyLaw, Burdened, Outboard, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf};
-use crate::ends::{Resting, Root, Tip};
+use crate::ends::{Root, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Acceleration, Additive, Closures, Cuts, Solvable, Wrench};
@@ -80,7 +80,7 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
 impl<'s, S, R, C, P, M, L> Steps<'s, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,

@@ -6,7 +6,7 @@ use super::steps::TorquesOf;
 use super::{Backward, CostateOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
-use crate::ends::{Resting, Root, Tip};
+use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::relation::Additive;
@@ -38,7 +38,7 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged> Clone for Tap
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
     S: Reversed,
-    R: Resting<S>,
+    R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,

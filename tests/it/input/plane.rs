@@ -538,6 +538,13 @@ fn errors_say_what_where_and_when() {
     }
     let error = Error::new(Fault::NotPositive { parameter: "length", value: -2.0 }).at_station(4);
     assert_eq!(is_error(error), "length must be positive, but is -2, at station 4");
+    // Numbers that would be rows of zeros have exponents.
+    let error = Error::new(Fault::Negative { parameter: "mass", value: -2e300 }).at_time(3e-9);
+    assert_eq!(is_error(error), "mass must not be negative, but is -2e300, at t = 3e-9 s");
+    let range = |least, most| Fault::OutOfRange { parameter: "share", value: 0.7, least, most, outside: "no more" };
+    assert_eq!(range(0.0, 0.5).to_string(), "share must lie between 0 and 0.5, but is 0.7: no more");
+    assert_eq!(range(1e-30, f64::INFINITY).to_string(), "share must be finite and at least 1e-30, but is 0.7: no more");
+    assert_eq!(range(0.0, 0.0).to_string(), "share must be 0, but is 0.7: no more");
     let error = Error::new(Fault::SingularJoint).at(Place::Root).at_time(1.5);
     assert_eq!(
         is_error(error),

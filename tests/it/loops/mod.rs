@@ -7,6 +7,7 @@ mod assembly_held;
 mod between_steps;
 mod half_turns;
 mod ladders;
+mod open_starts;
 mod plane;
 mod shared_loops;
 mod space;

@@ -64,7 +64,7 @@ fn bar(k: usize) -> Bar {
     Bar::new(mass, centre, tensor)
 }
 
-fn tree() -> Tree {
+pub fn tree() -> Tree {
     let side = (
         Slide::at::<0b010>([0.0, 0.2, 0.0]).turned(Quarter::<8>),
         general(body(1)),

@@ -5,6 +5,7 @@ mod auto;
 mod double_pendulum;
 mod driven_sliders;
 mod endless_runs;
+mod from_events;
 mod held_beam;
 mod implicit_forces;
 mod laws_of_users;

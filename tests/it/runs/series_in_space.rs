@@ -299,6 +299,17 @@ fn single_precision_keeps_its_digits() -> Result<(), Error> {
     Ok(())
 }
 
+/// Efforts that stay are known to stay: a step takes one expansion under them, as without.
+#[test]
+fn efforts_that_stay_expand_once_a_step() -> Result<(), Error> {
+    let (scene, start) = tree!();
+    let loads = Loads::none().efforts(EFFORTS);
+    let run = scene.simulation(Taylor::<20>::tolerance(1e-10)).loads(&loads).run(start, 1.0, |_| ())?;
+    println!("{} steps, {} rejected, {} expansions", run.steps, run.rejected, run.sweeps);
+    assert_eq!(run.sweeps, run.steps);
+    Ok(())
+}
+
 #[test]
 fn faults_are_those_of_other_rules() -> Result<(), Error> {
     // Nothing resists the spin of a bob on a ball.

@@ -183,8 +183,14 @@ fn in_the_plane() {
     );
 }
 
+/// Without optimisation too much for the stack of a test.
 #[test]
 fn in_space() {
+    let thread = std::thread::Builder::new().stack_size(1 << 26).spawn(second_in_space).expect("a thread");
+    thread.join().expect("a Hessian of jets");
+}
+
+fn second_in_space() {
     use catena::spatial::*;
     use catena::system::{Position, Rate};
     let mut numbers = vec![1.2, 0.2, 0.25, 0.3, 0.02, -0.03, 0.01, 0.3, 0.1, -0.05, 0.7, -0.2, 0.15]; // a body

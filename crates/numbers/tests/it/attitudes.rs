@@ -76,6 +76,38 @@ fn each_lane_has_its_attitude_and_angles_from_its_matrix() {
     }
 }
 
+/// Three rods whose end the ground holds about an axis: forces across axes that differ from lane to lane.
+#[test]
+fn each_lane_is_held_across_its_own_axis() -> Result<(), Error> {
+    macro_rules! scene {
+        ($axis:expr, $number:expr) => {{
+            let [o, one, thin, away, side, down] = [0.0, 1.0, 0.05, 1.2, 0.3, -9.81].map($number);
+            let rod = Rod::uniform(one, thin, one);
+            let scene = System::new(Pinned::on([o; 3]), (rod, Ball, rod, Ball, rod), Hinged::at([away, o, o], $axis))?;
+            scene.with_gravity([side, down, o])
+        }};
+    }
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.5, -0.6, 0.7]];
+    let (mut starts, mut alone) = ([[0.0; 12]; 4], [[0.0; 9]; 4]);
+    for (lane, axis) in axes.into_iter().enumerate() {
+        let scene = scene!(axis, |x: f64| x);
+        let guess = scene.at_rest(&[0.2, 0.1, 0.9, 0.1, -0.2, -0.4, 0.0, 0.1, -1.0])?;
+        let start = scene.assembled(guess, &Unloaded)?;
+        start.coordinates_into(&mut starts[lane])?;
+        scene.simulate(start, Rk4::step(0.01), 0.1, |_| ())?.motion.rates_into(&mut alone[lane])?;
+    }
+    let scene = scene!(lanes(axes), WideF64x4::literal);
+    let mut start = scene.motion();
+    start.set_coordinates(&lanes(starts))?;
+    let found = scene.simulate(start, Rk4::step(0.01), 0.1, |_| ())?.motion.rates();
+    for (i, found) in found.into_iter().enumerate() {
+        let expected = alone.map(|one| one[i]);
+        found.into_arr().into_iter().zip(expected).for_each(|(found, alone)| near(found, alone, 1e-9));
+    }
+    assert!(alone.iter().all(|one| one.iter().any(|rate| rate.abs() > 0.01)), "{alone:?}");
+    Ok(())
+}
+
 #[test]
 fn directions_have_derivatives_beside_longer_ones() {
     let at = |x: [f32; 4]| Jet::<WideF32x4, 1> { re: x.into(), eps: [[1.0; 4].into()] };

@@ -2,7 +2,7 @@
 
 use crate::Sample;
 use crate::common::camera::Camera;
-use crate::common::film::{Film, Frame};
+use crate::common::film::{Film, Frame, Stroke};
 use crate::common::{BLUE, Drawn, ORANGE};
 use std::path::PathBuf;
 
@@ -20,10 +20,11 @@ pub fn draw(log: &[Sample]) -> Drawn<PathBuf> {
         view: (-1.0..1.0, -0.75..1.1),
         scale: 270.0,
         seconds: [seconds; 2],
-        strokes: &[(BLUE, 8.0)],
-        trace: (0, 8, ORANGE),
+        strokes: &[Stroke::links(BLUE, 8.0)],
+        trace: Some((0, 8, ORANGE)),
         ground: &[camera.sees([0.0; 3])],
         floor: &floor,
+        ..Film::default()
     };
     film.save("arm_from_urdf", &frames)
 }

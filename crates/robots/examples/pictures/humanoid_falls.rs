@@ -1,7 +1,7 @@
 //! Pictures of the example `humanoid_falls`.
 
 use crate::common::camera::Camera;
-use crate::common::film::{Film, Frame};
+use crate::common::film::{Film, Frame, Stroke};
 use crate::common::{BLUE, Drawn, GREY, ORANGE};
 use crate::{END, Sample};
 use std::path::PathBuf;
@@ -24,18 +24,18 @@ pub fn draw(log: &[Sample]) -> Drawn<PathBuf> {
         scale: 270.0,
         seconds: [END; 2],
         strokes: &[
-            (GREY, 6.0),
-            (GREY, 4.0),
-            (GREY, 5.0),
-            (ORANGE, 7.0),
-            (ORANGE, 6.0),
-            (BLUE, 7.0),
-            (BLUE, 5.0),
-            (BLUE, 6.0),
+            Stroke::links(GREY, 6.0),
+            Stroke::links(GREY, 4.0),
+            Stroke::links(GREY, 5.0),
+            Stroke::links(ORANGE, 7.0),
+            Stroke::links(ORANGE, 6.0),
+            Stroke::links(BLUE, 7.0),
+            Stroke::links(BLUE, 5.0),
+            Stroke::links(BLUE, 6.0),
         ],
-        trace: (4, 1, ORANGE),
-        ground: &[],
+        trace: Some((4, 1, ORANGE)),
         floor: &floor,
+        ..Film::default()
     };
     film.save("humanoid_falls", &frames)
 }

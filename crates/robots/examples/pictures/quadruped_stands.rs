@@ -1,7 +1,7 @@
 //! Pictures of the example `quadruped_stands`.
 
 use crate::common::camera::Camera;
-use crate::common::film::{Film, Frame};
+use crate::common::film::{Film, Frame, Stroke};
 use crate::common::{BLUE, Drawn, GREY, ORANGE};
 use crate::{FILMED, Sample};
 use std::path::PathBuf;
@@ -22,10 +22,16 @@ pub fn draw(log: &[Sample]) -> Drawn<PathBuf> {
         view: (-0.85..0.85, -0.62..0.6),
         scale: 330.0,
         seconds: [FILMED; 2],
-        strokes: &[(GREY, 6.0), (GREY, 6.0), (ORANGE, 8.0), (BLUE, 7.0), (BLUE, 7.0)],
-        trace: (2, 1, ORANGE),
-        ground: &[],
+        strokes: &[
+            Stroke::links(GREY, 6.0),
+            Stroke::links(GREY, 6.0),
+            Stroke::links(ORANGE, 8.0),
+            Stroke::links(BLUE, 7.0),
+            Stroke::links(BLUE, 7.0),
+        ],
+        trace: Some((2, 1, ORANGE)),
         floor: &floor,
+        ..Film::default()
     };
     film.save("quadruped_stands", &frames)
 }

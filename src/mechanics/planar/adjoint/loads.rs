@@ -7,18 +7,21 @@
 //! ```text
 //! X·(p + d) + Y·(v + ω ẑ×d) + F·(W_I + w ẑ×d)
 //! ```
+//!
+//! Closures are read by the same walk, without loads.
 
 use super::laws::ReversibleLaw;
 use crate::lift::Lift;
 use crate::loading::{Load, LoadLaw};
 use crate::mechanics::planar::axes::{Axes, Inboard};
+use crate::mechanics::planar::body::{Body, Inertia, Pose};
 use crate::mechanics::planar::{
     Acceleration, BodyMotion, ElasticHinge, Frame, Pin, Planar, PointMass, RigidBody, Rod, Slider, Turn, Weld, Wrench,
 };
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::relation::{Additive, Closures};
 use crate::scalar::{Jet, Scalar};
-use crate::shape::{Body, Of, Takes};
+use crate::shape::{Of, Takes};
 use crate::walks::burden::Burden;
 use crate::walks::pull_loads::{LAW, PullLoads};
 use core::ops::Add;
@@ -26,8 +29,8 @@ use nalgebra::Vector2;
 
 /// Place, velocity, angle, rate.
 const MOTION: usize = 6;
-/// Most numbers that a body is made of.
-pub(crate) const BODY: usize = 8;
+/// The numbers of a body that loads read: outboard end, mass, mass centre and moment of inertia about it, body axes.
+pub(crate) const BODY: usize = 6;
 /// What a load may read.
 const READ: usize = MOTION + BODY + LAW;
 /// A number with derivatives by all that.
@@ -63,6 +66,52 @@ impl<T: Scalar> Additive for Felt<T> {
     }
 }
 
+/// The numbers of a body that loads read.
+pub(crate) fn numbers<T: Scalar>(body: &impl Body<T>) -> [T; BODY] {
+    let ([x, y], Inertia { mass, centre: [a, b], about_centre }) = (body.outboard(), body.inertia());
+    [x, y, mass, a, b, about_centre]
+}
+
+/// Reads the load on the body that has been met last, weighed by the virtual velocity of its inboard end and by its w: gives its force and the
+/// costates of place, velocity, angle and rate; adds to those of numbers.
+fn read<T, L>(
+    body: &impl Body<T>,
+    frame: &Frame<T>,
+    (weight, stirring): (Vector2<T>, T),
+    walk: &mut PullLoads<L, T>,
+    sums: &mut [T; BODY],
+) -> (Vector2<T>, [T; MOTION])
+where
+    T: Scalar,
+    L: Lift<T, Read<T>, Over: LoadLaw<BodyMotion<Read<T>>, Value: Load<Planar<Read<T>>>>>,
+{
+    let mut seed = MOTION + BODY;
+    let law = walk.law.lift(&mut |number| {
+        seed += 1;
+        Read::seed(number, seed - 1)
+    });
+    let at = |v: Vector2<T>, first: usize| Vector2::new(Read::seed(v.x, first), Read::seed(v.y, first + 1));
+    let turn = Turn { angle: Read::seed(frame.turn.angle, 4), rate: Read::seed(frame.turn.rate, 5) };
+    let acceleration = Acceleration { linear: Vector2::null(), angular: Additive::null() };
+    let inboard = Frame { place: at(frame.place, 0), velocity: at(frame.velocity, 2), acceleration, turn };
+    let mut k = MOTION;
+    let [x, y, mass, a, b, about_centre] = numbers(body).map(|number| {
+        k += 1;
+        Read::seed(number, k - 1)
+    });
+    let (sine, cosine) = turn.angle.sin_cos();
+    let inertia = Inertia { mass, centre: [a, b], about_centre };
+    let none = Vector2::null();
+    let motion = BodyMotion { inboard, arm: none, to_centre: none, direction: Vector2::new(cosine, sine), inertia };
+    let motion = BodyMotion { arm: motion.turned([x, y]), to_centre: motion.turned([a, b]), ..motion };
+    let Wrench { force, torque } = law.at(walk.time, walk.body, &motion).wrench();
+    let slope = |k: usize| weight.x.mul_add(force.x.eps[k], weight.y.mul_add(force.y.eps[k], stirring * torque.eps[k]));
+    sums.iter_mut().zip(MOTION..).for_each(|(sum, k)| *sum += slope(k));
+    walk.of_law.1 = seed - MOTION - BODY;
+    walk.of_law.0.iter_mut().zip(MOTION + BODY..).for_each(|(sum, k)| *sum += slope(k));
+    (force.map(|x| x.re), core::array::from_fn(slope))
+}
+
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
         impl<T: Scalar, C: Closures> Takes<Planar<T>, Burden<T, C>> for $Body<T> {
@@ -79,50 +128,37 @@ macro_rules! bodies {
 
         impl<T: Scalar, L> Takes<Planar<T>, PullLoads<L, T>> for $Body<T>
         where
-            L: Lift<T, Read<T>, Over: LoadLaw<BodyMotion<Read<T>>, Value: Load<Planar<Read<T>>>>>,
+            L: LoadLaw<BodyMotion<T>>
+                + Lift<T, Read<T>, Over: LoadLaw<BodyMotion<Read<T>>, Value: Load<Planar<Read<T>>>>>,
         {
             fn take(
                 &self,
                 walk: &mut PullLoads<L, T>,
                 outer: Felt<T>,
-                (.., ((frame, _), met, (), _), (sums, ()), _): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
+                (&x, &y, &p, &q, _, ((frame, _), met, ..), (sums, ()), _): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
             ) -> Felt<T> {
+                let pose = Pose { x, y, p, q };
+                let ([arm, _], direction, spin) = (self.arm(pose), self.direction(pose), frame.turn.rate);
+                let Felt { place, velocity, stirring, turn: [turn, of_rate] } = outer;
+                let across = normal(arm);
+                // What the arm is weighed by.
+                let lever = add_scaled(place, -spin, normal(velocity));
+                let lever =
+                    if const { L::ON } { add_scaled(lever, -met.stirring, normal(stirring)) } else { lever };
+                sums[0] = plus_dot(sums[0], direction, lever);
+                sums[1] = plus_dot(sums[1], normal(direction), lever);
+                let turn = [plus_dot(turn, across, lever), plus_dot(of_rate, across, velocity)];
+                if const { !L::ON } {
+                    return Felt { turn, ..outer };
+                }
                 walk.body = walk.body.saturating_sub(1);
-                let mut seed = MOTION;
-                let mut next = |number| {
-                    seed += 1;
-                    Read::seed(number, seed - 1)
-                };
-                let body = self.lift(&mut next);
-                let mut seed = MOTION + BODY;
-                let mut next = |number| {
-                    seed += 1;
-                    Read::seed(number, seed - 1)
-                };
-                let law = walk.law.lift(&mut next);
-                let at = |v: Vector2<T>, first: usize| Vector2::new(Read::seed(v.x, first), Read::seed(v.y, first + 1));
-                let turn = Turn { angle: Read::seed(frame.turn.angle, 4), rate: Read::seed(frame.turn.rate, 5) };
-                let acceleration = Acceleration { linear: Vector2::null(), angular: Additive::null() };
-                let (place, velocity) = (at(frame.place, 0), at(frame.velocity, 2));
-                let (motion, _) = Body::<Planar<Read<T>>>::motion(&body, Frame { place, velocity, acceleration, turn });
-                let Wrench { force, torque } = law.at(walk.time, walk.body, &motion).wrench();
-                let (w, arm, spin) = (met.stirring, motion.arm.map(|x| x.re), frame.turn.rate);
-                let inner = add_scaled(met.velocity, -w, normal(arm));
-                // What the arm is weighed by, and the load.
-                let lever = add_scaled(add_scaled(outer.place, -spin, normal(outer.velocity)), -w, normal(outer.stirring));
-                let (arm_of, of) = (motion.arm.map(|x| x.eps), force.map(|x| x.eps));
-                let slopes: [T; READ] = core::array::from_fn(|k| {
-                    let load = inner.x.mul_add(of.x[k], inner.y.mul_add(of.y[k], w * torque.eps[k]));
-                    lever.x.mul_add(arm_of.x[k], lever.y.mul_add(arm_of.y[k], load))
-                });
-                sums.iter_mut().zip(&slopes[MOTION..]).for_each(|(sum, slope)| *sum += *slope);
-                walk.of_law.1 = seed - MOTION - BODY;
-                walk.of_law.0.iter_mut().zip(&slopes[MOTION + BODY..]).for_each(|(sum, slope)| *sum += *slope);
+                let inner = add_scaled(met.velocity, -met.stirring, across);
+                let (load, slopes) = read(self, frame, (inner, met.stirring), walk, sums);
                 Felt {
-                    place: outer.place + Vector2::new(slopes[0], slopes[1]),
-                    velocity: outer.velocity + Vector2::new(slopes[2], slopes[3]),
-                    stirring: outer.stirring + force.map(|x| x.re),
-                    turn: [outer.turn[0] + slopes[4], plus_dot(outer.turn[1] + slopes[5], normal(arm), outer.velocity)],
+                    place: place + Vector2::new(slopes[0], slopes[1]),
+                    velocity: velocity + Vector2::new(slopes[2], slopes[3]),
+                    stirring: stirring + load,
+                    turn: [turn[0] + slopes[4], turn[1] + slopes[5]],
                 }
             }
         }

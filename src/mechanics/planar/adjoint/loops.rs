@@ -1,6 +1,6 @@
 //! The costate sweep in the plane: joints that close loops.
 
-use super::{Felt, Kind, NUMBERS, Outboard, Stirred};
+use super::{Felt, Kind, NUMBERS_OF_JOINT, Outboard, Stirred};
 use crate::adjoint::{Reversed, ReversibleClosing, total};
 use crate::element::Level;
 use crate::mechanics::planar::{Pin, Planar, Turn, Weld, Wrench};
@@ -37,7 +37,7 @@ fn felt<T: Scalar, C: Closures>(
 }
 
 impl<T: Scalar> ReversibleClosing<Planar<T>> for Pin {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn close_off<C: Closures>(
         &self,
         outer: Outboard<T, C>,
@@ -62,14 +62,14 @@ impl<T: Scalar> ReversibleClosing<Planar<T>> for Pin {
         weights: &[T; 2],
         turns: &[Turn<T>; 2],
         level: Level,
-        _: &mut [T; NUMBERS],
+        _: &mut [T; NUMBERS_OF_JOINT],
     ) -> [Felt<T>; 2] {
         felt::<T, Cut<2>>(&forces(), weights, turns, level)
     }
 }
 
 impl<T: Scalar> ReversibleClosing<Planar<T>> for Weld<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn close_off<C: Closures>(
         &self,
         outer: Outboard<T, C>,
@@ -92,7 +92,7 @@ impl<T: Scalar> ReversibleClosing<Planar<T>> for Weld<T> {
         weights: &[T; 3],
         turns: &[Turn<T>; 2],
         level: Level,
-        sums: &mut [T; NUMBERS],
+        sums: &mut [T; NUMBERS_OF_JOINT],
     ) -> [Felt<T>; 2] {
         if let Level::Place = level {
             sums[0] += weights[2];

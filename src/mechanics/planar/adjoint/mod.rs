@@ -2,16 +2,18 @@
 
 mod bodies;
 mod ends;
+mod hinge_axes;
 mod joints;
 mod laws;
+mod linear_hinge;
 mod loads;
 mod loops;
 mod slider;
 
 use ends::TIP;
 pub(crate) use laws::NUMBERS;
-pub(crate) use loads::BODY;
 use loads::Felt;
+pub(crate) use loads::{BODY, numbers};
 
 use super::body::Base;
 use crate::adjoint::{self, Kind, Reversed};
@@ -24,6 +26,11 @@ use crate::shape::PerAxes;
 use crate::walks::factor::Factor;
 use core::ops::Add;
 use nalgebra::Vector2;
+
+/// Most numbers of each law of a joint that has several.
+pub(crate) const LAW_NUMBERS: usize = NUMBERS / 2;
+/// Most numbers that are kept of a joint: three laws, and a mass.
+pub(crate) const NUMBERS_OF_JOINT: usize = 3 * LAW_NUMBERS + 1;
 
 /// What lies outboard of a station.
 type Outboard<T, C = Open> = adjoint::Outboard<Planar<T>, C>;
@@ -99,7 +106,7 @@ pub struct Pulled<T> {
 
 impl<T: Scalar> Pulled<T> {
     /// The costates of the angle and the angular velocity that turn what has been met.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn turned(&self, Turning { rate, acceleration, stirring }: Turning<T>) -> [T; 2] {
         let angle = acceleration.mul_add(self.along, (rate * rate).mul_add(self.across, stirring * self.lever));
         let spin = (rate + rate) * self.along;
@@ -121,7 +128,7 @@ impl<T: Scalar> Pulled<T> {
 }
 
 /// Sums of what there is.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sum<T: Scalar>(a: Option<[T; 2]>, b: Option<[T; 2]>) -> Option<[T; 2]> {
     match (a, b) {
         (Some(a), Some(b)) => Some([a[0] + b[0], a[1] + b[1]]),
@@ -131,7 +138,7 @@ fn sum<T: Scalar>(a: Option<[T; 2]>, b: Option<[T; 2]>) -> Option<[T; 2]> {
 
 impl<T: Scalar> Add for Pulled<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         Self {
             momentum: self.momentum + other.momentum,
@@ -160,14 +167,14 @@ impl<T: Scalar> Reversed for Planar<T> {
     type AtEnds = ();
     type Pulled = Pulled<T>;
     type OfBody = Base<T>;
-    type OfJoint = [T; NUMBERS];
+    type OfJoint = [T; NUMBERS_OF_JOINT];
     type Felt = Felt<T>;
     type OfNumbers = [T; BODY];
     type OfTip = [T; TIP];
     /// None of its own: costates read what sweeps do.
     type Poses = Factor;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn pose<E: Element<Self>>(
         elements: &E,
         position: &E::Position,
@@ -185,7 +192,7 @@ impl<T: Scalar> Reversed for Planar<T> {
     fn no_pivot() -> T {
         T::zero()
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at_ground(frame: &Frame<T>) -> Stirred<T> {
         let zero = T::zero();
         let turning = Turning { rate: frame.turn.rate, acceleration: frame.acceleration.angular, stirring: zero };
@@ -197,9 +204,13 @@ impl<T: Scalar> Reversed for Planar<T> {
         let turning = Turning { rate: zero, acceleration: zero, stirring: zero };
         (OnBody { velocity, acceleration: zero, stirring: zero }, AtJoint { turning, velocity }, ())
     }
-    fn of_nothing() -> (Base<T>, [T; BODY], [T; NUMBERS]) {
+    fn of_nothing() -> (Base<T>, [T; BODY], [T; NUMBERS_OF_JOINT]) {
         let zero = T::zero();
-        (Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero }, [zero; BODY], [zero; NUMBERS])
+        (
+            Base { outboard: [zero; 2], moment: [zero; 2], inertia: zero, lumped: zero },
+            [zero; BODY],
+            [zero; NUMBERS_OF_JOINT],
+        )
     }
     fn no_tip() -> [T; TIP] {
         [T::zero(); TIP]

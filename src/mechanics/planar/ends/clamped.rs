@@ -12,6 +12,8 @@ use nalgebra::Vector2;
 use num_traits::Zero;
 
 impl<T: Scalar> Ground<T, [T; 3]> for T {
+    const RESTS: bool = true;
+
     fn at(&self, _: T::Real) -> [T; 3] {
         [*self, T::zero(), T::zero()]
     }
@@ -81,6 +83,8 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, [T; 3]>> Root<Planar
     type Pairs = (Held, Held, Held);
     type Joint = Weld<T>;
 
+    const RESTS: bool = G::RESTS && A::RESTS;
+
     fn joint(&self) -> Weld<T> {
         Weld::at(T::zero())
     }
@@ -97,7 +101,7 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, [T; 3]>> Tip<Planar<
     type Closures = Cut<3>;
     type Relation = Full<T, Cut<3>>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn relation(&self, time: T::Real, gravity: Vector2<T>, _: &Turn<T>) -> Self::Relation {
         let frame = self.frame(time);
         let target = frame.acceleration.linear - gravity;

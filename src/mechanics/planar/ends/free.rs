@@ -22,6 +22,8 @@ impl<T: Scalar> Root<Planar<T>> for Free {
     type Pairs = (Loose, Loose, Loose);
     type Joint = Floating<T>;
 
+    const RESTS: bool = true;
+
     fn joint(&self) -> Floating<T> {
         ElasticHinge::linear(Absent, Absent).in_unbalanced_axes()
     }

@@ -90,6 +90,8 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, [T; 3]>> Root<Planar
     type Pairs = (Loose, Held, Held); // along the line, across it, the angle
     type Joint = Slider<T>;
 
+    const RESTS: bool = G::RESTS && A::RESTS;
+
     fn joint(&self) -> Slider<T> {
         Slider::along(self.line)
     }
@@ -107,7 +109,7 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Tip<Planar<T>> for Guided<G, T, T
     type Closures = Cut<2>;
     type Relation = Full<T, Cut<2>>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn relation(&self, time: T::Real, gravity: Vector2<T>, _: &Turn<T>) -> Self::Relation {
         let frame = self.ground.frame(time);
         let normal = self.normal(&frame);

@@ -9,7 +9,7 @@
 //! ```
 
 use super::{Outboard, Pivot, Pulled, Stirred, Turning};
-use crate::element::{Element, Explicit, Springs};
+use crate::element::{Element, Springs};
 use crate::mechanics::spatial::{Acceleration, Ball, Spatial, Turn, Wrench};
 use crate::relation::Closures;
 use crate::relation::spatial::algebra::{cross, zero};
@@ -25,7 +25,7 @@ use crate::walks::stir::Stir;
 use nalgebra::Vector3;
 
 impl<T: Scalar> Takes<Spatial<T>, Orient> for Ball {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         _: &mut Orient,
@@ -36,19 +36,8 @@ impl<T: Scalar> Takes<Spatial<T>, Orient> for Ball {
     }
 }
 
-/// How springs enter sweeps through which costates go backward where there are balls: explicitly.
-#[diagnostic::on_unimplemented(
-    message = "no gradient of a run by an implicit rule goes backward through a `Ball`",
-    label = "an implicit rule, of which the costate sweep knows joints with one coordinate or two",
-    note = "explicit rules know balls",
-    note = "run the same scene over jets or dual numbers instead"
-)]
-pub trait KnowsBalls {}
-
-impl KnowsBalls for Explicit {}
-
-impl<T: Scalar, C: Closures, By: Springs<T> + KnowsBalls> Takes<Spatial<T>, Factor<C, By>> for Ball {
-    #[inline(always)]
+impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Spatial<T>, Factor<C, By>> for Ball {
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         _: &mut Factor<C, By>,
@@ -64,7 +53,7 @@ impl<T: Scalar, C: Closures, By: Springs<T> + KnowsBalls> Takes<Spatial<T>, Fact
 }
 
 impl<T: Scalar, C: Closures> Takes<Spatial<T>, Reach<T, C>> for Ball {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         walk: &mut Reach<T, C>,
@@ -79,7 +68,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Reach<T, C>> for Ball {
 
 impl<T: Scalar, C: Closures> Takes<Spatial<T>, Meet<T, C>> for Ball {
     /// H w + Kᵀ W + e_m = A λ, with w = free + G W and G = −H⁻¹ Kᵀ; what is left in place of λ is free, in inertial axes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         walk: &mut Meet<T, C>,
@@ -94,7 +83,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Meet<T, C>> for Ball {
 }
 
 impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Ball {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         walk: &mut Stir<T, C>,
@@ -111,7 +100,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Ball {
 }
 
 impl<T: Scalar> Takes<Spatial<T>, PullBack> for Ball {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(
         &self,
         walk: &mut PullBack,

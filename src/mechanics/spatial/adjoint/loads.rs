@@ -3,7 +3,7 @@
 //! What joints eliminate of a costate they eliminate of a load.
 
 use crate::adjoint::laws::ReversibleLaw;
-use crate::mechanics::spatial::{Ball, PointMass, Revolute, RigidBody, Rod, Spatial, Weld, Wrench};
+use crate::mechanics::spatial::{Ball, Floating, PointMass, Revolute, RigidBody, Rod, Spatial, Weld, Wrench};
 use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
@@ -71,4 +71,4 @@ macro_rules! lawless {
         }
     )*};
 }
-lawless!(Rod<T>, RigidBody<T>, PointMass<T>, Ball, Weld<T>);
+lawless!(Rod<T>, RigidBody<T>, PointMass<T>, Ball, Floating<T>, Weld<T>);

@@ -5,6 +5,7 @@ mod ball;
 mod bodies;
 mod ends;
 mod felt;
+mod floating;
 mod inertial;
 mod loads;
 mod loops;
@@ -123,7 +124,7 @@ impl<T: Scalar> Pulled<T> {
 
 impl<T: Scalar> Add for Pulled<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         Self {
             momentum: self.momentum + other.momentum,
@@ -179,7 +180,7 @@ impl<T: Scalar> Reversed for Spatial<T> {
     type OfTip = [T; TIP];
     type Poses = Orient;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn pose<E: Element<Self> + Takes<Self, Orient>>(
         elements: &E,
         position: &E::Position,
@@ -197,7 +198,7 @@ impl<T: Scalar> Reversed for Spatial<T> {
     fn no_pivot() -> Pivot<T> {
         Pivot { factor: Factor3::of_number(T::one()), torque: zero() }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at_ground(frame: &Frame<T>) -> Stirred<T> {
         let Acceleration { angular, .. } = frame.acceleration;
         let turning = Turning { spin: frame.turn.spin, acceleration: angular, stirring: zero() };

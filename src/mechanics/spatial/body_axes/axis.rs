@@ -6,7 +6,7 @@ use super::turns::{Level, Offset};
 use crate::counts::Counted;
 use crate::lift::Lift;
 use crate::mechanics::spatial::Spatial;
-use crate::relation::{Absent, Term};
+use crate::relation::{Absent, Closures, Term};
 use crate::scalar::Scalar;
 use crate::spring::{Spring, SpringLaw};
 use core::fmt::Debug;
@@ -37,9 +37,9 @@ impl Mode for AlongZ {
 /// What a joint sits on.
 pub trait Bearing: Copy + Debug + 'static {
     /// What the joint hands on of what lies outboard.
-    type Relation<T: Scalar>: Copy;
+    type Relation<T: Scalar, C: Closures>: Copy;
     /// That, or nothing.
-    fn relation<T: Scalar>(make: impl FnOnce() -> Local<T>) -> Self::Relation<T>;
+    fn relation<T: Scalar, C: Closures>(make: impl FnOnce() -> Local<T, C>) -> Self::Relation<T, C>;
 }
 
 /// A joint that sits on a body.
@@ -51,18 +51,18 @@ pub struct OnBody;
 pub struct OnGround;
 
 impl Bearing for OnBody {
-    type Relation<T: Scalar> = Local<T>;
+    type Relation<T: Scalar, C: Closures> = Local<T, C>;
     #[inline(always)]
-    fn relation<T: Scalar>(make: impl FnOnce() -> Local<T>) -> Local<T> {
+    fn relation<T: Scalar, C: Closures>(make: impl FnOnce() -> Local<T, C>) -> Local<T, C> {
         make()
     }
 }
 
 impl Bearing for OnGround {
-    type Relation<T: Scalar> = Borne;
+    type Relation<T: Scalar, C: Closures> = Borne<T, C>;
     #[inline(always)]
-    fn relation<T: Scalar>(_: impl FnOnce() -> Local<T>) -> Borne {
-        Borne
+    fn relation<T: Scalar, C: Closures>(make: impl FnOnce() -> Local<T, C>) -> Borne<T, C> {
+        Borne::of(make)
     }
 }
 

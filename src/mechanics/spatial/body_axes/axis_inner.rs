@@ -1,7 +1,8 @@
 //! Joints in body axes inside of those that are driven or have modes.
 
 use super::axis::{Armature, Axis, Bearing, Mode};
-use super::number::Number;
+use super::closures::{ClosedGains, accelerated};
+use super::number::{Number, values};
 use super::relation::{Gains, Outboard};
 use super::standing::Standing;
 use super::turns::Offset;
@@ -9,7 +10,6 @@ use crate::element::{Element, Sweep};
 use crate::inner::{Drivable, Eliminates, Guardable};
 use crate::kinematics::Acting;
 use crate::mechanics::spatial::{JointMotion, Spatial, Turn};
-use crate::relation::Open;
 use crate::relation::spatial::algebra::Columns;
 use crate::scalar::Scalar;
 use crate::shape::JointPosture;
@@ -26,7 +26,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     fn turned(&self, position: &T, rate: &T, inboard: Turn<T>) -> Turn<T> {
         Element::turned(self, position, rate, inboard)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn orient(
         &self,
         position: &T,
@@ -60,38 +60,40 @@ where
     A: Armature<T>,
     B: Bearing,
     R: Outboard<T>,
-    W: Sweep<Spatial<T>, Closures = Open>,
+    W: Sweep<Spatial<T>, Closures = R::Closures>,
 {
-    type Out = B::Relation<T>;
+    type Out = B::Relation<T, R::Closures>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn eliminate(
         &self,
         outer: R,
         (x, y, ..): JointPosture<'_, Spatial<T>, Self>,
         force: T,
         resistance: T,
-        kept: &mut Gains<T>,
-    ) -> B::Relation<T> {
+        kept: &mut ClosedGains<T, R::Closures>,
+    ) -> B::Relation<T, R::Closures> {
         let more = self.inertia().plus(Number::of(resistance));
-        self.let_go(outer.sparse(), force, more, Self::posture(x, y), (kept, true))
+        self.let_go(outer, force, more, Self::posture(x, y), (kept, true))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn drive(
         &self,
         outer: R,
         (x, y, ..): JointPosture<'_, Spatial<T>, Self>,
         acceleration: T,
-        kept: &mut Gains<T>,
-    ) -> B::Relation<T> {
-        *kept = Gains { free: acceleration, ..Gains::blank() };
+        kept: &mut ClosedGains<T, R::Closures>,
+    ) -> B::Relation<T, R::Closures> {
+        *kept = ClosedGains::unmoved(Gains { free: acceleration, ..Gains::blank() });
         let (stand, [swung, [x, y, z]]) = Self::posture(x, y);
         let (relation, second, o) = (outer.sparse(), Number::of(acceleration), Number::zero());
+        let besides = if const { M::TURNS } { [[o; 3], [x, y, second]] } else { [[x, y, z.plus(second)], [o; 3]] };
+        let (relation, cuts) = (relation.accelerated(besides), accelerated(outer.cuts(), besides.map(values)));
         let relation = if const { M::TURNS } {
-            relation.accelerated([[o; 3], [x, y, second]]).turned_about_z(stand[0], stand[1])
+            relation.turned_about_z(stand[0], stand[1])
         } else {
-            relation.accelerated([[x, y, z.plus(second)], [o; 3]]).shifted([o, o, Number::of(stand[1])], [o; 3])
+            relation.shifted([o, o, Number::of(stand[1])], [o; 3])
         };
-        self.handed_on(relation, swung)
+        self.handed_on(relation, cuts, (stand, swung))
     }
 }

@@ -1,6 +1,7 @@
 //! What joints in body axes say of themselves, as all joints do: in inertial axes but for accelerations.
 
 use super::axis::{Armature, Axis, Bearing, Mode};
+use super::closures::ClosedGains;
 use super::number::{Number, Triple, apply, triple, values};
 use super::relation::Gains;
 use super::standing::{Stand, Standing};
@@ -57,7 +58,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
 {
     type Position = T;
     type Rate = T;
-    type Kept<X: Closures> = Gains<T>;
+    type Kept<X: Closures> = ClosedGains<T, X>;
     type Per<X: Copy> = X;
 
     const LINEAR: bool = L::LINEAR;
@@ -78,14 +79,14 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     fn rate() -> T {
         T::zero()
     }
-    fn kept<X: Closures>() -> Gains<T> {
-        Gains::along(M::TURNS)
+    fn kept<X: Closures>() -> ClosedGains<T, X> {
+        ClosedGains::unmoved(Gains::along(M::TURNS))
     }
     fn per<X: Copy>(fill: X) -> X {
         fill
     }
-    fn is_finite<X: Closures>(kept: &Gains<T>) -> bool {
-        kept.is_finite()
+    fn is_finite<X: Closures>(kept: &ClosedGains<T, X>) -> bool {
+        kept.gains.is_finite()
     }
     /// The angle of the joint; its way stays.
     fn configure(&self, position: &mut T, inboard: Turn<T>, next: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
@@ -94,33 +95,35 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         }
         Turn { attitude: self.attitude(*position, &inboard.attitude), ..inboard }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn recover<X: Closures, By: Springs<T>>(
         &self,
         inboard: Acceleration<T>,
         (x, y, _, _): JointPosture<'_, Spatial<T>, Self>,
-        kept: &mut Gains<T>,
-        _: &X::Each<T>,
+        kept: &mut ClosedGains<T, X>,
+        multipliers: &X::Each<T>,
         rate: &mut T,
     ) -> Acceleration<T> {
         let (stand, [swung, bias]) = Self::posture(x, y);
         let p = [triple(inboard.linear.into()), triple(inboard.angular.into())];
         let p = self.accelerated(stand, [Self::known_swung(swung), bias], p);
-        self.released(p, kept, kept.free, const { A::ON || By::STIFF }, rate)
+        let free = X::plus_dot(kept.gains.free, &kept.per_closure, multipliers);
+        self.released(p, &kept.gains, free, const { A::ON || By::STIFF }, rate)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn respond<X: Closures>(
         &self,
         inboard: Acceleration<T>,
         (x, y, _, _): JointPosture<'_, Spatial<T>, Self>,
-        kept: &Gains<T>,
-        _: &X::Each<T>,
+        kept: &ClosedGains<T, X>,
+        multipliers: &X::Each<T>,
         rate: &mut T,
     ) -> Acceleration<T> {
         let (stand, _) = Self::posture(x, y);
         let p = [triple(inboard.linear.into()), triple(inboard.angular.into())];
         let p = self.accelerated(stand, [[Number::zero(); 3]; 2], p);
-        self.released(p, kept, T::zero(), true, rate)
+        let free = X::plus_dot(T::zero(), &kept.per_closure, multipliers);
+        self.released(p, &kept.gains, free, true, rate)
     }
     fn motion(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> (JointMotion<T>, Frame<T>) {
         let (q, v, turn) = (*position, *rate, inboard.turn);
@@ -181,7 +184,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     Axis<T, M, C, PLACE, L, A, B>
 {
     /// The coordinate's acceleration, and that of the body: where nothing adds to the pivot, the share of its own axis is one.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn released(
         &self,
         p: [Triple<T>; 2],

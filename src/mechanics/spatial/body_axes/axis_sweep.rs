@@ -1,8 +1,9 @@
 //! Joints in body axes in a sweep: what they store on the way outward, what they eliminate on the way inward.
 
 use super::axis::{Armature, Axis, Bearing, Mode};
+use super::closures::ClosedGains;
 use super::number::{Number, Triple, values};
-use super::relation::{Gains, Outboard};
+use super::relation::{LocalCuts, Outboard};
 use super::sparse::Sparse;
 use super::standing::{Stand, Standing};
 use super::turns::Offset;
@@ -10,7 +11,7 @@ use crate::element::{Condense, Element, Given, InJoint, Posture, Springs, Sweep}
 use crate::mechanics::spatial::spring::PivotRule;
 use crate::mechanics::spatial::{Drive, Spatial, Turn};
 use crate::relation::spatial::algebra::Columns;
-use crate::relation::{Open, Term};
+use crate::relation::{Closures, Term};
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;
 use nalgebra::Vector3;
@@ -30,7 +31,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     fn turned(&self, position: &T, rate: &T, turn: Turn<T>) -> Turn<T> {
         Turn { spin: Vector3::from(self.spun(self.stand(*position), *rate, turn.spin.into())), ..turn }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn orient(
         &self,
         position: &T,
@@ -63,38 +64,47 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
 impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Armature<T>, B: Bearing>
     Axis<T, M, C, PLACE, L, A, B>
 {
-    /// The relation at the parent's origin, from that at the joint's place in axes that are turned by the offset alone.
-    #[inline(always)]
-    pub(super) fn handed_on(&self, relation: Sparse<T>, swung: Triple<T>) -> B::Relation<T> {
+    /// The relation at the parent's origin, from that at the joint's place in axes that are turned by the offset alone, and from what the body's
+    /// own says of closure forces.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn handed_on<Q: Closures>(
+        &self,
+        relation: Sparse<T>,
+        cuts: LocalCuts<T, Q>,
+        (stand, swung): (Stand<T>, Triple<T>),
+    ) -> B::Relation<T, Q> {
         let (turn, arm, swung) = (self.offset.rows(), self.arm(), Self::known_swung(swung));
         B::relation(
-            #[inline(always)]
-            || relation.turned(&turn).shifted(arm, swung).dense(),
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            || relation.turned(&turn).shifted(arm, swung).dense().cut(self.carried_cuts(cuts, stand, swung)),
         )
     }
 
     /// The relation at the parent's origin with the coordinate gone, which went under an effort against what else adds to the pivot; its gains
     /// are kept, that of its own axis where something `stiffened` the pivot.
-    #[inline(always)]
-    pub(super) fn let_go(
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn let_go<R: Outboard<T>>(
         &self,
-        relation: Sparse<T>,
+        outer: R,
         effort: T,
         more: Number<T>,
         (stand, [swung, bias]): (Stand<T>, [Triple<T>; 2]),
-        (kept, stiffened): (&mut Gains<T>, bool),
-    ) -> B::Relation<T> {
-        let relation = if const { M::TURNS } {
-            let (relation, gains) = relation.hinged(effort, more, [bias[0].value(), bias[1].value()]);
-            kept.set(gains, true, stiffened);
-            relation.turned_about_z(stand[0], stand[1])
+        (kept, stiffened): (&mut ClosedGains<T, R::Closures>, bool),
+    ) -> B::Relation<T, R::Closures> {
+        let (relation, cuts) = (outer.sparse(), outer.cuts());
+        let (relation, cuts) = if const { M::TURNS } {
+            let (relation, gains, inverse) = relation.hinged(effort, more, [bias[0].value(), bias[1].value()]);
+            kept.gains.set(gains, true, stiffened);
+            let cuts = Self::loosed(cuts, (&gains, inverse), bias, &mut kept.per_closure);
+            (relation.turned_about_z(stand[0], stand[1]), cuts)
         } else {
-            let (relation, gains) = relation.slid(effort, more, values(bias));
-            kept.set(gains, false, stiffened);
+            let (relation, gains, inverse) = relation.slid(effort, more, values(bias));
+            kept.gains.set(gains, false, stiffened);
+            let cuts = Self::loosed(cuts, (&gains, inverse), bias, &mut kept.per_closure);
             let o = Number::zero();
-            relation.shifted([o, o, Number::of(stand[1])], [o; 3])
+            (relation.shifted([o, o, Number::of(stand[1])], [o; 3]), cuts)
         };
-        self.handed_on(relation, swung)
+        self.handed_on(relation, cuts, (stand, swung))
     }
 }
 
@@ -107,19 +117,19 @@ where
     A: Armature<T>,
     B: Bearing,
     R: Outboard<T>,
-    W: Sweep<Spatial<T>, Springs: PivotRule<T>, Closures = Open>,
+    W: Sweep<Spatial<T>, Springs: PivotRule<T>, Closures = R::Closures>,
     InJoint<Spatial<T>, W>: Drive<T>,
 {
-    type Out = B::Relation<T>;
+    type Out = B::Relation<T, R::Closures>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
         outer: R,
         posture: Posture<'_, Spatial<T>, Self>,
         given: Given<'_, Spatial<T>, Self, W>,
-        kept: &mut Gains<T>,
-    ) -> B::Relation<T> {
+        kept: &mut ClosedGains<T, R::Closures>,
+    ) -> B::Relation<T, R::Closures> {
         // Laws that are not linear are read where the last sweep has led.
         let stiff = const { <W::Springs as Springs<T>>::STIFF };
         let follows = const { !L::LINEAR && <W::Springs as Springs<T>>::STIFF };
@@ -138,6 +148,6 @@ where
             more = more.plus(Number::of(stiffness));
         }
         let stiffened = const { A::ON || <W::Springs as Springs<T>>::STIFF };
-        self.let_go(outer.sparse(), effort, more, Self::posture(posture.x, posture.y), (kept, stiffened))
+        self.let_go(outer, effort, more, Self::posture(posture.x, posture.y), (kept, stiffened))
     }
 }

@@ -10,6 +10,7 @@ use crate::error::Fault;
 use crate::error::checks::largest;
 use crate::lift::Lift;
 use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn};
+use crate::relation::Closures;
 use crate::relation::spatial::Empty;
 use crate::relation::spatial::algebra::{Columns, zero};
 use crate::scalar::{Real, Scalar};
@@ -96,7 +97,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     }
 
     /// Force ω × (ω × σ) (N) and torque ω × J ω (N·m) about the origin that the angular velocity takes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn stirred(&self, spin: [T; 3]) -> [[T; 3]; 2] {
         let [x, y, z] = spin;
         let (xx, yy, zz) = (x * x, y * y, z * z);
@@ -120,7 +121,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
 }
 
 /// One component of ω × J ω.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn around<T: Scalar>(
     moments: Number<T>,
     product: Number<T>,
@@ -134,7 +135,7 @@ fn around<T: Scalar>(
 }
 
 /// ω ωᵀ − ω² 1: what takes a place on a body to its centripetal acceleration.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn swirl<T: Scalar>([x, y, z]: [T; 3]) -> super::number::Rows<T> {
     let (xx, yy, zz) = (x * x, y * y, z * z);
     let (yz, xz, xy) = (Number::of(y * z), Number::of(x * z), Number::of(x * y));
@@ -159,7 +160,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Solid<T> for Link<T, MOMENT,
         let [force, torque] = self.stirred(spin);
         [if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(force) }, triple(torque)]
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn resisted(&self, [a, angular]: [Triple<T>; 2], [force, torque]: [Triple<T>; 2]) -> [Triple<T>; 2] {
         let (moment, mass) = (self.first_moment(), Number::of(self.inertia.mass));
         let force = cross_onto(angular, moment, more(force, mass, a));
@@ -179,7 +180,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> crate::shape::Body<Spatial<T
     fn swung(&self, inboard: Acceleration<T>, _: PostureOf<'_, Spatial<T>>) -> Acceleration<T> {
         inboard
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn motion(&self, inboard: Frame<T>) -> (BodyMotion<T>, Frame<T>) {
         let inertia = self.inertia;
         let to_centre = inboard.turn.attitude.apply(Vector3::from(inertia.centre));
@@ -215,7 +216,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Element<Spatial<T>> for Link
     fn lump(&mut self, _: T) -> T {
         T::zero() // joints on it have none to hand on
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn orient(
         &self,
         _: &(),
@@ -248,7 +249,7 @@ where
 {
     type Out = <OnBody<Spatial<T>, W> as OnLink<T>>::Alone<MOMENT, TENSOR>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
         _: Empty,
@@ -260,20 +261,21 @@ where
     }
 }
 
-impl<T: Scalar, const MOMENT: u8, const TENSOR: u8, W> Condense<Spatial<T>, Local<T>, W> for Link<T, MOMENT, TENSOR>
+impl<T: Scalar, Q: Closures, const MOMENT: u8, const TENSOR: u8, W> Condense<Spatial<T>, Local<T, Q>, W>
+    for Link<T, MOMENT, TENSOR>
 where
     W: Sweep<Spatial<T>, Loads: Loading<Spatial<T>, OnBody: OnLink<T>>>,
 {
-    type Out = Local<T>;
+    type Out = Local<T, Q>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
-        outer: Local<T>,
+        outer: Local<T, Q>,
         posture: Posture<'_, Spatial<T>, Self>,
         given: Given<'_, Spatial<T>, Self, W>,
         (): &mut (),
-    ) -> Local<T> {
+    ) -> Local<T, Q> {
         let relation = outer.with(self.alone([posture.y[0].into(), posture.y[1].into()]));
         given.on_bodies.on_others(relation, given.springs)
     }

@@ -1,12 +1,12 @@
 //! Loads on links in a sweep: wrenches, and forces that yield.
 
 use super::number::triple;
-use super::relation::{Alone, Local, Outboard};
+use super::relation::{Alone, Local, LocalCuts, Outboard};
 use super::sparse::Sparse;
 use crate::element::{Load, Springs};
 use crate::mechanics::spatial::{BodyMotion, Spatial, Wrench};
 use crate::relation::spatial::algebra::{cross, zero};
-use crate::relation::{Absent, Additive, Join, Part};
+use crate::relation::{Absent, Additive, Closures, Cuts, Join, Open, Part};
 use crate::scalar::Scalar;
 use core::ops::Add;
 use nalgebra::Vector3;
@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 /// A load on a link, in axes of the link about its origin, or none.
 pub trait OnLink<T: Scalar>: Part {
     /// What a link that carries no others makes of it.
-    type Alone<const MOMENT: u8, const TENSOR: u8>: Outboard<T>;
+    type Alone<const MOMENT: u8, const TENSOR: u8>: Outboard<T, Closures = Open>;
     /// The load on a link that carries no others.
     fn on_alone<K: Springs<T>, const MOMENT: u8, const TENSOR: u8>(
         self,
@@ -22,12 +22,12 @@ pub trait OnLink<T: Scalar>: Part {
         springs: K,
     ) -> Self::Alone<MOMENT, TENSOR>;
     /// The load on a link that carries others.
-    fn on_others<K: Springs<T>>(self, relation: Local<T>, springs: K) -> Local<T>;
+    fn on_others<K: Springs<T>, Q: Closures>(self, relation: Local<T, Q>, springs: K) -> Local<T, Q>;
 }
 
 impl<T: Scalar> OnLink<T> for Absent {
     type Alone<const MOMENT: u8, const TENSOR: u8> = Alone<T, MOMENT, TENSOR>;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn on_alone<K: Springs<T>, const MOMENT: u8, const TENSOR: u8>(
         self,
         link: Alone<T, MOMENT, TENSOR>,
@@ -36,7 +36,7 @@ impl<T: Scalar> OnLink<T> for Absent {
         link
     }
     #[inline(always)]
-    fn on_others<K: Springs<T>>(self, relation: Local<T>, _: K) -> Local<T> {
+    fn on_others<K: Springs<T>, Q: Closures>(self, relation: Local<T, Q>, _: K) -> Local<T, Q> {
         relation
     }
 }
@@ -46,10 +46,15 @@ impl<T: Scalar> OnLink<T> for Absent {
 pub struct Bearing<T, const MOMENT: u8, const TENSOR: u8>(Alone<T, MOMENT, TENSOR>);
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Outboard<T> for Bearing<T, MOMENT, TENSOR> {
+    type Closures = Open;
     #[inline(always)]
     fn sparse(self) -> Sparse<T> {
         let (force, torque) = (triple(self.0.force), triple(self.0.torque));
         Sparse { force, torque, ..self.0.parts() }
+    }
+    #[inline(always)]
+    fn cuts(self) -> LocalCuts<T, Open> {
+        Cuts::none()
     }
 }
 
@@ -61,7 +66,7 @@ fn less<T: Scalar>(a: [T; 3], b: Vector3<T>) -> [T; 3] {
 
 impl<T: Scalar> OnLink<T> for Wrench<T> {
     type Alone<const MOMENT: u8, const TENSOR: u8> = Bearing<T, MOMENT, TENSOR>;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn on_alone<K: Springs<T>, const MOMENT: u8, const TENSOR: u8>(
         self,
         link: Alone<T, MOMENT, TENSOR>,
@@ -72,7 +77,7 @@ impl<T: Scalar> OnLink<T> for Wrench<T> {
         Bearing(Alone { force: less(still, self.force), torque: less(link.torque, self.torque), ..link })
     }
     #[inline(always)]
-    fn on_others<K: Springs<T>>(self, relation: Local<T>, _: K) -> Local<T> {
+    fn on_others<K: Springs<T>, Q: Closures>(self, relation: Local<T, Q>, _: K) -> Local<T, Q> {
         let (force, torque) = (less(relation.force, self.force), less(relation.torque, self.torque));
         Local { force, torque, ..relation }
     }
@@ -113,7 +118,7 @@ impl<T: Scalar> Block<T> {
     }
 
     /// Number by number of two.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with(self, other: Self, each: impl Fn(T, T) -> T) -> Self {
         let all = |a: [T; 6], b: [T; 6]| core::array::from_fn(|k| each(a[k], b[k]));
         let rows = core::array::from_fn(|i| core::array::from_fn(|k| each(self.coupling[i][k], other.coupling[i][k])));
@@ -145,7 +150,7 @@ impl<T: Scalar> Yielding<T> {
 
 impl<T: Scalar> Add for Yielding<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         Self {
             wrench: self.wrench + other.wrench,
@@ -178,7 +183,7 @@ impl<T: Scalar> Load<Spatial<T>> for Yielding<T> {
     fn wrench(self) -> Wrench<T> {
         self.wrench
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn in_own_axes(self, body: &BodyMotion<T>) -> Self {
         let frame = &body.inboard;
         let led = [frame.acceleration.linear, frame.acceleration.angular].map(|a| frame.turn.attitude.transposed(a));
@@ -188,7 +193,7 @@ impl<T: Scalar> Load<Spatial<T>> for Yielding<T> {
 
 impl<T: Scalar> OnLink<T> for Yielding<T> {
     type Alone<const MOMENT: u8, const TENSOR: u8> = Local<T>;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn on_alone<K: Springs<T>, const MOMENT: u8, const TENSOR: u8>(
         self,
         link: Alone<T, MOMENT, TENSOR>,
@@ -196,15 +201,15 @@ impl<T: Scalar> OnLink<T> for Yielding<T> {
     ) -> Local<T> {
         self.on_others(link.parts().dense(), springs)
     }
-    #[inline(always)]
-    fn on_others<K: Springs<T>>(self, relation: Local<T>, springs: K) -> Local<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn on_others<K: Springs<T>, Q: Closures>(self, relation: Local<T, Q>, springs: K) -> Local<T, Q> {
         let relation = self.wrench.on_others(relation, springs);
         if const { !K::STIFF } {
             return relation;
         }
         let Block { linear, coupling, angular } = self.stiffness.with(self.damping, |k, c| springs.pivot(k, c));
         let none = [T::zero(); 3];
-        let yielding = Local { linear, coupling, angular, force: none, torque: none };
+        let yielding = Local { linear, coupling, angular, force: none, torque: none, cuts: Cuts::none() };
         // What it yields to the acceleration sought, less to that which led there.
         let [force, torque] = yielding.answer(self.led);
         let (force, torque) = (less(relation.force, force), less(relation.torque, torque));

@@ -10,8 +10,10 @@ mod axis;
 mod axis_inner;
 mod axis_joint;
 mod axis_sweep;
+mod closures;
 pub mod composite;
 pub mod factor;
+mod flange;
 pub mod inverse;
 mod link;
 mod loaded;
@@ -27,6 +29,7 @@ mod torques;
 mod turns;
 
 pub use axis::{AboutZ, AlongZ, Armature, Axis, Bearing, Hinge, OnBody, OnGround, Slide};
+pub use flange::Flange;
 pub use link::Link;
 pub use loaded::{Block, Yielding};
 pub use mount::{Base, BodyAxes, Upright};

@@ -1,6 +1,5 @@
 //! The way from inertial axes to those of bodies.
 
-use super::number::{Rows, triple};
 use super::relation::{Borne, Local, Settled};
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Posture, Springs, Sweep};
@@ -40,12 +39,6 @@ pub struct BodyAxes;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Upright;
 
-/// The matrix of an attitude.
-#[inline(always)]
-fn rows<T: Scalar>(&Columns { x, y, z }: &Columns<T>) -> Rows<T> {
-    [triple([x.x, y.x, z.x]), triple([x.y, y.y, z.y]), triple([x.z, y.z, z.z])]
-}
-
 /// Makes what leads into body axes a joint: from axes that are turned anyhow, or from those of a base that are the same.
 macro_rules! mount {
     ($Mount:ident, $upright:literal) => {
@@ -71,7 +64,7 @@ macro_rules! mount {
             fn configure(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 inboard
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn recover<C: Closures, By: Springs<T>>(
                 &self,
                 inboard: Acceleration<T>,
@@ -82,7 +75,7 @@ macro_rules! mount {
             ) -> Acceleration<T> {
                 self.respond::<C>(inboard, posture, &(), multipliers, &mut ())
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn respond<C: Closures>(
                 &self,
                 Acceleration { linear, angular }: Acceleration<T>,
@@ -122,7 +115,7 @@ macro_rules! mount {
             fn turned(&self, (): &(), (): &(), turn: Turn<T>) -> Turn<T> {
                 if const { $upright } { turn } else { Turn { spin: turn.attitude.transposed(turn.spin), ..turn } }
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn orient(
                 &self,
                 (): &(),
@@ -153,56 +146,56 @@ macro_rules! mount {
 mount!(BodyAxes, false);
 mount!(Upright, true);
 
-impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T>, W> for BodyAxes {
-    type Out = Full<T>;
+impl<T: Scalar, Q: Closures, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T, Q>, W> for BodyAxes {
+    type Out = Full<T, Q>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
-        outer: Local<T>,
+        outer: Local<T, Q>,
         posture: Posture<'_, Spatial<T>, Self>,
         _: Given<'_, Spatial<T>, Self, W>,
         (): &mut (),
-    ) -> Full<T> {
-        outer.turned(&rows(posture.x))
+    ) -> Full<T, Q> {
+        outer.turned(posture.x)
     }
 }
 
-impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Borne, W> for BodyAxes {
-    type Out = Settled;
+impl<T: Scalar, Q: Closures, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Borne<T, Q>, W> for BodyAxes {
+    type Out = Settled<T, Q>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
-        _: Borne,
-        _: Posture<'_, Spatial<T>, Self>,
+        outer: Borne<T, Q>,
+        posture: Posture<'_, Spatial<T>, Self>,
         _: Given<'_, Spatial<T>, Self, W>,
         (): &mut (),
-    ) -> Settled {
-        Settled
+    ) -> Settled<T, Q> {
+        outer.settled(posture.x)
     }
 }
 
 /// On a base alone: what it hands on is nothing that a joint of inertial axes takes, for whose axes may be turned.
 macro_rules! upright {
-    ($($Outer:ty),*) => {$(
-        impl<T: Scalar, W: Sweep<Spatial<T>>> Condense<Spatial<T>, $Outer, W> for Upright {
-            type Out = Borne;
+    ($($Outer:ident: |$outer:ident| $bear:expr),*) => {$(
+        impl<T: Scalar, Q: Closures, W: Sweep<Spatial<T>>> Condense<Spatial<T>, $Outer<T, Q>, W> for Upright {
+            type Out = Borne<T, Q>;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn condense(
                 &self,
-                _: $Outer,
+                $outer: $Outer<T, Q>,
                 _: Posture<'_, Spatial<T>, Self>,
                 _: Given<'_, Spatial<T>, Self, W>,
                 (): &mut (),
-            ) -> Borne {
-                Borne
+            ) -> Borne<T, Q> {
+                $bear
             }
         }
     )*};
 }
-upright!(Local<T>, Borne);
+upright!(Local: |outer| Borne::of(|| outer), Borne: |outer| outer);
 
 /// The base of a robot, fixed to the ground: its axes are inertial ones, and the robot begins there, without [`BodyAxes`]. A base that
 /// is tilted is [`Clamped`](crate::spatial::Clamped) at a place and an attitude, with [`BodyAxes`] first in the chain:

@@ -7,19 +7,23 @@ use super::number::{Number, Rows, Triangle, Triple, masked, transposed, triangle
 use super::sparse::Sparse;
 use crate::mechanics::spatial::weld::InertialAxes;
 use crate::relation::spatial::algebra::{Columns, Symmetric3};
-use crate::relation::spatial::{Empty, Full, Spatial};
-use crate::relation::{AccelerationOf, Close, Cuts, Join, Open, Promote};
+use crate::relation::spatial::{Empty, Full, FullColumn, Spatial};
+use crate::relation::{AccelerationOf, Close, Closures, Cuts, Join, Open, Promote, Solvable};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
+/// What a relation says of closure forces, in axes of a body.
+pub type LocalCuts<T, C> = Cuts<FullColumn<T>, T, C>;
+
 /// The relation at the origin of a body that carries others, in axes of that body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Local<T> {
+#[derive(Clone, Copy)]
+pub struct Local<T: Scalar, C: Closures = Open> {
     pub(super) linear: [T; 6],
     pub(super) coupling: [[T; 3]; 3],
     pub(super) angular: [T; 6],
     pub(super) force: [T; 3],
     pub(super) torque: [T; 3],
+    pub(super) cuts: LocalCuts<T, C>,
 }
 
 /// The relation at the origin of a body that carries none: its own inertia, with zeros where `MOMENT` and `TENSOR` have no bits.
@@ -39,8 +43,12 @@ pub struct Alone<T, const MOMENT: u8, const TENSOR: u8> {
     note = "a robot is a chain of `Hinge` or `Slide` and `Link`, with arms in `Branch`, after `BodyAxes`; its tip is `Free`"
 )]
 pub trait Outboard<T: Scalar>: Copy {
+    /// Closure forces that the relation carries.
+    type Closures: Closures;
     /// The relation with what is known of it.
     fn sparse(self) -> Sparse<T>;
+    /// What the relation says of closure forces.
+    fn cuts(self) -> LocalCuts<T, Self::Closures>;
 }
 
 /// What eliminating a coordinate leaves behind: q̈ = free − a · (its gains) − α · (its gains), in axes of the outboard body.
@@ -71,7 +79,7 @@ impl<T: Scalar> Gains<T> {
 
     /// Stores what is read of gains: that for the coordinate's own axis is one unless something else than inertia outboard adds to the
     /// pivot.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn set(&mut self, Self { linear, angular, free }: Self, turns: bool, stiffened: bool) {
         for k in 0..3 {
             if k < 2 || !turns || stiffened {
@@ -91,7 +99,7 @@ impl<T: Scalar> Gains<T> {
 }
 
 /// The relation of a body's own inertia: m, σ (kg·m), J about the origin (kg·m²), f and t of its velocities.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn own<T: Scalar>(mass: T, moment: Triple<T>, tensor: Triangle<T>, force: Triple<T>, torque: Triple<T>) -> Sparse<T> {
     let (m, o) = (Number::of(mass), Number::zero());
     let [x, y, z] = moment;
@@ -100,7 +108,7 @@ fn own<T: Scalar>(mass: T, moment: Triple<T>, tensor: Triangle<T>, force: Triple
 }
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Alone<T, MOMENT, TENSOR> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn parts(self) -> Sparse<T> {
         let (moment, tensor) = (masked(MOMENT, self.moment), triangle(TENSOR, self.tensor));
         let force = if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(self.force) };
@@ -109,16 +117,26 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Alone<T, MOMENT, TENSOR> {
 }
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Outboard<T> for Alone<T, MOMENT, TENSOR> {
+    type Closures = Open;
     #[inline(always)]
     fn sparse(self) -> Sparse<T> {
         self.parts()
     }
+    #[inline(always)]
+    fn cuts(self) -> LocalCuts<T, Open> {
+        Cuts::none()
+    }
 }
 
-impl<T: Scalar> Outboard<T> for Local<T> {
+impl<T: Scalar, C: Closures> Outboard<T> for Local<T, C> {
+    type Closures = C;
     #[inline(always)]
+    fn cuts(self) -> LocalCuts<T, C> {
+        self.cuts
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sparse(self) -> Sparse<T> {
-        let Self { linear, coupling: [x, y, z], angular, force, torque } = self;
+        let Self { linear, coupling: [x, y, z], angular, force, torque, .. } = self;
         Sparse {
             linear: triangle(63, linear),
             coupling: [triple(x), triple(y), triple(z)],
@@ -129,11 +147,64 @@ impl<T: Scalar> Outboard<T> for Local<T> {
     }
 }
 
-impl<T: Scalar> Local<T> {
+impl<T: Scalar, C: Closures> Local<T, C> {
     /// With the inertia of the body at whose origin this is.
     #[inline(always)]
     pub fn with<const MOMENT: u8, const TENSOR: u8>(self, body: Alone<T, MOMENT, TENSOR>) -> Self {
-        self.sparse().plus(&body.parts()).dense()
+        self.sparse().plus(&body.parts()).dense().cut(self.cuts)
+    }
+
+    /// A relation in inertial axes, in axes of a body of an attitude.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn of(full: &Full<T, C>, attitude: &Columns<T>) -> Self {
+        let Columns { x, y, z } = full.coupling;
+        let sparse = Sparse {
+            linear: triangle_of(full.linear),
+            coupling: [triple([x.x, y.x, z.x]), triple([x.y, y.y, z.y]), triple([x.z, y.z, z.z])],
+            angular: triangle_of(full.angular),
+            force: triple(full.force.into()),
+            torque: triple(full.torque.into()),
+        };
+        let back = |v| attitude.transposed(v);
+        let cuts = full.cuts.mapped(|w| FullColumn { force: back(w.force), torque: back(w.torque) });
+        sparse.turned(&transposed(&axes(attitude))).dense().cut(cuts)
+    }
+
+    /// In inertial axes, of which `attitude` holds those of the body.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn turned(self, attitude: &Columns<T>) -> Full<T, C> {
+        let Sparse { linear, coupling, angular, force, torque } = self.sparse().turned(&axes(attitude));
+        let [x, y, z] = transposed(&coupling);
+        let (x, y, z) = (Vector3::from(values(x)), Vector3::from(values(y)), Vector3::from(values(z)));
+        Full {
+            linear: symmetric(linear),
+            coupling: Columns { x, y, z },
+            angular: symmetric(angular),
+            force: Vector3::from(values(force)),
+            torque: Vector3::from(values(torque)),
+            cuts: turned(&self.cuts, attitude),
+        }
+    }
+}
+
+/// The matrix of an attitude.
+#[inline(always)]
+pub(super) fn axes<T: Scalar>(&Columns { x, y, z }: &Columns<T>) -> Rows<T> {
+    [triple([x.x, y.x, z.x]), triple([x.y, y.y, z.y]), triple([x.z, y.z, z.z])]
+}
+
+/// Columns in axes of which `attitude` holds the present ones.
+#[inline(always)]
+fn turned<T: Scalar, C: Closures>(cuts: &LocalCuts<T, C>, attitude: &Columns<T>) -> LocalCuts<T, C> {
+    cuts.mapped(|w| FullColumn { force: attitude.apply(w.force), torque: attitude.apply(w.torque) })
+}
+
+impl<T: Scalar> Local<T> {
+    /// With closure forces.
+    #[inline(always)]
+    pub(super) fn cut<C: Closures>(self, cuts: LocalCuts<T, C>) -> Local<T, C> {
+        let Self { linear, coupling, angular, force, torque, .. } = self;
+        Local { linear, coupling, angular, force, torque, cuts }
     }
 
     /// With the inertia of a body at rest.
@@ -144,7 +215,7 @@ impl<T: Scalar> Local<T> {
     }
 
     /// Force and torque for accelerations of the origin and of the body.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn answer(&self, [a, angular]: [Vector3<T>; 2]) -> [Vector3<T>; 2] {
         let dot = |row: [T; 3], v: Vector3<T>| row[0].mul_add(v.x, row[1].mul_add(v.y, row[2] * v.z));
         let by = |rows: [[T; 3]; 3], v: Vector3<T>| Vector3::new(dot(rows[0], v), dot(rows[1], v), dot(rows[2], v));
@@ -153,22 +224,12 @@ impl<T: Scalar> Local<T> {
         let back = [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]];
         [by(whole(self.linear), a) + by(self.coupling, angular), by(back, a) + by(whole(self.angular), angular)]
     }
+}
 
-    /// In inertial axes, of which `attitude` holds those of the body.
-    #[inline(always)]
-    pub fn turned(self, attitude: &Rows<T>) -> Full<T> {
-        let Sparse { linear, coupling, angular, force, torque } = self.sparse().turned(attitude);
-        let [x, y, z] = transposed(&coupling);
-        let (x, y, z) = (Vector3::from(values(x)), Vector3::from(values(y)), Vector3::from(values(z)));
-        Full {
-            linear: symmetric(linear),
-            coupling: Columns { x, y, z },
-            angular: symmetric(angular),
-            force: Vector3::from(values(force)),
-            torque: Vector3::from(values(torque)),
-            cuts: Cuts::none(),
-        }
-    }
+/// A triangle from the type that relations in inertial axes have.
+#[inline(always)]
+fn triangle_of<T: Scalar>(Symmetric3 { xx, xy, xz, yy, yz, zz }: Symmetric3<T>) -> Triangle<T> {
+    triangle(63, [xx, yy, zz, yz, xz, xy])
 }
 
 /// A triangle as the type that relations in inertial axes have.
@@ -178,45 +239,72 @@ fn symmetric<T: Scalar>(s: Triangle<T>) -> Symmetric3<T> {
     Symmetric3 { xx, xy, xz, yy, yz, zz }
 }
 
-impl<T: Scalar> Join<Local<T>> for Local<T> {
+impl<T: Scalar, C: Closures> Join<Local<T>> for Local<T, C> {
     type Out = Self;
     #[inline(always)]
-    fn join(self, arm: Self) -> Self {
-        self.sparse().plus(&arm.sparse()).dense()
+    fn join(self, arm: Local<T>) -> Self {
+        self.sparse().plus(&arm.sparse()).dense().cut(self.cuts)
     }
 }
 
-/// What the ground bears: nothing that anything inboard would have to know.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Borne;
+/// What the ground bears: nothing that anything inboard would have to know, but for closure forces.
+#[derive(Clone, Copy)]
+pub struct Borne<T: Scalar, C: Closures = Open> {
+    cuts: LocalCuts<T, C>,
+}
 
-impl Join<Self> for Borne {
+impl<T: Scalar, C: Closures> Borne<T, C> {
+    /// Bears a relation, of which only closure forces are asked for, if there are any.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn of(relation: impl FnOnce() -> Local<T, C>) -> Self {
+        if const { C::COUNT > 0 } {
+            return Self { cuts: relation().cuts };
+        }
+        let none = FullColumn::none();
+        Self { cuts: Cuts::at_tip(C::each(|_| none), C::each(|_| T::zero())) }
+    }
+
+    /// In inertial axes, of which `attitude` holds the present ones.
+    #[inline(always)]
+    pub(super) fn settled(self, attitude: &Columns<T>) -> Settled<T, C> {
+        Settled { cuts: turned(&self.cuts, attitude) }
+    }
+}
+
+impl<T: Scalar, C: Closures> Join<Borne<T>> for Borne<T, C> {
     type Out = Self;
     #[inline(always)]
-    fn join(self, _: Self) -> Self {
+    fn join(self, _: Borne<T>) -> Self {
         self
     }
 }
 
-impl Promote<Empty> for Borne {
+impl<T: Scalar> Promote<Empty> for Borne<T> {
     fn promote(_: Empty) -> Self {
-        Self
+        Self { cuts: Cuts::none() }
     }
 }
 
-/// A relation in inertial axes that nobody reads: what clamps or welds it needs to know as little as a base does.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Settled;
+/// A relation in inertial axes that nobody reads but for closure forces: what clamps or welds it needs to know as little as a base does.
+#[derive(Clone, Copy)]
+pub struct Settled<T: Scalar, C: Closures = Open> {
+    cuts: LocalCuts<T, C>,
+}
 
-impl<T: Scalar> InertialAxes<T> for Settled {}
+impl<T: Scalar, C: Closures> InertialAxes<T> for Settled<T, C> {}
 
 macro_rules! close {
     ($($Relation:ident),*) => {$(
-        impl<T: Scalar> Close<Spatial<T>, Open> for $Relation {
+        impl<T: Scalar, C: Solvable> Close<Spatial<T>, C> for $Relation<T, C> {
             #[inline(always)]
-            fn multipliers(&self, _: &AccelerationOf<Spatial<T>>) {}
+            fn multipliers(&self, root: &AccelerationOf<Spatial<T>>) -> C::Each<T> {
+                let cuts = &self.cuts;
+                C::solve(&cuts.compliance, &C::zip(&cuts.columns, &cuts.gap, |w, gap| w.work(root) - gap))
+            }
             #[inline(always)]
-            fn compliance(&self) {}
+            fn compliance(&self) -> C::Pairs<T> {
+                self.cuts.compliance
+            }
         }
     )*};
 }
@@ -225,6 +313,7 @@ close!(Borne, Settled);
 impl<T: Scalar> Promote<Empty> for Local<T> {
     fn promote(_: Empty) -> Self {
         let o = T::zero();
-        Self { linear: [o; 6], coupling: [[o; 3]; 3], angular: [o; 6], force: [o; 3], torque: [o; 3] }
+        let (linear, coupling, angular) = ([o; 6], [[o; 3]; 3], [o; 6]);
+        Self { linear, coupling, angular, force: [o; 3], torque: [o; 3], cuts: Cuts::none() }
     }
 }

@@ -25,6 +25,8 @@ pub struct AttitudeMotion<T> {
 }
 
 impl<T: Scalar> Ground<T, AttitudeMotion<T>> for Rotation<T> {
+    const RESTS: bool = true;
+
     fn at(&self, _: T::Real) -> AttitudeMotion<T> {
         let zero = [T::zero(); 3];
         AttitudeMotion { attitude: *self, spin: zero, acceleration: zero }
@@ -95,6 +97,8 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
     type Pairs = (Held, Held, Held, Held, Held, Held);
     type Joint = Weld<T>;
 
+    const RESTS: bool = G::RESTS && A::RESTS;
+
     fn joint(&self) -> Weld<T> {
         Weld::at(Rotation::identity())
     }
@@ -111,7 +115,7 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
     type Closures = Cut<6>;
     type Relation = Full<T, Cut<6>>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn relation(&self, time: T::Real, gravity: Vector3<T>, _: &Turn<T>) -> Self::Relation {
         let frame = self.frame(time);
         let (target, angular) = (frame.acceleration.linear - gravity, frame.acceleration.angular);

@@ -5,7 +5,7 @@ use crate::mechanics::spatial::release::{self, Release};
 use crate::mechanics::spatial::stored::{One, Stored};
 use crate::mechanics::spatial::{Acceleration, Ball, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
 use crate::relation::spatial::algebra::{Columns, is_finite, zero};
-use crate::relation::spatial::{Empty, Relation, Rigid};
+use crate::relation::spatial::{Empty, Factor6, Relation, Rigid};
 use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -23,12 +23,26 @@ impl<T: Scalar> Floating<T> {
     pub(super) fn new() -> Self {
         Self { lumped: T::zero() }
     }
+
+    /// Point mass (kg) at its outboard side.
+    pub(crate) fn lumped(&self) -> T {
+        self.lumped
+    }
+}
+
+/// What eliminating all six coordinates leaves behind.
+#[derive(Clone, Copy, Debug)]
+pub struct Afloat<T> {
+    /// Acceleration of the first body's inboard end.
+    pub(in crate::mechanics::spatial) acceleration: Acceleration<T>,
+    /// S, ready to be solved for other forces: what only costates ask for, and sweeps do not write.
+    pub(in crate::mechanics::spatial) factor: Factor6<T>,
 }
 
 impl<T: Scalar> Joint<T> for Floating<T> {
     type Position = ([T; 3], Rotation<T>);
     type Rate = ([T; 3], [T; 3]);
-    type Kept<C: Closures> = Acceleration<T>;
+    type Kept<C: Closures> = Afloat<T>;
     type Sets = One;
 
     fn position() -> Self::Position {
@@ -37,11 +51,11 @@ impl<T: Scalar> Joint<T> for Floating<T> {
     fn rate() -> Self::Rate {
         ([T::zero(); 3], [T::zero(); 3])
     }
-    fn kept<C: Closures>() -> Acceleration<T> {
-        Acceleration::zero()
+    fn kept<C: Closures>() -> Afloat<T> {
+        Afloat { acceleration: Acceleration::zero(), factor: Factor6::of_one() }
     }
-    fn is_finite<C: Closures>(kept: &Acceleration<T>) -> bool {
-        is_finite(kept.linear) && is_finite(kept.angular)
+    fn is_finite<C: Closures>(kept: &Afloat<T>) -> bool {
+        is_finite(kept.acceleration.linear) && is_finite(kept.acceleration.angular)
     }
     fn lump(&mut self, mass: T) -> T {
         self.lumped = mass;
@@ -64,7 +78,7 @@ impl<T: Scalar> Joint<T> for Floating<T> {
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
         release::floating(self, motion, position, rate)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn moved(
         &self,
         inboard: Frame<T>,
@@ -78,25 +92,26 @@ impl<T: Scalar> Joint<T> for Floating<T> {
         motion.outboard.acceleration.linear += Vector3::from(acceleration.0);
         motion
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
         (attitude, _): (&Columns<T>, &[Vector3<T>; 2]),
-        kept: &Acceleration<T>,
+        kept: &Afloat<T>,
         _: &C::Each<T>,
         rate: &mut Self::Rate,
     ) -> Acceleration<T> {
         // The sweep's ground falls upward by gravity; coordinates are relative to the ground.
-        *rate = ((kept.linear - inboard.linear).into(), attitude.transposed(kept.angular).into());
-        *kept
+        let found = kept.acceleration;
+        *rate = ((found.linear - inboard.linear).into(), attitude.transposed(found.angular).into());
+        found
     }
     /// A chain without closures responds to none.
     fn responded<C: Closures>(
         &self,
         _: Acceleration<T>,
         _: (&Columns<T>, &[Vector3<T>; 2]),
-        _: &Acceleration<T>,
+        _: &Afloat<T>,
         _: &C::Each<T>,
         rate: &mut Self::Rate,
     ) -> Acceleration<T> {
@@ -110,16 +125,16 @@ impl<T: Scalar, R: Rigid<T, Closures = Open>, W: Sweep<Spatial<T>, Closures = Op
 {
     type Out = Empty;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn condense(
         &self,
         outer: R,
         _: Posture<'_, Spatial<T>, Self>,
         _: Given<'_, Spatial<T>, Self, W>,
-        kept: &mut Acceleration<T>,
+        kept: &mut Afloat<T>,
     ) -> Empty {
         let (linear, angular) = outer.full().with_mass(self.lumped).free();
-        *kept = Acceleration { linear, angular };
+        kept.acceleration = Acceleration { linear, angular };
         Empty
     }
 }

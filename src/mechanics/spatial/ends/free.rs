@@ -21,6 +21,8 @@ impl<T: Scalar> Root<Spatial<T>> for Free {
     type Pairs = (Loose, Loose, Loose, Loose, Loose, Loose);
     type Joint = Floating<T>;
 
+    const RESTS: bool = true;
+
     fn joint(&self) -> Floating<T> {
         Floating::new()
     }

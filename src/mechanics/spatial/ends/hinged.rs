@@ -5,12 +5,12 @@ use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
 use crate::mechanics::spatial::away::tilted_away;
-use crate::mechanics::spatial::axial::{check_axis, orthonormal, unit};
+use crate::mechanics::spatial::axial::{aside, check_axis, orthonormal, unit};
 use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Revolute, Rotation, Spatial, Turn};
 use crate::relation::spatial::algebra::{Columns, cross, dot, zero};
 use crate::relation::spatial::{Full, FullColumn};
 use crate::relation::{Cut, Cuts};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
 /// An end held by a smooth revolute joint, at a place of the ground and about an axis of it. The ground may move and turn as given
@@ -76,8 +76,7 @@ impl<G, A, T: Scalar> Hinged<G, A, T> {
     pub fn on(ground: Clamped<G, A>, axis: [T; 3]) -> Self {
         let axis = unit(axis);
         let (o, i) = (T::zero(), T::one());
-        // Not along the axis.
-        let other = if axis.x.real().abs() < T::Real::of(0.6) { Vector3::new(i, o, o) } else { Vector3::new(o, i, o) };
+        let [other] = aside(axis, [Vector3::new(i, o, o)], [Vector3::new(o, i, o)]);
         let first = unit(cross(axis, other).into());
         Self { ground, axis, across: [first, cross(axis, first)] }
     }
@@ -113,6 +112,8 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
     type Pairs = (Held, Held, Held, Held, Held, Loose);
     type Joint = Revolute<T>;
 
+    const RESTS: bool = G::RESTS && A::RESTS;
+
     fn joint(&self) -> Revolute<T> {
         Revolute::about(self.axis.into())
     }
@@ -129,7 +130,7 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
     type Closures = Cut<5>;
     type Relation = Full<T, Cut<5>>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn relation(&self, time: T::Real, gravity: Vector3<T>, turn: &Turn<T>) -> Self::Relation {
         let frame = self.ground.frame(time);
         let target = frame.acceleration.linear - gravity;

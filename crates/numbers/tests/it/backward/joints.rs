@@ -5,10 +5,10 @@ use catena::{Fault, Real};
 
 /// A spring that stiffens, with a damper: −k (φ + s φ³) − c φ̇.
 #[derive(Clone, Copy, Debug)]
-struct Stiffening<T> {
-    stiffness: T,
-    growth: T,
-    damping: T,
+pub(super) struct Stiffening<T> {
+    pub(super) stiffness: T,
+    pub(super) growth: T,
+    pub(super) damping: T,
 }
 catena::lift!(Stiffening<T> { stiffness, growth, damping });
 

@@ -7,11 +7,11 @@ use catena::loading::LoadLaw;
 /// Drag at the outboard ends of all bodies, −c |v| v, a spring from the mass centre of every second one to a point, and a torque that brakes
 /// turning, −b ω³, and slackens with time.
 #[derive(Clone, Copy, Debug)]
-struct Medium<T> {
-    drag: T,
-    stiffness: T,
-    anchor: [T; 2],
-    brake: T,
+pub(super) struct Medium<T> {
+    pub(super) drag: T,
+    pub(super) stiffness: T,
+    pub(super) anchor: [T; 2],
+    pub(super) brake: T,
 }
 catena::lift!(Medium<T> { drag, stiffness, anchor, brake });
 

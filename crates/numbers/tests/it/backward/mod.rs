@@ -1,11 +1,12 @@
 //! Gradients of runs that go backward: against jets through the same steps, kind by kind, and against central differences.
 
 use catena::planar::{SpringLaw, Springs};
+use catena::scalar::Jet;
 use catena::{Fault, Scalar};
 
 /// What the macro below names.
 mod names {
-    pub(super) use super::{ROUNDING, Stiffening, alike, share};
+    pub(super) use super::{ROUNDING, Stiffening, agrees, alike, by_jets, share};
     pub(super) use catena::Scalar;
     pub(super) use catena::planar::*;
     pub(super) use catena::scalar::Jet;
@@ -34,6 +35,47 @@ fn alike(name: &str, kinds: Kinds, found: &[f64], expected: &[f64], tolerance: f
         assert!(worst <= tolerance, "{name}, {kind}: {found:?} not {expected:?}");
         first += count;
     }
+}
+
+/// A number with eight derivatives.
+type Eight = Jet<f64, 8>;
+
+/// Derivatives by all numbers, eight at a time: of a cost over jets, and along the scene that its own constructor makes of these.
+fn by_jets(numbers: &[f64], mut of: impl FnMut(&dyn Fn(usize) -> Eight) -> [[f64; 8]; 2]) -> [Vec<f64>; 2] {
+    let mut both = [vec![], vec![]];
+    for first in (0..numbers.len()).step_by(8) {
+        let number = |k: usize| Eight::seed(numbers[k], usize::wrapping_sub(k, first));
+        both.iter_mut().zip(of(&number)).for_each(|(list, more)| list.extend(more));
+    }
+    both
+}
+
+/// What was found agrees with what jets expect, and with central differences of order 4 by some of the numbers.
+#[track_caller]
+fn agrees(
+    name: &str,
+    kinds: Kinds,
+    numbers: &[f64],
+    [expected, found]: [&[f64]; 2],
+    some: fn(&usize) -> bool,
+    cost: impl Fn(&dyn Fn(usize) -> f64) -> f64,
+) {
+    alike(name, kinds, found, expected, ROUNDING);
+    let some: Vec<usize> = (0..numbers.len()).filter(some).collect();
+    let difference = |&j: &usize| {
+        let e = 2e-4 * numbers[j].abs().max(0.1);
+        let at = |e: f64| cost(&|k: usize| numbers[k] + if k == j { e } else { 0.0 });
+        (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
+    };
+    let differences: Vec<f64> = some.iter().map(difference).collect();
+    let found: Vec<f64> = some.iter().map(|j| found[*j]).collect();
+    let (mut first, mut fewer) = (0, kinds.to_vec());
+    for kind in &mut fewer {
+        let next = first + kind.1;
+        (kind.1, first) = (some.iter().filter(|j| (first..next).contains(*j)).count(), next);
+    }
+    fewer.retain(|kind| kind.1 > 0);
+    alike(name, &fewer, &found, &differences, 1e-6);
 }
 
 /// What a cost reads of one coordinate and its rate at a step: it is quadratic, and unlike for each of them.
@@ -159,33 +201,20 @@ macro_rules! gradients {
         // The number itself is that of the rule, but for the order in which shares are added up.
         let plain = cost!(f64, |k: usize| -> f64 { numbers[k] });
         near(total, plain, 1e-12 * (1.0 + plain.abs()));
-        let mut found = vec![];
-        let mut expected = vec![];
-        for first in (0..numbers.len()).step_by(8) {
-            type J = Jet<f64, 8>;
-            let number = |k: usize| -> J { J::seed(numbers[k], usize::wrapping_sub(k, first)) };
-            expected.extend(cost!(J, number).eps);
+        let [mut expected, mut found] = by_jets(&numbers, |number| {
             let system = {
-                type N = J;
+                type N = Jet<f64, 8>;
                 let $x = number;
                 $scene
             };
-            found.extend(gradient.along(&system).unwrap());
-        }
+            [cost!(Jet<f64, 8>, number).eps, gradient.along(&system).unwrap()]
+        });
         expected.truncate(numbers.len());
         found.truncate(parameters - $of_law);
         found.extend(gradient.by_loads().unwrap());
         found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()).chain(by_torques));
-        alike($name, $kinds, &found, &expected, ROUNDING);
-        // Central differences of order 4.
-        let differences: Vec<f64> = (0..numbers.len())
-            .map(|j| {
-                let e = 2e-4 * numbers[j].abs().max(0.1);
-                let at = |e: f64| cost!(f64, |k: usize| -> f64 { numbers[k] + if k == j { e } else { 0.0 } });
-                (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
-            })
-            .collect();
-        alike($name, $kinds, &found, &differences, 1e-6);
+        let cost = |number: &dyn Fn(usize) -> f64| cost!(f64, number);
+        agrees($name, $kinds, &numbers, [&expected, &found], |_| true, cost);
     }};
 }
 
@@ -195,6 +224,7 @@ mod chains;
 mod joints;
 mod laws;
 mod linear;
+mod linear_hinges;
 mod loads;
 mod long;
 mod loops;

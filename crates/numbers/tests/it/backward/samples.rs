@@ -1,13 +1,13 @@
 //! Gradients of costs at samples between steps: against jets through the same dense output, and central differences.
 
+use super::Kinds;
 use super::names::*;
-use super::{Kinds, alike as compared};
 use catena::Fault;
 use catena::time::{GeneralizedAlpha, Sdirk4};
 
 /// Size of a step, and how far samples are apart: they fall anywhere in steps, three in some, and on ends of some.
-const H: f64 = 0.04;
-const EVERY: f64 = 0.015;
+pub(super) const H: f64 = 0.04;
+pub(super) const EVERY: f64 = 0.015;
 const STEPS: usize = 6;
 const SAMPLES: usize = 17;
 
@@ -18,27 +18,27 @@ macro_rules! samples {
         let (numbers, n): (Vec<f64>, usize) = ($numbers, $n);
         let parameters = numbers.len() - 2 * n - $joints;
         macro_rules! cost {
-                                        ($N:ty, $number:expr) => {{
-                                            let $x = $number;
-                                            let of: Vec<$N> = (0..numbers.len()).map(&$x).collect();
-                                            let $system = {
-                                                type N = $N;
-                                                $scene
-                                            };
-                                            let mut $now = $system.motion();
-                                            $now.set_coordinates(&of[parameters..][..n]).unwrap();
-                                            $now.set_rates(&of[parameters + n..][..n]).unwrap();
-                                            let $torques = &of[parameters + 2 * n..];
-                                            let (mut sum, mut sample) = (<$N>::constant(0.0), 0);
-                                            let mut $read = |q: Vec<$N>, v: Vec<$N>| {
-                                                (0..n).for_each(|i| sum += share(sample, SAMPLES - 1, i, q[i], v[i]));
-                                                sample += 1;
-                                            };
-                                            $run
-                                            assert_eq!(sample, SAMPLES);
-                                            sum
-                                        }};
-                                    }
+            ($N:ty, $number:expr) => {{
+                let $x = $number;
+                let of: Vec<$N> = (0..numbers.len()).map(&$x).collect();
+                let $system = {
+                    type N = $N;
+                    $scene
+                };
+                let mut $now = $system.motion();
+                $now.set_coordinates(&of[parameters..][..n]).unwrap();
+                $now.set_rates(&of[parameters + n..][..n]).unwrap();
+                let $torques = &of[parameters + 2 * n..];
+                let (mut sum, mut sample) = (<$N>::constant(0.0), 0);
+                let mut $read = |q: Vec<$N>, v: Vec<$N>| {
+                    (0..n).for_each(|i| sum += share(sample, SAMPLES - 1, i, q[i], v[i]));
+                    sample += 1;
+                };
+                $run
+                assert_eq!(sample, SAMPLES);
+                sum
+            }};
+        }
         let system = {
             type N = f64;
             let $x = |k: usize| -> N { numbers[k] };
@@ -66,30 +66,19 @@ macro_rules! samples {
             .unwrap();
         let plain = cost!(f64, |k: usize| -> f64 { numbers[k] });
         near(total, plain, 1e-12 * (1.0 + plain.abs()));
-        let (mut found, mut expected) = (vec![], vec![]);
-        for first in (0..numbers.len()).step_by(8) {
-            type J = Jet<f64, 8>;
-            let $x = |k: usize| -> J { J::seed(numbers[k], usize::wrapping_sub(k, first)) };
-            expected.extend(cost!(J, $x).eps);
+        let [mut expected, mut found] = by_jets(&numbers, |number| {
             let system = {
-                type N = J;
+                type N = Jet<f64, 8>;
+                let $x = number;
                 $scene
             };
-            found.extend(gradient.along(&system).unwrap());
-        }
+            [cost!(Jet<f64, 8>, number).eps, gradient.along(&system).unwrap()]
+        });
         expected.truncate(numbers.len());
         found.truncate(parameters);
         found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()).chain(by_torques));
-        let kinds: Kinds = $kinds;
-        compared($name, kinds, &found, &expected, ROUNDING);
-        let differences: Vec<f64> = (0..numbers.len())
-            .map(|j| {
-                let e = 2e-4 * numbers[j].abs().max(0.1);
-                let at = |e: f64| cost!(f64, |k: usize| -> f64 { numbers[k] + if k == j { e } else { 0.0 } });
-                (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
-            })
-            .collect();
-        compared($name, kinds, &found, &differences, 1e-6);
+        let cost = |number: &dyn Fn(usize) -> f64| cost!(f64, number);
+        agrees($name, $kinds, &numbers, [&expected, &found], |_| true, cost);
     }};
     // As runs show them.
     ($name:expr, $kinds:expr, $numbers:expr, $sizes:tt, $method:expr, |$x:ident| $scene:block) => {
@@ -111,7 +100,7 @@ macro_rules! samples {
 }
 
 /// Rules by fixed steps.
-trait Fixed: Sized {
+pub(super) trait Fixed: Sized {
     fn fixed(self, size: f64) -> catena::time::Rule<Self, f64>;
 }
 

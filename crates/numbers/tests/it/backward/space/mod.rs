@@ -1,6 +1,6 @@
 //! Gradients of runs in space that go backward: against jets through the same steps, kind by kind, and against central differences.
 
-use super::{Kinds, ROUNDING, Stiffening, alike};
+use super::{Kinds, ROUNDING, Stiffening, agrees, alike, by_jets};
 use catena::planar::Custom;
 use catena::scalar::Jet;
 use catena::spatial::*;
@@ -164,19 +164,15 @@ macro_rules! gradients {
         // The number itself is that of the rule, but for the order in which shares are added up.
         let plain = cost!(f64, |k: usize| -> f64 { numbers[k] });
         near(total, plain, 1e-12 * (1.0 + plain.abs()));
-        let (mut found, mut expected) = (vec![], vec![]);
-        for first in (0..numbers.len()).step_by(8) {
-            type J = Jet<f64, 8>;
-            let number = |k: usize| -> J { J::seed(numbers[k], usize::wrapping_sub(k, first)) };
-            expected.extend(cost!(J, number).eps);
+        let [mut expected, mut found] = by_jets(&numbers, |number| {
             let system = {
                 #[allow(dead_code)] // not each scene names it
-                type N = J;
+                type N = Jet<f64, 8>;
                 let $x = number;
                 $scene
             };
-            found.extend(gradient.along(&system).unwrap());
-        }
+            [cost!(Jet<f64, 8>, number).eps, gradient.along(&system).unwrap()]
+        });
         expected.truncate(numbers.len());
         found.truncate(parameters - $of_law);
         if $of_law > 0 {
@@ -184,24 +180,9 @@ macro_rules! gradients {
         }
         found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()));
         found.extend(by_torques.iter().flat_map(|torque| torque.0));
-        alike($name, &kinds, &found, &expected, ROUNDING);
-        // Central differences of order 4, by two numbers of five.
-        let some = || (0..numbers.len()).filter(|j| j % 5 < 2);
-        let differences: Vec<f64> = some()
-            .map(|j| {
-                let e = 2e-4 * numbers[j].abs().max(0.1);
-                let at = |e: f64| cost!(f64, |k: usize| -> f64 { numbers[k] + if k == j { e } else { 0.0 } });
-                (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
-            })
-            .collect();
-        let found: Vec<f64> = some().map(|j| found[j]).collect();
-        let mut first = 0;
-        for kind in &mut kinds {
-            let next = first + kind.1;
-            (kind.1, first) = (some().filter(|j| (first..next).contains(j)).count(), next);
-        }
-        kinds.retain(|kind| kind.1 > 0);
-        alike($name, &kinds, &found, &differences, 1e-6);
+        // Differences by two numbers of five.
+        let cost = |number: &dyn Fn(usize) -> f64| cost!(f64, number);
+        agrees($name, &kinds, &numbers, [&expected, &found], |j| j % 5 < 2, cost);
     }};
 }
 
@@ -351,6 +332,7 @@ fn revolutes_about_a_ball_have_the_gradients_of_jets() {
 }
 
 // Behind the macro, which it uses.
+mod floating;
 mod held;
 mod implicit;
 mod joints;
@@ -359,3 +341,4 @@ mod laws;
 mod loads;
 mod loops;
 mod samples;
+mod times;

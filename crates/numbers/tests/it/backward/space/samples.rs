@@ -1,15 +1,14 @@
 //! Gradients of costs at samples between steps, in space: attitudes at samples, and what closes there.
 
+use super::super::samples::{EVERY, Fixed, H};
 use super::*;
 
-const H: f64 = 0.04;
-const EVERY: f64 = 0.015;
 const STEPS: usize = 4;
 const SAMPLES: usize = 11;
 
 /// Lengths of two rods, gravity, a place of the tip if there is one; displacements from the start, and rates.
 macro_rules! samples {
-    ($name:expr, $kinds:expr, $parameters:expr, $method:ident, |$system:ident| $start:expr, |$x:ident| $scene:block) => {{
+    ($name:expr, $kinds:expr, $parameters:expr, $method:expr, |$system:ident| $start:expr, |$x:ident| $scene:block) => {{
         let mut numbers: Vec<f64> = $parameters;
         let parameters = numbers.len();
         let $system = {
@@ -33,7 +32,7 @@ macro_rules! samples {
                 Rate::<$N>::replace(&mut step, &mut |_| list.next().unwrap());
                 Position::<$N>::displace(from.position_mut(), &step);
                 let (mut sum, mut sample) = (<$N>::constant(0.0), 0);
-                let run = made.simulation($method::step(H)).every(EVERY);
+                let run = made.simulation(Fixed::fixed($method, H)).every(EVERY);
                 run.run(from, H * STEPS as f64, |now| {
                     sum += share(sample, SAMPLES - 1, &now.motion().coordinates(), &now.motion().rates());
                     sample += 1;
@@ -58,31 +57,21 @@ macro_rules! samples {
             .unwrap();
         let plain = cost!(f64, |k: usize| -> f64 { numbers[k] });
         near(total, plain, 1e-12 * (1.0 + plain.abs()));
-        let (mut found, mut expected) = (vec![], vec![]);
-        for first in (0..numbers.len()).step_by(8) {
-            type J = Jet<f64, 8>;
-            let $x = |k: usize| -> J { J::seed(numbers[k], usize::wrapping_sub(k, first)) };
-            expected.extend(cost!(J, $x).eps);
+        let [mut expected, mut found] = by_jets(&numbers, |number| {
             let made = {
-                type N = J;
+                type N = Jet<f64, 8>;
+                let $x = number;
                 $scene
             };
-            found.extend(gradient.along(&made).unwrap());
-        }
+            [cost!(Jet<f64, 8>, number).eps, gradient.along(&made).unwrap()]
+        });
         expected.truncate(numbers.len());
         found.truncate(parameters);
         found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()));
         let mut kinds = $kinds.to_vec();
         kinds.extend([("attitudes", n), ("rates", n)]);
-        alike($name, &kinds, &found, &expected, ROUNDING);
-        let differences: Vec<f64> = (0..numbers.len())
-            .map(|j| {
-                let e = 2e-4 * numbers[j].abs().max(0.1);
-                let at = |e: f64| cost!(f64, |k: usize| -> f64 { numbers[k] + if k == j { e } else { 0.0 } });
-                (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
-            })
-            .collect();
-        alike($name, &kinds, &found, &differences, 1e-6);
+        let cost = |number: &dyn Fn(usize) -> f64| cost!(f64, number);
+        agrees($name, &kinds, &numbers, [&expected, &found], |_| true, cost);
     }};
 }
 
@@ -100,7 +89,7 @@ macro_rules! rods {
 #[test]
 fn attitudes_at_samples() {
     macro_rules! by {
-        ($name:expr, $Method:ident) => {
+        ($name:expr, $Method:expr) => {
             samples!(
                 $name,
                 [("lengths", 2), ("gravity", 3)],
@@ -114,27 +103,27 @@ fn attitudes_at_samples() {
     by!("RK4", Rk4);
     by!("DOPRI5", Dopri5);
     by!("DOP853", Dop853);
+    by!("SDIRK4", Sdirk4::new());
 }
 
 #[test]
 fn a_tip_is_held_at_samples() {
-    samples!(
-        "tip on a ball",
-        [("lengths", 2), ("gravity", 3), ("tip", 3)],
-        vec![0.9, 1.1, 1.0, -2.0, -9.0, 1.2, 0.3, -0.4],
-        Rk4,
-        |system| {
-            let guess = system.with_rates(system.at_rest(&ANGLES).unwrap(), &RATES).unwrap();
-            system.assembled(guess, &Unloaded).unwrap()
-        },
-        |x| { rods!(x, Pinned::on([x(5), x(6), x(7)])) }
-    );
-    let x = |k: usize| [0.9, 1.1, 0.0, 0.0, -9.8][k];
-    type N = f64;
-    let system = rods!(x, Pinned::at([1.2, 0.3, -0.4]));
-    let start = system.assembled(system.at_rest(&ANGLES).unwrap(), &Unloaded).unwrap();
-    let (mut backward, mut states) = (system.backward(Dop853), [start; 2]);
-    backward.run(&start, H, 1, &[], &mut states).unwrap();
-    let found = backward.gradient_at(&[], &states, &[0.01], &mut [], |_, _, _| Ok(())).map(|_| ()).unwrap_err();
-    assert!(matches!(found.fault, Fault::Unsupported { .. }), "{found:?}");
+    macro_rules! by {
+        ($name:expr, $Method:expr) => {
+            samples!(
+                $name,
+                [("lengths", 2), ("gravity", 3), ("tip", 3)],
+                vec![0.9, 1.1, 1.0, -2.0, -9.0, 1.2, 0.3, -0.4],
+                $Method,
+                |system| {
+                    let guess = system.with_rates(system.at_rest(&ANGLES).unwrap(), &RATES).unwrap();
+                    system.assembled(guess, &Unloaded).unwrap()
+                },
+                |x| { rods!(x, Pinned::on([x(5), x(6), x(7)])) }
+            );
+        };
+    }
+    by!("tip on a ball, RK4", Rk4);
+    by!("tip on a ball, DOPRI5", Dopri5);
+    by!("tip on a ball, DOP853", Dop853);
 }
