@@ -9,6 +9,7 @@ macro_rules! mirror_items {
     ([$($generics:tt)*] $container:ty, $rates:ty, $length:expr) => {
         impl<T: Scalar, A: Rate<T>, $($generics)*> Rate<T> for $container {
             const LENGTH: usize = $length;
+            const FIELDS: usize = A::FIELDS;
 
             #[inline]
             fn set(&mut self, base: &Self) {

@@ -31,6 +31,8 @@ pub type Term<'a, T, A> = (<T as Scalar>::Real, &'a A);
 pub trait Rate<T: Scalar>: Clone {
     /// How many numbers are stored; of a vector, which nobody knows before it is made, as many as can be.
     const LENGTH: usize;
+    /// How many of them stand in fields of their own: of an array those of one item.
+    const FIELDS: usize = Self::LENGTH;
 
     /// `self = base`: a copy that allocates nothing.
     fn set(&mut self, base: &Self);

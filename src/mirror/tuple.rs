@@ -9,6 +9,7 @@ macro_rules! mirror_tuple {
     ($($met:ident)?; $($A:ident $i:tt $out:ident $in:ident),*; $($rest:tt)*) => {
         impl<T: Scalar, $($A: Rate<T>),*> Rate<T> for ($($A,)*) {
             const LENGTH: usize = 0_usize$(.saturating_add($A::LENGTH))*;
+            const FIELDS: usize = 0_usize$(.saturating_add($A::FIELDS))*;
 
             fieldwise_rate!([$($i)*] [$($i)*] [$($i)*]);
         }

@@ -2,6 +2,7 @@
 
 use crate::error::{Cause, Error, Fault, Place};
 use crate::scalar::Real;
+use crate::stepper::roots::inverse_root;
 use crate::time::Control;
 
 /// In so many trial steps a run must advance by more than [`ADVANCE`], or half of them must be taken: one that has coasted for long may go on
@@ -237,11 +238,12 @@ impl<R: Real> Trials<R> {
 }
 
 /// By how much the next step should differ, for an error given as a multiple of the tolerance.
+#[inline(always)] // the order is a constant of most methods
 pub(super) fn factor<R: Real>(error: R, order: f64) -> R {
     if !error.is_finite() {
         return R::of(0.1);
     }
-    let wanted = R::of(0.9) * error.max(R::of(1e-12)).powf(R::of(-1.0 / order));
+    let wanted = R::of(0.9 * inverse_root(error.as_f64().max(1e-12), order));
     wanted.max(R::of(0.2)).min(R::of(6.0))
 }
 

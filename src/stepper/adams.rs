@@ -238,7 +238,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
         let Weights { rate: of_rate, position: of_position } = &self.weights.difference;
         gather(position, &self.zero, dt * dt, of_position, &self.slopes);
         gather(rate, &self.zero, dt, of_rate, &self.slopes);
-        let square = mean_square(next, (position, rate), tolerance);
+        let square = mean_square(next, (position, rate), [tolerance; 2]);
         let growth = TimeIn::<D, L>::of(self.weights.growth);
         Some(Scalar::sqrt(TimeIn::<D, L>::of(square)) * growth)
     }

@@ -25,18 +25,18 @@ pub(crate) fn gather<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Rea
     }
 }
 
-/// `sum = base + scale · Σ weights[j] · slopes[j]`, as by [`gather`], for scenes of few coordinates: in one pass, in registers. Where a
+/// `sum = Σ weights[j] · slopes[j]`, as by [`gather`] from zero on, for scenes of few coordinates: in one pass, in registers. Where a
 /// compiler knows the weights, which it does in code without loops alone, those that are zero cost nothing.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn gather_few<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Real, weights: &[f64], slopes: &[R]) {
-    let mut all = base.clone();
+pub(super) fn gather_few<T: Scalar, R: Rate<T>>(sum: &mut R, zero: &R, weights: &[f64], slopes: &[R]) {
+    let mut all = zero.clone();
     macro_rules! terms {
         ($($j:literal)*) => {$(
             if let (Some(weight), Some(slope)) = (weights.get($j), slopes.get($j))
                 && *weight != 0.0
             {
-                let mut more = base.clone();
-                more.mix_1(&all, (T::Real::of(*weight) * scale, slope));
+                let mut more = zero.clone();
+                more.mix_1(&all, (T::Real::of(*weight), slope));
                 all = more;
             }
         )*};
@@ -45,7 +45,9 @@ pub(super) fn gather_few<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T:
     *sum = all;
 }
 
-/// The past motion displaced by accelerations with these weights (in position, in rate): at a share `node` of the step.
+/// The past motion displaced by accelerations with these weights (in position, in rate): at a share `node` of the step. Sums are scaled by
+/// its size, not weights: what a compiler knows of these it keeps.
+/// The increment of positions is left, as a multiple of the square of that size.
 pub(crate) fn displace<T: Scalar, P: Position<T>, C: Closures>(
     past: &Motion<T, P, C>,
     slopes: &[P::Rate],
@@ -55,27 +57,29 @@ pub(crate) fn displace<T: Scalar, P: Position<T>, C: Closures>(
     (zero, increment): (&P::Rate, &mut P::Rate),
     (position, rate): (&mut P, &mut P::Rate),
 ) {
-    gather(increment, zero, dt * dt, weights.0, slopes);
-    position.drift_1(&past.position, (T::Real::of(node) * dt, &past.rate), (T::Real::one(), increment));
-    gather(rate, &past.rate, dt, weights.1, slopes);
+    let one = T::Real::one();
+    gather(increment, zero, one, weights.1, slopes);
+    rate.mix_1(&past.rate, (dt, increment));
+    gather(increment, zero, one, weights.0, slopes);
+    position.drift_1(&past.position, (T::Real::of(node) * dt, &past.rate), (dt * dt, increment));
 }
 
-/// Mean square of errors in positions and rates, as multiples of a tolerance (absolute and relative).
+/// Mean square of errors in positions and rates, as multiples of tolerances (absolute and relative) of each.
 pub(super) fn mean_square<T: Scalar, P: Position<T>, C: Closures>(
     next: &Motion<T, P, C>,
     (position, rate): (&P::Rate, &P::Rate),
-    tolerance: T::Real,
+    [of_position, of_rate]: [T::Real; 2],
 ) -> f64 {
     let (mut sum, mut count) = (T::Real::zero(), 0usize);
     // Of lanes each by its own size.
-    let mut note = |error: T, size: T| {
+    let mut note = |error: T, size: T, tolerance: T::Real| {
         let share = (error / (size + T::one()).scale(tolerance)).real();
         sum += share * share;
         count += 1;
     };
-    next.position.measure(position, &mut note);
+    next.position.measure(position, &mut |error, size| note(error, size, of_position));
     rate.all(&next.rate, &mut |error, rate| {
-        note(error, rate.abs());
+        note(error, rate.abs(), of_rate);
         true
     });
     sum.as_f64() / count.max(1) as f64

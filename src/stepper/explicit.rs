@@ -57,7 +57,10 @@ pub(crate) fn row_weights<M: Explicit>(row: usize) -> (&'static [f64], &'static 
 
 /// So many numbers have rates of a scene with few coordinates: there what a step does beside its sweeps would count, and code of its own
 /// for each row is not much.
-const FEW: usize = 6;
+const FEW: usize = 24;
+/// And so many of these stand in fields of their own, for each of which there is code: loops over items of arrays a compiler unrolls where
+/// that pays, and puts side by side.
+const FIELDS: usize = 6;
 
 /// Calls a method for each row, by its number as a literal.
 macro_rules! each_row {
@@ -69,8 +72,10 @@ macro_rules! each_row {
 
 impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
     /// Whether sums are formed in registers, row by row.
-    const FEW: bool =
-        <D::Rate as Rate<D::Scalar>>::LENGTH <= FEW && !D::Position::CURVED && !<D::Scalar as Scalar>::LARGE;
+    const FEW: bool = <D::Rate as Rate<D::Scalar>>::LENGTH <= FEW
+        && <D::Rate as Rate<D::Scalar>>::FIELDS <= FIELDS
+        && !D::Position::CURVED
+        && !<D::Scalar as Scalar>::LARGE;
 
     /// Positions and rates of a row.
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -84,10 +89,11 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
     ) {
         let (of_position, of_rate) = row_weights::<M>(row);
         if Self::FEW {
-            gather_few(increment, zero, dt * dt, of_position, slopes);
+            gather_few(increment, zero, of_position, slopes);
             let duration = TimeIn::<D, L>::of(M::node(row)) * dt;
-            position.drift_1(&past.position, (duration, &past.rate), (TimeIn::<D, L>::one(), increment));
-            gather_few(rate, &past.rate, dt, of_rate, slopes);
+            position.drift_1(&past.position, (duration, &past.rate), (dt * dt, increment));
+            gather_few(increment, zero, of_rate, slopes);
+            rate.mix_1(&past.rate, (dt, increment));
         } else {
             displace(past, slopes, M::node(row), (of_position, of_rate), dt, (zero, increment), (position, rate));
         }
@@ -210,19 +216,21 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
     ) -> Option<TimeIn<D, L>> {
         let slopes = self.slopes.as_ref();
         let mut squares = [0.0; 2];
+        let one = TimeIn::<D, L>::one();
+        let tolerances = [tolerance / (dt * dt), tolerance / dt]; // of sums that are not scaled
         macro_rules! estimates {
             ($($k:literal)*) => {$(
                 if let Some((of_rate, of_position)) = M::errors().get($k) {
                     let (position, rate) = &mut self.estimate;
                     let (of_position, of_rate) = (&of_position[..=M::STAGES], &of_rate[..=M::STAGES]);
                     if Self::FEW {
-                        gather_few(position, &self.zero, dt * dt, of_position, slopes);
-                        gather_few(rate, &self.zero, dt, of_rate, slopes);
+                        gather_few(position, &self.zero, of_position, slopes);
+                        gather_few(rate, &self.zero, of_rate, slopes);
                     } else {
-                        gather(position, &self.zero, dt * dt, of_position, slopes);
-                        gather(rate, &self.zero, dt, of_rate, slopes);
+                        gather(position, &self.zero, one, of_position, slopes);
+                        gather(rate, &self.zero, one, of_rate, slopes);
                     }
-                    squares[$k] = mean_square(next, (position, rate), tolerance);
+                    squares[$k] = mean_square(next, (position, rate), tolerances);
                 }
             )*};
         }

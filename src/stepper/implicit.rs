@@ -246,12 +246,12 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         let square = dt * dt;
         let [kappa, ..] = self.rule.recurrence();
         position.mix_1(&self.zero, (real(self.rule.beta * kappa) * square, &self.change));
-        let geometry = mean_square(next, (position, &self.zero), tolerance);
+        let geometry = mean_square(next, (position, &self.zero), [tolerance; 2]);
         let [of_position, of_rate] = self.rule.truncation().map(real);
         let (forth, back) = (of_position * square, of_rate * dt);
         position.mix_2(&self.zero, (forth, &next.acceleration), (-forth, &self.first));
         rate.mix_2(&self.zero, (back, &next.acceleration), (-back, &self.first));
-        let truncation = mean_square(next, (position, rate), tolerance);
+        let truncation = mean_square(next, (position, rate), [tolerance; 2]);
         Some(real(geometry).sqrt() + real(truncation).sqrt())
     }
 

@@ -6,7 +6,7 @@ mod between;
 pub(crate) mod displace;
 pub(crate) mod explicit;
 mod implicit;
-mod roots;
+pub(crate) mod roots;
 mod sdirk;
 mod taylor;
 mod vcabm;

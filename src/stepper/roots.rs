@@ -1,5 +1,7 @@
 //! Powers for the choice of steps: exact enough for that, and cheap.
 
+use crate::scalar::Scalar;
+
 /// The logarithm to base 2 of a positive number, to a hundredth: a parabola between powers of two.
 #[inline]
 pub(super) fn log2(x: f64) -> f64 {
@@ -18,8 +20,38 @@ pub(super) fn exp2(x: f64) -> f64 {
     f64::from_bits(power << 52) * (1.0 + share * (0.6565 + 0.3435 * share))
 }
 
+/// A positive number to the power −1 / `order`, to rounding: two steps of fourth order from what [`power`] says. Where a compiler knows the
+/// order that takes half the instructions of the platform's power.
+#[inline(always)]
+pub(crate) fn inverse_root(x: f64, order: f64) -> f64 {
+    let once = 1.0 / order;
+    let mut root = power(x, -once);
+    for _ in 0..2 {
+        let residual = 1.0 - x * Scalar::powi(root, order as i32);
+        let third = 1.0 + residual * ((2.0 + once) / 3.0);
+        root += root * (residual * once) * (1.0 + residual * (0.5 + 0.5 * once) * third);
+    }
+    root
+}
+
 /// A positive number to the power `exponent`.
 #[inline]
 pub(super) fn power(x: f64, exponent: f64) -> f64 {
     exp2(log2(x) * exponent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::inverse_root;
+
+    #[test]
+    fn inverse_roots_are_those_of_logarithms() {
+        for order in 2..=30 {
+            for k in -120..=300 {
+                let x = 10.0_f64.powf(0.1 * k as f64 + 0.03);
+                let expected = (-x.ln() / order as f64).exp();
+                assert!((inverse_root(x, order as f64) / expected - 1.0).abs() < 1e-13, "{x} {order}");
+            }
+        }
+    }
 }

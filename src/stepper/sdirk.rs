@@ -9,7 +9,7 @@ use crate::scalar::{Real, Scalar};
 use crate::system::StiffDynamics;
 use crate::time::Sdirk4;
 use crate::time::sdirk4::{ERROR, GAMMA, STAGES, TABLE};
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 /// Steps by [`Sdirk4`].
 ///
@@ -97,7 +97,7 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
                 self.at.0.retract_rate(&past.position, &mut self.at.1);
             }
         } else {
-            self.set_geometry(springs, stage - 1, past, real(node) * dt);
+            self.set_geometry(springs, stage - 1, past, (node, dt));
         }
         for sweep in 0..sweeps {
             // Where closures are nearly dependent, a geometry that misses them by little is led astray.
@@ -125,24 +125,24 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
                 next.acceleration.set(&self.slopes[stage]);
                 self.at.0.inverse_retract_acceleration(&past.position, &self.at.1, &mut self.slopes[stage]);
             }
-            self.set_geometry(springs, stage, past, real(node) * dt);
+            self.set_geometry(springs, stage, past, (node, dt));
         }
     }
 
-    /// Takes the geometry of the next sweep where these accelerations bring the stage under way, `time` after the start.
+    /// Takes the geometry of the next sweep where these accelerations bring the stage under way, at a share `node` of the step.
     fn set_geometry(
         &mut self,
         springs: Implicit<TimeIn<D, L>>,
         slope: usize,
         past: &MotionIn<D, L>,
-        time: TimeIn<D, L>,
+        (node, dt): (f64, TimeIn<D, L>),
     ) {
         let slope = &self.slopes[slope];
         self.at.1.mix_1(&self.free.1, (springs.rate, slope));
         if D::Position::CURVED {
             // Coordinates of the step add up, positions do not.
-            let (increment, own) = ((TimeIn::<D, L>::one(), &self.room), (springs.position, slope));
-            self.at.0.drift_2(&past.position, (time, &past.rate), increment, own);
+            let (increment, own) = ((dt * dt, &self.room), (springs.position, slope));
+            self.at.0.drift_2(&past.position, (TimeIn::<D, L>::of(node) * dt, &past.rate), increment, own);
             self.at.0.retract_rate(&past.position, &mut self.at.1);
         } else {
             self.at.0.drift_1(&self.free.0, (Zero::zero(), &self.zero), (springs.position, slope));
@@ -234,7 +234,7 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
         gather(rate, &self.zero, dt, &ERROR.rate, &self.slopes);
         // A sweep that only steps take which would be rejected.
         if let Some(tolerance) = self.tolerance
-            && mean_square(next, (&self.estimate.0, &self.estimate.1), tolerance) > 1.0
+            && mean_square(next, (&self.estimate.0, &self.estimate.1), [tolerance; 2]) > 1.0
         {
             self.filter(loads, dt, next);
         }
@@ -256,7 +256,7 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
         next: &MotionIn<D, L>,
         tolerance: TimeIn<D, L>,
     ) -> Option<TimeIn<D, L>> {
-        let square = mean_square(next, (&self.estimate.0, &self.estimate.1), tolerance);
+        let square = mean_square(next, (&self.estimate.0, &self.estimate.1), [tolerance; 2]);
         Some(TimeIn::<D, L>::of(square).sqrt())
     }
 

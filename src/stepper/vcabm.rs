@@ -102,8 +102,8 @@ impl<D: Dynamics<L>, L> VcabmStepper<D, L> {
         gather(surprise, evaluated, one, &predicted[..order], differences);
         // The corrector has the predictor's terms and one more.
         let real = TimeIn::<D, L>::of;
-        rate.mix_1(increment, (real(coefficients.whole.twice[order]) * dt * dt, surprise));
-        next.position.drift_1(&past.position, (dt, &past.rate), (one, rate));
+        rate.mix_1(increment, (real(coefficients.whole.twice[order]), surprise));
+        next.position.drift_1(&past.position, (dt, &past.rate), (dt * dt, rate));
         next.rate.mix_1(sum, (real(coefficients.whole.once[order]) * dt, surprise));
         if D::Position::CURVED {
             next.position.retract_rate(&past.position, &mut next.rate);
@@ -289,8 +289,8 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
         let Motion { position, rate, .. } = between;
         displace(past, &memory.differences, theta, weights, dt, (zero, increment), (position, rate));
         // And what the end of the step adds.
-        last.mix_1(increment, (real(integrals.twice[*order]) * dt * dt, &memory.change));
-        position.drift_1(&past.position, (real(theta) * dt, &past.rate), (TimeIn::<D, L>::one(), last));
+        last.mix_1(increment, (real(integrals.twice[*order]), &memory.change));
+        position.drift_1(&past.position, (real(theta) * dt, &past.rate), (dt * dt, last));
         last.set(rate);
         rate.mix_1(last, (real(integrals.once[*order]) * dt, &memory.change));
         if D::Position::CURVED {
