@@ -134,7 +134,12 @@ where
         }
         // Coordinates of the step add up, positions do not.
         let real = RealOf::<S>::of;
-        position.drift_2(&past.position, (real(M::node(row)) * step, &past.rate), (real(1.0), &self.sum), (own[0], by));
+        position.drift_2(
+            &past.position,
+            (real(M::node(row)) * step, &past.rate),
+            (step * step, &self.sum),
+            (own[0], by),
+        );
         rate.mix_1(&free.1, (own[1], by));
         position.retract_rate(&past.position, rate);
     }
