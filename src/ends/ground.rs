@@ -18,7 +18,7 @@ pub struct GroundMotion<T, const N: usize> {
 /// A motion of the ground that is given as a function of time: `M` is `GroundMotion<T>` for a place, and for an attitude `[T; 3]` in the plane
 /// (angle (rad), rate (rad/s), angular acceleration (rad/s²)), `AttitudeMotion<T>` in space.
 pub trait Ground<T: Scalar, M> {
-    /// Whether it is known to rest.
+    /// Whether the ground is known to rest.
     const RESTS: bool = false;
 
     /// The motion at a time (s).

@@ -94,7 +94,7 @@ pub(super) fn offset_alone<T: Scalar, const K: usize, const N: usize, const M: u
     let alike = |a: T, b: T| (a - b).real().abs() <= slack * (T::Real::one() + a.real().abs());
     for k in 0..9 {
         // Shares that no period shares.
-        let share = T::Real::of((0.618_033_988_749_895 * k as f64).fract());
+        let share = T::Real::of(0.618_033_988_749_895 * k as f64 % 1.0);
         let (now, moving) = at(first + (last - first) * share);
         let still = moving.iter().all(|x| x.eps.iter().all(|x| x.is_identical(T::zero())));
         if !(still && now.iter().zip(&offset).all(|(a, b)| a.eps.iter().zip(b.eps).all(|(a, b)| alike(*a, b)))) {

@@ -1,6 +1,6 @@
 //! Powers for the choice of steps: exact enough for that, and cheap.
 
-use crate::scalar::Scalar;
+use num_traits::pow;
 
 /// The logarithm to base 2 of a positive number, to a hundredth: a parabola between powers of two.
 #[inline]
@@ -27,7 +27,7 @@ pub(crate) fn inverse_root(x: f64, order: f64) -> f64 {
     let once = 1.0 / order;
     let mut root = power(x, -once);
     for _ in 0..2 {
-        let residual = 1.0 - x * Scalar::powi(root, order as i32);
+        let residual = 1.0 - x * pow(root, order as usize);
         let third = 1.0 + residual * ((2.0 + once) / 3.0);
         root += root * (residual * once) * (1.0 + residual * (0.5 + 0.5 * once) * third);
     }
