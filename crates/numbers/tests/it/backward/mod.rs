@@ -16,6 +16,10 @@ mod names {
 /// Some thousand roundings.
 const ROUNDING: f64 = 1e-12;
 
+/// Those of samples that DOP853 interpolates between steps to a held tip: its weights cancel, and so do parts of a gradient by lengths, whose
+/// deviations are 4e-13 to 5e-12 as one of the lengths goes from 0.9 to 0.915 m in sixteen steps.
+const ROUNDING_BETWEEN: f64 = 1e-11;
+
 /// Numbers of one kind: what they are called, and how many there are.
 type Kinds<'k> = &'k [(&'k str, usize)];
 
@@ -56,11 +60,11 @@ fn agrees(
     name: &str,
     kinds: Kinds,
     numbers: &[f64],
-    [expected, found]: [&[f64]; 2],
+    ([expected, found], rounding): ([&[f64]; 2], f64),
     some: fn(&usize) -> bool,
     cost: impl Fn(&dyn Fn(usize) -> f64) -> f64,
 ) {
-    alike(name, kinds, found, expected, ROUNDING);
+    alike(name, kinds, found, expected, rounding);
     let some: Vec<usize> = (0..numbers.len()).filter(some).collect();
     let difference = |&j: &usize| {
         let e = 2e-4 * numbers[j].abs().max(0.1);
@@ -214,7 +218,7 @@ macro_rules! gradients {
         found.extend(gradient.by_loads().unwrap());
         found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()).chain(by_torques));
         let cost = |number: &dyn Fn(usize) -> f64| cost!(f64, number);
-        agrees($name, $kinds, &numbers, [&expected, &found], |_| true, cost);
+        agrees($name, $kinds, &numbers, ([&expected, &found], ROUNDING), |_| true, cost);
     }};
 }
 

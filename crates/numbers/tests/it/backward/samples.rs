@@ -78,7 +78,7 @@ macro_rules! samples {
         found.truncate(parameters);
         found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()).chain(by_torques));
         let cost = |number: &dyn Fn(usize) -> f64| cost!(f64, number);
-        agrees($name, $kinds, &numbers, [&expected, &found], |_| true, cost);
+        agrees($name, $kinds, &numbers, ([&expected, &found], ROUNDING), |_| true, cost);
     }};
     // As runs show them.
     ($name:expr, $kinds:expr, $numbers:expr, $sizes:tt, $method:expr, |$x:ident| $scene:block) => {

@@ -1,6 +1,6 @@
 //! Gradients of runs in space that go backward: against jets through the same steps, kind by kind, and against central differences.
 
-use super::{Kinds, ROUNDING, Stiffening, agrees, alike, by_jets};
+use super::{Kinds, ROUNDING, ROUNDING_BETWEEN, Stiffening, agrees, alike, by_jets};
 use catena::planar::Custom;
 use catena::scalar::Jet;
 use catena::spatial::*;
@@ -182,7 +182,7 @@ macro_rules! gradients {
         found.extend(by_torques.iter().flat_map(|torque| torque.0));
         // Differences by two numbers of five.
         let cost = |number: &dyn Fn(usize) -> f64| cost!(f64, number);
-        agrees($name, &kinds, &numbers, [&expected, &found], |j| j % 5 < 2, cost);
+        agrees($name, &kinds, &numbers, ([&expected, &found], ROUNDING), |j| j % 5 < 2, cost);
     }};
 }
 
