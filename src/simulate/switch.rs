@@ -59,6 +59,7 @@ where
     pub(super) fn switch(&mut self) -> Result<(), Error> {
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
         let (earliest, mut count, mut strikes) = (Self::margins(&mut next).1, 0, false);
+        let still = self.still();
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
             let due = count == earliest;
             count += 1;
@@ -66,7 +67,9 @@ where
                 Mode::Sticks if due => *mode = broken_away(told.guard),
                 Mode::RestsBelow | Mode::RestsAbove if due => *mode = Mode::Swings,
                 Mode::Swings if due => strikes = true,
-                Mode::SlipsForward | Mode::SlipsBack if due || margin(*mode, *rate, told.guard) <= 0.0 => {
+                Mode::SlipsForward | Mode::SlipsBack
+                    if due || margin(*mode, *rate, told.guard) <= told.rate.real().as_f64().abs() * still =>
+                {
                     (*mode, *rate) = (Mode::Sticks, S::Scalar::zero());
                 }
                 _ => (),
@@ -152,11 +155,16 @@ where
         }
     }
 
+    /// So long (s) a joint slips on whose rate is zero but for rounding: joints of one freedom come to rest together.
+    fn still(&self) -> f64 {
+        (self.progress.size * RealOf::<S>::EPSILON).as_f64() * ROUNDINGS
+    }
+
     /// Finds modes anew where a run that goes on does not have those that follow from it: its rates or loads have changed, or an event has
     /// stopped it where a joint comes to rest.
     pub(super) fn settle_anew(&mut self) -> Result<(), Error> {
         let (mut now, mut due) = (settled(self.plan.system, self.plan.loads, &self.past), false);
-        let still = (self.progress.size * RealOf::<S>::EPSILON).as_f64() * ROUNDINGS;
+        let still = self.still();
         let at_event = self.progress.at_event;
         now.position.each_mode(&mut now.rate, &now.acceleration, &mut |mode, rate, told| {
             let (slips, second) = (matches!(*mode, Mode::SlipsForward | Mode::SlipsBack), told.rate);
