@@ -131,7 +131,7 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J, F
         let [position, ..] = self.law.at(clock.0);
         self.joint.turned(&position, &S::Scalar::zero(), inboard)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recover<C: Closures, By: Springs<S::Scalar>>(
         &self,
         inboard: AccelerationOf<S>,
@@ -144,7 +144,7 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J, F
         let second = &mut S::Scalar::zero();
         self.joint.recover::<C, Implicit<RealOf<S>>>(inboard, posture, kept, multipliers, second)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn respond<C: Closures>(
         &self,
         inboard: AccelerationOf<S>,
@@ -184,7 +184,7 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Element<S> for Driven<J,
         let [position, rate, _] = self.law.at(clock.0);
         self.joint.turned(&position, &rate, turn)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         clock: &Self::Position,
@@ -198,7 +198,7 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Element<S> for Driven<J,
         let [position, rate, _] = self.law.at(clock.0);
         self.joint.orient(&position, &rate, turn, x, y, p, q)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn resolve(
         _: &Self::Store<PerAxes<S::Size>>,
         x: &mut Self::Store<PerAxes<S::X>>,
@@ -220,7 +220,7 @@ where
 {
     type Out = J::Out;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: Outer,

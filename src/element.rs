@@ -134,7 +134,7 @@ pub trait Element<S: Space>:
     );
 
     /// `orient` and `resolve` at once.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     #[allow(clippy::too_many_arguments)] // one store each: of arguments alone the compiler knows that they do not overlap
     fn pose(
         &self,

@@ -68,7 +68,7 @@ impl<S: Space, J: Kinematics<S>, Outer: Outboard<S>, W: Sweep<S, Closures = Oute
     for J
 {
     type Out = Full<S, Outer::Closures>;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn eliminate(
         &self,
         outer: Outer,
@@ -79,7 +79,7 @@ impl<S: Space, J: Kinematics<S>, Outer: Outboard<S>, W: Sweep<S, Closures = Oute
     ) -> Self::Out {
         Kinematics::eliminate::<Outer::Closures>(self, outer.whole(), posture, force, resistance, kept)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn drive(
         &self,
         outer: Outer,
@@ -99,7 +99,7 @@ impl<S: Space, J: Kinematics<S>> Drivable<S> for J {
     fn turned(&self, position: &S::Scalar, rate: &S::Scalar, inboard: S::Turn) -> S::Turn {
         Kinematics::turned(self, position, rate, inboard)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         position: &S::Scalar,

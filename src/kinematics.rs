@@ -147,7 +147,7 @@ pub trait JointModel<S: Space>: Copy + Debug + 'static {
 pub type Sought<'a, T> = ((T, T), Reading<'a, T, T>);
 
 /// Condenses the relation outboard of a joint with a model; what [`joint!`](crate::joint) calls.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn condense<S: Space, J: JointModel<S>, W: Sweep<S>>(
     model: &J,
     outer: Full<S, W::Closures>,
@@ -168,7 +168,7 @@ pub fn condense<S: Space, J: JointModel<S>, W: Sweep<S>>(
 }
 
 /// Recovers the acceleration of a joint with a model; what [`joint!`](crate::joint) calls.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn recover<S: Space, J: JointModel<S>, C: Closures>(
     model: &J,
     inboard: AccelerationOf<S>,
@@ -182,7 +182,7 @@ pub fn recover<S: Space, J: JointModel<S>, C: Closures>(
 }
 
 /// The motion of a joint with a model; what [`joint!`](crate::joint) calls.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn motion<S: Space, J: JointModel<S>>(
     model: &J,
     inboard: FrameOf<S>,
@@ -198,7 +198,7 @@ pub fn motion<S: Space, J: JointModel<S>>(
 }
 
 /// What a joint with a model lets move; what [`joint!`](crate::joint) calls.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn release<S: Space, J: JointModel<S>>(
     model: &J,
     motion: &S::JointMotion,

@@ -68,7 +68,7 @@ pub struct Order<R> {
 
 impl<R: Real> Order<R> {
     /// Order number `k`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn of(k: usize) -> Self {
         let (one, next) = (R::one(), R::of((k + 1) as f64));
         let once = one / next;

@@ -187,7 +187,7 @@ pub trait SpringLaw<T: Scalar>: Copy + Debug + 'static {
 /// The force of a law and what it adds to the pivot in a sweep: force plus pivot times the acceleration that led there, less which
 /// times the one sought. A law that is not linear is read where the last sweep has led, any other at position and rate without the
 /// acceleration sought.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn read<T: Scalar, L: SpringLaw<T>, K: Springs<T>>(
     law: &L,
     (position, rate): (T, T),

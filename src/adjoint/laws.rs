@@ -28,7 +28,7 @@ pub trait ReversibleLaw<T: Scalar>: SpringLaw<T> {
 
 /// What a law gives in a sweep through which costates go backward, force and pivot: where the last sweep has led, if it is not linear, or
 /// without the acceleration sought, as [`read`](crate::spring::read).
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn force<T: Scalar, L: SpringLaw<T>, By: Springs<T>>(law: &L, at: [T; 2], led: [T; 3], springs: By) -> [T; 2] {
     if const { L::LINEAR || !By::STIFF } {
         return [law.force(at[0], at[1]), law.pivot(at[0], at[1], springs)];
@@ -40,7 +40,7 @@ pub fn force<T: Scalar, L: SpringLaw<T>, By: Springs<T>>(law: &L, at: [T; 2], le
 
 /// What a law does to costates where it is read apart from the geometry: of position and rate without the acceleration sought, or, where it
 /// is not linear, of those to which the last sweep has led, and of the acceleration that did.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn strain<T: Scalar, L: ReversibleLaw<T>>(
     follows: bool,
     law: &L,
@@ -74,7 +74,7 @@ where
     D: Coefficient<T> + Lift<T, T>,
     P: Term<T> + Lift<T, T>,
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pull_back(&self, position: T, rate: T, of_force: T, of_numbers: &mut [T]) -> [T; 2] {
         let Self { stiffness, damping, rest } = self;
         let strain = rest.take_from(position);

@@ -31,7 +31,7 @@ impl<S: Geometry, C: Closures> Outboard<S, C> {
 impl<S: Geometry, C: Closures> Outboard<S, C> {
     /// What lies beyond the ends of the main arm and of the side arm of a loop. λ acts ON the side arm by the wrenches c, so F on what lies
     /// outboard of it is −λ, and the opposite on what the main arm meets.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     #[allow(clippy::type_complexity)] // two of them
     pub fn closed<O: Own>(
         self,
@@ -57,7 +57,7 @@ pub enum Kind {
 
 impl Kind {
     /// What there is of a sum.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn and(self, other: Self) -> Self {
         match (self, other) {
             (Self::Nothing, kind) | (kind, Self::Nothing) => kind,
@@ -90,7 +90,7 @@ impl<S: Geometry, C: Closures> Outboard<S, C> {
 
 impl<S: Geometry, C: Closures, O: Own> Outboard<S, Looped<C, O>> {
     /// What lies beyond a station where the arms of a loop begin, without the forces that close it.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     #[allow(clippy::type_complexity)] // what is left, and how it is found again
     pub fn settle(
         self,

@@ -9,7 +9,7 @@ macro_rules! passes {
     };
     ($Space:ident, $Joint:ty, $Walk:ty, [$($Bounds:tt)*]) => {
         impl<T: Scalar, C: Closures, $($Bounds)*> Takes<$Space<T>, $Walk> for $Joint {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut $Walk,

@@ -79,7 +79,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
         mass + self.0.lump(S::Scalar::zero())
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         position: &Self::Position,
@@ -93,7 +93,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
         self.0.orient(position, rate, turn, x, y, p, q);
         turn
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn resolve(
         sizes: &Self::Store<PerAxes<S::Size>>,
         x: &mut Self::Store<PerAxes<S::X>>,
@@ -103,7 +103,7 @@ impl<S: Space, A: Element<S>> Element<S> for Branch<A> {
     ) {
         A::resolve(sizes, x, y, p, q);
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pose(
         &self,
         position: &Self::Position,
@@ -132,7 +132,7 @@ where
 {
     type Out = R::Out;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

@@ -37,7 +37,7 @@ impl<S: Space, K: Closing<S, Closures = Cut<L>>, const L: usize> Closing<S> for 
     fn per_axes<X: Copy>(fill: X) -> K::PerAxes<X> {
         K::per_axes(fill)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         side: S::Turn,

@@ -64,7 +64,7 @@ impl<S: Space, E: Shape<S>> Shape<S> for Named<E> {
     fn store<F: Field<S>>(&self, fill: F::Fill) -> E::Store<F> {
         self.item.store::<F>(fill)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
         let mut stores = stores;
         let stores = W::Stores::member::<Self, _>(&mut stores, Nth::<0>);
@@ -104,7 +104,7 @@ impl<S: Space, E: Element<S>> Element<S> for Named<E> {
     fn turned(&self, position: &E::Position, rate: &E::Rate, turn: S::Turn) -> S::Turn {
         self.item.turned(position, rate, turn)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         position: &E::Position,
@@ -117,7 +117,7 @@ impl<S: Space, E: Element<S>> Element<S> for Named<E> {
     ) -> S::Turn {
         self.item.orient(position, rate, turn, x, y, p, q)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn resolve(
         sizes: &E::Store<PerAxes<S::Size>>,
         x: &mut E::Store<PerAxes<S::X>>,
@@ -127,7 +127,7 @@ impl<S: Space, E: Element<S>> Element<S> for Named<E> {
     ) {
         E::resolve(sizes, x, y, p, q);
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pose(
         &self,
         position: &E::Position,
@@ -146,7 +146,7 @@ impl<S: Space, E: Element<S>> Element<S> for Named<E> {
 impl<S: Space, R, W: Sweep<S>, E: Condense<S, R, W>> Condense<S, R, W> for Named<E> {
     type Out = E::Out;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,
@@ -197,7 +197,7 @@ impl<S: Space, K: Closing<S>> Closing<S> for Named<K> {
     fn per_axes<X: Copy>(fill: X) -> K::PerAxes<X> {
         K::per_axes(fill)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         side: S::Turn,

@@ -115,13 +115,13 @@ impl<S: Space, M: Shape<S>, A: Shape<S>, K: Closing<S>> Parallel<S> for Network<
     fn closing_joint(&self) -> &K {
         &self.closing
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn fork<F: Field<S>>(
         store: &Self::Store<F>,
     ) -> (&MainStore<S, Self, F>, &SideStore<S, Self, F>, &ClosingEntry<S, Self, F>) {
         (&store.arms.0, &store.arms.1, &store.closing)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn fork_mut<F: Field<S>>(
         store: &mut Self::Store<F>,
     ) -> (&mut MainStore<S, Self, F>, &mut SideStore<S, Self, F>, &mut ClosingEntry<S, Self, F>) {
@@ -143,7 +143,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
     fn turned(&self, position: &Self::Position, rate: &Self::Rate, turn: S::Turn) -> S::Turn {
         self.main().turned(&position.arms.0, &rate.arms.0, turn)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         position: &Self::Position,
@@ -162,7 +162,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         self.closing.orient(side, main, &mut x.closing, &mut y.closing, &mut p.closing, &mut q.closing);
         main
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn resolve(
         sizes: &Self::Store<PerAxes<S::Size>>,
         x: &mut Self::Store<PerAxes<S::X>>,
@@ -173,7 +173,7 @@ impl<S: Space, M: Element<S>, A: Element<S>, K: Closing<S>> Element<S> for Netwo
         M::resolve(&sizes.arms.0, &mut x.arms.0, &mut y.arms.0, &mut p.arms.0, &mut q.arms.0);
         A::resolve(&sizes.arms.1, &mut x.arms.1, &mut y.arms.1, &mut p.arms.1, &mut q.arms.1);
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pose(
         &self,
         position: &Self::Position,

@@ -23,7 +23,7 @@ where
 {
     type Out = <M::Out as Settle<WrenchOf<S>, S::Scalar, A::Out, W::Closures, OwnOf<S, K>>>::Out;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

@@ -18,7 +18,7 @@ macro_rules! march {
 pub(super) use march;
 
 /// `Element::turned` by items: by the last one where what lies inboard of it does not matter.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn turned_by_items<S: Space, A: Element<S>>(
     items: &[A],
     position: &[A::Position],
@@ -31,7 +31,7 @@ pub(super) fn turned_by_items<S: Space, A: Element<S>>(
 }
 
 /// `Element::orient` of items. Slices are arguments: of these alone the compiler knows that they do not overlap.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 #[allow(clippy::too_many_arguments)] // slices that march together
 pub(super) fn orient_items<S: Space, A: Element<S>>(
     items: &[A],
@@ -52,7 +52,7 @@ pub(super) fn orient_items<S: Space, A: Element<S>>(
 }
 
 /// `Element::resolve` of items.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn resolve_items<S: Space, A: Element<S>>(
     sizes: &[A::Store<PerAxes<S::Size>>],
     x: &mut [A::Store<PerAxes<S::X>>],
@@ -68,7 +68,7 @@ pub(super) fn resolve_items<S: Space, A: Element<S>>(
 
 /// `Element::pose` of items in one loop, where the order does not matter. What turn they hand on it does not say: a loop that
 /// brought out the last one would keep registers for it.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 #[allow(clippy::too_many_arguments)]
 pub(super) fn pose_items<S: Space, A: Element<S>>(
     items: &[A],
@@ -89,7 +89,7 @@ pub(super) fn pose_items<S: Space, A: Element<S>>(
 }
 
 /// `Element::pose` of items in two loops, of which only the first has to go in order.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 #[allow(clippy::too_many_arguments)]
 pub(super) fn pose_items_in_order<S: Space, A: Element<S>>(
     items: &[A],

@@ -19,7 +19,7 @@ impl<S: Reversed, K: ReversibleClosing<S>> ReversibleClosing<S> for Named<K> {
     ) {
         self.item.pose(side, main, x, y, p, q);
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn close_off<C: Closures>(
         &self,
         outer: Outboard<S, C>,

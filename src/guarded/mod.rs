@@ -137,7 +137,7 @@ impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Jo
     ) -> S::Turn {
         self.joint.configure(&mut position.coordinate, inboard, next)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recover<C: Closures, By: Springs<S::Scalar>>(
         &self,
         inboard: AccelerationOf<S>,
@@ -162,7 +162,7 @@ impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Jo
         *rate = GuardedRate::telling(own + free.scale(Zero::zero()), told);
         out
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn respond<C: Closures>(
         &self,
         inboard: AccelerationOf<S>,
@@ -173,7 +173,7 @@ impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Jo
     ) -> AccelerationOf<S> {
         self.joint.respond::<C>(inboard, posture, &kept.own, multipliers, &mut rate.rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn motion(
         &self,
         inboard: FrameOf<S>,
@@ -217,7 +217,7 @@ impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> El
     fn turned(&self, position: &Self::Position, rate: &Self::Rate, turn: S::Turn) -> S::Turn {
         self.joint.turned(&position.coordinate, &rate.rate, turn)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         position: &Self::Position,
@@ -230,7 +230,7 @@ impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> El
     ) -> S::Turn {
         self.joint.orient(&position.coordinate, &rate.rate, turn, x, y, p, q)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn resolve(
         _: &Self::Store<PerAxes<S::Size>>,
         x: &mut Self::Store<PerAxes<S::X>>,
@@ -254,7 +254,7 @@ where
 {
     type Out = J::Out;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: Outer,

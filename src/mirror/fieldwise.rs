@@ -15,7 +15,7 @@ macro_rules! fieldwise_rate {
         fn mix_2(&mut self, _base: &Self, (_u, _a): Term<'_, T, Self>, (_v, _b): Term<'_, T, Self>) {
             $(self.$sum.mix_2(&_base.$sum, (_u, &_a.$sum), (_v, &_b.$sum));)*
         }
-        #[cfg_attr(not(debug_assertions), inline(always))]
+        #[cfg_attr(optimised, inline(always))]
         fn mix_3(
             &mut self,
             _base: &Self,
@@ -25,7 +25,7 @@ macro_rules! fieldwise_rate {
         ) {
             $(self.$sum.mix_3(&_base.$sum, (_u, &_a.$sum), (_v, &_b.$sum), (_w, &_c.$sum));)*
         }
-        #[cfg_attr(not(debug_assertions), inline(always))]
+        #[cfg_attr(optimised, inline(always))]
         fn add_4(
             &mut self,
             (_u, _a): Term<'_, T, Self>,
@@ -61,7 +61,7 @@ macro_rules! fieldwise_position {
         fn drift_0(&mut self, _from: &Self, (_time, _rate): Term<'_, T, Self::Rate>) {
             $(self.$i.drift_0(&_from.$i, (_time, &_rate.$i));)*
         }
-        #[cfg_attr(not(debug_assertions), inline(always))]
+        #[cfg_attr(optimised, inline(always))]
         fn drift_1(
             &mut self,
             _from: &Self,
@@ -70,7 +70,7 @@ macro_rules! fieldwise_position {
         ) {
             $(self.$i.drift_1(&_from.$i, (_time, &_rate.$i), (_u, &_a.$i));)*
         }
-        #[cfg_attr(not(debug_assertions), inline(always))]
+        #[cfg_attr(optimised, inline(always))]
         fn drift_2(
             &mut self,
             _from: &Self,
@@ -96,7 +96,7 @@ macro_rules! fieldwise_position {
         fn transposed_acceleration(&self, _from: &Self, _costate: &mut Self::Rate) {
             $(self.$i.transposed_acceleration(&_from.$i, &mut _costate.$i);)*
         }
-        #[cfg_attr(not(debug_assertions), inline(always))]
+        #[cfg_attr(optimised, inline(always))]
         fn transposed_step(
             &self,
             _from: &Self,
@@ -111,7 +111,7 @@ macro_rules! fieldwise_position {
                 self.$i.transposed_step(&_from.$i, here, &_of_second.$i, of_here, &mut _of_from.$i);
             )*
         }
-        #[cfg_attr(not(debug_assertions), inline(always))]
+        #[cfg_attr(optimised, inline(always))]
         fn transposed_second(
             &self,
             _from: &Self,

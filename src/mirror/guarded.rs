@@ -141,7 +141,7 @@ pub struct GuardedRate<T> {
 
 impl<T: Scalar> Guarded<T> {
     /// What the joint does at a rate: what moves does not stick or rest, whatever a motion says that was made by hand.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn mode_at(&self, rate: &GuardedRate<T>) -> Mode {
         match self.mode {
             Mode::Sticks => Mode::of(rate.rate),
@@ -182,7 +182,7 @@ impl<T: Scalar> Position<T> for Guarded<T> {
         self.mode = from.mode;
         self.coordinate.drift_1(&from.coordinate, (time, &rate.rate), (u, &a.rate));
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn drift_2(
         &mut self,
         from: &Self,

@@ -158,7 +158,7 @@ pub trait Position<T: Scalar>: Clone {
 
     /// Turns costates of positions and rates here, and of s̈, into those of the coordinates s of the step from `from` and of ṡ, and adds
     /// that of `from`. Of s̈ only what positions and rates change of it, for these accelerations.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn transposed_step(
         &self,
         from: &Self,
@@ -173,7 +173,7 @@ pub trait Position<T: Scalar>: Clone {
 
     /// Adds what s̈ of the step from `from` changes by with positions and rates here, and with `from`, to their costates, for these
     /// accelerations: where positions here have been put elsewhere than the step led.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn transposed_second(
         &self,
         from: &Self,

@@ -10,28 +10,28 @@ impl<T: Scalar> Rate<T> for T {
     fn set(&mut self, base: &T) {
         *self = *base;
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn mix_1(&mut self, base: &T, (u, a): Term<'_, T, T>) {
         match T::LARGE {
             true => self.combine(base, [(u, a)]),
             false => *self = base.add_scaled(u, *a),
         }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn mix_2(&mut self, base: &T, (u, a): Term<'_, T, T>, (v, b): Term<'_, T, T>) {
         match T::LARGE {
             true => self.combine(base, [(u, a), (v, b)]),
             false => *self = base.add_scaled(u, *a).add_scaled(v, *b),
         }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn mix_3(&mut self, base: &T, (u, a): Term<'_, T, T>, (v, b): Term<'_, T, T>, (w, c): Term<'_, T, T>) {
         match T::LARGE {
             true => self.combine(base, [(u, a), (v, b), (w, c)]),
             false => *self = base.add_scaled(u, *a).add_scaled(v, *b).add_scaled(w, *c),
         }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add_4(
         &mut self,
         (u, a): Term<'_, T, T>,

@@ -77,7 +77,7 @@ impl<T: Scalar> Expansion<T> {
     /// By how much a vector of body axes, expanded at `angle`, differs from the true one there: (7) less A(θ).
     ///
     /// Formed from the difference ε of the angles, as 1 − cos ε less the curvature and ε − sin ε, it keeps its digits.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn remainder(&self, vector: [T; 2], angle: T) -> [T; 2] {
         let step = angle - self.angle;
         let (sine, _) = step.sin_cos();

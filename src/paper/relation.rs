@@ -99,7 +99,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Relation<T, H, P
     }
 
     /// Inward through a link whose points coincide, and the way back.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn through<const N: usize>(&self, link: &Link<T, N, P, A>) -> (Self, Outward<T, H, P, A>) {
         match link {
             Link::Body { matrix, .. } => self.through_body(matrix),
@@ -110,7 +110,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Relation<T, H, P
     }
 
     /// Inward through a body: D f_I = (S A − C) p_I + S a + e − d, with the blocks of its matrix [A B; C D] and B = 0.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn through_body<const N: usize>(&self, u: &TransferMatrix<T, N>) -> (Self, Outward<T, H, P, A>) {
         let (one, torque, force) = (N - 1, H, H + A);
         let mut s = self.matrix;
@@ -143,7 +143,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Relation<T, H, P
 
     /// Inward through a joint with m = K_O θ_O − K_I θ_I + μ. A smooth joint has K = 0; its pivot −S_mθ is the inertia outboard about
     /// it, times χ₁.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn through_joint(&self, law: &Law<T, A>) -> (Self, Outward<T, H, P, A>) {
         let s_m = |a: usize, c: usize| self.matrix[a][P + c];
         let pivot = inverse(&core::array::from_fn(|a| core::array::from_fn(|c| law.outer[a][c] - s_m(a, c))));
@@ -203,7 +203,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Relation<T, H, P
     }
 
     /// Inward through a joint with θ_O = R θ_I.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn through_rigid(&self, turn: Option<&[[T; A]; A]>) -> Self {
         let Some(turn) = turn else { return *self };
         let mut relation = *self;
@@ -231,7 +231,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Outward<T, H, P,
     }
 
     /// p at the outboard end.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn follow(&self, p: &[T; H]) -> [T; H] {
         match self {
             Self::Body { arm, ahead } => core::array::from_fn(|i| {

@@ -79,7 +79,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
     }
 
     /// Eliminates links from the tip inward, with or without joints whose points part.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn walk_inward<const N: usize, const PARTING: bool>(
         &mut self,
         first: usize,
@@ -131,7 +131,7 @@ impl<T: Scalar, const H: usize, const P: usize, const A: usize> Room<T, H, P, A>
     }
 
     /// Finds the states of links from the root outward, with or without joints whose points part.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn walk_outward<const N: usize, const PARTING: bool>(
         &self,
         root: &End<T, H>,

@@ -105,7 +105,7 @@ where
     M::Out: Copy,
 {
     type Out = Point<G, M::Out, C>;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn settle(self, side: Point<G, N, O>, measure: O::Measure<G::Scalar>) -> (Self::Out, Gain<G, C, O>) {
         let mut mass = self.mass + side.mass;
         let mut offset = self.offset + side.offset;
@@ -125,7 +125,7 @@ where
 
 impl<G: Geometry, C: Closures, O: Own> Settle<WrenchOf<G>, G::Scalar, Full<G, O>, C, O> for Full<G, Looped<C, O>> {
     type Out = Full<G, C>;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn settle(self, side: Full<G, O>, measure: O::Measure<G::Scalar>) -> (Full<G, C>, Gain<G, C, O>) {
         let mut linear = self.linear + side.linear;
         let mut coupling = self.coupling + side.coupling;

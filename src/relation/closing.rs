@@ -24,7 +24,7 @@ impl<G: Geometry> Close<G, Open> for Empty {
 }
 
 impl<G: Geometry, M: Copy, C: Solvable> Close<G, C> for Point<G, M, C> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn multipliers(&self, root: &AccelerationOf<G>) -> C::Each<G::Scalar> {
         let cuts = &self.cuts;
         let demand = C::zip(&cuts.columns, &cuts.gap, |w, gap| dot(w, root.linear) - gap);
@@ -37,7 +37,7 @@ impl<G: Geometry, M: Copy, C: Solvable> Close<G, C> for Point<G, M, C> {
 }
 
 impl<G: Geometry, C: Solvable> Close<G, C> for Full<G, C> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn multipliers(&self, root: &AccelerationOf<G>) -> C::Each<G::Scalar> {
         let cuts = &self.cuts;
         let demand = C::zip(&cuts.columns, &cuts.gap, |w, gap| w.work(root) - gap);

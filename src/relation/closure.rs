@@ -112,7 +112,7 @@ impl<const L: usize> Closures for Cut<L> {
     fn no_pairs<T: Scalar>() -> [[T; L]; L] {
         [[T::zero(); L]; L]
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn minus_outer<T: Scalar>(pairs: &[[T; L]; L], a: &[T; L], b: &[T; L]) -> [[T; L]; L] {
         core::array::from_fn(|i| {
             core::array::from_fn(|j| if j <= i { (-a[i]).mul_add(b[j], pairs[i][j]) } else { pairs[i][j] })
@@ -129,7 +129,7 @@ impl<const L: usize> Solvable for Cut<L> {
         let real = |x: T| x.real().as_f64();
         dependent_row(compliance.map(|row| row.map(real)), measure.map(real), least, T::Real::EPSILON.as_f64())
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn solve<T: Scalar>(compliance: &[[T; L]; L], b: &[T; L]) -> [T; L] {
         let (lower, inverse) = factor(compliance);
         let mut x = *b;
@@ -152,7 +152,7 @@ impl<const L: usize> Solvable for Cut<L> {
 
 /// L D Lᵀ of a symmetric positive definite matrix given by its lower triangle: L below the diagonal, where it is one (what stands on
 /// and above the diagonal is the matrix), and 1/D.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn factor<T: Scalar, const L: usize>(matrix: &[[T; L]; L]) -> ([[T; L]; L], [T; L]) {
     let mut lower = *matrix;
     let mut inverse = [T::zero(); L];
@@ -191,7 +191,7 @@ impl<V: Copy, T: Scalar, C: Closures> Cuts<V, T, C> {
     }
 
     /// Columns moved to another station: each turned, and the motion between the stations added to its gap by `gap`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn turned<X: Copy>(&self, column: impl FnMut(V) -> X, gap: impl FnMut(T, V) -> T) -> Cuts<X, T, C> {
         Cuts {
             columns: C::map(&self.columns, column),
@@ -209,7 +209,7 @@ impl<V: Copy, T: Scalar, C: Closures> Cuts<V, T, C> {
     /// The elimination of a coordinate with pivot `−1 / minus_inverse` whose acceleration would be `free` without closure forces.
     /// `share` reads a column's generalised force on the coordinate, `reduce` the column that stays, given −share / pivot.
     /// The second result is what the outward walk needs: acceleration = … + row · λ.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn eliminated<X: Copy>(
         &self,
         minus_inverse: T,

@@ -21,7 +21,7 @@ pub struct Full<G: Geometry, C: Closures = Open> {
 
 impl<G: Geometry> Full<G> {
     /// Nothing that has mass.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn massless() -> Self {
         Self {
             linear: G::Mass::null(),
@@ -43,7 +43,7 @@ impl<G: Geometry> Full<G> {
 
 impl<G: Geometry, C: Closures> Full<G, C> {
     /// Where the station has an angular acceleration besides that of the station that takes its place.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn turning(self, angular: G::Angular) -> Self {
         Self {
             force: G::coupled_onto(&self.coupling, angular, self.force),
@@ -63,7 +63,7 @@ impl<G: Geometry, C: Closures> Relation<G> for Full<G, C> {
         Self { linear: self.linear.plus_diagonal(mass), ..self }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn carried(self, d: G::Vector, centripetal: G::Vector) -> Self {
         let k = self.coupling;
         let coupling = G::levered_onto(self.linear, d, k);

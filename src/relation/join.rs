@@ -12,7 +12,7 @@ impl<A: Copy> Join<A> for Empty {
 
 impl<G: Geometry, C: Closures> Join<Full<G>> for Full<G, C> {
     type Out = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn join(self, arm: Full<G>) -> Self {
         Self {
             linear: self.linear + arm.linear,
@@ -27,7 +27,7 @@ impl<G: Geometry, C: Closures> Join<Full<G>> for Full<G, C> {
 
 impl<G: Geometry, M: Term<G::Angular>, C: Closures> Join<Point<G, M>> for Full<G, C> {
     type Out = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn join(self, arm: Point<G, M>) -> Self {
         Self {
             linear: self.linear + arm.mass,
@@ -48,7 +48,7 @@ impl<G: Geometry, M: Term<G::Angular>, C: Closures> Join<Full<G>> for Point<G, M
 
 impl<G: Geometry, M: Join<N>, N: Copy, C: Closures> Join<Point<G, N>> for Point<G, M, C> {
     type Out = Point<G, M::Out, C>;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn join(self, arm: Point<G, N>) -> Self::Out {
         Point {
             mass: self.mass + arm.mass,

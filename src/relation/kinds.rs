@@ -99,7 +99,7 @@ impl<G: Geometry, M: Term<G::Angular>, C: Closures> Relation<G> for Point<G, M, 
     fn with_mass(self, mass: G::Scalar) -> Self {
         Self { mass: self.mass.plus_diagonal(mass), ..self }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn carried(self, d: G::Vector, centripetal: G::Vector) -> Full<G, C> {
         let coupling = G::levered(self.mass, d);
         let angular = G::swung(d, &coupling);
@@ -125,7 +125,7 @@ impl<G: Geometry, M: Term<G::Angular>, C: Closures> Relation<G> for Point<G, M, 
 
 impl<G: Geometry, M: Term<G::Angular>, C: Closures> Point<G, M, C> {
     /// This relation in full.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn whole(self) -> Full<G, C> {
         Full {
             linear: self.mass,

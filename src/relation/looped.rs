@@ -29,7 +29,7 @@ impl<C: Closures, O: Closures> Closures for Looped<C, O> {
         let outer = C::map(&items.0, &mut make);
         (outer, O::map(&items.1, make))
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn zip<X: Copy, Y: Copy, Z: Copy>(
         items: &Self::Each<X>,
         others: &Self::Each<Y>,
@@ -129,7 +129,7 @@ impl<const L: usize> Own for Cut<L> {
         core::array::from_fn(|i| core::array::from_fn(|j| a[i][j] + b[i][j]))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn eliminate<V: Copy, T: Scalar, C: Closures>(
         cuts: Cuts<V, T, Looped<C, Self>>,
         measure: Absent,
@@ -168,7 +168,7 @@ impl<const L: usize> Own for Cut<L> {
         (Cuts { columns, compliance: pairs, gap }, gain)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn reduced<V: Copy, T: Scalar, C: Closures>(gain: &LoopGain<V, T, C, Self>, gap: &[T; L]) -> [T; L] {
         let mut gap = *gap;
         for k in 0..L {
@@ -179,7 +179,7 @@ impl<const L: usize> Own for Cut<L> {
         gap
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forces<V: Copy, T: Scalar, C: Closures>(
         gain: &LoopGain<V, T, C, Self>,
         work: impl Fn(V) -> T,
@@ -237,7 +237,7 @@ impl<V: Copy, T: Scalar, C: Closures, O: Own> LoopGain<V, T, C, O> {
 
     /// What the elimination makes of y more, of whatever else acts in the arms: y as it would have met it, and what that adds to y of the
     /// forces that ride on; `take(w, y/Λ)` takes w y/Λ from e.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn absorbed(&self, gap: &O::Each<T>, riding: C::Each<T>, take: impl FnMut(V, T)) -> (O::Each<T>, C::Each<T>) {
         let reduced = O::reduced(self, gap);
         let shares = O::zip(&reduced, &self.inverse, |gap, inverse| gap * inverse);
@@ -274,7 +274,7 @@ impl<V: Copy, T: Scalar, C: Closures, O: Own> LoopGain<V, T, C, O> {
 
 impl<V: Copy, T: Scalar, C: Closures> Cuts<V, T, C> {
     /// With the columns of a loop besides, at the station where it is cut: nothing yields there.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn around<O: Own>(self, columns: O::Each<V>) -> Cuts<V, T, Looped<C, O>> {
         Cuts {
             columns: (self.columns, columns),
@@ -286,7 +286,7 @@ impl<V: Copy, T: Scalar, C: Closures> Cuts<V, T, C> {
 
 impl<V: Copy, T: Scalar, C: Closures, O: Own> Cuts<V, T, Looped<C, O>> {
     /// Where both arms of a loop meet: what the other one says of the loop's forces is added.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn joined(self, side: &Cuts<V, T, O>, mut sum: impl FnMut(V, V) -> V) -> Self {
         let ((columns, own), (pairs, riding, lower), (gap, own_gap)) = (self.columns, self.compliance, self.gap);
         Self {

@@ -13,7 +13,7 @@ impl Own for Open {
     }
     #[inline(always)]
     fn plus_pairs<T: Scalar>((): &(), (): &()) {}
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn eliminate<V: Copy, T: Scalar, C: Closures>(
         cuts: Cuts<V, T, Looped<C, Self>>,
         measure: Absent,
@@ -26,7 +26,7 @@ impl Own for Open {
     }
     #[inline(always)]
     fn reduced<V: Copy, T: Scalar, C: Closures>(_: &LoopGain<V, T, C, Self>, (): &()) {}
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forces<V: Copy, T: Scalar, C: Closures>(
         _: &LoopGain<V, T, C, Self>,
         _: impl Fn(V) -> T,

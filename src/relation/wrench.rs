@@ -29,7 +29,7 @@ impl<V: Additive, A: Additive> Wrench<V, A> {
 
 impl<V: VectorSpace, A: Angular<V, Scalar = V::Scalar>> Wrench<V, A> {
     /// `self + factor · other`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn plus_scaled(self, factor: V::Scalar, other: Self) -> Self {
         Self {
             force: self.force.plus_scaled(factor, other.force),

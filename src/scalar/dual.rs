@@ -55,7 +55,7 @@ impl<T: Scalar + DualNum, const R: usize, const C: usize> Part<T> for Derivative
         Self(self.0.map(|entries| entries.map(|entry| Scalar::scale(entry, factor))))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn plus(self, part: Self, factor: T) -> Self {
         Self(match (self.0, part.0) {
             (sum, None) => sum,
@@ -69,7 +69,7 @@ impl<T: Scalar + DualNum, const R: usize, const C: usize> Part<T> for Derivative
         self.0.is_none_or(|entries| entries.iter().all(|entry| Scalar::is_finite(*entry)))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn is_identical(self, other: Self) -> bool {
         match (self.0, other.0) {
             (None, None) => true,
@@ -83,7 +83,7 @@ impl<T: Scalar + DualNum, const R: usize, const C: usize> Part<T> for Derivative
 /// are not used, and not computed once inlined.
 type Jet<T> = [T; 4];
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn recip<T: Scalar>(x: T) -> Jet<T> {
     let value = Scalar::recip(x);
     let first = -(value * value);
@@ -91,7 +91,7 @@ fn recip<T: Scalar>(x: T) -> Jet<T> {
     [value, first, second, Scalar::scale(second * value, Plain::<T>::of(-3.0))]
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn sqrt<T: Scalar>(x: T) -> Jet<T> {
     let value = Scalar::sqrt(x);
     let first = T::literal(0.5) / value;
@@ -118,7 +118,7 @@ fn ln<T: Scalar>(x: T) -> Jet<T> {
     [Scalar::ln(x), first, second, third]
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn tanh<T: Scalar>(x: T) -> Jet<T> {
     let value = Scalar::tanh(x);
     let first = (T::one() - value) * (T::one() + value);
@@ -163,7 +163,7 @@ macro_rules! dual_numbers {
         $($part:ident $(: |$x:ident, $y:ident| $product:expr, |$second:ident, $third:ident| $composed:expr)?;)*
     })*) => {$(
         impl<T: Scalar + DualNum $(, const $count: usize)*> Compose<T> for $dual {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn compose(self, jet: Jet<T>) -> Self {
                 let mut result = self;
                 result.re = jet[0];
@@ -203,7 +203,7 @@ macro_rules! dual_numbers {
                 Scalar::is_identical(self.re, other.re) $(&& Part::<T>::is_identical(self.$part, other.$part))*
             }
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn scale(self, factor: Plain<T>) -> Self {
                 let mut result = self;
                 result.re = Scalar::scale(self.re, factor);
@@ -211,7 +211,7 @@ macro_rules! dual_numbers {
                 result
             }
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
                 let mut result = addend;
                 result.re = Scalar::mul_add(self.re, factor.re, addend.re);
@@ -225,7 +225,7 @@ macro_rules! dual_numbers {
                 result
             }
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn add_scaled(self, factor: Plain<T>, term: Self) -> Self {
                 let mut result = self + Scalar::scale(term, factor);
                 result.re = Scalar::add_scaled(self.re, factor, term.re); // as of plain numbers, bit by bit
@@ -248,7 +248,7 @@ macro_rules! dual_numbers {
                 (self.compose(sine), self.compose(cosine))
             }
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn atan2(self, x: Self) -> Self {
                 // In axes turned to the point, it lies at a distance `along` and, rounding apart, 0 `across`. Its angle
                 // there is atan(across / along), whose derivatives at 0 are 1, 0 and -2.

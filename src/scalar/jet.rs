@@ -172,7 +172,7 @@ impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
         let (sine, cosine) = self.re.sin_cos();
         (self.compose(sine, cosine), self.compose(cosine, -sine))
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn atan2(self, x: Self) -> Self {
         // Divided by the larger coordinate first: neither very long nor very short vectors overflow.
         let length = if T::LANES {
@@ -215,7 +215,7 @@ impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
 }
 
 /// Columns of a sum that begins with a base, or with the columns as they are.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn combine_columns<T: Scalar, const K: usize, const N: usize>(
     sum: &mut [T; K],
     base: Option<&[T; K]>,
@@ -240,7 +240,7 @@ fn combine_columns<T: Scalar, const K: usize, const N: usize>(
     }
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn combine_block<T: Scalar, const W: usize, const N: usize>(
     sum: &mut [T; W],
     base: Option<&[T; W]>,
@@ -260,7 +260,7 @@ fn combine_block<T: Scalar, const W: usize, const N: usize>(
 ///
 /// Of 16, `from_fn` and `map` are calls: the compiler does not inline them, and copies arrays into them and out of them, which doubled the
 /// cost of a step. Kernels of their own that take references cost nearly as much. Up to 8 the loop is dearer in space, by a tenth.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn each<T: Scalar, const K: usize>(make: impl Fn(usize) -> T) -> [T; K] {
     if K <= 8 {
         return from_fn(make);

@@ -13,7 +13,7 @@ pub use wider::{WideF32x16, WideF64x8};
 macro_rules! quadrants {
     ($($lanes:ident: $wide:ident $bits:ident;)*) => {$(
         impl trig::Quadrant for $lanes {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn turn(self, sine: Self, negative_sine: Self, cosine: Self) -> (Self, Self) {
                 let bits = self.0.to_bits();
                 let odd = $wide::from_bits($bits::ZERO - (bits & $bits::ONE));
@@ -53,7 +53,7 @@ macro_rules! lanes {
                 Self::splat(value)
             }
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn real(self) -> $number {
                 let [first, others @ ..] = self.into_arr();
                 let mut largest = first;
@@ -81,7 +81,7 @@ macro_rules! lanes {
                 self * Self::splat(factor)
             }
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
                 // Where numbers are not fused lanes are not either.
                 if cfg!(feature = "reproducible") {

@@ -103,7 +103,7 @@ impl<T: Scalar, const N: usize> Scalar for Pack<T, N> {
     fn add_scaled(self, factor: T::Real, term: Self) -> Self {
         Self(from_fn(|k| self.0[k].add_scaled(factor, term.0[k])))
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         let first = self.first();
         if self.0.iter().all(|x| x.is_identical(first)) {

@@ -87,7 +87,7 @@ pub(super) trait Quadrant: Scalar<Real = f64> {
 }
 
 impl Quadrant for f64 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn turn(self, sine: f64, negative_sine: f64, cosine: f64) -> (f64, f64) {
         const SIGN: u64 = 1 << 63;
         // A selection costs one instruction where vectors can be blended. Plain x86-64 cannot, and is better off with
@@ -111,7 +111,7 @@ impl Quadrant for f64 {
 }
 
 /// Sine and cosine of an angle in rad, or of every lane.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn sin_cos<T: Quadrant>(angle: T) -> (T, T) {
     let number = T::constant;
     let rounded = angle.mul_add(number(FRAC_2_PI), number(ROUNDER));
@@ -130,7 +130,7 @@ pub(super) fn sin_cos<T: Quadrant>(angle: T) -> (T, T) {
 }
 
 /// Sine and cosine of an angle in rad.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn sin_cos_single(angle: f32) -> (f32, f32) {
     let angle = f64::from(angle);
     let rounded = Scalar::mul_add(angle, FRAC_2_PI, ROUNDER);
@@ -143,7 +143,7 @@ pub(super) fn sin_cos_single(angle: f32) -> (f32, f32) {
 }
 
 /// The polynomial with the given coefficients, lowest power first.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn polynomial<T: Scalar<Real = f64>, const N: usize>(coefficients: [f64; N], z: T) -> T {
     let mut sum = T::constant(coefficients[N - 1]);
     for coefficient in coefficients[..N - 1].iter().rev() {

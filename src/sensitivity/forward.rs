@@ -147,7 +147,7 @@ where
     }
 
     /// The walks.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn walk<N: Seeds>(
         &self,
         ground: &FrameOf<S>,

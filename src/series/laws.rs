@@ -47,7 +47,7 @@ impl<T: Scalar> Strain<T> {
     }
 
     /// Goes on to the next order, after an acceleration of the coordinate.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn follow(&mut self, order: &Order<T::Real>, acceleration: T, law: &impl AffineLaw<T>) {
         let [_, rate] = self.now;
         self.now = [rate.scale(order.once), acceleration.scale(order.once)];

@@ -187,7 +187,7 @@ macro_rules! leaf {
             fn store<Stored: $crate::shape::Field<$S>>(&self, fill: Stored::Fill) -> Stored::$In<Self> {
                 Stored::$in(self, fill)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn outward<Walk: $crate::shape::Outward<$S>>(
                 &self,
                 walk: &mut Walk,
@@ -196,7 +196,7 @@ macro_rules! leaf {
             ) -> Walk::Carried {
                 walk.$meet(self, carried, <Walk::Stores as $crate::shape::Slot<$S>>::$meet::<Self>(stores))
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn inward<Walk: $crate::shape::Inward<$S>>(
                 &self,
                 walk: &mut Walk,

@@ -40,7 +40,7 @@ macro_rules! alike_in_arms {
         const OUTWARD: bool = true;
         type In<Y: $crate::shape::Way> = Self;
 
-        #[cfg_attr(not(debug_assertions), inline(always))]
+        #[cfg_attr(optimised, inline(always))]
         fn branch(
             &mut self,
             carried: Self::Carried,
@@ -92,7 +92,7 @@ pub trait Takes<S: Space, W: Walk<S>>: Shape<S> {
 }
 
 /// Items one after the other.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn take_items<S: Space, W: Selective<S>, E: Items<S>>(
     items: &[E::Item],
     walk: &mut W,

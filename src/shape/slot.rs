@@ -89,7 +89,7 @@ macro_rules! slot {
             fn joint<'a, J: AsJoint<S>>(store: Self::Of<'a, J>) -> Self::InJoint<'a, J> {
                 J::$entry::<F>(store)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn member<'a, E: Shape<S>, P: Member<S, E> + Copy>(
                 store: &'a mut Self::Of<'_, E>,
                 _: P,
@@ -112,7 +112,7 @@ macro_rules! slot {
             fn arm<'a, E: Aside<S>>(store: Self::Of<'a, E>) -> <Self::In<Arm> as Slot<S>>::Of<'a, E::Arm> {
                 E::$arm::<F>(store)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn fork<'a, N: Parallel<S>>(
                 store: Self::Of<'a, N>,
             ) -> (InMain<'a, S, Self, N>, InSide<'a, S, Self, N>, AtClosing<'a, S, Self, N>) {
@@ -145,7 +145,7 @@ macro_rules! slots {
             fn joint<'a, J: AsJoint<S>>(_stores: Self::Of<'a, J>) -> Self::InJoint<'a, J> {
                 ($($X::joint::<J>(_stores.$i),)*)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn member<'a, E: Shape<S>, P: Member<S, E> + Copy>(
                 _stores: &'a mut Self::Of<'_, E>,
                 _member: P,
@@ -168,7 +168,7 @@ macro_rules! slots {
             fn arm<'a, E: Aside<S>>(_stores: Self::Of<'a, E>) -> <Self::In<Arm> as Slot<S>>::Of<'a, E::Arm> {
                 ($($X::arm::<E>(_stores.$i),)*)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn fork<'a, N: Parallel<S>>(
                 _stores: Self::Of<'a, N>,
             ) -> (InMain<'a, S, Self, N>, InSide<'a, S, Self, N>, AtClosing<'a, S, Self, N>) {

@@ -62,7 +62,7 @@ pub trait Outward<S: Space>: Walk<S> {
     }
 
     /// Meets the items of an array or vector.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn items<A: Shape<S>>(
         &mut self,
         items: &[A],
@@ -73,7 +73,7 @@ pub trait Outward<S: Space>: Walk<S> {
     }
 
     /// Meets arms in parallel.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn parallel<N: Parallel<S>>(
         &mut self,
         net: &N,
@@ -85,7 +85,7 @@ pub trait Outward<S: Space>: Walk<S> {
 }
 
 /// Items one after the other. There are as many in each store, which one comparison makes known to the loop.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn items_outward<S: Space, W: Outward<S>, A: Shape<S>>(
     walk: &mut W,
     items: &[A],
@@ -104,7 +104,7 @@ pub fn items_outward<S: Space, W: Outward<S>, A: Shape<S>>(
 }
 
 /// The main arm, the side arm, the joint that closes their loop.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn parallel_outward<S: Space, W: Outward<S>, N: Parallel<S>>(
     walk: &mut W,
     net: &N,
@@ -119,7 +119,7 @@ pub fn parallel_outward<S: Space, W: Outward<S>, N: Parallel<S>>(
 }
 
 /// An arm that leaves the chain, which goes on from where the arm began.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn arm_outward<S: Space, W: Outward<S>, E: Aside<S>>(
     walk: &mut W,
     arm: &E::Arm,
@@ -161,7 +161,7 @@ pub trait Inward<S: Space>: Walk<S> {
     ) -> [Self::Carried; 2];
 
     /// Meets the items of an array or vector.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn items<A: Shape<S>>(
         &mut self,
         items: &[A],
@@ -179,7 +179,7 @@ pub trait Inward<S: Space>: Walk<S> {
     }
 
     /// Meets arms in parallel: the joint that closes their loop, the side arm, the main arm.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn parallel<N: Parallel<S>>(
         &mut self,
         net: &N,
@@ -197,7 +197,7 @@ pub trait Inward<S: Space>: Walk<S> {
 }
 
 /// An arm that leaves the chain, with what comes from its tip and from the chain.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn arm_inward<S: Space, W: Inward<S>, E: Aside<S>>(
     walk: &mut W,
     arm: &E::Arm,

@@ -193,7 +193,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for LoadPass<'_, S, L> {
     type OnBody = L::OnBody;
     type InJoint = L::InJoint;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn body(&mut self, motion: &S::BodyMotion) -> L::OnBody {
         let load = self.loads.on_body(&self.seen, self.time, self.body, motion);
         self.body += 1;
@@ -204,7 +204,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for LoadPass<'_, S, L> {
         let load = self.body(motion);
         if const { B::OWN_AXES } { load.in_own_axes(motion) } else { load }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn joint(&mut self, motion: &S::JointMotion) -> L::InJoint {
         let torque = self.loads.in_joint(self.time, self.joint, motion);
         self.joint += 1;

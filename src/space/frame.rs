@@ -42,7 +42,7 @@ impl<V: Additive, A: Additive, O: Orientation<A>> Frame<V, A, O> {
 
 impl<V: VectorSpace, A: Angular<V>, O: Orientation<A>> Frame<V, A, O> {
     /// The frame at another point of the same body, at the vector `d` (inertial axes) from this one.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn shifted(&self, d: V) -> Self {
         let spin = self.turn.spin();
         Self {

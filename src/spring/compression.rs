@@ -13,7 +13,7 @@ pub(crate) struct Compression<T> {
 
 impl<T: Scalar> Compression<T> {
     /// Of what is pressed in by some way, which is negative where nothing touches.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn of(way: T, depth: T) -> Self {
         let over = above(way);
         let deeper = above(over - depth);
@@ -21,7 +21,7 @@ impl<T: Scalar> Compression<T> {
     }
 
     /// Force of a stiffness of one.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn force(self) -> T {
         let Self { share, deeper, depth } = self;
         let cubed = share * share * share;

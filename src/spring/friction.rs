@@ -50,7 +50,7 @@ impl<T: Scalar> DryFriction<T> {
 }
 
 impl<T: Scalar, B: Coefficient<T>> SpringLaw<T> for DryFriction<T, B> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn force(&self, _: T, rate: T) -> T {
         let ratio = rate / self.speed;
         let w = ratio.scale(T::Real::of(0.25));
@@ -60,7 +60,7 @@ impl<T: Scalar, B: Coefficient<T>> SpringLaw<T> for DryFriction<T, B> {
     fn energy(&self, _: T) -> T {
         T::zero()
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pivot(&self, _: T, rate: T, springs: impl Springs<T>) -> T {
         let ratio = rate / self.speed;
         let tanh = ratio.tanh();

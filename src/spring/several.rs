@@ -11,7 +11,7 @@ macro_rules! laws {
         impl<T: Scalar, $($Law: SpringLaw<T>),*> SpringLaw<T> for ($($Law,)*) {
             const LINEAR: bool = true $(&& $Law::LINEAR)*;
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn force(&self, position: T, rate: T) -> T {
                 let mut sum = T::zero();
                 $(sum = self.$i.force(position, rate) + sum;)*
@@ -22,7 +22,7 @@ macro_rules! laws {
                 $(sum = self.$i.energy(position) + sum;)*
                 sum
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn pivot(&self, position: T, rate: T, springs: impl Springs<T>) -> T {
                 let mut sum = T::zero();
                 $(sum = self.$i.pivot(position, rate, springs) + sum;)*

@@ -62,7 +62,7 @@ impl<T: Scalar, C> Stops<T, C> {
 }
 
 impl<T: Scalar, C: Coefficient<T>> SpringLaw<T> for Stops<T, C> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn force(&self, position: T, rate: T) -> T {
         let (side, pressed) = self.beyond(position);
         let push = above(self.damping.times_onto(side * rate, T::one()));
@@ -71,7 +71,7 @@ impl<T: Scalar, C: Coefficient<T>> SpringLaw<T> for Stops<T, C> {
     fn energy(&self, position: T) -> T {
         self.stiffness * self.beyond(position).1.energy()
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pivot(&self, position: T, rate: T, springs: impl Springs<T>) -> T {
         let (side, pressed) = self.beyond(position);
         let push = above(self.damping.times_onto(side * rate, T::one()));

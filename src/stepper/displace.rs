@@ -27,7 +27,7 @@ pub(crate) fn gather<T: Scalar, R: Rate<T>>(sum: &mut R, base: &R, scale: T::Rea
 
 /// `sum = Σ weights[j] · slopes[j]`, as by [`gather`] from zero on, for scenes of few coordinates: in one pass, in registers. Where a
 /// compiler knows the weights, which it does in code without loops alone, those that are zero cost nothing.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn gather_few<T: Scalar, R: Rate<T>>(sum: &mut R, zero: &R, weights: &[f64], slopes: &[R]) {
     let mut all = zero.clone();
     macro_rules! terms {

@@ -78,7 +78,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         && !<D::Scalar as Scalar>::LARGE;
 
     /// Positions and rates of a row.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn displace(
         row: usize,
         past: &MotionIn<D, L>,
@@ -101,7 +101,7 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
 
     /// Evaluates a row that is not the step itself: its accelerations become slopes.
     // Inlined, so that the compiler knows the weights, where it optimises at all.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn evaluate(&mut self, row: usize, past: &MotionIn<D, L>, loads: &L) {
         let dt = self.size;
         let (position, rate) = &mut self.stage;

@@ -31,7 +31,7 @@ impl<T: Scalar> Corrections<T> {
     }
 
     /// Whether a correction was the last one: where the next would be shorter by far, or where rounding moves it to and fro.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn end(&mut self, correction: &impl Rate<T>, enough: bool) -> bool {
         let mut length = T::Real::zero();
         correction.visit(&mut |x| {

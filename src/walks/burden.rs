@@ -31,7 +31,7 @@ impl<S: Reversed, C: Closures> Selective<S> for Burden<S::Scalar, C> {
     const OUTWARD: bool = false;
     type In<Y: Way> = Burden<S::Scalar, Y::Forces<C>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn branch(
         &mut self,
         chain: WrenchOf<S>,

@@ -5,7 +5,7 @@ use crate::space::{FrameOf, Space};
 
 /// Tells each joint that asks for it ([`Joint::FLANGED`]) how its body is turned, by a walk with complete kinematics: poses in axes of bodies carry no
 /// attitudes. Chains without such a joint have none of it.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn faced<S: Space, E: Shape<S>>(
     chain: &E,
     ground: FrameOf<S>,

@@ -46,7 +46,7 @@ impl<S: Reversed, C: Closures, By: Springs<S::Scalar>> Selective<S> for Factor<C
     const LAST_APART: bool = true;
     type In<Y: Way> = Factor<Y::Forces<C>, By>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn branch(
         &mut self,
         chain: Outboard<S, C>,
@@ -63,7 +63,7 @@ where
     K: ReversibleClosing<S>,
     By: Springs<S::Scalar>,
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn around(
         &mut self,
         closing: &K,

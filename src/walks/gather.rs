@@ -7,7 +7,7 @@ use crate::space::Space;
 use crate::visit::Gather;
 
 /// Walks the entries of bodies and joints from tip to root, with what comes from the outboard side.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn gather<S: Space, E: Shape<S>, G: Gather>(
     chain: &E,
     bodies: &mut E::Store<PerBody<G::Entry>>,

@@ -28,7 +28,7 @@ impl<S: Space> Outward<S> for Look {
     fn body<B: Body<S>>(&mut self, body: &B, frame: FrameOf<S>, _: AtBody<'_, S, Self, B>) -> FrameOf<S> {
         body.motion(frame).1
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn joint<J: Joint<S>>(
         &mut self,
         joint: &J,

@@ -34,7 +34,7 @@ impl<T: Scalar, C: Closures> Meet<T, C> {
     }
 
     /// What goes on inward where both arms of a loop begin, and by what its ends part, also as the elimination of its forces meets it.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn settle<S: Reversed<Scalar = T>, O: Own>(
         &mut self,
         gain: &LoopGain<WrenchOf<S>, T, C, O>,
@@ -73,7 +73,7 @@ impl<S: Reversed, C: Closures> Selective<S> for Meet<S::Scalar, C> {
     const OUTWARD: bool = false;
     type In<Y: Way> = Meet<S::Scalar, Y::Forces<C>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn branch(
         &mut self,
         chain: WrenchOf<S>,
@@ -84,7 +84,7 @@ impl<S: Reversed, C: Closures> Selective<S> for Meet<S::Scalar, C> {
 }
 
 impl<S: Reversed, C: Closures, K: ReversibleClosing<S>> Around<S, K> for Meet<S::Scalar, C> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn around(
         &mut self,
         _: &K,

@@ -18,7 +18,7 @@ impl<S: Reversed> Selective<S> for Orient {
 }
 
 impl<S: Reversed, K: ReversibleClosing<S>> Around<S, K> for Orient {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn around(
         &mut self,
         closing: &K,

@@ -31,7 +31,7 @@ impl<S: Reversed, C: Closures> Selective<S> for Reach<S::Scalar, C> {
     const OUTWARD: bool = true;
     type In<Y: Way> = Reach<S::Scalar, Y::Forces<C>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn branch(
         &mut self,
         carried: AccelerationOf<S>,
@@ -43,7 +43,7 @@ impl<S: Reversed, C: Closures> Selective<S> for Reach<S::Scalar, C> {
 }
 
 impl<S: Reversed, C: Closures, K: ReversibleClosing<S>> Around<S, K> for Reach<S::Scalar, C> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn around(
         &mut self,
         closing: &K,

@@ -12,7 +12,7 @@ use core::marker::PhantomData;
 use num_traits::Zero;
 
 /// Recovers the accelerations of joint coordinates from that of the inboard station, after a sweep in which springs entered by `By`.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn recover<S: Space, E: Shape<S>, C: Closures, By: Springs<S::Scalar>>(
     chain: &E,
     acceleration: AccelerationOf<S>,
@@ -52,7 +52,7 @@ impl<S: Space, C: Closures, By: Springs<S::Scalar>> Outward<S> for Recover<S, C,
     fn enter<Y: Way, X>(&mut self, go: impl FnOnce(&mut Self::In<Y>) -> X) -> X {
         go(&mut Recover::by(Y::Forces::<C>::each(|_| S::Scalar::zero())))
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn body<B: Body<S>>(
         &mut self,
         body: &B,
@@ -61,7 +61,7 @@ impl<S: Space, C: Closures, By: Springs<S::Scalar>> Outward<S> for Recover<S, C,
     ) -> AccelerationOf<S> {
         body.shifted(acceleration, (x, y, p, q))
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn joint<J: Joint<S>>(
         &mut self,
         joint: &J,
@@ -70,7 +70,7 @@ impl<S: Space, C: Closures, By: Springs<S::Scalar>> Outward<S> for Recover<S, C,
     ) -> AccelerationOf<S> {
         joint.recover::<C, By>(acceleration, (x, y, p, q), kept, &self.multipliers, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn parallel<N: Parallel<S>>(
         &mut self,
         net: &N,

@@ -10,7 +10,7 @@ use num_traits::Zero;
 
 /// What joint coordinates do where only closure forces act: [`recover`](super::recover::recover) through the same gains without
 /// velocities, loads and springs. It serves corrections of positions and rates as well as accelerations.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn respond<S: Space, E: Shape<S>, C: Closures>(
     chain: &E,
     acceleration: AccelerationOf<S>,
@@ -42,7 +42,7 @@ impl<S: Space, C: Closures> Outward<S> for Respond<S, C> {
     fn enter<Y: Way, X>(&mut self, go: impl FnOnce(&mut Self::In<Y>) -> X) -> X {
         go(&mut Respond { multipliers: Y::Forces::<C>::each(|_| S::Scalar::zero()) })
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn body<B: Body<S>>(
         &mut self,
         body: &B,
@@ -51,7 +51,7 @@ impl<S: Space, C: Closures> Outward<S> for Respond<S, C> {
     ) -> AccelerationOf<S> {
         body.swung(acceleration, (x, y, p, q))
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn joint<J: Joint<S>>(
         &mut self,
         joint: &J,
@@ -60,7 +60,7 @@ impl<S: Space, C: Closures> Outward<S> for Respond<S, C> {
     ) -> AccelerationOf<S> {
         joint.respond::<C>(acceleration, (x, y, p, q), kept, &self.multipliers, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn parallel<N: Parallel<S>>(
         &mut self,
         net: &N,

@@ -65,7 +65,7 @@ impl<S: Expandable, C: Closures, const N: usize> Selective<S> for Articulate<S, 
     const OUTWARD: bool = false;
     type In<Y: Way> = Articulate<S, N, Y::Forces<C>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn branch(
         &mut self,
         chain: S::Articulated,
@@ -85,7 +85,7 @@ impl<S: Expandable, Q: Part, C: Closures, const N: usize> Selective<S> for Push<
     const OUTWARD: bool = false;
     type In<Y: Way> = Push<S, Q, N, Y::Forces<C>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn branch(
         &mut self,
         chain: WrenchOf<S>,
@@ -105,7 +105,7 @@ impl<S: Expandable, C: Closures, const N: usize> Selective<S> for Swing<S, N, C>
     const OUTWARD: bool = true;
     type In<Y: Way> = Swing<S, N, Y::Forces<C>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn branch(
         &mut self,
         carried: AccelerationOf<S>,

@@ -10,7 +10,7 @@ const ROOM: usize = 64;
 
 /// Stores sine and cosine of each angle that a joint asks for ([`Joint::SINES`]): where the type of the chain says how many there are, in
 /// one loop, which vectorises.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn sines<S: Space, E: Shape<S>>(chain: &E, positions: &E::Store<Positions>, x: &mut E::Store<PerAxes<S::X>>) {
     if const { E::SINES == 0 } {
         return;
@@ -43,7 +43,7 @@ impl<S: Space> Outward<S> for Each {
 
     #[inline(always)]
     fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn joint<J: Joint<S>>(&mut self, joint: &J, (): (), (position, x): AtJoint<'_, S, Self, J>) {
         if const { J::SINES > 0 } {
             let (sine, cosine) = joint.angle(position).sin_cos();
@@ -68,7 +68,7 @@ impl<S: Space> Outward<S> for Gather<'_, S::Scalar> {
 
     #[inline(always)]
     fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn joint<J: Joint<S>>(&mut self, joint: &J, (): (), (position,): AtJoint<'_, S, Self, J>) {
         if const { J::SINES > 0 } {
             if let Some(angle) = self.angles.get_mut(self.next) {
@@ -95,7 +95,7 @@ impl<S: Space> Outward<S> for Spread<'_, S::Scalar> {
 
     #[inline(always)]
     fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn joint<J: Joint<S>>(&mut self, joint: &J, (): (), (x,): AtJoint<'_, S, Self, J>) {
         if const { J::SINES > 0 } {
             let [sines, cosines] = self.list;

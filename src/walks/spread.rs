@@ -14,7 +14,7 @@ pub fn to_bodies<S: Space, E: Shape<S>, X: Copy + 'static>(chain: &E, values: &[
 }
 
 /// Copies values, one for each joint, root to tip, to the entries of joints.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn to_joints<S: Space, E: Shape<S>, X: Copy + 'static>(
     chain: &E,
     values: &[X],
@@ -24,7 +24,7 @@ pub fn to_joints<S: Space, E: Shape<S>, X: Copy + 'static>(
 }
 
 /// Copies values, one for each joint of one coordinate, root to tip, to the entries of those.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn to_coordinates<S: Space, E: Shape<S>, X: Copy + 'static>(
     chain: &E,
     values: &[X],
@@ -40,7 +40,7 @@ fn exactly<X>(values: &[X], count: Option<usize>) -> &[X] {
 }
 
 /// Copies the first value, and goes on with the others.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn take_first<X: Copy>(values: &mut &[X], entry: &mut X) {
     if let Some((first, others)) = values.split_first() {
         (*entry, *values) = (*first, others);
@@ -59,7 +59,7 @@ struct Coordinates<'v, X>(&'v [X]);
 /// Items in equal shares, whose loop vectorises, where each of them has as many.
 macro_rules! in_shares {
     ($Walk:ident, $COUNT:ident) => {
-        #[cfg_attr(not(debug_assertions), inline(always))]
+        #[cfg_attr(optimised, inline(always))]
         fn items<A: Shape<S>>(&mut self, items: &[A], (): (), (entries,): Slices<'_, S, Self, A>) {
             match const { A::$COUNT } {
                 Some(0) => (),
@@ -125,7 +125,7 @@ impl<S: Space, X: Copy + 'static> Outward<S> for Coordinates<'_, X> {
 
     #[inline(always)]
     fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn joint<J: Joint<S>>(&mut self, _: &J, (): (), (joint,): AtJoint<'_, S, Self, J>) {
         if const { <J::Rate as Rate<S::Scalar>>::LENGTH == 1 } {
             take_first(&mut self.0, joint);

@@ -33,7 +33,7 @@ impl<S: Reversed, C: Closures> Selective<S> for Stir<S::Scalar, C> {
     const OUTWARD: bool = true;
     type In<Y: Way> = Stir<S::Scalar, Y::Forces<C>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn branch(
         &mut self,
         carried: S::Stirred,
@@ -45,7 +45,7 @@ impl<S: Reversed, C: Closures> Selective<S> for Stir<S::Scalar, C> {
 }
 
 impl<S: Reversed, C: Closures, K: ReversibleClosing<S>> Around<S, K> for Stir<S::Scalar, C> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn around(
         &mut self,
         closing: &K,

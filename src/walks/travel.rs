@@ -13,7 +13,7 @@ use crate::visit::{Closed, Visit, Watch};
 
 /// Walks outward with complete kinematics and lets a visitor (or a reference to one) write an entry for each body and joint; gives the
 /// frame of the tip.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn travel<S: Space, E: Shape<S>, V: Visit<S>>(
     chain: &E,
     frame: FrameOf<S>,
@@ -75,14 +75,14 @@ impl<S: Space, V: Visit<S>> Walk<S> for Travel<V> {
 impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
     type In<Y: Way> = Self;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn enter<Y: Way, X>(&mut self, go: impl FnOnce(&mut Self) -> X) -> X {
         self.0.enter_arm();
         let out = go(self);
         self.0.leave_arm();
         out
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn body<B: Body<S>>(
         &mut self,
         body: &B,
@@ -93,7 +93,7 @@ impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
         *on_body = self.0.body_with::<B>(&motion);
         outboard
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn joint<J: Joint<S>>(
         &mut self,
         joint: &J,
@@ -118,7 +118,7 @@ impl<S: Space, V: Visit<S>> Outward<S> for Travel<V> {
         });
     }
     /// The side arm, with the joint that closes the loop, is an arm to the visitor; the main one is the chain.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn parallel<N: Parallel<S>>(&mut self, net: &N, frame: FrameOf<S>, stores: Of<'_, S, Self, N>) -> FrameOf<S> {
         let (main, side, closing) = <Self as Walk<S>>::Stores::fork::<N>(stores);
         let main = net.main_arm().outward(self, frame, main);

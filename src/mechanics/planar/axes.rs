@@ -85,7 +85,7 @@ impl Axes for Inboard {
     fn per<X: Copy>(fill: X) -> [X; 2] {
         [fill; 2]
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn resolve<T: Scalar>(x: &mut [T; 2], y: &mut [T; 2], p: &mut [T; 2], q: &mut [T; 2]) {
         let (sine, cosine) = x[0].sin_cos();
         let direction = Vector2::new(cosine, sine);
@@ -97,7 +97,7 @@ impl Axes for Inboard {
         p[1] = minus_spin2.mul_add(arm.x, -(twice * rate.y));
         q[1] = minus_spin2.mul_add(arm.y, twice * rate.x);
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn offset<T: Scalar>(x: &[T; 2], y: &[T; 2], p: &[T; 2], q: &[T; 2]) -> Offset<T> {
         Offset {
             direction: Vector2::new(x[0], y[0]),
@@ -113,7 +113,7 @@ impl Axes for Inboard {
 
 impl Inboard {
     /// Stores a displacement and its rate along axes in the direction of a turn.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn keep<T: Scalar>(
         turn: Turn<T>,
         [place, rate]: [[T; 2]; 2],

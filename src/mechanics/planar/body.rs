@@ -117,7 +117,7 @@ pub struct Pose<T> {
 
 impl<T: Scalar> Pose<T> {
     /// The pose of a straight link of a length (m) along the body's x axis: its arm d and the centripetal acceleration −ω² d.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn of_link(length: T, angle: T, minus_spin2: T) -> Self {
         let (sine, cosine) = angle.sin_cos();
         let (x, y) = (length * cosine, length * sine);
@@ -137,7 +137,7 @@ impl<T: Scalar> Pose<T> {
 }
 
 /// The motion of a body whose inboard end moves with `inboard`.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn body_motion<T: Scalar, B: Body<T>>(body: &B, inboard: Frame<T>) -> BodyMotion<T> {
     let (sine, cosine) = inboard.turn.angle.sin_cos();
     let inertia = body.inertia();
@@ -196,7 +196,7 @@ macro_rules! body {
             fn lump(&mut self, mass: T) -> T {
                 Body::lump(self, mass)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn orient(
                 &self,
                 _: &(),
@@ -211,7 +211,7 @@ macro_rules! body {
                 *y = turn.rate;
                 turn
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn resolve(size: &T, x: &mut T, y: &mut T, p: &mut T, q: &mut T) {
                 // The square is left to this pass, which goes many bodies at a time where rates add up along the chain.
                 let pose = <Self as Body<T>>::pose(*size, *x, -(*y * *y));
@@ -230,7 +230,7 @@ macro_rules! body {
         {
             type Out = Full<T, R::Closures>;
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn condense(
                 &self,
                 outer: R,

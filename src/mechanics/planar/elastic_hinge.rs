@@ -105,7 +105,7 @@ pub trait HingeRule<T: Scalar>: Springs<T> {
 impl<T: Scalar> HingeRule<T> for Explicit {
     type Out<C: Closures> = Point<T, Minus<T>, C>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn hinge<C: Closures>(self, torque: T, _: T, outer: Full<T, C>, kept: &mut RelativeGain<T, C>) -> Self::Out<C> {
         let (relation, gain) = outer.pinned(Minus(-torque));
         kept.absolute(gain);
@@ -116,7 +116,7 @@ impl<T: Scalar> HingeRule<T> for Explicit {
 impl<T: Scalar> HingeRule<T> for Implicit<T::Real> {
     type Out<C: Closures> = Full<T, C>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn hinge<C: Closures>(self, torque: T, pivot: T, outer: Full<T, C>, kept: &mut RelativeGain<T, C>) -> Full<T, C> {
         let (relation, gain) = outer.hinged(torque, pivot);
         *kept = gain;
@@ -158,7 +158,7 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
     fn turned(&self, position: &T, rate: &T, inboard: Turn<T>) -> Turn<T> {
         Turn { angle: inboard.angle + *position, rate: inboard.rate + *rate }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn moved(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> Frame<T> {
         let angular = inboard.acceleration.angular + *acceleration;
         Frame {
@@ -177,7 +177,7 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
     fn release(&self, _: &JointMotion<T>, position: &T, rate: &T) -> Release<Planar<T>> {
         release::rotary(self, [*position, *rate])
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -189,7 +189,7 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
         *rate = kept.relative(inboard.linear, inboard.angular, multipliers);
         Acceleration { angular: inboard.angular + *rate, ..inboard }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered_after<C: Closures, By: Springs<T>>(
         &self,
         inboard: Acceleration<T>,
@@ -215,7 +215,7 @@ where
 {
     type Out = <W::Springs as HingeRule<T>>::Out<W::Closures>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

@@ -43,7 +43,7 @@ pub type Frame<T> = space::Frame<Vector2<T>, T, Turn<T>>;
 impl<T: Scalar> Frame<T> {
     /// The frame of a point that moves relative to the body: its displacement from here, the rate and the acceleration of that
     /// as seen from the body (m, m/s, m/s²; inertial axes).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn displaced(&self, [d, rate, acceleration]: [Vector2<T>; 3]) -> Self {
         let frame = self.shifted(d);
         let spin = self.turn.rate;

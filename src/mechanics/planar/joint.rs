@@ -70,7 +70,7 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     fn turned(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> Turn<T>;
 
     /// The orientation of the outboard body, and what the joint stores of the place of its outboard side.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     #[allow(clippy::too_many_arguments)] // one store each
     fn orient(
         &self,
@@ -121,7 +121,7 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     }
 
     /// Remembers for the next sweep what the joint needs of the inboard side's acceleration.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn note<C: Closures>(
         &self,
         _inboard: Acceleration<T>,
@@ -142,7 +142,7 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
 
     /// The accelerations as [`recovered`](Self::recovered) finds them, after a sweep in which springs entered by `By`: for a joint
     /// that can do with less then.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered_after<C: Closures, By: Springs<T>>(
         &self,
         inboard: Acceleration<T>,
@@ -156,7 +156,7 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
 }
 
 /// What the walks read of the outboard side of a joint.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn offset<T: Scalar, J>(posture: Posture<'_, Planar<T>, J>) -> <<J as Joint<T>>::Axes as Axes>::Offset<T>
 where
     J: Joint<T> + Shape<Planar<T>, Store<PerAxes<T>> = <<J as Joint<T>>::Axes as Axes>::Per<T>>,
@@ -195,7 +195,7 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
     ) -> Turn<T> {
         Joint::configure(self, position, inboard, next)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recover<C: Closures, By: Springs<T>>(
         &self,
         inboard: Acceleration<T>,
@@ -209,7 +209,7 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
         self.note::<C>(inboard, offset, kept);
         self.recovered_after::<C, By>(inboard, offset, kept, multipliers, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn respond<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -222,7 +222,7 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
         let offset = J::Axes::at_rest::<T>(J::Axes::offset(x, y, p, q));
         self.recovered::<C>(inboard, offset, &J::homogeneous::<C>(kept), multipliers, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn motion(
         &self,
         inboard: Frame<T>,
@@ -238,7 +238,7 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
         let (spring, [slide, sliding]) = (self.spring(position, rate), self.slid(position, rate));
         (JointMotion { inboard, outboard, arm, spring, turns: J::TURNS, slide, sliding, inertia: T::zero() }, outboard)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn release(
         &self,
         motion: &JointMotion<T>,
@@ -270,7 +270,7 @@ macro_rules! joint {
             fn turned(&self, position: &Self::Position, rate: &Self::Rate, turn: Turn<T>) -> Turn<T> {
                 Joint::turned(self, position, rate, turn)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn orient(
                 &self,
                 position: &Self::Position,
@@ -283,7 +283,7 @@ macro_rules! joint {
             ) -> Turn<T> {
                 Joint::orient(self, position, rate, turn, x, y, p, q)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn resolve(
                 _: &<<Self as Joint<T>>::Axes as Axes>::Per<T>,
                 x: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,

@@ -35,7 +35,7 @@ macro_rules! kinematics {
             fn turned(&self, position: &T, rate: &T, inboard: Turn<T>) -> Turn<T> {
                 Joint::turned(self, position, rate, inboard)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn orient(
                 &self,
                 position: &T,
@@ -48,7 +48,7 @@ macro_rules! kinematics {
             ) -> Turn<T> {
                 Joint::orient(self, position, rate, inboard, x, y, p, q)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn resolve(
                 x: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
                 y: &mut <<Self as Joint<T>>::Axes as Axes>::Per<T>,
@@ -57,7 +57,7 @@ macro_rules! kinematics {
             ) {
                 <Self as Joint<T>>::Axes::resolve::<T>(x, y, p, q);
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn eliminate<C: Closures>(
                 &self,
                 outer: Full<T, C>,
@@ -69,7 +69,7 @@ macro_rules! kinematics {
                 let offset = <Self as Joint<T>>::Axes::offset::<T>(x, y, p, q);
                 $eliminate(self, outer, offset, force, resistance, kept)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn drive<C: Closures>(
                 &self,
                 outer: Full<T, C>,

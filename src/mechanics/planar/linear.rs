@@ -67,7 +67,7 @@ impl<T: Scalar, R, X, Y> ElasticHinge<R, Linear<T, X, Y>> {
 
 impl<T: Scalar, X, Y, A> Linear<T, X, Y, A> {
     /// Forces along the axes.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn forces(&self, position: [T; 2], rate: [T; 2]) -> [T; 2]
     where
         X: SpringLaw<T>,
@@ -117,7 +117,7 @@ impl HingeAxes for Inboard {
     const LEVER: bool = true;
     const SWINGS: bool = true;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn store<T: Scalar>(
         inboard: Turn<T>,
         moved: [[T; 2]; 2],
@@ -164,7 +164,7 @@ impl HingeAxes for Inboard {
 }
 
 /// The frame of a point at a displacement from another one, whatever turns there.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn translated<T: Scalar>(inboard: Frame<T>, [d, rate, acceleration]: [Vector2<T>; 3]) -> Frame<T> {
     let linear = inboard.acceleration.linear + acceleration;
     Frame {

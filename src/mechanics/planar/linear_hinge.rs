@@ -32,7 +32,7 @@ pub trait Rotation<T: Scalar, K: Springs<T>>: SpringLaw<T> {
 impl<T: Scalar, K: HingeRule<T>, D: Coefficient<T>, P: Term<T>> Rotation<T, K> for Spring<T, D, P> {
     type Out<C: Closures> = K::Out<C>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn turn<C: Closures>(
         &self,
         springs: K,
@@ -48,7 +48,7 @@ impl<T: Scalar, K: HingeRule<T>, D: Coefficient<T>, P: Term<T>> Rotation<T, K> f
 impl<T: Scalar, K: HingeRule<T>, L: SpringLaw<T>> Rotation<T, K> for Custom<L> {
     type Out<C: Closures> = K::Out<C>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn turn<C: Closures>(
         &self,
         springs: K,
@@ -64,7 +64,7 @@ impl<T: Scalar, K: HingeRule<T>, L: SpringLaw<T>> Rotation<T, K> for Custom<L> {
 impl<T: Scalar, K: Springs<T>> Rotation<T, K> for Absent {
     type Out<C: Closures> = Point<T, T, C>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn turn<C: Closures>(
         &self,
         _: K,
@@ -152,7 +152,7 @@ where
     fn turned(&self, position: &(T, T, T), rate: &(T, T, T), inboard: Turn<T>) -> Turn<T> {
         Turn { angle: inboard.angle + position.2, rate: inboard.rate + rate.2 }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         position: &(T, T, T),
@@ -166,7 +166,7 @@ where
         A::store(inboard, [[position.0, position.1], [rate.0, rate.1]], x, y, p, q);
         self.turned(position, rate, inboard)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn moved(&self, inboard: Frame<T>, position: &(T, T, T), rate: &(T, T, T), acceleration: &(T, T, T)) -> Frame<T> {
         let coordinates = [position, rate, acceleration].map(|c| Vector2::new(c.0, c.1));
         let frame = A::moved(inboard, coordinates);
@@ -201,7 +201,7 @@ where
     fn release(&self, motion: &JointMotion<T>, position: &(T, T, T), rate: &(T, T, T)) -> Release<Planar<T>> {
         release::elastic(self, motion, position, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -237,7 +237,7 @@ where
 {
     type Out = Full<T, W::Closures>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: O,

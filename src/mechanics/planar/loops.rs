@@ -83,7 +83,7 @@ pub(super) fn pulls<T: Scalar>(one: T) -> [Vector2<T>; 2] {
 }
 
 /// A pin that closes a loop with the forces `O`, two of them.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 #[allow(clippy::type_complexity)] // what both arms meet, and what is passed on
 fn close_pin<T, O, R, Q>(outer: R, torque: Q) -> (<R::Out as Twisted<Q::Reaction>>::Out, Point<T, Q, O>, Internal<T>)
 where
@@ -103,7 +103,7 @@ where
 }
 
 /// A weld that does, three of them.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn close_weld<T: Scalar, O: Own, R: Carry<Planar<T>, O, Wrenches>>(outer: R) -> (R::Out, Full<T, O>, Internal<T>) {
     let (pull, push) = (holds(-T::one()), holds(T::one()));
     let side = Full::massless().cut(Cuts::at_tip(O::each(|k| pull[k]), O::each(|_| T::zero())));
@@ -121,7 +121,7 @@ macro_rules! close_off {
             type Main = <R::Out as Twisted<Q::Reaction>>::Out;
             type Side = Point<T, Q, $Own<2>>;
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn close_off(
                 &self,
                 outer: R,
@@ -180,7 +180,7 @@ impl<T: Scalar> Closing<Planar<T>> for Weld<T> {
 }
 
 /// The pull of the forces of a weld.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn holds<T: Scalar>(one: T) -> [FullColumn<T>; 3] {
     let zero = Vector2::new(T::zero(), T::zero());
     let [x, y] = pulls(one);

@@ -53,7 +53,7 @@ impl<T: Scalar> Joint<T> for Pin {
     fn turned(&self, position: &T, rate: &T, _: Turn<T>) -> Turn<T> {
         Turn { angle: *position, rate: *rate }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn moved(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> Frame<T> {
         Frame {
             turn: Turn { angle: *position, rate: *rate },
@@ -64,7 +64,7 @@ impl<T: Scalar> Joint<T> for Pin {
     fn release(&self, _: &JointMotion<T>, _: &T, _: &T) -> Release<Planar<T>> {
         release::pin()
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -84,7 +84,7 @@ where
 {
     type Out = Point<T, InJoint<Planar<T>, W>, W::Closures>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

@@ -115,7 +115,7 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
 
     const MOMENT: bool = true;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn base(&self) -> Base<T> {
         let Inertia { mass, centre, .. } = self.inertia;
         let moment = centre.map(|x| mass * x);
@@ -126,7 +126,7 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
         Vector2::new(pose.x, pose.y)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense<R: Relation<Planar<T>>>(&self, outer: R, pose: Pose<T>) -> Full<T, R::Closures> {
         let [arm, centripetal] = self.arm(pose);
         outer

@@ -98,7 +98,7 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
     fn turned(&self, _: &T, _: &T, inboard: Turn<T>) -> Turn<T> {
         inboard
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         position: &T,
@@ -113,7 +113,7 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
         Inboard::keep(axis, [[*position, T::zero()], [*rate, T::zero()]], x, y, p, q);
         inboard
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn moved(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> Frame<T> {
         let (sine, cosine) = (inboard.turn.angle + self.direction).sin_cos();
         let line = Vector2::new(cosine, sine);
@@ -136,7 +136,7 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
     fn release(&self, motion: &JointMotion<T>, position: &T, rate: &T) -> Release<Planar<T>> {
         release::slider(self, motion, [*position, *rate])
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -154,7 +154,7 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
 
 impl<T: Scalar, S> Slider<T, S> {
     /// Lets the outboard point slide along the line against a force, and what stiffness or inertia adds to the pivot.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn loosen<R: Slides<T>>(
         &self,
         outer: R,
@@ -183,7 +183,7 @@ where
 {
     type Out = Full<T, R::Closures>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

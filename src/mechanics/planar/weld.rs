@@ -69,7 +69,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     fn release(&self, _: &JointMotion<T>, _: &(), _: &()) -> Release<Planar<T>> {
         Release::nothing()
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,

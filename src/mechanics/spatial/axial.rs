@@ -95,7 +95,7 @@ pub trait Axial<T: Scalar, const K: usize>: Copy + Debug + 'static {
 }
 
 /// Columns of which of a body's own axes is not along another: the first one, or the second. Lanes decide each for itself.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn aside<T: Scalar, const N: usize>(
     axis: Vector3<T>,
     first: [Vector3<T>; N],

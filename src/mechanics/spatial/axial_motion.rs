@@ -11,7 +11,7 @@ use crate::relation::spatial::algebra::{Columns, add_scaled, centripetal, cross,
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn oriented<T: Scalar, J: Axial<T, K>, const K: usize>(
     joint: &J,
     position: &J::Coordinates,
@@ -31,7 +31,7 @@ fn outboard<T: Scalar, J: Axial<T, K>, const K: usize>(inboard: Turn<T>, relativ
     Turn { attitude: relative.attitude, spin }
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn linear_bias<T: Scalar, J: Axial<T, K>, const K: usize>(
     inboard: &Turn<T>,
     relative: &Relative<T, K>,
@@ -44,7 +44,7 @@ pub(super) fn linear_bias<T: Scalar, J: Axial<T, K>, const K: usize>(
     }
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn angular_bias<T: Scalar, J: Axial<T, K>, const K: usize>(
     inboard: &Turn<T>,
     relative: &Relative<T, K>,
@@ -58,7 +58,7 @@ pub(super) fn angular_bias<T: Scalar, J: Axial<T, K>, const K: usize>(
     }
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn moved<T: Scalar, J: Axial<T, K>, const K: usize>(
     joint: &J,
     inboard: Frame<T>,
@@ -96,7 +96,7 @@ pub(super) fn moved<T: Scalar, J: Axial<T, K>, const K: usize>(
 }
 
 /// An acceleration with a coordinate's added.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn pushed<T: Scalar>(p: Acceleration<T>, way: Way, n: Vector3<T>, second: T) -> Acceleration<T> {
     match way {
         Way::Turn => Acceleration { angular: add_scaled(p.angular, second, n), ..p },

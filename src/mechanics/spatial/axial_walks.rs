@@ -22,7 +22,7 @@ fn axis<T: Scalar>(stored: &Columns<T>, k: usize) -> Vector3<T> {
     if k == 0 { stored.x } else { stored.y }
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 #[allow(clippy::too_many_arguments)] // what an element is given, one value each
 fn condense<T: Scalar, J, R, W, const K: usize>(
     joint: &J,
@@ -56,7 +56,7 @@ where
 }
 
 /// Lets all coordinates go, each against a force and what stiffness or inertia adds to its pivot.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn loosened<T: Scalar, J: Axial<T, K>, C: Closures, M: Term<T>, const K: usize>(
     joint: &J,
     outer: Full<T, C>,
@@ -82,7 +82,7 @@ pub(super) fn loosened<T: Scalar, J: Axial<T, K>, C: Closures, M: Term<T>, const
 }
 
 /// Takes the outboard side along where the one coordinate accelerates as given.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn carried<T: Scalar, J: Axial<T, 1>, C: Closures>(
     joint: &J,
     outer: Full<T, C>,
@@ -95,7 +95,7 @@ pub(super) fn carried<T: Scalar, J: Axial<T, 1>, C: Closures>(
     }
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn recovered<T: Scalar, J: Axial<T, K>, C: Closures, const K: usize>(
     inboard: Acceleration<T>,
     (stored, bias): (&Columns<T>, &[Vector3<T>; 2]),
@@ -116,7 +116,7 @@ fn recovered<T: Scalar, J: Axial<T, K>, C: Closures, const K: usize>(
     p
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn responded<T: Scalar, J: Axial<T, K>, C: Closures, const K: usize>(
     inboard: Acceleration<T>,
     (stored, _): (&Columns<T>, &[Vector3<T>; 2]),
@@ -172,7 +172,7 @@ macro_rules! axial {
             fn lump(&mut self, mass: T) -> T {
                 Axial::lump(self, mass)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn oriented(
                 &self,
                 position: &Self::Position,
@@ -181,7 +181,7 @@ macro_rules! axial {
             ) -> (Turn<T>, Stored<T>) {
                 oriented(self, position, rate, inboard)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn store((axes, bias): Stored<T>, x: &mut Columns<T>, y: &mut [Vector3<T>; 2]) {
                 x.x = axes.x;
                 if $K > 1 {
@@ -198,7 +198,7 @@ macro_rules! axial {
             fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
                 release::axial(self, motion, position, rate)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn moved(
                 &self,
                 inboard: Frame<T>,
@@ -211,7 +211,7 @@ macro_rules! axial {
             fn check(&self) -> Result<(), Fault> {
                 self.verify()
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn recovered<C: Closures>(
                 &self,
                 inboard: Acceleration<T>,
@@ -222,7 +222,7 @@ macro_rules! axial {
             ) -> Acceleration<T> {
                 recovered::<T, Self, C, $K>(inboard, stored, kept, multipliers, rate)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn responded<C: Closures>(
                 &self,
                 inboard: Acceleration<T>,
@@ -244,7 +244,7 @@ macro_rules! axial {
         {
             type Out = Full<T, Outer::Closures>;
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn condense(
                 &self,
                 outer: Outer,

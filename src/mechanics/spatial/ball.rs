@@ -44,7 +44,7 @@ impl<T: Scalar> Joint<T> for Ball {
         *position = Rotation::from_angles([(); 3].map(|()| next(inboard)));
         Turn { attitude: position.matrix(), spin: zero() }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn oriented(&self, position: &Rotation<T>, rate: &[T; 3], _: Turn<T>) -> (Turn<T>, Stored<T>) {
         let attitude = position.matrix();
         let spin = attitude.apply(Vector3::from(*rate));
@@ -58,7 +58,7 @@ impl<T: Scalar> Joint<T> for Ball {
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
         release::ball(self, motion, position, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn moved(&self, inboard: Frame<T>, position: &Rotation<T>, rate: &[T; 3], acceleration: &[T; 3]) -> JointMotion<T> {
         let (turn, (attitude, _)) = self.oriented(position, rate, inboard.turn);
         let angular = attitude.apply(Vector3::from(*acceleration));
@@ -75,7 +75,7 @@ impl<T: Scalar> Joint<T> for Ball {
             inertia: none,
         }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -88,7 +88,7 @@ impl<T: Scalar> Joint<T> for Ball {
         *rate = attitude.transposed(angular).into(); // A ω̇ is the acceleration: A ω~ ω = 0
         Acceleration { angular, ..inboard }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn responded<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -108,7 +108,7 @@ where
 {
     type Out = Point<T, <InJoint<Spatial<T>, W> as Drive<T>>::Couple, W::Closures>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

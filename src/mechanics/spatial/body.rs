@@ -66,7 +66,7 @@ impl<T: Scalar> Pose<T> {
 
 impl<T: Scalar, B: Body<T> + Native> crate::shape::Body<Spatial<T>> for B {
     fn size(&self) {}
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn shifted(
         &self,
         inboard: Acceleration<T>,
@@ -78,7 +78,7 @@ impl<T: Scalar, B: Body<T> + Native> crate::shape::Body<Spatial<T>> for B {
     fn swung(&self, inboard: Acceleration<T>, (_, _, &arm, _): PostureOf<'_, Spatial<T>>) -> Acceleration<T> {
         inboard.swung(arm)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn motion(&self, inboard: Frame<T>) -> (BodyMotion<T>, Frame<T>) {
         let inertia = Body::inertia(self);
         let turned = |at: [T; 3]| inboard.turn.attitude.apply(Vector3::from(at));
@@ -118,7 +118,7 @@ macro_rules! body {
             fn lump(&mut self, mass: T) -> T {
                 Body::lump(self, mass)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn orient(
                 &self,
                 _: &(),
@@ -136,7 +136,7 @@ macro_rules! body {
                 (y[0], *p, *q) = (pose.turning, pose.arm, pose.centripetal);
                 turn
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn resolve(
                 (): &(),
                 _: &mut Columns<T>,
@@ -160,7 +160,7 @@ macro_rules! body {
         {
             type Out = Full<T, R::Closures>;
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn condense(
                 &self,
                 outer: R,

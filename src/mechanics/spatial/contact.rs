@@ -147,7 +147,7 @@ where
         self.points.as_ref()
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn touch(&self, at: [T; 3], body: &BodyMotion<T>) -> Touch<T> {
         let Contact { stiffness, depth, damping, friction, speed } = self.law;
         // Of a point only place and velocity are asked for.
@@ -194,7 +194,7 @@ where
 {
     type Value = Yielding<T>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn at(&self, _: T::Real, number: usize, body: &BodyMotion<T>) -> Yielding<T> {
         self.each(number, |at| {
             let Touch { force, normal, stiffness, damping: [along, across] } = self.touch(at, body);

@@ -66,7 +66,7 @@ impl<T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>> Axial<T, 2> for Cylindrical<T,
     const TURNS: bool = true;
     const LINEAR: bool = L::LINEAR && M::LINEAR;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn relative(&self, inboard: &Turn<T>, [slide, angle]: [T; 2], [sliding, turning]: [T; 2]) -> Relative<T, 2> {
         let n = inboard.attitude.apply(self.axis);
         Relative {

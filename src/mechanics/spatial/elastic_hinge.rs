@@ -143,7 +143,7 @@ pub trait BallRule<T: Scalar>: Springs<T> {
 impl<T: Scalar> BallRule<T> for Explicit {
     type Out<C: Closures> = Point<T, Couple<T>, C>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn ball<C: Closures>(
         self,
         outer: Full<T, C>,
@@ -161,7 +161,7 @@ impl<T: Scalar> BallRule<T> for Explicit {
 impl<T: Scalar> BallRule<T> for Implicit<T::Real> {
     type Out<C: Closures> = Full<T, C>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn ball<C: Closures>(
         self,
         outer: Full<T, C>,
@@ -206,7 +206,7 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
         *position = absolute.relative_to(&Rotation::from_matrix(&inboard.attitude)).shortest();
         Turn { attitude: absolute.matrix(), spin: zero() }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn oriented(&self, position: &Rotation<T>, rate: &[T; 3], inboard: Turn<T>) -> (Turn<T>, Stored<T>) {
         let attitude = inboard.attitude.times(&position.matrix());
         let relative = attitude.apply(Vector3::from(*rate));
@@ -217,7 +217,7 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
         release::rotary(self, motion, position, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn moved(&self, inboard: Frame<T>, position: &Rotation<T>, rate: &[T; 3], acceleration: &[T; 3]) -> JointMotion<T> {
         let (turn, (attitude, [_, bias])) = self.oriented(position, rate, inboard.turn);
         let angular = attitude.apply_onto(Vector3::from(*acceleration), inboard.acceleration.angular + bias);
@@ -236,7 +236,7 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -250,7 +250,7 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
         *rate = attitude.transposed(relative).into();
         Acceleration { angular: carried + relative, ..inboard }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn responded<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -271,7 +271,7 @@ where
 {
     type Out = <W::Springs as BallRule<T>>::Out<W::Closures>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

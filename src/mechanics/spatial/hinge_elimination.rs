@@ -24,7 +24,7 @@ pub trait SlideRule<T: Scalar>: Springs<T> {
 }
 
 impl<T: Scalar> SlideRule<T> for Explicit {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn slide<R: Slides<T>>(
         self,
         outer: R,
@@ -38,7 +38,7 @@ impl<T: Scalar> SlideRule<T> for Explicit {
 }
 
 impl<T: Scalar> SlideRule<T> for Implicit<T::Real> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn slide<R: Slides<T>>(
         self,
         outer: R,
@@ -71,7 +71,7 @@ pub trait RotaryElimination<T: Scalar, K: BallRule<T>>: RotaryLaw<T> {
 impl<T: Scalar, K: BallRule<T>> RotaryElimination<T, K> for Absent {
     type Out<M: Term<Vector3<T>>, C: Closures> = Point<T, M, C>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn turn<M: Term<Vector3<T>>, C: Closures>(
         &self,
         _: K,
@@ -90,7 +90,7 @@ impl<T: Scalar, K: BallRule<T>, D: RotaryDamper<T>, P: Term<Vector3<T>>> RotaryE
 {
     type Out<M: Term<Vector3<T>>, C: Closures> = K::Out<C>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn turn<M: Term<Vector3<T>>, C: Closures>(
         &self,
         springs: K,

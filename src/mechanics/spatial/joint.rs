@@ -141,7 +141,7 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
     ) -> Turn<T> {
         Joint::configure(self, position, inboard, next)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recover<C: Closures, By: Springs<T>>(
         &self,
         inboard: Acceleration<T>,
@@ -152,7 +152,7 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
     ) -> Acceleration<T> {
         self.recovered::<C>(inboard, (posture.0, posture.1), kept, multipliers, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn respond<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -163,7 +163,7 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
     ) -> Acceleration<T> {
         self.responded::<C>(inboard, (posture.0, posture.1), kept, multipliers, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn motion(
         &self,
         inboard: Frame<T>,
@@ -174,7 +174,7 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
         let motion = self.moved(inboard, position, rate, acceleration);
         (motion, motion.outboard)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn release(
         &self,
         motion: &JointMotion<T>,
@@ -206,7 +206,7 @@ macro_rules! joint {
             fn turned(&self, position: &Self::Position, rate: &Self::Rate, turn: Turn<T>) -> Turn<T> {
                 self.oriented(position, rate, turn).0
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn orient(
                 &self,
                 position: &Self::Position,
@@ -221,7 +221,7 @@ macro_rules! joint {
                 <Self as Joint<T>>::store(stored, x, y);
                 outboard
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn resolve(
                 _: &<<Self as Joint<T>>::Sets as Sets>::Per<()>,
                 _: &mut <<Self as Joint<T>>::Sets as Sets>::Per<Columns<T>>,

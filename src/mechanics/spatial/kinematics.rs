@@ -37,7 +37,7 @@ macro_rules! kinematics {
             fn turned(&self, position: &T, rate: &T, inboard: Turn<T>) -> Turn<T> {
                 self.oriented(position, rate, inboard).0
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn orient(
                 &self,
                 position: &T,
@@ -54,7 +54,7 @@ macro_rules! kinematics {
             }
             #[inline(always)]
             fn resolve(_: &mut Columns<T>, _: &mut [Vector3<T>; 2], _: &mut Vector3<T>, _: &mut Vector3<T>) {}
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn eliminate<C: Closures>(
                 &self,
                 outer: Full<T, C>,
@@ -65,7 +65,7 @@ macro_rules! kinematics {
             ) -> Full<T, C> {
                 loosened(self, outer, (posture.0, posture.1), |_| (force, resistance), kept)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn drive<C: Closures>(
                 &self,
                 outer: Full<T, C>,

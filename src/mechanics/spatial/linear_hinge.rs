@@ -87,7 +87,7 @@ where
     Z: SpringLaw<T>,
 {
     /// The accelerations of the coordinates and of the outboard side, from those of the inboard one and of what is carried with it.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn outward<C: Closures>(
         (inboard, carried, bias): (Vector3<T>, Acceleration<T>, Vector3<T>),
         [outer, inner]: &[Columns<T>; 2],
@@ -144,7 +144,7 @@ where
     ) -> Turn<T> {
         ElasticHinge { rotary: self.rotary, linear: Absent }.configure(&mut position.1, inboard, next)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn oriented(&self, position: &Self::Position, rate: &Self::Rate, inboard: Turn<T>) -> (Turn<T>, StoredIn<T, Self>) {
         let (inner, spin) = (inboard.attitude, inboard.spin);
         let outer = inner.times(&position.1.matrix());
@@ -158,7 +158,7 @@ where
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
         release::elastic(self, motion, position, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn moved(
         &self,
         inboard: Frame<T>,
@@ -193,7 +193,7 @@ where
         self.linear.y.check()?;
         self.linear.z.check()
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -206,7 +206,7 @@ where
         let gains = (&kept.rotation, &kept.displacement);
         Self::outward::<C>((inboard.angular, carried, *bias), axes, gains, multipliers, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn responded<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -234,7 +234,7 @@ where
 {
     type Out = Full<T, W::Closures>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

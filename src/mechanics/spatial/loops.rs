@@ -59,7 +59,7 @@ impl<T: Scalar> Closing<Spatial<T>> for Ball {
     fn per_axes<X: Copy>(fill: X) -> X {
         fill
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         _: Turn<T>,
@@ -95,7 +95,7 @@ impl<T: Scalar> Closing<Spatial<T>> for Ball {
 const PLACES: [&str; 3] = ["x of the ends of a loop", "y of the ends of a loop", "z of the ends of a loop"];
 
 /// Columns of forces along x, y and z, and of torques.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn holds<T: Scalar, const L: usize>(one: T, torques: impl Fn(usize) -> Vector3<T>) -> [FullColumn<T>; L] {
     let pulls = pulls(one);
     core::array::from_fn(|k| match pulls.get(k) {
@@ -169,7 +169,7 @@ impl<T: Scalar> Closing<Spatial<T>> for Revolute<T> {
     fn per_axes<X: Copy>(fill: X) -> X {
         fill
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         side: Turn<T>,
@@ -229,7 +229,7 @@ macro_rules! close_off {
             type Main = <R::Out as Twisted<<Q::Couple as Reacting>::Reaction>>::Out;
             type Side = Point<T, Q::Couple, $Own<3>>;
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn close_off(
                 &self,
                 outer: R,
@@ -251,7 +251,7 @@ macro_rules! close_off {
             type Main = R::Out;
             type Side = Full<T, $Own<6>>;
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn close_off(
                 &self,
                 outer: R,
@@ -273,7 +273,7 @@ macro_rules! close_off {
             type Main = <R::Out as Twisted<Couple<T>>>::Out;
             type Side = Full<T, $Own<5>>;
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn close_off(
                 &self,
                 outer: R,

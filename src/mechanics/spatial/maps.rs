@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 const TERMS: usize = 16;
 
 /// 1 − x²/((n + 1)(n + 2)) · (1 − x²/((n + 3)(n + 4)) · (…)): cos x for n = 0, sin x / x for n = 1.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn alternating<T: Scalar>(square: T, n: usize) -> T {
     (0..TERMS).rev().fold(T::one(), |sum, k| {
         let (a, b) = ((n + 2 * k + 1) as f64, (n + 2 * k + 2) as f64);
@@ -29,7 +29,7 @@ struct Half<T> {
 }
 
 impl<T: Scalar> Half<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn of(vector: Vector3<T>) -> Self {
         let square = dot(vector, vector).scale(T::Real::of(0.25));
         let rest = (0..TERMS).rev().fold(T::one(), |sum, k| {
@@ -115,7 +115,7 @@ pub(crate) fn spring_couple<T: Scalar>(phi: Vector3<T>, force: Vector3<T>) -> Ve
 /// How that couple changes with turns of the outboard body (axes of the inboard one), symmetrised: the derivative of
 /// (1 + ½ φ~ + c φ~²) ∂V/∂φ by φ, times dφ = (1 − ½ φ~ + c φ~²) dψ, for ∂²V/∂φ² = diag(`stiffness`). It serves as the slope of an
 /// implicit sweep, which does without the change of c, of third order in φ.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn spring_slope<T: Scalar>(phi: Vector3<T>, stiffness: Vector3<T>, force: Vector3<T>) -> Symmetric3<T> {
     let (half, c) = (T::literal(0.5), Half::of(phi).cotangent());
     let work = dot(phi, force) * c;
@@ -133,7 +133,7 @@ pub(crate) fn spring_slope<T: Scalar>(phi: Vector3<T>, stiffness: Vector3<T>, fo
 }
 
 /// The rotation by an angle (rad) about a unit axis, as columns.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn about<T: Scalar>(axis: Vector3<T>, angle: T) -> Columns<T> {
     let (sine, cosine) = angle.sin_cos();
     let (s, v) = (axis * sine, axis * (T::one() - cosine));

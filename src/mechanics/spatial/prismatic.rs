@@ -65,7 +65,7 @@ impl<T: Scalar, L: SpringLaw<T>> Axial<T, 1> for Prismatic<T, L> {
     const TURNS: bool = false;
     const LINEAR: bool = L::LINEAR;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn relative(&self, inboard: &Turn<T>, [slide]: [T; 1], [rate]: [T; 1]) -> Relative<T, 1> {
         let n = inboard.attitude.apply(self.axis);
         Relative {

@@ -114,7 +114,7 @@ impl<T: Scalar> Body<T> for RigidBody<T> {
         Pose::with_arm(turn, turn.attitude.apply(Vector3::from(self.outboard)))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense<R: Relation<Spatial<T>>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures> {
         outer
             .with_mass(self.lumped)

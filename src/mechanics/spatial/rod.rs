@@ -86,14 +86,14 @@ impl<T: Scalar> Body<T> for Rod<T> {
     const AXES: bool = false;
 
     // J′ = J′⊥ 1 + (J∥ − J′⊥) d dᵀ / l², so that ω × J′ ω = (J∥ − J′⊥) (d·ω) ω × d / l².
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pose(&self, turn: &Turn<T>) -> Pose<T> {
         let pose = Pose::with_arm(turn, turn.attitude.x * self.length);
         let share = dot(pose.arm, turn.spin) * self.excess;
         Pose { turning: cross(turn.spin, pose.arm) * share, ..pose }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense<R: Relation<Spatial<T>>>(&self, outer: R, pose: &Pose<T>) -> Full<T, R::Closures> {
         let d = pose.arm;
         let full = outer.with_mass(self.lumped).carried(d, pose.centripetal);

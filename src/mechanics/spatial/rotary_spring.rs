@@ -114,7 +114,7 @@ impl<T: Scalar, D: RotaryDamper<T>, P: Term<Vector3<T>>> RotaryLaw<T> for Rotary
         let (phi, force) = self.strained(position);
         self.damping.resist(&position.matrix(), Vector3::from(*rate), spring_couple(phi, force))
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pivot(&self, position: &Rotation<T>, _: &[T; 3], springs: Implicit<T::Real>) -> Symmetric3<T> {
         let (phi, force) = self.strained(position);
         let slope = spring_slope(phi, Vector3::from(self.stiffness), force).scaled(springs.position);
@@ -160,7 +160,7 @@ impl<T: Scalar> RotaryDamper<T> for Absent {
 }
 
 impl<T: Scalar> RotaryDamper<T> for T {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn resist(&self, relative: &Columns<T>, rate: Vector3<T>, couple: Vector3<T>) -> Vector3<T> {
         let own = relative.transposed(couple);
         let damped = |rate: T, own: T| self.mul_add(-rate, -own);

@@ -130,7 +130,7 @@ impl<T: Scalar> Rotation<T> {
     }
 
     /// Body axes in inertial axes, as columns: the matrix A.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn matrix(&self) -> Columns<T> {
         let (w, x, y, z) = (self.w, self.v.x, self.v.y, self.v.z);
         let one = T::one();
@@ -152,7 +152,7 @@ impl<T: Scalar> Rotation<T> {
 
     /// The length brought back to one, where it is one but for rounding: a step of Newton's, without root or branch. Derivatives
     /// along the quaternion vanish.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn normalised(self) -> Self {
         let square = self.w.mul_add(self.w, dot(self.v, self.v));
         let factor = T::literal(1.5) - square.scale(T::Real::of(0.5));
@@ -185,7 +185,7 @@ impl<T: Scalar> Position<T> for Rotation<T> {
         let step = core::array::from_fn(|i| rate[i].scale(time).add_scaled(u, a[i]));
         *self = from.stepped(Vector3::from(step)).normalised();
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn drift_2(
         &mut self,
         from: &Self,
@@ -241,7 +241,7 @@ impl<T: Scalar> Position<T> for Rotation<T> {
     }
 
     // ω = p₀ v̇ + ¼ v (v · v̇) / p₀ − ½ v × v̇
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn retract_rate(&self, from: &Self, rate: &mut [T; 3]) {
         let step = self.relative_to(from);
         let derivative = Vector3::from(*rate);
@@ -250,7 +250,7 @@ impl<T: Scalar> Position<T> for Rotation<T> {
         *rate = add_scaled(turned, along, step.v).into();
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse_retract_acceleration(&self, from: &Self, rate: &[T; 3], acceleration: &mut [T; 3]) {
         let step = self.relative_to(from);
         let (spin, angular) = (Vector3::from(*rate), Vector3::from(*acceleration));
@@ -260,7 +260,7 @@ impl<T: Scalar> Position<T> for Rotation<T> {
     }
 
     // λ = p₀ σ − ½ v × σ
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn transposed_acceleration(&self, from: &Self, costate: &mut [T; 3]) {
         let step = self.relative_to(from);
         let of_second = Vector3::from(*costate);
@@ -274,7 +274,7 @@ impl<T: Scalar> Position<T> for Rotation<T> {
     //        − (v̇·y) v / (4 p₀) + ¼ [(v·v̇) y + (v·y) v̇] / p₀ + (v·y) (v·v̇) v / (16 p₀³) − ½ v̇ × y
     //
     // where 𝒥ᵀ y = p₀ y + ¼ v (v·y) / p₀ + ½ v × y. Below u = v / 2.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn transposed_step(
         &self,
         from: &Self,
@@ -304,7 +304,7 @@ impl<T: Scalar> Position<T> for Rotation<T> {
     }
 
     // Of v, for given accelerations, −(ω̇·σ) v / (4 p₀) + ½ ω̇ × σ − ¼ ω² σ, which 𝒥⁻ᵀ x = p₀ x − ½ v × x turns into Ψ. Below u = v / 2.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn transposed_second(
         &self,
         from: &Self,

@@ -82,7 +82,7 @@ lift!(Plane { normal, offset });
 pub struct Heights<F>(pub F);
 
 impl<T: Scalar, F: Fn(T, T) -> [T; 3]> Surface<T> for Heights<F> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn below(&self, [x, y, z]: [T; 3]) -> (T, [T; 3]) {
         let [height, by_x, by_y] = (self.0)(x, y);
         let up = (by_x * by_x + by_y * by_y + T::one()).sqrt().recip();

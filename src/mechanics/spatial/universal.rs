@@ -61,7 +61,7 @@ impl<T: Scalar, L: SpringLaw<T>, M: SpringLaw<T>> Axial<T, 2> for Universal<T, L
     const TURNS: bool = true;
     const LINEAR: bool = L::LINEAR && M::LINEAR;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn relative(&self, inboard: &Turn<T>, [one, two]: [T; 2], [first, second]: [T; 2]) -> Relative<T, 2> {
         let between = inboard.attitude.times(&about(self.axes[0], one));
         // The first turn leaves its own axis where it was.

@@ -66,7 +66,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
         release::weld(self, motion, position, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn moved(&self, inboard: Frame<T>, (): &(), (): &(), (): &()) -> JointMotion<T> {
         let outboard = Frame { turn: self.oriented(&(), &(), inboard.turn).0, ..inboard };
         let none = [T::zero(); 3];
@@ -80,7 +80,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
         let fault = Fault::NotZero { parameter: "what the axes of a weld miss to be orthonormal and right-handed" };
         if orthonormal(&self.attitude) { Ok(()) } else { Err(fault) }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -91,7 +91,7 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     ) -> Acceleration<T> {
         inboard
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn responded<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -112,7 +112,7 @@ impl<T: Scalar, R: Relation<Spatial<T>>> InertialAxes<T> for R {}
 impl<T: Scalar, R: InertialAxes<T>, W: Sweep<Spatial<T>>> Condense<Spatial<T>, R, W> for Weld<T> {
     type Out = R;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

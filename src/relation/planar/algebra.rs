@@ -63,7 +63,7 @@ impl<T: Scalar> Symmetric<Vector2<T>> for Symmetric2<T> {
     fn plus_outer(self, u: Vector2<T>, w: Vector2<T>) -> Self {
         Self { xx: u.x.mul_add(w.x, self.xx), xy: u.x.mul_add(w.y, self.xy), yy: u.y.mul_add(w.y, self.yy) }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn apply_onto(self, v: Vector2<T>, sum: Vector2<T>) -> Vector2<T> {
         Vector2::new(
             self.xx.mul_add(v.x, self.xy.mul_add(v.y, sum.x)),
@@ -80,7 +80,7 @@ impl<T: Scalar> Symmetric2<T> {
     }
 
     /// S along axes in the direction `d` and its normal.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn along(self, d: Vector2<T>) -> Self {
         // Rows of S in the new axes, then their components.
         let (x, y) = (self.apply(d), self.apply(normal(d)));

@@ -64,7 +64,7 @@ impl<T: Scalar> Geometry for Planar<T> {
     fn coupled_onto(k: &Vector2<T>, a: T, sum: Vector2<T>) -> Vector2<T> {
         add_scaled(sum, a, *k)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn of_lump(mass: T, d: Vector2<T>, c: Vector2<T>) -> Full<T> {
         let n = normal(d);
         let coupling = n * mass;

@@ -22,7 +22,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
 
     /// Lets the station turn freely under the torque that acts in the pin: the rotation is eliminated, and what the
     /// outward pass needs to find it again is returned beside the relation.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn pinned<M: Term<T>>(self, torque: M) -> (Point<T, M, C>, Gain<T, C>) {
         let minus_inverse = -self.angular.recip();
         let per_acceleration = self.coupling * minus_inverse;
@@ -40,7 +40,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
 
     /// Lets the station turn against a stiff torque τ̂ − K̂ φ̈, with φ̈ relative to the inboard body: only the pivot of the
     /// elimination, S_mm + K̂, knows of it.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn hinged(self, torque: T, stiffness: T) -> (Self, RelativeGain<T, C>) {
         let minus_inverse = -(self.angular + stiffness).recip();
         let per_acceleration = self.coupling * minus_inverse;
@@ -118,7 +118,7 @@ impl<T: Scalar, C: Closures> Gain<T, C> {
     }
 
     /// The angular acceleration (rad/s²) of the eliminated rotation where its station accelerates by `a`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn angular(&self, a: Vector2<T>, multipliers: &C::Each<T>) -> T {
         let w = self.per_acceleration;
         let open = w.x.mul_add(a.x, w.y.mul_add(a.y, self.free));

@@ -62,7 +62,7 @@ impl<T: Scalar, C: Closures> RelativeGain<T, C> {
     }
 
     /// s̈ (rad/s², m/s²) where the inboard body's end accelerates by `a` and turns with `angular`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn relative(&self, a: Vector2<T>, angular: T, multipliers: &C::Each<T>) -> T {
         let w = self.per_acceleration;
         let bound = self.per_angular.mul_add(angular, self.free);

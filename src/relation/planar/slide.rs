@@ -41,7 +41,7 @@ struct Pivot<T> {
 }
 
 impl<T: Scalar> Pivot<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn of(inertia: T, stiffness: T, applied: T, offset: T) -> Self {
         let minus_inverse = -(inertia + stiffness).recip();
         let (left, yielded) = (-(stiffness * minus_inverse), -(inertia * minus_inverse));
@@ -67,7 +67,7 @@ impl<T: Scalar, C: Closures> Slides<T> for Full<T, C> {
     fn full(self) -> Self {
         self
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn along(self, direction: Vector2<T>) -> Self {
         Self {
             linear: self.linear.along(direction),
@@ -77,7 +77,7 @@ impl<T: Scalar, C: Closures> Slides<T> for Full<T, C> {
             ..self
         }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn swapped(self) -> Self {
         Self {
             linear: self.linear.swapped(),
@@ -87,7 +87,7 @@ impl<T: Scalar, C: Closures> Slides<T> for Full<T, C> {
             ..self
         }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn slid(self, applied: T, stiffness: T) -> (Self, RelativeGain<T, C>) {
         let Self { linear: s, coupling, angular, force, torque, cuts } = self;
         let pivot = Pivot::of(s.xx, stiffness, applied, force.x);
@@ -119,7 +119,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Slides<T> for Point<T, M, C> {
     fn full(self) -> Full<T, C> {
         self.whole()
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn along(self, direction: Vector2<T>) -> Self {
         Self {
             mass: self.mass.along(direction),
@@ -128,7 +128,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Slides<T> for Point<T, M, C> {
             ..self
         }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn swapped(self) -> Self {
         Self {
             mass: self.mass.swapped(),
@@ -137,7 +137,7 @@ impl<T: Scalar, M: Term<T>, C: Closures> Slides<T> for Point<T, M, C> {
             ..self
         }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn slid(self, applied: T, stiffness: T) -> (Self, RelativeGain<T, C>) {
         let Self { mass: s, offset, torque, cuts } = self;
         let pivot = Pivot::of(s.xx, stiffness, applied, offset.x);

@@ -20,7 +20,7 @@ pub fn cross<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
 }
 
 /// `sum` + a × b.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn cross_onto<T: Scalar>(a: Vector3<T>, b: Vector3<T>, sum: Vector3<T>) -> Vector3<T> {
     Vector3::new(
         a.y.mul_add(b.z, (-a.z).mul_add(b.y, sum.x)),
@@ -138,7 +138,7 @@ pub struct Symmetric3<T> {
 
 impl<T: Scalar> Add for Symmetric3<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add(self, other: Self) -> Self {
         Self {
             xx: self.xx + other.xx,
@@ -168,7 +168,7 @@ impl<T: Scalar> Symmetric<Vector3<T>> for Symmetric3<T> {
     fn plus_diagonal(self, value: T) -> Self {
         Self { xx: self.xx + value, yy: self.yy + value, zz: self.zz + value, ..self }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn plus_outer(self, u: Vector3<T>, w: Vector3<T>) -> Self {
         Self {
             xx: u.x.mul_add(w.x, self.xx),
@@ -194,7 +194,7 @@ impl<T: Scalar> Symmetric3<T> {
     }
 
     /// S · factor.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn scaled(self, factor: T::Real) -> Self {
         let of = |x: T| x.scale(factor);
         let Self { xx, xy, xz, yy, yz, zz } = self;
@@ -202,7 +202,7 @@ impl<T: Scalar> Symmetric3<T> {
     }
 
     /// The columns.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn columns(self) -> Columns<T> {
         Columns {
             x: Vector3::new(self.xx, self.xy, self.xz),
@@ -224,7 +224,7 @@ impl<T: Scalar> Symmetric3<T> {
     }
 
     /// B Bᵀ-like transform A S Aᵀ for an attitude A.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn turned(self, attitude: &Columns<T>) -> Self {
         // A S, column by column; its product with Aᵀ is symmetric.
         let half = attitude.times(&self.columns());
@@ -232,7 +232,7 @@ impl<T: Scalar> Symmetric3<T> {
     }
 
     /// L D Lᵀ, for right-hand sides.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn factor(self) -> Factor3<T> {
         let dx = self.xx.recip();
         let (yx, zx) = (self.xy * dx, self.xz * dx);
@@ -277,7 +277,7 @@ impl<T: Scalar> Factor3<T> {
     }
 
     /// S⁻¹ v.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn solve(&self, v: Vector3<T>) -> Vector3<T> {
         let x = v.x;
         let y = self.yx.mul_add(-x, v.y);

@@ -13,7 +13,7 @@ type Afloat<T, C> =
 
 impl<T: Scalar, C: Closures> Full<T, C> {
     /// The acceleration of a station on which nothing acts: S p + e + W λ = 0, by block elimination.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn afloat(self) -> Afloat<T, C> {
         let (point, gain) = self.balled(Absent);
         let factor = point.mass.factor();
@@ -35,7 +35,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
     }
 
     /// Adds a first moment σ = m r_C (kg·m) about the station, of a body that turns with ω.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn with_first_moment(self, moment: Vector3<T>, spin: Vector3<T>) -> Self {
         let k = self.coupling;
         let coupling = Columns {

@@ -40,7 +40,7 @@ impl<T: Scalar> Geometry for Spatial<T> {
     fn levered(l: Symmetric3<T>, d: Vector3<T>) -> Columns<T> {
         Self::levered_onto(l, d, Columns::null())
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn levered_onto(l: Symmetric3<T>, d: Vector3<T>, k: Columns<T>) -> Columns<T> {
         let l = l.columns();
         Columns {
@@ -58,7 +58,7 @@ impl<T: Scalar> Geometry for Spatial<T> {
     fn swung_onto(d: Vector3<T>, moved: &Columns<T>, h: Symmetric3<T>) -> Symmetric3<T> {
         Self::swung(d, moved) + h
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn steiner(d: Vector3<T>, k: &Columns<T>, n: &Columns<T>, h: Symmetric3<T>) -> Symmetric3<T> {
         let crossed_x = |v: Vector3<T>, sum: T| d.y.mul_add(v.z, (-d.z).mul_add(v.y, sum));
         let crossed_y = |v: Vector3<T>, sum: T| d.z.mul_add(v.x, (-d.x).mul_add(v.z, sum));
@@ -80,7 +80,7 @@ impl<T: Scalar> Geometry for Spatial<T> {
     fn coupled_onto(k: &Columns<T>, a: Vector3<T>, sum: Vector3<T>) -> Vector3<T> {
         k.apply_onto(a, sum)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn of_lump(mass: T, d: Vector3<T>, c: Vector3<T>) -> Full<T> {
         let (o, moment) = (T::zero(), d * mass);
         let force = c * mass;

@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 
 impl<T: Scalar, C: Closures> Full<T, C> {
     /// Lets the station move along or about the axis `n` under a generalised force τ̂ − K̂ q̈ (N or N·m): only the pivot knows of K̂.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn released(self, way: Way, n: Vector3<T>, force: T, stiffness: impl Term<T>) -> (Self, Pivot<T, C>) {
         // U = S Φ, e·Φ
         let (linear, angular, offset) = match way {
@@ -52,7 +52,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
     }
 
     /// Lets the station turn freely under the torque that acts in the ball: the rotation is eliminated.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn balled<M: Term<Vector3<T>>>(self, torque: M) -> (Point<T, M, C>, Gain<T, C>) {
         let factor = self.angular.factor();
         let k = self.coupling;
@@ -76,7 +76,7 @@ impl<T: Scalar, C: Closures> Full<T, C> {
 
     /// Lets the station turn against a stiff torque τ̂ − K̂ β, with β relative to the inboard body: only the pivot of the elimination,
     /// H + K̂, knows of it.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn sprung(self, torque: Vector3<T>, stiffness: Symmetric3<T>) -> (Self, BallGain<T, C>) {
         let (k, h) = (self.coupling, self.angular);
         let factor = (h + stiffness).factor();
@@ -123,7 +123,7 @@ pub(super) type Rows<T, C> = <C as Closures>::Each<Vector3<T>>;
 
 /// Columns of closure forces where three coordinates are eliminated at once, whose share of a column `share` reads: each reduced to
 /// what stays of it.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn turned_out<T: Scalar, C: Closures, V: Copy, X: Copy>(
     cuts: &Cuts<V, T, C>,
     share: impl Fn(V) -> Vector3<T>,
@@ -177,7 +177,7 @@ impl<T: Scalar, C: Closures> Gain<T, C> {
     }
 
     /// The angular acceleration (rad/s²) of the eliminated rotation where its station accelerates by `a`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn angular(&self, a: Vector3<T>, multipliers: &C::Each<T>) -> Vector3<T> {
         let open = self.per_acceleration.apply_onto(a, self.free);
         let part = |read: fn(Vector3<T>) -> T| C::map(&self.per_closure, read);

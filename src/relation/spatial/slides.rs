@@ -23,7 +23,7 @@ pub trait Slides<T: Scalar>: Relation<Spatial<T>> {
 }
 
 /// The rows of a matrix that is given by its columns.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn rows<T: Scalar>(m: &Columns<T>) -> Columns<T> {
     Columns {
         x: Vector3::new(m.x.x, m.y.x, m.z.x),
@@ -49,7 +49,7 @@ impl<T: Scalar, M: Term<Vector3<T>>, C: Closures> Slides<T> for Point<T, M, C> {
         self.whole()
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn loosed(self, force: Vector3<T>) -> (Self, BallGain<T, C>) {
         let factor = self.mass.factor();
         let free = factor.solve(force - self.offset);
@@ -59,7 +59,7 @@ impl<T: Scalar, M: Term<Vector3<T>>, C: Closures> Slides<T> for Point<T, M, C> {
         (Self { mass: Symmetric3::diagonal(T::zero()), offset: force, cuts, ..self }, gain)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn slid(self, force: Vector3<T>, stiffness: Symmetric3<T>) -> (Self, BallGain<T, C>) {
         let own = self.mass;
         let factor = (own + stiffness).factor();
@@ -91,7 +91,7 @@ impl<T: Scalar, C: Closures> Slides<T> for Full<T, C> {
         self.slid(force, Symmetric3::diagonal(T::zero()))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn slid(self, force: Vector3<T>, stiffness: Symmetric3<T>) -> (Self, BallGain<T, C>) {
         let (own, k) = (self.linear, self.coupling);
         let factor = (own + stiffness).factor();

@@ -28,7 +28,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     }
 
     /// Forces of joints on a ground.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forces<const N: usize, const RATES: bool, const SECONDS: bool>(
         &self,
         ground: Carried<T>,

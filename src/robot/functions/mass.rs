@@ -41,7 +41,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     }
 
     /// M factored.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn factored<const N: usize>(&self, q: &[T; N]) -> Factor<T, N>
     where
         C: Tasks<T, N>,
@@ -53,7 +53,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     }
 
     /// A solution through the factors of M.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn solved<const N: usize>(&self, Factor { stands, gains, .. }: &Factor<T, N>, right: &[T; N]) -> [T; N]
     where
         C: Tasks<T, N>,
@@ -121,7 +121,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     }
 
     /// The mass matrix at positions that were looked at.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn inertia_afloat<const N: usize>(&self, attitude: &Columns<T>, q: &[T; N], found: &mut MassMatrix<T, N>)
     where
         C: Tasks<T, N>,

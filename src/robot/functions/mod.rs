@@ -118,7 +118,7 @@ impl<T: Scalar> FixedBase<T> for Base<T> {}
 impl<T: Scalar, G, A> FixedBase<T> for Clamped<G, A> where Self: Root<S<T>> {}
 
 /// Sines and cosines of all positions, in one loop.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn stands<T: Scalar, const N: usize>(q: &[T; N]) -> [Stand<T>; N] {
     let mut list = [[T::zero(); 2]; N];
     for (stand, position) in list.iter_mut().zip(q) {
@@ -129,7 +129,7 @@ fn stands<T: Scalar, const N: usize>(q: &[T; N]) -> [Stand<T>; N] {
 }
 
 /// A robot at an instant: what its joints' own laws say, and how they stand.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn resisting<T: Scalar, const N: usize, C: Tasks<T, N>>(chain: &C, q: &[T; N], v: &[T; N]) -> Resisting<T, N> {
     let none = [T::zero(); N];
     let mut walk =
@@ -146,7 +146,7 @@ fn finite<T: Scalar>(list: &[T]) -> Result<(), Error> {
 }
 
 /// Refuses places of a base that are none: numbers that are not finite, axes that stretch, shear or mirror.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn checked<T: Scalar>(Place { place, attitude }: &Place<T>) -> Result<(), Error> {
     let Columns { x, y, z } = attitude;
     [place, x, y, z].iter().try_for_each(|vector| finite(vector.as_slice()))?;

@@ -16,7 +16,7 @@ fn zeros<S: Expandable, C: Closures>() -> C::Each<S::Scalar> {
 }
 
 impl<S: Expandable, K: ExpandClosing<S>, const N: usize> Around<S, K> for Begin<N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn around(
         &mut self,
         _: &K,
@@ -31,7 +31,7 @@ impl<S: Expandable, K: ExpandClosing<S>, const N: usize> Around<S, K> for Begin<
 }
 
 impl<S: Expandable, K: ExpandClosing<S>, C: Closures, const N: usize> Around<S, K> for Articulate<S, N, C> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn around(
         &mut self,
         closing: &K,
@@ -62,7 +62,7 @@ where
     Q: Part,
     C: Closures,
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn around(
         &mut self,
         closing: &K,
@@ -87,7 +87,7 @@ where
 }
 
 impl<S: Expandable, K: ExpandClosing<S>, C: Closures, const N: usize> Around<S, K> for Swing<S, N, C> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn around(
         &mut self,
         closing: &K,

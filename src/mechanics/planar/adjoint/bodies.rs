@@ -32,7 +32,7 @@ use crate::walks::stir::Stir;
 use nalgebra::Vector2;
 
 /// Condenses what lies outboard of a body.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn factor<T: Scalar, C: Closures>(body: &impl Body<T>, pose: Pose<T>, outer: Outboard<T, C>) -> Outboard<T, C> {
     Outboard::rigid(match outer.kind {
         Kind::Nothing => body.condense(Empty, pose).cut(outer.relation.cuts),
@@ -42,7 +42,7 @@ fn factor<T: Scalar, C: Closures>(body: &impl Body<T>, pose: Pose<T>, outer: Out
 }
 
 /// Carries G and F over a body whose outboard end accelerates by `a`.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn pull_back<T: Scalar, B: Body<T>>(
     body: &B,
     pose: Pose<T>,
@@ -90,7 +90,7 @@ fn pull_back<T: Scalar, B: Body<T>>(
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
         impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut Factor<C, By>,
@@ -102,7 +102,7 @@ macro_rules! bodies {
         }
 
         impl<T: Scalar, C: Closures> Takes<Planar<T>, Reach<T, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut Reach<T, C>,
@@ -117,7 +117,7 @@ macro_rules! bodies {
         }
 
         impl<T: Scalar, C: Closures> Takes<Planar<T>, Meet<T, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut Meet<T, C>,
@@ -130,7 +130,7 @@ macro_rules! bodies {
         }
 
         impl<T: Scalar, C: Closures> Takes<Planar<T>, Stir<T, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut Stir<T, C>,
@@ -149,7 +149,7 @@ macro_rules! bodies {
         }
 
         impl<T: Scalar> Takes<Planar<T>, PullBack> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut PullBack,

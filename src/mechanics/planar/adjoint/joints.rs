@@ -17,7 +17,7 @@ use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
 
 impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for Pin {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Factor<C, By>,
@@ -33,7 +33,7 @@ impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for
 }
 
 impl<T: Scalar, C: Closures> Takes<Planar<T>, Reach<T, C>> for Pin {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Reach<T, C>,
@@ -47,7 +47,7 @@ impl<T: Scalar, C: Closures> Takes<Planar<T>, Reach<T, C>> for Pin {
 
 impl<T: Scalar, C: Closures> Takes<Planar<T>, Meet<T, C>> for Pin {
     /// D w + u · W + m = λ, with w = free + gain · W.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Meet<T, C>,
@@ -62,7 +62,7 @@ impl<T: Scalar, C: Closures> Takes<Planar<T>, Meet<T, C>> for Pin {
 }
 
 impl<T: Scalar, C: Closures> Takes<Planar<T>, Stir<T, C>> for Pin {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Stir<T, C>,
@@ -81,7 +81,7 @@ impl<T: Scalar, C: Closures> Takes<Planar<T>, Stir<T, C>> for Pin {
 
 impl<T: Scalar> Takes<Planar<T>, PullBack> for Pin {
     /// The coordinate is the absolute angle of what the pin turns: nothing of that is left for what lies inboard.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut PullBack,
@@ -96,7 +96,7 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Pin {
 passes!(Planar, Weld<T>);
 
 impl<T: Scalar, C: Closures> Takes<Planar<T>, Stir<T, C>> for Weld<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Stir<T, C>,
@@ -110,7 +110,7 @@ impl<T: Scalar, C: Closures> Takes<Planar<T>, Stir<T, C>> for Weld<T> {
 
 impl<T: Scalar> Takes<Planar<T>, PullBack> for Weld<T> {
     /// The angle of a weld turns all that has been met since the last pin.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut PullBack,
@@ -124,7 +124,7 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Weld<T> {
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for ElasticHinge<L> {
     /// Under an implicit rule the pivot knows the stiffness, and what lies inboard the moment.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Factor<C, By>,
@@ -147,7 +147,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T>> Takes<Planar<T
 }
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Reach<T, C>> for ElasticHinge<L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Reach<T, C>,
@@ -161,7 +161,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Reach<T, C>> 
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Meet<T, C>> for ElasticHinge<L> {
     /// D w + U · (W, w_I) + m = λ, of the relative w.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Meet<T, C>,
@@ -177,7 +177,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Meet<T, C>> f
 }
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Stir<T, C>> for ElasticHinge<L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Stir<T, C>,
@@ -198,7 +198,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Stir<T, C>> f
 
 impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for ElasticHinge<L> {
     /// The coordinate turns all that lies outboard, and so do those inboard of it. The law pushes against w.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut PullBack,

@@ -25,7 +25,7 @@ use crate::walks::strain::Strain;
 use nalgebra::Vector2;
 
 /// Costates of the numbers of the rotary law, of those along both axes, and of the mass.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn parts<T>(sums: &mut [T; NUMBERS_OF_JOINT]) -> [&mut [T]; 4] {
     let (rotary, rest) = sums.split_at_mut(LAW_NUMBERS);
     let (one, rest) = rest.split_at_mut(LAW_NUMBERS);
@@ -40,7 +40,7 @@ fn slides<T: Scalar>(list: &(T, T, T)) -> Vector2<T> {
 }
 
 /// How the outboard point moves on a body inboard of one that turns so.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn moved<T: Scalar>(outer: Turning<T>, rate: &(T, T, T), acceleration: &(T, T, T), own: &(T, T, T)) -> Moved<T> {
     let turning = Turning {
         rate: outer.rate - rate.2,

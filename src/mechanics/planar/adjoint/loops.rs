@@ -37,7 +37,7 @@ fn felt<T: Scalar, C: Closures>(
 }
 
 impl<T: Scalar> ReversibleClosing<Planar<T>> for Pin {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn close_off<C: Closures>(
         &self,
         outer: Outboard<T, C>,
@@ -69,7 +69,7 @@ impl<T: Scalar> ReversibleClosing<Planar<T>> for Pin {
 }
 
 impl<T: Scalar> ReversibleClosing<Planar<T>> for Weld<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn close_off<C: Closures>(
         &self,
         outer: Outboard<T, C>,

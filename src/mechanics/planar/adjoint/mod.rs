@@ -106,7 +106,7 @@ pub struct Pulled<T> {
 
 impl<T: Scalar> Pulled<T> {
     /// The costates of the angle and the angular velocity that turn what has been met.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn turned(&self, Turning { rate, acceleration, stirring }: Turning<T>) -> [T; 2] {
         let angle = acceleration.mul_add(self.along, (rate * rate).mul_add(self.across, stirring * self.lever));
         let spin = (rate + rate) * self.along;
@@ -128,7 +128,7 @@ impl<T: Scalar> Pulled<T> {
 }
 
 /// Sums of what there is.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn sum<T: Scalar>(a: Option<[T; 2]>, b: Option<[T; 2]>) -> Option<[T; 2]> {
     match (a, b) {
         (Some(a), Some(b)) => Some([a[0] + b[0], a[1] + b[1]]),
@@ -138,7 +138,7 @@ fn sum<T: Scalar>(a: Option<[T; 2]>, b: Option<[T; 2]>) -> Option<[T; 2]> {
 
 impl<T: Scalar> Add for Pulled<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add(self, other: Self) -> Self {
         Self {
             momentum: self.momentum + other.momentum,
@@ -174,7 +174,7 @@ impl<T: Scalar> Reversed for Planar<T> {
     /// None of its own: costates read what sweeps do.
     type Poses = Factor;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pose<E: Element<Self>>(
         elements: &E,
         position: &E::Position,
@@ -192,7 +192,7 @@ impl<T: Scalar> Reversed for Planar<T> {
     fn no_pivot() -> T {
         T::zero()
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn at_ground(frame: &Frame<T>) -> Stirred<T> {
         let zero = T::zero();
         let turning = Turning { rate: frame.turn.rate, acceleration: frame.acceleration.angular, stirring: zero };

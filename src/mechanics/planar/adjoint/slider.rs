@@ -33,7 +33,7 @@ use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for Slider<T, L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Factor<C, By>,
@@ -50,7 +50,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T>> Takes<Planar<T
 }
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Reach<T, C>> for Slider<T, L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Reach<T, C>,
@@ -66,7 +66,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Reach<T, C>> 
 }
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Meet<T, C>> for Slider<T, L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Meet<T, C>,
@@ -84,7 +84,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Meet<T, C>> f
 }
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Stir<T, C>> for Slider<T, L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Stir<T, C>,

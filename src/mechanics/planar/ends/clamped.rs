@@ -101,7 +101,7 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, [T; 3]>> Tip<Planar<
     type Closures = Cut<3>;
     type Relation = Full<T, Cut<3>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn relation(&self, time: T::Real, gravity: Vector2<T>, _: &Turn<T>) -> Self::Relation {
         let frame = self.frame(time);
         let target = frame.acceleration.linear - gravity;

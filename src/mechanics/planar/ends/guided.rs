@@ -109,7 +109,7 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Tip<Planar<T>> for Guided<G, T, T
     type Closures = Cut<2>;
     type Relation = Full<T, Cut<2>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn relation(&self, time: T::Real, gravity: Vector2<T>, _: &Turn<T>) -> Self::Relation {
         let frame = self.ground.frame(time);
         let normal = self.normal(&frame);

@@ -70,7 +70,7 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Tip<Planar<T>> for Pinned<G> {
     type Closures = Cut<2>;
     type Relation = Point<T, Absent, Cut<2>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn relation(&self, time: T::Real, gravity: Vector2<T>, _: &Turn<T>) -> Self::Relation {
         let target = Vector2::from(self.place.at(time).acceleration) - gravity;
         let (zero, one) = (T::zero(), T::one());

@@ -80,7 +80,7 @@ fn turned<T: Scalar>([x, y]: [T; 2], direction: Vector2<T>) -> Vector2<T> {
 }
 
 /// Carries a motion over a body.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn vary_body<N: Seeds, T: Scalar, const K: usize, const A: usize>(
     body: &impl Body<T>,
     jets: &impl Body<Jet<T, K>>,
@@ -128,7 +128,7 @@ fn vary_body<N: Seeds, T: Scalar, const K: usize, const A: usize>(
 }
 
 /// Carries a force over a body.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn gather_body<N: Seeds, T: Scalar, const K: usize, const A: usize>(
     body: &impl Body<T>,
     jets: &impl Body<Jet<T, K>>,
@@ -221,7 +221,7 @@ macro_rules! bodies {
             fn load(&self, on_body: &Wrench<Jet<T, K>>, (): &(), store: &mut Self::Room) {
                 store.load = *on_body;
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn factor<N: Seeds>(
                 &self,
                 at: At<'_, Planar<Jet<T, K>>, Self>,
@@ -235,7 +235,7 @@ macro_rules! bodies {
                 let Wrench { force, torque } = store.load;
                 Wrench { force: force.map(|x| x.re), torque: torque.re }.take_from(relation)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn vary<N: Seeds>(
                 &self,
                 at: At<'_, Planar<Jet<T, K>>, Self>,
@@ -245,7 +245,7 @@ macro_rules! bodies {
             ) {
                 vary_body::<N, T, K, $aside>(at.plain, self, Pose::of(at.posture), carried, store);
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn gather<N: Seeds>(
                 &self,
                 at: At<'_, Planar<Jet<T, K>>, Self>,
@@ -255,7 +255,7 @@ macro_rules! bodies {
             ) {
                 gather_body::<N, T, K, $aside>(at.plain, self, Pose::of(at.posture), carried, store);
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn answer(
                 &self,
                 at: At<'_, Planar<Jet<T, K>>, Self>,

@@ -25,7 +25,7 @@ impl<T: Scalar, const K: usize> TurnStore<T, K> {
     }
 
     /// Eliminates the rotation under a torque.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn factor(&mut self, outer: Full<T>, torque: impl Term<T>) -> Full<T> {
         // The same quotient as in the elimination: it is formed once.
         self.minus_inverse = -outer.angular.recip();
@@ -35,7 +35,7 @@ impl<T: Scalar, const K: usize> TurnStore<T, K> {
     }
 
     /// Turns residuals in a joint without torque into angular accelerations.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn gather(&self, carried: &mut Pulling<T, K>, acceleration: &mut Jet<T, K>) {
         let (w, minus_inverse) = (self.gain.per_acceleration, self.minus_inverse);
         columns!(K; ; k:
@@ -47,7 +47,7 @@ impl<T: Scalar, const K: usize> TurnStore<T, K> {
     }
 
     /// Turns residuals in a joint under a torque into angular accelerations.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn gather_under(&self, applied: &[T; K], carried: &mut Pulling<T, K>, acceleration: &mut Jet<T, K>) {
         let (w, minus_inverse) = (self.gain.per_acceleration, self.minus_inverse);
         columns!(K; applied = *applied; k:
@@ -74,14 +74,14 @@ impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Pin {
     fn load(&self, (): &(), in_joint: &Jet<T, K>, store: &mut Self::Room) {
         store.load = *in_joint;
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn factor<N: Seeds>(&self, _: At<'_, Planar<Jet<T, K>>, Self>, outer: Full<T>, store: &mut Self::Room) -> Full<T> {
         match N::LOADS {
             true => store.factor(outer, store.load.re),
             false => store.factor(outer, Absent),
         }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn vary<N: Seeds>(
         &self,
         at: At<'_, Planar<Jet<T, K>>, Self>,
@@ -99,7 +99,7 @@ impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Pin {
             carried.turning = false;
         }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn gather<N: Seeds>(
         &self,
         _: At<'_, Planar<Jet<T, K>>, Self>,
@@ -112,7 +112,7 @@ impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Pin {
             false => store.gather(carried, acceleration),
         }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn answer(
         &self,
         _: At<'_, Planar<Jet<T, K>>, Self>,
@@ -150,13 +150,13 @@ where
     fn load(&self, (): &(), in_joint: &Jet<T, K>, store: &mut Self::Room) {
         store.load = *in_joint;
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn factor<N: Seeds>(&self, at: At<'_, Planar<Jet<T, K>>, Self>, outer: Full<T>, store: &mut Self::Room) -> Full<T> {
         let torque = at.plain.rotary.force(at.position.re, at.rate.re);
         let torque = if N::LOADS { torque + store.load.re } else { torque };
         store.factor(outer, Minus(-torque))
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn vary<N: Seeds>(
         &self,
         at: At<'_, Planar<Jet<T, K>>, Self>,
@@ -173,7 +173,7 @@ where
             mut spin = carried.spin => spin[k] + v[k]
         );
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn gather<N: Seeds>(
         &self,
         at: At<'_, Planar<Jet<T, K>>, Self>,
@@ -185,7 +185,7 @@ where
         let torque = if N::LOADS { torque + store.load } else { torque };
         store.gather_under(&torque.eps, carried, acceleration);
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn answer(
         &self,
         _: At<'_, Planar<Jet<T, K>>, Self>,
@@ -214,7 +214,7 @@ impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Weld<Jet<T, K>>
     fn factor<N: Seeds>(&self, _: At<'_, Planar<Jet<T, K>>, Self>, outer: Full<T>, (): &mut ()) -> Full<T> {
         outer
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn vary<N: Seeds>(
         &self,
         _: At<'_, Planar<Jet<T, K>>, Self>,

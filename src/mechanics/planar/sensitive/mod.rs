@@ -55,7 +55,7 @@ impl<T: Scalar, const K: usize> Varied for Planar<Jet<T, K>> {
     type Inward = Pulling<T, K>;
     type Response = Answering<T, K>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn ground(frame: &Frame<Jet<T, K>>, gravity: Vector2<Jet<T, K>>) -> Passing<T, K> {
         let Acceleration { linear, angular } = frame.falling(gravity);
         Passing {
@@ -86,7 +86,7 @@ impl<T: Scalar, const K: usize> Varied for Planar<Jet<T, K>> {
     fn ground_turns(frame: &Frame<Jet<T, K>>) -> bool {
         !frame.acceleration.angular.is_constant()
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pull(chain: &mut Pulling<T, K>, arm: &Pulling<T, K>) {
         chain.force += arm.force;
         columns!(K; a = arm.x, b = arm.y, c = arm.torque; k:

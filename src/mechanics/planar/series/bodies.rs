@@ -73,7 +73,7 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
 
     /// Products of all coefficients whose numbers add up to `k`. Those of the newest come last: others need not wait for them. The rest
     /// goes two at a time.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn convolved(&self, k: usize) -> [T; 4] {
         let (Some((first, turned)), Some((last, turning))) =
             (self.turned[..=k].split_first(), self.turning[..=k].split_first())
@@ -98,7 +98,7 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
 }
 
 /// The body's unit of length: one, but for links along their x axis, whose posture is their arm.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn base<T: Scalar, B: Body<T>>(body: &B) -> Base<T> {
     let base = body.base();
     match B::MOMENT {
@@ -110,7 +110,7 @@ fn base<T: Scalar, B: Body<T>>(body: &B) -> Base<T> {
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
         impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut Begin<N>,
@@ -127,7 +127,7 @@ macro_rules! bodies {
             }
         }
         impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 Articulate { cuts }: &mut Articulate<Planar<T>, N, C>,
@@ -160,7 +160,7 @@ macro_rules! bodies {
             }
         }
         impl<T: Scalar, Q: Part, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
@@ -183,7 +183,7 @@ macro_rules! bodies {
             }
         }
         impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 walk: &mut Swing<Planar<T>, N, C>,

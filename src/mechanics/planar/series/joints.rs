@@ -34,7 +34,7 @@ impl<T: Scalar> JointSeries<T> {
     }
 
     /// Eliminates the rotation.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn loosen<C: Closures>(
         &mut self,
         Articulated { linear, coupling, angular }: Articulated<T>,
@@ -68,7 +68,7 @@ impl<T: Scalar> JointSeries<T> {
     }
 
     /// The acceleration of the present order under closure forces if the station stays where it is.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn held<C: Closures>(&self, columns: &C::Each<Internal<T>>, forces: &C::Each<T>) -> T {
         let mut free = self.free;
         C::zip(columns, forces, |w, by| free = (w.torque * self.minus_inverse).mul_add(by, free));
@@ -77,7 +77,7 @@ impl<T: Scalar> JointSeries<T> {
 }
 
 impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for Pin {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Begin<N>,
@@ -89,7 +89,7 @@ impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for Pin {
 }
 
 impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>> for Pin {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Articulate { cuts }: &mut Articulate<Planar<T>, N, C>,
@@ -101,7 +101,7 @@ impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<
 }
 
 impl<T: Scalar, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>> for Pin {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
@@ -116,7 +116,7 @@ impl<T: Scalar, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<P
 }
 
 impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>> for Pin {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Swing { forces, .. }: &mut Swing<Planar<T>, N, C>,
@@ -153,7 +153,7 @@ welded!(
 );
 
 impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for ElasticHinge<L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Begin<N>,
@@ -168,7 +168,7 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for 
 impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>>
     for ElasticHinge<L>
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Articulate { cuts }: &mut Articulate<Planar<T>, N, C>,
@@ -182,7 +182,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, A
 impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>>
     for ElasticHinge<L>
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
@@ -199,7 +199,7 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<
 impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>>
     for ElasticHinge<L>
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Swing { order, forces }: &mut Swing<Planar<T>, N, C>,

@@ -40,7 +40,7 @@ impl<T: Scalar> Expandable for Planar<T> {
     fn join(a: Articulated<T>, b: Articulated<T>) -> Articulated<T> {
         Articulated { linear: a.linear + b.linear, coupling: a.coupling + b.coupling, angular: a.angular + b.angular }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn closed(open: Articulated<T>, wrench: Internal<T>, inverse: T) -> Articulated<T> {
         let (Internal { force, torque }, Articulated { linear, coupling, angular }) = (wrench, open);
         let share = torque * inverse;
@@ -61,7 +61,7 @@ impl<T: Scalar> Expandable for Planar<T> {
 }
 
 /// A force with those that closure forces cause by their columns.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn pulled<T: Scalar, C: Closures>(
     force: Vector2<T>,
     columns: &C::Each<Internal<T>>,

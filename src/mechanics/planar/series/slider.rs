@@ -16,7 +16,7 @@ use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector2;
 
 /// Keeps coefficients at a number: z twice beside ω twice and F; s twice and r beside z of the next number and F across.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn keep<T: Scalar, const N: usize>(
     [line, arm]: &mut [AxesSeries<T, N>; 2],
     number: usize,
@@ -32,7 +32,7 @@ fn keep<T: Scalar, const N: usize>(
 }
 
 impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for Slider<T, L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Begin<N>,
@@ -52,7 +52,7 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for 
 impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>>
     for Slider<T, L>
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Articulate { cuts }: &mut Articulate<Planar<T>, N, C>,
@@ -87,7 +87,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, A
 impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>>
     for Slider<T, L>
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
@@ -117,7 +117,7 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<
 impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>>
     for Slider<T, L>
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Swing { order, forces }: &mut Swing<Planar<T>, N, C>,

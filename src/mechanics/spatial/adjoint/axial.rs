@@ -30,7 +30,7 @@ pub(super) fn axis<T: Scalar>(axes: &Columns<T>, k: usize) -> Vector3<T> {
 }
 
 /// What a coordinate along or about an axis meets of a wrench.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn share<T: Scalar>(way: Way, n: Vector3<T>, w: &Wrench<T>) -> T {
     match way {
         Way::Turn => dot(n, w.torque),
@@ -49,7 +49,7 @@ impl<T: Scalar> Pivot<T> {
 }
 
 /// The inward half with another right-hand side: what is left in place of each costate, over its pivot.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn met<T: Scalar, J: Axial<T, K>, C: Closures, const K: usize>(
     walk: &mut Meet<T, C>,
     outer: Wrench<T>,

@@ -25,7 +25,7 @@ use crate::walks::stir::Stir;
 use nalgebra::Vector3;
 
 impl<T: Scalar> Takes<Spatial<T>, Orient> for Ball {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Orient,
@@ -37,7 +37,7 @@ impl<T: Scalar> Takes<Spatial<T>, Orient> for Ball {
 }
 
 impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Spatial<T>, Factor<C, By>> for Ball {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Factor<C, By>,
@@ -53,7 +53,7 @@ impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Spatial<T>, Factor<C, By>> fo
 }
 
 impl<T: Scalar, C: Closures> Takes<Spatial<T>, Reach<T, C>> for Ball {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Reach<T, C>,
@@ -68,7 +68,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Reach<T, C>> for Ball {
 
 impl<T: Scalar, C: Closures> Takes<Spatial<T>, Meet<T, C>> for Ball {
     /// H w + Kᵀ W + e_m = A λ, with w = free + G W and G = −H⁻¹ Kᵀ; what is left in place of λ is free, in inertial axes.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Meet<T, C>,
@@ -83,7 +83,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Meet<T, C>> for Ball {
 }
 
 impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Ball {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Stir<T, C>,
@@ -100,7 +100,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Ball {
 }
 
 impl<T: Scalar> Takes<Spatial<T>, PullBack> for Ball {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut PullBack,

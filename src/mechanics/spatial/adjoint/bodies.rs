@@ -26,7 +26,7 @@ use crate::walks::stir::Stir;
 use nalgebra::Vector3;
 
 /// Condenses what lies outboard of a body.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn factor<T: Scalar, C: Closures>(body: &impl Body<T>, pose: &Pose<T>, outer: Outboard<T, C>) -> Outboard<T, C> {
     Outboard::rigid(match outer.kind {
         Kind::Nothing => body.condense(Empty, pose).cut(outer.relation.cuts),
@@ -36,7 +36,7 @@ fn factor<T: Scalar, C: Closures>(body: &impl Body<T>, pose: &Pose<T>, outer: Ou
 }
 
 /// Carries derivatives of P over a body whose outboard end accelerates by `a`.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn pull_back<T: Scalar>(
     body: &impl Inertial<T>,
     pose: &Pose<T>,
@@ -68,7 +68,7 @@ fn pull_back<T: Scalar>(
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
         impl<T: Scalar> Takes<Spatial<T>, Orient> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut Orient,
@@ -80,7 +80,7 @@ macro_rules! bodies {
         }
 
         impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Spatial<T>, Factor<C, By>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut Factor<C, By>,
@@ -92,7 +92,7 @@ macro_rules! bodies {
         }
 
         impl<T: Scalar, C: Closures> Takes<Spatial<T>, Reach<T, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut Reach<T, C>,
@@ -106,7 +106,7 @@ macro_rules! bodies {
         }
 
         impl<T: Scalar, C: Closures> Takes<Spatial<T>, Meet<T, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut Meet<T, C>,
@@ -118,7 +118,7 @@ macro_rules! bodies {
         }
 
         impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut Stir<T, C>,
@@ -133,7 +133,7 @@ macro_rules! bodies {
         }
 
         impl<T: Scalar> Takes<Spatial<T>, PullBack> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut PullBack,

@@ -24,7 +24,7 @@ use crate::walks::stir::Stir;
 use nalgebra::Vector3;
 
 impl<T: Scalar> Takes<Spatial<T>, Orient> for Floating<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Orient,

@@ -79,7 +79,7 @@ pub fn swept<T: Scalar>(spin: Vector3<T>, d: Vector3<T>, p: Vector3<T>, sum: Vec
 }
 
 /// ∂P/∂d of a vector d of the body whose acceleration α × d + ω × (ω × d) meets p, and whose virtual velocity w × d meets q.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn per_vector<T: Scalar>(turning: &Turning<T>, p: Vector3<T>, q: Vector3<T>) -> Vector3<T> {
     let Turning { spin, acceleration, stirring } = *turning;
     let centripetal = add_scaled(spin * dot(spin, p), -dot(spin, spin), p);
@@ -102,7 +102,7 @@ impl<T: Scalar> Inertial<T> for Rod<T> {
     fn lumped(&self) -> T {
         self.lumped
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pull_back(
         &self,
         pose: &Pose<T>,
@@ -158,7 +158,7 @@ impl<T: Scalar> Inertial<T> for RigidBody<T> {
     fn lumped(&self) -> T {
         self.lumped
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pull_back(
         &self,
         pose: &Pose<T>,

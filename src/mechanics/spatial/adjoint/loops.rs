@@ -28,7 +28,7 @@ use crate::shape::{Closing, Ends};
 use nalgebra::Vector3;
 
 /// What a loop is cut to, under a torque on the end of the main arm.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 #[allow(clippy::type_complexity)] // three of them
 fn cut<T: Scalar, C: Closures, O: Own>(
     outer: Outboard<T, C>,
@@ -103,7 +103,7 @@ fn felt<T: Scalar>(
 
 /// Forces along inertial axes; the torque turns with the end of the main arm.
 impl<T: Scalar> ReversibleClosing<Spatial<T>> for Ball {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn close_off<C: Closures>(
         &self,
         outer: Outboard<T, C>,
@@ -150,7 +150,7 @@ fn holds<T: Scalar>() -> [Wrench<T>; 6] {
 
 /// A torque in a weld does nothing.
 impl<T: Scalar> ReversibleClosing<Spatial<T>> for Weld<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn close_off<C: Closures>(
         &self,
         outer: Outboard<T, C>,
@@ -198,7 +198,7 @@ impl<T: Scalar> ReversibleClosing<Spatial<T>> for Weld<T> {
 /// about the axis changes nothing, and is left out.
 impl<T: Scalar> ReversibleClosing<Spatial<T>> for Revolute<T> {
     /// Stores the axis, and the column that is not along it as either end turns it.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pose(
         &self,
         side: Turn<T>,
@@ -213,7 +213,7 @@ impl<T: Scalar> ReversibleClosing<Spatial<T>> for Revolute<T> {
         let [y, z] = self.aside([from.x, to.x], [from.y, to.y]);
         *x = Columns { x: to.apply(self.axis()), y, z };
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn close_off<C: Closures>(
         &self,
         outer: Outboard<T, C>,

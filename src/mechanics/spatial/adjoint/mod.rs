@@ -124,7 +124,7 @@ impl<T: Scalar> Pulled<T> {
 
 impl<T: Scalar> Add for Pulled<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add(self, other: Self) -> Self {
         Self {
             momentum: self.momentum + other.momentum,
@@ -180,7 +180,7 @@ impl<T: Scalar> Reversed for Spatial<T> {
     type OfTip = [T; TIP];
     type Poses = Orient;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pose<E: Element<Self> + Takes<Self, Orient>>(
         elements: &E,
         position: &E::Position,
@@ -198,7 +198,7 @@ impl<T: Scalar> Reversed for Spatial<T> {
     fn no_pivot() -> Pivot<T> {
         Pivot { factor: Factor3::of_number(T::one()), torque: zero() }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn at_ground(frame: &Frame<T>) -> Stirred<T> {
         let Acceleration { angular, .. } = frame.acceleration;
         let turning = Turning { spin: frame.turn.spin, acceleration: angular, stirring: zero() };

@@ -41,7 +41,7 @@ use crate::walks::strain::Strain;
 use nalgebra::Vector3;
 
 /// Adds what turns of the axis do, from Θ_O and X.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn of_axis<T: Scalar>(axes: &Columns<T>, turned: Vector3<T>, x: Vector3<T>, sum: &mut Vector3<T>) {
     let (axis, inboard, apart) = (axes.x, axes.y, axes.y - axes.z);
     let y = cross(x, axis);
@@ -51,7 +51,7 @@ pub(super) fn of_axis<T: Scalar>(axes: &Columns<T>, turned: Vector3<T>, x: Vecto
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T>> Takes<Spatial<T>, Factor<C, By>> for Revolute<T, L> {
     /// Under an implicit rule the pivot knows the stiffness.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Factor<C, By>,
@@ -75,7 +75,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T>> Takes<Spatial<
 }
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Reach<T, C>> for Revolute<T, L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Reach<T, C>,
@@ -90,7 +90,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Reach<T, C>>
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Meet<T, C>> for Revolute<T, L> {
     /// Δ q̇_w + U · (W, w_I) + s · m = λ, with q̇_w = free + gain · (W, w_I).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Meet<T, C>,
@@ -108,7 +108,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Meet<T, C>> 
 }
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Stir<T, C>> for Revolute<T, L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut Stir<T, C>,
@@ -136,7 +136,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Stir<T, C>> 
 }
 
 impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T, L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         walk: &mut PullBack,
@@ -182,7 +182,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Strain<T>> for Revolute<T
 
 impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, Orient> for Revolute<T, L> {
     /// Stores e in inertial axes as well, as either body turns it.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Orient,

@@ -15,7 +15,7 @@ use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 
 impl<T: Scalar> Takes<Spatial<T>, Orient> for Weld<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Orient,
@@ -29,7 +29,7 @@ impl<T: Scalar> Takes<Spatial<T>, Orient> for Weld<T> {
 passes!(Spatial, Weld<T>);
 
 impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Weld<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Stir<T, C>,
@@ -43,7 +43,7 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Weld<T> {
 
 impl<T: Scalar> Takes<Spatial<T>, PullBack> for Weld<T> {
     /// The attitude of a weld turns all that has been met since the last balls, but not the motion of the body that it begins with.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut PullBack,

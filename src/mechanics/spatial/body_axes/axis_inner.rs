@@ -26,7 +26,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     fn turned(&self, position: &T, rate: &T, inboard: Turn<T>) -> Turn<T> {
         Element::turned(self, position, rate, inboard)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         position: &T,
@@ -64,7 +64,7 @@ where
 {
     type Out = B::Relation<T, R::Closures>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn eliminate(
         &self,
         outer: R,
@@ -76,7 +76,7 @@ where
         let more = self.inertia().plus(Number::of(resistance));
         self.let_go(outer, force, more, Self::posture(x, y), (kept, true))
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn drive(
         &self,
         outer: R,

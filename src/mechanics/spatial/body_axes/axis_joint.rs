@@ -95,7 +95,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         }
         Turn { attitude: self.attitude(*position, &inboard.attitude), ..inboard }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recover<X: Closures, By: Springs<T>>(
         &self,
         inboard: Acceleration<T>,
@@ -110,7 +110,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         let free = X::plus_dot(kept.gains.free, &kept.per_closure, multipliers);
         self.released(p, &kept.gains, free, const { A::ON || By::STIFF }, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn respond<X: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -184,7 +184,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     Axis<T, M, C, PLACE, L, A, B>
 {
     /// The coordinate's acceleration, and that of the body: where nothing adds to the pivot, the share of its own axis is one.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn released(
         &self,
         p: [Triple<T>; 2],

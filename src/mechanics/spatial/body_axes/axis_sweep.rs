@@ -31,7 +31,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     fn turned(&self, position: &T, rate: &T, turn: Turn<T>) -> Turn<T> {
         Turn { spin: Vector3::from(self.spun(self.stand(*position), *rate, turn.spin.into())), ..turn }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         position: &T,
@@ -66,7 +66,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
 {
     /// The relation at the parent's origin, from that at the joint's place in axes that are turned by the offset alone, and from what the body's
     /// own says of closure forces.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn handed_on<Q: Closures>(
         &self,
         relation: Sparse<T>,
@@ -75,14 +75,14 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     ) -> B::Relation<T, Q> {
         let (turn, arm, swung) = (self.offset.rows(), self.arm(), Self::known_swung(swung));
         B::relation(
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             || relation.turned(&turn).shifted(arm, swung).dense().cut(self.carried_cuts(cuts, stand, swung)),
         )
     }
 
     /// The relation at the parent's origin with the coordinate gone, which went under an effort against what else adds to the pivot; its gains
     /// are kept, that of its own axis where something `stiffened` the pivot.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn let_go<R: Outboard<T>>(
         &self,
         outer: R,
@@ -122,7 +122,7 @@ where
 {
     type Out = B::Relation<T, R::Closures>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

@@ -53,7 +53,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     Axis<T, M, C, PLACE, L, A, B>
 {
     /// The coordinate goes, with whole gains U / D, 1 / D, and what accelerates the other side besides; what it does for each force is kept.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn loosed<Q: Closures>(
         cuts: LocalCuts<T, Q>,
         (gains, inverse): (&Gains<T>, T),
@@ -72,7 +72,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     }
 
     /// At the parent's origin, in its axes, from the body's; the joint's place accelerates besides.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn carried_cuts<Q: Closures>(
         &self,
         cuts: LocalCuts<T, Q>,

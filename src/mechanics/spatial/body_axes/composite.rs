@@ -34,7 +34,7 @@ impl<T: Scalar> Whole<T> {
         Self { mass: T::zero(), moment: [T::zero(); 3], tensor: [T::zero(); 6], end }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn with(self, mass: T, moment: Triple<T>, tensor: &Triangle<T>) -> Self {
         Self {
             mass: self.mass + mass,
@@ -52,7 +52,7 @@ through!([const N: usize] Composite<T, N>, Whole<T>, inward, |walk, chain, go| {
 });
 
 /// First moment and tensor about the point at −d.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn shifted<T: Scalar>(
     mass: Number<T>,
     moment: Triple<T>,
@@ -77,7 +77,7 @@ fn about_z<T: Scalar>([sine, cosine]: Stand<T>) -> Rows<T> {
 }
 
 impl<T: Scalar, const N: usize> Through<T> for Composite<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, whole: Whole<T>) -> Whole<T> {
         self.next -= 1;
         let own = self.next;

@@ -21,7 +21,7 @@ through!([const N: usize] Factor<T, N>, Local<T>, inward, |walk, chain, go| {
 });
 
 impl<T: Scalar, const N: usize> Through<T> for Factor<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, relation: Local<T>) -> Local<T> {
         self.next -= 1;
         let (stand, o) = (self.stands[self.next], T::zero());
@@ -60,7 +60,7 @@ through!([const N: usize] Inward<T, N>, [[T; 3]; 2], inward, |walk, chain, go| {
 });
 
 impl<T: Scalar, const N: usize> Through<T> for Inward<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, [force, torque]: [[T; 3]; 2]) -> [[T; 3]; 2] {
         self.next -= 1;
         let Gains { linear, angular, free: inverse } = self.gains[self.next];
@@ -90,7 +90,7 @@ pub struct Outward<T, const N: usize> {
 through!([const N: usize] Outward<T, N>, [[T; 3]; 2], outward);
 
 impl<T: Scalar, const N: usize> Through<T> for Outward<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, [linear, angular]: [[T; 3]; 2]) -> [[T; 3]; 2] {
         let own = self.next;
         self.next += 1;

@@ -98,7 +98,7 @@ impl<T: Scalar> Joint<Spatial<T>> for Flange<T> {
     fn configure(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
         inboard
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recover<C: Closures, By: Springs<T>>(
         &self,
         inboard: Acceleration<T>,
@@ -109,7 +109,7 @@ impl<T: Scalar> Joint<Spatial<T>> for Flange<T> {
     ) -> Acceleration<T> {
         turned(inboard, x).shifted(y[0], y[1])
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn respond<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -151,7 +151,7 @@ impl<T: Scalar> Element<Spatial<T>> for Flange<T> {
         self.lumped = mass;
         T::zero()
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         (): &(),
@@ -178,7 +178,7 @@ impl<T> Counted for Flange<T> {
 impl<T: Scalar, R: Relation<Spatial<T>>, W: Sweep<Spatial<T>>> Condense<Spatial<T>, R, W> for Flange<T> {
     type Out = Local<T, R::Closures>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

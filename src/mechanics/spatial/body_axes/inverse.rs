@@ -34,7 +34,7 @@ impl<T: Scalar, const N: usize, const RATES: bool, const SECONDS: bool> Loaded<T
 }
 
 impl<T: Scalar, const N: usize, const RATES: bool, const SECONDS: bool> Through<T> for Loaded<T, N, RATES, SECONDS> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, Carried { spin, linear, angular, .. }: Carried<T>) -> Carried<T> {
         let own = self.next;
         self.next += 1;
@@ -49,7 +49,7 @@ impl<T: Scalar, const N: usize, const RATES: bool, const SECONDS: bool> Through<
         }
         Carried { spin: turning, linear: values(p[0]), angular: values(p[1]), own }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn link<B: Solid<T>>(&mut self, link: &B, carried: Carried<T>) -> Carried<T> {
         let still = if const { RATES } { link.gyroscopic(carried.spin) } else { [[Number::zero(); 3]; 2] };
         let [force, torque] = link.resisted([triple(carried.linear), Self::angular(carried.angular)], still);
@@ -75,7 +75,7 @@ through!([const N: usize] Carrying<T, N>, [[T; 3]; 2], inward, |walk, chain, go|
 });
 
 impl<T: Scalar, const N: usize> Through<T> for Carrying<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, [force, torque]: [[T; 3]; 2]) -> [[T; 3]; 2] {
         self.next -= 1;
         let [own_force, own_torque] = self.loads[self.next];
@@ -104,7 +104,7 @@ pub struct Resisting<T, const N: usize> {
 through!([const N: usize] Resisting<T, N>, (), outward);
 
 impl<T: Scalar, const N: usize> Through<T> for Resisting<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, (): ()) {
         let own = self.next;
         self.next += 1;
@@ -131,7 +131,7 @@ pub struct Slopes<T, const N: usize> {
 through!([const N: usize] Slopes<T, N>, (), outward);
 
 impl<T: Scalar, const N: usize> Through<T> for Slopes<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, (): ()) {
         let own = self.next;
         self.next += 1;

@@ -97,7 +97,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     }
 
     /// Force ω × (ω × σ) (N) and torque ω × J ω (N·m) about the origin that the angular velocity takes.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn stirred(&self, spin: [T; 3]) -> [[T; 3]; 2] {
         let [x, y, z] = spin;
         let (xx, yy, zz) = (x * x, y * y, z * z);
@@ -121,7 +121,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
 }
 
 /// One component of ω × J ω.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn around<T: Scalar>(
     moments: Number<T>,
     product: Number<T>,
@@ -135,7 +135,7 @@ fn around<T: Scalar>(
 }
 
 /// ω ωᵀ − ω² 1: what takes a place on a body to its centripetal acceleration.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn swirl<T: Scalar>([x, y, z]: [T; 3]) -> super::number::Rows<T> {
     let (xx, yy, zz) = (x * x, y * y, z * z);
     let (yz, xz, xy) = (Number::of(y * z), Number::of(x * z), Number::of(x * y));
@@ -160,7 +160,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Solid<T> for Link<T, MOMENT,
         let [force, torque] = self.stirred(spin);
         [if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(force) }, triple(torque)]
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn resisted(&self, [a, angular]: [Triple<T>; 2], [force, torque]: [Triple<T>; 2]) -> [Triple<T>; 2] {
         let (moment, mass) = (self.first_moment(), Number::of(self.inertia.mass));
         let force = cross_onto(angular, moment, more(force, mass, a));
@@ -180,7 +180,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> crate::shape::Body<Spatial<T
     fn swung(&self, inboard: Acceleration<T>, _: PostureOf<'_, Spatial<T>>) -> Acceleration<T> {
         inboard
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn motion(&self, inboard: Frame<T>) -> (BodyMotion<T>, Frame<T>) {
         let inertia = self.inertia;
         let to_centre = inboard.turn.attitude.apply(Vector3::from(inertia.centre));
@@ -216,7 +216,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Element<Spatial<T>> for Link
     fn lump(&mut self, _: T) -> T {
         T::zero() // joints on it have none to hand on
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn orient(
         &self,
         _: &(),
@@ -249,7 +249,7 @@ where
 {
     type Out = <OnBody<Spatial<T>, W> as OnLink<T>>::Alone<MOMENT, TENSOR>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         _: Empty,
@@ -268,7 +268,7 @@ where
 {
     type Out = Local<T, Q>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: Local<T, Q>,

@@ -27,7 +27,7 @@ pub trait OnLink<T: Scalar>: Part {
 
 impl<T: Scalar> OnLink<T> for Absent {
     type Alone<const MOMENT: u8, const TENSOR: u8> = Alone<T, MOMENT, TENSOR>;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn on_alone<K: Springs<T>, const MOMENT: u8, const TENSOR: u8>(
         self,
         link: Alone<T, MOMENT, TENSOR>,
@@ -66,7 +66,7 @@ fn less<T: Scalar>(a: [T; 3], b: Vector3<T>) -> [T; 3] {
 
 impl<T: Scalar> OnLink<T> for Wrench<T> {
     type Alone<const MOMENT: u8, const TENSOR: u8> = Bearing<T, MOMENT, TENSOR>;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn on_alone<K: Springs<T>, const MOMENT: u8, const TENSOR: u8>(
         self,
         link: Alone<T, MOMENT, TENSOR>,
@@ -118,7 +118,7 @@ impl<T: Scalar> Block<T> {
     }
 
     /// Number by number of two.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn with(self, other: Self, each: impl Fn(T, T) -> T) -> Self {
         let all = |a: [T; 6], b: [T; 6]| core::array::from_fn(|k| each(a[k], b[k]));
         let rows = core::array::from_fn(|i| core::array::from_fn(|k| each(self.coupling[i][k], other.coupling[i][k])));
@@ -150,7 +150,7 @@ impl<T: Scalar> Yielding<T> {
 
 impl<T: Scalar> Add for Yielding<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add(self, other: Self) -> Self {
         Self {
             wrench: self.wrench + other.wrench,
@@ -183,7 +183,7 @@ impl<T: Scalar> Load<Spatial<T>> for Yielding<T> {
     fn wrench(self) -> Wrench<T> {
         self.wrench
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn in_own_axes(self, body: &BodyMotion<T>) -> Self {
         let frame = &body.inboard;
         let led = [frame.acceleration.linear, frame.acceleration.angular].map(|a| frame.turn.attitude.transposed(a));
@@ -193,7 +193,7 @@ impl<T: Scalar> Load<Spatial<T>> for Yielding<T> {
 
 impl<T: Scalar> OnLink<T> for Yielding<T> {
     type Alone<const MOMENT: u8, const TENSOR: u8> = Local<T>;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn on_alone<K: Springs<T>, const MOMENT: u8, const TENSOR: u8>(
         self,
         link: Alone<T, MOMENT, TENSOR>,
@@ -201,7 +201,7 @@ impl<T: Scalar> OnLink<T> for Yielding<T> {
     ) -> Local<T> {
         self.on_others(link.parts().dense(), springs)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn on_others<K: Springs<T>, Q: Closures>(self, relation: Local<T, Q>, springs: K) -> Local<T, Q> {
         let relation = self.wrench.on_others(relation, springs);
         if const { !K::STIFF } {

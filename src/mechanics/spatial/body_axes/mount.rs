@@ -64,7 +64,7 @@ macro_rules! mount {
             fn configure(&self, (): &mut (), inboard: Turn<T>, _: &mut impl FnMut(Turn<T>) -> T) -> Turn<T> {
                 inboard
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn recover<C: Closures, By: Springs<T>>(
                 &self,
                 inboard: Acceleration<T>,
@@ -75,7 +75,7 @@ macro_rules! mount {
             ) -> Acceleration<T> {
                 self.respond::<C>(inboard, posture, &(), multipliers, &mut ())
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn respond<C: Closures>(
                 &self,
                 Acceleration { linear, angular }: Acceleration<T>,
@@ -115,7 +115,7 @@ macro_rules! mount {
             fn turned(&self, (): &(), (): &(), turn: Turn<T>) -> Turn<T> {
                 if const { $upright } { turn } else { Turn { spin: turn.attitude.transposed(turn.spin), ..turn } }
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn orient(
                 &self,
                 (): &(),
@@ -149,7 +149,7 @@ mount!(Upright, true);
 impl<T: Scalar, Q: Closures, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T, Q>, W> for BodyAxes {
     type Out = Full<T, Q>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: Local<T, Q>,
@@ -164,7 +164,7 @@ impl<T: Scalar, Q: Closures, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T,
 impl<T: Scalar, Q: Closures, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Borne<T, Q>, W> for BodyAxes {
     type Out = Settled<T, Q>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: Borne<T, Q>,
@@ -182,7 +182,7 @@ macro_rules! upright {
         impl<T: Scalar, Q: Closures, W: Sweep<Spatial<T>>> Condense<Spatial<T>, $Outer<T, Q>, W> for Upright {
             type Out = Borne<T, Q>;
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn condense(
                 &self,
                 $outer: $Outer<T, Q>,

@@ -55,7 +55,7 @@ impl<T: Scalar> Number<T> {
         self.value
     }
     /// −self.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn negated(self) -> Self {
         match self.known {
             Known::Zero => self,
@@ -65,7 +65,7 @@ impl<T: Scalar> Number<T> {
         }
     }
     /// self · other.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn times(self, other: Self) -> Self {
         match (self.known, other.known) {
             (Known::Zero, _) | (_, Known::Zero) => Self::zero(),
@@ -77,7 +77,7 @@ impl<T: Scalar> Number<T> {
         }
     }
     /// self + other.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn plus(self, other: Self) -> Self {
         match (self.known, other.known) {
             (Known::Zero, _) => other,
@@ -86,7 +86,7 @@ impl<T: Scalar> Number<T> {
         }
     }
     /// self − other.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn minus(self, other: Self) -> Self {
         match (self.known, other.known) {
             (_, Known::Zero) => self,
@@ -95,7 +95,7 @@ impl<T: Scalar> Number<T> {
         }
     }
     /// self · factor + sum.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn times_onto(self, factor: Self, sum: Self) -> Self {
         match (self.known, factor.known, sum.known) {
             (Known::Nothing, Known::Nothing, Known::One | Known::Minus | Known::Nothing) => {
@@ -118,7 +118,7 @@ pub fn triple<T: Scalar>([x, y, z]: [T; 3]) -> Triple<T> {
 }
 
 /// One triangle, those numbers zero that a mask does not name.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn triangle<T: Scalar>(mask: u8, [a, b, c, d, e, f]: [T; 6]) -> Triangle<T> {
     [
         Number::masked(mask, 0, a),
@@ -143,7 +143,7 @@ pub fn triangle_sum<T: Scalar>(a: &Triangle<T>, b: &Triangle<T>) -> Triangle<T> 
 }
 
 /// A triangle less the product of a column and a row, of which it is known to be symmetric.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn triangle_less<T: Scalar>(s: &Triangle<T>, u: Triple<T>, g: Triple<T>) -> Triangle<T> {
     [
         u[0].times_off(g[0], s[0]),
@@ -198,7 +198,7 @@ pub fn dot_onto<T: Scalar>(a: Triple<T>, b: Triple<T>, start: Number<T>) -> Numb
 }
 
 /// `start` + a × b.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn cross_onto<T: Scalar>(a: Triple<T>, b: Triple<T>, start: Triple<T>) -> Triple<T> {
     [
         a[2].times_off(b[1], a[1].times_onto(b[2], start[0])),
@@ -240,7 +240,7 @@ pub fn rows<T: Scalar>(s: &Triangle<T>) -> Rows<T> {
 }
 
 /// R S Rᵀ.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn congruent<T: Scalar>(turn: &Rows<T>, s: &Triangle<T>) -> Triangle<T> {
     let (half, o) = (product(turn, &rows(s)), Number::zero());
     [

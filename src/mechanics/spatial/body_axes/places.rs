@@ -29,7 +29,7 @@ through!([const N: usize] Places<T, N>, (Place<T>, usize), outward);
 
 impl<T: Scalar> Place<T> {
     /// The body on a joint.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn beyond<A: Standing<T>>(&self, axis: &A, stand: Stand<T>) -> Self {
         let o = Number::zero();
         let out = if const { A::TURNS } { [o; 3] } else { axis.outward(stand, [o, o, Number::of(stand[1])]) };
@@ -45,7 +45,7 @@ impl<T: Scalar> Place<T> {
 }
 
 impl<T: Scalar, const N: usize> Through<T> for Places<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, (place, parent): (Place<T>, usize)) -> (Place<T>, usize) {
         let own = self.next;
         self.next += 1;
@@ -68,7 +68,7 @@ pub struct Parents<const N: usize> {
 through!([const N: usize] Parents<N>, usize, outward);
 
 impl<T: Scalar, const N: usize> Through<T> for Parents<N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, _: &A, parent: usize) -> usize {
         let own = self.next;
         self.next += 1;
@@ -94,7 +94,7 @@ pub struct Way<T, const N: usize> {
 through!([const N: usize] Way<T, N>, Place<T>, outward);
 
 impl<T: Scalar, const N: usize> Through<T> for Way<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, place: Place<T>) -> Place<T> {
         let own = self.next;
         self.next += 1;
@@ -127,7 +127,7 @@ pub type Moving<T> = (Place<T>, [[T; 3]; 2]);
 through!([const N: usize] Tally<T, N>, Moving<T>, outward);
 
 impl<T: Scalar, const N: usize> Through<T> for Tally<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, (place, [velocity, spin]): Moving<T>) -> Moving<T> {
         let (stand, rate) = (self.stands[self.next], self.rates[self.next]);
         self.next += 1;
@@ -138,7 +138,7 @@ impl<T: Scalar, const N: usize> Through<T> for Tally<T, N> {
         self.twice_kinetic += axis.inertia().value() * rate * rate;
         (place.beyond(axis, stand), [values(velocity), values(spin)])
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn link<B: Solid<T>>(&mut self, link: &B, (place, [velocity, spin]): Moving<T>) -> Moving<T> {
         let moment = Vector3::from(values(link.moment()));
         self.mass += link.mass();

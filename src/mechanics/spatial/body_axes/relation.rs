@@ -79,7 +79,7 @@ impl<T: Scalar> Gains<T> {
 
     /// Stores what is read of gains: that for the coordinate's own axis is one unless something else than inertia outboard adds to the
     /// pivot.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn set(&mut self, Self { linear, angular, free }: Self, turns: bool, stiffened: bool) {
         for k in 0..3 {
             if k < 2 || !turns || stiffened {
@@ -99,7 +99,7 @@ impl<T: Scalar> Gains<T> {
 }
 
 /// The relation of a body's own inertia: m, σ (kg·m), J about the origin (kg·m²), f and t of its velocities.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn own<T: Scalar>(mass: T, moment: Triple<T>, tensor: Triangle<T>, force: Triple<T>, torque: Triple<T>) -> Sparse<T> {
     let (m, o) = (Number::of(mass), Number::zero());
     let [x, y, z] = moment;
@@ -108,7 +108,7 @@ fn own<T: Scalar>(mass: T, moment: Triple<T>, tensor: Triangle<T>, force: Triple
 }
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Alone<T, MOMENT, TENSOR> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn parts(self) -> Sparse<T> {
         let (moment, tensor) = (masked(MOMENT, self.moment), triangle(TENSOR, self.tensor));
         let force = if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(self.force) };
@@ -134,7 +134,7 @@ impl<T: Scalar, C: Closures> Outboard<T> for Local<T, C> {
     fn cuts(self) -> LocalCuts<T, C> {
         self.cuts
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn sparse(self) -> Sparse<T> {
         let Self { linear, coupling: [x, y, z], angular, force, torque, .. } = self;
         Sparse {
@@ -155,7 +155,7 @@ impl<T: Scalar, C: Closures> Local<T, C> {
     }
 
     /// A relation in inertial axes, in axes of a body of an attitude.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn of(full: &Full<T, C>, attitude: &Columns<T>) -> Self {
         let Columns { x, y, z } = full.coupling;
         let sparse = Sparse {
@@ -171,7 +171,7 @@ impl<T: Scalar, C: Closures> Local<T, C> {
     }
 
     /// In inertial axes, of which `attitude` holds those of the body.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn turned(self, attitude: &Columns<T>) -> Full<T, C> {
         let Sparse { linear, coupling, angular, force, torque } = self.sparse().turned(&axes(attitude));
         let [x, y, z] = transposed(&coupling);
@@ -215,7 +215,7 @@ impl<T: Scalar> Local<T> {
     }
 
     /// Force and torque for accelerations of the origin and of the body.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn answer(&self, [a, angular]: [Vector3<T>; 2]) -> [Vector3<T>; 2] {
         let dot = |row: [T; 3], v: Vector3<T>| row[0].mul_add(v.x, row[1].mul_add(v.y, row[2] * v.z));
         let by = |rows: [[T; 3]; 3], v: Vector3<T>| Vector3::new(dot(rows[0], v), dot(rows[1], v), dot(rows[2], v));
@@ -255,7 +255,7 @@ pub struct Borne<T: Scalar, C: Closures = Open> {
 
 impl<T: Scalar, C: Closures> Borne<T, C> {
     /// Bears a relation, of which only closure forces are asked for, if there are any.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn of(relation: impl FnOnce() -> Local<T, C>) -> Self {
         if const { C::COUNT > 0 } {
             return Self { cuts: relation().cuts };

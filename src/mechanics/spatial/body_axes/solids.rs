@@ -23,7 +23,7 @@ impl<T: Scalar, const N: usize> Through<T> for Solids<T, N> {
         self.next += 1;
         self.next - 1
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn link<B: Solid<T>>(&mut self, link: &B, own: usize) -> usize {
         let ([x, y, z], [a, b, c, d, e, f]) = (values(link.moment()), triangle_values(link.tensor()));
         let body = self.bodies.get_mut(own).unwrap_or(&mut self.base);

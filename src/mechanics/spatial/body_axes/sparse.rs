@@ -19,7 +19,7 @@ pub struct Sparse<T> {
 }
 
 impl<T: Scalar> Sparse<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn plus(&self, other: &Self) -> Self {
         let ([a, b, c], [d, e, f]) = (self.coupling, other.coupling);
         Self {
@@ -32,7 +32,7 @@ impl<T: Scalar> Sparse<T> {
     }
 
     /// Without what is known.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn dense(self) -> Local<T> {
         let [x, y, z] = self.coupling;
         Local {
@@ -47,7 +47,7 @@ impl<T: Scalar> Sparse<T> {
 
     /// Lets the body turn about z under a torque, with what else adds to the pivot; the other side of the hinge accelerates by (0, c)
     /// besides, c_z = 0. What is left of S about z is the share of that addition in the pivot: nothing without. The third answer is 1 / D.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn hinged(self, effort: T, more: Number<T>, [cx, cy]: [T; 2]) -> (Self, Gains<T>, T) {
         let Self { linear, coupling: [kx, ky, kz], angular, force, torque } = self;
         // U = S z, without its own row; G = U / D.
@@ -80,7 +80,7 @@ impl<T: Scalar> Sparse<T> {
     }
 
     /// Lets the body slide along z under a force, with what else adds to the pivot; the other side accelerates by (c, 0) besides.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn slid(self, effort: T, more: Number<T>, c: [T; 3]) -> (Self, Gains<T>, T) {
         let Self { linear, coupling: [kx, ky, kz], angular, force, torque } = self;
         let (u, w, own) = ([linear[4], linear[3]], kz, linear[2]);
@@ -108,7 +108,7 @@ impl<T: Scalar> Sparse<T> {
     }
 
     /// The body accelerates by (c, γ) besides: e + S (c, γ).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn accelerated(self, [c, gamma]: [Triple<T>; 2]) -> Self {
         let (linear, angular, back) = (rows(&self.linear), rows(&self.angular), transposed(&self.coupling));
         let force = apply_onto(&self.coupling, gamma, apply_onto(&linear, c, self.force));
@@ -117,7 +117,7 @@ impl<T: Scalar> Sparse<T> {
     }
 
     /// Turned about z by an angle of this sine and cosine: 8 operations for a symmetric pair.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn turned_about_z(self, sine: T, cosine: T) -> Self {
         let (s, c) = (Number::of(sine), Number::of(cosine));
         let squares = [s.times(s), s.times(c)];
@@ -140,7 +140,7 @@ impl<T: Scalar> Sparse<T> {
     }
 
     /// In other axes, of which the matrix holds the present ones.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn turned(self, turn: &Rows<T>) -> Self {
         Self {
             linear: congruent(turn, &self.linear),
@@ -152,7 +152,7 @@ impl<T: Scalar> Sparse<T> {
     }
 
     /// About the point at −d on the same body, where the present one accelerates by k besides: F' = Xᵀ (S (X p + k) + e).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn shifted(self, d: Triple<T>, k: Triple<T>) -> Self {
         let Self { linear, coupling, angular, force, torque } = self;
         let (arm, mass) = (tilde(d), rows(&linear));
@@ -189,7 +189,7 @@ fn in_plane<T: Scalar>(s: Number<T>, c: Number<T>, x: Number<T>, y: Number<T>) -
 }
 
 /// A symmetric matrix, turned about z.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn triangle_about_z<T: Scalar>(
     squares: [Number<T>; 2],
     s: Number<T>,

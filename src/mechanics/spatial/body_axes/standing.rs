@@ -29,7 +29,7 @@ pub trait Standing<T: Scalar>: Copy {
     fn energy(&self, position: T) -> T;
 
     /// What the coordinate makes of it.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn stand(&self, position: T) -> Stand<T> {
         if const { Self::TURNS } {
             let (sine, cosine) = position.sin_cos();
@@ -40,7 +40,7 @@ pub trait Standing<T: Scalar>: Copy {
     }
 
     /// A vector of the parent's axes in those of the body.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn inward(&self, [sine, cosine]: Stand<T>, vector: Triple<T>) -> Triple<T> {
         let [x, y, z] = apply(&transposed(&self.offset()), vector);
         if const { Self::TURNS } {
@@ -52,7 +52,7 @@ pub trait Standing<T: Scalar>: Copy {
     }
 
     /// A vector of the body's axes in those of the parent.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn outward(&self, [sine, cosine]: Stand<T>, [x, y, z]: Triple<T>) -> Triple<T> {
         let turned = if const { Self::TURNS } {
             let (s, c) = (Number::of(sine), Number::of(cosine));
@@ -77,7 +77,7 @@ pub trait Standing<T: Scalar>: Copy {
     }
 
     /// What accelerates the body besides, in its own axes, at its angular velocity: angular for a hinge (z is zero), linear for a slide.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn bias(&self, [_, way]: Stand<T>, rate: T, [x, y, z]: [T; 3]) -> [T; 3] {
         if const { Self::TURNS } {
             [rate * y, -(rate * x), T::zero()]
@@ -90,7 +90,7 @@ pub trait Standing<T: Scalar>: Copy {
     }
 
     /// Acceleration of the body's origin but for the coordinate, and of the body, from that of the parent.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn accelerated(
         &self,
         stand: Stand<T>,
@@ -108,7 +108,7 @@ pub trait Standing<T: Scalar>: Copy {
     }
 
     /// With the coordinate's own acceleration or rate.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn moved(&self, second: T, [mut a, mut angular]: [Triple<T>; 2]) -> [Triple<T>; 2] {
         let moved = if const { Self::TURNS } { &mut angular[2] } else { &mut a[2] };
         *moved = moved.plus(Number::of(second));
@@ -116,7 +116,7 @@ pub trait Standing<T: Scalar>: Copy {
     }
 
     /// Force and torque at the parent's origin, from those at the body's.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn carried(&self, stand: Stand<T>, [force, torque]: [Triple<T>; 2]) -> [Triple<T>; 2] {
         let torque = if const { Self::TURNS } {
             torque

@@ -109,7 +109,7 @@ impl<T: Scalar> Offset<T> for Level {
 }
 
 /// A component of a direction.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn along<T: Scalar>(direction: u8, axis: u8) -> Number<T> {
     if direction == axis {
         Number::one()
@@ -121,7 +121,7 @@ fn along<T: Scalar>(direction: u8, axis: u8) -> Number<T> {
 }
 
 impl<T: Scalar, const CODE: u8> Offset<T> for Quarter<CODE> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn rows(&self) -> Rows<T> {
         let [x, y, z] = const { Self::DIRECTIONS };
         [
@@ -133,7 +133,7 @@ impl<T: Scalar, const CODE: u8> Offset<T> for Quarter<CODE> {
 }
 
 impl<T: Scalar> Offset<T> for Leaning<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn rows(&self) -> Rows<T> {
         let (o, i) = (Number::zero(), Number::one());
         let (c, s) = (Number::of(self.cosine), Number::of(self.sine));

@@ -115,7 +115,7 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
     type Closures = Cut<6>;
     type Relation = Full<T, Cut<6>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn relation(&self, time: T::Real, gravity: Vector3<T>, _: &Turn<T>) -> Self::Relation {
         let frame = self.frame(time);
         let (target, angular) = (frame.acceleration.linear - gravity, frame.acceleration.angular);

@@ -93,7 +93,7 @@ impl<T: Scalar> Joint<T> for Floating<T> {
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<T> {
         release::floating(self, motion, position, rate)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn moved(
         &self,
         inboard: Frame<T>,
@@ -107,7 +107,7 @@ impl<T: Scalar> Joint<T> for Floating<T> {
         motion.outboard.acceleration.linear += Vector3::from(acceleration.0);
         motion
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recovered<C: Closures>(
         &self,
         inboard: Acceleration<T>,
@@ -143,7 +143,7 @@ impl<T: Scalar, R: Rigid<T>, W: Sweep<Spatial<T>, Closures = R::Closures>> Conde
     /// Closure forces alone: nothing else reaches the ground.
     type Out = Point<T, Absent, R::Closures>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn condense(
         &self,
         outer: R,

@@ -130,7 +130,7 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
     type Closures = Cut<5>;
     type Relation = Full<T, Cut<5>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn relation(&self, time: T::Real, gravity: Vector3<T>, turn: &Turn<T>) -> Self::Relation {
         let frame = self.ground.frame(time);
         let target = frame.acceleration.linear - gravity;

@@ -70,7 +70,7 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>> Tip<Spatial<T>> for Pinned<G> {
     type Closures = Cut<3>;
     type Relation = Point<T, Absent, Cut<3>>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn relation(&self, time: T::Real, gravity: Vector3<T>, _: &Turn<T>) -> Self::Relation {
         let target = Vector3::from(self.place.at(time).acceleration) - gravity;
         let (o, i) = (T::zero(), T::one());

@@ -46,7 +46,7 @@ macro_rules! axial {
                     load: Effort::default(),
                 }
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn read(
                 position: &<Self as Axial<Jet<T, K>, $D>>::Coordinates,
                 rate: &<Self as Axial<Jet<T, K>, $D>>::Coordinates,
@@ -61,7 +61,7 @@ macro_rules! axial {
             fn load(&self, (): &(), in_joint: &Effort<Jet<T, K>>, store: &mut Self::Room) {
                 store.load = *in_joint;
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn factor<N: Seeds>(
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
@@ -82,7 +82,7 @@ macro_rules! axial {
                 }
                 relation.turning(at.posture.y[1])
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn vary<N: Seeds>(
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
@@ -140,7 +140,7 @@ macro_rules! axial {
                 carried.angle = turn;
                 carried.turn.attitude = relative.attitude;
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn gather<N: Seeds>(
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
@@ -164,7 +164,7 @@ macro_rules! axial {
                 }
                 *acceleration = Listed::from_list(list);
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn answer(
                 &self,
                 _: At<'_, Spatial<Jet<T, K>>, Self>,

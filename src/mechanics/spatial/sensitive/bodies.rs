@@ -59,7 +59,7 @@ struct Carried<T> {
 
 impl<T: Scalar> Carried<T> {
     /// M d~ = α~ d~ + ω~ ω~ d~ = α~ d~ + (ω × d) ωᵀ − (ω · d) ω~.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn of(d: Vector3<T>, spin: Vector3<T>, angular: Vector3<T>) -> Self {
         let (swept, along) = (cross(spin, d), dot(spin, d));
         let across = crossed(angular) + twice_crossed(spin, spin);
@@ -80,7 +80,7 @@ fn outer<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Columns<T> {
 }
 
 /// a~ b~ = b aᵀ − (a · b) 1.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn twice_crossed<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Columns<T> {
     let Columns { x, y, z } = outer(b, a);
     let along = dot(a, b);
@@ -103,7 +103,7 @@ fn crossed_times<T: Scalar>(a: Vector3<T>, m: &Columns<T>) -> Columns<T> {
     Columns { x: cross(a, m.x), y: cross(a, m.y), z: cross(a, m.z) }
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn vary_body<N: Seeds, T: Scalar, const K: usize>(
     body: &impl Body<T>,
     jets: &impl Body<Jet<T, K>>,
@@ -124,7 +124,7 @@ fn vary_body<N: Seeds, T: Scalar, const K: usize>(
     }
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn gather_body<N: Seeds, T: Scalar, const K: usize>(
     body: &impl Body<T>,
     jets: &impl Body<Jet<T, K>>,
@@ -214,7 +214,7 @@ macro_rules! bodies {
             fn load(&self, on_body: &Wrench<Jet<T, K>>, (): &(), store: &mut Self::Room) {
                 store.load = *on_body;
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn factor<N: Seeds>(
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
@@ -230,7 +230,7 @@ macro_rules! bodies {
                 let Wrench { force, torque } = &store.load;
                 Wrench { force: value(force), torque: value(torque) }.take_from(relation)
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn vary<N: Seeds>(
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
@@ -240,7 +240,7 @@ macro_rules! bodies {
             ) {
                 vary_body::<N, T, K>(at.plain, self, carried, store);
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn gather<N: Seeds>(
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,
@@ -250,7 +250,7 @@ macro_rules! bodies {
             ) {
                 gather_body::<N, T, K>(at.plain, self, carried, store);
             }
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn answer(
                 &self,
                 at: At<'_, Spatial<Jet<T, K>>, Self>,

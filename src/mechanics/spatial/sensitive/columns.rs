@@ -42,7 +42,7 @@ pub(super) fn times<T: Scalar>(m: Columns<T>, factor: T) -> Columns<T> {
 }
 
 /// `sum += v`.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn add<T: Scalar, const K: usize>(sum: &mut Vectors<T, K>, v: &Vectors<T, K>) {
     let [x, y, z] = sum;
     columns!(K; a = v[0], b = v[1], c = v[2]; k:
@@ -53,7 +53,7 @@ pub(super) fn add<T: Scalar, const K: usize>(sum: &mut Vectors<T, K>, v: &Vector
 }
 
 /// `sum += n f` for columns of a number f.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn add_along<T: Scalar, const K: usize>(sum: &mut Vectors<T, K>, n: Vector3<T>, f: &[T; K]) {
     let [x, y, z] = sum;
     columns!(K; f = *f; k:
@@ -64,7 +64,7 @@ pub(super) fn add_along<T: Scalar, const K: usize>(sum: &mut Vectors<T, K>, n: V
 }
 
 /// `sum += M v`.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn apply<T: Scalar, const K: usize>(sum: &mut Vectors<T, K>, m: &Columns<T>, v: &Vectors<T, K>) {
     let [x, y, z] = sum;
     let Columns { x: p, y: q, z: r } = *m;
@@ -76,7 +76,7 @@ pub(super) fn apply<T: Scalar, const K: usize>(sum: &mut Vectors<T, K>, m: &Colu
 }
 
 /// `sum += n · v`.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn project<T: Scalar, const K: usize>(sum: &mut [T; K], n: Vector3<T>, v: &Vectors<T, K>) {
     columns!(K; a = v[0], b = v[1], c = v[2]; k:
         mut sum = *sum => a[k].mul_add(n.x, b[k].mul_add(n.y, c[k].mul_add(n.z, sum[k])))
@@ -84,7 +84,7 @@ pub(super) fn project<T: Scalar, const K: usize>(sum: &mut [T; K], n: Vector3<T>
 }
 
 /// `sum += factor · v`.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn add_scaled_vectors<T: Scalar, const K: usize>(sum: &mut Vectors<T, K>, factor: T, v: &Vectors<T, K>) {
     let [x, y, z] = sum;
     columns!(K; a = v[0], b = v[1], c = v[2]; k:

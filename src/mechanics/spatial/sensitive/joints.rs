@@ -24,7 +24,7 @@ pub struct BallStore<T: Scalar, const K: usize> {
 }
 
 /// The φ of a quaternion's derivatives, 2 dq ∘ q̄.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn angle_of<T: Scalar, const K: usize>(rotation: &Rotation<Jet<T, K>>) -> Vectors<T, K> {
     let two = T::literal(2.0);
     let (w, v) = (rotation.w.re * two, value(&rotation.v) * two);
@@ -51,7 +51,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
     fn room(&self) -> Self::Room {
         BallStore { gain: Gain::blank(), minus_inverse: Columns::null(), angle: none(), load: Effort::default() }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn read(
         position: &Rotation<Jet<T, K>>,
         rate: &[Jet<T, K>; 3],
@@ -64,7 +64,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
     fn load(&self, (): &(), in_joint: &Effort<Jet<T, K>>, store: &mut Self::Room) {
         store.load = *in_joint;
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn factor<N: Seeds>(
         &self,
         at: At<'_, Spatial<Jet<T, K>>, Self>,
@@ -85,7 +85,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
         store.gain = gain;
         full(relation)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn vary<N: Seeds>(
         &self,
         at: At<'_, Spatial<Jet<T, K>>, Self>,
@@ -112,7 +112,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
         carried.angle = angle;
         store.angle = angle;
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn gather<N: Seeds>(
         &self,
         at: At<'_, Spatial<Jet<T, K>>, Self>,
@@ -141,7 +141,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
         }
         carried.torques = applied;
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn answer(
         &self,
         at: At<'_, Spatial<Jet<T, K>>, Self>,
@@ -171,7 +171,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Weld<Jet<T, K>
     fn factor<N: Seeds>(&self, _: At<'_, Spatial<Jet<T, K>>, Self>, outer: Full<T>, (): &mut ()) -> Full<T> {
         outer
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn vary<N: Seeds>(
         &self,
         at: At<'_, Spatial<Jet<T, K>>, Self>,

@@ -54,7 +54,7 @@ impl<T: Scalar, const K: usize> Varied for Spatial<Jet<T, K>> {
     type Inward = Pulling<T, K>;
     type Response = Answering<T, K>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn ground(frame: &Frame<Jet<T, K>>, gravity: Vector3<Jet<T, K>>) -> Passing<T, K> {
         let Acceleration { linear, angular } = frame.falling(gravity);
         Passing {
@@ -81,7 +81,7 @@ impl<T: Scalar, const K: usize> Varied for Spatial<Jet<T, K>> {
     fn stillness() -> Answering<T, K> {
         Answering { linear: none(), angular: none() }
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pull(chain: &mut Pulling<T, K>, arm: &Pulling<T, K>) {
         chain.force += arm.force;
         chain.torque += arm.torque;

@@ -67,7 +67,7 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for Ball {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Begin<N>,
@@ -83,7 +83,7 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for Ball {
 }
 
 impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>> for Ball {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Articulate { cuts }: &mut Articulate<Spatial<T>, N, C>,
@@ -101,7 +101,7 @@ impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatia
 }
 
 impl<T: Scalar, Q: Applied<T>, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for Ball {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Push { order, gaps, .. }: &mut Push<Spatial<T>, Q, N, C>,
@@ -131,7 +131,7 @@ impl<T: Scalar, Q: Applied<T>, C: Closures, const N: usize> Takes<Spatial<T>, Pu
 }
 
 impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>> for Ball {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Swing { order, forces }: &mut Swing<Spatial<T>, N, C>,

@@ -85,7 +85,7 @@ impl<T: Scalar> Expandable for Spatial<T> {
     fn join(chain: Full<T>, arm: Full<T>) -> Full<T> {
         Join::join(chain, arm)
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn closed(open: Full<T>, wrench: Internal<T>, inverse: T) -> Full<T> {
         let (Internal { force, torque }, share) = (wrench, wrench.torque * inverse);
         Full {
@@ -127,7 +127,7 @@ impl<T: Scalar> Expandable for Spatial<T> {
 }
 
 /// What lies outboard without closure forces; these go into the cuts.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn parted<T: Scalar, C: Closures>(full: Full<T, C>, cuts: &mut Cuts<Internal<T>, T, C>) -> Full<T> {
     let Full { linear, coupling, angular, force, torque, cuts: found } = full;
     *cuts = found;
@@ -135,7 +135,7 @@ fn parted<T: Scalar, C: Closures>(full: Full<T, C>, cuts: &mut Cuts<Internal<T>,
 }
 
 /// A force with those that closure forces cause by their columns.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn pulled<T: Scalar, C: Closures>(
     force: Vector3<T>,
     columns: &C::Each<Internal<T>>,

@@ -65,7 +65,7 @@ pub fn crossed<T: Scalar>([x, y, z]: &Rows<T>, at: usize) -> Vector3<T> {
 
 /// Sums up products of all coefficients whose numbers add up to that of the last ones. Those of the newest come last: others need not wait
 /// for them.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn convolve<T: Copy, X>(
     turned: &[Rows<T>],
     turning: &[Rows<T>],
@@ -125,7 +125,7 @@ pub fn scaled<T: Scalar>(rows: &Rows<T>, factor: T::Real) -> Rows<T> {
 }
 
 /// Sums of three vectors side by side, for each column of a symmetric matrix.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn weighed<T: Scalar>(sums: Rows<T>, vectors: &Rows<T>, [x, y, z]: &Rows<T>) -> Rows<T> {
     core::array::from_fn(|i| {
         let [a, b, c, _] = vectors[i];

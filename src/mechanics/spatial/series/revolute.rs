@@ -29,7 +29,7 @@ fn beside<T: Scalar>(torque: Vector3<T>, spin: Vector3<T>, rate: T) -> Rows<T> {
 
 impl<T: Scalar, const N: usize> AxesSeries<T, N> {
     /// Keeps the axis of the next number, and what is convolved with it.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn keep_axis(&mut self, number: usize, axis: Vector3<T>, beside: Rows<T>) {
         if let (Some(turned), Some(turning)) = (self.turned.get_mut(number), self.turning.get_mut(number)) {
             turned[0] = row(axis);
@@ -39,7 +39,7 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
 }
 
 impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Begin<N>> for Revolute<T, L> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Begin<N>,
@@ -57,7 +57,7 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Begin<N>> for
 impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>>
     for Revolute<T, L>
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Articulate { cuts }: &mut Articulate<Spatial<T>, N, C>,
@@ -79,7 +79,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, 
 impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, C: Closures, const N: usize>
     Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for Revolute<T, L>
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Push { order, gaps, .. }: &mut Push<Spatial<T>, Q, N, C>,
@@ -106,7 +106,7 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, C: Closures, const N: usize>
 impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>>
     for Revolute<T, L>
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Swing { order, forces }: &mut Swing<Spatial<T>, N, C>,

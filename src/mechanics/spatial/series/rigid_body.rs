@@ -37,7 +37,7 @@ fn combined<T: Scalar>([x, y, z]: &Rows<T>, [a, b, c]: [T; 3]) -> Vector3<T> {
 
 impl<T: Scalar> RigidBody<T> {
     /// P.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn second_moments(&self) -> Symmetric3<T> {
         let Symmetric3 { xx, xy, xz, yy, yz, zz } = self.about_inboard;
         let half = (xx + yy + zz).scale(T::Real::of(0.5));
@@ -47,7 +47,7 @@ impl<T: Scalar> RigidBody<T> {
 
 impl<T: Scalar, const N: usize> AxesSeries<T, N> {
     /// Keeps axes of the next number, and angular velocity beside what is convolved with them.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn keep_axes(&mut self, number: usize, axes: Rows<T>, forces: &Rows<T>, spin: Vector3<T>) {
         if let (Some(turned), Some(turning)) = (self.turned.get_mut(number), self.turning.get_mut(number)) {
             let [x, y, z] = forces;
@@ -58,7 +58,7 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for RigidBody<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         _: &mut Begin<N>,
@@ -76,7 +76,7 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for RigidBody<T> {
 }
 
 impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>> for RigidBody<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Articulate { cuts }: &mut Articulate<Spatial<T>, N, C>,
@@ -96,7 +96,7 @@ impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatia
 }
 
 impl<T: Scalar, Q: Part, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for RigidBody<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Push { order, gaps, .. }: &mut Push<Spatial<T>, Q, N, C>,
@@ -120,7 +120,7 @@ impl<T: Scalar, Q: Part, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spa
 }
 
 impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>> for RigidBody<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
         Swing { order, forces: by }: &mut Swing<Spatial<T>, N, C>,

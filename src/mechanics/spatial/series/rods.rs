@@ -45,7 +45,7 @@ pub(super) fn scaled<T: Scalar>(v: Vector3<T>, factor: T::Real) -> Vector3<T> {
 
 impl<T: Scalar, const N: usize> AxesSeries<T, N> {
     /// Keeps the arm of the next number, and angular velocity beside what is convolved with the arm.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn keep(&mut self, number: usize, arm: Vector3<T>, force: Vector3<T>, spin: Vector3<T>) {
         if let (Some(turned), Some(turning)) = (self.turned.get_mut(number), self.turning.get_mut(number)) {
             turned[0] = row(arm);
@@ -57,7 +57,7 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
 macro_rules! rods {
     ($($Body:ident),*) => {$(
         impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 _: &mut Begin<N>,
@@ -70,7 +70,7 @@ macro_rules! rods {
             }
         }
         impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 Articulate { cuts }: &mut Articulate<Spatial<T>, N, C>,
@@ -87,7 +87,7 @@ macro_rules! rods {
             }
         }
         impl<T: Scalar, Q: Part, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 walk: &mut Push<Spatial<T>, Q, N, C>,
@@ -105,7 +105,7 @@ macro_rules! rods {
             }
         }
         impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>> for $Body<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
                 walk: &mut Swing<Spatial<T>, N, C>,

@@ -45,7 +45,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     }
 
     /// Twist of what a joint carries for a rate of one.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn unit(&self, joint: usize) -> Pair<T> {
         let Place { place, attitude } = &self.bodies[joint].place;
         let axis = attitude.z;

@@ -24,7 +24,7 @@ pub trait Row<T>: Copy {
 }
 
 impl<T: Scalar, const W: usize> Row<T> for [T; W] {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn less<const M: usize>(&mut self, factors: [T; M], others: [&Self; M]) {
         for (k, x) in self.iter_mut().enumerate() {
             *x = factors.iter().zip(others).fold(*x, |x, (factor, other)| (-*factor).mul_add(other[k], x));

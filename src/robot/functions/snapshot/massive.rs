@@ -25,7 +25,7 @@ fn tensor<T: Scalar>(second: &Symmetric3<T>) -> Symmetric3<T> {
 
 impl<T: Scalar> Inertial<T> {
     /// Of a body, about its own origin.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn own(body: &Moving<T>) -> Self {
         let [mass, x, y, z, xx, yy, zz, yz, xz, xy] = body.parameters;
         let attitude = &body.place.attitude;
@@ -34,7 +34,7 @@ impl<T: Scalar> Inertial<T> {
     }
 
     /// Of a body whose origin is at `arm` from the common one, with its second moments.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn of(body: &Moving<T>, arm: Vector3<T>) -> (Self, Symmetric3<T>) {
         let [mass, x, y, z, xx, yy, zz, yz, xz, xy] = body.parameters;
         let attitude = &body.place.attitude;
@@ -77,7 +77,7 @@ pub struct Stirred<T> {
 
 impl<T: Scalar> Stirred<T> {
     /// Of a body of second moments Σ at a twist.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn of(inertial: &Inertial<T>, second: Symmetric3<T>, [linear, spin]: Pair<T>) -> Self {
         let (moment, columns) = (inertial.moment, second.columns());
         // ∫ v rᵀ dm, column by column.

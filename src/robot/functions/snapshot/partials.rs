@@ -65,7 +65,7 @@ fn onto<T: Scalar>(sum: [T; 2], factor: T, two: [T; 2]) -> [T; 2] {
 
 impl<T: Scalar, const N: usize> Snapshot<T, N> {
     /// A body at a twist and its acceleration.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn outboard(&self, body: &Moving<T>, v: Pair<T>, a: Pair<T>) -> Outboard<T> {
         let (inertial, second) = Inertial::of(body, body.place.place - self.base.place.place);
         let stirred = Stirred::of(&inertial, second, v);
