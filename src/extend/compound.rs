@@ -19,13 +19,13 @@ macro_rules! compound {
             {
                 type Item = $Parts;
 
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn get<Stored: $crate::internals::shape::Field<Spaced>>(
                     store: &<$Parts as $crate::internals::shape::Shape<Spaced>>::Store<Stored>,
                 ) -> &<$Parts as $crate::internals::shape::Shape<Spaced>>::Store<Stored> {
                     store
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn get_mut<Stored: $crate::internals::shape::Field<Spaced>>(
                     store: &mut <$Parts as $crate::internals::shape::Shape<Spaced>>::Store<Stored>,
                 ) -> &mut <$Parts as $crate::internals::shape::Shape<Spaced>>::Store<Stored> {
@@ -50,7 +50,7 @@ macro_rules! compound {
                 fn store<Stored: $crate::internals::shape::Field<Spaced>>(&self, fill: Stored::Fill) -> Self::Store<Stored> {
                     $crate::internals::shape::Shape::<Spaced>::store::<Stored>(&self.$parts, fill)
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn outward<Walk: $crate::internals::shape::Outward<Spaced>>(
                     &self,
                     walk: &mut Walk,
@@ -60,7 +60,7 @@ macro_rules! compound {
                     let stores = <Walk::Stores as $crate::internals::shape::Slot<Spaced>>::member::<Self, _>(&mut stores, CatenaParts);
                     $crate::internals::shape::Shape::<Spaced>::outward(&self.$parts, walk, carried, stores)
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn inward<Walk: $crate::internals::shape::Inward<Spaced>>(
                     &self,
                     walk: &mut Walk,
@@ -88,7 +88,7 @@ macro_rules! compound {
                 fn turned(&self, position: &Self::Position, rate: &Self::Rate, turn: Spaced::Turn) -> Spaced::Turn {
                     $crate::internals::element::Element::<Spaced>::turned(&self.$parts, position, rate, turn)
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn orient(
                     &self,
                     position: &Self::Position,
@@ -101,7 +101,7 @@ macro_rules! compound {
                 ) -> Spaced::Turn {
                     $crate::internals::element::Element::<Spaced>::orient(&self.$parts, position, rate, turn, x, y, p, q)
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn resolve(
                     sizes: &Self::Store<$crate::internals::shape::PerAxes<Spaced::Size>>,
                     x: &mut Self::Store<$crate::internals::shape::PerAxes<Spaced::X>>,
@@ -111,7 +111,7 @@ macro_rules! compound {
                 ) {
                     <$Parts as $crate::internals::element::Element<Spaced>>::resolve(sizes, x, y, p, q);
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn pose(
                     &self,
                     position: &Self::Position,
@@ -135,7 +135,7 @@ macro_rules! compound {
             {
                 type Out = <$Parts as $crate::internals::element::Condense<Spaced, Outer, Sweeping>>::Out;
 
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn condense(
                     &self,
                     outer: Outer,

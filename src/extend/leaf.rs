@@ -43,7 +43,7 @@ macro_rules! joint {
                 ) -> Spaced::Turn {
                     $crate::internals::shape::Joint::configure($crate::extend::JointModel::<Spaced>::kinematics(self), position, inboard, next)
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn recover<Closing: $crate::internals::relation::Closures, By: $crate::internals::element::Springs<Spaced::Scalar>>(
                     &self,
                     inboard: $crate::internals::relation::AccelerationOf<Spaced>,
@@ -54,7 +54,7 @@ macro_rules! joint {
                 ) -> $crate::internals::relation::AccelerationOf<Spaced> {
                     $crate::extend::model::recover::<Spaced, Self, Closing>(self, inboard, posture, kept, multipliers, rate)
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn respond<Closing: $crate::internals::relation::Closures>(
                     &self,
                     inboard: $crate::internals::relation::AccelerationOf<Spaced>,
@@ -66,7 +66,7 @@ macro_rules! joint {
                     let kinematics = $crate::extend::JointModel::<Spaced>::kinematics(self);
                     $crate::internals::shape::Joint::respond::<Closing>(kinematics, inboard, posture, kept, multipliers, rate)
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn motion(
                     &self,
                     inboard: $crate::internals::space::FrameOf<Spaced>,
@@ -76,7 +76,7 @@ macro_rules! joint {
                 ) -> (Spaced::JointMotion, $crate::internals::space::FrameOf<Spaced>) {
                     $crate::extend::model::motion::<Spaced, Self>(self, inboard, [position, rate, acceleration])
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn release(
                     &self,
                     motion: &Spaced::JointMotion,
@@ -103,7 +103,7 @@ macro_rules! joint {
                 fn store<Stored: $crate::internals::shape::Field<Spaced>>(&self, fill: Stored::Fill) -> Stored::InJoint<Self> {
                     Stored::in_joint(self, fill)
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn outward<Walk: $crate::internals::shape::Outward<Spaced>>(
                     &self,
                     walk: &mut Walk,
@@ -112,7 +112,7 @@ macro_rules! joint {
                 ) -> Walk::Carried {
                     walk.joint(self, carried, <Walk::Stores as $crate::internals::shape::Slot<Spaced>>::joint::<Self>(stores))
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn inward<Walk: $crate::internals::shape::Inward<Spaced>>(
                     &self,
                     walk: &mut Walk,
@@ -148,7 +148,7 @@ macro_rules! joint {
                 fn lump(&mut self, mass: Spaced::Scalar) -> Spaced::Scalar {
                     $crate::extend::JointModel::<Spaced>::kinematics_mut(self).lump(mass)
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn turned(
                     &self,
                     position: &Spaced::Scalar,
@@ -157,7 +157,7 @@ macro_rules! joint {
                 ) -> Spaced::Turn {
                     $crate::extend::JointModel::<Spaced>::kinematics(self).turned(position, rate, turn)
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn orient(
                     &self,
                     position: &Spaced::Scalar,
@@ -170,7 +170,7 @@ macro_rules! joint {
                 ) -> Spaced::Turn {
                     $crate::extend::JointModel::<Spaced>::kinematics(self).orient(position, rate, turn, x, y, p, q)
                 }
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn resolve(
                     _: &Self::Store<$crate::internals::shape::PerAxes<Spaced::Size>>,
                     x: &mut Self::Store<$crate::internals::shape::PerAxes<Spaced::X>>,
@@ -192,7 +192,7 @@ macro_rules! joint {
             {
                 type Out = $crate::internals::relation::Full<Spaced, Outer::Closures>;
 
-                #[cfg_attr(optimised, inline(always))]
+                #[inline(always)]
                 fn condense(
                     &self,
                     outer: Outer,

@@ -85,7 +85,7 @@ where
     ) -> Option<RealOf<S>> {
         self.0.error(past, dt, next, tolerance)
     }
-    fn error_order(&self) -> f64 {
+    fn error_order(&self) -> usize {
         self.0.error_order()
     }
     fn interpolate(

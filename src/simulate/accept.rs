@@ -99,7 +99,7 @@ where
         });
         let tiny = RealOf::<S>::of(1e-6);
         let small = if size < tiny || slope < tiny { tiny } else { RealOf::<S>::of(0.01) * size / slope };
-        let exponent = one / RealOf::<S>::of(self.stepper.error_order());
+        let exponent = one / RealOf::<S>::of(self.stepper.error_order() as f64);
         let safe = (RealOf::<S>::of(0.01) * tolerance / slope.max(tiny)).powf(exponent);
         // A first trial that does not advance time would be blamed for errors.
         let least = self.past.time.abs() * RealOf::<S>::EPSILON * RealOf::<S>::of(4.0);

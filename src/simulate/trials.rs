@@ -239,7 +239,7 @@ impl<R: Real> Trials<R> {
 
 /// By how much the next step should differ, for an error given as a multiple of the tolerance.
 #[inline(always)] // the order is a constant of most methods
-pub(super) fn factor<R: Real>(error: R, order: f64) -> R {
+pub(super) fn factor<R: Real>(error: R, order: usize) -> R {
     if !error.is_finite() {
         return R::of(0.1);
     }

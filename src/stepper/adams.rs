@@ -243,8 +243,8 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
         Some(Scalar::sqrt(TimeIn::<D, L>::of(square)) * growth)
     }
 
-    fn error_order(&self) -> f64 {
-        5.0
+    fn error_order(&self) -> usize {
+        5
     }
 
     fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {

@@ -97,7 +97,7 @@ impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
             slope = slope.max(acceleration.real().abs() / (real(1.0) + rate.real().abs()));
             true
         });
-        let smooth = (real(0.01) * tolerance / slope).powf(real(1.0 / self.error_order()));
+        let smooth = (real(0.01) * tolerance / slope).powf(real(1.0 / self.error_order() as f64));
         if self.race.is_stiff() { smooth.min(real(LONGEST * self.race.paying())) } else { smooth }
     }
 
@@ -221,7 +221,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
         error
     }
 
-    fn error_order(&self) -> f64 {
+    fn error_order(&self) -> usize {
         match self.race.chosen {
             Chosen::Dop853 => self.single.error_order(),
             Chosen::Vcabm => self.multi.error_order(),

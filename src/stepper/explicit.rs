@@ -239,8 +239,8 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
         (count > 0).then(|| TimeIn::<D, L>::of(M::combine_errors(&squares[..count])).sqrt())
     }
 
-    fn error_order(&self) -> f64 {
-        M::ORDER as f64
+    fn error_order(&self) -> usize {
+        M::ORDER
     }
 
     fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {

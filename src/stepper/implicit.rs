@@ -255,8 +255,8 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         Some(real(geometry).sqrt() + real(truncation).sqrt())
     }
 
-    fn error_order(&self) -> f64 {
-        if self.rule.truncation()[1] == 0.0 { 3.0 } else { 2.0 }
+    fn error_order(&self) -> usize {
+        if self.rule.truncation()[1] == 0.0 { 3 } else { 2 }
     }
 
     /// A step of the share `theta`: as good as the rule at any stiffness, where an interpolation would strain stiff springs.

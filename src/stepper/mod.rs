@@ -185,7 +185,7 @@ pub trait Stepper<D: Dynamics<L>, L> {
     ) -> Option<TimeIn<D, L>>;
 
     /// Order of the error estimate: a step of half the size has an error 2^−order as large.
-    fn error_order(&self) -> f64;
+    fn error_order(&self) -> usize;
 
     /// Whether closures hold the end of the last step firmly: whether each keeps more than the `least` share of what a free body would
     /// yield to it. Where they are all but dependent, accelerations are lost in rounding, and a method that goes on from these should not

@@ -260,8 +260,8 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
         Some(TimeIn::<D, L>::of(square).sqrt())
     }
 
-    fn error_order(&self) -> f64 {
-        4.0
+    fn error_order(&self) -> usize {
+        4
     }
 
     /// A step of the share `theta`: as good as the rule at any stiffness, where an interpolation would strain stiff springs.

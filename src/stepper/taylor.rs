@@ -231,8 +231,8 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         Some((dt / self.reach(tolerance)).powi(self.order as i32))
     }
 
-    fn error_order(&self) -> f64 {
-        self.order as f64
+    fn error_order(&self) -> usize {
+        self.order
     }
 
     fn interpolate(

@@ -261,8 +261,8 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
         Some(TimeIn::<D, L>::of(own))
     }
 
-    fn error_order(&self) -> f64 {
-        if self.own { (self.memory.order + 1) as f64 } else { self.start.error_order() }
+    fn error_order(&self) -> usize {
+        if self.own { self.memory.order + 1 } else { self.start.error_order() }
     }
 
     fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {

@@ -6,7 +6,7 @@ mod kit;
 
 use catena::robot::*;
 use catena_oracle::space::robot::{Instant, Part, Robot};
-use catena_oracle::space::{Matrix, Vector, tilde};
+use catena_oracle::space::{Matrix, Vector};
 use catena_oracle::{Noise, near};
 use kit::{GRAVITY, agree, body, general, list, matrix};
 use nalgebra::{DMatrix, DVector};
@@ -55,19 +55,14 @@ fn plain() -> Robot {
     Robot { base: None, parts, gravity: Vector::from(GRAVITY) }
 }
 
-/// The end of an arm: place, rows of its Jacobian, acceleration where coordinates have none.
-fn end(now: &Instant, body: usize, place: [f64; 3]) -> (Vector, DMatrix<f64>, Vector) {
-    let body = &now.bodies[body];
-    let arm = body.attitude * Vector::from(place);
-    let of_place = &body.of_place - tilde(arm) * &body.of_turn;
-    let linear = body.linear + body.angular.cross(&arm) + body.spin.cross(&body.spin.cross(&arm));
-    (body.place + arm, DMatrix::from_fn(3, of_place.ncols(), |i, k| of_place[(i, k)]), linear)
-}
-
-/// What a ball between both ends demands: rows, and how fast the ends part where coordinates do not accelerate.
+/// What a ball between both ends demands: their distance, rows, and how fast the ends part where coordinates do not accelerate.
 fn gap(now: &Instant) -> (Vector, DMatrix<f64>, Vector) {
-    let (main, side) = (end(now, 3, ENDS[0]), end(now, 6, ENDS[1]));
-    (main.0 - side.0, main.1 - side.1, main.2 - side.2)
+    let [main, side] = [(3, ENDS[0]), (6, ENDS[1])].map(|(body, end)| {
+        let body = &now.bodies[body];
+        body.at(body.attitude * Vector::from(end))
+    });
+    let rows = main.of_place - side.of_place;
+    (main.place - side.place, DMatrix::from_fn(3, rows.ncols(), |i, k| rows[(i, k)]), main.linear - side.linear)
 }
 
 #[test]
@@ -81,13 +76,8 @@ fn a_ball_closes_a_loop_of_two_arms() -> Result<(), catena::Error> {
 
         let now = plain.at(&q, &v);
         let (_, rows, parting) = gap(&now);
-        let mut matrix = DMatrix::zeros(11, 11);
-        matrix.view_mut((0, 0), (8, 8)).copy_from(&now.mass);
-        matrix.view_mut((8, 0), (3, 8)).copy_from(&rows);
-        matrix.view_mut((0, 8), (8, 3)).copy_from(&(-rows.transpose()));
-        let right = DVector::from_fn(11, |k, _| if k < 8 { torques[k] - now.bias[k] } else { -parting[k - 8] });
-        let found = matrix.lu().solve(&right).expect("a loop that moves");
-        agree(&moving.accelerations(), &found.as_slice()[..8], 1e-10);
+        let [found, _] = now.held(&torques, &rows, &DVector::from_fn(3, |i, _| -parting[i]));
+        agree(&moving.accelerations(), found.as_slice(), 1e-10);
     }
     Ok(())
 }

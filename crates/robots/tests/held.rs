@@ -6,8 +6,8 @@ mod kit;
 
 use catena::robot::*;
 use catena_oracle::Noise;
-use catena_oracle::space::robot::{Instant, Part, Robot};
-use catena_oracle::space::{Matrix, Vector, tilde};
+use catena_oracle::space::robot::{Instant, Moving as Moved, Part, Robot};
+use catena_oracle::space::{Matrix, Vector};
 use kit::{Drift, GRAVITY, agree, body, drift, floating, general, list, matrix, plain_fixed, tree};
 use nalgebra::{DMatrix, DVector};
 
@@ -60,32 +60,20 @@ fn plain() -> Robot {
     robot
 }
 
-/// The tip of the last link: its place and attitude, the six rows of its Jacobian, and its acceleration where coordinates have none.
-fn tip(now: &Instant) -> (Vector, Matrix, DMatrix<f64>, [Vector; 2]) {
+/// Where the last link is held.
+fn tip(now: &Instant) -> Moved {
     let body = &now.bodies[now.bodies.len() - 1];
-    let arm = body.attitude * Vector::from(PLACE);
-    let of_place = &body.of_place - tilde(arm) * &body.of_turn;
-    let n = of_place.ncols();
-    let rows = DMatrix::from_fn(6, n, |i, k| if i < 3 { of_place[(i, k)] } else { body.of_turn[(i - 3, k)] });
-    let linear = body.linear + body.angular.cross(&arm) + body.spin.cross(&body.spin.cross(&arm));
-    (body.place + arm, body.attitude, rows, [linear, body.angular])
+    body.at(body.attitude * Vector::from(PLACE))
 }
 
 /// Accelerations and multipliers where directions of the tip are held: six numbers for each direction, and the acceleration along it.
-fn by_multipliers(now: &Instant, forces: &[f64], held: &[([f64; 6], f64)]) -> (Vec<f64>, Vec<f64>) {
-    let (_, _, rows, [linear, angular]) = tip(now);
-    let (n, m) = (forces.len(), held.len());
-    let directions = DMatrix::from_fn(m, 6, |i, k| held[i].0[k]);
-    let still = DVector::from_iterator(6, linear.iter().chain(&angular).copied());
-    let jacobian = &directions * rows;
-    let demand = DVector::from_fn(m, |i, _| held[i].1) - &directions * still;
-    let mut matrix = DMatrix::zeros(n + m, n + m);
-    matrix.view_mut((0, 0), (n, n)).copy_from(&now.mass);
-    matrix.view_mut((n, 0), (m, n)).copy_from(&jacobian);
-    matrix.view_mut((0, n), (n, m)).copy_from(&(-jacobian.transpose()));
-    let right = DVector::from_fn(n + m, |k, _| if k < n { forces[k] - now.bias[k] } else { demand[k - n] });
-    let found = matrix.lu().solve(&right).expect("closures are independent");
-    (found.rows(0, n).iter().copied().collect(), found.rows(n, m).iter().copied().collect())
+fn by_multipliers(now: &Instant, forces: &[f64], held: &[([f64; 6], f64)]) -> [DVector<f64>; 2] {
+    let tip = tip(now);
+    let of_tip = |i: usize, k: usize| if i < 3 { tip.of_place[(i, k)] } else { tip.of_turn[(i - 3, k)] };
+    let directions = DMatrix::from_fn(held.len(), 6, |i, k| held[i].0[k]);
+    let still = DVector::from_iterator(6, tip.linear.iter().chain(&tip.angular).copied());
+    let demand = DVector::from_fn(held.len(), |i, _| held[i].1) - &directions * still;
+    now.held(forces, &(directions * DMatrix::from_fn(6, forces.len(), of_tip)), &demand)
 }
 
 /// The first directions of six, with what is demanded of them.
@@ -113,7 +101,7 @@ macro_rules! agrees {
         for _ in 0..30 {
             let [q, v, torques]: [[f64; 9]; 3] = std::array::from_fn(|_| list(&mut noise, 2.0));
             let $now = plain.at(&q, &v);
-            let (place, own, ..) = tip(&$now);
+            let Moved { place, attitude: own, .. } = tip(&$now);
             let [x, y, z] = [0, 1, 2].map(|k| own.column(k).into_owned());
             let ($place, $attitude) = (array(place), Rotation::from_matrix(&Columns { x, y, z }));
             let scene = held!($end);
@@ -123,8 +111,8 @@ macro_rules! agrees {
 
             let forces: Vec<f64> = (0..9).map(|k| torques[k] - plain.parts[k].damping * v[k]).collect();
             let rows: Vec<([f64; 6], f64)> = $held;
-            let (seconds, held) = by_multipliers(&$now, &forces, &rows);
-            agree(&moving.accelerations(), &seconds, 1e-11);
+            let [seconds, held] = by_multipliers(&$now, &forces, &rows);
+            agree(&moving.accelerations(), seconds.as_slice(), 1e-11);
             // What the end exerts, as six numbers.
             let mut expected = [0.0; 6];
             rows.iter().zip(&held).for_each(|((row, _), force)| (0..6).for_each(|k| expected[k] += row[k] * force));
@@ -159,7 +147,7 @@ fn a_hinged_tip_on_ground_that_turns() -> Result<(), catena::Error> {
     let across = [Vector::new(0.8, 0.0, -0.6), Vector::y()];
     agrees!(23, |place, attitude, now| Hinged::on(ground!(place, attitude), array(axis)), {
         // Directions turn with the ground: t · α = t · α_g − (ω_g × t) · (ω − ω_g).
-        let (_, own, ..) = tip(&now);
+        let own = tip(&now).attitude;
         let (spin, angular) = (Vector::from(SPIN), Vector::from(ANGULAR));
         let relative = now.bodies[now.bodies.len() - 1].spin - spin;
         let mut rows = along(&ACCELERATION);
@@ -179,7 +167,7 @@ macro_rules! afloat {
         for _ in 0..30 {
             let Drift { start: same, plain, q, v } = drift(&open, &mut noise)?;
             let now = plain.at(&q, &v);
-            let (place, own, ..) = tip(&now);
+            let Moved { place, attitude: own, .. } = tip(&now);
             let [x, y, z] = [0, 1, 2].map(|k| own.column(k).into_owned());
             let ($place, $attitude) = (array(place), Rotation::from_matrix(&Columns { x, y, z }));
             let scene = System::new(Free, (BodyAxes, tree(), Flange::at(PLACE)), $end)?.with_gravity(GRAVITY);
@@ -190,8 +178,8 @@ macro_rules! afloat {
             let dampers = plain.parts.iter().zip(v).map(|(part, v)| -part.damping * v);
             let forces: Vec<f64> = [0.0; 6].into_iter().chain(dampers).collect();
             let rows: Vec<([f64; 6], f64)> = $held;
-            let (seconds, held) = by_multipliers(&now, &forces, &rows);
-            agree(&moving.accelerations(), &seconds, 1e-10);
+            let [seconds, held] = by_multipliers(&now, &forces, &rows);
+            agree(&moving.accelerations(), seconds.as_slice(), 1e-10);
             let mut expected = [0.0; 6];
             rows.iter().zip(&held).for_each(|((row, _), force)| (0..6).for_each(|k| expected[k] += row[k] * force));
             let internal = scene.stations(&moving, &Unloaded)?.tip().internal;

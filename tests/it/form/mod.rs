@@ -2,6 +2,7 @@
 
 mod docs;
 mod layers;
+mod macros;
 mod names;
 mod of_scenes;
 mod readings;

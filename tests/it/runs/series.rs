@@ -199,9 +199,9 @@ fn tolerances_choose_orders() -> Result<(), Error> {
         let (long, short) = (any.propose(&start, &Unloaded, tolerance), few.propose(&start, &Unloaded, tolerance));
         orders.push((any.error_order(), few.error_order()));
         // More orders reach farther.
-        assert!(long >= short && (any.error_order() > 12.0) == (long > short), "{long:?} {short:?}");
+        assert!(long >= short && (any.error_order() > 12) == (long > short), "{long:?} {short:?}");
     }
-    assert_eq!(orders, [(8.0, 8.0), (24.0, 12.0), (14.0, 12.0)]);
+    assert_eq!(orders, [(8, 8), (24, 12), (14, 12)]);
     Ok(())
 }
 

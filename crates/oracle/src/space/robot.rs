@@ -81,7 +81,7 @@ impl Moving {
     }
 
     /// At another point of the body, by the vector to it (inertial axes).
-    fn at(&self, arm: Vector) -> Self {
+    pub fn at(&self, arm: Vector) -> Self {
         Self {
             place: self.place + arm,
             velocity: self.velocity + self.spin.cross(&arm),
@@ -89,6 +89,21 @@ impl Moving {
             of_place: &self.of_place - tilde(arm) * &self.of_turn,
             ..self.clone()
         }
+    }
+}
+
+impl Instant {
+    /// Accelerations under forces while some directions are held, those of the rows of a Jacobian, which accelerate as demanded; and what holds
+    /// each of them: M q̈ + b = f + Jᵀ λ, J q̈ = d.
+    pub fn held(&self, forces: &[f64], jacobian: &DMatrix<f64>, demand: &DVector<f64>) -> [DVector<f64>; 2] {
+        let (n, m) = (forces.len(), demand.len());
+        let mut matrix = DMatrix::zeros(n + m, n + m);
+        matrix.view_mut((0, 0), (n, n)).copy_from(&self.mass);
+        matrix.view_mut((n, 0), (m, n)).copy_from(jacobian);
+        matrix.view_mut((0, n), (n, m)).copy_from(&(-jacobian.transpose()));
+        let right = DVector::from_fn(n + m, |k, _| if k < n { forces[k] - self.bias[k] } else { demand[k - n] });
+        let found = matrix.lu().solve(&right).expect("what is held is independent");
+        [found.rows(0, n).into_owned(), found.rows(n, m).into_owned()]
     }
 }
 

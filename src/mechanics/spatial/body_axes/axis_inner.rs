@@ -89,11 +89,6 @@ where
         let (relation, second, o) = (outer.sparse(), Number::of(acceleration), Number::zero());
         let besides = if const { M::TURNS } { [[o; 3], [x, y, second]] } else { [[x, y, z.plus(second)], [o; 3]] };
         let (relation, cuts) = (relation.accelerated(besides), accelerated(outer.cuts(), besides.map(values)));
-        let relation = if const { M::TURNS } {
-            relation.turned_about_z(stand[0], stand[1])
-        } else {
-            relation.shifted([o, o, Number::of(stand[1])], [o; 3])
-        };
-        self.handed_on(relation, cuts, (stand, swung))
+        self.handed_on(relation.at_joint(M::TURNS, stand), cuts, (stand, swung))
     }
 }

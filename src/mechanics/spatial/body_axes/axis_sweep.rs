@@ -92,19 +92,14 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         (kept, stiffened): (&mut ClosedGains<T, R::Closures>, bool),
     ) -> B::Relation<T, R::Closures> {
         let (relation, cuts) = (outer.sparse(), outer.cuts());
-        let (relation, cuts) = if const { M::TURNS } {
-            let (relation, gains, inverse) = relation.hinged(effort, more, [bias[0].value(), bias[1].value()]);
-            kept.gains.set(gains, true, stiffened);
-            let cuts = Self::loosed(cuts, (&gains, inverse), bias, &mut kept.per_closure);
-            (relation.turned_about_z(stand[0], stand[1]), cuts)
+        let (relation, gains, inverse) = if const { M::TURNS } {
+            relation.hinged(effort, more, [bias[0].value(), bias[1].value()])
         } else {
-            let (relation, gains, inverse) = relation.slid(effort, more, values(bias));
-            kept.gains.set(gains, false, stiffened);
-            let cuts = Self::loosed(cuts, (&gains, inverse), bias, &mut kept.per_closure);
-            let o = Number::zero();
-            (relation.shifted([o, o, Number::of(stand[1])], [o; 3]), cuts)
+            relation.slid(effort, more, values(bias))
         };
-        self.handed_on(relation, cuts, (stand, swung))
+        kept.gains.set(gains, M::TURNS, stiffened);
+        let cuts = Self::loosed(cuts, (&gains, inverse), bias, &mut kept.per_closure);
+        self.handed_on(relation.at_joint(M::TURNS, stand), cuts, (stand, swung))
     }
 }
 

@@ -28,15 +28,13 @@ impl<T: Scalar, const N: usize> Through<T> for Factor<T, N> {
         let mut relation = relation.sparse();
         let none = [Number::zero(); 3];
         (relation.force, relation.torque) = (none, none);
-        let relation = if const { A::TURNS } {
-            let (relation, gains, _) = relation.hinged(T::one(), axis.inertia(), [o; 2]);
-            self.gains[self.next] = gains;
-            relation.turned_about_z(stand[0], stand[1])
+        let (relation, gains, _) = if const { A::TURNS } {
+            relation.hinged(T::one(), axis.inertia(), [o; 2])
         } else {
-            let (relation, gains, _) = relation.slid(T::one(), axis.inertia(), [o; 3]);
-            self.gains[self.next] = gains;
-            relation.shifted([Number::zero(), Number::zero(), Number::of(stand[1])], none)
+            relation.slid(T::one(), axis.inertia(), [o; 3])
         };
+        self.gains[self.next] = gains;
+        let relation = relation.at_joint(A::TURNS, stand);
         relation.turned(&axis.offset()).shifted(axis.arm(), none).dense()
     }
     #[inline(always)]

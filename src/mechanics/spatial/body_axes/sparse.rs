@@ -5,6 +5,7 @@ use super::number::{
     rows, scaled, sum as added, tilde, transposed, triangle_less, triangle_sum, triangle_values, triple, values,
 };
 use super::relation::{Gains, Local};
+use super::standing::Stand;
 use crate::relation::Cuts;
 use crate::scalar::Scalar;
 
@@ -137,6 +138,16 @@ impl<T: Scalar> Sparse<T> {
             force: [fx, fy, self.force[2]],
             torque: [tx, ty, self.torque[2]],
         }
+    }
+
+    /// From the body's origin to the joint's place, in axes that its offset alone turns.
+    #[cfg_attr(optimised, inline(always))]
+    pub fn at_joint(self, turns: bool, stand: Stand<T>) -> Self {
+        if turns {
+            return self.turned_about_z(stand[0], stand[1]);
+        }
+        let o = Number::zero();
+        self.shifted([o, o, Number::of(stand[1])], [o; 3])
     }
 
     /// In other axes, of which the matrix holds the present ones.

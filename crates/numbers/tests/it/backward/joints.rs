@@ -43,9 +43,7 @@ fn hinges_have_the_gradients_of_jets() {
     list.extend([8.0, 0.5, 0.1]); // a law
     list.extend([0.3, 0.2, 9.81]); // a weld, the root, gravity
     assert_eq!(list.len(), 24);
-    list.extend((0..coordinates).map(|_| noise.between(-1.0, 0.5)));
-    list.extend((0..coordinates).map(|_| noise.next()));
-    list.extend((0..steps * joints).map(|_| 0.5 * noise.next()));
+    list.extend(moving(&mut noise, coordinates, steps * joints));
     let kinds = [
         ("bodies", 10),
         ("springs", 8),
@@ -80,9 +78,7 @@ fn sliders_have_the_gradients_of_jets() {
     list.extend([30.0, 1.5, 0.3, 40.0, 0.6, 15.0]); // springs, dampers, rest values
     list.push(9.81);
     assert_eq!(list.len(), 21);
-    list.extend((0..coordinates).map(|_| noise.between(-1.0, 0.5)));
-    list.extend((0..coordinates).map(|_| noise.next()));
-    list.extend((0..steps * joints).map(|_| 0.5 * noise.next()));
+    list.extend(moving(&mut noise, coordinates, steps * joints));
     let kinds = [
         ("bodies", 10),
         ("directions", 4),

@@ -75,9 +75,7 @@ fn chains_that_float_have_the_gradients_of_jets() {
     let mut noise = Noise::new(20);
     let mut list = vec![1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2]; // a rod and a rigid body
     list.extend([12.0, 0.3, 9.81, 0.2, 3.0, 0.5, 0.4, 0.1]); // a hinge, gravity, a medium
-    list.extend((0..coordinates).map(|_| noise.between(-1.0, 0.5)));
-    list.extend((0..coordinates).map(|_| noise.next()));
-    list.extend((0..steps * joints).map(|_| 0.5 * noise.next()));
+    list.extend(moving(&mut noise, coordinates, steps * joints));
     let kinds = [
         ("bodies", 10),
         ("hinge", 2),
@@ -118,9 +116,7 @@ fn chains_on_ground_that_moves_have_the_gradients_of_jets() {
     let mut noise = Noise::new(21);
     let mut list = vec![1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2]; // a rod and a rigid body
     list.extend([12.0, 0.3, 0.2, -0.1, 0.3, 9.81, 0.2, 3.0, 0.5, 0.4, 0.1]); // a hinge, the root, gravity, a medium
-    list.extend((0..coordinates).map(|_| noise.between(-1.0, 0.5)));
-    list.extend((0..coordinates).map(|_| noise.next()));
-    list.extend((0..steps * joints).map(|_| 0.5 * noise.next()));
+    list.extend(moving(&mut noise, coordinates, steps * joints));
     let kinds = [
         ("bodies", 10),
         ("hinge", 2),
@@ -211,9 +207,7 @@ fn chains_on_a_line_have_the_gradients_of_jets() {
     let mut noise = Noise::new(22);
     let mut list = vec![1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2]; // a rod and a rigid body
     list.extend([0.2, -0.1, 0.3, 0.6, 9.81, 0.2, 3.0, 0.5, 0.4, 0.1]); // the root, gravity, a medium
-    list.extend((0..coordinates).map(|_| noise.between(-1.0, 0.5)));
-    list.extend((0..coordinates).map(|_| noise.next()));
-    list.extend((0..steps * joints).map(|_| 0.5 * noise.next()));
+    list.extend(moving(&mut noise, coordinates, steps * joints));
     let kinds = [
         ("bodies", 10),
         ("place of the root", 2),

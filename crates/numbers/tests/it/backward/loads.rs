@@ -43,9 +43,7 @@ fn loads_that_read_the_motion_have_the_gradients_of_jets() {
     list.extend([0.2, 0.1, 0.3, 9.81]); // the root, gravity
     list.extend([0.4, 7.0, 0.5, 0.8, 0.05]); // the law
     assert_eq!(list.len(), 27);
-    list.extend((0..coordinates).map(|_| noise.between(-1.0, 0.5)));
-    list.extend((0..coordinates).map(|_| noise.next()));
-    list.extend((0..steps * joints).map(|_| 0.5 * noise.next()));
+    list.extend(moving(&mut noise, coordinates, steps * joints));
     let kinds = [
         ("bodies", 12),
         ("joints", 6),

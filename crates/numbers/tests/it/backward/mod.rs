@@ -3,10 +3,11 @@
 use catena::planar::{SpringLaw, Springs};
 use catena::scalar::Jet;
 use catena::{Fault, Scalar};
+use catena_oracle::Noise;
 
 /// What the macro below names.
 mod names {
-    pub(super) use super::{ROUNDING, Stiffening, agrees, alike, by_jets, share};
+    pub(super) use super::{ROUNDING, Stiffening, agrees, alike, by_jets, moving, share};
     pub(super) use catena::Scalar;
     pub(super) use catena::planar::*;
     pub(super) use catena::scalar::Jet;
@@ -39,6 +40,14 @@ fn alike(name: &str, kinds: Kinds, found: &[f64], expected: &[f64], tolerance: f
         assert!(worst <= tolerance, "{name}, {kind}: {found:?} not {expected:?}");
         first += count;
     }
+}
+
+/// Coordinates, rates, and torques of all steps, at random: what comes last among the numbers of a run.
+fn moving(noise: &mut Noise, coordinates: usize, torques: usize) -> Vec<f64> {
+    let mut list: Vec<f64> = (0..coordinates).map(|_| noise.between(-1.0, 0.5)).collect();
+    list.extend((0..coordinates).map(|_| noise.next()));
+    list.extend((0..torques).map(|_| 0.5 * noise.next()));
+    list
 }
 
 /// A number with eight derivatives.
