@@ -145,8 +145,24 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
 
     /// Whether this is the motion at a time, of these positions and rates. Dual numbers with other derivative parts are other numbers.
     pub(crate) fn has_state(&self, time: T::Real, position: &P, rate: &P::Rate) -> bool {
-        let mut same = Scalar::is_identical;
-        self.time == time && self.position.all(position, &mut same) && self.rate.all(rate, &mut same)
+        // All are compared, whatever comes of the first: a loop without a way out is put in lanes.
+        let mut same = self.time == time;
+        let mut test = |a: T, b: T| {
+            same &= a.is_identical(b);
+            true
+        };
+        let fits = self.position.all(position, &mut test) && self.rate.all(rate, &mut test);
+        fits && same
+    }
+
+    /// Whether these are the accelerations of this motion, as numbers are compared there.
+    pub(crate) fn has_acceleration(&self, acceleration: &P::Rate) -> bool {
+        let mut same = true;
+        let fits = self.acceleration.all(acceleration, &mut |a, b| {
+            same &= a.is_identical(b);
+            true
+        });
+        fits && same
     }
 
     /// Whether `other` moves the same coordinates (only vectors of elements can differ in number).

@@ -34,6 +34,8 @@ impl<T: Scalar<Real = R>, R: Real> Position<T> for Clock<R> {
     #[inline(always)]
     fn measure(&self, (): &(), _: &mut impl FnMut(T, T)) {}
     #[inline(always)]
+    fn square_shares(&self, (): &(), (): &mut ()) {}
+    #[inline(always)]
     fn visit(&self, _: &mut impl FnMut(T)) {}
     #[inline(always)]
     fn replace(&mut self, _: &mut impl FnMut(T) -> T) {}

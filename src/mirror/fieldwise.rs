@@ -40,6 +40,14 @@ macro_rules! fieldwise_rate {
             $(Rate::add(&mut self.$sum, &_step.$sum);)*
         }
         #[inline(always)]
+        fn scale_onto(&mut self, _u: T::Real, _base: &Self) {
+            $(Rate::scale_onto(&mut self.$sum, _u, &_base.$sum);)*
+        }
+        #[inline(always)]
+        fn square_shares(&mut self, _of: &Self, _size: &Self) {
+            $(Rate::square_shares(&mut self.$number, &_of.$number, &_size.$number);)*
+        }
+        #[inline(always)]
         fn visit(&self, _visit: &mut impl FnMut(T)) {
             $(Rate::visit(&self.$number, _visit);)*
         }
@@ -137,6 +145,10 @@ macro_rules! fieldwise_position {
         #[inline(always)]
         fn measure(&self, _displacement: &Self::Rate, _note: &mut impl FnMut(T, T)) {
             $(self.$i.measure(&_displacement.$i, _note);)*
+        }
+        #[inline(always)]
+        fn square_shares(&self, _displacement: &Self::Rate, _squares: &mut Self::Rate) {
+            $(Position::square_shares(&self.$i, &_displacement.$i, &mut _squares.$i);)*
         }
         #[inline(always)]
         fn visit(&self, _visit: &mut impl FnMut(T)) {

@@ -206,6 +206,10 @@ impl<T: Scalar> Position<T> for Guarded<T> {
         self.coordinate.measure(&displacement.rate, note);
     }
     #[inline(always)]
+    fn square_shares(&self, displacement: &GuardedRate<T>, squares: &mut GuardedRate<T>) {
+        Position::square_shares(&self.coordinate, &displacement.rate, &mut squares.rate);
+    }
+    #[inline(always)]
     fn visit(&self, visit: &mut impl FnMut(T)) {
         visit(self.coordinate);
     }

@@ -56,6 +56,14 @@ macro_rules! mirror_items {
                 self.iter_mut().zip(step).for_each(|(item, step)| item.add(step));
             }
             #[inline]
+            fn scale_onto(&mut self, u: T::Real, base: &Self) {
+                self.iter_mut().zip(base).for_each(|(item, base)| item.scale_onto(u, base));
+            }
+            #[inline]
+            fn square_shares(&mut self, of: &Self, size: &Self) {
+                self.iter_mut().zip(of).zip(size).for_each(|((item, of), size)| item.square_shares(of, size));
+            }
+            #[cfg_attr(optimised, inline(always))]
             fn visit(&self, visit: &mut impl FnMut(T)) {
                 self.iter().for_each(|item| item.visit(visit));
             }
@@ -159,6 +167,12 @@ macro_rules! mirror_items {
             #[inline]
             fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T)) {
                 self.iter().zip(displacement).for_each(|(item, displacement)| item.measure(displacement, note));
+            }
+            #[inline]
+            fn square_shares(&self, displacement: &Self::Rate, squares: &mut Self::Rate) {
+                for ((item, displacement), square) in self.iter().zip(displacement).zip(squares) {
+                    item.square_shares(displacement, square);
+                }
             }
             #[inline]
             fn visit(&self, visit: &mut impl FnMut(T)) {

@@ -52,6 +52,12 @@ pub trait Rate<T: Scalar>: Clone {
     /// `self = self + step`.
     fn add(&mut self, step: &Self);
 
+    /// `self = base + u self`: in place.
+    fn scale_onto(&mut self, u: T::Real, base: &Self);
+
+    /// Squares of shares of sizes, each coordinate by itself: `self = (of / (|size| + 1))²`.
+    fn square_shares(&mut self, of: &Self, size: &Self);
+
     /// Calls `visit` with each coordinate, root to tip.
     fn visit(&self, visit: &mut impl FnMut(T));
 
@@ -91,6 +97,9 @@ pub trait Position<T: Scalar>: Clone {
     /// Calls `note` with each number of a displacement from here, root to tip, and the size by which to measure it relatively
     /// (that of the coordinate).
     fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T));
+
+    /// Squares of a displacement from here, each number as a share of one and the size by which [`measure`](Self::measure) measures it.
+    fn square_shares(&self, displacement: &Self::Rate, squares: &mut Self::Rate);
 
     /// Calls `visit` with each number stored, root to tip.
     fn visit(&self, visit: &mut impl FnMut(T));

@@ -49,6 +49,16 @@ impl<T: Scalar> Rate<T> for T {
         *self += *step;
     }
     #[inline(always)]
+    fn scale_onto(&mut self, u: T::Real, base: &T) {
+        let a = *self;
+        self.mix_1(base, (u, &a));
+    }
+    #[inline(always)]
+    fn square_shares(&mut self, of: &T, size: &T) {
+        let share = *of / (Scalar::abs(*size) + T::one());
+        *self = share * share;
+    }
+    #[inline(always)]
     fn visit(&self, visit: &mut impl FnMut(T)) {
         visit(*self);
     }
@@ -88,6 +98,10 @@ impl<T: Scalar> Position<T> for T {
     #[inline(always)]
     fn measure(&self, displacement: &T, note: &mut impl FnMut(T, T)) {
         note(*displacement, Scalar::abs(*self));
+    }
+    #[inline(always)]
+    fn square_shares(&self, displacement: &T, squares: &mut T) {
+        Rate::square_shares(squares, displacement, self);
     }
     #[inline(always)]
     fn visit(&self, visit: &mut impl FnMut(T)) {

@@ -1,7 +1,7 @@
 //! Trial steps of a run: judged, and repeated until one is accepted.
 
 use super::drive::Running;
-use super::trials::factor;
+use super::trials::{factor, rough_factor};
 use super::{EventFunction, Now, Progress};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
@@ -59,9 +59,11 @@ where
                 return Ok((size, last));
             };
             let error = self.judge(outcome, size, tolerance)?;
-            let factor = factor(error, self.stepper.error_order());
             let trials = &mut self.progress.trials;
-            let other = if !trials.accepts(error) {
+            let accepts = trials.accepts(error);
+            let order = self.stepper.error_order();
+            let factor = if K::PLANS && accepts { rough_factor(error, order) } else { factor(error, order) };
+            let other = if !accepts {
                 Some(trials.after(size, error, factor))
             } else if error <= one && !last {
                 self.dodge(size)

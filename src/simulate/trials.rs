@@ -2,7 +2,7 @@
 
 use crate::error::{Cause, Error, Fault, Place};
 use crate::scalar::Real;
-use crate::stepper::roots::inverse_root;
+use crate::stepper::roots::{inverse_root, power};
 use crate::time::Control;
 
 /// In so many trial steps a run must advance by more than [`ADVANCE`], or half of them must be taken: one that has coasted for long may go on
@@ -243,8 +243,18 @@ pub(super) fn factor<R: Real>(error: R, order: usize) -> R {
     if !error.is_finite() {
         return R::of(0.1);
     }
-    let wanted = R::of(0.9 * inverse_root(error.as_f64().max(1e-12), order));
-    wanted.max(R::of(0.2)).min(R::of(6.0))
+    limited(inverse_root(error.as_f64().max(1e-12), order))
+}
+
+/// The same to three thousandths, for an error that is accepted.
+#[inline]
+pub(super) fn rough_factor<R: Real>(error: R, order: usize) -> R {
+    limited(power(error.as_f64().max(1e-12), -1.0 / order as f64))
+}
+
+#[inline(always)]
+fn limited<R: Real>(longer: f64) -> R {
+    R::of(0.9 * longer).max(R::of(0.2)).min(R::of(6.0))
 }
 
 #[cfg(test)]

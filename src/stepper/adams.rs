@@ -117,8 +117,7 @@ impl<D: Dynamics<L>, L> AdamsStepper<D, L> {
     fn recall(&mut self, past: &MotionIn<D, L>) {
         let first = &self.start.slopes.as_ref()[0];
         let is = |motion: &MotionIn<D, L>| {
-            motion.has_state(past.time, &past.position, &past.rate)
-                && motion.acceleration.all(first, &mut Scalar::is_identical)
+            motion.has_state(past.time, &past.position, &past.rate) && motion.has_acceleration(first)
         };
         let AdamsMemory { ring, newest, known, written } = &mut self.memory;
         let before = (*newest + DEPTH) % (DEPTH + 1);

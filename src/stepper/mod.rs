@@ -102,6 +102,8 @@ pub trait Stepper<D: Dynamics<L>, L> {
     /// iteration, which the next step goes on with: [`System::accelerate`](crate::system::System::accelerate) finds the true ones,
     /// in a copy, and so do the readings of a run.
     const SETTLED: bool = true;
+    /// Whether [`propose`](Self::propose) says how long the step after an accepted one should be: what a run finds from its error may be rough.
+    const PLANS: bool = false;
 
     /// One step of size `dt` (s) from `past` under `loads`, written to `next`.
     ///

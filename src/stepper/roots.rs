@@ -36,7 +36,7 @@ pub(crate) fn inverse_root(x: f64, order: usize) -> f64 {
 
 /// A positive number to the power `exponent`.
 #[inline]
-pub(super) fn power(x: f64, exponent: f64) -> f64 {
+pub(crate) fn power(x: f64, exponent: f64) -> f64 {
     exp2(log2(x) * exponent)
 }
 

@@ -12,7 +12,7 @@ use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
 use crate::time::Dop853;
-use crate::time::vcabm::{Coefficients, TERMS, Vcabm};
+use crate::time::vcabm::{Coefficients, Integrals, TERMS, Vcabm};
 use num_traits::{One, Zero};
 pub use past::VcabmMemory;
 
@@ -122,37 +122,38 @@ impl<D: Dynamics<L>, L> VcabmStepper<D, L> {
     }
 
     /// The error of the last step, had its predictor been of an order: of a difference that its accelerations show.
+    // Not inlined: of arguments alone a compiler knows that they do not overlap.
+    #[inline(never)]
     fn error_of(
-        &self,
+        integrals: &Integrals,
         order: usize,
         difference: &D::Rate,
+        squares: &mut D::Rate,
         dt: TimeIn<D, L>,
         next: &MotionIn<D, L>,
         tolerance: TimeIn<D, L>,
     ) -> f64 {
-        let integrals = &self.coefficients.whole;
         let weight = |of: &[f64; TERMS]| TimeIn::<D, L>::of(of[order] - of[order - 1]);
-        let (mut squares, mut count) = ([TimeIn::<D, L>::zero(); 2], 0_usize);
-        let one = D::Scalar::one();
-        next.position.measure(difference, &mut |x, size| {
-            let share = (x / (size + one)).real();
-            squares[0] += share * share;
-            count += 1;
-        });
-        difference.all(&next.rate, &mut |x, rate| {
-            let share = (x / (Scalar::abs(rate) + one)).real();
-            squares[1] += share * share;
-            count += 1;
-            true
-        });
+        let sum = |squares: &D::Rate| {
+            let mut sum = TimeIn::<D, L>::zero();
+            squares.visit(&mut |square| sum += square.real());
+            sum
+        };
+        next.position.square_shares(difference, squares);
+        let of_position = sum(squares);
+        squares.square_shares(difference, &next.rate);
+        let of_rate = sum(squares);
+        let mut count = 0_usize; // of numbers of both
+        squares.visit(&mut |_| count += 2);
         let (twice, once) = (weight(&integrals.twice) * dt * dt / tolerance, weight(&integrals.once) * dt / tolerance);
-        let sum = twice * twice * squares[0] + once * once * squares[1];
+        let sum = twice * twice * of_position + once * once * of_rate;
         Scalar::sqrt(sum / TimeIn::<D, L>::of(count.max(1) as f64)).as_f64()
     }
 }
 
 impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
     const SETTLED: bool = false;
+    const PLANS: bool = true;
 
     fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
         self.start.admit(past, loads, dt, next)
@@ -174,7 +175,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         let Self { memory, start, room: [room, _], .. } = self;
-        memory.recall(past, &start.slopes.as_ref()[0], room);
+        memory.recall(past, &start.slopes.as_ref()[0]);
         let size = memory.size(dt.as_f64());
         if size == 0.0 {
             memory.forget();
@@ -240,19 +241,19 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
             self.memory.want(dt * tolerance.powf(TimeIn::<D, L>::of(1.0 / 2.0 - 1.0 / 9.0)));
             return self.start.error(past, dt, next, tolerance);
         }
-        let order = self.order;
-        let own = self.error_of(order, &self.surprise, dt, next, tolerance);
+        let Self { order, most, memory, coefficients, surprise, room: [room, squares], .. } = self;
+        let (order, scale) = (*order, |i: usize| TimeIn::<D, L>::of(coefficients.scale[i]));
+        let mut error_of = |order: usize, difference: &D::Rate| {
+            Self::error_of(&coefficients.whole, order, difference, squares, dt, next, tolerance)
+        };
+        let own = error_of(order, surprise);
         let lower = (order > 1).then(|| {
-            let [room, _] = &mut self.room;
-            let scale = TimeIn::<D, L>::of(self.coefficients.scale[order - 1]);
-            room.mix_1(&self.surprise, (scale, &self.memory.differences[order - 1]));
-            self.error_of(order - 1, &self.room[0], dt, next, tolerance)
+            room.mix_1(surprise, (scale(order - 1), &memory.differences[order - 1]));
+            error_of(order - 1, room)
         });
-        let higher = (order < self.most && self.memory.may_rise()).then(|| {
-            let [room, _] = &mut self.room;
-            let scale = TimeIn::<D, L>::of(self.coefficients.scale[order]);
-            room.mix_1(&self.memory.change, (-scale, &self.memory.differences[order]));
-            self.error_of(order + 1, &self.room[0], dt, next, tolerance)
+        let higher = (order < *most && memory.may_rise()).then(|| {
+            room.mix_1(&memory.change, (-scale(order), &memory.differences[order]));
+            error_of(order + 1, room)
         });
         self.memory.choose([Some(own), lower, higher], dt, self.most);
         if D::CLOSED {

@@ -192,17 +192,25 @@ impl Coefficients {
     fn all(&self) -> Integrals {
         let mut integrals = Integrals { once: [0.0; TERMS], twice: [0.0; TERMS] };
         let mut of = RECIPROCALS;
-        for i in 0..(self.count + 1).min(TERMS) {
-            (integrals.once[i], integrals.twice[i]) = (of[0], of[1]);
-            let share = self.share[i];
-            // More than are needed, in blocks that registers hold: nothing is read that was written in the same round.
-            for block in [0, 4, 8, 12] {
-                let next: [f64; 5] = core::array::from_fn(|q| of[block + q]);
-                for q in 0..4 {
-                    of[block + q] = next[q] - share * next[q + 1];
+        // In blocks that registers hold, of which the last rounds need two: nothing is read that was written in the same round.
+        let rounds = (self.count + 1).min(TERMS);
+        let wide = rounds.saturating_sub(8);
+        macro_rules! rounds {
+            ($range:expr, $blocks:expr) => {
+                for i in $range {
+                    (integrals.once[i], integrals.twice[i]) = (of[0], of[1]);
+                    let share = self.share[i];
+                    for block in $blocks {
+                        let next: [f64; 5] = core::array::from_fn(|q| of[block + q]);
+                        for q in 0..4 {
+                            of[block + q] = next[q] - share * next[q + 1];
+                        }
+                    }
                 }
-            }
+            };
         }
+        rounds!(0..wide, [0, 4, 8, 12]);
+        rounds!(wide..rounds, [0, 4]);
         integrals
     }
 

@@ -201,6 +201,10 @@ impl<T: Scalar> Position<T> for Rotation<T> {
         displacement.iter().for_each(|x| note(*x, T::zero()));
     }
     #[inline(always)]
+    fn square_shares(&self, displacement: &[T; 3], squares: &mut [T; 3]) {
+        *squares = displacement.map(|x| x * x); // as shares of one
+    }
+    #[inline(always)]
     fn apart(&self, from: &Self, displacement: &mut [T; 3]) {
         let step = self.relative_to(from).shortest();
         *displacement = (step.v + step.v).into();

@@ -4,7 +4,7 @@ use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
-use crate::stepper::roots::power;
+use crate::stepper::roots::{exp2, log2};
 use crate::time::vcabm::{MOST, TERMS};
 use num_traits::Zero;
 
@@ -108,10 +108,9 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
 
     /// Makes `past`, with accelerations, the newest motion remembered. Where it is not the last one written, or accelerations have jumped
     /// since, nothing else is.
-    pub(super) fn recall(&mut self, past: &Motion<T, P, C>, first: &P::Rate, room: &mut P::Rate) {
+    pub(super) fn recall(&mut self, past: &Motion<T, P, C>, first: &P::Rate) {
         let is = |motion: &Motion<T, P, C>| {
-            motion.has_state(past.time, &past.position, &past.rate)
-                && motion.acceleration.all(first, &mut Scalar::is_identical)
+            motion.has_state(past.time, &past.position, &past.rate) && motion.has_acceleration(first)
         };
         let before = self.before();
         if self.written && self.made == 0 && is(&self.ring[before]) {
@@ -121,9 +120,9 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
             self.bridge = self.bridge.saturating_sub(1);
         } else if self.written && is(&self.ring[before]) {
             self.newest = before;
-            self.sizes.rotate_right(1);
+            self.sizes.copy_within(..LENGTH - 1, 1);
             self.sizes[0] = self.size;
-            self.advance(first, room);
+            self.advance(first);
             self.failures = 0;
         } else if self.known > 0 && is(&self.ring[self.newest]) {
             self.failures = self.failures.saturating_add(usize::from(self.written));
@@ -182,7 +181,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
     }
 
     /// Differences after the step that was written. Those of curved positions are found anew for each step, in its coordinates.
-    fn advance(&mut self, first: &P::Rate, room: &mut P::Rate) {
+    fn advance(&mut self, first: &P::Rate) {
         if P::CURVED {
             self.known = KEPT.min(self.known + 1);
             return;
@@ -196,8 +195,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
         self.differences[order].set(&self.change);
         for i in (1..order).rev() {
             let [difference, next] = &mut self.differences[i..i + 2] else { return };
-            room.mix_1(next, (real(self.scales[i]), difference));
-            difference.set(room);
+            difference.scale_onto(real(self.scales[i]), next);
         }
         self.differences[0].set(first);
         self.known = KEPT.min(order + 1 + usize::from(more));
@@ -244,7 +242,8 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
     pub(super) fn usable(&self, size: f64) -> usize {
         let least = NEAREST * size * size;
         let far = |before: &&f64| **before * size >= least;
-        1 + self.sizes[..self.known - 1].iter().take_while(far).count()
+        let (others, all) = (self.known - 1, self.sizes.iter().fold(true, |all, before| all & far(&before)));
+        if all { 1 + others } else { 1 + self.sizes[..others].iter().take_while(far).count() }
     }
 
     /// Keeps what a step has made.
@@ -272,14 +271,16 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
     pub(super) fn choose(&mut self, [own, lower, higher]: [Option<f64>; 3], dt: T::Real, most: usize) {
         // After a step of another method, one that fails may be judged before it is kept: then no order has been made yet.
         let order = self.made.max(1);
-        let factor = |error: Option<f64>, order: usize| {
-            error.map_or(0.0, |error| power(AIM / error.clamp(1e-30, 1e30), ((order + 1) as f64).recip()))
+        // By how much steps could be longer, of which most need the logarithm alone.
+        let length = |error: Option<f64>, order: usize| {
+            error.map_or(f64::NEG_INFINITY, |error| log2(AIM / error.clamp(1e-30, 1e30)) * ((order + 1) as f64).recip())
         };
-        let (mut best, mut longest) = (order, factor(own, order));
-        let shorter = factor(lower, order.saturating_sub(1));
+        let (mut best, mut longest) = (order, length(own, order));
+        let shorter = length(lower, order.saturating_sub(1));
         if shorter > longest {
             (best, longest) = (order - 1, shorter);
         }
+        let mut longest = exp2(longest);
         if !own.is_some_and(|own| own <= 1.0) {
             (self.order, self.starting, self.steady) = (best, false, 0);
             return;
@@ -291,7 +292,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
                 best = order + 1;
             }
         } else if best == order {
-            let risen = factor(higher, order + 1);
+            let risen = exp2(length(higher, order + 1));
             if risen > longest * WORTH_AN_ORDER {
                 (best, longest) = (order + 1, risen);
             }
