@@ -10,6 +10,8 @@ mod by_hand;
 mod clock;
 #[path = "parts/count.rs"]
 mod count;
+#[path = "parts/held_by_hand.rs"]
+mod held_by_hand;
 #[path = "parts/inverse.rs"]
 mod inverse;
 #[path = "parts/joints.rs"]
@@ -145,6 +147,9 @@ fn quick(mut rows: Vec<Row>, other: Option<&Path>) -> Result<(), Box<dyn Error>>
 /// pins, those in space to nothing.
 fn tables(rows: &[Row], [by_hand, in_plane]: [usize; 2], other: Option<&Path>) -> Result<Vec<Column>, Box<dyn Error>> {
     check(&rows[in_plane..])?;
+    if let Some(held) = rows.iter().position(|row| row.scene == "pinned tip") {
+        check(&rows[held..held + 2])?; // an array, and what is by hand
+    }
     println!("Library and hand agree to {:.1e} of the largest acceleration.", check(&rows[..by_hand])?);
     if !has_valgrind() {
         println!("Instructions are not counted: valgrind is not installed.");

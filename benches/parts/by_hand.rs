@@ -119,7 +119,7 @@ impl<S: Scene, V: Clone + AsRef<[f64]> + AsMut<[f64]>> Chain<S, V> {
 
 /// a b + c, fused where the target can.
 #[inline(always)]
-fn fma(a: f64, b: f64, c: f64) -> f64 {
+pub fn fma(a: f64, b: f64, c: f64) -> f64 {
     if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
 }
 
@@ -132,10 +132,13 @@ macro_rules! same_length {
     };
 }
 
+#[allow(unused_imports)] // not all benchmarks that share this file need it
+pub(crate) use same_length;
+
 /// Arms and centripetal accelerations. Slices are arguments, because of these alone the compiler knows that they do not
 /// overlap.
 #[inline(always)]
-fn directions<S: Scene>(
+pub fn directions<S: Scene>(
     length: &[f64],
     angle: &[f64],
     rate: &[f64],

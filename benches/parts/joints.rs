@@ -1,5 +1,6 @@
 //! Chains of rods with other joints and ends than those of the main table: beside the pin chain with a free tip.
 
+use crate::held_by_hand::Held;
 use crate::scenes::{Case, Evaluated, GRAVITY, Link, Row, state};
 use catena::internals::element::{Implicit, Reading};
 use catena::loading::Unloaded;
@@ -104,6 +105,7 @@ pub fn rows() -> Vec<Row> {
         row!("rotary springs, implicit" "array" 20, Free, implicit, |b| [(ElasticHinge::rotary(STIFFNESS), b); 20]),
         row!("rotary springs, implicit" "Vec" 1000, Free, implicit, |b| vec![(ElasticHinge::rotary(STIFFNESS), b); 1000]),
         row!("pinned tip" "array" 20, Pinned::at(0.3, 0.2), explicit, |b| [(Pin, b); 20]),
+        Row { scene: "pinned tip", form: "by hand, arrays", bodies: 20, make: || Box::new(Held::<20>::rods()) },
         row!("pinned tip" "Vec" 1000, Pinned::at(0.3, 0.2), explicit, |b| vec![(Pin, b); 1000]),
     ]
 }
