@@ -139,6 +139,15 @@ pub struct SpringState<T> {
 }
 
 impl<T: Scalar> JointMotion<T> {
+    /// A joint without springs whose points coincide.
+    #[cfg_attr(optimised, inline(always))]
+    pub(super) fn coincident(inboard: Frame<T>, outboard: Frame<T>, turns: bool) -> Self {
+        let (zero, none) = (T::zero(), [T::zero(); 2]);
+        let spring = SpringState { torque: zero, force: none, energy: zero };
+        let arm = Vector2::new(zero, zero);
+        Self { inboard, outboard, arm, spring, turns, slide: none, sliding: none, inertia: zero }
+    }
+
     /// Angle of the outboard body relative to the inboard one (rad).
     pub fn angle(&self) -> T {
         self.outboard.turn.angle - self.inboard.turn.angle
