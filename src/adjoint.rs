@@ -31,12 +31,13 @@
 pub mod laws;
 mod outboard;
 mod rigid;
+mod space;
 
 use crate::element::{Element, Level, Space, Springs};
 use crate::ends::Tip;
 use crate::loading::{EffortOf, Load, LoadLaw};
-use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Geometry, Looped, Wrench, WrenchOf};
-use crate::shape::{Closing, Ends, PerAxes, Selective, Takes};
+use crate::relation::{Acceleration, AccelerationOf, Closures, Geometry, Looped, Wrench, WrenchOf};
+use crate::shape::{Closing, Ends, Takes};
 use crate::space::FrameOf;
 use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
@@ -48,83 +49,7 @@ use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
 pub use outboard::{Kind, Outboard};
 pub(crate) use rigid::passes;
-
-/// A space whose elements know the costate sweep.
-pub trait Reversed: Space {
-    /// The inverse of the pivot of a joint.
-    type Pivot: Copy + 'static;
-    /// What is carried outward: virtual velocity, and what turns the body on the inboard side.
-    type Stirred: Copy;
-    /// What that walk keeps of a body.
-    type OnBody: Copy + 'static;
-    /// What that walk keeps of a joint.
-    type InJoint: Copy + 'static;
-    /// What that walk keeps of both ends of a loop.
-    type AtEnds: Copy + 'static;
-    /// What is carried inward: G and F, and what turning all that has been met does to P.
-    type Pulled: Additive;
-    /// Costates of the base parameters of a body.
-    type OfBody: Copy + 'static;
-    /// Costates of the numbers of a joint, in the order in which [`Lift`](crate::lift::Lift) meets them.
-    type OfJoint: Copy + 'static;
-    /// The walk by which [`pose`](Self::pose) goes, if it goes by one of its own.
-    type Poses: Selective<Self>;
-
-    /// What loads on bodies and closures carry inward: costates of a station, by what lies outboard.
-    type Felt: Additive;
-    /// Costates of the numbers of a body that loads and closures read.
-    type OfNumbers: Copy + 'static;
-    /// Costates of the numbers of a tip, or these numbers: zeros beyond those that it has.
-    type OfTip: AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]> + Copy + 'static;
-
-    /// Poses all elements as sweeps do, and stores what only costates read.
-    #[allow(clippy::too_many_arguments)] // one store each
-    fn pose<E: Element<Self> + Takes<Self, Self::Poses>>(
-        elements: &E,
-        position: &E::Position,
-        rate: &E::Rate,
-        turn: Self::Turn,
-        sizes: &E::Store<PerAxes<Self::Size>>,
-        x: &mut E::Store<PerAxes<Self::X>>,
-        y: &mut E::Store<PerAxes<Self::Y>>,
-        p: &mut E::Store<PerAxes<Self::P>>,
-        q: &mut E::Store<PerAxes<Self::Q>>,
-    );
-
-    /// No pivot yet.
-    fn no_pivot() -> Self::Pivot;
-    /// Where the outward walk begins: a ground that does not move virtually.
-    fn at_ground(frame: &FrameOf<Self>) -> Self::Stirred;
-    /// Nothing has been kept.
-    fn untouched() -> (Self::OnBody, Self::InJoint, Self::AtEnds);
-    /// What is kept of the ends of the side arm and of the main one.
-    fn at_ends(side: &Self::Stirred, main: &Self::Stirred) -> Self::AtEnds;
-    /// No derivatives yet.
-    fn of_nothing() -> (Self::OfBody, Self::OfNumbers, Self::OfJoint);
-    /// No numbers of a tip.
-    fn no_tip() -> Self::OfTip;
-    /// Motion of the inboard end of a body.
-    fn inboard(motion: &Self::BodyMotion) -> FrameOf<Self>;
-    /// The virtual velocity W, w of a station.
-    fn stirred(stirred: &Self::Stirred) -> AccelerationOf<Self>;
-    /// Virtual velocity of the outboard end of a body.
-    fn of_body(kept: &Self::OnBody) -> Self::Vector;
-    /// Virtual velocity of the outboard side of a joint, where it is another than that of the inboard side.
-    fn of_joint(kept: &Self::InJoint) -> Self::Vector;
-    /// What is carried inward from an end that is weighed by ν in accelerations A, α and by −λ in virtual velocities W, w.
-    fn pulled(
-        weight: (WrenchOf<Self>, &AccelerationOf<Self>),
-        force: (WrenchOf<Self>, &AccelerationOf<Self>),
-    ) -> Self::Pulled;
-    /// What is carried inward from an end whose place and attitude, and whose velocities have these costates.
-    fn felt(of_place: WrenchOf<Self>, of_velocity: WrenchOf<Self>, turn: &Self::Turn) -> Self::Felt;
-    /// The costates of place and orientation of the ground, from what loads and closures have carried there.
-    fn of_place(felt: &Self::Felt, frame: &FrameOf<Self>) -> (Self::Vector, Self::Angular);
-    /// The costates of gravity and of the orientation of the ground, from what is left there.
-    fn of_ground(pulled: &Self::Pulled, frame: &FrameOf<Self>) -> (Self::Vector, Self::Angular);
-    /// Costates of the base parameters as they are, from sums that left out what depends on the size of the body alone.
-    fn complete(size: &Self::Size, sums: &mut Self::OfBody);
-}
+pub use space::{Costates, LoadCostates, Reversed, VirtualMotion};
 
 /// Elements that take all walks of the costate sweep.
 pub trait Reversible<S: Reversed, C: Closures, By: Springs<S::Scalar>>:

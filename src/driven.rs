@@ -109,10 +109,9 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J, F
         self.joint.set_sine(x, sine_cosine);
     }
 
-    fn position() -> Self::Position {
-        Clock(Zero::zero())
+    fn still() -> (Self::Position, ()) {
+        (Clock(Zero::zero()), ())
     }
-    fn rate() {}
     fn kept<C: Closures>() -> J::Kept<C> {
         J::kept::<C>()
     }

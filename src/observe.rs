@@ -19,7 +19,7 @@ use crate::element::Watch;
 use crate::element::{Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
 use crate::relation::{Wrench, WrenchOf};
 use crate::shape::{self, PerJoint};
-use crate::space::FrameOf;
+use crate::space::{Balance as _, FrameOf};
 use crate::visit::survey;
 use crate::walks::entries::{Entry, entries};
 use crate::walks::find;
@@ -134,7 +134,7 @@ impl<'a, S: Space, E: Element<S>> Stations<'a, S, E> {
         let mut visit = Balance::<S, L> { gravity, loads, seen, time, body: 0 };
         let end = travel(chain, ground, motion, &mut visit, &mut bodies, &mut joints);
         let internal = gather(chain, &mut bodies, &mut joints, tip, &mut Internals::<S>(PhantomData));
-        let (root, tip) = (S::end_station(&ground, internal), S::end_station(&end, tip));
+        let (root, tip) = (S::Station::at_end(ground, internal), S::Station::at_end(end, tip));
         Self { chain, bodies, joints, root, tip }
     }
 
@@ -184,7 +184,7 @@ impl<S: Space> Gather for Internals<S> {
     type Carried = WrenchOf<S>;
 
     fn meet(&mut self, station: &mut Option<S::Station>, outer: WrenchOf<S>) -> WrenchOf<S> {
-        station.as_mut().map_or(outer, |station| S::balance(station, outer))
+        station.as_mut().map_or(outer, |station| station.close(outer))
     }
     fn beyond_arm(&mut self) -> WrenchOf<S> {
         Wrench::none()
@@ -268,15 +268,15 @@ impl<S: Space, L: Loading<S>> Visit<S> for Balance<'_, S, L> {
     type InJoint = Option<S::Station>;
 
     fn body(&mut self, body: &S::BodyMotion) -> Option<S::Station> {
-        let mut station = S::body_station(body, self.gravity);
-        S::relieve(&mut station, self.loads.on_body(&self.seen, self.time, self.body, body).wrench());
+        let mut station = S::Station::of_body(body, self.gravity);
+        station.relieve(self.loads.on_body(&self.seen, self.time, self.body, body).wrench());
         self.body += 1;
         Some(station)
     }
     fn joint(&mut self, joint: &S::JointMotion) -> Option<S::Station> {
-        Some(S::joint_station(joint))
+        Some(S::Station::of_joint(joint))
     }
     fn closing(&mut self, closed: &Closed<S>) -> Option<S::Station> {
-        Some(S::closing_station(&closed.joint, closed.internal))
+        Some(S::Station::of_closing(&closed.joint, closed.internal))
     }
 }

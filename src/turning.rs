@@ -48,7 +48,7 @@ pub fn outboard<S: Turning, J: Joint<S>>(
     position: &J::Position,
     rate: &J::Rate,
 ) -> S::Turn {
-    joint.motion(S::facing(inboard), position, rate, &J::rate()).1.turn
+    joint.motion(S::facing(inboard), position, rate, &J::still().1).1.turn
 }
 
 fn dot<T: Scalar>(a: &[T; 3], b: &[T; 3]) -> T {
@@ -74,7 +74,7 @@ impl<T: Scalar> Axes<T> {
     /// Axes of a joint's rates.
     pub fn of<S: Turning<Scalar = T>, J: Joint<S>>(joint: &J, inboard: S::Turn, position: &J::Position) -> Self {
         let mut axes = Self { list: [(0, [T::zero(); 3]); MOST], count: 0 };
-        let (mut unit, mut rates) = (J::rate(), 0);
+        let (mut unit, mut rates) = (J::still().1, 0);
         unit.visit(&mut |_| rates += 1);
         for k in 0..rates {
             let mut i = 0;

@@ -6,7 +6,7 @@ use crate::relation::WrenchOf;
 use crate::release::Release;
 use crate::scalar::Scalar;
 use crate::shape::{Body, PerBody, PerJoint, Shape};
-use crate::space::{FrameOf, Space};
+use crate::space::{FrameOf, MovingBody, Space};
 pub use crate::walks::look::look;
 use crate::walks::travel::{show, travel};
 use num_traits::Zero;
@@ -165,7 +165,7 @@ struct Last<S: Space> {
 
 impl<S: Space> Watch<S> for Last<S> {
     fn body(&mut self, body: &S::BodyMotion) {
-        if self.arms == 0 && S::mass(body).real() > Zero::zero() {
+        if self.arms == 0 && body.mass().real() > Zero::zero() {
             self.body = Some(*body);
         }
     }

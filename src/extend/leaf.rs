@@ -20,11 +20,8 @@ macro_rules! joint {
 
                 const LINEAR: bool = <Self as $crate::extend::JointModel<Spaced>>::LINEAR;
 
-                fn position() -> Spaced::Scalar {
-                    <CatenaKinematics<Spaced, Self> as $crate::internals::shape::Joint<Spaced>>::position()
-                }
-                fn rate() -> Spaced::Scalar {
-                    <CatenaKinematics<Spaced, Self> as $crate::internals::shape::Joint<Spaced>>::rate()
+                fn still() -> (Spaced::Scalar, Spaced::Scalar) {
+                    <CatenaKinematics<Spaced, Self> as $crate::internals::shape::Joint<Spaced>>::still()
                 }
                 fn kept<Closing: $crate::internals::relation::Closures>() -> Self::Kept<Closing> {
                     <CatenaKinematics<Spaced, Self> as $crate::internals::shape::Joint<Spaced>>::kept::<Closing>()

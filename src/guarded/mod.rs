@@ -111,11 +111,8 @@ impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Jo
         self.joint.set_sine(x, sine_cosine);
     }
 
-    fn position() -> Self::Position {
-        mirror::Guarded { coordinate: S::Scalar::zero(), mode: G::START }
-    }
-    fn rate() -> Self::Rate {
-        GuardedRate::none()
+    fn still() -> (Self::Position, Self::Rate) {
+        (mirror::Guarded { coordinate: S::Scalar::zero(), mode: G::START }, GuardedRate::none())
     }
     fn kept<C: Closures>() -> Self::Kept<C> {
         Grip { own: J::kept::<C>(), told: [S::Scalar::zero(); 3], loose: None }

@@ -11,7 +11,7 @@ pub type EffortOf<S> = <<S as Space>::JointMotion as Seen>::Load;
 
 use crate::error::Fault;
 use crate::relation::{Absent, Part, Wrench, WrenchOf};
-use crate::space::{RealOf, Space};
+use crate::space::{MovingBody, RealOf, Space};
 
 /// What acts on a scene besides uniform gravity. Its types say what a sweep has to carry: [`Absent`] parts cost nothing.
 pub trait Loading<S: Space> {
@@ -103,7 +103,7 @@ impl<S: Space> Load<S> for WrenchOf<S> {
     }
     #[inline(always)]
     fn in_own_axes(self, body: &S::BodyMotion) -> Self {
-        S::own_axes(body, self)
+        body.in_own_axes(self)
     }
 }
 

@@ -1,6 +1,6 @@
 //! The mirror of a coordinate that is a given function of time: a clock.
 
-use super::{Position, Term};
+use super::{Position, Retraction, Term};
 use crate::lift::Lift;
 use crate::scalar::{Real, Scalar};
 
@@ -12,9 +12,11 @@ use crate::scalar::{Real, Scalar};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Clock<R>(pub(crate) R);
 
-impl<T: Scalar<Real = R>, R: Real> Position<T> for Clock<R> {
+impl<T: Scalar<Real = R>, R: Real> Retraction<T> for Clock<R> {
     type Rate = ();
+}
 
+impl<T: Scalar<Real = R>, R: Real> Position<T> for Clock<R> {
     #[inline(always)]
     fn drift_0(&mut self, from: &Self, (time, ()): Term<'_, T, ()>) {
         self.0 = from.0 + time;

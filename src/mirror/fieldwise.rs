@@ -54,39 +54,16 @@ macro_rules! fieldwise_rate {
     };
 }
 
-/// The methods of a `Position` by its fields, each of which has its rates under the same name.
-macro_rules! fieldwise_position {
+/// The methods of a `Retraction` by its fields, each of which has its rates under the same name.
+macro_rules! fieldwise_retraction {
     ($($i:tt)*) => {
         #[inline(always)]
-        fn drift_0(&mut self, _from: &Self, (_time, _rate): Term<'_, T, Self::Rate>) {
-            $(self.$i.drift_0(&_from.$i, (_time, &_rate.$i));)*
-        }
-        #[cfg_attr(optimised, inline(always))]
-        fn drift_1(
-            &mut self,
-            _from: &Self,
-            (_time, _rate): Term<'_, T, Self::Rate>,
-            (_u, _a): Term<'_, T, Self::Rate>,
-        ) {
-            $(self.$i.drift_1(&_from.$i, (_time, &_rate.$i), (_u, &_a.$i));)*
-        }
-        #[cfg_attr(optimised, inline(always))]
-        fn drift_2(
-            &mut self,
-            _from: &Self,
-            (_time, _rate): Term<'_, T, Self::Rate>,
-            (_u, _a): Term<'_, T, Self::Rate>,
-            (_v, _b): Term<'_, T, Self::Rate>,
-        ) {
-            $(self.$i.drift_2(&_from.$i, (_time, &_rate.$i), (_u, &_a.$i), (_v, &_b.$i));)*
+        fn each_turn(&self, _rate: &Self::Rate, _visit: &mut impl FnMut([T; 3])) {
+            $(self.$i.each_turn(&_rate.$i, _visit);)*
         }
         #[inline(always)]
         fn retract_rate(&self, _from: &Self, _rate: &mut Self::Rate) {
             $(self.$i.retract_rate(&_from.$i, &mut _rate.$i);)*
-        }
-        #[inline(always)]
-        fn each_turn(&self, _rate: &Self::Rate, _visit: &mut impl FnMut([T; 3])) {
-            $(self.$i.each_turn(&_rate.$i, _visit);)*
         }
         #[inline(always)]
         fn inverse_retract_acceleration(&self, _from: &Self, _rate: &Self::Rate, _acceleration: &mut Self::Rate) {
@@ -125,6 +102,35 @@ macro_rules! fieldwise_position {
                 let of_here = (&mut _of_position.$i, &mut _of_rate.$i);
                 self.$i.transposed_second(&_from.$i, here, &_of_second.$i, of_here, &mut _of_from.$i);
             )*
+        }
+    };
+}
+
+/// The methods of a `Position` by its fields, each of which has its rates under the same name.
+macro_rules! fieldwise_position {
+    ($($i:tt)*) => {
+        #[inline(always)]
+        fn drift_0(&mut self, _from: &Self, (_time, _rate): Term<'_, T, Self::Rate>) {
+            $(self.$i.drift_0(&_from.$i, (_time, &_rate.$i));)*
+        }
+        #[cfg_attr(optimised, inline(always))]
+        fn drift_1(
+            &mut self,
+            _from: &Self,
+            (_time, _rate): Term<'_, T, Self::Rate>,
+            (_u, _a): Term<'_, T, Self::Rate>,
+        ) {
+            $(self.$i.drift_1(&_from.$i, (_time, &_rate.$i), (_u, &_a.$i));)*
+        }
+        #[cfg_attr(optimised, inline(always))]
+        fn drift_2(
+            &mut self,
+            _from: &Self,
+            (_time, _rate): Term<'_, T, Self::Rate>,
+            (_u, _a): Term<'_, T, Self::Rate>,
+            (_v, _b): Term<'_, T, Self::Rate>,
+        ) {
+            $(self.$i.drift_2(&_from.$i, (_time, &_rate.$i), (_u, &_a.$i), (_v, &_b.$i));)*
         }
         #[inline(always)]
         fn displace(&mut self, _step: &Self::Rate) {
@@ -169,4 +175,4 @@ macro_rules! fieldwise_position {
     };
 }
 
-pub(super) use {fieldwise_position, fieldwise_rate};
+pub(super) use {fieldwise_position, fieldwise_rate, fieldwise_retraction};

@@ -1,7 +1,7 @@
 //! The mirror of a coordinate whose joint has modes: what the joint does, and what is told of it with an acceleration.
 
 use super::fieldwise::fieldwise_rate;
-use super::{Position, Rate, Term};
+use super::{Position, Rate, Retraction, Term};
 use crate::lift::Lift;
 use crate::scalar::{Real, Scalar};
 use num_traits::Zero;
@@ -167,9 +167,11 @@ impl<T: Scalar> Rate<T> for GuardedRate<T> {
     fieldwise_rate!([rate guard answer apart] [rate] [rate]);
 }
 
-impl<T: Scalar> Position<T> for Guarded<T> {
+impl<T: Scalar> Retraction<T> for Guarded<T> {
     type Rate = GuardedRate<T>;
+}
 
+impl<T: Scalar> Position<T> for Guarded<T> {
     const MODES: bool = true;
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! Arrays and vectors of mirrors. Mirrors of different lengths change as far as all of them go; motions are compared with
 //! their scene before they come here.
 
-use super::{GuardedRate, Mode, Position, Rate, Term};
+use super::{GuardedRate, Mode, Position, Rate, Retraction, Term};
 use crate::scalar::Scalar;
 
 /// One implementation for everything that derefs to a slice of mirrors.
@@ -69,43 +69,18 @@ macro_rules! mirror_items {
             }
         }
 
-        impl<T: Scalar, A: Position<T>, $($generics)*> Position<T> for $container {
+        impl<T: Scalar, A: Retraction<T>, $($generics)*> Retraction<T> for $container {
             type Rate = $rates;
 
             const CURVED: bool = A::CURVED;
-            const MODES: bool = A::MODES;
 
             #[inline]
-            fn drift_0(&mut self, from: &Self, (time, rate): Term<'_, T, Self::Rate>) {
-                for ((item, from), rate) in self.iter_mut().zip(from).zip(rate) {
-                    item.drift_0(from, (time, rate));
-                }
-            }
-            #[inline]
-            fn drift_1(&mut self, from: &Self, (time, rate): Term<'_, T, Self::Rate>, (u, a): Term<'_, T, Self::Rate>) {
-                for (((item, from), rate), a) in self.iter_mut().zip(from).zip(rate).zip(a) {
-                    item.drift_1(from, (time, rate), (u, a));
-                }
-            }
-            #[inline]
-            fn drift_2(
-                &mut self,
-                from: &Self,
-                (time, rate): Term<'_, T, Self::Rate>,
-                (u, a): Term<'_, T, Self::Rate>,
-                (v, b): Term<'_, T, Self::Rate>,
-            ) {
-                for ((((item, from), rate), a), b) in self.iter_mut().zip(from).zip(rate).zip(a).zip(b) {
-                    item.drift_2(from, (time, rate), (u, a), (v, b));
-                }
+            fn each_turn(&self, rate: &Self::Rate, visit: &mut impl FnMut([T; 3])) {
+                self.iter().zip(rate).for_each(|(item, rate)| item.each_turn(rate, visit));
             }
             #[inline]
             fn retract_rate(&self, from: &Self, rate: &mut Self::Rate) {
                 self.iter().zip(from).zip(rate).for_each(|((item, from), rate)| item.retract_rate(from, rate));
-            }
-            #[inline]
-            fn each_turn(&self, rate: &Self::Rate, visit: &mut impl FnMut([T; 3])) {
-                self.iter().zip(rate).for_each(|(item, rate)| item.each_turn(rate, visit));
             }
             #[inline]
             fn inverse_retract_acceleration(&self, from: &Self, rate: &Self::Rate, acceleration: &mut Self::Rate) {
@@ -145,6 +120,35 @@ macro_rules! mirror_items {
                 let of_here = of_second.iter().zip(of_position).zip(of_rate.iter_mut().zip(of_from));
                 for (((item, from), here), ((of_second, of_position), (of_rate, of_from))) in here.zip(of_here) {
                     item.transposed_second(from, here, of_second, (of_position, of_rate), of_from);
+                }
+            }
+        }
+
+        impl<T: Scalar, A: Position<T>, $($generics)*> Position<T> for $container {
+            const MODES: bool = A::MODES;
+
+            #[inline]
+            fn drift_0(&mut self, from: &Self, (time, rate): Term<'_, T, Self::Rate>) {
+                for ((item, from), rate) in self.iter_mut().zip(from).zip(rate) {
+                    item.drift_0(from, (time, rate));
+                }
+            }
+            #[inline]
+            fn drift_1(&mut self, from: &Self, (time, rate): Term<'_, T, Self::Rate>, (u, a): Term<'_, T, Self::Rate>) {
+                for (((item, from), rate), a) in self.iter_mut().zip(from).zip(rate).zip(a) {
+                    item.drift_1(from, (time, rate), (u, a));
+                }
+            }
+            #[inline]
+            fn drift_2(
+                &mut self,
+                from: &Self,
+                (time, rate): Term<'_, T, Self::Rate>,
+                (u, a): Term<'_, T, Self::Rate>,
+                (v, b): Term<'_, T, Self::Rate>,
+            ) {
+                for ((((item, from), rate), a), b) in self.iter_mut().zip(from).zip(rate).zip(a).zip(b) {
+                    item.drift_2(from, (time, rate), (u, a), (v, b));
                 }
             }
             #[inline]

@@ -3,7 +3,7 @@
 //! A chain `(rod, Pin, rod)` moves with coordinates of type `((), T, ())`, an array of links with an array of them. Time
 //! rules need only two things of such a value: linear combinations of rates ([`Rate::mix_2`]) and positions displaced
 //! by them ([`Position::drift_2`]). In the plane positions are numbers like rates; a rotation in space turns by them instead: for
-//! rules of an order above two it also says how coordinates of a step change with the rates ([`Position::CURVED`]).
+//! rules of an order above two it also says how coordinates of a step change with the rates ([`Retraction::CURVED`]).
 //!
 //! Combinations are written out for each number of terms. One function over an array of terms would have to take the array
 //! apart at every item of every tuple, and a compiler spends more time on that than on all mechanics of a long chain.
@@ -62,74 +62,10 @@ pub trait Rate<T: Scalar>: Clone {
     fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool;
 }
 
-/// Positions of all joint coordinates, with rates of type `Rate`. ⊕ is the retraction: it adds numbers, and turns attitudes by the step.
-pub trait Position<T: Scalar>: Clone {
+/// How ⊕ bends: the differential of the retraction, its second derivative, and the transposes of both. Where positions are numbers, nothing does.
+pub trait Retraction<T: Scalar>: Sized {
     /// The rates of these coordinates.
     type Rate: Rate<T>;
-
-    /// `self = from ⊕ rate`: displaced by a rate that lasts for a time (s).
-    fn drift_0(&mut self, from: &Self, rate: Term<'_, T, Self::Rate>);
-
-    /// `self = from ⊕ (rate + a)`: and by accelerations, whose weights (s²) a time rule knows.
-    fn drift_1(&mut self, from: &Self, rate: Term<'_, T, Self::Rate>, a: Term<'_, T, Self::Rate>);
-
-    /// `self = from ⊕ (rate + a + b)`.
-    fn drift_2(
-        &mut self,
-        from: &Self,
-        rate: Term<'_, T, Self::Rate>,
-        a: Term<'_, T, Self::Rate>,
-        b: Term<'_, T, Self::Rate>,
-    );
-
-    /// `self = self ⊕ step`.
-    fn displace(&mut self, step: &Self::Rate);
-
-    /// Sets the displacement that leads here from `from`: the inverse of [`displace`](Self::displace).
-    fn apart(&self, from: &Self, displacement: &mut Self::Rate);
-
-    /// Calls `note` with each number of a displacement from here, root to tip, and the size by which to measure it relatively
-    /// (that of the coordinate).
-    fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T));
-
-    /// Calls `visit` with each number stored, root to tip.
-    fn visit(&self, visit: &mut impl FnMut(T));
-
-    /// Replaces each number stored, root to tip.
-    fn replace(&mut self, make: &mut impl FnMut(T) -> T);
-
-    /// Whether `test` holds for each pair of numbers at the same place, and there are as many (only a `Vec` can differ).
-    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool;
-
-    /// Brings numbers that were replaced to what they must be, a quaternion to length one; whether that can be done.
-    fn normalise(&mut self) -> bool {
-        true
-    }
-
-    /// Sets the clocks of driven coordinates to the time (s) of the motion.
-    #[inline(always)]
-    fn set_clocks(&mut self, time: T::Real) {
-        let _ = time;
-    }
-
-    /// Shows the rates of each attitude: steps in its coordinates end at half a turn.
-    #[inline(always)]
-    fn each_turn(&self, rate: &Self::Rate, visit: &mut impl FnMut([T; 3])) {
-        let _ = (rate, visit);
-    }
-
-    /// Whether joints have modes.
-    const MODES: bool = false;
-
-    /// Shows each coordinate whose joint has modes: its mode and rate, to be changed, and its acceleration with what is told of the mode.
-    fn each_mode(
-        &mut self,
-        rate: &mut Self::Rate,
-        acceleration: &Self::Rate,
-        visit: &mut impl FnMut(&mut Mode, &mut T, GuardedRate<T>),
-    ) {
-        let _ = (rate, acceleration, visit);
-    }
 
     /// Whether ⊕ is more than a sum: then the numbers displaced by are coordinates of the step, whose time derivatives a rule sums
     /// up and these two methods translate. Positions that are numbers need neither.
@@ -183,5 +119,72 @@ pub trait Position<T: Scalar>: Clone {
         of_from: &mut Self::Rate,
     ) {
         let _ = (from, rate, acceleration, of_second, of_position, of_rate, of_from);
+    }
+
+    /// Shows the rates of each attitude: steps in its coordinates end at half a turn.
+    #[inline(always)]
+    fn each_turn(&self, rate: &Self::Rate, visit: &mut impl FnMut([T; 3])) {
+        let _ = (rate, visit);
+    }
+}
+
+/// Positions of all joint coordinates, with rates of type `Rate`. ⊕ is the retraction: it adds numbers, and turns attitudes by the step.
+pub trait Position<T: Scalar>: Retraction<T> + Clone {
+    /// `self = from ⊕ rate`: displaced by a rate that lasts for a time (s).
+    fn drift_0(&mut self, from: &Self, rate: Term<'_, T, Self::Rate>);
+
+    /// `self = from ⊕ (rate + a)`: and by accelerations, whose weights (s²) a time rule knows.
+    fn drift_1(&mut self, from: &Self, rate: Term<'_, T, Self::Rate>, a: Term<'_, T, Self::Rate>);
+
+    /// `self = from ⊕ (rate + a + b)`.
+    fn drift_2(
+        &mut self,
+        from: &Self,
+        rate: Term<'_, T, Self::Rate>,
+        a: Term<'_, T, Self::Rate>,
+        b: Term<'_, T, Self::Rate>,
+    );
+
+    /// `self = self ⊕ step`.
+    fn displace(&mut self, step: &Self::Rate);
+
+    /// Sets the displacement that leads here from `from`: the inverse of [`displace`](Self::displace).
+    fn apart(&self, from: &Self, displacement: &mut Self::Rate);
+
+    /// Calls `note` with each number of a displacement from here, root to tip, and the size by which to measure it relatively
+    /// (that of the coordinate).
+    fn measure(&self, displacement: &Self::Rate, note: &mut impl FnMut(T, T));
+
+    /// Calls `visit` with each number stored, root to tip.
+    fn visit(&self, visit: &mut impl FnMut(T));
+
+    /// Replaces each number stored, root to tip.
+    fn replace(&mut self, make: &mut impl FnMut(T) -> T);
+
+    /// Whether `test` holds for each pair of numbers at the same place, and there are as many (only a `Vec` can differ).
+    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool;
+
+    /// Brings numbers that were replaced to what they must be, a quaternion to length one; whether that can be done.
+    fn normalise(&mut self) -> bool {
+        true
+    }
+
+    /// Sets the clocks of driven coordinates to the time (s) of the motion.
+    #[inline(always)]
+    fn set_clocks(&mut self, time: T::Real) {
+        let _ = time;
+    }
+
+    /// Whether joints have modes.
+    const MODES: bool = false;
+
+    /// Shows each coordinate whose joint has modes: its mode and rate, to be changed, and its acceleration with what is told of the mode.
+    fn each_mode(
+        &mut self,
+        rate: &mut Self::Rate,
+        acceleration: &Self::Rate,
+        visit: &mut impl FnMut(&mut Mode, &mut T, GuardedRate<T>),
+    ) {
+        let _ = (rate, acceleration, visit);
     }
 }

@@ -1,6 +1,6 @@
 //! A number is the coordinate of a joint with one degree of freedom.
 
-use super::{Position, Rate, Term};
+use super::{Position, Rate, Retraction, Term};
 use crate::scalar::Scalar;
 
 impl<T: Scalar> Rate<T> for T {
@@ -62,9 +62,11 @@ impl<T: Scalar> Rate<T> for T {
     }
 }
 
-impl<T: Scalar> Position<T> for T {
+impl<T: Scalar> Retraction<T> for T {
     type Rate = T;
+}
 
+impl<T: Scalar> Position<T> for T {
     #[inline(always)]
     fn drift_0(&mut self, from: &T, rate: Term<'_, T, T>) {
         self.mix_1(from, rate);

@@ -1,7 +1,7 @@
 //! The mirror of a loop: coordinates of its arms, and with accelerations the forces that close it.
 
-use super::fieldwise::{fieldwise_position, fieldwise_rate};
-use super::{GuardedRate, Mode, Position, Rate, Term};
+use super::fieldwise::{fieldwise_position, fieldwise_rate, fieldwise_retraction};
+use super::{GuardedRate, Mode, Position, Rate, Retraction, Term};
 use crate::lift::{Lift, lift};
 use crate::scalar::Scalar;
 use core::marker::PhantomData;
@@ -35,10 +35,15 @@ impl<T: Scalar, X: Rate<T>, F: Rate<T>> Rate<T> for Tied<X, F> {
     fieldwise_rate!([arms closing] [arms closing] [arms]);
 }
 
-impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
+impl<T: Scalar, X: Retraction<T>, F: Rate<T>> Retraction<T> for TiedPosition<X, F> {
     type Rate = Tied<X::Rate, F>;
 
     const CURVED: bool = X::CURVED;
+
+    fieldwise_retraction!(arms);
+}
+
+impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
     const MODES: bool = X::MODES;
 
     fieldwise_position!(arms);

@@ -1,7 +1,7 @@
 //! Tuples of mirrors, for the arities that chains have, and the mirror of a body: `()`.
 
-use super::fieldwise::{fieldwise_position, fieldwise_rate};
-use super::{GuardedRate, Mode, Position, Rate, Term};
+use super::fieldwise::{fieldwise_position, fieldwise_rate, fieldwise_retraction};
+use super::{GuardedRate, Mode, Position, Rate, Retraction, Term};
 use crate::scalar::Scalar;
 use crate::tuples::for_each_tuple;
 
@@ -14,10 +14,15 @@ macro_rules! mirror_tuple {
             fieldwise_rate!([$($i)*] [$($i)*] [$($i)*]);
         }
 
-        impl<T: Scalar, $($A: Position<T>),*> Position<T> for ($($A,)*) {
+        impl<T: Scalar, $($A: Retraction<T>),*> Retraction<T> for ($($A,)*) {
             type Rate = ($($A::Rate,)*);
 
             const CURVED: bool = false $(|| $A::CURVED)*;
+
+            fieldwise_retraction!($($i)*);
+        }
+
+        impl<T: Scalar, $($A: Position<T>),*> Position<T> for ($($A,)*) {
             const MODES: bool = false $(|| $A::MODES)*;
 
             fieldwise_position!($($i)*);

@@ -1,7 +1,7 @@
 //! Energy and momentum, added up over bodies and joints.
 
 use crate::element::{Budget, Coordinates, Element, Space, Watch};
-use crate::space::FrameOf;
+use crate::space::{FrameOf, MovingBody, MovingJoint};
 use crate::walks::travel::show;
 
 /// Energy and momentum of a motion.
@@ -24,10 +24,10 @@ struct Audit<S: Space> {
 
 impl<S: Space> Watch<S> for Audit<S> {
     fn body(&mut self, body: &S::BodyMotion) {
-        self.sum = self.sum + S::budget(body, self.gravity);
+        self.sum = self.sum + body.budget(self.gravity);
     }
     fn joint(&mut self, joint: &S::JointMotion) {
-        let [kinetic, potential] = S::stored(joint);
+        let [kinetic, potential] = joint.stored();
         self.sum =
             Budget { kinetic: self.sum.kinetic + kinetic, potential: self.sum.potential + potential, ..self.sum };
     }

@@ -2,7 +2,7 @@
 
 use crate::element::{Coordinates, Element, Space, Watch};
 use crate::error::Error;
-use crate::space::FrameOf;
+use crate::space::{FrameOf, MovingBody};
 use crate::walks::travel::show;
 
 /// Calls `report` with what may be wrong with the inertia of a body, and at which station.
@@ -26,7 +26,7 @@ struct Doubts<F> {
 impl<S: Space, F: FnMut(Error)> Watch<S> for Doubts<F> {
     fn body(&mut self, body: &S::BodyMotion) {
         self.entries += 1;
-        if let Some(doubt) = S::doubt(body) {
+        if let Some(doubt) = body.doubt() {
             (self.report)(Error::new(doubt).at_station(self.entries - 2));
         }
     }

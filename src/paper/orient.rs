@@ -9,20 +9,21 @@ use crate::scalar::Scalar;
 use crate::state::TransferMatrix;
 use core::fmt::Debug;
 
-/// The coordinates in the slot of the angles, and their linearisation for one step.
-pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hinges<T, N, P, A> + Copy + Debug {
-    /// What is constant in a body.
-    type Rigid: Copy + Debug;
+/// The coordinates in the slot of the angles: what bodies, joints and hinges of a space say of a step.
+pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>:
+    Hinges<T, N, P, A> + Expanded<T, P, A> + Bodies<T, N, P, A> + Joints<T, P, A> + Debug
+{
+}
+
+impl<T: Scalar, E, const N: usize, const P: usize, const A: usize> Orient<T, N, P, A> for E where
+    E: Hinges<T, N, P, A> + Expanded<T, P, A> + Bodies<T, N, P, A> + Joints<T, P, A> + Debug
+{
+}
+
+/// An orientation made linear in its coordinates for one step.
+pub trait Expanded<T: Scalar, const P: usize, const A: usize>: Copy {
     /// What a run keeps of the orientation at t_{i−1} besides the coordinates.
     type Base: Copy + Debug;
-    /// The attitude of one side of a rigid joint to the other.
-    type Ahead: Copy + Debug;
-    /// Motion of a station of this space.
-    type Frame: Copy + Debug;
-    /// Motion of a body of this space.
-    type Motion: Copy + Debug;
-    /// Force and torque on a body.
-    type External: Copy + Debug;
 
     /// The linearisation of a step over `span` (s), from ξ, ξ̇, ξ̈ of the coordinates, and the increments where it is taken.
     fn first(
@@ -50,12 +51,6 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
     /// [`Fault::SingularAngles`].
     fn follow(past: &[T; A], found: &[T; A]) -> Result<(), Fault>;
 
-    /// Mass centre and outboard end of a body, body axes from its inboard end.
-    fn arms(rigid: &Self::Rigid) -> [[T; P]; 2];
-    /// The size of the terms of (32) u₄₃: J_I + m |d_C| |d_O|.
-    fn inertia(rigid: &Self::Rigid) -> T::Real;
-    /// Whether a smooth joint at a body's inboard end has no matrix (40).
-    fn is_percussive(rigid: &Self::Rigid) -> bool;
     /// (22): how the place of a point of the body depends on the coordinates.
     fn psi(&self, point: [T; P]) -> [[T; A]; P];
     /// Φ r of (21): the place of a point where coordinates are zero.
@@ -64,6 +59,27 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
     fn remainder(&self, base: &Self::Base, point: [T; P], angles: &[T; A]) -> [T; P];
     /// A vector of body axes, turned.
     fn turned(base: &Self::Base, point: [T; P], angles: &[T; A]) -> [T; P];
+    /// Retracts a step: the attitude reached becomes the base, and coordinates counted from it begin at zero anew.
+    fn retract<M: Copy>(base: &mut Self::Base, angles: &mut [Coordinate<T, M>; A]);
+    /// The angles of a body, for a reader, near earlier ones.
+    fn shown(base: &Self::Base, angles: &[T; A], near: &[T; A]) -> [T; A];
+}
+
+/// Bodies in a step.
+pub trait Bodies<T: Scalar, const N: usize, const P: usize, const A: usize> {
+    /// What is constant in a body.
+    type Rigid: Copy + Debug;
+    /// Motion of a body of this space.
+    type Motion: Copy + Debug;
+    /// Force and torque on a body.
+    type External: Copy + Debug;
+
+    /// Mass centre and outboard end of a body, body axes from its inboard end.
+    fn arms(rigid: &Self::Rigid) -> [[T; P]; 2];
+    /// The size of the terms of (32) u₄₃: J_I + m |d_C| |d_O|.
+    fn inertia(rigid: &Self::Rigid) -> T::Real;
+    /// Whether a smooth joint at a body's inboard end has no matrix (40).
+    fn is_percussive(rigid: &Self::Rigid) -> bool;
     /// (32), (31).
     fn matrix(
         &self,
@@ -72,17 +88,21 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
         given: &Given<T, P, A>,
         external: &Self::External,
     ) -> TransferMatrix<T, N>;
-    /// Retracts a step: the attitude reached becomes the base, and coordinates counted from it begin at zero anew.
-    fn retract<M: Copy>(base: &mut Self::Base, angles: &mut [Coordinate<T, M>; A]);
+    /// A body near where it will be, for loads to be read there.
+    fn motion(&self, rigid: &Self::Rigid, place: [T; P], velocity: [T; P], turn: [[T; 2]; A]) -> Self::Motion;
+}
+
+/// Joints and the ground in a step.
+pub trait Joints<T: Scalar, const P: usize, const A: usize>: Expanded<T, P, A> {
+    /// The attitude of one side of a rigid joint to the other.
+    type Ahead: Copy + Debug;
+    /// Motion of a station of this space.
+    type Frame: Copy + Debug;
 
     /// (34) of an elastic joint. The offset holds in absolute coordinates or in increments.
-    fn law(spring: &Spring<T, A>, elastic: &[T; A], sides: [&Side<T, Self, A>; 2], absolute: bool) -> Law<T, A>
-    where
-        Self: Sized;
+    fn law(spring: &Spring<T, A>, elastic: &[T; A], sides: [&Side<T, Self, A>; 2], absolute: bool) -> Law<T, A>;
     /// The ground as a side of a joint.
-    fn ground(base: &Self::Base, frames: [&Self::Frame; 2], step: &Linearization<T>) -> Side<T, Self, A>
-    where
-        Self: Sized;
+    fn ground(base: &Self::Base, frames: [&Self::Frame; 2], step: &Linearization<T>) -> Side<T, Self, A>;
     /// The coordinates of the ground itself at t_{i−1} and where forces balance.
     fn grounded(base: &Self::Base, frames: [&Self::Frame; 2]) -> [[T; A]; 2];
     /// A joint that does not turn: R, and by how much its outboard side is ahead in absolute coordinates.
@@ -93,10 +113,6 @@ pub trait Orient<T: Scalar, const N: usize, const P: usize, const A: usize>: Hin
     fn place(frame: &Self::Frame) -> [T; P];
     /// The angles of a frame, for a reader, near those of another.
     fn angles(frame: &Self::Frame, near: &[T; A]) -> [T; A];
-    /// The angles of a body, for a reader, near earlier ones.
-    fn shown(base: &Self::Base, angles: &[T; A], near: &[T; A]) -> [T; A];
-    /// A body near where it will be, for loads to be read there.
-    fn motion(&self, rigid: &Self::Rigid, place: [T; P], velocity: [T; P], turn: [[T; 2]; A]) -> Self::Motion;
 }
 
 /// A rotary spring and damper between two bodies.

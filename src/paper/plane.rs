@@ -4,7 +4,7 @@ use super::body::{External, Known, Rigid, rigid_body};
 use super::expansion::{At, Expansion};
 use super::hinge::{Linear, Rotary, linear_hinge, rotary_hinge};
 use super::link::{Given, Law};
-use super::orient::{Orient, Side, Spring};
+use super::orient::{Bodies, Expanded, Joints, Side, Spring};
 use super::pin::{is_percussive, smooth_pin};
 use super::product::Hinges;
 use super::rule::{Coordinate, Linearization};
@@ -30,13 +30,8 @@ impl<T: Scalar> Hinges<T, 7, 2, 1> for Expansion<T> {
     }
 }
 
-impl<T: Scalar> Orient<T, 7, 2, 1> for Expansion<T> {
-    type Rigid = Rigid<T>;
+impl<T: Scalar> Expanded<T, 2, 1> for Expansion<T> {
     type Base = ();
-    type Ahead = T;
-    type Frame = Frame<T>;
-    type Motion = BodyMotion<T>;
-    type External = External<T>;
 
     fn first(at: At, (): &(), past: &[[T; 3]; 1], _: &[Linearization<T>; 1], span: T::Real) -> (Self, [T; 1]) {
         let [[angle, rate, acceleration]] = *past;
@@ -60,18 +55,6 @@ impl<T: Scalar> Orient<T, 7, 2, 1> for Expansion<T> {
     fn follow(_: &[T; 1], _: &[T; 1]) -> Result<(), Fault> {
         Ok(())
     }
-
-    fn arms(rigid: &Rigid<T>) -> [[T; 2]; 2] {
-        [rigid.inertia.centre, rigid.outboard]
-    }
-    fn inertia(rigid: &Rigid<T>) -> T::Real {
-        let size = |[x, y]: [T; 2]| x.real().abs() + y.real().abs();
-        let arms = size(rigid.inertia.centre) * size(rigid.outboard);
-        rigid.about_inboard().real().abs() + rigid.inertia.mass.real().abs() * arms
-    }
-    fn is_percussive(rigid: &Rigid<T>) -> bool {
-        is_percussive(rigid)
-    }
     fn psi(&self, point: [T; 2]) -> [[T; 1]; 2] {
         let [x, y] = Expansion::turned(self, point);
         [[-y], [x]]
@@ -87,6 +70,28 @@ impl<T: Scalar> Orient<T, 7, 2, 1> for Expansion<T> {
     fn turned((): &(), point: [T; 2], [angle]: &[T; 1]) -> [T; 2] {
         Expansion::turned(&Self::about(*angle), point)
     }
+    fn retract<M: Copy>((): &mut (), _: &mut [Coordinate<T, M>; 1]) {}
+    fn shown((): &(), angles: &[T; 1], _: &[T; 1]) -> [T; 1] {
+        *angles
+    }
+}
+
+impl<T: Scalar> Bodies<T, 7, 2, 1> for Expansion<T> {
+    type Rigid = Rigid<T>;
+    type Motion = BodyMotion<T>;
+    type External = External<T>;
+
+    fn arms(rigid: &Rigid<T>) -> [[T; 2]; 2] {
+        [rigid.inertia.centre, rigid.outboard]
+    }
+    fn inertia(rigid: &Rigid<T>) -> T::Real {
+        let size = |[x, y]: [T; 2]| x.real().abs() + y.real().abs();
+        let arms = size(rigid.inertia.centre) * size(rigid.outboard);
+        rigid.about_inboard().real().abs() + rigid.inertia.mass.real().abs() * arms
+    }
+    fn is_percussive(rigid: &Rigid<T>) -> bool {
+        is_percussive(rigid)
+    }
     fn matrix(
         &self,
         rigid: &Rigid<T>,
@@ -97,7 +102,16 @@ impl<T: Scalar> Orient<T, 7, 2, 1> for Expansion<T> {
         let Given { inboard, centre, angles: [angle], arms: [to_centre, to_outboard], .. } = *given;
         rigid_body(rigid, self, step.chi1, &Known { inboard, centre, angle, to_outboard, to_centre }, external)
     }
-    fn retract<M: Copy>((): &mut (), _: &mut [Coordinate<T, M>; 1]) {}
+    fn motion(&self, rigid: &Rigid<T>, place: [T; 2], velocity: [T; 2], [[angle, rate]]: [[T; 2]; 1]) -> BodyMotion<T> {
+        let still = Frame::resting(Vector2::from(place));
+        let frame = Frame { velocity: Vector2::from(velocity), turn: Turn { angle, rate }, ..still };
+        rigid.moving(frame, self.barred)
+    }
+}
+
+impl<T: Scalar> Joints<T, 2, 1> for Expansion<T> {
+    type Ahead = T;
+    type Frame = Frame<T>;
 
     fn law(
         spring: &Spring<T, 1>,
@@ -135,13 +149,5 @@ impl<T: Scalar> Orient<T, 7, 2, 1> for Expansion<T> {
     }
     fn angles(frame: &Frame<T>, _: &[T; 1]) -> [T; 1] {
         [frame.turn.angle]
-    }
-    fn shown((): &(), angles: &[T; 1], _: &[T; 1]) -> [T; 1] {
-        *angles
-    }
-    fn motion(&self, rigid: &Rigid<T>, place: [T; 2], velocity: [T; 2], [[angle, rate]]: [[T; 2]; 1]) -> BodyMotion<T> {
-        let still = Frame::resting(Vector2::from(place));
-        let frame = Frame { velocity: Vector2::from(velocity), turn: Turn { angle, rate }, ..still };
-        rigid.moving(frame, self.barred)
     }
 }

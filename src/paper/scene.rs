@@ -1,7 +1,7 @@
 //! A scene read element by element: what section 2.2 calls the discretisation of a system.
 
 use super::link::End;
-use super::orient::{Axes, Orient};
+use super::orient::{Axes, Bodies, Joints, Orient};
 use super::parts::Item;
 use crate::element::{Coordinates, Element, Space, Watch};
 use crate::ends::{Root, Tip};
@@ -37,7 +37,7 @@ pub trait Scene<T: Scalar, L, const N: usize, const H: usize, const P: usize, co
     const GUIDED: bool;
 
     /// The ground at the root.
-    fn ground(&self, time: T::Real) -> <Self::Orient as Orient<T, N, P, A>>::Frame;
+    fn ground(&self, time: T::Real) -> <Self::Orient as Joints<T, P, A>>::Frame;
     /// Whether the root, and the tip, hold some directions of the attitude of a body, so that its axes are asked for.
     const ATTITUDES: [bool; 2];
 
@@ -45,7 +45,7 @@ pub trait Scene<T: Scalar, L, const N: usize, const H: usize, const P: usize, co
     fn root(
         &self,
         guide: Option<[T; P]>,
-        ground: &<Self::Orient as Orient<T, N, P, A>>::Frame,
+        ground: &<Self::Orient as Joints<T, P, A>>::Frame,
         first: Option<&Axes<T, P, A>>,
         drive: [T; A],
     ) -> End<T, H>;
@@ -64,16 +64,16 @@ pub trait Scene<T: Scalar, L, const N: usize, const H: usize, const P: usize, co
         loads: &L,
         time: T::Real,
         number: usize,
-        body: &<Self::Orient as Orient<T, N, P, A>>::Motion,
-    ) -> <Self::Orient as Orient<T, N, P, A>>::External;
+        body: &<Self::Orient as Bodies<T, N, P, A>>::Motion,
+    ) -> <Self::Orient as Bodies<T, N, P, A>>::External;
     /// The torque applied in a joint, ON the outboard body (N·m), between two bodies or the ground and one.
     fn effort(
         &self,
         loads: &L,
         time: T::Real,
         number: usize,
-        sides: [Option<&<Self::Orient as Orient<T, N, P, A>>::Motion>; 2],
-        ground: &<Self::Orient as Orient<T, N, P, A>>::Frame,
+        sides: [Option<&<Self::Orient as Bodies<T, N, P, A>>::Motion>; 2],
+        ground: &<Self::Orient as Joints<T, P, A>>::Frame,
         guide: Option<[T; P]>,
     ) -> [T; A];
 }

@@ -101,10 +101,10 @@ macro_rules! fields {
 fields! {
     /// Positions of joint coordinates.
     Positions = |B, J, K, _fill: ()|
-        { () = () } { J::Position = J::position() } { PhantomData<S::Numbers> = PhantomData } in Y: Self;
+        { () = () } { J::Position = J::still().0 } { PhantomData<S::Numbers> = PhantomData } in Y: Self;
     /// Rates and accelerations of joint coordinates; with accelerations the forces that close loops.
     Rates = |B, J, K, _fill: ()|
-        { () = () } { J::Rate = J::rate() } { S::Numbers = S::numbers(Wrench::none()) } in Y: Self;
+        { () = () } { J::Rate = J::still().1 } { S::Numbers = S::numbers(Wrench::none()) } in Y: Self;
     /// What the outward walk needs of each elimination where `C` act.
     Kept<C: Closures> = |B, J, K, _fill: ()|
         { () = () } { J::Kept<C> = J::kept::<C>() }

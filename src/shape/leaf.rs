@@ -77,9 +77,7 @@ pub trait Joint<S: Space>: Copy + 'static {
         let _ = (x, sine_cosine);
     }
 
-    /// Whether the joint has to be told how its inboard body is turned, because poses inboard carry no attitude.
-    const FLANGED: bool = false;
-    /// Stores how the inboard body is turned.
+    /// Stores how the inboard body is turned, where poses inboard carry no attitude: in joints whose shape is [`FLANGED`](Shape::FLANGED).
     #[inline(always)]
     fn set_attitude(&self, x: &mut Self::Per<S::X>, turn: &S::Turn) {
         let _ = (x, turn);
@@ -89,10 +87,8 @@ pub trait Joint<S: Space>: Copy + 'static {
     fn kind() -> &'static str {
         core::any::type_name::<Self>()
     }
-    /// The position of an unturned joint.
-    fn position() -> Self::Position;
-    /// The rates of a joint at rest.
-    fn rate() -> Self::Rate;
+    /// The position of an unturned joint, and the rates of one at rest.
+    fn still() -> (Self::Position, Self::Rate);
     /// Room for the gains.
     fn kept<C: Closures>() -> Self::Kept<C>;
     /// `fill` for each set of axes.
@@ -171,7 +167,10 @@ macro_rules! leaf {
         $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, true, <Self as $crate::shape::Body<$S>>::OWN_AXES, 0, false, [$($generics)*] $Leaf, $S);
     };
     (joint [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, false, <Self as $crate::shape::Joint<$S>>::SINES, <Self as $crate::shape::Joint<$S>>::FLANGED, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, false, <Self as $crate::shape::Joint<$S>>::SINES, false, [$($generics)*] $Leaf, $S);
+    };
+    (flange [$($generics:tt)*] $Leaf:ty: $S:ty) => {
+        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, true, false, 0, true, [$($generics)*] $Leaf, $S);
     };
     ($As:ident, $In:ident, $meet:ident, $in:ident, $bodies:literal, $joints:literal, $linear:expr, $own_axes:expr, $sines:expr, $flanged:expr, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
         impl<$($generics)*> $crate::shape::Shape<$S> for $Leaf {

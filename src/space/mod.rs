@@ -2,15 +2,15 @@
 
 mod budget;
 mod frame;
+mod readings;
 
 pub use budget::Budget;
 pub use frame::{Frame, Orientation};
+pub use readings::{Balance, MovingBody, MovingJoint};
 
-use crate::error::Fault;
 use crate::loading::Seen;
 use crate::mirror::Rate;
 use crate::relation::{Geometry, WrenchOf};
-use crate::release::Release;
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 
@@ -29,13 +29,13 @@ pub trait Space: Geometry {
     /// Orientation and angular velocity, as they are carried outward.
     type Turn: Orientation<Self::Angular>;
     /// A station: its motion, and its force and torque.
-    type Station: Copy + Debug;
+    type Station: Balance<Self> + Copy + Debug;
     /// Orientation of a body in angles (rad): one in the plane, three in space.
     type Angles: Copy + Debug;
     /// A body and its motion at an instant.
-    type BodyMotion: Seen<Space = Self, Load = WrenchOf<Self>> + Debug;
+    type BodyMotion: Seen<Space = Self, Load = WrenchOf<Self>> + MovingBody<Self> + Debug;
     /// A joint and its motion at an instant.
-    type JointMotion: Seen<Space = Self> + Debug;
+    type JointMotion: Seen<Space = Self> + MovingJoint<Self> + Debug;
     /// Internal force and torque, as numbers that add up.
     type Numbers: Rate<Self::Scalar> + Copy;
     /// The relation of a free tip.
@@ -45,51 +45,13 @@ pub trait Space: Geometry {
     fn blank() -> (Self::X, Self::Y, Self::P, Self::Q);
     /// The size of what has none.
     fn no_size() -> Self::Size;
-
-    /// The mass of a body (kg).
-    fn mass(body: &Self::BodyMotion) -> Self::Scalar;
-    /// What may be wrong with the inertia of a body.
-    fn doubt(body: &Self::BodyMotion) -> Option<Fault>;
     /// Whether bodies turn about more than one axis.
     const TURNS_ABOUT_LINES: bool = false;
-    /// Whether a body has no inertia about the line from its inboard to its outboard end, but for rounding. In the plane there is none.
-    fn spins_about_its_line(body: &Self::BodyMotion) -> bool {
-        let _ = body;
-        false
-    }
 
-    /// The orientation of a body in angles.
-    fn angles(body: &Self::BodyMotion) -> Self::Angles;
-    /// The angle (rad) of a body that is too large for accurate sines, if it is.
-    fn angle_out_of_range(body: &Self::BodyMotion) -> Option<f64>;
-    /// The angle (rad) that a joint has turned by and that is too large for accurate sines, if it is.
-    fn turn_out_of_range(joint: &Self::JointMotion, release: &Release<Self>) -> Option<f64>;
     /// Internal force and torque as numbers.
     fn numbers(internal: WrenchOf<Self>) -> Self::Numbers;
     /// Internal force and torque from their numbers.
     fn internal(numbers: Self::Numbers) -> WrenchOf<Self>;
-    /// The inboard station of a body, with the body's inertia force in its balance.
-    fn body_station(body: &Self::BodyMotion, gravity: Self::Vector) -> Self::Station;
-    /// The inboard station of a joint.
-    fn joint_station(joint: &Self::JointMotion) -> Self::Station;
-    /// The inboard station of what closes a loop, which passes this force and torque on.
-    fn closing_station(joint: &Self::JointMotion, internal: WrenchOf<Self>) -> Self::Station;
-    /// The station at the end of a chain.
-    fn end_station(frame: &FrameOf<Self>, internal: WrenchOf<Self>) -> Self::Station;
-    /// Takes a load from the balance of forces at a body's inboard station.
-    fn relieve(station: &mut Self::Station, load: WrenchOf<Self>);
-    /// A force and a torque in axes of their body. In the plane no body asks for that.
-    #[inline(always)]
-    fn own_axes(body: &Self::BodyMotion, load: WrenchOf<Self>) -> WrenchOf<Self> {
-        let _ = body;
-        load
-    }
-    /// Closes the balance of a station, given the internal force at its outboard neighbour; gives its own.
-    fn balance(station: &mut Self::Station, outer: WrenchOf<Self>) -> WrenchOf<Self>;
-    /// Kinetic energy of reflected inertia in a joint, and energy stored there (J).
-    fn stored(joint: &Self::JointMotion) -> [Self::Scalar; 2];
-    /// Mechanical energy, linear momentum and angular momentum about the origin of a body.
-    fn budget(body: &Self::BodyMotion, gravity: Self::Vector) -> Budget<Self>;
 }
 
 /// A space that exists over the scalar `U` too.

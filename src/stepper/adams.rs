@@ -5,7 +5,7 @@ use super::displace::{displace, gather, mean_square};
 use super::explicit::ExplicitStepper;
 use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::error::{Error, Fault};
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Rate, Retraction};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;

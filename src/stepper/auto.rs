@@ -5,7 +5,7 @@ mod stiffness;
 
 use super::{ExplicitStepper, Method, MotionIn, SdirkStepper, Stepper, TimeIn, VcabmStepper};
 use crate::error::Error;
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Position, Rate, Retraction};
 use crate::scalar::{Real, Scalar};
 use crate::system::StiffDynamics;
 use crate::time::{Auto, Dop853, Sdirk4, Vcabm};

@@ -4,7 +4,7 @@ use super::between::complete;
 use super::displace::{displace, gather, gather_few, mean_square};
 use super::{Method, MotionIn, Stepper, TimeIn, of_stage};
 use crate::error::{Error, Fault};
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Position, Rate, Retraction};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;

@@ -4,7 +4,7 @@ use super::displace::{displace, gather, mean_square};
 use super::{Method, MotionIn, Stepper, TimeIn, check, of_stage};
 use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Position, Rate, Retraction};
 use crate::scalar::{Real, Scalar};
 use crate::system::StiffDynamics;
 use crate::time::Sdirk4;

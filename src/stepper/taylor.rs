@@ -7,7 +7,7 @@ use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::element::Element;
 use crate::ends::{ExpandTip, Resting};
 use crate::error::{Error, Fault};
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Position, Rate, Retraction};
 use crate::motion::Motion;
 use crate::relation::Absent;
 use crate::scalar::{Real, Scalar};

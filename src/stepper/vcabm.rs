@@ -7,7 +7,7 @@ use super::displace::{displace, gather};
 use super::explicit::ExplicitStepper;
 use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::error::{Error, Fault};
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Position, Rate, Retraction};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;

@@ -16,7 +16,7 @@ use super::{Coordinates, MotionOf, PositionOf, RateOf, System, coordinates};
 use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, RealOf};
 use crate::ends::{Root, Tip};
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Position, Rate, Retraction};
 use crate::observe::each_body;
 use crate::scalar::{Real, Scalar};
 use alloc::vec;

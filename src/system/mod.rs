@@ -44,7 +44,7 @@ pub use turning::AngularVelocity;
 pub use crate::counts::Counted;
 pub use crate::element::Element;
 pub use crate::ends::{Root, Tip};
-pub use crate::mirror::{Position, Rate};
+pub use crate::mirror::{Position, Rate, Retraction};
 pub use crate::names::{BodyNumbers, JointNumbers, Label, Which};
 pub use crate::space::{RealOf, Space};
 

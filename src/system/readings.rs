@@ -4,6 +4,7 @@ use crate::element::{Budget, Element, Loading, Space};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::observe::{PerBody, Stations, budget};
+use crate::space::MovingBody;
 use crate::system::{Elements, MotionOf, System, coordinates};
 
 /// A motion of another scene, or a list of loads of another length, is refused; runs, which have asked at their start, read without
@@ -71,7 +72,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     pub(crate) fn angles_of(&self, motion: &MotionOf<S, R, C, P>) -> PerBody<'_, S, Elements<S, R, C>, S::Angles> {
-        PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), S::angles)
+        PerBody::of(&self.chain, self.root.ground(motion.time), coordinates(motion), |body| body.angles())
     }
 
     pub(crate) fn stations_of<L: Loading<S>>(

@@ -14,6 +14,7 @@ use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Kept, Shape};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
+use crate::space::{MovingBody, MovingJoint};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
 use crate::walks::broken::{broken, unled};
@@ -314,9 +315,9 @@ struct LookForAngles(Option<f64>);
 
 impl<S: Space> Watch<S> for LookForAngles {
     fn body(&mut self, body: &S::BodyMotion) {
-        self.0 = self.0.or_else(|| S::angle_out_of_range(body));
+        self.0 = self.0.or_else(|| body.angle_out_of_range());
     }
     fn joint_with(&mut self, joint: &S::JointMotion, release: &dyn Fn() -> Release<S>) {
-        self.0 = self.0.or_else(|| S::turn_out_of_range(joint, &release()));
+        self.0 = self.0.or_else(|| joint.turn_out_of_range(&release()));
     }
 }

@@ -95,7 +95,7 @@ impl<S: Space> Outward<S> for Unled<S> {
     }
     fn joint<J: Joint<S>>(&mut self, joint: &J, (): (), (position, rate): AtJoint<'_, S, Self, J>) {
         if self.first.is_none() && J::Rate::LENGTH == 0 {
-            let finite = joint.motion(self.ground, position, rate, &J::rate()).1.is_finite();
+            let finite = joint.motion(self.ground, position, rate, &J::still().1).1.is_finite();
             self.first = (!finite).then_some(self.met);
         }
         self.met += 1;

@@ -3,7 +3,7 @@
 use crate::shape::{AtBody, AtJoint, Body, Joint, Mut, Outward, PerAxes, Positions, Rates, Ref, Shape, Walk, alike};
 use crate::space::{FrameOf, Space};
 
-/// Tells each joint that asks for it ([`Joint::FLANGED`]) how its body is turned, by a walk with complete kinematics: poses in axes of bodies carry no
+/// Tells each joint that asks for it ([`Joint::set_attitude`]) how its body is turned, by a walk with complete kinematics: poses in axes of bodies carry no
 /// attitudes. Chains without such a joint have none of it.
 #[cfg_attr(optimised, inline(always))]
 pub fn faced<S: Space, E: Shape<S>>(
@@ -38,9 +38,7 @@ impl<S: Space> Outward<S> for Faced {
         frame: FrameOf<S>,
         (position, rate, x): AtJoint<'_, S, Self, J>,
     ) -> FrameOf<S> {
-        if const { J::FLANGED } {
-            joint.set_attitude(x, &frame.turn);
-        }
-        joint.motion(frame, position, rate, &J::rate()).1
+        joint.set_attitude(x, &frame.turn);
+        joint.motion(frame, position, rate, &J::still().1).1
     }
 }

@@ -8,7 +8,7 @@ use crate::shape::{
     AtBody, AtClosing, AtJoint, Body, Closing, Joint, Of, Outward, Parallel, Positions, Rates, Ref, Shape, Walk, Way,
     parallel_outward,
 };
-use crate::space::{FrameOf, Space};
+use crate::space::{FrameOf, MovingBody, Space};
 
 /// The number of the joint inboard of the first body of a chain with a free tip, or a held one, that nothing keeps from spinning.
 pub fn loose<S: Space, E: Shape<S>>(
@@ -53,7 +53,7 @@ impl<S: Space> Outward<S> for Loose {
     }
     fn body<B: Body<S>>(&mut self, body: &B, frame: FrameOf<S>, _: AtBody<'_, S, Self, B>) -> FrameOf<S> {
         let (motion, outboard) = body.motion(frame);
-        self.spins = self.ball.take().filter(|_| S::spins_about_its_line(&motion));
+        self.spins = self.ball.take().filter(|_| motion.spins_about_its_line());
         self.met += 1;
         outboard
     }

@@ -77,8 +77,8 @@ impl<S: Space, F: FnMut(Part)> Outward<S> for Parts<'_, F> {
     }
     fn joint<J: Joint<S>>(&mut self, _: &J, (): (), _: AtJoint<'_, S, Self, J>) {
         let (mut coordinates, mut rates) = (0, 0);
-        Position::visit(&J::position(), &mut |_: S::Scalar| coordinates += 1);
-        Rate::visit(&J::rate(), &mut |_: S::Scalar| rates += 1);
+        Position::visit(&J::still().0, &mut |_: S::Scalar| coordinates += 1);
+        Rate::visit(&J::still().1, &mut |_: S::Scalar| rates += 1);
         self.report(J::kind(), Sort::Joint { coordinates, rates });
     }
     fn closing<K: Closing<S>>(&mut self, closing: &K, _: [(); 2], _: AtClosing<'_, S, Self, K>) {

@@ -90,7 +90,7 @@ impl<S: Turning, F: FnMut(&Swivel<S>) -> Wanted<S>> Outward<S> for Steer<'_, F> 
             let turned = outboard(joint, inboard, position, rate);
             let swivel = Swivel { joint: self.joints, freedoms: axes.count(), inboard, outboard: turned };
             // What the joint gives its outboard body without rates of its own: that of the inboard one, or nothing.
-            let given = || S::spin(&outboard(joint, inboard, position, &J::rate()));
+            let given = || S::spin(&outboard(joint, inboard, position, &J::still().1));
             let small = RealOf::<S>::EPSILON.powf(RealOf::<S>::of(0.7));
             match (self.wanted)(&swivel) {
                 Wanted::Any => (),
@@ -129,12 +129,12 @@ fn turn_to<S: Turning, J: Joint<S>>(
 ) -> RealOf<S> {
     /// Enough from anywhere, a radian at a time.
     const STEPS: usize = 60;
-    let away = |position: &J::Position| S::towards(&outboard(joint, inboard, position, &J::rate()), there);
+    let away = |position: &J::Position| S::towards(&outboard(joint, inboard, position, &J::still().1), there);
     let mut near = false;
     for _ in 0..STEPS {
         let axes = Axes::of::<S, J>(joint, inboard, position);
         let (step, size) = axes.step_for(&away(position));
-        let mut displacement = J::rate();
+        let mut displacement = J::still().1;
         axes.put(&step, &mut displacement);
         position.displace(&displacement);
         // One more from near: it squares what is missed, and derivatives follow.

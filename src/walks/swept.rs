@@ -1,12 +1,12 @@
 //! Virtual velocities of bodies and joints, as walks want accelerations of stations.
 
-use crate::adjoint::Reversed;
+use crate::adjoint::{Reversed, VirtualMotion};
 use crate::shape::{AtBody, AtJoint, Body, Joint, Mut, Outward, PerBody, PerJoint, Ref, Shape, Walk, alike};
 
 /// What a walk of virtual velocities has kept, on bodies and in joints.
 type Kept<'k, S, E> = (
-    &'k <E as Shape<S>>::Store<PerBody<<S as Reversed>::OnBody>>,
-    &'k <E as Shape<S>>::Store<PerJoint<<S as Reversed>::InJoint>>,
+    &'k <E as Shape<S>>::Store<PerBody<<S as VirtualMotion>::OnBody>>,
+    &'k <E as Shape<S>>::Store<PerJoint<<S as VirtualMotion>::InJoint>>,
 );
 
 /// Copies what [`Stir`](super::stir::Stir) has kept to where [`PullBack`](super::pull_back::PullBack) reads accelerations.

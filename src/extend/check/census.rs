@@ -4,6 +4,7 @@ use crate::element::{Space, Watch};
 use crate::mirror::Rate;
 use crate::relation::WrenchOf;
 use crate::release::Release;
+use crate::space::Balance;
 use crate::system::Inertial;
 use crate::transfer::Exact;
 use std::vec::Vec;
@@ -31,7 +32,7 @@ pub(super) struct Census<S: Space, const N: usize> {
 
 impl<S: Inertial + Exact<N> + Space<Scalar = f64>, const N: usize> Watch<S> for Census<S, N> {
     fn body(&mut self, body: &S::BodyMotion) {
-        let internal = S::balance(&mut S::body_station(body, self.gravity), WrenchOf::<S>::none());
+        let internal = S::Station::of_body(body, self.gravity).close(WrenchOf::<S>::none());
         let mut force = [0.0; N];
         let mut entries = force.iter_mut();
         S::numbers(internal).visit(&mut |x| {

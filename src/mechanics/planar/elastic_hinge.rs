@@ -130,14 +130,10 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
     type Kept<C: Closures> = RelativeGain<T, C>;
     type Axes = Coincident;
 
-    const TURNS: bool = true;
     const LINEAR: bool = R::LINEAR;
 
-    fn position() -> T {
-        T::zero()
-    }
-    fn rate() -> T {
-        T::zero()
+    fn still() -> (T, T) {
+        (T::zero(), T::zero())
     }
     fn kept<C: Closures>() -> RelativeGain<T, C> {
         RelativeGain::blank()
@@ -159,17 +155,16 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
         Turn { angle: inboard.angle + *position, rate: inboard.rate + *rate }
     }
     #[cfg_attr(optimised, inline(always))]
-    fn moved(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> Frame<T> {
+    fn moved(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> JointMotion<T> {
         let angular = inboard.acceleration.angular + *acceleration;
-        Frame {
+        let outboard = Frame {
             turn: self.turned(position, rate, inboard.turn),
             acceleration: Acceleration { angular, ..inboard.acceleration },
             ..inboard
-        }
-    }
-    fn spring(&self, position: &T, rate: &T) -> SpringState<T> {
-        let force = [T::zero(); 2];
-        SpringState { torque: self.rotary.force(*position, *rate), force, energy: self.rotary.energy(*position) }
+        };
+        let (torque, energy) = (self.rotary.force(*position, *rate), self.rotary.energy(*position));
+        let spring = SpringState { torque, force: [T::zero(); 2], energy };
+        JointMotion { spring, ..JointMotion::coincident(inboard, outboard, true) }
     }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()
@@ -194,7 +189,7 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
         &self,
         inboard: Acceleration<T>,
         (): (),
-        kept: &RelativeGain<T, C>,
+        kept: &mut RelativeGain<T, C>,
         multipliers: &C::Each<T>,
         rate: &mut T,
     ) -> Acceleration<T> {

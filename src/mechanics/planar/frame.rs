@@ -8,7 +8,7 @@ use crate::relation::planar::Empty;
 use crate::relation::planar::algebra::{add_scaled, cross, dot, normal};
 use crate::release::Release;
 use crate::scalar::{Real, Scalar};
-use crate::space::{self, Orientation};
+use crate::space::{self, MovingBody, MovingJoint, Orientation};
 use nalgebra::Vector2;
 
 /// Orientation of a body.
@@ -139,6 +139,15 @@ pub struct SpringState<T> {
 }
 
 impl<T: Scalar> JointMotion<T> {
+    /// A joint without springs whose points coincide.
+    #[cfg_attr(optimised, inline(always))]
+    pub(super) fn coincident(inboard: Frame<T>, outboard: Frame<T>, turns: bool) -> Self {
+        let (zero, none) = (T::zero(), [T::zero(); 2]);
+        let spring = SpringState { torque: zero, force: none, energy: zero };
+        let arm = Vector2::new(zero, zero);
+        Self { inboard, outboard, arm, spring, turns, slide: none, sliding: none, inertia: zero }
+    }
+
     /// Angle of the outboard body relative to the inboard one (rad).
     pub fn angle(&self) -> T {
         self.outboard.turn.angle - self.inboard.turn.angle
@@ -177,22 +186,6 @@ impl<T: Scalar> Space for Planar<T> {
     fn no_size() -> T {
         T::zero()
     }
-    fn mass(body: &BodyMotion<T>) -> T {
-        body.inertia.mass
-    }
-    fn doubt(body: &BodyMotion<T>) -> Option<Fault> {
-        body.inertia.doubt()
-    }
-    fn angles(body: &BodyMotion<T>) -> T {
-        body.angle()
-    }
-    fn turn_out_of_range(_: &JointMotion<T>, _: &Release<Self>) -> Option<f64> {
-        None // sines are taken of the angles of bodies
-    }
-    fn angle_out_of_range(body: &BodyMotion<T>) -> Option<f64> {
-        let angle = body.angle().real();
-        (angle.abs() > T::ANGLE_RANGE).then(|| angle.as_f64())
-    }
     #[inline(always)]
     fn numbers(internal: Internal<T>) -> [T; 3] {
         [internal.force.x, internal.force.y, internal.torque]
@@ -201,39 +194,42 @@ impl<T: Scalar> Space for Planar<T> {
     fn internal([x, y, torque]: [T; 3]) -> Internal<T> {
         Internal { force: Vector2::new(x, y), torque }
     }
-    fn body_station(body: &BodyMotion<T>, gravity: Vector2<T>) -> Station<T> {
-        Station::of_body(body, gravity)
+}
+
+impl<T: Scalar> MovingBody<Planar<T>> for BodyMotion<T> {
+    fn mass(&self) -> T {
+        self.inertia.mass
     }
-    fn joint_station(joint: &JointMotion<T>) -> Station<T> {
-        Station::of_joint(joint)
+    fn doubt(&self) -> Option<Fault> {
+        self.inertia.doubt()
     }
-    fn closing_station(joint: &JointMotion<T>, internal: Internal<T>) -> Station<T> {
-        Station::of_closing(joint, internal)
+    fn angles(&self) -> T {
+        self.angle()
     }
-    fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
-        Station::at_end(*frame, internal)
+    fn angle_out_of_range(&self) -> Option<f64> {
+        let angle = self.angle().real();
+        (angle.abs() > T::ANGLE_RANGE).then(|| angle.as_f64())
     }
-    fn relieve(station: &mut Station<T>, load: Internal<T>) {
-        station.inertia_force -= load.force;
-        station.inertia_torque -= load.torque;
-    }
-    fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
-        station.close(outer)
-    }
-    fn stored(joint: &JointMotion<T>) -> [T; 2] {
-        let rate = joint.driven_rate();
-        [(joint.inertia * rate * rate).scale(T::Real::of(0.5)), joint.spring.energy]
-    }
-    fn budget(body: &BodyMotion<T>, gravity: Vector2<T>) -> Budget<Self> {
-        let centre = body.centre();
-        let momentum = centre.velocity * body.inertia.mass;
-        let spin = body.inertia.about_centre * body.rate();
+    fn budget(&self, gravity: Vector2<T>) -> Budget<Planar<T>> {
+        let centre = self.centre();
+        let momentum = centre.velocity * self.inertia.mass;
+        let spin = self.inertia.about_centre * self.rate();
         Budget {
-            kinetic: body.kinetic_energy(),
-            potential: -(dot(gravity, centre.place) * body.inertia.mass),
+            kinetic: self.kinetic_energy(),
+            potential: -(dot(gravity, centre.place) * self.inertia.mass),
             momentum,
             angular_momentum: cross(centre.place, momentum) + spin,
         }
+    }
+}
+
+impl<T: Scalar> MovingJoint<Planar<T>> for JointMotion<T> {
+    fn turn_out_of_range(&self, _: &Release<Planar<T>>) -> Option<f64> {
+        None // sines are taken of the angles of bodies
+    }
+    fn stored(&self) -> [T; 2] {
+        let rate = self.driven_rate();
+        [(self.inertia * rate * rate).scale(T::Real::of(0.5)), self.spring.energy]
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::axes::Axes;
 use super::linear::{HingeAxes, Linear};
-use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, SpringState, Turn, Weld};
+use super::{Acceleration, ElasticHinge, Frame, JointMotion, Pin, Planar, Slider, Turn, Weld};
 use crate::counts::Counted;
 use crate::element::{Element, Posture, Springs};
 use crate::error::Fault;
@@ -13,7 +13,6 @@ use crate::scalar::Scalar;
 use crate::shape::{JointPosture, Native, PerAxes, Shape};
 use crate::spring::SpringLaw;
 use core::fmt::Debug;
-use nalgebra::Vector2;
 use typenum::{U0, U1, U3};
 
 /// A massless joint in the plane.
@@ -31,19 +30,14 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     /// What the joint stores of the place of its outboard side.
     type Axes: Axes;
 
-    /// Whether the outboard body turns relative to the inboard one.
-    const TURNS: bool;
-
     /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
 
     /// Whether the orientation of the outboard body does not depend on that of the inboard one.
     const ABSOLUTE: bool = false;
 
-    /// The position of an unturned joint.
-    fn position() -> Self::Position;
-    /// The rates of a joint at rest.
-    fn rate() -> Self::Rate;
+    /// The position of an unturned joint, and the rates of one at rest.
+    fn still() -> (Self::Position, Self::Rate);
     /// Room for the gains.
     fn kept<C: Closures>() -> Self::Kept<C>;
     /// Whether the joint's pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
@@ -85,32 +79,17 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
         self.turned(position, rate, inboard)
     }
 
-    /// The motion of the outboard side.
+    /// The motion of the joint, if its inboard side moves like this.
     fn moved(
         &self,
         inboard: Frame<T>,
         position: &Self::Position,
         rate: &Self::Rate,
         acceleration: &Self::Rate,
-    ) -> Frame<T>;
-
-    /// Torque of the joint's spring and damper on the outboard body, and the energy stored.
-    #[inline(always)]
-    fn spring(&self, _position: &Self::Position, _rate: &Self::Rate) -> SpringState<T> {
-        SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() }
-    }
-
-    /// How far the joint's points are apart along the axes in which they move (m), and the rates of that (m/s).
-    #[inline(always)]
-    fn slid(&self, _position: &Self::Position, _rate: &Self::Rate) -> [[T; 2]; 2] {
-        [[T::zero(); 2]; 2]
-    }
+    ) -> JointMotion<T>;
 
     /// The coordinates that the joint lets move, and what resists them.
     fn release(&self, motion: &JointMotion<T>, position: &Self::Position, rate: &Self::Rate) -> Release<Planar<T>>;
-
-    /// Whether the joint's points may be apart and the moments on its sides differ by that of its force, m_I = m_O − d × q.
-    const LEVER: bool = false;
 
     /// Rejects parameters that make no mechanics.
     ///
@@ -118,16 +97,6 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     /// What is wrong with them.
     fn check(&self) -> Result<(), Fault> {
         Ok(())
-    }
-
-    /// Remembers for the next sweep what the joint needs of the inboard side's acceleration.
-    #[cfg_attr(optimised, inline(always))]
-    fn note<C: Closures>(
-        &self,
-        _inboard: Acceleration<T>,
-        _offset: <Self::Axes as Axes>::Offset<T>,
-        _kept: &mut Self::Kept<C>,
-    ) {
     }
 
     /// The accelerations of the coordinates, and of the outboard side, from that of the inboard side.
@@ -141,13 +110,13 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     ) -> Acceleration<T>;
 
     /// The accelerations as [`recovered`](Self::recovered) finds them, after a sweep in which springs entered by `By`: for a joint
-    /// that can do with less then.
+    /// that can do with less then, or remembers for the next sweep what it needs of the inboard side.
     #[cfg_attr(optimised, inline(always))]
     fn recovered_after<C: Closures, By: Springs<T>>(
         &self,
         inboard: Acceleration<T>,
         offset: <Self::Axes as Axes>::Offset<T>,
-        kept: &Self::Kept<C>,
+        kept: &mut Self::Kept<C>,
         multipliers: &C::Each<T>,
         rate: &mut Self::Rate,
     ) -> Acceleration<T> {
@@ -172,11 +141,8 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
 
     const LINEAR: bool = <J as Joint<T>>::LINEAR;
 
-    fn position() -> <J as Joint<T>>::Position {
-        <J as Joint<T>>::position()
-    }
-    fn rate() -> <J as Joint<T>>::Rate {
-        <J as Joint<T>>::rate()
+    fn still() -> (<J as Joint<T>>::Position, <J as Joint<T>>::Rate) {
+        <J as Joint<T>>::still()
     }
     fn kept<C: Closures>() -> <J as Joint<T>>::Kept<C> {
         <J as Joint<T>>::kept::<C>()
@@ -206,7 +172,6 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
     ) -> Acceleration<T> {
         let (x, y, p, q) = posture;
         let offset = J::Axes::offset(x, y, p, q);
-        self.note::<C>(inboard, offset, kept);
         self.recovered_after::<C, By>(inboard, offset, kept, multipliers, rate)
     }
     #[cfg_attr(optimised, inline(always))]
@@ -230,13 +195,8 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
         rate: &<J as Joint<T>>::Rate,
         acceleration: &<J as Joint<T>>::Rate,
     ) -> (JointMotion<T>, Frame<T>) {
-        let outboard = self.moved(inboard, position, rate, acceleration);
-        let arm = match J::LEVER {
-            true => outboard.place - inboard.place,
-            false => Vector2::new(T::zero(), T::zero()),
-        };
-        let (spring, [slide, sliding]) = (self.spring(position, rate), self.slid(position, rate));
-        (JointMotion { inboard, outboard, arm, spring, turns: J::TURNS, slide, sliding, inertia: T::zero() }, outboard)
+        let motion = self.moved(inboard, position, rate, acceleration);
+        (motion, motion.outboard)
     }
     #[cfg_attr(optimised, inline(always))]
     fn release(

@@ -116,15 +116,10 @@ where
     type Kept<C: Closures> = LinearGains<T, C>;
     type Axes = A;
 
-    const TURNS: bool = true;
     const LINEAR: bool = R::LINEAR && X::LINEAR && Y::LINEAR;
-    const LEVER: bool = A::LEVER;
 
-    fn position() -> (T, T, T) {
-        (T::zero(), T::zero(), T::zero())
-    }
-    fn rate() -> (T, T, T) {
-        (T::zero(), T::zero(), T::zero())
+    fn still() -> ((T, T, T), (T, T, T)) {
+        ((T::zero(), T::zero(), T::zero()), (T::zero(), T::zero(), T::zero()))
     }
     fn kept<C: Closures>() -> LinearGains<T, C> {
         let (swing, pivots) = (Vector2::new(T::zero(), T::zero()), [T::zero(); 3]);
@@ -167,36 +162,35 @@ where
         self.turned(position, rate, inboard)
     }
     #[cfg_attr(optimised, inline(always))]
-    fn moved(&self, inboard: Frame<T>, position: &(T, T, T), rate: &(T, T, T), acceleration: &(T, T, T)) -> Frame<T> {
+    fn moved(
+        &self,
+        inboard: Frame<T>,
+        position: &(T, T, T),
+        rate: &(T, T, T),
+        acceleration: &(T, T, T),
+    ) -> JointMotion<T> {
         let coordinates = [position, rate, acceleration].map(|c| Vector2::new(c.0, c.1));
         let frame = A::moved(inboard, coordinates);
         let angular = frame.acceleration.angular + acceleration.2;
-        Frame {
+        let outboard = Frame {
             turn: self.turned(position, rate, inboard.turn),
             acceleration: Acceleration { angular, ..frame.acceleration },
             ..frame
-        }
-    }
-    fn spring(&self, position: &(T, T, T), rate: &(T, T, T)) -> SpringState<T> {
+        };
+        let (slide, sliding) = ([position.0, position.1], [rate.0, rate.1]);
         let linear = self.linear.x.energy(position.0) + self.linear.y.energy(position.1);
-        SpringState {
+        let spring = SpringState {
             torque: self.rotary.force(position.2, rate.2),
-            force: self.linear.forces([position.0, position.1], [rate.0, rate.1]),
+            force: self.linear.forces(slide, sliding),
             energy: self.rotary.energy(position.2) + linear,
-        }
-    }
-    #[inline(always)]
-    fn slid(&self, position: &(T, T, T), rate: &(T, T, T)) -> [[T; 2]; 2] {
-        [[position.0, position.1], [rate.0, rate.1]]
+        };
+        let motion = JointMotion { spring, slide, sliding, ..JointMotion::coincident(inboard, outboard, true) };
+        if A::LEVER { JointMotion { arm: outboard.place - inboard.place, ..motion } } else { motion }
     }
     fn check(&self) -> Result<(), Fault> {
         self.rotary.check()?;
         self.linear.x.check()?;
         self.linear.y.check()
-    }
-    #[inline(always)]
-    fn note<C: Closures>(&self, inboard: Acceleration<T>, offset: A::Offset<T>, kept: &mut LinearGains<T, C>) {
-        kept.swing = A::swing(inboard, offset);
     }
     fn release(&self, motion: &JointMotion<T>, position: &(T, T, T), rate: &(T, T, T)) -> Release<Planar<T>> {
         release::elastic(self, motion, position, rate)
@@ -221,6 +215,18 @@ where
         let coordinates = A::coordinates(moved, linear - inboard.linear);
         *rate = (coordinates.x, coordinates.y, angular);
         Acceleration { linear, angular: carried.angular + angular }
+    }
+    #[cfg_attr(optimised, inline(always))]
+    fn recovered_after<C: Closures, By: Springs<T>>(
+        &self,
+        inboard: Acceleration<T>,
+        offset: A::Offset<T>,
+        kept: &mut LinearGains<T, C>,
+        multipliers: &C::Each<T>,
+        rate: &mut (T, T, T),
+    ) -> Acceleration<T> {
+        kept.swing = A::swing(inboard, offset);
+        self.recovered::<C>(inboard, offset, kept, multipliers, rate)
     }
 }
 

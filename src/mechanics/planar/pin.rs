@@ -26,14 +26,10 @@ impl<T: Scalar> Joint<T> for Pin {
 
     type Axes = Coincident;
 
-    const TURNS: bool = true;
     const ABSOLUTE: bool = true;
 
-    fn position() -> T {
-        T::zero()
-    }
-    fn rate() -> T {
-        T::zero()
+    fn still() -> (T, T) {
+        (T::zero(), T::zero())
     }
     fn kept<C: Closures>() -> Gain<T, C> {
         Gain::blank()
@@ -54,12 +50,13 @@ impl<T: Scalar> Joint<T> for Pin {
         Turn { angle: *position, rate: *rate }
     }
     #[cfg_attr(optimised, inline(always))]
-    fn moved(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> Frame<T> {
-        Frame {
+    fn moved(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> JointMotion<T> {
+        let outboard = Frame {
             turn: Turn { angle: *position, rate: *rate },
             acceleration: Acceleration { angular: *acceleration, ..inboard.acceleration },
             ..inboard
-        }
+        };
+        JointMotion::coincident(inboard, outboard, true)
     }
     fn release(&self, _: &JointMotion<T>, _: &T, _: &T) -> Release<Planar<T>> {
         release::pin()

@@ -67,15 +67,10 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
     type Kept<C: Closures> = RelativeGain<T, C>;
     type Axes = Inboard;
 
-    const TURNS: bool = false;
     const LINEAR: bool = S::LINEAR;
-    const LEVER: bool = true;
 
-    fn position() -> T {
-        T::zero()
-    }
-    fn rate() -> T {
-        T::zero()
+    fn still() -> (T, T) {
+        (T::zero(), T::zero())
     }
     fn kept<C: Closures>() -> RelativeGain<T, C> {
         RelativeGain::blank()
@@ -114,18 +109,18 @@ impl<T: Scalar, S: SpringLaw<T>> Joint<T> for Slider<T, S> {
         inboard
     }
     #[cfg_attr(optimised, inline(always))]
-    fn moved(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> Frame<T> {
+    fn moved(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> JointMotion<T> {
         let (sine, cosine) = (inboard.turn.angle + self.direction).sin_cos();
         let line = Vector2::new(cosine, sine);
-        inboard.displaced([line * *position, line * *rate, line * *acceleration])
-    }
-    fn spring(&self, position: &T, rate: &T) -> SpringState<T> {
+        let outboard = inboard.displaced([line * *position, line * *rate, line * *acceleration]);
         let force = [self.spring.force(*position, *rate), T::zero()];
-        SpringState { torque: T::zero(), force, energy: self.spring.energy(*position) }
-    }
-    #[inline(always)]
-    fn slid(&self, position: &T, rate: &T) -> [[T; 2]; 2] {
-        [[*position, T::zero()], [*rate, T::zero()]]
+        JointMotion {
+            arm: outboard.place - inboard.place,
+            spring: SpringState { torque: T::zero(), force, energy: self.spring.energy(*position) },
+            slide: [*position, T::zero()],
+            sliding: [*rate, T::zero()],
+            ..JointMotion::coincident(inboard, outboard, false)
+        }
     }
     fn check(&self) -> Result<(), Fault> {
         if !self.direction.is_finite() {

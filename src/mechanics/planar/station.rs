@@ -1,8 +1,9 @@
 //! Stations: what moves there, and what force and torque pass through.
 
-use super::{BodyMotion, Frame, Internal, JointMotion};
+use super::{BodyMotion, Frame, Internal, JointMotion, Planar};
 use crate::relation::planar::algebra::{cross, dot, normal};
 use crate::scalar::Scalar;
+use crate::space::Balance;
 use crate::state::StateVector;
 use nalgebra::Vector2;
 
@@ -32,9 +33,9 @@ pub struct Station<T> {
     /// From here to the next station outboard (m).
     arm: Vector2<T>,
     /// Inertia force less loads of the element outboard (N).
-    pub(super) inertia_force: Vector2<T>,
+    inertia_force: Vector2<T>,
     /// Inertia torque less loads of the element outboard, about this station (N·m).
-    pub(super) inertia_torque: T,
+    inertia_torque: T,
     /// Internal force and torque.
     pub internal: Internal<T>,
 }
@@ -45,38 +46,6 @@ impl<T: Scalar> Station<T> {
         let zero = Vector2::new(T::zero(), T::zero());
         let internal = Internal { force: zero, torque: T::zero() };
         Self { frame, arm: zero, inertia_force: zero, inertia_torque: T::zero(), internal }
-    }
-
-    /// The inboard side of a joint.
-    pub(super) fn of_joint(joint: &JointMotion<T>) -> Self {
-        Self { arm: joint.arm, ..Self::massless(joint.inboard) }
-    }
-
-    /// The inboard side of what closes a loop, which passes a force and torque on.
-    pub(super) fn of_closing(joint: &JointMotion<T>, internal: Internal<T>) -> Self {
-        let station = Self::massless(joint.inboard);
-        Self { inertia_force: internal.force, inertia_torque: -internal.torque, ..station }
-    }
-
-    /// The end of a chain, with its force and torque.
-    pub(super) fn at_end(frame: Frame<T>, internal: Internal<T>) -> Self {
-        Self { internal, ..Self::massless(frame) }
-    }
-
-    /// The inboard end of a body in a field of gravity.
-    pub(super) fn of_body(body: &BodyMotion<T>, gravity: Vector2<T>) -> Self {
-        let force = (body.centre().acceleration.linear - gravity) * body.inertia.mass;
-        let torque = body.inertia.about_centre * body.inboard.acceleration.angular + cross(body.to_centre, force);
-        Self { arm: body.arm, inertia_force: force, inertia_torque: torque, ..Self::massless(body.inboard) }
-    }
-
-    /// (19) and (20): q_I = q_O + inertia, m_I = m_O − d_O × q_O − inertia about I.
-    pub(super) fn close(&mut self, outer: Internal<T>) -> Internal<T> {
-        self.internal = Internal {
-            force: outer.force + self.inertia_force,
-            torque: outer.torque - dot(normal(self.arm), outer.force) - self.inertia_torque,
-        };
-        self.internal
     }
 
     /// Torque ON what lies outboard of the station (N·m), −m: at the station of a joint, what the joint exerts on its outboard body.
@@ -110,5 +79,35 @@ impl<T: Scalar> Station<T> {
             internal.force.y,
             T::one(),
         ])
+    }
+}
+
+impl<T: Scalar> Balance<Planar<T>> for Station<T> {
+    fn of_body(body: &BodyMotion<T>, gravity: Vector2<T>) -> Self {
+        let force = (body.centre().acceleration.linear - gravity) * body.inertia.mass;
+        let torque = body.inertia.about_centre * body.inboard.acceleration.angular + cross(body.to_centre, force);
+        Self { arm: body.arm, inertia_force: force, inertia_torque: torque, ..Self::massless(body.inboard) }
+    }
+    fn of_joint(joint: &JointMotion<T>) -> Self {
+        Self { arm: joint.arm, ..Self::massless(joint.inboard) }
+    }
+    fn of_closing(joint: &JointMotion<T>, internal: Internal<T>) -> Self {
+        let station = Self::massless(joint.inboard);
+        Self { inertia_force: internal.force, inertia_torque: -internal.torque, ..station }
+    }
+    fn at_end(frame: Frame<T>, internal: Internal<T>) -> Self {
+        Self { internal, ..Self::massless(frame) }
+    }
+    fn relieve(&mut self, load: Internal<T>) {
+        self.inertia_force -= load.force;
+        self.inertia_torque -= load.torque;
+    }
+    /// (19) and (20): q_I = q_O + inertia, m_I = m_O − d_O × q_O − inertia about I.
+    fn close(&mut self, outer: Internal<T>) -> Internal<T> {
+        self.internal = Internal {
+            force: outer.force + self.inertia_force,
+            torque: outer.torque - dot(normal(self.arm), outer.force) - self.inertia_torque,
+        };
+        self.internal
     }
 }

@@ -43,10 +43,9 @@ impl<T: Scalar> Joint<T> for Weld<T> {
 
     type Axes = Coincident;
 
-    const TURNS: bool = false;
-
-    fn position() {}
-    fn rate() {}
+    fn still() -> ((), ()) {
+        ((), ())
+    }
     fn kept<C: Closures>() {}
     fn homogeneous<C: Closures>((): &()) {}
     fn is_finite<C: Closures>((): &()) -> bool {
@@ -60,8 +59,9 @@ impl<T: Scalar> Joint<T> for Weld<T> {
         Turn { angle: inboard.angle + self.angle, ..inboard }
     }
     #[inline(always)]
-    fn moved(&self, inboard: Frame<T>, (): &(), (): &(), (): &()) -> Frame<T> {
-        Frame { turn: self.turned(&(), &(), inboard.turn), ..inboard }
+    fn moved(&self, inboard: Frame<T>, (): &(), (): &(), (): &()) -> JointMotion<T> {
+        let outboard = Frame { turn: self.turned(&(), &(), inboard.turn), ..inboard };
+        JointMotion::coincident(inboard, outboard, false)
     }
     fn check(&self) -> Result<(), Fault> {
         if self.angle.is_finite() { Ok(()) } else { Err(Fault::NotFinite { parameter: "angle" }) }

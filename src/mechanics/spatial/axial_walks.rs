@@ -146,11 +146,8 @@ macro_rules! axial {
 
             const LINEAR: bool = <Self as Axial<T, $K>>::LINEAR;
 
-            fn position() -> Self::Position {
-                Listed::from_list([T::zero(); $K])
-            }
-            fn rate() -> Self::Rate {
-                Listed::from_list([T::zero(); $K])
+            fn still() -> (Self::Position, Self::Rate) {
+                (Listed::from_list([T::zero(); $K]), Listed::from_list([T::zero(); $K]))
             }
             fn kept<C: Closures>() -> Self::Kept<C> {
                 [Pivot::blank(); $K]
@@ -167,7 +164,7 @@ macro_rules! axial {
                     }
                 }
                 *position = Listed::from_list(list);
-                oriented(self, position, &<Self as Joint<T>>::rate(), inboard).0
+                oriented(self, position, &<Self as Joint<T>>::still().1, inboard).0
             }
             fn lump(&mut self, mass: T) -> T {
                 Axial::lump(self, mass)

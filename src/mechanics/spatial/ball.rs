@@ -27,11 +27,8 @@ impl<T: Scalar> Joint<T> for Ball {
     type Kept<C: Closures> = Gain<T, C>;
     type Sets = One;
 
-    fn position() -> Rotation<T> {
-        Rotation::identity()
-    }
-    fn rate() -> [T; 3] {
-        [T::zero(); 3]
+    fn still() -> (Rotation<T>, [T; 3]) {
+        (Rotation::identity(), [T::zero(); 3])
     }
     fn kept<C: Closures>() -> Gain<T, C> {
         Gain::blank()

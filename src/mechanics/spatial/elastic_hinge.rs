@@ -188,11 +188,8 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
 
     const LINEAR: bool = R::LINEAR;
 
-    fn position() -> Rotation<T> {
-        Rotation::identity()
-    }
-    fn rate() -> [T; 3] {
-        [T::zero(); 3]
+    fn still() -> (Rotation<T>, [T; 3]) {
+        (Rotation::identity(), [T::zero(); 3])
     }
     fn kept<C: Closures>() -> BallGain<T, C> {
         BallGain::blank()

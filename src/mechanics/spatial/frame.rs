@@ -8,7 +8,7 @@ use crate::relation::spatial::Empty;
 use crate::relation::spatial::algebra::{Columns, cross, dot, is_finite, zero};
 use crate::release::{Release, Way};
 use crate::scalar::{Real, Scalar};
-use crate::space::{self, Orientation};
+use crate::space::{self, MovingBody, MovingJoint, Orientation};
 use nalgebra::Vector3;
 
 /// Orientation of a body.
@@ -129,11 +129,6 @@ impl<T: Scalar> JointMotion<T> {
 }
 
 impl<T: Scalar> Space for Spatial<T> {
-    #[inline(always)]
-    fn own_axes(body: &BodyMotion<T>, load: Internal<T>) -> Internal<T> {
-        let attitude = &body.inboard.turn.attitude;
-        Internal { force: attitude.transposed(load.force), torque: attitude.transposed(load.torque) }
-    }
     /// Nothing: bodies form their postures while they are oriented.
     type Size = ();
     /// Axes of a body that needs them; for a joint its axes and its arm.
@@ -156,33 +151,7 @@ impl<T: Scalar> Space for Spatial<T> {
         (Columns::identity(), [zero(); 2], zero(), zero())
     }
     fn no_size() {}
-    fn mass(body: &BodyMotion<T>) -> T {
-        body.inertia.mass
-    }
-    fn doubt(body: &BodyMotion<T>) -> Option<Fault> {
-        body.inertia.doubt()
-    }
     const TURNS_ABOUT_LINES: bool = true;
-    fn spins_about_its_line(body: &BodyMotion<T>) -> bool {
-        let line = body.inboard.turn.attitude.transposed(body.arm);
-        let inertia = body.inertia.about_inboard();
-        let length = dot(line, line);
-        let whole = (inertia.xx + inertia.yy + inertia.zz) * length;
-        let resists = dot(line, inertia.apply(line)) - whole.scale(T::Real::EPSILON * T::Real::of(0.25));
-        let spins = (-resists).if_negative(T::zero(), T::one());
-        (-length).if_negative(spins, T::zero()).real() > T::Real::of(0.0)
-    }
-    fn angles(body: &BodyMotion<T>) -> [T; 3] {
-        super::angles::angles(&body.inboard.turn.attitude)
-    }
-    fn angle_out_of_range(_: &BodyMotion<T>) -> Option<f64> {
-        None // attitudes are quaternions
-    }
-    fn turn_out_of_range(joint: &JointMotion<T>, release: &Release<Self>) -> Option<f64> {
-        let coordinates = release.coordinates.iter().flatten().filter(|freedom| freedom.driven).zip(joint.position);
-        let mut turns = coordinates.filter(|(freedom, _)| freedom.way == Way::Turn).map(|(_, angle)| angle.real());
-        turns.find(|angle| angle.abs() > T::ANGLE_RANGE).map(Real::as_f64)
-    }
     #[inline(always)]
     fn numbers(Internal { force: q, torque: m }: Internal<T>) -> [T; 6] {
         [q.x, q.y, q.z, m.x, m.y, m.z]
@@ -191,38 +160,56 @@ impl<T: Scalar> Space for Spatial<T> {
     fn internal([a, b, c, d, e, f]: [T; 6]) -> Internal<T> {
         Internal { force: Vector3::new(a, b, c), torque: Vector3::new(d, e, f) }
     }
-    fn body_station(body: &BodyMotion<T>, gravity: Vector3<T>) -> Station<T> {
-        Station::of_body(body, gravity)
+}
+
+impl<T: Scalar> MovingBody<Spatial<T>> for BodyMotion<T> {
+    fn mass(&self) -> T {
+        self.inertia.mass
     }
-    fn joint_station(joint: &JointMotion<T>) -> Station<T> {
-        Station::of_joint(joint)
+    fn doubt(&self) -> Option<Fault> {
+        self.inertia.doubt()
     }
-    fn closing_station(joint: &JointMotion<T>, internal: Internal<T>) -> Station<T> {
-        Station::of_closing(joint, internal)
+    fn spins_about_its_line(&self) -> bool {
+        let line = self.inboard.turn.attitude.transposed(self.arm);
+        let inertia = self.inertia.about_inboard();
+        let length = dot(line, line);
+        let whole = (inertia.xx + inertia.yy + inertia.zz) * length;
+        let resists = dot(line, inertia.apply(line)) - whole.scale(T::Real::EPSILON * T::Real::of(0.25));
+        let spins = (-resists).if_negative(T::zero(), T::one());
+        (-length).if_negative(spins, T::zero()).real() > T::Real::of(0.0)
     }
-    fn end_station(frame: &Frame<T>, internal: Internal<T>) -> Station<T> {
-        Station::at_end(*frame, internal)
+    fn angles(&self) -> [T; 3] {
+        super::angles::angles(&self.inboard.turn.attitude)
     }
-    fn relieve(station: &mut Station<T>, load: Internal<T>) {
-        station.inertia_force -= load.force;
-        station.inertia_torque -= load.torque;
+    fn angle_out_of_range(&self) -> Option<f64> {
+        None // attitudes are quaternions
     }
-    fn balance(station: &mut Station<T>, outer: Internal<T>) -> Internal<T> {
-        station.close(outer)
+    #[inline(always)]
+    fn in_own_axes(&self, load: Internal<T>) -> Internal<T> {
+        let attitude = &self.inboard.turn.attitude;
+        Internal { force: attitude.transposed(load.force), torque: attitude.transposed(load.torque) }
     }
-    fn stored(joint: &JointMotion<T>) -> [T; 2] {
-        let twice = joint.inertia.iter().zip(joint.rate).fold(T::zero(), |sum, (inertia, v)| sum + *inertia * v * v);
-        [twice.scale(T::Real::of(0.5)), joint.energy]
-    }
-    fn budget(body: &BodyMotion<T>, gravity: Vector3<T>) -> Budget<Self> {
-        let centre = body.centre();
-        let momentum = centre.velocity * body.inertia.mass;
+    fn budget(&self, gravity: Vector3<T>) -> Budget<Spatial<T>> {
+        let centre = self.centre();
+        let momentum = centre.velocity * self.inertia.mass;
         Budget {
-            kinetic: body.kinetic_energy(),
-            potential: -(dot(gravity, centre.place) * body.inertia.mass),
+            kinetic: self.kinetic_energy(),
+            potential: -(dot(gravity, centre.place) * self.inertia.mass),
             momentum,
-            angular_momentum: cross(centre.place, momentum) + body.spin_momentum(),
+            angular_momentum: cross(centre.place, momentum) + self.spin_momentum(),
         }
+    }
+}
+
+impl<T: Scalar> MovingJoint<Spatial<T>> for JointMotion<T> {
+    fn turn_out_of_range(&self, release: &Release<Spatial<T>>) -> Option<f64> {
+        let coordinates = release.coordinates.iter().flatten().filter(|freedom| freedom.driven).zip(self.position);
+        let mut turns = coordinates.filter(|(freedom, _)| freedom.way == Way::Turn).map(|(_, angle)| angle.real());
+        turns.find(|angle| angle.abs() > T::ANGLE_RANGE).map(Real::as_f64)
+    }
+    fn stored(&self) -> [T; 2] {
+        let twice = self.inertia.iter().zip(self.rate).fold(T::zero(), |sum, (inertia, v)| sum + *inertia * v * v);
+        [twice.scale(T::Real::of(0.5)), self.energy]
     }
 }
 

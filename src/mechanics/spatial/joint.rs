@@ -36,10 +36,8 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
     /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
 
-    /// The position of an unturned joint.
-    fn position() -> Self::Position;
-    /// The rates of a joint at rest.
-    fn rate() -> Self::Rate;
+    /// The position of an unturned joint, and the rates of one at rest.
+    fn still() -> (Self::Position, Self::Rate);
     /// Room for the gains.
     fn kept<C: Closures>() -> Self::Kept<C>;
     /// Whether the joint's pivots resist, so that gains are finite but for what velocities, loads and springs contribute.
@@ -118,11 +116,8 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
 
     const LINEAR: bool = <J as Joint<T>>::LINEAR;
 
-    fn position() -> <J as Joint<T>>::Position {
-        <J as Joint<T>>::position()
-    }
-    fn rate() -> <J as Joint<T>>::Rate {
-        <J as Joint<T>>::rate()
+    fn still() -> (<J as Joint<T>>::Position, <J as Joint<T>>::Rate) {
+        <J as Joint<T>>::still()
     }
     fn kept<C: Closures>() -> <J as Joint<T>>::Kept<C> {
         <J as Joint<T>>::kept::<C>()

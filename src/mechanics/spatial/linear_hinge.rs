@@ -119,11 +119,8 @@ where
 
     const LINEAR: bool = R::LINEAR && X::LINEAR && Y::LINEAR && Z::LINEAR;
 
-    fn position() -> Self::Position {
-        ([T::zero(); 3], Rotation::identity())
-    }
-    fn rate() -> Self::Rate {
-        ([T::zero(); 3], [T::zero(); 3])
+    fn still() -> (Self::Position, Self::Rate) {
+        (([T::zero(); 3], Rotation::identity()), ([T::zero(); 3], [T::zero(); 3]))
     }
     fn kept<C: Closures>() -> LinearGains<T, C> {
         LinearGains { rotation: BallGain::blank(), displacement: BallGain::blank() }

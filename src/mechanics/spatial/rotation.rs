@@ -16,7 +16,7 @@
 use super::axial::{check_length, squarable};
 use crate::error::{Error, Fault};
 use crate::lift::lift;
-use crate::mirror::{Position, Term};
+use crate::mirror::{Position, Retraction, Term};
 use crate::relation::spatial::algebra::{Columns, add_scaled, cross, cross_onto, dot};
 use crate::scalar::{Real, Scalar};
 use nalgebra::Vector3;
@@ -172,66 +172,8 @@ impl<T: Scalar> Rotation<T> {
     }
 }
 
-impl<T: Scalar> Position<T> for Rotation<T> {
+impl<T: Scalar> Retraction<T> for Rotation<T> {
     type Rate = [T; 3];
-
-    #[inline(always)]
-    fn drift_0(&mut self, from: &Self, (time, rate): Term<'_, T, [T; 3]>) {
-        // Not normalised: for no time this is a copy, which must be one to the last bit.
-        *self = from.stepped(Vector3::from(*rate).map(|x| x.scale(time)));
-    }
-    #[inline(always)]
-    fn drift_1(&mut self, from: &Self, (time, rate): Term<'_, T, [T; 3]>, (u, a): Term<'_, T, [T; 3]>) {
-        let step = core::array::from_fn(|i| rate[i].scale(time).add_scaled(u, a[i]));
-        *self = from.stepped(Vector3::from(step)).normalised();
-    }
-    #[cfg_attr(optimised, inline(always))]
-    fn drift_2(
-        &mut self,
-        from: &Self,
-        (time, rate): Term<'_, T, [T; 3]>,
-        (u, a): Term<'_, T, [T; 3]>,
-        (v, b): Term<'_, T, [T; 3]>,
-    ) {
-        let step = core::array::from_fn(|i| rate[i].scale(time).add_scaled(u, a[i]).add_scaled(v, b[i]));
-        *self = from.stepped(Vector3::from(step)).normalised();
-    }
-    #[inline(always)]
-    fn measure(&self, displacement: &[T; 3], note: &mut impl FnMut(T, T)) {
-        displacement.iter().for_each(|x| note(*x, T::zero()));
-    }
-    #[inline(always)]
-    fn apart(&self, from: &Self, displacement: &mut [T; 3]) {
-        let step = self.relative_to(from).shortest();
-        *displacement = (step.v + step.v).into();
-    }
-    #[inline(always)]
-    fn displace(&mut self, step: &[T; 3]) {
-        *self = self.stepped(Vector3::from(*step)).normalised();
-    }
-    #[inline(always)]
-    fn visit(&self, visit: &mut impl FnMut(T)) {
-        self.quaternion().into_iter().for_each(visit);
-    }
-    #[inline(always)]
-    fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
-        *self = Self { w: make(self.w), v: self.v.map(make) };
-    }
-    #[inline(always)]
-    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
-        self.quaternion().iter().zip(other.quaternion()).all(|(a, b)| test(*a, b))
-    }
-    /// A quaternion whose length is one but for rounding stays as it is, to the last bit.
-    fn normalise(&mut self) -> bool {
-        let over = (self.w.mul_add(self.w, dot(self.v, self.v)) - T::one()).real(); // of lanes the worst
-        if over.abs() <= T::Real::EPSILON * T::Real::of(64.0) {
-            return true;
-        }
-        Self::from_quaternion(self.quaternion()).is_ok_and(|unit| {
-            *self = unit;
-            true
-        })
-    }
 
     const CURVED: bool = true;
 
@@ -322,6 +264,66 @@ impl<T: Scalar> Position<T> for Rotation<T> {
         *of_position = (Vector3::from(*of_position) + turned).into();
         *of_rate = add_scaled(Vector3::from(*of_rate), -dot(u, second), spin).into();
         *of_from = (Vector3::from(*of_from) - before).into();
+    }
+}
+
+impl<T: Scalar> Position<T> for Rotation<T> {
+    #[inline(always)]
+    fn drift_0(&mut self, from: &Self, (time, rate): Term<'_, T, [T; 3]>) {
+        // Not normalised: for no time this is a copy, which must be one to the last bit.
+        *self = from.stepped(Vector3::from(*rate).map(|x| x.scale(time)));
+    }
+    #[inline(always)]
+    fn drift_1(&mut self, from: &Self, (time, rate): Term<'_, T, [T; 3]>, (u, a): Term<'_, T, [T; 3]>) {
+        let step = core::array::from_fn(|i| rate[i].scale(time).add_scaled(u, a[i]));
+        *self = from.stepped(Vector3::from(step)).normalised();
+    }
+    #[cfg_attr(optimised, inline(always))]
+    fn drift_2(
+        &mut self,
+        from: &Self,
+        (time, rate): Term<'_, T, [T; 3]>,
+        (u, a): Term<'_, T, [T; 3]>,
+        (v, b): Term<'_, T, [T; 3]>,
+    ) {
+        let step = core::array::from_fn(|i| rate[i].scale(time).add_scaled(u, a[i]).add_scaled(v, b[i]));
+        *self = from.stepped(Vector3::from(step)).normalised();
+    }
+    #[inline(always)]
+    fn measure(&self, displacement: &[T; 3], note: &mut impl FnMut(T, T)) {
+        displacement.iter().for_each(|x| note(*x, T::zero()));
+    }
+    #[inline(always)]
+    fn apart(&self, from: &Self, displacement: &mut [T; 3]) {
+        let step = self.relative_to(from).shortest();
+        *displacement = (step.v + step.v).into();
+    }
+    #[inline(always)]
+    fn displace(&mut self, step: &[T; 3]) {
+        *self = self.stepped(Vector3::from(*step)).normalised();
+    }
+    #[inline(always)]
+    fn visit(&self, visit: &mut impl FnMut(T)) {
+        self.quaternion().into_iter().for_each(visit);
+    }
+    #[inline(always)]
+    fn replace(&mut self, make: &mut impl FnMut(T) -> T) {
+        *self = Self { w: make(self.w), v: self.v.map(make) };
+    }
+    #[inline(always)]
+    fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
+        self.quaternion().iter().zip(other.quaternion()).all(|(a, b)| test(*a, b))
+    }
+    /// A quaternion whose length is one but for rounding stays as it is, to the last bit.
+    fn normalise(&mut self) -> bool {
+        let over = (self.w.mul_add(self.w, dot(self.v, self.v)) - T::one()).real(); // of lanes the worst
+        if over.abs() <= T::Real::EPSILON * T::Real::of(64.0) {
+            return true;
+        }
+        Self::from_quaternion(self.quaternion()).is_ok_and(|unit| {
+            *self = unit;
+            true
+        })
     }
 }
 

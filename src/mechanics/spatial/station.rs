@@ -1,9 +1,10 @@
 //! Stations: what moves there, and what force and torque pass through.
 
 use super::angles::angles;
-use super::{BodyMotion, Frame, Internal, JointMotion};
+use super::{BodyMotion, Frame, Internal, JointMotion, Spatial};
 use crate::relation::spatial::algebra::{cross, cross_onto, zero};
 use crate::scalar::Scalar;
+use crate::space::Balance;
 use crate::state::StateVector;
 use nalgebra::Vector3;
 
@@ -29,9 +30,9 @@ pub struct Station<T> {
     /// From here to the next station outboard (m).
     arm: Vector3<T>,
     /// Inertia force less loads of the element outboard (N).
-    pub(super) inertia_force: Vector3<T>,
+    inertia_force: Vector3<T>,
     /// Inertia torque less loads of the element outboard, about this station (N·m).
-    pub(super) inertia_torque: Vector3<T>,
+    inertia_torque: Vector3<T>,
     /// Internal force and torque.
     pub internal: Internal<T>,
 }
@@ -41,41 +42,6 @@ impl<T: Scalar> Station<T> {
     pub(super) fn massless(frame: Frame<T>) -> Self {
         let internal = Internal { force: zero(), torque: zero() };
         Self { frame, arm: zero(), inertia_force: zero(), inertia_torque: zero(), internal }
-    }
-
-    /// The inboard side of a joint, whose points may have slid apart.
-    pub(super) fn of_joint(joint: &JointMotion<T>) -> Self {
-        Self { arm: joint.outboard.place - joint.inboard.place, ..Self::massless(joint.inboard) }
-    }
-
-    /// The inboard side of what closes a loop, which passes a force and torque on.
-    pub(super) fn of_closing(joint: &JointMotion<T>, internal: Internal<T>) -> Self {
-        let station = Self::massless(joint.inboard);
-        Self { inertia_force: internal.force, inertia_torque: -internal.torque, ..station }
-    }
-
-    /// The end of a chain, with its force and torque.
-    pub(super) fn at_end(frame: Frame<T>, internal: Internal<T>) -> Self {
-        Self { internal, ..Self::massless(frame) }
-    }
-
-    /// The inboard end of a body in a field of gravity.
-    pub(super) fn of_body(body: &BodyMotion<T>, gravity: Vector3<T>) -> Self {
-        let turn = body.inboard.turn;
-        let force = (body.centre().acceleration.linear - gravity) * body.inertia.mass;
-        let angular = turn.attitude.transposed(body.inboard.acceleration.angular);
-        let own = turn.attitude.apply(body.inertia.matrix().apply(angular));
-        let torque = cross_onto(turn.spin, body.spin_momentum(), own) + cross(body.to_centre, force);
-        Self { arm: body.arm, inertia_force: force, inertia_torque: torque, ..Self::massless(body.inboard) }
-    }
-
-    /// (19) and (20): q_I = q_O + inertia, m_I = m_O − d_O × q_O − inertia about I.
-    pub(super) fn close(&mut self, outer: Internal<T>) -> Internal<T> {
-        self.internal = Internal {
-            force: outer.force + self.inertia_force,
-            torque: outer.torque - cross(self.arm, outer.force) - self.inertia_torque,
-        };
-        self.internal
     }
 
     /// Torque ON what lies outboard of the station (N·m), −m: at the station of a joint, what the joint exerts on its outboard body.
@@ -96,5 +62,39 @@ impl<T: Scalar> Station<T> {
     fn vector(&self, r: Vector3<T>, theta: Vector3<T>) -> StateVector<T, 13> {
         let (m, q) = (self.internal.torque, self.internal.force);
         StateVector::new([r.x, r.y, r.z, theta.x, theta.y, theta.z, m.x, m.y, m.z, q.x, q.y, q.z, T::one()])
+    }
+}
+
+impl<T: Scalar> Balance<Spatial<T>> for Station<T> {
+    fn of_body(body: &BodyMotion<T>, gravity: Vector3<T>) -> Self {
+        let turn = body.inboard.turn;
+        let force = (body.centre().acceleration.linear - gravity) * body.inertia.mass;
+        let angular = turn.attitude.transposed(body.inboard.acceleration.angular);
+        let own = turn.attitude.apply(body.inertia.matrix().apply(angular));
+        let torque = cross_onto(turn.spin, body.spin_momentum(), own) + cross(body.to_centre, force);
+        Self { arm: body.arm, inertia_force: force, inertia_torque: torque, ..Self::massless(body.inboard) }
+    }
+    /// The inboard side of a joint, whose points may have slid apart.
+    fn of_joint(joint: &JointMotion<T>) -> Self {
+        Self { arm: joint.outboard.place - joint.inboard.place, ..Self::massless(joint.inboard) }
+    }
+    fn of_closing(joint: &JointMotion<T>, internal: Internal<T>) -> Self {
+        let station = Self::massless(joint.inboard);
+        Self { inertia_force: internal.force, inertia_torque: -internal.torque, ..station }
+    }
+    fn at_end(frame: Frame<T>, internal: Internal<T>) -> Self {
+        Self { internal, ..Self::massless(frame) }
+    }
+    fn relieve(&mut self, load: Internal<T>) {
+        self.inertia_force -= load.force;
+        self.inertia_torque -= load.torque;
+    }
+    /// (19) and (20): q_I = q_O + inertia, m_I = m_O − d_O × q_O − inertia about I.
+    fn close(&mut self, outer: Internal<T>) -> Internal<T> {
+        self.internal = Internal {
+            force: outer.force + self.inertia_force,
+            torque: outer.torque - cross(self.arm, outer.force) - self.inertia_torque,
+        };
+        self.internal
     }
 }

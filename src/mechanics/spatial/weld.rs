@@ -48,8 +48,9 @@ impl<T: Scalar> Joint<T> for Weld<T> {
     type Kept<C: Closures> = ();
     type Sets = One;
 
-    fn position() {}
-    fn rate() {}
+    fn still() -> ((), ()) {
+        ((), ())
+    }
     fn kept<C: Closures>() {}
     fn is_finite<C: Closures>((): &()) -> bool {
         true

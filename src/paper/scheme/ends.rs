@@ -3,7 +3,7 @@
 use super::form::Grounds;
 use super::{Run, Solver};
 use crate::paper::link::End;
-use crate::paper::orient::{Axes, Orient, each};
+use crate::paper::orient::{Axes, Expanded, Joints, Orient, each};
 use crate::paper::parts::{Body, Part};
 use crate::paper::rule::Rule;
 use crate::paper::scene::Scene;

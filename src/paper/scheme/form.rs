@@ -3,7 +3,7 @@
 use super::{Run, Solver};
 use crate::error::Error;
 use crate::paper::link::{Given, Law, Link};
-use crate::paper::orient::{Orient, Side, each};
+use crate::paper::orient::{Bodies, Expanded, Joints, Side, each};
 use crate::paper::parts::{Body, Joint, Part, Parts};
 use crate::paper::rule::{Coordinate, Linearization, Rule};
 use crate::paper::scene::Scene;
@@ -12,7 +12,7 @@ use core::ops::Range;
 
 /// The ground at t_{i−1} and where forces balance.
 pub(super) type Grounds<'g, T, E, const N: usize, const P: usize, const A: usize> =
-    [&'g <E as Orient<T, N, P, A>>::Frame; 2];
+    [&'g <E as Joints<T, P, A>>::Frame; 2];
 
 impl<T, S, L, D, const N: usize, const H: usize, const P: usize, const A: usize> Run<'_, T, S, L, D, N, H, P, A>
 where
@@ -105,10 +105,10 @@ where
     fn effort(
         &self,
         number: usize,
-        joint: &Joint<T, <S::Orient as Orient<T, N, P, A>>::Ahead, A>,
+        joint: &Joint<T, <S::Orient as Joints<T, P, A>>::Ahead, A>,
         span: T::Real,
         time: T::Real,
-        ground: &<S::Orient as Orient<T, N, P, A>>::Frame,
+        ground: &<S::Orient as Joints<T, P, A>>::Frame,
     ) -> [T; A] {
         if !joint.turns {
             return [T::zero(); A];
@@ -162,7 +162,7 @@ where
     /// (34) of a joint in this step.
     fn law(
         &self,
-        joint: &Joint<T, <S::Orient as Orient<T, N, P, A>>::Ahead, A>,
+        joint: &Joint<T, <S::Orient as Joints<T, P, A>>::Ahead, A>,
         absolute: bool,
         grounds: Grounds<T, S::Orient, N, P, A>,
     ) -> Law<T, A> {

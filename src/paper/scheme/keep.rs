@@ -3,7 +3,7 @@
 use super::form::Grounds;
 use super::{Run, Solver};
 use crate::paper::link::Link;
-use crate::paper::orient::{Orient, each};
+use crate::paper::orient::{Bodies, Expanded, Joints, each};
 use crate::paper::parts::{Part, Parts};
 use crate::paper::rule::{Coordinate, Rule};
 use crate::paper::scene::Scene;

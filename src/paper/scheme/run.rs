@@ -5,7 +5,7 @@ use super::{Scheme, Solver, run_to};
 use crate::error::{Error, Fault};
 use crate::paper::expansion::At;
 use crate::paper::link::Link;
-use crate::paper::orient::Orient;
+use crate::paper::orient::Expanded;
 use crate::paper::parts::{Body, Part, Parts};
 use crate::paper::product;
 use crate::paper::riccati::{BLOCK, Room};

@@ -14,7 +14,7 @@ use crate::mechanics::spatial::{BodyMotion, Frame, Inertia, Rotation, Turn};
 use crate::paper::expansion::At;
 use crate::paper::hinge::Linear;
 use crate::paper::link::{Given, Law};
-use crate::paper::orient::{Orient, Side, Spring};
+use crate::paper::orient::{Bodies, Expanded, Joints, Side, Spring};
 use crate::paper::product::Hinges;
 use crate::paper::rule::{Coordinate, Linearization};
 use crate::paper::scene::Slots;
@@ -93,13 +93,8 @@ fn angles_near<T: Scalar>(attitude: &Matrix<T>, near: &Vector<T>) -> Vector<T> {
     Rotation::from_matrix(&axes(attitude)).angles_near(*near)
 }
 
-impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
-    type Rigid = Solid<T>;
+impl<T: Scalar> Expanded<T, 3, 3> for Slot<T> {
     type Base = Base<T>;
-    type Ahead = Matrix<T>;
-    type Frame = Frame<T>;
-    type Motion = BodyMotion<T>;
-    type External = External<T>;
 
     fn first(
         at: At,
@@ -161,22 +156,6 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
         }
         Ok(())
     }
-
-    fn arms(solid: &Solid<T>) -> [Vector<T>; 2] {
-        [solid.rigid.centre, solid.rigid.outboard]
-    }
-    fn inertia(solid: &Solid<T>) -> T::Real {
-        let size = |v: Vector<T>| v.iter().fold(T::Real::zero(), |size, x| size + x.real().abs());
-        let rigid = &solid.rigid;
-        super::algebra::size(&rigid.about_inboard) + rigid.mass.real().abs() * size(rigid.centre) * size(rigid.outboard)
-    }
-    fn is_percussive(solid: &Solid<T>) -> bool {
-        // (31) mixes Ā with A, so Ū₃₂ of such a body is only nearly singular: J_I + m r̃_O r̃_C tells.
-        let rigid = &solid.rigid;
-        let moved = times(&tilde(rigid.outboard), &tilde(rigid.centre));
-        let pivot = from_fn(|i, j| rigid.about_inboard[i][j] + rigid.mass * moved[i][j]);
-        inverse(&pivot, Self::inertia(solid) * T::Real::EPSILON.powf(T::Real::of(-0.5))).is_none()
-    }
     fn psi(&self, point: Vector<T>) -> Matrix<T> {
         match self {
             Self::Angles(at) => at.psi(point),
@@ -198,6 +177,41 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
     fn turned(base: &Base<T>, point: Vector<T>, angles: &Vector<T>) -> Vector<T> {
         apply(&attitude_of(base, angles), point)
     }
+    fn retract<M: Copy>(base: &mut Base<T>, angles: &mut [Coordinate<T, M>; 3]) {
+        if base.slots == Slots::RotationVectors {
+            let psi = angles.each_ref().map(|angle| angle.value);
+            base.attitude = orthonormal(&attitude_of(base, &psi));
+            angles.iter_mut().for_each(|angle| angle.value = T::zero());
+        }
+    }
+    fn shown(base: &Base<T>, angles: &Vector<T>, near: &Vector<T>) -> Vector<T> {
+        match base.slots {
+            Slots::Angles => *angles,
+            Slots::RotationVectors => angles_near(&attitude_of(base, angles), near),
+        }
+    }
+}
+
+impl<T: Scalar> Bodies<T, 13, 3, 3> for Slot<T> {
+    type Rigid = Solid<T>;
+    type Motion = BodyMotion<T>;
+    type External = External<T>;
+
+    fn arms(solid: &Solid<T>) -> [Vector<T>; 2] {
+        [solid.rigid.centre, solid.rigid.outboard]
+    }
+    fn inertia(solid: &Solid<T>) -> T::Real {
+        let size = |v: Vector<T>| v.iter().fold(T::Real::zero(), |size, x| size + x.real().abs());
+        let rigid = &solid.rigid;
+        super::algebra::size(&rigid.about_inboard) + rigid.mass.real().abs() * size(rigid.centre) * size(rigid.outboard)
+    }
+    fn is_percussive(solid: &Solid<T>) -> bool {
+        // (31) mixes Ā with A, so Ū₃₂ of such a body is only nearly singular: J_I + m r̃_O r̃_C tells.
+        let rigid = &solid.rigid;
+        let moved = times(&tilde(rigid.outboard), &tilde(rigid.centre));
+        let pivot = from_fn(|i, j| rigid.about_inboard[i][j] + rigid.mass * moved[i][j]);
+        inverse(&pivot, Self::inertia(solid) * T::Real::EPSILON.powf(T::Real::of(-0.5))).is_none()
+    }
     fn matrix(
         &self,
         solid: &Solid<T>,
@@ -213,13 +227,23 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
         let shape = Shape { psi: Self::arms(solid).map(|arm| self.psi(arm)), barred: *self.barred(), gyration };
         shape.matrix(rigid, step.chi1, given, external)
     }
-    fn retract<M: Copy>(base: &mut Base<T>, angles: &mut [Coordinate<T, M>; 3]) {
-        if base.slots == Slots::RotationVectors {
-            let psi = angles.each_ref().map(|angle| angle.value);
-            base.attitude = orthonormal(&attitude_of(base, &psi));
-            angles.iter_mut().for_each(|angle| angle.value = T::zero());
-        }
+    fn motion(&self, solid: &Solid<T>, place: Vector<T>, velocity: Vector<T>, turn: [[T; 2]; 3]) -> BodyMotion<T> {
+        let barred = self.barred();
+        let spin = match self {
+            Self::Angles(at) => apply(&at.spin(), turn.map(|[_, rate]| rate)),
+            Self::Vector(at) => apply(barred, at.spin),
+        };
+        let still = Frame::resting(Vector3::from(place));
+        let turn = Turn { attitude: axes(barred), spin: Vector3::from(spin) };
+        let inboard = Frame { velocity: Vector3::from(velocity), turn, ..still };
+        let [to_centre, arm] = Self::arms(solid).map(|arm| Vector3::from(apply(barred, arm)));
+        BodyMotion { inboard, arm, to_centre, inertia: solid.inertia }
     }
+}
+
+impl<T: Scalar> Joints<T, 3, 3> for Slot<T> {
+    type Ahead = Matrix<T>;
+    type Frame = Frame<T>;
 
     fn law(spring: &Spring<T, 3>, elastic: &Vector<T>, sides: [&Side<T, Self, 3>; 2], absolute: bool) -> Law<T, 3> {
         match [&sides[0].expansion, &sides[1].expansion] {
@@ -299,24 +323,6 @@ impl<T: Scalar> Orient<T, 13, 3, 3> for Slot<T> {
     }
     fn angles(frame: &Frame<T>, near: &Vector<T>) -> Vector<T> {
         angles_near(&rows(&frame.turn.attitude), near)
-    }
-    fn shown(base: &Base<T>, angles: &Vector<T>, near: &Vector<T>) -> Vector<T> {
-        match base.slots {
-            Slots::Angles => *angles,
-            Slots::RotationVectors => angles_near(&attitude_of(base, angles), near),
-        }
-    }
-    fn motion(&self, solid: &Solid<T>, place: Vector<T>, velocity: Vector<T>, turn: [[T; 2]; 3]) -> BodyMotion<T> {
-        let barred = self.barred();
-        let spin = match self {
-            Self::Angles(at) => apply(&at.spin(), turn.map(|[_, rate]| rate)),
-            Self::Vector(at) => apply(barred, at.spin),
-        };
-        let still = Frame::resting(Vector3::from(place));
-        let turn = Turn { attitude: axes(barred), spin: Vector3::from(spin) };
-        let inboard = Frame { velocity: Vector3::from(velocity), turn, ..still };
-        let [to_centre, arm] = Self::arms(solid).map(|arm| Vector3::from(apply(barred, arm)));
-        BodyMotion { inboard, arm, to_centre, inertia: solid.inertia }
     }
 }
 

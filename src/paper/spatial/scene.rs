@@ -10,7 +10,7 @@ use crate::ends::{Pairs, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::mechanics::spatial::{BodyMotion, Drive, Frame, JointMotion, Spatial, Turn};
 use crate::paper::link::{End, dot};
-use crate::paper::orient::{Axes, Orient, Spring};
+use crate::paper::orient::{Axes, Expanded, Joints, Spring};
 use crate::paper::parts::{Item, Start};
 use crate::paper::plane_scene::list;
 use crate::paper::scene::{Chain, Met, Scene, Slots, refuse_others, trace};
@@ -119,8 +119,8 @@ where
                         let what = "a weld at an angle, by angles 1-2-3: let rotation vectors stand in their slot";
                         return unsupported(what).map_err(|error| error.at_station(station));
                     }
-                    let near = <Slot<T> as Orient<T, 13, 3, 3>>::angles(&joint.inboard, &[T::zero(); 3]);
-                    let far = <Slot<T> as Orient<T, 13, 3, 3>>::angles(&joint.outboard, &near);
+                    let near = <Slot<T> as Joints<T, 3, 3>>::angles(&joint.inboard, &[T::zero(); 3]);
+                    let far = <Slot<T> as Joints<T, 3, 3>>::angles(&joint.outboard, &near);
                     let elastic = core::array::from_fn(|i| spring.stiffness[i] * (far[i] - near[i]));
                     Item::Joint { turns, ahead, spring, elastic, linear: None }
                 }
@@ -243,11 +243,11 @@ fn start<T: Scalar>(body: &BodyMotion<T>, slots: Slots) -> Result<Start<T, Solid
         about_inboard: rows(&about.columns()),
     };
     let [spin, angular] = [body.inboard.turn.spin, body.inboard.acceleration.angular].map(of);
-    let shown = <Slot<T> as Orient<T, 13, 3, 3>>::angles(&body.inboard, &[T::zero(); 3]);
+    let shown = <Slot<T> as Joints<T, 3, 3>>::angles(&body.inboard, &[T::zero(); 3]);
     let angles = match slots {
         Slots::Angles => {
             let still = Attitude::about(shown, [T::zero(); 3]);
-            Orient::<T, 13, 3, 3>::check(&Slot::Angles(still))?;
+            Expanded::<T, 3, 3>::check(&Slot::Angles(still))?;
             let rates = still.rates_of(spin);
             let accelerations = angle_accelerations(&still, rates, angular);
             core::array::from_fn(|k| [shown[k], rates[k], accelerations[k]])

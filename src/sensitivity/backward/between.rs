@@ -18,7 +18,7 @@ use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
 use crate::ends::{Root, Tip};
 use crate::loading::EffortOf;
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Rate, Retraction};
 use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;

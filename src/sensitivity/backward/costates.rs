@@ -20,7 +20,7 @@ use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, Level, RealOf};
 use crate::ends::Root;
 use crate::loading::EffortOf;
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Rate, Retraction};
 use crate::relation::{Additive, Solvable, Wrench};
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;

@@ -33,7 +33,7 @@ use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
 use crate::ends::Root;
 use crate::loading::EffortOf;
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Position, Rate, Retraction};
 use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;

@@ -22,7 +22,7 @@ use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, Reversible
 use crate::element::{Coordinates, Element, Level, Posture, RealOf};
 use crate::ends::Root;
 use crate::loading::EffortOf;
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Position, Rate, Retraction};
 use crate::relation::{Acceleration, Additive, Closures, Solvable};
 use crate::scalar::{Real, Scalar};
 use crate::sensitivity::Gradient;

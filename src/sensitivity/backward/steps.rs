@@ -10,7 +10,7 @@ use crate::adjoint::{BodyLaw, Burdened, Outboard, Reversed, Reversible, Reversib
 use crate::element::{Coordinates, Element, RealOf};
 use crate::ends::{Root, Tip};
 use crate::loading::EffortOf;
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Rate, Retraction};
 use crate::relation::{Acceleration, Additive, Closures, Cuts, Solvable, Wrench};
 use crate::scalar::Real;
 use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Shape, Takes};
@@ -94,7 +94,7 @@ where
     pub(super) const LOOPED: bool = System::<S, R, C, P>::LOOPED;
     /// How deep closures are nested.
     pub(super) const CLOSED: usize = System::<S, R, C, P>::CLOSED;
-    pub(super) const CURVED: bool = <PositionOf<S, R, C> as Position<S::Scalar>>::CURVED;
+    pub(super) const CURVED: bool = <PositionOf<S, R, C> as Retraction<S::Scalar>>::CURVED;
 
     pub(super) fn new(scene: &'s System<S, R, C, P>, rule: M, law: L) -> Self {
         let elements = scene.elements();

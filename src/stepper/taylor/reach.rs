@@ -1,7 +1,7 @@
 //! How far a Taylor series reaches: the order and the size of a step that keep a tolerance, and how far attitudes turn in it.
 
 use super::TaylorStepper;
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Rate, Retraction};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::TimeIn;
 use crate::stepper::roots::{exp2, log2};

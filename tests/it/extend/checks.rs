@@ -88,11 +88,8 @@ impl<T: Scalar> shape::Joint<Planar<T>> for Mismatched<T> {
     type Per<X: Copy> = ();
     const LINEAR: bool = true;
 
-    fn position() -> T {
-        T::zero()
-    }
-    fn rate() -> T {
-        T::zero()
+    fn still() -> (T, T) {
+        (T::zero(), T::zero())
     }
     fn kept<C: Closures>() -> RelativeGain<T, C> {
         RelativeGain::blank()

@@ -80,7 +80,7 @@ fn pull_back<T: Scalar, B: Body<T>>(
         momentum = add_scaled(momentum, w, beside);
         force = add_scaled(add_scaled(force, angular, beside), minus_spin2, moment);
     } else {
-        // d · d̄: see `Reversed::complete`.
+        // d · d̄: see `Costates::complete`.
         let length = plus_dot(angular.mul_add(turned_across, w * dot(n, force)), centripetal, momentum);
         sums.outboard[0] -= length;
     }

@@ -258,7 +258,7 @@ where
         outer: Wrench<T>,
         (x, y, p, q, (), kept, pivot): Of<'_, Planar<T>, Burden<T, C>, Self>,
     ) -> Wrench<T> {
-        let mut more = Self::rate();
+        let mut more = Self::still().1;
         let inner = self.take(&mut walk.0, outer, (x, y, p, q, &*kept, pivot, &mut more, &mut ()));
         kept.x.free += more.0;
         kept.y.free += more.1;
@@ -286,7 +286,7 @@ where
             Self,
         >,
     ) -> Felt<T> {
-        let moved = moved(kept.turning, rate, &Self::rate(), own);
+        let moved = moved(kept.turning, rate, &Self::still().1, own);
         let ([of_slide, of_sliding], [turn, spin]) = A::felt(A::offset(x, y, p, q), &moved, &outer);
         let [turned, spun] = outer.turn;
         *of_position = (of_position.0 + of_slide.x, of_position.1 + of_slide.y, of_position.2 + turned);

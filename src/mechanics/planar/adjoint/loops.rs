@@ -1,7 +1,7 @@
 //! The costate sweep in the plane: joints that close loops.
 
 use super::{Felt, Kind, NUMBERS_OF_JOINT, Outboard, Stirred};
-use crate::adjoint::{Reversed, ReversibleClosing, total};
+use crate::adjoint::{LoadCostates, ReversibleClosing, total};
 use crate::element::Level;
 use crate::mechanics::planar::{Pin, Planar, Turn, Weld, Wrench};
 use crate::relation::planar::Full;

@@ -16,7 +16,7 @@ use loads::Felt;
 pub(crate) use loads::{BODY, numbers};
 
 use super::body::Base;
-use crate::adjoint::{self, Kind, Reversed};
+use crate::adjoint::{self, Costates, Kind, LoadCostates, Reversed, VirtualMotion};
 use crate::element::Element;
 use crate::mechanics::planar::{Acceleration, BodyMotion, Frame, Planar, Turn, Wrench};
 use crate::relation::planar::{Full, Point};
@@ -161,16 +161,6 @@ impl<T: Scalar> Additive for Pulled<T> {
 
 impl<T: Scalar> Reversed for Planar<T> {
     type Pivot = T;
-    type Stirred = Stirred<T>;
-    type OnBody = OnBody<T>;
-    type InJoint = AtJoint<T>;
-    type AtEnds = ();
-    type Pulled = Pulled<T>;
-    type OfBody = Base<T>;
-    type OfJoint = [T; NUMBERS_OF_JOINT];
-    type Felt = Felt<T>;
-    type OfNumbers = [T; BODY];
-    type OfTip = [T; TIP];
     /// None of its own: costates read what sweeps do.
     type Poses = Factor;
 
@@ -188,21 +178,8 @@ impl<T: Scalar> Reversed for Planar<T> {
     ) {
         elements.pose(position, rate, turn, sizes, x, y, p, q);
     }
-
     fn no_pivot() -> T {
         T::zero()
-    }
-    #[cfg_attr(optimised, inline(always))]
-    fn at_ground(frame: &Frame<T>) -> Stirred<T> {
-        let zero = T::zero();
-        let turning = Turning { rate: frame.turn.rate, acceleration: frame.acceleration.angular, stirring: zero };
-        Stirred { velocity: Acceleration { linear: Vector2::null(), angular: zero }, turning }
-    }
-    fn at_ends(_: &Stirred<T>, _: &Stirred<T>) {}
-    fn untouched() -> (OnBody<T>, AtJoint<T>, ()) {
-        let (zero, velocity) = (T::zero(), Vector2::null());
-        let turning = Turning { rate: zero, acceleration: zero, stirring: zero };
-        (OnBody { velocity, acceleration: zero, stirring: zero }, AtJoint { turning, velocity }, ())
     }
     fn of_nothing() -> (Base<T>, [T; BODY], [T; NUMBERS_OF_JOINT]) {
         let zero = T::zero();
@@ -212,16 +189,26 @@ impl<T: Scalar> Reversed for Planar<T> {
             [zero; NUMBERS_OF_JOINT],
         )
     }
-    fn no_tip() -> [T; TIP] {
-        [T::zero(); TIP]
+}
+
+impl<T: Scalar> VirtualMotion for Planar<T> {
+    type Stirred = Stirred<T>;
+    type OnBody = OnBody<T>;
+    type InJoint = AtJoint<T>;
+    type AtEnds = ();
+
+    #[cfg_attr(optimised, inline(always))]
+    fn at_ground(frame: &Frame<T>) -> Stirred<T> {
+        let zero = T::zero();
+        let turning = Turning { rate: frame.turn.rate, acceleration: frame.acceleration.angular, stirring: zero };
+        Stirred { velocity: Acceleration { linear: Vector2::null(), angular: zero }, turning }
     }
-    #[inline(always)]
-    fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector2<T>, T) {
-        (pulled.momentum, pulled.turned(Self::at_ground(frame).turning)[0])
+    fn untouched() -> (OnBody<T>, AtJoint<T>, ()) {
+        let (zero, velocity) = (T::zero(), Vector2::null());
+        let turning = Turning { rate: zero, acceleration: zero, stirring: zero };
+        (OnBody { velocity, acceleration: zero, stirring: zero }, AtJoint { turning, velocity }, ())
     }
-    fn inboard(motion: &BodyMotion<T>) -> Frame<T> {
-        motion.inboard
-    }
+    fn at_ends(_: &Stirred<T>, _: &Stirred<T>) {}
     fn stirred(stirred: &Stirred<T>) -> Acceleration<T> {
         stirred.velocity
     }
@@ -231,9 +218,39 @@ impl<T: Scalar> Reversed for Planar<T> {
     fn of_joint(kept: &AtJoint<T>) -> Vector2<T> {
         kept.velocity
     }
+}
+
+impl<T: Scalar> Costates for Planar<T> {
+    type Pulled = Pulled<T>;
+    type OfBody = Base<T>;
+    type OfJoint = [T; NUMBERS_OF_JOINT];
+
     /// Torques do not turn with the body, and so are not seen.
     fn pulled((weight, _): (Wrench<T>, &Acceleration<T>), (force, _): (Wrench<T>, &Acceleration<T>)) -> Pulled<T> {
         Pulled { momentum: weight.force, force: -force.force, ..Pulled::null() }
+    }
+    #[inline(always)]
+    fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector2<T>, T) {
+        (pulled.momentum, pulled.turned(Self::at_ground(frame).turning)[0])
+    }
+    /// Links in the direction of their axes sum up d · d̄: their length l is constant, and d̄ along d is that over l.
+    fn complete(size: &T, sums: &mut Base<T>) {
+        if size.real() != num_traits::Zero::zero() {
+            sums.outboard[0] *= size.recip();
+        }
+    }
+}
+
+impl<T: Scalar> LoadCostates for Planar<T> {
+    type Felt = Felt<T>;
+    type OfNumbers = [T; BODY];
+    type OfTip = [T; TIP];
+
+    fn no_tip() -> [T; TIP] {
+        [T::zero(); TIP]
+    }
+    fn inboard(motion: &BodyMotion<T>) -> Frame<T> {
+        motion.inboard
     }
     fn felt(of_place: Wrench<T>, of_velocity: Wrench<T>, _: &Turn<T>) -> Felt<T> {
         let turn = [of_place.torque, of_velocity.torque];
@@ -241,11 +258,5 @@ impl<T: Scalar> Reversed for Planar<T> {
     }
     fn of_place(felt: &Felt<T>, _: &Frame<T>) -> (Vector2<T>, T) {
         (felt.place, felt.turn[0])
-    }
-    /// Links in the direction of their axes sum up d · d̄: their length l is constant, and d̄ along d is that over l.
-    fn complete(size: &T, sums: &mut Base<T>) {
-        if size.real() != num_traits::Zero::zero() {
-            sums.outboard[0] *= size.recip();
-        }
     }
 }

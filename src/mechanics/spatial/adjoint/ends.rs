@@ -3,7 +3,7 @@
 //! Numbers of a tip are its place and the directions that hold it: an attitude is its columns, and has the costates of these.
 
 use super::Kind;
-use crate::adjoint::{Reversed, ReversibleTip};
+use crate::adjoint::{LoadCostates, ReversibleTip};
 use crate::element::Level;
 use crate::mechanics::spatial::{Acceleration, Clamped, Frame, Free, Hinged, Pinned, Rotation, Spatial, Wrench};
 use crate::relation::spatial::algebra::{Columns, add_scaled, cross, cross_onto, zero};

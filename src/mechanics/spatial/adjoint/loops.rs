@@ -17,7 +17,7 @@
 
 use super::ends::{aligned, pulls, twist};
 use super::{Felt, Kind, OfJoint, Outboard, Pivot, Pulled, Stirred, Turning};
-use crate::adjoint::{Reversed, ReversibleClosing, total};
+use crate::adjoint::{Costates, LoadCostates, ReversibleClosing, total};
 use crate::element::Level;
 use crate::mechanics::spatial::{Acceleration, Ball, Effort, Revolute, Spatial, Turn, Weld, Wrench};
 use crate::relation::spatial::Full;

@@ -22,7 +22,7 @@ pub(crate) use felt::Felt;
 pub(crate) use read::{BODY, numbers};
 
 use crate::adjoint::laws::NUMBERS;
-use crate::adjoint::{self, Kind, Reversed};
+use crate::adjoint::{self, Costates, Kind, LoadCostates, Reversed, VirtualMotion};
 use crate::element::Element;
 use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Spatial, Turn, Wrench};
 use crate::relation::spatial::algebra::{Columns, Factor3, cross, cross_onto, zero};
@@ -168,16 +168,6 @@ pub struct OfJoint<T> {
 
 impl<T: Scalar> Reversed for Spatial<T> {
     type Pivot = Pivot<T>;
-    type Stirred = Stirred<T>;
-    type OnBody = OnBody<T>;
-    type InJoint = InJoint<T>;
-    type AtEnds = [Turning<T>; 2];
-    type Pulled = Pulled<T>;
-    type OfBody = Base<T>;
-    type OfJoint = OfJoint<T>;
-    type Felt = Felt<T>;
-    type OfNumbers = [T; BODY];
-    type OfTip = [T; TIP];
     type Poses = Orient;
 
     #[cfg_attr(optimised, inline(always))]
@@ -194,10 +184,20 @@ impl<T: Scalar> Reversed for Spatial<T> {
     ) {
         elements.take(&mut Orient, turn, (position, rate, x, y, p, q));
     }
-
     fn no_pivot() -> Pivot<T> {
         Pivot { factor: Factor3::of_number(T::one()), torque: zero() }
     }
+    fn of_nothing() -> (Base<T>, [T; BODY], OfJoint<T>) {
+        (Base::null(), [T::zero(); BODY], OfJoint { turn: zero(), more: [T::zero(); 2], law: [T::zero(); NUMBERS] })
+    }
+}
+
+impl<T: Scalar> VirtualMotion for Spatial<T> {
+    type Stirred = Stirred<T>;
+    type OnBody = OnBody<T>;
+    type InJoint = InJoint<T>;
+    type AtEnds = [Turning<T>; 2];
+
     #[cfg_attr(optimised, inline(always))]
     fn at_ground(frame: &Frame<T>) -> Stirred<T> {
         let Acceleration { angular, .. } = frame.acceleration;
@@ -211,9 +211,6 @@ impl<T: Scalar> Reversed for Spatial<T> {
     fn at_ends(side: &Stirred<T>, main: &Stirred<T>) -> [Turning<T>; 2] {
         [side.turning, main.turning]
     }
-    fn inboard(motion: &BodyMotion<T>) -> Frame<T> {
-        motion.inboard
-    }
     fn stirred(stirred: &Stirred<T>) -> Acceleration<T> {
         Acceleration { linear: stirred.velocity, angular: stirred.turning.stirring }
     }
@@ -223,23 +220,18 @@ impl<T: Scalar> Reversed for Spatial<T> {
     fn of_joint(kept: &InJoint<T>) -> Vector3<T> {
         kept.velocity
     }
+}
+
+impl<T: Scalar> Costates for Spatial<T> {
+    type Pulled = Pulled<T>;
+    type OfBody = Base<T>;
+    type OfJoint = OfJoint<T>;
+
     /// ν · A − λ · W does not turn with the body: Θ takes away what α × H + w × M would be of it.
     fn pulled((weight, a): (Wrench<T>, &Acceleration<T>), (force, w): (Wrench<T>, &Acceleration<T>)) -> Pulled<T> {
         let turn = cross_onto(weight.torque, a.angular, cross(w.angular, force.torque));
         let (torque, angular) = (-force.torque, weight.torque);
         Pulled { momentum: weight.force, force: -force.force, turn, torque, angular, spin: zero() }
-    }
-    fn felt(of_place: Wrench<T>, of_velocity: Wrench<T>, turn: &Turn<T>) -> Felt<T> {
-        Felt::at(of_place, of_velocity, turn.spin)
-    }
-    fn of_place(felt: &Felt<T>, frame: &Frame<T>) -> (Vector3<T>, Vector3<T>) {
-        (felt.place, frame.turn.attitude.transposed(felt.turned(frame.turn.spin)))
-    }
-    fn of_nothing() -> (Base<T>, [T; BODY], OfJoint<T>) {
-        (Base::null(), [T::zero(); BODY], OfJoint { turn: zero(), more: [T::zero(); 2], law: [T::zero(); NUMBERS] })
-    }
-    fn no_tip() -> [T; TIP] {
-        [T::zero(); TIP]
     }
     #[inline(always)]
     fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector3<T>, Vector3<T>) {
@@ -248,4 +240,23 @@ impl<T: Scalar> Reversed for Spatial<T> {
     }
     /// Sums are complete.
     fn complete(_: &(), _: &mut Base<T>) {}
+}
+
+impl<T: Scalar> LoadCostates for Spatial<T> {
+    type Felt = Felt<T>;
+    type OfNumbers = [T; BODY];
+    type OfTip = [T; TIP];
+
+    fn no_tip() -> [T; TIP] {
+        [T::zero(); TIP]
+    }
+    fn inboard(motion: &BodyMotion<T>) -> Frame<T> {
+        motion.inboard
+    }
+    fn felt(of_place: Wrench<T>, of_velocity: Wrench<T>, turn: &Turn<T>) -> Felt<T> {
+        Felt::at(of_place, of_velocity, turn.spin)
+    }
+    fn of_place(felt: &Felt<T>, frame: &Frame<T>) -> (Vector3<T>, Vector3<T>) {
+        (felt.place, frame.turn.attitude.transposed(felt.turned(frame.turn.spin)))
+    }
 }

@@ -73,11 +73,8 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         (x.x.x, x.x.y) = (sine, cosine);
     }
 
-    fn position() -> T {
-        T::zero()
-    }
-    fn rate() -> T {
-        T::zero()
+    fn still() -> (T, T) {
+        (T::zero(), T::zero())
     }
     fn kept<X: Closures>() -> ClosedGains<T, X> {
         ClosedGains::unmoved(Gains::along(M::TURNS))

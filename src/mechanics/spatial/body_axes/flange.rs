@@ -71,7 +71,7 @@ impl<T: Scalar> Flange<T> {
     }
 }
 
-crate::shape::leaf!(joint [T: Scalar] Flange<T>: Spatial<T>);
+crate::shape::leaf!(flange [T: Scalar] Flange<T>: Spatial<T>);
 
 impl<T: Scalar> Joint<Spatial<T>> for Flange<T> {
     type Position = ();
@@ -80,14 +80,14 @@ impl<T: Scalar> Joint<Spatial<T>> for Flange<T> {
     type Per<X: Copy> = X;
 
     const LINEAR: bool = true;
-    const FLANGED: bool = true;
 
     #[inline(always)]
     fn set_attitude(&self, x: &mut Columns<T>, turn: &Turn<T>) {
         *x = turn.attitude;
     }
-    fn position() {}
-    fn rate() {}
+    fn still() -> ((), ()) {
+        ((), ())
+    }
     fn kept<C: Closures>() {}
     fn per<X: Copy>(fill: X) -> X {
         fill

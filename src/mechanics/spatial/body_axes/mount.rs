@@ -52,8 +52,9 @@ macro_rules! mount {
 
             const LINEAR: bool = true;
 
-            fn position() {}
-            fn rate() {}
+            fn still() -> ((), ()) {
+                ((), ())
+            }
             fn kept<C: Closures>() {}
             fn per<X: Copy>(fill: X) -> X {
                 fill

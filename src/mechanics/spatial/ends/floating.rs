@@ -59,11 +59,8 @@ impl<T: Scalar> Joint<T> for Floating<T> {
     type Kept<C: Closures> = Afloat<T, C>;
     type Sets = One;
 
-    fn position() -> Self::Position {
-        ([T::zero(); 3], Rotation::identity())
-    }
-    fn rate() -> Self::Rate {
-        ([T::zero(); 3], [T::zero(); 3])
+    fn still() -> (Self::Position, Self::Rate) {
+        (([T::zero(); 3], Rotation::identity()), ([T::zero(); 3], [T::zero(); 3]))
     }
     fn kept<C: Closures>() -> Afloat<T, C> {
         let none = Acceleration::zero();
