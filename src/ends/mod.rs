@@ -88,6 +88,12 @@ pub trait Tip<S: Space> {
     fn internal(&self, time: RealOf<S>, multipliers: &<Self::Closures as Closures>::Each<S::Scalar>) -> WrenchOf<S>;
     /// Residual of the closure: by how much a tip that moves with `frame` misses the place demanded at a time, and the velocity.
     fn residual(&self, time: RealOf<S>, frame: &FrameOf<S>) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
+    /// The residual of the place as it is nearby: linear in the place and the axes of `frame`, which need not be a rotation's, for it is asked
+    /// for derivatives of axes, too. Only what is not linear afar says more than [`residual`](Self::residual).
+    fn linear_residual(&self, time: RealOf<S>, frame: &FrameOf<S>) -> <Self::Closures as Closures>::Each<S::Scalar> {
+        let [place, _] = self.residual(time, frame);
+        place
+    }
     /// How much the last body would yield to each of the forces if it were free: the measure of Λ, which tells closures that
     /// say the same twice.
     fn free_compliance(&self, time: RealOf<S>, body: &S::BodyMotion) -> <Self::Closures as Closures>::Each<S::Scalar>;
