@@ -15,7 +15,7 @@ use catena::Error;
 use catena::loading::Unloaded;
 use catena::paper::*;
 use catena::planar::{Dop853, Free, Pin, Pinned, Rod, System};
-use std::f64::consts::FRAC_PI_3;
+use std::{cell::RefCell, collections::BTreeSet, f64::consts::FRAC_PI_3};
 
 type Pendulum = System<f64, Pinned<[f64; 2]>, (Rod<f64>, Pin, Rod<f64>), Free>;
 
@@ -79,38 +79,36 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (dt, end) = (0.01, 60.0);
     let (exact, sweeps) = exact(pendulum, dt, end)?;
     println!(
-        "Example 1: rigid double pendulum, steps of {dt} s. Errors after 2 s; whether the run stays within 1 rad for {end} s,"
+        "Example 1: rigid double pendulum, steps of {dt} s. Errors after 2 s; whether it stays within 1 rad for {end} s,"
     );
     println!("25 to 30 periods. The rods are stand-ins; the force at the root is 24 N.\n");
-    common::heads(&[("scheme", 44), ("angles (rad)", 12), ("force (N)", 9), ("60 s", 16)]);
+    common::heads(&[("scheme", 44), ("angles (rad)", 12), ("force (N)", 9), ("60 s", 18)]);
+    let reasons = RefCell::new(BTreeSet::<String>::new());
     let report = |name: &str, record: &Record| {
-        let at = |time: f64| (time / dt).round() as usize - 1;
-        let (angles, force) = match (record.instants.get(at(2.0)), exact.get(at(2.0))) {
-            (Some(found), Some(exact)) => {
-                let then =
-                    crate::exact(pendulum, found.balance, found.balance).ok().and_then(|(mut list, _)| list.pop());
-                let force = then.map_or(f64::NAN, |then| miss(found.force, then.force));
-                (miss(found.angles, exact.angles), force)
-            }
-            _ => (f64::NAN, f64::NAN),
-        };
-        let lost = record.instants.iter().zip(&exact).find(|(found, exact)| miss(found.angles, exact.angles) > 1.0);
+        let at = (2.0_f64 / dt).round() as usize - 1;
+        let here = record.instants.get(at).zip(exact.get(at));
+        let force = here.and_then(|(found, _)| {
+            let (mut then, _) = crate::exact(pendulum, found.balance, found.balance).ok()?;
+            Some(miss(found.force, then.pop()?.force))
+        });
+        let turned = |(found, exact): (&Instant, &Instant)| miss(found.angles, exact.angles);
+        let shown = |error: Option<f64>| error.map_or("–".to_owned(), |error| format!("{error:.1e}"));
+        let lost = record.instants.iter().zip(&exact).find(|pair| turned(*pair) > 1.0);
         let fate = match (lost, &record.broken) {
             (Some((found, _)), _) => format!("lost at {:.2} s", found.time),
-            (None, Some(error)) => format!("stopped: {error}"),
-            (None, None) => match (record.instants.last(), exact.last()) {
-                (Some(found), Some(exact)) => format!("{:.1e} rad", miss(found.angles, exact.angles)),
-                _ => String::new(),
-            },
+            (None, Some(error)) => {
+                reasons.borrow_mut().insert(Error { time: None, ..*error }.to_string());
+                format!("stopped at {:.2} s", error.time.unwrap_or(f64::NAN))
+            }
+            (None, None) => format!("{} rad", shown(record.instants.last().zip(exact.last()).map(turned))),
         };
-        println!("  {name:>44}  {angles:12.1e}  {force:9.1e}  {fate:>16}");
+        println!("  {name:>44}  {:>12}  {:>9}  {fate:>18}", shown(here.map(turned)), shown(force));
     };
 
     let printed = record!(pendulum, Scheme::new(Newmark::new(0.25, 0.5)), dt, end);
     report("as printed: Newmark β = ¼, γ = ½", &printed);
     let damped = record!(pendulum, Scheme::new(Newmark::damped(0.6)), dt, end);
     report("as printed, γ = 0.6", &damped);
-    // Each rule by a macro: they are types.
     macro_rules! rules {
         ($row:ident) => {
             $row!("Newmark, γ = ½", Newmark::new(0.25, 0.5));
@@ -143,6 +141,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     row!("Newmark, γ = 0.6", Newmark::damped(0.6));
     rules!(row);
+    reasons.borrow().iter().for_each(|reason| println!("\n  Stopped: {reason}."));
     println!("\n  Forces of Wilson's and the midpoint rule are those of the instant at which they balance.");
     println!("  This crate's default, DOP853 at 1e-12, takes {sweeps} sweeps for {end} s; those above, 6000 and more.");
     println!("\nPicture: {}", pictures::draw(&exact, &printed, &damped, &joints)?.display());

@@ -115,6 +115,11 @@ impl Film<'_> {
     /// Writes the picture into target/ and returns where it is.
     pub fn save(&self, name: &str, frames: &[Frame]) -> Drawn<PathBuf> {
         let svg = self.svg(frames)?;
+        let (across, up) = &self.view;
+        let seen = |(x, y): &(f64, f64)| across.contains(x) && up.contains(y);
+        if let Some((x, y)) = frames.iter().flatten().flatten().find(|place| !seen(place)) {
+            return Err(format!("{name}: ({x:.3}, {y:.3}) m is outside what is seen").into());
+        }
         if svg.len() > LARGEST {
             return Err(format!("{name}: {} bytes are more than a moving picture may have", svg.len()).into());
         }
@@ -216,13 +221,13 @@ impl Film<'_> {
         for (k, panel) in self.panels.iter().enumerate() {
             panel.write(&mut svg, k, (low + Panel::HEIGHT * k as f64, width), (self.course, &again))?;
         }
+        let (low, end) = (height - 14.0, width - 20.0);
         let mut left = 20.0;
         for (name, colour) in self.legend {
-            let y = height - 19.0;
+            let y = low - 7.0;
             writeln!(svg, r#"<text x="{left:.0}" y="{y}" font-size="12.5" fill="{}">{name}</text>"#, hex(*colour))?;
             left += LETTER * name.chars().count() as f64 + 22.0;
         }
-        let (low, end) = (height - 14.0, width - 20.0);
         let (how, shown, places) = match self.course {
             Course::Forward => ("", shown, format!(r#"values="20;{end}""#)),
             Course::ThereAndBack => {
@@ -241,7 +246,7 @@ impl Film<'_> {
         writeln!(
             svg,
             r#"<text x="{end}" y="{}" font-size="11" text-anchor="end" fill="{}">{} s{how}, {pace}</text>"#,
-            low - 5.0,
+            low - 7.0, // the dot below touches no word
             hex(GREY),
             short(span)
         )?;

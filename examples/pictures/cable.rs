@@ -18,8 +18,8 @@ pub fn film(readings: &[Reading]) -> Drawn<PathBuf> {
     let film = Film {
         title: "A cable let go",
         subtitle: "It hangs between two hooks, and one of them lets go.",
-        view: (-1.5..1.5, -2.1..0.3),
-        scale: 160.0,
+        view: (-1.6..1.6, -2.1..0.3),
+        scale: 150.0,
         seconds: [END, 4.0 * END],
         strokes: &[Stroke::line(BLUE, 4.0)],
         trace: Some((0, readings[0].places.len() - 1, ORANGE)),

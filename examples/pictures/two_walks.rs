@@ -79,8 +79,8 @@ pub fn film(sweeps: &[Sweep]) -> Drawn<PathBuf> {
     let film = Film {
         title: "Two walks",
         subtitle: "A sweep goes in from the tip, and out again from the root.",
-        view: (-1.6..1.95, -2.0..1.75),
-        scale: 140.0,
+        view: (-1.7..2.05, -2.0..1.75),
+        scale: 134.0,
         seconds: [1.3, 18.0],
         strokes: &[
             Stroke::face(blend(WHITE, GREEN, 0.3)),
