@@ -110,7 +110,7 @@
 //! * An inertia is of one coordinate, ½ I q̇². A differential, whose rotor turns by q₁ ± q₂, is not.
 //! * Derivatives backward, as of all joints of your own, are not there; a shipped joint with a [`SpringLaw`](crate::planar::SpringLaw) of your
 //!   own for each coordinate (`Universal::with`, `Cylindrical::with`) has them. A ball takes a [`RotaryLaw`](crate::spatial::RotaryLaw),
-//!   which does depend on all three: `ElasticBall::with`.
+//!   which does depend on all three: `ElasticHinge::with`.
 //!
 //! [`check_element`](crate::extend::check_element) compares what an element says in one way with what it says in another: make it the
 //! first test of yours.
