@@ -1,4 +1,4 @@
-//! A joint of one's own with two coordinates: a pendulum in space on a gimbal, whose motors have rotors that its rod does not feel alike.
+//! A joint of one's own with two coordinates: a pendulum in space on a gimbal, whose motors have rotors behind different gears.
 //!
 //! ```text
 //! cargo run --release --example own_gimbal
@@ -72,8 +72,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!(*drift < 1e-11);
     }
 
-    // By hand, where it hangs: ω² = m g ℓ/2 / (m ℓ²/3 + n² J), about each axis.
-    let mut by_hand = GEARS.map(|gear| (9.81 / 2.0 / (1.0 / 3.0 + gear * gear * ROTOR)).sqrt());
+    // By hand, where it hangs: ω² = m g ℓ/2 / (m ℓ²/3 + m r²/4 + n² J), about each axis.
+    let mut by_hand = GEARS.map(|gear| (9.81 / 2.0 / (1.0 / 3.0 + 0.02 * 0.02 / 4.0 + gear * gear * ROTOR)).sqrt());
     by_hand.sort_by(f64::total_cmp);
     println!("  {:9}  {:10.6}  {:10.6}", "by hand", by_hand[0], by_hand[1]);
     for (found, expected) in geared.frequencies.iter().zip(by_hand) {
@@ -86,7 +86,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The path of the tip, from below.
 fn draw(geared: &Path, bare: &Path) -> Drawn<PathBuf> {
     common::picture("own_gimbal", (620, 560), |area| {
-        let subtitle = "Rotors make one axis slower than the other; without, a plane stays a plane.";
+        let subtitle = "Rotors make one axis slower than the other; without them it swings nearly in a plane.";
         let area = common::heading(area, "A pendulum on a gimbal", subtitle)?;
         let points = || geared.iter().chain(bare);
         let across = common::range(points().map(|point| point.0), 0.08);
