@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | a law along a coordinate: a stiffening spring, a magnet | [`SpringLaw`](crate::planar::SpringLaw) in `ElasticHinge::with`, `Slider::with` | 15 |
 //! | a joint: a geared motor, a magnet | [`extend::JointModel`](crate::extend::JointModel) | 40 |
+//! | a joint of several coordinates: a gimbal of motors, a pin in a slot | joints of one in a row, [below](#joints-of-several-coordinates) | 25 |
 //! | a body with something inside | a struct of elements, [`compound!`](crate::compound) | 40 |
 //! | a root that moves as a function says | [`Moving`](crate::planar::Moving) | 5 |
 //! | a walk over all bodies and joints | [`extend::walks`](crate::extend::walks) | 20 |
@@ -43,6 +44,23 @@
 //! assert!((scene.budget(&run.motion)?.energy() - energy).abs() < 1e-8);
 //! # Ok::<(), catena::Error>(())
 //! ```
+//!
+//! # Joints of several coordinates
+//!
+//! A joint of several coordinates is joints of one in a row, between them bodies without mass or extent. Each may be one of your own,
+//! with a force, slopes, energy and reflected inertia along its coordinate: what a joint of this crate with the same axes would do, under
+//! every rule, in forces, energy, equilibria, modes and derivatives by jets. `examples/elements/gimbal.rs` is a universal joint of two
+//! geared motors, in 25 lines; `compound!` makes it one element.
+//!
+//! Such an element has the numbers of its parts: two joints, one body, a coordinate each. What it does not do:
+//!
+//! * A force along one coordinate does not depend on the other. What couples them acts between the bodies on both sides: a
+//!   [`Strut`](crate::spatial::Strut) across the joint, whose force depends on all coordinates. Statics and modes know that; implicit rules
+//!   take it as a load, so it should not be what is stiff. Potential energy in a budget is without loads'.
+//! * An inertia is of one coordinate, ½ I q̇². A differential, whose rotor turns by q₁ ± q₂, is not.
+//! * Derivatives backward, as of all joints of your own, are not there; a shipped joint with a [`SpringLaw`](crate::planar::SpringLaw) of your
+//!   own for each coordinate (`Universal::with`, `Cylindrical::with`) has them. A ball takes a [`RotaryLaw`](crate::spatial::RotaryLaw),
+//!   which does depend on all three: `ElasticHinge::with`.
 //!
 //! [`check_element`](crate::extend::check_element) compares what an element says in one way with what it says in another: make it the
 //! first test of yours.
