@@ -11,7 +11,7 @@ mod common;
 
 use catena::Error;
 use catena::planar::*;
-use catena::scalar::{Scalar, WideF64x4};
+use catena::scalar::{Elementary, Scalar, WideF64x4};
 use catena::simulate::ensemble;
 use common::{BLUE, Drawn, GREEN, GREY, ORANGE, line};
 use std::path::PathBuf;
@@ -38,7 +38,7 @@ fn run<T: Scalar<Real = f64>>(lengths: [T; 2]) -> Result<Tips<T>, Error> {
     for (k, tip) in tips.iter_mut().enumerate() {
         run.until(APART * (k + 1) as f64)?;
         let (inner, ((), outer, ())) = *run.motion().position();
-        for ((sin, cos), length) in [inner, outer].map(Scalar::sin_cos).into_iter().zip(lengths) {
+        for ((sin, cos), length) in [inner, outer].map(Elementary::sin_cos).into_iter().zip(lengths) {
             *tip = [tip[0] + length * cos, tip[1] + length * sin];
         }
     }

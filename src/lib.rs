@@ -146,7 +146,7 @@ pub use lift::Lift;
 pub use motion::Motion;
 #[doc(hidden)] // listed in `system`
 pub use names::{BodyNumbers, JointNumbers, Label, Which};
-pub use scalar::{Real, Scalar};
+pub use scalar::{Elementary, Real, Scalar};
 #[doc(hidden)] // listed in `observe`
 pub use state::{StateVector, TransferMatrix};
 

@@ -1,7 +1,7 @@
 //! How joints turn bodies: orientations and angular velocities in the plane and in space alike, as vectors.
 
 use crate::mirror::Rate;
-use crate::scalar::Scalar;
+use crate::scalar::{Elementary, Scalar};
 use crate::shape::Joint;
 use crate::space::{FrameOf, RealOf, Space};
 use num_traits::{One, Zero};

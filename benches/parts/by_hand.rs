@@ -147,7 +147,7 @@ fn directions<S: Scene>(
     let n = angle.len();
     same_length!(n: length, rate, x, y, p, q);
     for i in 0..n {
-        let (sine, cosine) = if S::SYSTEM_SINE { angle[i].sin_cos() } else { catena::Scalar::sin_cos(angle[i]) };
+        let (sine, cosine) = if S::SYSTEM_SINE { angle[i].sin_cos() } else { catena::Elementary::sin_cos(angle[i]) };
         let minus = -(rate[i] * rate[i]);
         x[i] = length[i] * cosine;
         y[i] = length[i] * sine;

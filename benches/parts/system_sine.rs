@@ -1,10 +1,38 @@
 //! Plain `f64` but for sine and cosine, which are those of the system: what a sweep costs with them.
 
-use catena::Scalar;
+use catena::{Elementary, Scalar};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SystemSine(pub f64);
+
+impl Elementary for SystemSine {
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = f64::sin_cos(self.0);
+        (Self(sine), Self(cosine))
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        Self(self.0.atan2(x.0))
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        Self(self.0.exp())
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        Self(self.0.ln())
+    }
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        Self(self.0.tanh())
+    }
+}
 
 impl Scalar for SystemSine {
     type Real = f64;
@@ -33,31 +61,6 @@ impl Scalar for SystemSine {
     #[inline(always)]
     fn recip(self) -> Self {
         Self(1.0 / self.0)
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Self(self.0.sqrt())
-    }
-    #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        let (sine, cosine) = f64::sin_cos(self.0);
-        (Self(sine), Self(cosine))
-    }
-    #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
-        Self(self.0.atan2(x.0))
-    }
-    #[inline(always)]
-    fn exp(self) -> Self {
-        Self(self.0.exp())
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        Self(self.0.ln())
-    }
-    #[inline(always)]
-    fn tanh(self) -> Self {
-        Self(self.0.tanh())
     }
     #[inline(always)]
     fn abs(self) -> Self {

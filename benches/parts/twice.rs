@@ -1,6 +1,6 @@
 //! Double-double numbers, some 32 digits, as scalars of scenes: what rounding is measured against.
 
-use catena::{Real, Scalar};
+use catena::{Elementary, Real, Scalar};
 use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -93,27 +93,7 @@ impl fmt::Display for Twice {
     }
 }
 
-impl Scalar for Twice {
-    type Real = Self;
-    const ANGLE_RANGE: Self = Self(10.0, 0.0);
-    fn constant(value: Self) -> Self {
-        value
-    }
-    fn real(self) -> Self {
-        self
-    }
-    fn is_finite(self) -> bool {
-        self.0.is_finite()
-    }
-    fn scale(self, factor: Self) -> Self {
-        self * factor
-    }
-    fn mul_add(self, factor: Self, addend: Self) -> Self {
-        self * factor + addend
-    }
-    fn recip(self) -> Self {
-        Self::one() / self
-    }
+impl Elementary for Twice {
     fn sqrt(self) -> Self {
         let root = Self(self.0.sqrt(), 0.0);
         root + (self - root * root) / (root + root)
@@ -149,6 +129,29 @@ impl Scalar for Twice {
     }
     fn tanh(self) -> Self {
         Self(self.0.tanh(), 0.0)
+    }
+}
+
+impl Scalar for Twice {
+    type Real = Self;
+    const ANGLE_RANGE: Self = Self(10.0, 0.0);
+    fn constant(value: Self) -> Self {
+        value
+    }
+    fn real(self) -> Self {
+        self
+    }
+    fn is_finite(self) -> bool {
+        self.0.is_finite()
+    }
+    fn scale(self, factor: Self) -> Self {
+        self * factor
+    }
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        self * factor + addend
+    }
+    fn recip(self) -> Self {
+        Self::one() / self
     }
     fn abs(self) -> Self {
         if self.0 < 0.0 { -self } else { self }

@@ -1,54 +1,42 @@
 //! Any bytes are a scene or a saved run that goes on soundly, or an error: as JSON, and in a format without names.
 #![no_main]
 
+#[path = "../scenes.rs"]
+mod scenes;
+
 use catena::planar::*;
-use catena::simulate::{AdamsMemory, Saved};
-use catena::system::MotionOf;
+use scenes::{ByAdams, ByVcabm, InSpace, Scene, in_plane};
+use serde::de::DeserializeOwned;
 
-type Chain = (Rod<f64>, Vec<(ElasticHinge<Spring<f64>>, RigidBody<f64>)>);
-type Root = Pinned<[f64; 2]>;
-type Scene = System<f64, Root, Chain, Free>;
-type Moves = MotionOf<Planar<f64>, Root, Chain, Free>;
-type Run = Saved<Moves, AdamsMemory<Moves>, f64>;
-
-/// Some steps of a scene at rest.
-fn falls(scene: &Scene) {
-    let Ok(mut run) = scene.simulation(Dop853::tolerance(1e-6)).begin(scene.motion(), 1.0, |_| ()) else { return };
-    for _ in 0..3 {
-        let time = run.motion().time();
-        match run.step() {
-            Ok(true) => assert!(run.motion().is_finite() && run.motion().time() > time),
-            _ => return,
+/// Some steps of a run, each of which leads on to finite numbers.
+macro_rules! steps {
+    ($begun:expr) => {{
+        let Ok(mut run) = $begun else { return };
+        for _ in 0..3 {
+            let time = run.motion().time();
+            match run.step() {
+                Ok(true) => assert!(run.motion().is_finite() && run.motion().time() > time),
+                _ => return,
+            }
         }
-    }
+    }};
 }
 
-/// Some steps of a run that was saved, or says so.
-fn goes_on(saved: Run) {
-    let body = RigidBody::new(1.0, 0.2, [0.5, 0.1], [1.0, 0.0]);
-    let chain = (Rod::uniform(1.0, 1.0), vec![(ElasticHinge::rotary(5.0), body); 2]);
-    let Ok(scene) = System::new(Pinned::origin(), chain, Free) else { return };
-    let Ok(mut run) = scene.simulation(Adams::step(0.01)).every(0.1).resume(saved, 2.0, |_| ()) else { return };
-    for _ in 0..3 {
-        let time = run.motion().time();
-        match run.step() {
-            Ok(true) => assert!(run.motion().is_finite() && run.motion().time() > time),
-            _ => return,
-        }
-    }
+/// What both formats read.
+fn read<X: DeserializeOwned>(bytes: &[u8], then: impl Fn(X)) {
+    serde_json::from_slice(bytes).into_iter().for_each(&then);
+    postcard::from_bytes(bytes).into_iter().for_each(&then);
 }
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
-    if let Ok(scene) = serde_json::from_slice::<Scene>(bytes) {
-        falls(&scene);
-    }
-    if let Ok(scene) = postcard::from_bytes::<Scene>(bytes) {
-        falls(&scene);
-    }
-    if let Ok(saved) = serde_json::from_slice::<Run>(bytes) {
-        goes_on(saved);
-    }
-    if let Ok(saved) = postcard::from_bytes::<Run>(bytes) {
-        goes_on(saved);
-    }
+    read(bytes, |scene: Scene| steps!(scene.simulation(Dop853::tolerance(1e-6)).begin(scene.motion(), 1.0, |_| ())));
+    read(bytes, |scene: InSpace| {
+        steps!(scene.simulation(Dop853::tolerance(1e-6)).begin(scene.motion(), 1.0, |_| ()));
+    });
+    // Runs that were saved, or say so.
+    let Ok(scene) = in_plane(2) else { return };
+    read(bytes, |saved: ByAdams| steps!(scene.simulation(Adams::step(0.01)).every(0.1).resume(saved, 2.0, |_| ())));
+    read(bytes, |saved: ByVcabm| {
+        steps!(scene.simulation(Vcabm::new().tolerance(1e-6)).every(0.1).resume(saved, 2.0, |_| ()));
+    });
 });

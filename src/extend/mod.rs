@@ -24,8 +24,8 @@
 //! does not ask which:
 //!
 //! ```
-//! use catena::Scalar;
 //! use catena::system::Space;
+//! use catena::{Elementary, Scalar};
 //! use catena::extend::{JointModel, Kinematics, Resistance, check_element};
 //!
 //! /// A magnet that holds a coordinate near zero.

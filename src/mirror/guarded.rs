@@ -3,7 +3,7 @@
 use super::fieldwise::fieldwise_rate;
 use super::{Position, Rate, Retraction, Term};
 use crate::lift::Lift;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use num_traits::Zero;
 
 /// What a joint with dry friction or with hard stops does.
@@ -84,7 +84,7 @@ impl Mode {
 
     /// A joint that would leave its stop at no more than this (rad/s², m/s²) stays: what leaves it for rounding comes back.
     pub(crate) fn reluctance<R: Real>() -> R {
-        R::of(64.0 * Scalar::sqrt(R::EPSILON).as_f64())
+        R::of(64.0 * Elementary::sqrt(R::EPSILON).as_f64())
     }
 
     /// All modes.

@@ -5,7 +5,9 @@
 //! independent: the compliance of what lies outboard to these forces. W, Λ and y₀ ride inward with the relation; a chain without
 //! closures has type [`Open`], and none of them.
 
+use super::geometry::dot;
 use super::redundancy::dependent_row;
+use super::{AccelerationOf, Empty, Full, Geometry, Point};
 use crate::scalar::{Real, Scalar};
 use num_traits::Zero;
 
@@ -233,5 +235,51 @@ impl<V: Copy, T: Copy> Cuts<V, T, Open> {
     #[inline(always)]
     pub fn none() -> Self {
         Self { columns: (), compliance: (), gap: () }
+    }
+}
+
+/// The relation at the root of a chain, from which the closure forces follow.
+#[diagnostic::on_unimplemented(
+    message = "a root cannot hold `{Self}`",
+    label = "what this chain begins with needs something between it and the root",
+    note = "a robot begins with `BodyAxes`, unless it stands on a `Base`"
+)]
+pub trait Close<G: Geometry, C: Closures> {
+    /// λ, for the acceleration of the root.
+    fn multipliers(&self, root: &AccelerationOf<G>) -> C::Each<G::Scalar>;
+    /// Λ.
+    fn compliance(&self) -> C::Pairs<G::Scalar>;
+}
+
+impl<G: Geometry> Close<G, Open> for Empty {
+    #[inline(always)]
+    fn multipliers(&self, _: &AccelerationOf<G>) {}
+    #[inline(always)]
+    fn compliance(&self) {}
+}
+
+impl<G: Geometry, M: Copy, C: Solvable> Close<G, C> for Point<G, M, C> {
+    #[cfg_attr(optimised, inline(always))]
+    fn multipliers(&self, root: &AccelerationOf<G>) -> C::Each<G::Scalar> {
+        let cuts = &self.cuts;
+        let demand = C::zip(&cuts.columns, &cuts.gap, |w, gap| dot(w, root.linear) - gap);
+        C::solve(&cuts.compliance, &demand)
+    }
+    #[inline(always)]
+    fn compliance(&self) -> C::Pairs<G::Scalar> {
+        self.cuts.compliance
+    }
+}
+
+impl<G: Geometry, C: Solvable> Close<G, C> for Full<G, C> {
+    #[cfg_attr(optimised, inline(always))]
+    fn multipliers(&self, root: &AccelerationOf<G>) -> C::Each<G::Scalar> {
+        let cuts = &self.cuts;
+        let demand = C::zip(&cuts.columns, &cuts.gap, |w, gap| w.work(root) - gap);
+        C::solve(&cuts.compliance, &demand)
+    }
+    #[inline(always)]
+    fn compliance(&self) -> C::Pairs<G::Scalar> {
+        self.cuts.compliance
     }
 }

@@ -10,9 +10,7 @@
 //! antisymmetric rounding doubles with every body (a chain of 60 is lost); stored as a triangle it holds at 100 000.
 
 mod arms;
-mod closing;
 mod closure;
-mod full;
 mod geometry;
 mod join;
 mod kinds;
@@ -27,11 +25,9 @@ mod way;
 mod wrench;
 
 pub use arms::{Carry, Forces, Wrenches};
-pub use closing::Close;
-pub use closure::{Closures, Cut, Cuts, Open, Solvable, largest};
-pub use full::Full;
+pub use closure::{Close, Closures, Cut, Cuts, Open, Solvable, largest};
 pub use geometry::{AccelerationOf, Additive, Angular, Geometry, Symmetric, VectorSpace, WrenchOf};
-pub use kinds::{Empty, Lump, Point, Relation};
+pub use kinds::{Empty, Full, Lump, Point, Relation};
 pub use looped::{LoopGain, Looped, Own, Settle, Twisted};
 pub use shared::Shared;
 pub use term::{Absent, Coefficient, Minus, Part, Reacting, Term};

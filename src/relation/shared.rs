@@ -3,7 +3,7 @@
 use super::closure::{Closures, Cut, Cuts, Solvable};
 use super::looped::{LoopGain, Looped, Own};
 use super::redundancy::smallest_share;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use num_traits::Zero;
 
 /// `L` closure forces of which some may follow from the others. Their Λ is singular then, and of all λ that do the same the one of

@@ -5,10 +5,10 @@
 //! which multiplies by a reciprocal: their values may differ by an ulp from those of plain numbers. A vector of
 //! derivatives may be absent (`None`), which stands for zeros. `==` looks at the value only.
 //!
-//! At the origin [`atan2`](Scalar::atan2) has no derivatives, they come out as NaN. At zero those of
-//! [`sqrt`](Scalar::sqrt) and [`ln`](Scalar::ln) are infinite, or NaN where the argument's own are zero.
+//! At the origin [`atan2`](Elementary::atan2) has no derivatives, they come out as NaN. At zero those of
+//! [`sqrt`](Elementary::sqrt) and [`ln`](Elementary::ln) are infinite, or NaN where the argument's own are zero.
 
-use super::{Real, Scalar};
+use super::{Elementary, Real, Scalar};
 use nalgebra::Const;
 use num_dual::{Derivative, Dual, Dual2, Dual2Vec, Dual3, DualNum, DualVec, HyperDual, HyperDualVec, HyperHyperDual};
 
@@ -93,7 +93,7 @@ fn recip<T: Scalar>(x: T) -> Jet<T> {
 
 #[cfg_attr(optimised, inline(always))]
 fn sqrt<T: Scalar>(x: T) -> Jet<T> {
-    let value = Scalar::sqrt(x);
+    let value = Elementary::sqrt(x);
     let first = T::literal(0.5) / value;
     // With h = 1/(2√x) the derivatives are h, -2h³ and 12h⁵.
     let square = first * first;
@@ -103,24 +103,24 @@ fn sqrt<T: Scalar>(x: T) -> Jet<T> {
 
 #[inline(always)]
 fn sin_cos<T: Scalar>(x: T) -> (Jet<T>, Jet<T>) {
-    let (sine, cosine) = Scalar::sin_cos(x);
+    let (sine, cosine) = Elementary::sin_cos(x);
     ([sine, cosine, -sine, -cosine], [cosine, -sine, -cosine, sine])
 }
 
 #[inline(always)]
 fn exp<T: Scalar>(x: T) -> Jet<T> {
-    [Scalar::exp(x); 4]
+    [Elementary::exp(x); 4]
 }
 
 #[inline(always)]
 fn ln<T: Scalar>(x: T) -> Jet<T> {
     let [first, second, third, _] = recip(x);
-    [Scalar::ln(x), first, second, third]
+    [Elementary::ln(x), first, second, third]
 }
 
 #[cfg_attr(optimised, inline(always))]
 fn tanh<T: Scalar>(x: T) -> Jet<T> {
-    let value = Scalar::tanh(x);
+    let value = Elementary::tanh(x);
     let first = (T::one() - value) * (T::one() + value);
     let second = Scalar::scale(first * value, Plain::<T>::of(-2.0));
     let third = first * Scalar::scale(thrice(value * value) - T::one(), Plain::<T>::of(2.0));
@@ -175,6 +175,45 @@ macro_rules! dual_numbers {
                     )?
                 )*
                 result
+            }
+        }
+
+        impl<T: Scalar + DualNum $(, const $count: usize)*> Elementary for $dual {
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                self.compose(sqrt(self.re))
+            }
+
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                let (sine, cosine) = sin_cos(self.re);
+                (self.compose(sine), self.compose(cosine))
+            }
+
+            #[cfg_attr(optimised, inline(always))]
+            fn atan2(self, x: Self) -> Self {
+                // In axes turned to the point, it lies at a distance `along` and, rounding apart, 0 `across`. Its angle
+                // there is atan(across / along), whose derivatives at 0 are 1, 0 and -2.
+                let (cosine, sine) = direction(x.re, self.re);
+                let along = DualNum::scale(x, &cosine) + DualNum::scale(self, &sine);
+                let across = DualNum::scale(self, &cosine) - DualNum::scale(x, &sine);
+                let angle = Elementary::atan2(self.re, x.re);
+                (across / along).compose([angle, T::one(), T::zero(), T::literal(-2.0)])
+            }
+
+            #[inline(always)]
+            fn exp(self) -> Self {
+                self.compose(exp(self.re))
+            }
+
+            #[inline(always)]
+            fn ln(self) -> Self {
+                self.compose(ln(self.re))
+            }
+
+            #[inline(always)]
+            fn tanh(self) -> Self {
+                self.compose(tanh(self.re))
             }
         }
 
@@ -235,43 +274,6 @@ macro_rules! dual_numbers {
             #[inline(always)]
             fn recip(self) -> Self {
                 self.compose(recip(self.re))
-            }
-
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                self.compose(sqrt(self.re))
-            }
-
-            #[inline(always)]
-            fn sin_cos(self) -> (Self, Self) {
-                let (sine, cosine) = sin_cos(self.re);
-                (self.compose(sine), self.compose(cosine))
-            }
-
-            #[cfg_attr(optimised, inline(always))]
-            fn atan2(self, x: Self) -> Self {
-                // In axes turned to the point, it lies at a distance `along` and, rounding apart, 0 `across`. Its angle
-                // there is atan(across / along), whose derivatives at 0 are 1, 0 and -2.
-                let (cosine, sine) = direction(x.re, self.re);
-                let along = DualNum::scale(x, &cosine) + DualNum::scale(self, &sine);
-                let across = DualNum::scale(self, &cosine) - DualNum::scale(x, &sine);
-                let angle = Scalar::atan2(self.re, x.re);
-                (across / along).compose([angle, T::one(), T::zero(), T::literal(-2.0)])
-            }
-
-            #[inline(always)]
-            fn exp(self) -> Self {
-                self.compose(exp(self.re))
-            }
-
-            #[inline(always)]
-            fn ln(self) -> Self {
-                self.compose(ln(self.re))
-            }
-
-            #[inline(always)]
-            fn tanh(self) -> Self {
-                self.compose(tanh(self.re))
             }
 
             #[inline(always)]

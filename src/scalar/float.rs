@@ -8,7 +8,7 @@
 //! from `libm`: then bits do not depend on the machine.
 #![cfg(any(feature = "std", feature = "libm"))]
 
-use super::{Real, Scalar, trig};
+use super::{Elementary, Real, Scalar, trig};
 use num_traits::Float;
 
 /// Whether a fused multiply-add is one instruction. Elsewhere it is a call many times slower than two operations.
@@ -34,6 +34,38 @@ macro_rules! elementary {
 /// One row per type: its sine and cosine, and what `libm` calls its elementary functions.
 macro_rules! plain_numbers {
     ($($number:ident: $sin_cos:path, $atan2:ident $exp:ident $log:ident $tanh:ident $pow:ident;)*) => {$(
+        impl Elementary for $number {
+            #[inline(always)]
+            fn sqrt(self) -> $number {
+                Float::sqrt(self)
+            }
+
+            #[inline(always)]
+            fn sin_cos(self) -> ($number, $number) {
+                $sin_cos(self)
+            }
+
+            #[inline(always)]
+            fn atan2(self, x: $number) -> $number {
+                elementary!(atan2, $atan2(self, x))
+            }
+
+            #[inline(always)]
+            fn exp(self) -> $number {
+                elementary!(exp, $exp(self))
+            }
+
+            #[inline(always)]
+            fn ln(self) -> $number {
+                elementary!(ln, $log(self))
+            }
+
+            #[inline(always)]
+            fn tanh(self) -> $number {
+                elementary!(tanh, $tanh(self))
+            }
+        }
+
         impl Scalar for $number {
             type Real = $number;
             const ANGLE_RANGE: $number = trig::ANGLE_RANGE as $number;
@@ -71,36 +103,6 @@ macro_rules! plain_numbers {
             #[inline(always)]
             fn recip(self) -> $number {
                 1.0 / self
-            }
-
-            #[inline(always)]
-            fn sqrt(self) -> $number {
-                Float::sqrt(self)
-            }
-
-            #[inline(always)]
-            fn sin_cos(self) -> ($number, $number) {
-                $sin_cos(self)
-            }
-
-            #[inline(always)]
-            fn atan2(self, x: $number) -> $number {
-                elementary!(atan2, $atan2(self, x))
-            }
-
-            #[inline(always)]
-            fn exp(self) -> $number {
-                elementary!(exp, $exp(self))
-            }
-
-            #[inline(always)]
-            fn ln(self) -> $number {
-                elementary!(ln, $log(self))
-            }
-
-            #[inline(always)]
-            fn tanh(self) -> $number {
-                elementary!(tanh, $tanh(self))
             }
 
             #[inline(always)]

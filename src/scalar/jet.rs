@@ -1,7 +1,7 @@
 //! A value with `K` first derivatives: dual numbers without an allocation, an option or a branch.
 
 use super::made::of_numbers;
-use super::{Real, Scalar};
+use super::{Elementary, Real, Scalar};
 use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -111,6 +111,47 @@ impl<T: Scalar, const K: usize> Div for Jet<T, K> {
     }
 }
 
+impl<T: Scalar, const K: usize> Elementary for Jet<T, K> {
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        let value = self.re.sqrt();
+        self.compose(value, value.recip().scale(T::Real::of(0.5)))
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.re.sin_cos();
+        (self.compose(sine, cosine), self.compose(cosine, -sine))
+    }
+    #[cfg_attr(optimised, inline(always))]
+    fn atan2(self, x: Self) -> Self {
+        // Divided by the larger coordinate first: neither very long nor very short vectors overflow.
+        let length = if T::LANES {
+            let (x, y) = (x.re.abs(), self.re.abs());
+            (x - y).if_negative(y, x)
+        } else {
+            T::constant(Real::max(Scalar::abs(x.re.real()), Scalar::abs(self.re.real())))
+        };
+        let (across, along) = (self.re / length, x.re / length);
+        let inverse = (across.mul_add(across, along * along) * length).recip();
+        let eps = each(|k| (along * self.eps[k] - across * x.eps[k]) * inverse);
+        Self { re: self.re.atan2(x.re), eps }
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        let value = self.re.exp();
+        self.compose(value, value)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        self.compose(self.re.ln(), self.re.recip())
+    }
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        let value = self.re.tanh();
+        self.compose(value, (T::one() - value) * (T::one() + value))
+    }
+}
+
 impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
     type Real = T::Real;
     const ANGLE_RANGE: T::Real = T::ANGLE_RANGE;
@@ -161,44 +202,6 @@ impl<T: Scalar, const K: usize> Scalar for Jet<T, K> {
     fn recip(self) -> Self {
         let value = self.re.recip();
         self.compose(value, -(value * value))
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        let value = self.re.sqrt();
-        self.compose(value, value.recip().scale(T::Real::of(0.5)))
-    }
-    #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        let (sine, cosine) = self.re.sin_cos();
-        (self.compose(sine, cosine), self.compose(cosine, -sine))
-    }
-    #[cfg_attr(optimised, inline(always))]
-    fn atan2(self, x: Self) -> Self {
-        // Divided by the larger coordinate first: neither very long nor very short vectors overflow.
-        let length = if T::LANES {
-            let (x, y) = (x.re.abs(), self.re.abs());
-            (x - y).if_negative(y, x)
-        } else {
-            T::constant(Real::max(Scalar::abs(x.re.real()), Scalar::abs(self.re.real())))
-        };
-        let (across, along) = (self.re / length, x.re / length);
-        let inverse = (across.mul_add(across, along * along) * length).recip();
-        let eps = each(|k| (along * self.eps[k] - across * x.eps[k]) * inverse);
-        Self { re: self.re.atan2(x.re), eps }
-    }
-    #[inline(always)]
-    fn exp(self) -> Self {
-        let value = self.re.exp();
-        self.compose(value, value)
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        self.compose(self.re.ln(), self.re.recip())
-    }
-    #[inline(always)]
-    fn tanh(self) -> Self {
-        let value = self.re.tanh();
-        self.compose(value, (T::one() - value) * (T::one() + value))
     }
     #[inline(always)]
     fn abs(self) -> Self {

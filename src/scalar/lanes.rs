@@ -4,7 +4,7 @@
 
 mod wider;
 
-use super::{Scalar, trig};
+use super::{Elementary, Scalar, trig};
 use simba::simd::{SimdValue, WideF32x4, WideF32x8, WideF64x4};
 use wide::{f64x4, f64x8, u64x4, u64x8};
 pub use wider::{WideF32x16, WideF64x8};
@@ -43,6 +43,39 @@ macro_rules! sin_cos_by_lane {
 /// One row per bundle: the number in a lane, and sine and cosine.
 macro_rules! lanes {
     ($($lanes:ident of $number:ident, $angle:ident => $sin_cos:expr;)*) => {$(
+        impl Elementary for $lanes {
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                Self(self.0.sqrt())
+            }
+
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                let $angle = self;
+                $sin_cos
+            }
+
+            #[inline(always)]
+            fn atan2(self, x: Self) -> Self {
+                self.zip_map(x, <$number as Elementary>::atan2)
+            }
+
+            #[inline(always)]
+            fn exp(self) -> Self {
+                self.map_lanes(Elementary::exp)
+            }
+
+            #[inline(always)]
+            fn ln(self) -> Self {
+                self.map_lanes(Elementary::ln)
+            }
+
+            #[inline(always)]
+            fn tanh(self) -> Self {
+                self.map_lanes(Elementary::tanh)
+            }
+        }
+
         impl Scalar for $lanes {
             type Real = $number;
             const ANGLE_RANGE: $number = <$number as Scalar>::ANGLE_RANGE;
@@ -99,37 +132,6 @@ macro_rules! lanes {
             #[inline(always)]
             fn recip(self) -> Self {
                 Self::ONE / self
-            }
-
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                Self(self.0.sqrt())
-            }
-
-            #[inline(always)]
-            fn sin_cos(self) -> (Self, Self) {
-                let $angle = self;
-                $sin_cos
-            }
-
-            #[inline(always)]
-            fn atan2(self, x: Self) -> Self {
-                self.zip_map(x, <$number as Scalar>::atan2)
-            }
-
-            #[inline(always)]
-            fn exp(self) -> Self {
-                self.map_lanes(Scalar::exp)
-            }
-
-            #[inline(always)]
-            fn ln(self) -> Self {
-                self.map_lanes(Scalar::ln)
-            }
-
-            #[inline(always)]
-            fn tanh(self) -> Self {
-                self.map_lanes(Scalar::tanh)
             }
 
             #[inline(always)]

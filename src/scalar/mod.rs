@@ -58,6 +58,27 @@ use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{One, Zero};
 
+/// Elementary functions of a number.
+pub trait Elementary: Sized {
+    /// Square root.
+    fn sqrt(self) -> Self;
+
+    /// Sine and cosine, without branches.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// Angle of the point `(x, self)` from the positive x axis in rad, in (−π, π].
+    fn atan2(self, x: Self) -> Self;
+
+    /// eˣ.
+    fn exp(self) -> Self;
+
+    /// Natural logarithm. At zero it is −∞, with infinite derivatives; of negative numbers NaN.
+    fn ln(self) -> Self;
+
+    /// Hyperbolic tangent: a sign without a jump, as laws of friction need it.
+    fn tanh(self) -> Self;
+}
+
 /// A number that kernels can compute with: real, dual or a bundle of lanes.
 ///
 /// Kernels contain no comparison and no test for zero: a test would look at the real part of a dual number only and lose
@@ -77,11 +98,12 @@ pub trait Scalar:
     + AddAssign
     + SubAssign
     + MulAssign
+    + Elementary
 {
     /// The plain number behind it, in which time, step sizes and decisions are expressed.
     type Real: Real;
 
-    /// Largest magnitude in rad for which [`sin_cos`](Scalar::sin_cos) keeps its stated accuracy.
+    /// Largest magnitude in rad for which [`sin_cos`](Elementary::sin_cos) keeps its stated accuracy.
     const ANGLE_RANGE: Self::Real;
 
     /// Whether a number is several of equal standing: lanes, of which none decides for the others.
@@ -140,24 +162,6 @@ pub trait Scalar:
 
     /// `1 / self`.
     fn recip(self) -> Self;
-
-    /// Square root.
-    fn sqrt(self) -> Self;
-
-    /// Sine and cosine, without branches.
-    fn sin_cos(self) -> (Self, Self);
-
-    /// Angle of the point `(x, self)` from the positive x axis in rad, in (−π, π].
-    fn atan2(self, x: Self) -> Self;
-
-    /// eˣ.
-    fn exp(self) -> Self;
-
-    /// Natural logarithm. At zero it is −∞, with infinite derivatives; of negative numbers NaN.
-    fn ln(self) -> Self;
-
-    /// Hyperbolic tangent: a sign without a jump, as laws of friction need it.
-    fn tanh(self) -> Self;
 
     /// Magnitude. At zero its derivatives are taken as 0, halfway between those on either side.
     fn abs(self) -> Self;

@@ -1,7 +1,7 @@
 //! Numbers side by side: what many costates of one motion are carried in.
 
-use super::Scalar;
 use super::made::of_numbers;
+use super::{Elementary, Scalar};
 use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -70,6 +70,24 @@ macro_rules! functions {
     )*};
 }
 
+impl<T: Scalar, const N: usize> Elementary for Pack<T, N> {
+    #[cfg_attr(optimised, inline(always))]
+    fn sin_cos(self) -> (Self, Self) {
+        let first = self.first();
+        if self.0.iter().all(|x| x.is_identical(first)) {
+            let (sine, cosine) = first.sin_cos();
+            return (Self::of(sine), Self::of(cosine));
+        }
+        let both: [(T, T); N] = from_fn(|k| self.0[k].sin_cos());
+        (Self(from_fn(|k| both[k].0)), Self(from_fn(|k| both[k].1)))
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        Self(from_fn(|k| self.0[k].atan2(x.0[k])))
+    }
+    functions!(sqrt, exp, ln, tanh);
+}
+
 impl<T: Scalar, const N: usize> Scalar for Pack<T, N> {
     type Real = T::Real;
     const ANGLE_RANGE: T::Real = T::ANGLE_RANGE;
@@ -103,22 +121,8 @@ impl<T: Scalar, const N: usize> Scalar for Pack<T, N> {
     fn add_scaled(self, factor: T::Real, term: Self) -> Self {
         Self(from_fn(|k| self.0[k].add_scaled(factor, term.0[k])))
     }
-    #[cfg_attr(optimised, inline(always))]
-    fn sin_cos(self) -> (Self, Self) {
-        let first = self.first();
-        if self.0.iter().all(|x| x.is_identical(first)) {
-            let (sine, cosine) = first.sin_cos();
-            return (Self::of(sine), Self::of(cosine));
-        }
-        let both: [(T, T); N] = from_fn(|k| self.0[k].sin_cos());
-        (Self(from_fn(|k| both[k].0)), Self(from_fn(|k| both[k].1)))
-    }
-    #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
-        Self(from_fn(|k| self.0[k].atan2(x.0[k])))
-    }
     fn if_negative(self, then: Self, otherwise: Self) -> Self {
         Self(from_fn(|k| self.first().if_negative(then.0[k], otherwise.0[k])))
     }
-    functions!(recip, sqrt, exp, ln, tanh, abs, sign);
+    functions!(recip, abs, sign);
 }

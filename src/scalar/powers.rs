@@ -1,7 +1,7 @@
 //! Power series as numbers: what a function of time is made of around an instant.
 
 use super::made::of_numbers;
-use super::{Real, Scalar};
+use super::{Elementary, Real, Scalar};
 use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::One;
@@ -98,29 +98,7 @@ impl<T: Scalar, const N: usize> Div for Powers<T, N> {
     }
 }
 
-impl<T: Scalar, const N: usize> Scalar for Powers<T, N> {
-    type Real = T::Real;
-    const ANGLE_RANGE: T::Real = T::ANGLE_RANGE;
-    const LANES: bool = T::LANES;
-
-    fn constant(value: T::Real) -> Self {
-        Self::of(T::constant(value))
-    }
-    fn real(self) -> T::Real {
-        self.first().real()
-    }
-    fn is_finite(self) -> bool {
-        self.0.iter().all(|x| x.is_finite())
-    }
-    fn scale(self, factor: T::Real) -> Self {
-        Self(self.0.map(|x| x.scale(factor)))
-    }
-    fn mul_add(self, factor: Self, addend: Self) -> Self {
-        self * factor + addend
-    }
-    fn recip(self) -> Self {
-        Self::one() / self
-    }
+impl<T: Scalar, const N: usize> Elementary for Powers<T, N> {
     fn sqrt(self) -> Self {
         let first = self.first().sqrt();
         let half = first.recip().scale(T::Real::of(0.5));
@@ -156,6 +134,31 @@ impl<T: Scalar, const N: usize> Scalar for Powers<T, N> {
         }
         Self(all)
     }
+}
+
+impl<T: Scalar, const N: usize> Scalar for Powers<T, N> {
+    type Real = T::Real;
+    const ANGLE_RANGE: T::Real = T::ANGLE_RANGE;
+    const LANES: bool = T::LANES;
+
+    fn constant(value: T::Real) -> Self {
+        Self::of(T::constant(value))
+    }
+    fn real(self) -> T::Real {
+        self.first().real()
+    }
+    fn is_finite(self) -> bool {
+        self.0.iter().all(|x| x.is_finite())
+    }
+    fn scale(self, factor: T::Real) -> Self {
+        Self(self.0.map(|x| x.scale(factor)))
+    }
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        self * factor + addend
+    }
+    fn recip(self) -> Self {
+        Self::one() / self
+    }
     fn if_negative(self, then: Self, otherwise: Self) -> Self {
         Self(core::array::from_fn(|k| self.first().if_negative(then.0[k], otherwise.0[k])))
     }
@@ -169,7 +172,7 @@ impl<T: Scalar, const N: usize> Scalar for Powers<T, N> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Powers, Scalar};
+    use super::{Elementary, Powers, Scalar};
     use num_traits::One;
 
     type Ten = Powers<f64, 10>;

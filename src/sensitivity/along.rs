@@ -12,7 +12,7 @@ use crate::mechanics::planar::{
     Acceleration, Base, Body, ElasticHinge, Frame, HingeAxes, Linear, Pin, Planar, PointMass, RigidBody, Rod, Slider,
     Weld,
 };
-use crate::scalar::{Jet, Real, Scalar};
+use crate::scalar::{Elementary, Jet, Real, Scalar};
 use crate::shape::{
     Around, AtClosing, Closing, Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms,
 };

@@ -7,7 +7,7 @@ use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, ensure_finite};
 use crate::mirror::Rate;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::Dynamics;
 use crate::system::{MotionOf, Runs, System};

@@ -7,7 +7,7 @@ use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::error::{Error, Fault};
 use crate::mirror::{Rate, Retraction};
 use crate::motion::Motion;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::system::Dynamics;
 use crate::time::{Adams, Dopri5, Weights};
 
@@ -240,7 +240,7 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
         gather(rate, &self.zero, dt, of_rate, &self.slopes);
         let square = mean_square(next, (position, rate), [tolerance; 2]);
         let growth = TimeIn::<D, L>::of(self.weights.growth);
-        Some(Scalar::sqrt(TimeIn::<D, L>::of(square)) * growth)
+        Some(Elementary::sqrt(TimeIn::<D, L>::of(square)) * growth)
     }
 
     fn error_order(&self) -> usize {

@@ -6,7 +6,7 @@ mod stiffness;
 use super::{ExplicitStepper, Method, MotionIn, SdirkStepper, Stepper, TimeIn, VcabmStepper};
 use crate::error::Error;
 use crate::mirror::{Position, Rate, Retraction};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::system::StiffDynamics;
 use crate::time::{Auto, Dop853, Sdirk4, Vcabm};
 pub use race::Chosen;
@@ -120,7 +120,7 @@ impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
         next.position.apart(position, room);
         let mut moved = 0.0;
         room.visit(&mut |x| moved += x.real().as_f64() * x.real().as_f64());
-        let root = |x: f64| Scalar::sqrt(TimeIn::<D, L>::of(x)).as_f64();
+        let root = |x: f64| Elementary::sqrt(TimeIn::<D, L>::of(x)).as_f64();
         let dt = dt.as_f64();
         let (pushed, moved, turned) = (root(square(last, end)), root(moved), root(square(rate, &next.rate)));
         dt * dt * pushed > LIMITED * (moved + dt * turned)

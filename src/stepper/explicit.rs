@@ -6,7 +6,7 @@ use super::{Method, MotionIn, Stepper, TimeIn, of_stage};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate, Retraction};
 use crate::motion::Motion;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::system::Dynamics;
 use crate::time::Explicit;
 use num_traits::{One, Zero};

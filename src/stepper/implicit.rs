@@ -7,7 +7,7 @@ use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::relation::Closures;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::system::StiffDynamics;
 use crate::time::GeneralizedAlpha;
 use num_traits::{One, Zero};

@@ -5,7 +5,7 @@ use super::{Method, MotionIn, Stepper, TimeIn, check, of_stage};
 use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate, Retraction};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real};
 use crate::system::StiffDynamics;
 use crate::time::Sdirk4;
 use crate::time::sdirk4::{ERROR, GAMMA, STAGES, TABLE};

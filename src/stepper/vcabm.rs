@@ -9,7 +9,7 @@ use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate, Retraction};
 use crate::motion::Motion;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::system::Dynamics;
 use crate::time::Dop853;
 use crate::time::vcabm::{Coefficients, TERMS, Vcabm};
@@ -147,7 +147,7 @@ impl<D: Dynamics<L>, L> VcabmStepper<D, L> {
         });
         let (twice, once) = (weight(&integrals.twice) * dt * dt / tolerance, weight(&integrals.once) * dt / tolerance);
         let sum = twice * twice * squares[0] + once * once * squares[1];
-        Scalar::sqrt(sum / TimeIn::<D, L>::of(count.max(1) as f64)).as_f64()
+        Elementary::sqrt(sum / TimeIn::<D, L>::of(count.max(1) as f64)).as_f64()
     }
 }
 

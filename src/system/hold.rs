@@ -6,7 +6,7 @@ use crate::error::{Error, Fault, Place};
 use crate::mirror::{Mode, Position, Rate};
 use crate::observe::loop_residual;
 use crate::relation::{Closures, Solvable, largest};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::system::{Dynamics, MotionOf, PositionOf, Runs, System, coordinates};
 use num_traits::{One, Zero};
 

@@ -1,6 +1,6 @@
 //! The least x with A x = b, where some of x are held at zero and rows of A may follow from others.
 
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use alloc::vec;
 use alloc::vec::Vec;
 

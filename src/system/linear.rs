@@ -9,7 +9,7 @@ use crate::mechanics::spatial::{self, Spatial};
 use crate::mirror::{Position, Rate};
 use crate::observe::{each_body, each_joint, each_residual};
 use crate::relation::Closures;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::space::FrameOf;
 use alloc::vec;
 use alloc::vec::Vec;

@@ -1,6 +1,6 @@
 //! Sines of all joints at once, before bodies are posed one after the other.
 
-use crate::scalar::Scalar;
+use crate::scalar::Elementary;
 use crate::shape::{AtBody, AtJoint, Body, Joint, Mut, Outward, PerAxes, Positions, Ref, Shape, Walk, alike};
 use crate::space::Space;
 use num_traits::Zero;

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Fault};
 use crate::mirror::Position;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real};
 use crate::shape::{
     AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Outward, Positions, Rates, Shape, Walk, alike,
 };

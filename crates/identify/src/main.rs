@@ -12,7 +12,7 @@
 mod common;
 
 use catena::planar::*;
-use catena::scalar::{Jet, Scalar};
+use catena::scalar::{Elementary, Jet};
 use catena_oracle::Noise;
 use common::{BLUE, Drawn, GREY, ORANGE, line};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};

@@ -19,6 +19,11 @@ pub(super) fn turned_away<T: Scalar>(held: &Columns<T>, own: &Columns<T>) -> Vec
         let turn = Rotation::from_matrix(own).after(&Rotation::from_matrix(held).inverse()).shortest();
         return turn.v + turn.v;
     }
+    sine_of_turn(held, own)
+}
+
+/// n sin θ of that turn: linear in the axes, and so defined for any three vectors.
+pub(super) fn sine_of_turn<T: Scalar>(held: &Columns<T>, own: &Columns<T>) -> Vector3<T> {
     // For a small turn δ, Σ d_k × (d_k + δ × d_k) = 2 δ.
     let twice = cross(held.x, own.x) + cross(held.y, own.y) + cross(held.z, own.z);
     twice.map(|x| x.scale(T::Real::of(0.5)))
@@ -26,9 +31,7 @@ pub(super) fn turned_away<T: Scalar>(held: &Columns<T>, own: &Columns<T>) -> Vec
 
 /// The part of a turn across an axis, along two `normals` of it, that takes it from where it is held to its own direction.
 pub(super) fn tilted_away<T: Scalar>(held: Vector3<T>, own: Vector3<T>, normals: [Vector3<T>; 2]) -> [T; 2] {
-    // For a small turn δ, n × (n + δ × n) is the part of δ across n.
-    let sine = cross(held, own);
-    let [one, two] = normals.map(|normal| dot(normal, sine));
+    let [one, two] = sine_of_tilt(held, own, normals);
     let away = T::one() - dot(held, own);
     if away.real() > T::Real::of(AFAR) {
         // At half a turn any direction will do: the least number gives one.
@@ -37,4 +40,11 @@ pub(super) fn tilted_away<T: Scalar>(held: Vector3<T>, own: Vector3<T>, normals:
         return [one * chord, two * chord];
     }
     [one, two]
+}
+
+/// The sine of that tilt: linear in the direction, and so defined for any vector.
+pub(super) fn sine_of_tilt<T: Scalar>(held: Vector3<T>, own: Vector3<T>, normals: [Vector3<T>; 2]) -> [T; 2] {
+    // For a small turn δ, n × (n + δ × n) is the part of δ across n.
+    let sine = cross(held, own);
+    normals.map(|normal| dot(normal, sine))
 }

@@ -7,7 +7,7 @@ use crate::error::checks::finite;
 use crate::mirror::{Position, Rate};
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::{Columns, cross, dot, zero};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use core::fmt::Debug;
 use nalgebra::Vector3;
 use num_traits::{One, Zero};

@@ -58,7 +58,7 @@ where
         }
         let still = Frame::resting(Vector3::new(T::zero(), T::zero(), T::zero()));
         // Closures of places come first: the residual of a tip at the origin is minus the place.
-        let residual = |frame: &Frame<T>| list::<T, P::Closures, 6>(&self.tip_end().residual(time, frame)[0]);
+        let residual = |frame: &Frame<T>| list::<T, P::Closures, 6>(&self.tip_end().linear_residual(time, frame));
         let mut end = End::along_axes(core::array::from_fn(|k| P::Pairs::MOTION[k]), residual(&still).map(|x| -x));
         if let Some(last) = last {
             let pull = |k: usize| {

@@ -7,7 +7,7 @@ use crate::error::{Error, Fault};
 use crate::mechanics::spatial::body_axes::Place;
 use crate::mechanics::spatial::{Free, Rotation};
 use crate::relation::spatial::algebra::vector;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::system::System;
 use crate::walks::count::station_of_coordinate;
 use core::f64::consts::{PI, TAU};

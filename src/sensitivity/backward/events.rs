@@ -19,7 +19,7 @@ use crate::error::{Error, Fault, ensure_finite};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::relation::Additive;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::sensitivity::{Costate, Gradient};
 use crate::simulate::crossing::{crosses, crossing, departure, of_one_number};
 use crate::system::{Elements, MotionOf, Runs, System};

@@ -2,7 +2,7 @@
 
 use crate::element::{Implicit, Reading};
 use crate::mirror::{Position, Rate};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::{MotionIn, SdirkStepper, TimeIn};
 use crate::system::StiffDynamics;
 use num_traits::{One, Zero};
@@ -37,7 +37,7 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
         }
         let damping = self.push(past, loads, Displaced::Rates);
         core::mem::swap(self.scene.gains_mut(&mut self.stiff), &mut self.kept);
-        let root = |x: f64| Scalar::sqrt(TimeIn::<D, L>::of(x)).as_f64();
+        let root = |x: f64| Elementary::sqrt(TimeIn::<D, L>::of(x)).as_f64();
         let over = damping * damping - 4.0 * square;
         let rate = if over > 0.0 { 0.5 * (damping + root(over)) } else { root(square) };
         if rate.is_finite() { rate } else { 0.0 }
@@ -60,7 +60,7 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
             rate.visit(&mut |x| largest = largest.max(x.real().abs()));
             largest
         };
-        let small = Scalar::sqrt(<TimeIn<D, L> as Real>::EPSILON);
+        let small = Elementary::sqrt(<TimeIn<D, L> as Real>::EPSILON);
         let share = small / largest(&self.room);
         let (of_position, of_rate) = match displaced {
             Displaced::Nothing => (none, none),

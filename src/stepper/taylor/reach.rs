@@ -2,7 +2,7 @@
 
 use super::TaylorStepper;
 use crate::mirror::{Rate, Retraction};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::TimeIn;
 use crate::stepper::roots::{exp2, log2};
 use crate::system::SeriesDynamics;

@@ -6,3 +6,4 @@ mod macros;
 mod names;
 mod of_scenes;
 mod readings;
+mod traits;

@@ -1,10 +1,10 @@
 //! Attitudes and places from nalgebra's types and back: bits of quaternions, points seen through frames, derivatives.
 
-use catena::Scalar;
 use catena::nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use catena::num_dual::Dual64;
 use catena::spatial::Columns;
 use catena::spatial::*;
+use catena::{Elementary, Scalar};
 use std::error::Error;
 
 use catena_oracle::Noise;

@@ -2,6 +2,7 @@
 
 use catena::loading::Unloaded;
 use catena::spatial::*;
+use catena::system::Tip;
 use catena::{Error, Fault};
 use catena_oracle::near;
 use core::f64::consts::PI;
@@ -72,4 +73,32 @@ fn loops_are_not_closed_upside_down() -> Result<(), Error> {
         near(end, 0.0, 1e-12);
     }
     Ok(())
+}
+
+/// Nearby, what a tip misses is linear in its axes. The paper's scheme asks so of derivatives of axes, which are no rotation: half of them
+/// are farther than a third of a turn from any, by the sign of what rounding left.
+#[test]
+fn residuals_nearby_are_linear_in_axes() {
+    let held = Rotation::from_angles([0.3, -0.2, 0.1]);
+    let (clamp, hinge) = (Clamped::at([0.0; 3], held), Hinged::on(Clamped::at([0.0; 3], held), X));
+    let of_ground = Rotation::matrix(&held);
+    let own = [[0.3, -0.9, 0.2], [-0.7, 0.1, 0.4], [0.5, 0.6, -0.8]].map(Vector3::from);
+    for sign in [1.0, -1.0] {
+        let [x, y, z] = own.map(|axis| axis * sign);
+        let still = Frame::resting(Vector3::from([0.1, 0.2, 0.3]));
+        let tip = Frame { turn: Turn { attitude: Columns { x, y, z }, ..still.turn }, ..still };
+        let sine = (of_ground.x.cross(&x) + of_ground.y.cross(&y) + of_ground.z.cross(&z)) * 0.5;
+        let clamped = Tip::<Spatial<f64>>::linear_residual(&clamp, 0.0, &tip);
+        let hinged = Tip::<Spatial<f64>>::linear_residual(&hinge, 0.0, &tip);
+        for k in 0..3 {
+            near(clamped[k], still.place[k], 1e-16);
+            near(hinged[k], still.place[k], 1e-16);
+            near(clamped[3 + k], sine[k], 1e-15);
+        }
+        for k in 3..5 {
+            let unit = core::array::from_fn(|j| if j == k { 1.0 } else { 0.0 });
+            let normal = Tip::<Spatial<f64>>::internal(&hinge, 0.0, &unit).torque;
+            near(hinged[k], normal.dot(&of_ground.x.cross(&x)), 1e-15);
+        }
+    }
 }

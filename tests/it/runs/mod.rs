@@ -2,6 +2,7 @@
 
 mod adams;
 mod auto;
+mod by_series;
 mod double_pendulum;
 mod driven_sliders;
 mod endless_runs;

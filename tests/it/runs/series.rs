@@ -2,28 +2,13 @@
 //!
 //! Coefficients are those of `series.csv`, whose head says how they were found.
 
-use catena::loading::TimeLaw;
+use super::by_series::{Drive, apart, are_coefficients_of, beside_dop853, expansion, hangs_at_odd_quarters};
+use catena::Error;
 use catena::planar::*;
-use catena::{Error, Scalar};
 use catena_oracle::{has_order, near};
 use core::f64::consts::FRAC_PI_2;
 
 const G: f64 = 9.81;
-
-/// Coefficients of rates of a scene in a file such as `series.csv`, one list for each order from 1 on.
-pub fn coefficients(file: &str, scene: &str) -> Vec<Vec<f64>> {
-    let lines = file.lines().skip_while(|line| *line != scene).skip(1);
-    let rows = lines.map_while(|line| line.split(',').map(|x| x.parse().ok()).collect());
-    rows.collect()
-}
-
-/// Whether a pendulum that is released from the horizontal, of whose swing this is a quarter (s), hangs at these times.
-pub fn hangs_at_odd_quarters(found: &[f64], quarter: f64) {
-    assert_eq!(found.len(), 4);
-    for (i, time) in found.iter().enumerate() {
-        near(*time, (2 * i + 1) as f64 * quarter, 2e-12);
-    }
-}
 
 /// The pendulum of two unlike rods that move.
 macro_rules! pendulum {
@@ -75,39 +60,15 @@ macro_rules! sliders {
     }};
 }
 
-/// Drives all joints.
-pub struct Drive;
-
-impl TimeLaw<f64> for Drive {
-    fn at<X: Scalar<Real = f64>>(&self, time: X, joint: usize) -> X {
-        let (sine, _) = (X::literal(3.0) * time + X::literal(joint as f64)).sin_cos();
-        X::literal(2.0) * sine / (X::one() + time * time) * (X::literal(-0.5) * time).exp()
-    }
-}
-
 /// By how much coefficients of each order miss those of the file, as a share of the largest of that order.
 macro_rules! misses {
     ($name:expr, $scene:expr, $start:expr, $order:literal) => {
         misses!($name, $scene, $start, $order, Unloaded)
     };
     ($name:expr, $scene:expr, $start:expr, $order:literal, $loads:expr) => {{
-        let (scene, start) = (&$scene, &$start);
-        let mut stepper = scene.stepper(Taylor::<$order>);
-        let mut next = start.clone();
-        stepper.step(start, &$loads, 1e-3, &mut next)?;
-        let mut found = vec![vec![]; $order];
-        for (k, row) in found.iter_mut().enumerate() {
-            stepper.coefficients(k, |x| row.push(x / (k + 1) as f64)); // those of rates
-        }
-        let expected = coefficients(include_str!("series.csv"), $name);
-        assert_eq!(expected.len(), $order);
-        for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
-            assert_eq!(found.len(), expected.len());
-            let largest = expected.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-            let miss = found.iter().zip(expected).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-            println!("{}, order {}: {largest:.3e}, miss {:.1e}", $name, k + 1, miss / largest);
-            assert!(miss <= 1e-13 * largest, "{}, order {}: {found:?}, {expected:?}", $name, k + 1);
-        }
+        let (found, stepped) = expansion!($order, $scene, $start, $loads, 1e-3);
+        stepped?;
+        are_coefficients_of(include_str!("series.csv"), $name, &found, 1e-13);
         found
     }};
 }
@@ -154,15 +115,13 @@ fn runs_end_at_the_references() -> Result<(), Error> {
 
 #[test]
 fn trees_move_as_under_dop853() -> Result<(), Error> {
-    let apart = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(&b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
     macro_rules! compare {
         ($scene:expr, $loads:expr) => {{
-            let ((scene, start), loads) = ($scene, $loads);
-            let series = scene.simulation(Taylor::<20>::tolerance(1e-13)).loads(&loads).run(start, 1.0, |_| ())?;
-            let other = scene.simulation(Dop853::tolerance(1e-13)).loads(&loads).run(start, 1.0, |_| ())?;
+            let (scene, start) = $scene;
+            let (series, other) = beside_dop853!(20, scene, $loads, start, 1.0);
             let (series_end, other_end) = (&series.motion, &other.motion);
-            let miss = apart(series_end.coordinates(), other_end.coordinates());
-            let miss = miss.max(1e-2 * apart(series_end.accelerations(), other_end.accelerations()));
+            let miss = apart(&series_end.coordinates(), &other_end.coordinates());
+            let miss = miss.max(1e-2 * apart(&series_end.accelerations(), &other_end.accelerations()));
             println!("{} steps, apart by {miss:.1e}", series.steps);
             assert!(miss < 1e-11);
         }};

@@ -2,17 +2,13 @@
 //!
 //! Coefficients are those of `series_closed_in_space.csv`, whose head says how they were found.
 
-use super::series::coefficients;
+use super::by_series::{
+    apart, are_coefficients_of, beside_dop853, closed_beside_dop853, expansion, goes_on, move_alike,
+};
 use catena::Error;
 use catena::spatial::*;
 
 const G: [f64; 3] = [0.0, 0.0, -9.81];
-
-/// By how much two lists are apart.
-fn apart(a: &[f64], b: &[f64]) -> f64 {
-    assert_eq!(a.len(), b.len());
-    a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
-}
 
 /// A rod of one kilogram a metre.
 fn rod(length: f64) -> Rod<f64> {
@@ -62,21 +58,10 @@ fn coefficients_are_those_of_equations_with_multipliers() -> Result<(), Error> {
     /// Ends need not be where they are held: coefficients are those of what closures demand of accelerations.
     macro_rules! expand {
         ($name:literal, $scene:expr, $angles:expr) => {{
-            let scene = &$scene;
+            let scene = $scene;
             let start = scene.with_rates(scene.at_rest(&$angles)?, &RATES[..scene.motion().rates().len()])?;
-            let mut stepper = scene.stepper(Taylor::<20>);
-            let mut next = start.clone();
-            let _ = stepper.step(&start, &Unloaded, 1e-6, &mut next);
-            let expected = coefficients(include_str!("series_closed_in_space.csv"), $name);
-            assert_eq!(expected.len(), 20);
-            for (k, expected) in expected.iter().enumerate() {
-                let mut found = vec![];
-                stepper.coefficients(k, |x| found.push(x / (k + 1) as f64)); // those of rates
-                let largest = expected.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-                let miss = apart(&found, expected) / largest;
-                println!("{}, order {}: {largest:.3e}, miss {miss:.1e}", $name, k + 1);
-                assert!(miss <= 1e-12, "{}, order {}: {found:?}, {expected:?}", $name, k + 1);
-            }
+            let (found, _) = expansion!(20, scene, start, Unloaded, 1e-6);
+            are_coefficients_of(include_str!("series_closed_in_space.csv"), $name, &found, 1e-12);
         }};
     }
     expand!("bridge", bridge!(), OF_BRIDGE);
@@ -90,26 +75,8 @@ fn coefficients_are_those_of_equations_with_multipliers() -> Result<(), Error> {
 fn closed_scenes_move_as_under_dop853() -> Result<(), Error> {
     macro_rules! compare {
         ($name:literal, $scene:expr, $angles:expr, $loads:expr) => {{
-            let (scene, loads) = (&$scene, &$loads);
-            let start = scene.assembled(scene.at_rest(&$angles)?, &Unloaded)?;
-            let by_series = Taylor::<24>::tolerance(1e-13);
-            let series = scene.simulation(by_series).loads(loads).run(start.clone(), 0.5, |_| ())?;
-            let other = scene.simulation(Dop853::tolerance(1e-13)).loads(loads).run(start, 0.5, |_| ())?;
-            let (a, b) = (&series.motion, &other.motion);
-            let of_place = apart(&a.coordinates(), &b.coordinates());
-            let of_acceleration = apart(&a.accelerations(), &b.accelerations());
-            // Forces at all stations, those through the joints that close loops among them.
-            let mut of_force = 0.0_f64;
-            for (a, b) in scene.stations(a, loads)?.iter().zip(scene.stations(b, loads)?.iter()) {
-                let d = a.internal - b.internal;
-                of_force = of_force.max(d.force.norm()).max(d.torque.norm());
-            }
-            let (steps, others) = (series.steps, other.steps);
-            println!(
-                "{}: {steps} steps for {others}, apart by {of_place:.1e}, {of_acceleration:.1e}, {of_force:.1e}",
-                $name
-            );
-            assert!(of_place < 1e-11 && of_acceleration < 1e-9 && of_force < 1e-9 && series.rejected == 0);
+            let scene = $scene;
+            closed_beside_dop853!($name, scene, $loads, scene.at_rest(&$angles)?, 0.5, norm);
         }};
     }
     compare!("bridge", bridge!(), OF_BRIDGE, Unloaded);
@@ -153,14 +120,6 @@ fn readings_within_a_step_are_closed() -> Result<(), Error> {
 fn a_run_goes_on_as_if_it_had_not_stopped() -> Result<(), Error> {
     let scene = ring!();
     let start = scene.assembled(scene.at_rest(&OF_RING)?, &Unloaded)?;
-    let (mut whole, mut now, mut next) = (scene.stepper(Taylor::<16>), start, start);
-    for _ in 0..5 {
-        whole.step(&now, &Unloaded, 0.02, &mut next)?;
-        let mut fresh = now;
-        scene.stepper(Taylor::<16>).step(&now, &Unloaded, 0.02, &mut fresh)?;
-        assert!(fresh.coordinates() == next.coordinates() && fresh.rates() == next.rates());
-        assert!(fresh.accelerations() == next.accelerations());
-        core::mem::swap(&mut now, &mut next);
-    }
+    goes_on!(16, scene, start, coordinates, rates, accelerations);
     Ok(())
 }

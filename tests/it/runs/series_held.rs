@@ -2,17 +2,11 @@
 //!
 //! Coefficients are those of `series_held.csv`, whose head says how they were found.
 
-use super::series::coefficients;
+use super::by_series::{apart, are_coefficients_of, beside_dop853, expansion, goes_on, move_alike};
 use catena::Error;
 use catena::planar::*;
 
 const G: f64 = 9.81;
-
-/// By how much two lists are apart.
-fn apart(a: &[f64], b: &[f64]) -> f64 {
-    assert_eq!(a.len(), b.len());
-    a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
-}
 
 /// Three unlike rods between pins.
 macro_rules! bridge {
@@ -57,17 +51,11 @@ macro_rules! crank {
 macro_rules! compare {
     ($name:literal, $scene:expr) => {{
         let (scene, start) = $scene;
-        let series = scene.simulate(start, Taylor::<20>::tolerance(1e-13), 1.0, |_| ())?;
-        let other = scene.simulate(start, Dop853::tolerance(1e-13), 1.0, |_| ())?;
+        let (series, other) = beside_dop853!(20, scene, Unloaded, start, 1.0);
         let (a, b) = (&series.motion, &other.motion);
-        let (of_place, of_acceleration) =
-            (apart(&a.coordinates(), &b.coordinates()), apart(&a.accelerations(), &b.accelerations()));
-        let of_force = apart(a.multipliers(), b.multipliers());
-        println!(
-            "{}: {} steps for {}, apart by {of_place:.1e}, {of_acceleration:.1e}, {of_force:.1e}",
-            $name, series.steps, other.steps
-        );
-        assert!(of_place < 1e-11 && of_acceleration < 1e-9 && of_force < 1e-9);
+        let of_acceleration = apart(&a.accelerations(), &b.accelerations());
+        let off = [apart(&a.coordinates(), &b.coordinates()), of_acceleration, apart(a.multipliers(), b.multipliers())];
+        move_alike($name, [series.steps, other.steps], off);
     }};
 }
 
@@ -88,19 +76,8 @@ fn coefficients_are_those_of_equations_with_multipliers() -> Result<(), Error> {
             let start = scene.with_rates(scene.at_rest(&$angles)?, &$rates)?;
             let mut stepper = scene.stepper(Taylor::<20>);
             assert!(stepper.propose(&start, &Unloaded, 1e-10).is_some() && stepper.error_order() < 20);
-            let mut stepper = scene.stepper(Taylor::<20>);
-            let mut next = start.clone();
-            let _ = stepper.step(&start, &Unloaded, 1e-6, &mut next);
-            let expected = coefficients(include_str!("series_held.csv"), $name);
-            assert_eq!(expected.len(), 20);
-            for (k, expected) in expected.iter().enumerate() {
-                let mut found = vec![];
-                stepper.coefficients(k, |x| found.push(x / (k + 1) as f64)); // those of rates
-                let largest = expected.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-                let miss = apart(&found, expected) / largest;
-                println!("{}, order {}: {largest:.3e}, miss {miss:.1e}", $name, k + 1);
-                assert!(miss <= 1e-13, "{}, order {}: {found:?}, {expected:?}", $name, k + 1);
-            }
+            let (found, _) = expansion!(20, scene, start, Unloaded, 1e-6);
+            are_coefficients_of(include_str!("series_held.csv"), $name, &found, 1e-13);
         }};
     }
     let rods = || (Rod::uniform(1.0, 1.0), Pin, Rod::uniform(0.7, 0.4), Pin, Rod::uniform(0.9, 0.6));
@@ -134,15 +111,6 @@ fn readings_within_a_step_are_closed() -> Result<(), Error> {
 #[test]
 fn a_run_goes_on_as_if_it_had_not_stopped() -> Result<(), Error> {
     let (scene, start) = bridge!();
-    let (mut whole, mut first) = (scene.stepper(Taylor::<20>), scene.stepper(Taylor::<20>));
-    let (mut now, mut next) = (start, start);
-    for _ in 0..5 {
-        whole.step(&now, &Unloaded, 0.02, &mut next)?;
-        let mut fresh = now;
-        first.step(&now, &Unloaded, 0.02, &mut fresh)?;
-        assert!(fresh.coordinates() == next.coordinates() && fresh.multipliers() == next.multipliers());
-        first = scene.stepper(Taylor::<20>);
-        core::mem::swap(&mut now, &mut next);
-    }
+    goes_on!(20, scene, start, coordinates, multipliers);
     Ok(())
 }

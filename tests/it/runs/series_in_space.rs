@@ -2,7 +2,10 @@
 //!
 //! Coefficients are those of `series_in_space.csv`, whose head says how they were found.
 
-use super::series::{coefficients, hangs_at_odd_quarters};
+use super::by_series::{
+    apart, are_coefficients_of, beside_dop853, ends_in_single_precision, errors_within_steps, expansion,
+    hangs_at_odd_quarters, slope,
+};
 use catena::scalar::Jet;
 use catena::spatial::*;
 use catena::{Error, Fault};
@@ -65,31 +68,14 @@ const EFFORTS: [Effort<f64>; 7] = [
     Effort([-0.02, 0.04, 0.06]),
 ];
 
-/// Largest difference of two lists.
-fn apart(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).fold(0.0, |most, (a, b)| most.max((a - b).abs()))
-}
-
 /// By how much coefficients of each order miss those of the file, as a share of the largest of that order: the top, the rods, the rod, the
 /// tree and the driven tree by up to 2e-13, 1e-14, 8e-13, 2e-13 and 3e-13. The program that found the file misses by 4e-14, 1e-13, 3e-12,
 /// 6e-12 and 2e-11 if it counts in doubles: the spin of a thin rod and the accelerations of the tree are ill-conditioned.
 macro_rules! misses {
     ($name:expr, $scene:expr, $start:expr, $order:literal, $loads:expr) => {{
-        let (scene, start) = (&$scene, &$start);
-        let mut stepper = scene.stepper(Taylor::<$order>);
-        let mut next = start.clone();
-        stepper.step(start, &$loads, 1e-3, &mut next)?;
-        let expected = coefficients(include_str!("series_in_space.csv"), $name);
-        assert_eq!(expected.len(), $order);
-        for (k, expected) in expected.iter().enumerate() {
-            let mut found = vec![];
-            stepper.coefficients(k, |x| found.push(x / (k + 1) as f64)); // those of rates
-            assert_eq!(found.len(), expected.len());
-            let largest = expected.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-            let miss = apart(&found, expected);
-            println!("{}, order {}: {largest:.3e}, miss {:.1e}", $name, k + 1, miss / largest);
-            assert!(miss <= 1e-12 * largest, "{}, order {}: {found:?}, {expected:?}", $name, k + 1);
-        }
+        let (found, stepped) = expansion!($order, $scene, $start, $loads, 1e-3);
+        stepped?;
+        are_coefficients_of(include_str!("series_in_space.csv"), $name, &found, 1e-12);
     }};
 }
 
@@ -111,9 +97,8 @@ fn coefficients_are_those_of_dalemberts_principle() -> Result<(), Error> {
 fn scenes_move_as_under_dop853() -> Result<(), Error> {
     macro_rules! compare {
         ($scene:expr, $loads:expr) => {{
-            let ((scene, start), loads) = ($scene, $loads);
-            let series = scene.simulation(Taylor::<24>::tolerance(1e-13)).loads(&loads).run(start, 1.0, |_| ())?;
-            let other = scene.simulation(Dop853::tolerance(1e-13)).loads(&loads).run(start, 1.0, |_| ())?;
+            let (scene, start) = $scene;
+            let (series, other) = beside_dop853!(24, scene, $loads, start, 1.0);
             let (series_end, other_end) = (&series.motion, &other.motion);
             let miss = apart(&series_end.coordinates(), &other_end.coordinates());
             let miss = miss.max(1e-1 * apart(&series_end.rates(), &other_end.rates()));
@@ -131,8 +116,7 @@ fn scenes_move_as_under_dop853() -> Result<(), Error> {
     let links = vec![(Revolute::about([0.0, 1.0, 0.0]), rod(), Revolute::about([1.0, 0.0, 0.0]), body()); 2];
     let arm = System::new(tilted, links, Free)?.with_gravity(G);
     let start = arm.with_rates(arm.at_rest(&[0.3, -0.2, 0.1, 0.4])?, &[1.0, -2.0, 0.5, 3.0])?;
-    let series = arm.simulate(start.clone(), Taylor::<24>::tolerance(1e-13), 1.0, |_| ())?;
-    let other = arm.simulate(start, Dop853::tolerance(1e-13), 1.0, |_| ())?;
+    let (series, other) = beside_dop853!(24, arm, Unloaded, start, 1.0);
     assert!(apart(&series.motion.coordinates(), &other.motion.coordinates()) < 1e-11);
     Ok(())
 }
@@ -142,8 +126,7 @@ fn long_chains_move_as_under_dop853() -> Result<(), Error> {
     let rod = Rod::uniform(0.05, 0.005, 0.05);
     let chain = System::new(Pinned::origin(), (rod, vec![(Ball, rod); 19]), Free)?.with_gravity(G);
     let start = chain.at_rest(&[0.0; 60])?;
-    let series = chain.simulate(start.clone(), Taylor::<24>::tolerance(1e-13), 0.1, |_| ())?;
-    let other = chain.simulate(start, Dop853::tolerance(1e-13), 0.1, |_| ())?;
+    let (series, other) = beside_dop853!(24, chain, Unloaded, start, 0.1);
     println!("twenty rods: {} steps", series.steps);
     assert!(apart(&series.motion.coordinates(), &other.motion.coordinates()) < 1e-11);
     Ok(())
@@ -191,21 +174,11 @@ fn energy_and_momentum_about_the_vertical_stay() -> Result<(), Error> {
 #[test]
 fn orders_are_those_of_the_series() -> Result<(), Error> {
     let (scene, start) = rods!();
-    let (mut few, mut many) = (scene.stepper(Taylor::<8>), scene.stepper(Taylor::<30>));
-    let (mut next, mut exact, mut end) = (start, start, start);
-    let (mut within, mut rates, mut whole) = (vec![], vec![], vec![]);
-    for dt in [0.08, 0.07, 0.06, 0.05] {
-        few.step(&start, &Unloaded, dt, &mut next)?;
-        many.step(&start, &Unloaded, dt, &mut end)?;
-        few.interpolate(&start, &Unloaded, dt, &next.clone(), 0.7, &mut next);
-        many.interpolate(&start, &Unloaded, dt, &end, 0.7, &mut exact);
-        within.push((dt, apart(&next.coordinates(), &exact.coordinates())));
-        rates.push((dt, apart(&next.rates(), &exact.rates())));
-    }
-    // What is left out begins with the power P + 2 of positions, P + 1 of rates.
+    let [within, rates] = errors_within_steps!(scene, start, [0.08, 0.07, 0.06, 0.05]);
     has_order("position within a step", 10.0, 1e-15, &within);
     has_order("rate within a step", 9.0, 1e-15, &rates);
     let exact = scene.simulate(start, Taylor::<30>::tolerance(1e-15), 0.5, |_| ())?.motion;
+    let mut whole = vec![];
     for dt in [0.0125, 0.01, 0.008, 0.00625] {
         let run = scene.simulate(start, Taylor::<8>::step(dt), 0.5, |_| ())?;
         whole.push((dt, apart(&run.motion.coordinates(), &exact.coordinates())));
@@ -275,10 +248,8 @@ fn derivatives_go_through_series() -> Result<(), Error> {
     let found = jets(Number::seed(0.3, 0), Number::seed(3.0, 1))?;
     let h = 1e-3;
     for (i, found) in found.iter().enumerate() {
-        for (k, step) in [[h, 0.0], [0.0, h]].into_iter().enumerate() {
-            // Central differences of order four.
-            let at = |times: f64| Ok::<_, Error>(run(0.3 + times * step[0], 3.0 + times * step[1])?[i]);
-            let slope = (8.0 * (at(1.0)? - at(-1.0)?) - (at(2.0)? - at(-2.0)?)) / (12.0 * h);
+        for (k, [dl, dr]) in [[1.0, 0.0], [0.0, 1.0]].into_iter().enumerate() {
+            let slope = slope(h, |x| Ok(run(0.3 + x * dl, 3.0 + x * dr)?[i]))?;
             near(found.eps[k], slope, 1e-9);
         }
     }
@@ -293,9 +264,8 @@ fn single_precision_keeps_its_digits() -> Result<(), Error> {
     let start = single.at_rest(&[0.3, 0.2, 0.1, 0.0, 0.6, 0.4])?;
     let start = single.with_rates(start, &[0.2, 0.3, -0.4, 3.0, -1.0, 1.0])?;
     let run = single.simulate(start, Taylor::<8>::tolerance(1e-6), 1.0, |_| ())?;
-    let found: Vec<f64> = run.motion.coordinates().into_iter().map(f64::from).collect();
-    println!("{} steps, {:.1e}", run.steps, apart(&found, &exact));
-    assert!(apart(&found, &exact) < 2e-5 && run.rejected == 0);
+    ends_in_single_precision(run.steps, run.motion.coordinates(), &exact);
+    assert_eq!(run.rejected, 0);
     Ok(())
 }
 

@@ -2,7 +2,10 @@
 //!
 //! Coefficients are those of `series_loops.csv`, whose head says how they were found.
 
-use super::series::{Drive, coefficients, hangs_at_odd_quarters};
+use super::by_series::{
+    Drive, apart, are_coefficients_of, beside_dop853, closed_beside_dop853, ends_in_single_precision,
+    errors_within_steps, expansion, goes_on, hangs_at_odd_quarters, move_alike, slope,
+};
 use catena::planar::*;
 use catena::scalar::Jet;
 use catena::{Error, Scalar};
@@ -10,12 +13,6 @@ use catena_oracle::{has_order, near};
 use simba::simd::WideF64x4;
 
 const G: f64 = 9.81;
-
-/// By how much two lists are apart.
-fn apart(a: &[f64], b: &[f64]) -> f64 {
-    assert_eq!(a.len(), b.len());
-    a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
-}
 
 /// A rod of one kilogram a metre.
 fn rod<T: Scalar>(length: T) -> Rod<T> {
@@ -79,22 +76,12 @@ fn coefficients_are_those_of_equations_with_multipliers() -> Result<(), Error> {
     /// Ends of loops need not be where they are held: coefficients are those of what closures demand of accelerations.
     macro_rules! expand {
         ($name:literal, $scene:expr, $coordinates:expr, $rates:expr) => {{
-            let (scene, mut start) = (&$scene, $scene.motion());
+            let scene = $scene;
+            let mut start = scene.motion();
             start.set_coordinates(&$coordinates)?;
             let start = scene.with_rates(start, &$rates)?;
-            let mut stepper = scene.stepper(Taylor::<20>);
-            let mut next = start.clone();
-            let _ = stepper.step(&start, &Unloaded, 1e-6, &mut next);
-            let expected = coefficients(include_str!("series_loops.csv"), $name);
-            assert_eq!(expected.len(), 20);
-            for (k, expected) in expected.iter().enumerate() {
-                let mut found = vec![];
-                stepper.coefficients(k, |x| found.push(x / (k + 1) as f64)); // those of rates
-                let largest = expected.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-                let miss = apart(&found, expected) / largest;
-                println!("{}, order {}: {largest:.3e}, miss {miss:.1e}", $name, k + 1);
-                assert!(miss <= 1e-13, "{}, order {}: {found:?}, {expected:?}", $name, k + 1);
-            }
+            let (found, _) = expansion!(20, scene, start, Unloaded, 1e-6);
+            are_coefficients_of(include_str!("series_loops.csv"), $name, &found, 1e-13);
         }};
     }
     let rates = [0.8, -1.5, 0.4, 0.3, -0.6, 1.0, -0.2, 0.5, 0.9];
@@ -109,27 +96,10 @@ fn coefficients_are_those_of_equations_with_multipliers() -> Result<(), Error> {
 fn loops_move_as_under_dop853() -> Result<(), Error> {
     macro_rules! compare {
         ($name:literal, $scene:expr, $coordinates:expr, $loads:expr) => {{
-            let (scene, loads, mut start) = (&$scene, &$loads, $scene.motion());
+            let scene = $scene;
+            let mut start = scene.motion();
             start.set_coordinates(&$coordinates)?;
-            let start = scene.assembled(start, &Unloaded)?;
-            let by_series = Taylor::<24>::tolerance(1e-13);
-            let series = scene.simulation(by_series).loads(loads).run(start.clone(), 0.7, |_| ())?;
-            let other = scene.simulation(Dop853::tolerance(1e-13)).loads(loads).run(start, 0.7, |_| ())?;
-            let (a, b) = (&series.motion, &other.motion);
-            let of_place = apart(&a.coordinates(), &b.coordinates());
-            let of_acceleration = apart(&a.accelerations(), &b.accelerations());
-            // Forces at all stations, those through the joints that close loops among them.
-            let mut of_force = 0.0_f64;
-            for (a, b) in scene.stations(a, loads)?.iter().zip(scene.stations(b, loads)?.iter()) {
-                let d = a.internal - b.internal;
-                of_force = of_force.max(d.force.norm()).max(d.torque.abs());
-            }
-            let (steps, others) = (series.steps, other.steps);
-            println!(
-                "{}: {steps} steps for {others}, apart by {of_place:.1e}, {of_acceleration:.1e}, {of_force:.1e}",
-                $name
-            );
-            assert!(of_place < 1e-11 && of_acceleration < 1e-9 && of_force < 1e-9 && series.rejected == 0);
+            closed_beside_dop853!($name, scene, $loads, start, 0.7, abs);
         }};
     }
     compare!("four-bar", four_bar!(f64::from, 1.2), OF_FOUR_BAR, Unloaded);
@@ -165,24 +135,14 @@ fn readings_within_a_step_are_closed() -> Result<(), Error> {
 fn orders_are_those_of_the_series() -> Result<(), Error> {
     let scene = four_bar!(f64::from, 1.2);
     let start = scene.assembled(scene.at_rest(&OF_FOUR_BAR)?, &Unloaded)?;
-    let (mut few, mut many) = (scene.stepper(Taylor::<8>), scene.stepper(Taylor::<30>));
-    let (mut next, mut exact, mut end) = (start, start, start);
-    let (mut within, mut rates, mut whole) = (vec![], vec![], vec![]);
-    for dt in [0.1, 0.09, 0.08, 0.07] {
-        few.step(&start, &Unloaded, dt, &mut next)?;
-        many.step(&start, &Unloaded, dt, &mut end)?;
-        few.interpolate(&start, &Unloaded, dt, &next.clone(), 0.7, &mut next);
-        many.interpolate(&start, &Unloaded, dt, &end, 0.7, &mut exact);
-        within.push((dt, apart(&next.coordinates(), &exact.coordinates())));
-        rates.push((dt, apart(&next.rates(), &exact.rates())));
-    }
-    // What is left out begins with the power P + 2 of positions, P + 1 of rates.
+    let [within, rates] = errors_within_steps!(scene, start, [0.1, 0.09, 0.08, 0.07]);
     has_order("position within a step", 10.0, 1e-14, &within);
     has_order("rate within a step", 9.0, 1e-14, &rates);
     // Runs of the four-bar come to their order (7.3 to 7.9) just before rounding; those of a parallelogram show it earlier.
     let scene = parallelogram!();
     let start = scene.at_rest(&[-0.7, 0.0, -0.7])?;
     let exact = scene.simulate(start, Taylor::<30>::tolerance(1e-15), 0.3, |_| ())?.motion;
+    let mut whole = vec![];
     for steps in [8.0, 10.0, 12.0, 15.0] {
         let run = scene.simulate(start, Taylor::<8>::step(0.3 / steps), 0.3, |_| ())?;
         whole.push((0.3 / steps, apart(&run.motion.coordinates(), &exact.coordinates())));
@@ -239,10 +199,8 @@ fn derivatives_and_lanes_go_through_loops() -> Result<(), Error> {
     let jets = end(Jet::<f64, 2>::seed(1.2, 0), Jet::seed(1.05, 1))?;
     for (i, jet) in jets.iter().enumerate() {
         near(jet.re, plain[i], 1e-11);
-        for (k, [dl, da]) in [[h, 0.0], [0.0, h]].into_iter().enumerate() {
-            // Central differences of order four.
-            let at = |times: f64| Ok::<_, Error>(end(1.2 + times * dl, 1.05 + times * da)?[i]);
-            let slope = (8.0 * (at(1.0)? - at(-1.0)?) - (at(2.0)? - at(-2.0)?)) / (12.0 * h);
+        for (k, [dl, da]) in [[1.0, 0.0], [0.0, 1.0]].into_iter().enumerate() {
+            let slope = slope(h, |x| Ok(end(1.2 + x * dl, 1.05 + x * da)?[i]))?;
             near(jet.eps[k] / (1.0 + slope.abs()), slope / (1.0 + slope.abs()), 1e-8);
         }
     }
@@ -264,9 +222,8 @@ fn single_precision_keeps_its_digits() -> Result<(), Error> {
     let single = scene.lift(|x| x as f32);
     let start = single.assembled(single.at_rest(&OF_FOUR_BAR.map(|x| x as f32))?, &Unloaded)?;
     let run = single.simulate(start, Taylor::<8>::tolerance(1e-6), 1.0, |_| ())?;
-    let found: Vec<f64> = run.motion.coordinates().into_iter().map(f64::from).collect();
-    println!("{} steps, {:.1e}", run.steps, apart(&found, &exact));
-    assert!(apart(&found, &exact) < 2e-5 && run.rejected == 0);
+    ends_in_single_precision(run.steps, run.motion.coordinates(), &exact);
+    assert_eq!(run.rejected, 0);
     Ok(())
 }
 
@@ -276,14 +233,6 @@ fn a_run_goes_on_as_if_it_had_not_stopped() -> Result<(), Error> {
     let mut start = scene.motion();
     start.set_coordinates(&OF_NESTED)?;
     let start = scene.assembled(start, &Unloaded)?;
-    let (mut whole, mut now, mut next) = (scene.stepper(Taylor::<20>), start, start);
-    for _ in 0..5 {
-        whole.step(&now, &Unloaded, 0.02, &mut next)?;
-        let mut fresh = now;
-        scene.stepper(Taylor::<20>).step(&now, &Unloaded, 0.02, &mut fresh)?;
-        assert!(fresh.coordinates() == next.coordinates() && fresh.rates() == next.rates());
-        assert!(fresh.accelerations() == next.accelerations());
-        core::mem::swap(&mut now, &mut next);
-    }
+    goes_on!(20, scene, start, coordinates, rates, accelerations);
     Ok(())
 }

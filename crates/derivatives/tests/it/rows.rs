@@ -43,8 +43,8 @@ fn rows_at_a_time_are_rows_one_by_one() {
 /// Dual numbers are equal where their real parts are: sines know better.
 #[test]
 fn sines_of_packs_keep_derivatives_apart() {
-    use catena::Scalar;
     use catena::num_dual::Dual64;
+    use catena::{Elementary, Scalar};
     let x = Pack([Dual64::new(0.5, 1.0), Dual64::new(0.5, 2.0)]);
     let (sine, cosine) = x.sin_cos();
     for k in 0..2 {

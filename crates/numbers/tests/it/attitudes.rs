@@ -1,6 +1,6 @@
 //! Attitudes on lanes, each of which decides for itself, and on dual numbers.
 
-use catena::scalar::{Jet, Scalar, WideF32x4, WideF64x4};
+use catena::scalar::{Elementary, Jet, Scalar, WideF32x4, WideF64x4};
 use catena::spatial::*;
 use catena::{Error, Fault};
 use catena_oracle::near;

@@ -4,7 +4,7 @@
 //!
 //! What is claimed is read from the table in the documentation of `src/scalar/trig.rs`.
 
-use catena::scalar::Scalar;
+use catena::scalar::{Elementary, Scalar};
 use core::f64::consts::FRAC_PI_4;
 
 /// A value as the double nearest to it and the double nearest to the remainder.
@@ -47,14 +47,14 @@ fn rows(kind: &str) -> Vec<Row> {
 
 /// Larger error of sine and cosine [ulp], as computed in `f64`.
 fn double(row: &Row) -> f64 {
-    let (sine, cosine) = Scalar::sin_cos(row.angle);
+    let (sine, cosine) = Elementary::sin_cos(row.angle);
     let ulps = |exact: Exact, value: f64| exact.ulps(value, 53, f64::from_bits(1));
     ulps(row.sine, sine).max(ulps(row.cosine, cosine))
 }
 
 /// Larger error of sine and cosine [ulp], as computed in `f32`.
 fn single(row: &Row) -> f64 {
-    let (sine, cosine) = Scalar::sin_cos(row.angle as f32);
+    let (sine, cosine) = Elementary::sin_cos(row.angle as f32);
     let ulps = |exact: Exact, value: f32| exact.ulps(value.into(), 24, f32::from_bits(1).into());
     ulps(row.sine, sine).max(ulps(row.cosine, cosine))
 }
@@ -131,7 +131,7 @@ fn the_table_reaches_as_far_as_the_stated_range() {
 #[test]
 fn beyond_the_range_the_error_is_that_of_a_rounded_angle() {
     for row in rows("beyond") {
-        let (sine, cosine) = Scalar::sin_cos(row.angle);
+        let (sine, cosine) = Elementary::sin_cos(row.angle);
         // The angle rounded once more (half its spacing, at most 2^-53 of it), and the results' own errors.
         let tolerance = row.angle.abs() * f64::EPSILON / 2.0 + 2.0 * f64::EPSILON;
         for (value, Exact(near, rest)) in [(sine, row.sine), (cosine, row.cosine)] {
@@ -146,11 +146,11 @@ fn sine_is_odd_and_cosine_even_to_the_last_bit() {
     // From 1e-9 to 4e5 in equal ratios.
     let others = (0..20_000).map(|step| 1e-9 * 1.001_683_f64.powi(step));
     for angle in tabulated.map(|row| row.angle).chain(others) {
-        let (plus, minus) = (Scalar::sin_cos(angle), Scalar::sin_cos(-angle));
+        let (plus, minus) = (Elementary::sin_cos(angle), Elementary::sin_cos(-angle));
         assert_eq!(minus.0.to_bits(), (-plus.0).to_bits(), "sine at {angle}");
         assert_eq!(minus.1.to_bits(), plus.1.to_bits(), "cosine at {angle}");
         let angle = angle as f32;
-        let (plus, minus) = (Scalar::sin_cos(angle), Scalar::sin_cos(-angle));
+        let (plus, minus) = (Elementary::sin_cos(angle), Elementary::sin_cos(-angle));
         assert_eq!(minus.0.to_bits(), (-plus.0).to_bits(), "sine at {angle}");
         assert_eq!(minus.1.to_bits(), plus.1.to_bits(), "cosine at {angle}");
     }
@@ -159,11 +159,11 @@ fn sine_is_odd_and_cosine_even_to_the_last_bit() {
 #[test]
 fn tiny_angles_and_signed_zeros_are_their_own_sine() {
     for angle in [0.0, -0.0, 5e-324, -1e-310, f64::MIN_POSITIVE, 1e-30, -1e-9] {
-        let (sine, cosine) = Scalar::sin_cos(angle);
+        let (sine, cosine) = Elementary::sin_cos(angle);
         assert_eq!((sine.to_bits(), cosine), (angle.to_bits(), 1.0), "{angle:e}");
     }
     for angle in [0.0, -0.0, 1e-45, -1e-40, f32::MIN_POSITIVE, 1e-20, -1e-5] {
-        let (sine, cosine) = Scalar::sin_cos(angle);
+        let (sine, cosine) = Elementary::sin_cos(angle);
         assert_eq!((sine.to_bits(), cosine), (angle.to_bits(), 1.0), "{angle:e}");
     }
 }
@@ -171,9 +171,9 @@ fn tiny_angles_and_signed_zeros_are_their_own_sine() {
 #[test]
 fn angles_that_are_not_finite_give_nan() {
     for angle in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let (sine, cosine) = Scalar::sin_cos(angle);
+        let (sine, cosine) = Elementary::sin_cos(angle);
         assert!(sine.is_nan() && cosine.is_nan(), "{angle}");
-        let (sine, cosine) = Scalar::sin_cos(angle as f32);
+        let (sine, cosine) = Elementary::sin_cos(angle as f32);
         assert!(sine.is_nan() && cosine.is_nan(), "{angle} in f32");
     }
 }

@@ -20,7 +20,7 @@ use crate::mechanics::planar::{
 };
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::relation::{Additive, Closures};
-use crate::scalar::{Jet, Scalar};
+use crate::scalar::{Elementary, Jet, Scalar};
 use crate::shape::{Of, Takes};
 use crate::walks::burden::Burden;
 use crate::walks::pull_loads::{LAW, PullLoads};

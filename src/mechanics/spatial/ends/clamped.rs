@@ -4,7 +4,7 @@ use super::{Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::lift;
-use crate::mechanics::spatial::away::turned_away;
+use crate::mechanics::spatial::away::{sine_of_turn, turned_away};
 use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Rotation, Spatial, Turn, Weld};
 use crate::relation::spatial::algebra::zero;
 use crate::relation::spatial::{Full, FullColumn};
@@ -144,6 +144,11 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
             [place.x, place.y, place.z, turn.x, turn.y, turn.z],
             [velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z],
         ]
+    }
+    fn linear_residual(&self, time: T::Real, tip: &Frame<T>) -> [T; 6] {
+        let frame = self.frame(time);
+        let (place, turn) = (tip.place - frame.place, sine_of_turn(&frame.turn.attitude, &tip.turn.attitude));
+        [place.x, place.y, place.z, turn.x, turn.y, turn.z]
     }
     fn free_compliance(&self, _: T::Real, body: &BodyMotion<T>) -> [T; 6] {
         let compliance = Compliance::of(body);

@@ -4,7 +4,7 @@ use super::{AttitudeMotion, Clamped, Compliance, Ground, GroundMotion};
 use crate::ends::{Held, Loose, Root, Tip};
 use crate::error::{Error, Fault, Place};
 use crate::lift::Lift;
-use crate::mechanics::spatial::away::tilted_away;
+use crate::mechanics::spatial::away::{sine_of_tilt, tilted_away};
 use crate::mechanics::spatial::axial::{aside, check_axis, orthonormal, unit};
 use crate::mechanics::spatial::{BodyMotion, Frame, Internal, Revolute, Rotation, Spatial, Turn};
 use crate::relation::spatial::algebra::{Columns, cross, dot, zero};
@@ -165,6 +165,13 @@ impl<T: Scalar, G: Ground<T, GroundMotion<T>>, A: Ground<T, AttitudeMotion<T>>> 
             [place.x, place.y, place.z, one, two],
             [velocity.x, velocity.y, velocity.z, dot(first, spin), dot(second, spin)],
         ]
+    }
+    fn linear_residual(&self, time: T::Real, tip: &Frame<T>) -> [T; 5] {
+        let frame = self.ground.frame(time);
+        let [held, own] = [&frame, tip].map(|end| end.turn.attitude.apply(self.axis));
+        let [one, two] = sine_of_tilt(held, own, self.normals(&frame.turn));
+        let place = tip.place - frame.place;
+        [place.x, place.y, place.z, one, two]
     }
     fn free_compliance(&self, _: T::Real, body: &BodyMotion<T>) -> [T; 5] {
         let compliance = Compliance::of(body);

@@ -180,13 +180,16 @@ fn tips_stay_as_they_are_held() -> Result<(), Error> {
     let start = scene.assembled(scene.at_rest(&[0.3, 0.2, 0.4, -0.2, 0.1, -0.6, 0.3, -0.2, 0.1])?, &Unloaded)?;
     for slots in [Slots::Angles, Slots::RotationVectors] {
         for (at, allowed) in [(At::Iterated, 1e-12), (At::Predictor, 1e-6)] {
-            let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).linearized(at).turning_by(slots);
-            let mut run = scheme.solved_by(Solver::Riccati).start(&scene, &start, &Unloaded, 0.005)?;
-            run.run_to(0.5)?;
-            let off = Rotation::from_angles(run.attitude(2).unwrap()).relative_to(&attitude).shortest().log();
-            let worst = off.iter().fold(0.0_f64, |worst, x: &f64| worst.max(x.abs()));
-            println!("{slots:?}, {at:?}: {worst:.1e} rad");
-            assert!(worst < allowed);
+            // A condition that is not linear shows in some steps only, by the sign of what rounding left.
+            for dt in [0.01, 0.005, 0.0025, 0.00125] {
+                let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).linearized(at).turning_by(slots);
+                let mut run = scheme.solved_by(Solver::Riccati).start(&scene, &start, &Unloaded, dt)?;
+                run.run_to(0.5)?;
+                let off = Rotation::from_angles(run.attitude(2).unwrap()).relative_to(&attitude).shortest().log();
+                let worst = off.iter().fold(0.0_f64, |worst, x: &f64| worst.max(x.abs()));
+                println!("{slots:?}, {at:?}, {dt} s: {worst:.1e} rad");
+                assert!(worst < allowed);
+            }
         }
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! Lanes against plain numbers, bit for bit.
 
 use super::*;
-use catena::scalar::{WideF32x16, WideF64x8};
+use catena::scalar::{Elementary, WideF32x16, WideF64x8};
 use simba::simd::{WideF32x4, WideF32x8, WideF64x4};
 
 /// Every lane of a result has the bits of a plain computation; angles from 1e-3 to beyond the range, both signs.
@@ -19,16 +19,16 @@ macro_rules! lanes_compute_alone {
             let x = y.map(|y| 1.25 - y * 0.5);
             let (all_y, all_x) = ($lanes::from(y), $lanes::from(x));
             let each = |f: fn($number, $number) -> $number| core::array::from_fn(|lane| f(y[lane], x[lane]));
-            same(all_y.sin_cos().0, each(|y, _| Scalar::sin_cos(y).0));
-            same(all_y.sin_cos().1, each(|y, _| Scalar::sin_cos(y).1));
-            same(all_y.atan2(all_x), each(Scalar::atan2));
+            same(all_y.sin_cos().0, each(|y, _| Elementary::sin_cos(y).0));
+            same(all_y.sin_cos().1, each(|y, _| Elementary::sin_cos(y).1));
+            same(all_y.atan2(all_x), each(Elementary::atan2));
             same(all_y.recip(), each(|y, _| Scalar::recip(y)));
-            same((all_y * all_y).sqrt(), each(|y, _| Scalar::sqrt(y * y)));
+            same((all_y * all_y).sqrt(), each(|y, _| Elementary::sqrt(y * y)));
             same(all_y.mul_add(all_x, all_y), each(|y, x| Scalar::mul_add(y, x, y)));
             same(all_y.scale(3.0), each(|y, _| y * 3.0));
-            same(Scalar::exp(all_y), each(|y, _| Scalar::exp(y)));
-            same(Scalar::ln(all_x), each(|_, x| Scalar::ln(x)));
-            same(Scalar::tanh(all_y), each(|y, _| Scalar::tanh(y)));
+            same(Elementary::exp(all_y), each(|y, _| Elementary::exp(y)));
+            same(Elementary::ln(all_x), each(|_, x| Elementary::ln(x)));
+            same(Elementary::tanh(all_y), each(|y, _| Elementary::tanh(y)));
             same(Scalar::abs(all_y), each(|y, _| Scalar::abs(y)));
             same(Scalar::sign(all_y), each(|y, _| Scalar::sign(y)));
             same(Scalar::powi(all_x, 5), each(|_, x| Scalar::powi(x, 5)));
