@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | a law along a coordinate | [`SpringLaw`](crate::planar::SpringLaw), and [`spatial::RotaryLaw`](crate::spatial::RotaryLaw), in a joint of this crate, or read by [`Resistance::of`] | a stop, a stiffening spring: there |
 //! | a joint | [`JointModel`]: [`Kinematics`] and what acts along their coordinate; [`joint!`](crate::joint) | `examples/own_joint.rs`: a geared motor, 37 lines |
+//! | a joint of several coordinates | joints of one in a row; [`compound!`](crate::compound), [the guide](crate::guide::own_elements#joints-of-several-coordinates) | `examples/own_gimbal.rs`: a universal joint of two motors, 25 lines |
 //! | a joint that moves in a way of its own | [`Kinematics`]: its motion, and the elimination of its coordinate, free and driven | |
 //! | a body | a struct of bodies, joints and arms; [`compound!`](crate::compound) | `examples/own_body.rs`: a tank in which liquid sloshes, 36 lines |
 //! | an end | [`Ground`](crate::planar::Ground): how its ground moves | below |

@@ -3,7 +3,10 @@
 mod checks;
 #[path = "../../../examples/elements/geared.rs"]
 mod geared;
+#[path = "../../../examples/elements/gimbal.rs"]
+mod gimbal;
 mod own_body;
+mod own_gimbal;
 mod own_joint;
 #[path = "../../../examples/elements/tank.rs"]
 mod tank;
@@ -12,6 +15,7 @@ mod tank;
 fn an_element_of_ones_own_takes_forty_lines() {
     for (name, text) in [
         ("geared", include_str!("../../../examples/elements/geared.rs")),
+        ("gimbal", include_str!("../../../examples/elements/gimbal.rs")),
         ("tank", include_str!("../../../examples/elements/tank.rs")),
     ] {
         let lines = text.lines().count();
