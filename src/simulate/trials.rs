@@ -246,7 +246,7 @@ pub(super) fn factor<R: Real>(error: R, order: usize) -> R {
     limited(inverse_root(error.as_f64().max(1e-12), order))
 }
 
-/// The same to three thousandths, for an error that is accepted.
+/// That factor to three thousandths, for an error that is accepted.
 #[inline]
 pub(super) fn rough_factor<R: Real>(error: R, order: usize) -> R {
     limited(power(error.as_f64().max(1e-12), -1.0 / order as f64))

@@ -40,10 +40,10 @@ macro_rules! held {
 /// The same as a list.
 fn plain() -> Robot {
     let mut robot = plain_fixed();
-    for k in 0..3 {
+    for (k, place) in PLACES.into_iter().enumerate() {
         let (mass, centre, tensor) = body(k + 1);
         let tensor = Matrix::from_fn(|i, j| tensor[i][j]);
-        let (place, turn, parent) = (Vector::from(PLACES[k]), matrix(&turn(k)), Some(k + 5));
+        let (place, turn, parent) = (Vector::from(place), matrix(&turn(k)), Some(k + 5));
         let centre = Vector::from(centre);
         robot.parts.push(Part {
             parent,

@@ -95,10 +95,10 @@ fn residuals_nearby_are_linear_in_axes() {
             near(hinged[k], still.place[k], 1e-16);
             near(clamped[3 + k], sine[k], 1e-15);
         }
-        for k in 3..5 {
+        for (k, found) in hinged.into_iter().enumerate().skip(3) {
             let unit = core::array::from_fn(|j| if j == k { 1.0 } else { 0.0 });
             let normal = Tip::<Spatial<f64>>::internal(&hinge, 0.0, &unit).torque;
-            near(hinged[k], normal.dot(&of_ground.x.cross(&x)), 1e-15);
+            near(found, normal.dot(&of_ground.x.cross(&x)), 1e-15);
         }
     }
 }
