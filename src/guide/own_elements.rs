@@ -53,9 +53,9 @@
 //! geared motors, in 25 lines; `compound!` makes it one element. This is a pin in a slot, with friction along the slot and about the pin:
 //!
 //! ```
-//! use catena::Scalar;
 //! use catena::extend::{JointModel, Kinematics, Resistance, check_element};
 //! use catena::planar::*;
+//! use catena::{Elementary, Scalar};
 //! use core::fmt::Debug;
 //!
 //! /// Friction of c tanh(q̇ / v).
