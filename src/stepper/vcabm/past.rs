@@ -242,6 +242,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> VcabmMemory<Motion<T, P, C>, P::Rat
     pub(super) fn usable(&self, size: f64) -> usize {
         let least = NEAREST * size * size;
         let far = |before: &&f64| **before * size >= least;
+        // Nearly always all are far, and a loop without a way out is put in lanes.
         let (others, all) = (self.known - 1, self.sizes.iter().fold(true, |all, before| all & far(&before)));
         if all { 1 + others } else { 1 + self.sizes[..others].iter().take_while(far).count() }
     }
