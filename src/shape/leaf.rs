@@ -27,6 +27,12 @@ pub trait Body<S: Space>: Copy + 'static {
     fn swung(&self, inboard: AccelerationOf<S>, posture: PostureOf<'_, S>) -> AccelerationOf<S>;
     /// Motion of the body, if its inboard end moves like this, and motion of its outboard end.
     fn motion(&self, inboard: FrameOf<S>) -> (S::BodyMotion, FrameOf<S>);
+    /// [`motion`](Self::motion) of a body that stands as a posture says, for those who find it sooner from that.
+    #[inline(always)]
+    fn posed(&self, inboard: FrameOf<S>, posture: PostureOf<'_, S>) -> (S::BodyMotion, FrameOf<S>) {
+        let _ = posture;
+        self.motion(inboard)
+    }
     /// Rejects parameters that make no mechanics.
     ///
     /// # Errors

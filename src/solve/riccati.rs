@@ -4,15 +4,16 @@
 //! of what lies outboard about a joint.
 
 use crate::element::{
-    Close, Condense, Coordinates, Element, Given, InJoint, Level, Load, Loading, OnBody, Posture, Reading, RealOf,
-    Space, Springs, Sweep, Visit, Watch,
+    Close, Condense, Coordinates, Element, Given, InJoint, Level, Loading, OnBody, Posture, Reading, RealOf, Space,
+    Springs, Sweep, Watch,
 };
 use crate::ends::{Root, Tip};
 use crate::relation::{Acceleration, Closures, Part, Solvable};
-use crate::shape::{Body, Kept, PerAxes, PerBody, PerJoint, Rates};
+use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::space::FrameOf;
-use crate::visit::survey;
+use crate::visit::{Visit, survey};
 use crate::walks::entries::{Entry, entries};
+use crate::walks::exert::Exert;
 use crate::walks::faced::faced;
 use crate::walks::measure::gains;
 use crate::walks::recover::recover;
@@ -130,18 +131,18 @@ pub fn sweep<S: Space, E, W, R, P>(
             spread::to_joints(chain, loads.in_joints_listed(), in_joints);
         }
     } else if W::Loads::ON {
-        let pass = |seen| LoadPass { loads: *loads, seen, time: *time, body: 0, joint: 0 };
         if const { <W::Springs as Springs<S::Scalar>>::STIFF && W::Loads::YIELDS } {
             // As laws of joints that are not linear: where the last sweep has led, with the accelerations that led there.
             let Reading { position, rate, acceleration } = spring.reading;
             let motion = Coordinates { position, rate, acceleration };
             let fallen = FrameOf::<S> { acceleration: ground.falling(*gravity), ..*ground };
             let seen = survey(chain, fallen, motion, *loads);
-            travel(chain, fallen, motion, pass(seen), on_bodies, in_joints);
+            travel(chain, fallen, motion, Exert::new(*loads, *time, seen), on_bodies, in_joints);
         } else {
             let motion = Coordinates { position, rate, acceleration };
             let seen = survey(chain, *ground, motion, *loads);
-            travel(chain, *ground, motion, pass(seen), on_bodies, in_joints);
+            let posture = Posture { x, y, p, q };
+            Exert::new(*loads, *time, seen).walk(chain, *ground, posture, motion, on_bodies, in_joints);
         }
     }
     // Chains of hinges are inlined as a whole: what was stored is then better read from where it stands than kept beside it, for registers
@@ -180,38 +181,6 @@ pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S, Closures: Solvable>>(
     Some(correction)
 }
 
-/// Evaluates the loads, body by body and joint by joint.
-struct LoadPass<'a, S: Space, L: Loading<S>> {
-    loads: &'a L,
-    seen: L::Seen,
-    time: RealOf<S>,
-    body: usize,
-    joint: usize,
-}
-
-impl<S: Space, L: Loading<S>> Visit<S> for LoadPass<'_, S, L> {
-    type OnBody = L::OnBody;
-    type InJoint = L::InJoint;
-
-    #[cfg_attr(optimised, inline(always))]
-    fn body(&mut self, motion: &S::BodyMotion) -> L::OnBody {
-        let load = self.loads.on_body(&self.seen, self.time, self.body, motion);
-        self.body += 1;
-        load
-    }
-    #[inline(always)]
-    fn body_with<B: Body<S>>(&mut self, motion: &S::BodyMotion) -> L::OnBody {
-        let load = self.body(motion);
-        if const { B::OWN_AXES } { load.in_own_axes(motion) } else { load }
-    }
-    #[cfg_attr(optimised, inline(always))]
-    fn joint(&mut self, motion: &S::JointMotion) -> L::InJoint {
-        let torque = self.loads.in_joint(self.time, self.joint, motion);
-        self.joint += 1;
-        torque
-    }
-}
-
 /// The outermost body or joint (counted together from the root) with a load that is not finite.
 pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
     chain: &E,
@@ -235,20 +204,20 @@ pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
         return broken;
     }
     let seen = survey(chain, *ground, motion, loads);
-    let mut check = LoadCheck { pass: LoadPass { loads, seen, time, body: 0, joint: 0 }, broken: None };
+    let mut check = LoadCheck { pass: Exert::new(loads, time, seen), broken: None };
     show(chain, *ground, motion, &mut check);
     check.broken
 }
 
 struct LoadCheck<'a, S: Space, L: Loading<S>> {
-    pass: LoadPass<'a, S, L>,
+    pass: Exert<'a, S, L>,
     broken: Option<usize>,
 }
 
 impl<S: Space, L: Loading<S>> LoadCheck<'_, S, L> {
     fn note(&mut self, finite: bool) {
         if !finite {
-            self.broken = Some(self.pass.body + self.pass.joint - 1);
+            self.broken = Some(self.pass.met() - 1);
         }
     }
 }

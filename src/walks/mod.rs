@@ -23,6 +23,7 @@ pub mod configure;
 pub mod copy;
 pub mod count;
 pub mod entries;
+pub mod exert;
 pub mod faced;
 pub mod factor;
 pub mod find;

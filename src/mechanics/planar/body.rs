@@ -140,9 +140,15 @@ impl<T: Scalar> Pose<T> {
 #[cfg_attr(optimised, inline(always))]
 pub(super) fn body_motion<T: Scalar, B: Body<T>>(body: &B, inboard: Frame<T>) -> BodyMotion<T> {
     let (sine, cosine) = inboard.turn.angle.sin_cos();
+    body_along(body, inboard, Vector2::new(cosine, sine))
+}
+
+/// The motion of a body whose axes have a direction.
+#[cfg_attr(optimised, inline(always))]
+fn body_along<T: Scalar, B: Body<T>>(body: &B, inboard: Frame<T>, direction: Vector2<T>) -> BodyMotion<T> {
     let inertia = body.inertia();
     let zero = Vector2::new(T::zero(), T::zero());
-    let motion = BodyMotion { inboard, arm: zero, to_centre: zero, direction: Vector2::new(cosine, sine), inertia };
+    let motion = BodyMotion { inboard, arm: zero, to_centre: zero, direction, inertia };
     BodyMotion { arm: motion.turned(body.outboard()), to_centre: motion.turned(inertia.centre), ..motion }
 }
 
@@ -162,6 +168,11 @@ impl<T: Scalar, B: Body<T>> crate::shape::Body<Planar<T>> for B {
     #[inline(always)]
     fn motion(&self, inboard: Frame<T>) -> (BodyMotion<T>, Frame<T>) {
         let motion = body_motion(self, inboard);
+        (motion, motion.outboard())
+    }
+    #[inline(always)]
+    fn posed(&self, inboard: Frame<T>, (&x, &y, &p, &q): PostureOf<'_, Planar<T>>) -> (BodyMotion<T>, Frame<T>) {
+        let motion = body_along(self, inboard, self.direction(Pose { x, y, p, q }));
         (motion, motion.outboard())
     }
     fn check(&self) -> Result<(), Fault> {
