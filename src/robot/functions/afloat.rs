@@ -1,15 +1,18 @@
 //! Dynamics of robots whose base floats: what moves, from forces, and how that changes.
 
 use super::snapshot::{Floating, six};
-use super::{Afloat, Blocks, S, SixRows, Snapshot, Tasks, checked, finite};
-use crate::element::Element;
+use super::{Afloat, Blocks, Driven, S, SixRows, Snapshot, Tasks, checked, finite};
+use crate::element::{Condense, Element};
 use crate::ends::Tip;
 use crate::error::{Error, Fault};
-use crate::mechanics::spatial::Free;
 use crate::mechanics::spatial::body_axes::Place;
+use crate::mechanics::spatial::{Free, Turn};
+use crate::relation::Open;
 use crate::relation::spatial::algebra::{Columns, cross, zero};
+use crate::relation::spatial::{Empty, Full, Rigid};
 use crate::scalar::Scalar;
 use crate::system::System;
+use nalgebra::Vector3;
 
 /// Derivatives by the state of a robot whose base floats.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +35,7 @@ fn solved<T: Scalar, const N: usize>(
     Ok((base.map(|[x]| x), joints.map(|[x]| x)))
 }
 
-/// Accelerations of a robot at an instant.
+/// Accelerations of a robot at an instant, where its mass matrix is known.
 fn accelerations<T: Scalar, const N: usize>(
     now: &Snapshot<T, N>,
     mass: &Floating<'_, T, N>,
@@ -72,10 +75,21 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         torques: &[T; N],
     ) -> Result<([T; 6], [T; N]), Error>
     where
-        C: Tasks<T, N>,
+        C: Tasks<T, N> + Condense<S<T>, Empty, Driven<T, N>, Out: Rigid<T, Closures = Open>>,
     {
-        let now = self.snapshot_afloat(base, q, v)?;
-        accelerations(&now, &Floating::of(self.mass_matrix_afloat(base.place, q)?, now.parents()), wrench, torques)
+        self.has_joints(N)?;
+        checked(&base.place)?;
+        finite(base.velocity.as_slice()).and(finite(base.spin.as_slice()))?;
+        let attitude = base.place.attitude;
+        let [fx, fy, fz, mx, my, mz] = *wrench;
+        let (force, torque) = (Vector3::new(fx, fy, fz), attitude.apply(Vector3::new(mx, my, mz)));
+        let turn = Turn { attitude, spin: attitude.apply(base.spin) };
+        let (of_base, seconds) = self.swept(turn, q, v, torques, |outer| {
+            let outer = outer.full();
+            Full { force: outer.force - force, torque: outer.torque - torque, ..outer }.afloat().0
+        });
+        let of_base = six([of_base.linear + self.gravity(), attitude.transposed(of_base.angular)]);
+        finite(&of_base).and(finite(&seconds)).map(|()| (of_base, seconds))
     }
 
     /// The Jacobian of a point (m, axes of its body) of the body on a joint, or of the base, as a [`Snapshot`] has it, from the joints on the way

@@ -24,7 +24,7 @@ use crate::mechanics::spatial::body_axes::inverse::{Carrying as Load, Loaded, Re
 use crate::mechanics::spatial::body_axes::places::{Parents, Places, Tally, Way};
 use crate::mechanics::spatial::body_axes::solids::Solids;
 use crate::mechanics::spatial::body_axes::{Base, Place, Stand, Torques};
-use crate::mechanics::spatial::{Clamped, Spatial};
+use crate::mechanics::spatial::{Acceleration, Clamped, Spatial, Turn};
 use crate::mirror::{Position, Rate};
 use crate::relation::Open;
 use crate::relation::spatial::Empty;
@@ -182,13 +182,22 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
-        let seconds = self.swept(q, v, torques);
+        let ground = self.ground(T::Real::zero());
+        let (_, seconds) = self.swept(ground.turn, q, v, torques, |_| ground.falling(self.gravity()));
         finite(&seconds).map(|()| seconds)
     }
 
-    /// A sweep whose stores live no longer than itself.
+    /// A sweep whose stores live no longer than itself, of a robot on a base that is turned like this, and moves as the relation there lets it:
+    /// accelerations of the base, in a frame that falls freely, and of the joints.
     #[inline(never)]
-    fn swept<const N: usize>(&self, q: &[T; N], v: &[T; N], torques: &[T; N]) -> [T; N]
+    fn swept<const N: usize>(
+        &self,
+        base: Turn<T>,
+        q: &[T; N],
+        v: &[T; N],
+        torques: &[T; N],
+        moved: impl FnOnce(<C as Condense<S<T>, Empty, Driven<T, N>>>::Out) -> Acceleration<T>,
+    ) -> (Acceleration<T>, [T; N])
     where
         C: Tasks<T, N>,
     {
@@ -210,9 +219,8 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         let mut in_joints = chain.store::<PerJoint<T>>(T::zero());
         let on_bodies = chain.store::<PerBody<_>>(crate::relation::Absent);
         let mut kept = chain.store::<Kept<Open>>(());
-        let ground = self.ground(T::Real::zero());
         sines(chain, &position, &mut x);
-        chain.pose(&position, &rate, ground.turn, &sizes, &mut x, &mut y, &mut p, &mut r);
+        chain.pose(&position, &rate, base, &sizes, &mut x, &mut y, &mut p, &mut r);
         spread::to_coordinates(chain, torques, &mut in_joints);
         let posture = Posture { x: &x, y: &y, p: &p, q: &r };
         let given: Given<'_, S<T>, C, Driven<T, N>> = Given {
@@ -223,9 +231,8 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
             reading: Reading { position: &position, rate: &rate, acceleration: &rate },
             springs: Explicit,
         };
-        let _ = chain.condense(Empty, posture, given, &mut kept);
+        let root = moved(chain.condense(Empty, posture, given, &mut kept));
         let mut acceleration = chain.store::<Rates>(());
-        let root = ground.falling(self.gravity());
         recover::<S<T>, C, Open, Explicit>(chain, root, posture, &mut kept, (), &mut acceleration);
         let (mut found, mut k) = ([T::zero(); N], 0);
         Rate::visit(&acceleration, &mut |second| {
@@ -234,6 +241,6 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
             }
             k += 1;
         });
-        found
+        (root, found)
     }
 }
