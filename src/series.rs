@@ -116,18 +116,18 @@ pub trait ExertClosing<S: Expandable, Q>: ExpandClosing<S> {
     note = "it runs scenes under gravity, springs, dampers and efforts in joints that are values or functions of time; `Dop853` runs all"
 )]
 pub trait ExpandLoads<S: Space>: Loading<S> {
-    /// Coefficients of the effort in the joint of a number, of powers of time (s) around a time.
-    fn in_joint_over_time<const N: usize>(&self, time: RealOf<S>, joint: usize) -> [Self::InJoint; N];
+    /// The first coefficients of the effort in the joint of a number, of powers of time (s) around a time: as many as are asked for.
+    fn in_joint_over_time<const N: usize>(&self, time: RealOf<S>, joint: usize, asked: usize) -> [Self::InJoint; N];
 }
 
 impl<S: Space> ExpandLoads<S> for Unloaded {
-    fn in_joint_over_time<const N: usize>(&self, _: RealOf<S>, _: usize) -> [Absent; N] {
+    fn in_joint_over_time<const N: usize>(&self, _: RealOf<S>, _: usize, _: usize) -> [Absent; N] {
         [Absent; N]
     }
 }
 
 impl<S: Space, J: SeriesLaw<S::JointMotion>> ExpandLoads<S> for Loads<Absent, J> {
-    fn in_joint_over_time<const N: usize>(&self, time: RealOf<S>, joint: usize) -> [J::Value; N] {
-        self.joints().series(time, joint)
+    fn in_joint_over_time<const N: usize>(&self, time: RealOf<S>, joint: usize, asked: usize) -> [J::Value; N] {
+        self.joints().series(time, joint, asked)
     }
 }

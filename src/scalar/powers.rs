@@ -2,58 +2,124 @@
 
 use super::made::of_numbers;
 use super::{Elementary, Real, Scalar};
-use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::One;
 
+/// As many coefficients as a series may have, and one.
+const ROOM: usize = 32;
+
+/// 1 / k.
+const SHARES: [f64; ROOM] = {
+    let (mut shares, mut k) = ([0.0; ROOM], 1);
+    while k < ROOM {
+        shares[k] = 1.0 / k as f64;
+        k += 1;
+    }
+    shares
+};
+
 /// The first `N` coefficients of a power series. Decisions are made on the first.
+///
+/// A polynomial of the variable, as what stands inside a sine mostly is, has few coefficients, and whatever multiplies by it few products.
 ///
 /// Functions obey the differential equations that define them (R. E. Moore, Interval Analysis, 1966, chapter 11).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Powers<T, const N: usize>(pub [T; N]);
+pub struct Powers<T, const N: usize> {
+    terms: [T; N],
+    /// How many of them there are; the others are zero, or nobody asks for them.
+    count: usize,
+    /// How many are asked for.
+    asked: usize,
+}
 
 impl<T: Scalar, const N: usize> Powers<T, N> {
     /// What does not change.
     fn of(value: T) -> Self {
-        Self(from_fn(|k| if k == 0 { value } else { T::zero() }))
+        Self::polynomial(1, N, |_| value)
     }
 
-    /// The variable itself around a value.
-    pub fn variable(value: T) -> Self {
-        Self(from_fn(|k| match k {
-            0 => value,
-            1 => T::one(),
-            _ => T::zero(),
-        }))
+    /// The variable itself around a value, if as many coefficients are asked for of all that is made of it.
+    pub fn variable(value: T, asked: usize) -> Self {
+        Self::polynomial(2, asked.min(N), |k| if k == 0 { value } else { T::one() })
+    }
+
+    /// The coefficients asked for, and zeros.
+    pub fn terms(self) -> [T; N] {
+        self.terms
+    }
+
+    /// A series of `count` coefficients, or of as many as are asked for.
+    #[inline(always)]
+    fn polynomial(count: usize, asked: usize, mut each: impl FnMut(usize) -> T) -> Self {
+        let (mut terms, count) = ([T::zero(); N], count.min(asked));
+        for (k, term) in terms[..count].iter_mut().enumerate() {
+            *term = each(k);
+        }
+        Self { terms, count, asked }
     }
 
     fn first(&self) -> T {
-        self.0.first().copied().unwrap_or(T::zero())
+        self.terms.first().copied().unwrap_or(T::zero())
     }
 
-    /// A series whose coefficient number k follows from those before it.
-    fn solved(first: T, mut next: impl FnMut(usize, &[T; N]) -> T) -> Self {
-        let mut all = [T::zero(); N];
-        for k in 0..N {
-            all[k] = if k == 0 { first } else { next(k, &all) };
+    /// The number of the last coefficient that is there.
+    fn degree(&self) -> usize {
+        self.count.saturating_sub(1)
+    }
+
+    /// How many coefficients a function of this one has.
+    fn composed(&self) -> usize {
+        if self.degree() == 0 { 1 } else { self.asked }
+    }
+
+    /// A series of which coefficient number k follows from those before it.
+    fn solved(count: usize, asked: usize, first: T, mut next: impl FnMut(usize, &[T; N]) -> T) -> Self {
+        let (mut terms, count) = ([T::zero(); N], count.min(asked));
+        for k in 0..count {
+            terms[k] = if k == 0 { first } else { next(k, &terms) };
         }
-        Self(all)
+        Self { terms, count, asked }
     }
 
-    /// Σ j x_j y_{k−j} / k, j from 1 on: coefficient number k of y where y′ = x′ y of another y.
+    /// Σ x_j y_{k−j}: coefficient number k of the product of this series and another.
+    #[inline(always)]
+    fn convolved(&self, y: &[T; N], k: usize) -> T {
+        let most = k.min(self.degree());
+        if most == 0 {
+            return self.first() * y[k];
+        }
+        let products = self.terms[..=most].iter().zip(y[k - most..=k].iter().rev());
+        products.fold(T::zero(), |sum, (x, y)| x.mul_add(*y, sum))
+    }
+
+    /// Coefficient number k of y where y′ = x′ y of another y, and x′ is this.
+    #[inline(always)]
     fn chained(&self, y: &[T; N], k: usize) -> T {
-        let terms = (1..=k).fold(T::zero(), |sum, j| sum.add_scaled(T::Real::of(j as f64), self.0[j] * y[k - j]));
-        terms.scale(T::Real::of(1.0 / k as f64))
+        self.convolved(y, k - 1).scale(T::Real::of(SHARES[k]))
     }
 
     /// A function of a value and of a slope, which is known.
     fn integral(first: T, slope: Self) -> Self {
-        Self::solved(first, |k, _| slope.0[k - 1].scale(T::Real::of(1.0 / k as f64)))
+        let of = |k: usize| slope.terms[k - 1].scale(T::Real::of(SHARES[k]));
+        Self::polynomial(slope.count + 1, slope.asked, |k| if k == 0 { first } else { of(k) })
     }
 
     /// The derivative; of the last coefficient nobody asks.
     fn derivative(self) -> Self {
-        Self(from_fn(|k| self.0.get(k + 1).map_or(T::zero(), |x| x.scale(T::Real::of((k + 1) as f64)))))
+        let of = |k: usize| self.terms.get(k + 1).map_or(T::zero(), |x| x.scale(T::Real::of((k + 1) as f64)));
+        Self::polynomial(self.degree().max(1), self.asked, of)
+    }
+
+    /// Each coefficient alone.
+    fn map(self, mut each: impl FnMut(T) -> T) -> Self {
+        Self::polynomial(self.count, self.asked, |k| each(self.terms[k]))
+    }
+
+    /// Coefficients of two series in pairs.
+    fn zip(self, other: Self, mut pair: impl FnMut(T, T) -> T) -> Self {
+        Self::polynomial(self.count.max(other.count), self.asked.min(other.asked), |k| {
+            pair(self.terms[k], other.terms[k])
+        })
     }
 }
 
@@ -62,28 +128,37 @@ of_numbers!(Powers<T, N>);
 impl<T: Scalar, const N: usize> Neg for Powers<T, N> {
     type Output = Self;
     fn neg(self) -> Self {
-        Self(self.0.map(|x| -x))
+        self.map(|x| -x)
     }
 }
 
 impl<T: Scalar, const N: usize> Add for Powers<T, N> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self(from_fn(|k| self.0[k] + other.0[k]))
+        self.zip(other, |a, b| a + b)
     }
 }
 
 impl<T: Scalar, const N: usize> Sub for Powers<T, N> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self(from_fn(|k| self.0[k] - other.0[k]))
+        self.zip(other, |a, b| a - b)
     }
 }
 
 impl<T: Scalar, const N: usize> Mul for Powers<T, N> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Self(from_fn(|k| (0..=k).fold(T::zero(), |sum, j| self.0[j].mul_add(other.0[k - j], sum))))
+        let (few, many) = if self.count < other.count { (&self, &other) } else { (&other, &self) };
+        let asked = self.asked.min(other.asked);
+        let (mut terms, count) = ([T::zero(); N], (few.degree() + many.count).min(asked));
+        // One loop for each of the few, which vectorises.
+        for (j, x) in few.terms[..few.count.min(count)].iter().enumerate() {
+            for (term, y) in terms[j..count].iter_mut().zip(&many.terms) {
+                *term = x.mul_add(*y, *term);
+            }
+        }
+        Self { terms, count, asked }
     }
 }
 
@@ -91,9 +166,10 @@ impl<T: Scalar, const N: usize> Div for Powers<T, N> {
     type Output = Self;
     #[allow(clippy::suspicious_arithmetic_impl)] // a recursion
     fn div(self, other: Self) -> Self {
-        Self::solved(self.first() / other.first(), |k, quotient| {
-            let known = (1..=k).fold(self.0[k], |sum, j| sum - other.0[j] * quotient[k - j]);
-            known / other.0[0]
+        let (count, asked) = (self.count.max(other.composed()), self.asked.min(other.asked));
+        Self::solved(count, asked, self.first() / other.first(), |k, quotient| {
+            let products = 1..=k.min(other.degree());
+            products.fold(self.terms[k], |sum, j| sum - other.terms[j] * quotient[k - j]) / other.first()
         })
     }
 }
@@ -102,37 +178,41 @@ impl<T: Scalar, const N: usize> Elementary for Powers<T, N> {
     fn sqrt(self) -> Self {
         let first = self.first().sqrt();
         let half = first.recip().scale(T::Real::of(0.5));
-        Self::solved(first, |k, root| (1..k).fold(self.0[k], |sum, j| sum - root[j] * root[k - j]) * half)
+        let rest = |k: usize, root: &[T; N]| (1..k).fold(self.terms[k], |sum, j| sum - root[j] * root[k - j]);
+        Self::solved(self.composed(), self.asked, first, |k, root| rest(k, root) * half)
     }
     fn sin_cos(self) -> (Self, Self) {
-        let (mut sine, mut cosine) = ([T::zero(); N], [T::zero(); N]);
-        for k in 0..N {
+        let (mut sine, mut cosine, count) = ([T::zero(); N], [T::zero(); N], self.composed());
+        let slope = self.derivative();
+        for k in 0..count {
             (sine[k], cosine[k]) = match k {
-                0 => self.0[0].sin_cos(),
-                _ => (self.chained(&cosine, k), -self.chained(&sine, k)),
+                0 => self.first().sin_cos(),
+                _ => (slope.chained(&cosine, k), -slope.chained(&sine, k)),
             };
         }
-        (Self(sine), Self(cosine))
+        (Self { terms: sine, count, ..self }, Self { terms: cosine, count, ..self })
     }
     fn atan2(self, x: Self) -> Self {
         let slope = (x * self.derivative() - self * x.derivative()) / (x * x + self * self);
         Self::integral(self.first().atan2(x.first()), slope)
     }
     fn exp(self) -> Self {
-        Self::solved(self.first().exp(), |k, all| self.chained(all, k))
+        let slope = self.derivative();
+        Self::solved(self.composed(), self.asked, self.first().exp(), |k, all| slope.chained(all, k))
     }
     fn ln(self) -> Self {
         Self::integral(self.first().ln(), self.derivative() / self)
     }
     fn tanh(self) -> Self {
         // y′ = x′ (1 − y²), whose coefficients up to k − 1 are known where y's are.
-        let (mut all, mut rest) = ([T::zero(); N], [T::zero(); N]);
-        for k in 0..N {
-            all[k] = if k == 0 { self.0[0].tanh() } else { self.chained(&rest, k) };
-            let square = (0..=k).fold(T::zero(), |sum, j| all[j].mul_add(all[k - j], sum));
-            rest[k] = if k == 0 { (T::one() - all[0]) * (T::one() + all[0]) } else { -square };
+        let (mut terms, mut rest, count) = ([T::zero(); N], [T::zero(); N], self.composed());
+        let slope = self.derivative();
+        for k in 0..count {
+            terms[k] = if k == 0 { self.first().tanh() } else { slope.chained(&rest, k) };
+            let square = (0..=k).fold(T::zero(), |sum, j| terms[j].mul_add(terms[k - j], sum));
+            rest[k] = if k == 0 { (T::one() - terms[0]) * (T::one() + terms[0]) } else { -square };
         }
-        Self(all)
+        Self { terms, count, ..self }
     }
 }
 
@@ -148,10 +228,10 @@ impl<T: Scalar, const N: usize> Scalar for Powers<T, N> {
         self.first().real()
     }
     fn is_finite(self) -> bool {
-        self.0.iter().all(|x| x.is_finite())
+        self.terms.iter().all(|x| x.is_finite())
     }
     fn scale(self, factor: T::Real) -> Self {
-        Self(self.0.map(|x| x.scale(factor)))
+        self.map(|x| x.scale(factor))
     }
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
@@ -160,10 +240,10 @@ impl<T: Scalar, const N: usize> Scalar for Powers<T, N> {
         Self::one() / self
     }
     fn if_negative(self, then: Self, otherwise: Self) -> Self {
-        Self(core::array::from_fn(|k| self.first().if_negative(then.0[k], otherwise.0[k])))
+        then.zip(otherwise, |then, otherwise| self.first().if_negative(then, otherwise))
     }
     fn abs(self) -> Self {
-        Self(self.0.map(|x| x * self.first().sign()))
+        self.map(|x| x * self.first().sign())
     }
     fn sign(self) -> Self {
         Self::of(self.first().sign())
@@ -177,47 +257,80 @@ mod tests {
 
     type Ten = Powers<f64, 10>;
 
+    fn full(terms: [f64; 10]) -> Ten {
+        Powers { terms, count: 10, asked: 10 }
+    }
+
     fn near(name: &str, a: Ten, b: Ten) {
-        for (k, (a, b)) in a.0.iter().zip(b.0).enumerate() {
+        for (k, (a, b)) in a.terms.iter().zip(b.terms).enumerate() {
             assert!((a - b).abs() < 1e-13 * (1.0 + b.abs()), "{name}, {k}: {a} {b}");
         }
     }
 
     #[test]
     fn known_series_are_found() {
-        let t = Ten::variable(0.0);
+        let t = Ten::variable(0.0, 10);
         let mut factorial = 1.0;
-        for (k, coefficient) in t.exp().0.iter().enumerate() {
+        for (k, coefficient) in t.exp().terms.iter().enumerate() {
             factorial *= k.max(1) as f64;
             assert!((coefficient * factorial - 1.0).abs() < 1e-15);
         }
-        near("geometric", (Ten::one() - t).recip(), Powers([1.0; 10]));
+        near("geometric", (Ten::one() - t).recip(), full([1.0; 10]));
         let (sine, cosine) = t.sin_cos();
         near(
             "sine",
             sine,
-            Powers([0.0, 1.0, 0.0, -1.0 / 6.0, 0.0, 1.0 / 120.0, 0.0, -1.0 / 5040.0, 0.0, 1.0 / 362_880.0]),
+            full([0.0, 1.0, 0.0, -1.0 / 6.0, 0.0, 1.0 / 120.0, 0.0, -1.0 / 5040.0, 0.0, 1.0 / 362_880.0]),
         );
         near("sine's slope", sine.derivative(), cosine.cut());
         let third = 1.0 / 3.0;
         near(
             "tangent",
             t.tanh(),
-            Powers([0.0, 1.0, 0.0, -third, 0.0, 2.0 / 15.0, 0.0, -17.0 / 315.0, 0.0, 62.0 / 2835.0]),
+            full([0.0, 1.0, 0.0, -third, 0.0, 2.0 / 15.0, 0.0, -17.0 / 315.0, 0.0, 62.0 / 2835.0]),
         );
     }
 
     impl Ten {
         /// Without the last coefficient, which a derivative does not know.
         fn cut(mut self) -> Self {
-            self.0[9] = 0.0;
+            self.terms[9] = 0.0;
             self
+        }
+    }
+
+    /// What is left out where there are few coefficients is zero.
+    #[test]
+    fn polynomials_are_series_of_few_terms() {
+        let (x, one) = (Ten::variable(0.7, 10), Ten::one());
+        let line = x.scale(3.0) - one;
+        let parabola = line * line + x;
+        assert_eq!([one.count, line.count, parabola.count, (one / one).count, (line / one).count], [1, 2, 3, 1, 2]);
+        let cubic = parabola * line;
+        assert_eq!((cubic.count, cubic * cubic * cubic * cubic), (4, full((cubic * cubic * cubic * cubic).terms)));
+        let short = (Ten::variable(0.7, 4) * x).exp();
+        assert_eq!((short.count, &short.terms[..4]), (4, &(x * x).exp().terms[..4]));
+        let whole = |x: Ten| full(x.terms);
+        for (name, few) in [("line", line), ("parabola", parabola), ("one", one)] {
+            let all = whole(few);
+            near(name, few.exp(), all.exp());
+            near(name, few.sqrt(), all.sqrt());
+            near(name, few.ln(), all.ln());
+            near(name, few.tanh(), all.tanh());
+            near(name, few.sin_cos().0, all.sin_cos().0);
+            near(name, few.sin_cos().1, all.sin_cos().1);
+            near(name, few.atan2(x), all.atan2(whole(x)));
+            near(name, few / parabola, all / whole(parabola));
+            near(name, few.recip(), all.recip());
+            near(name, few * cubic, all * whole(cubic));
+            near(name, few.abs() - x, all.abs() - whole(x));
+            near(name, few.if_negative(x, parabola), all.if_negative(whole(x), whole(parabola)));
         }
     }
 
     #[test]
     fn inverse_functions_lead_back() {
-        let x = Powers([0.7, -1.1, 0.4, 0.3, -0.2, 0.1, 0.5, -0.6, 0.2, 0.1]);
+        let x = full([0.7, -1.1, 0.4, 0.3, -0.2, 0.1, 0.5, -0.6, 0.2, 0.1]);
         near("root", x.sqrt() * x.sqrt(), x);
         near("logarithm", x.ln().exp(), x);
         near("quotient", x / (x + Ten::one()) * (x + Ten::one()), x);

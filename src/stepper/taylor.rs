@@ -106,13 +106,19 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
     /// Begins the series at the motion ahead.
     fn open(&mut self, loads: &L) {
         let Motion { time, position, rate, acceleration, multipliers } = &mut self.ahead;
-        *multipliers = self.scene.begin(*time, position, rate, loads, &mut self.series, acceleration);
+        if D::LOADED {
+            self.scene.recite(*time, loads, self.order, &mut self.series);
+        }
+        *multipliers = self.scene.begin(*time, position, rate, &mut self.series, acceleration);
         (self.begun, self.known) = (true, *time);
     }
 
     /// Makes the series that of a motion under loads, which may be others than before.
     fn expand(&mut self, past: &MotionIn<D, L>, loads: &L) -> Result<(), Error> {
-        if D::LOADED && (self.begun || self.expanded) && !self.scene.recite(self.known, loads, &mut self.series) {
+        if D::LOADED
+            && (self.begun || self.expanded)
+            && !self.scene.recite(self.known, loads, self.order, &mut self.series)
+        {
             (self.begun, self.expanded) = (false, false);
         }
         if self.expanded && self.origin.has_state(past.time, &past.position, &past.rate) {

@@ -26,14 +26,13 @@ pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
     /// Room for a series.
     fn series(&self) -> Self::Series;
 
-    /// Begins a series where a motion is, and finds the accelerations there, its coefficients of order 0; returns the forces that hold the
-    /// tip.
+    /// Begins a series where a motion is, under efforts that have been [recited](Self::recite), and finds the accelerations there, its
+    /// coefficients of order 0; returns the forces that hold the tip.
     fn begin(
         &self,
         time: <Self::Scalar as Scalar>::Real,
         position: &Self::Position,
         rate: &Self::Rate,
-        loads: &L,
         series: &mut Self::Series,
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L>;
@@ -41,8 +40,9 @@ pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
     /// Finds coefficients of the accelerations from order 1 on, one order after the other.
     fn expand(&self, series: &mut Self::Series, accelerations: &mut [Self::Rate]);
 
-    /// Whether the efforts of a series that began at a time are those of these loads, which they are from now on.
-    fn recite(&self, time: <Self::Scalar as Scalar>::Real, loads: &L, series: &mut Self::Series) -> bool;
+    /// Whether the efforts of a series that began at a time are those of these loads, which they are from now on, as far as coefficients are
+    /// asked for.
+    fn recite(&self, time: <Self::Scalar as Scalar>::Real, loads: &L, asked: usize, series: &mut Self::Series) -> bool;
 }
 
 /// The forces that hold a tip.
@@ -131,14 +131,10 @@ where
         time: RealOf<S>,
         position: &PositionOf<S, R, C>,
         rate: &RateOf<S, R, C>,
-        loads: &L,
         series: &mut Self::Series,
         acceleration: &mut RateOf<S, R, C>,
     ) -> EachOf<S, P> {
         let ground = Root::ground(&self.root, time);
-        if L::ON {
-            SeriesDynamics::<L, N>::recite(self, time, loads, series);
-        }
         let SeriesRoom { sizes, x, y, p, q, axes, joints, columns, gain, .. } = series;
         self.chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
         self.chain.take(&mut Begin::<N>, S::begun(ground.turn), (x, y, p, (position, rate), (axes, joints)));
@@ -157,8 +153,8 @@ where
         }
     }
 
-    fn recite(&self, time: RealOf<S>, loads: &L, series: &mut Self::Series) -> bool {
-        let mut recital = Recite::<S, L, N> { loads, time, joint: 0, same: true };
+    fn recite(&self, time: RealOf<S>, loads: &L, asked: usize, series: &mut Self::Series) -> bool {
+        let mut recital = Recite::<S, L, N> { loads, time, asked, joint: 0, same: true };
         self.chain.outward(&mut recital, (), (&mut series.efforts,));
         recital.same
     }
@@ -177,16 +173,15 @@ impl<D: SeriesDynamics<L, N>, L, const N: usize> SeriesDynamics<L, N> for &D {
         time: <Self::Scalar as Scalar>::Real,
         position: &Self::Position,
         rate: &Self::Rate,
-        loads: &L,
         series: &mut Self::Series,
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L> {
-        D::begin(self, time, position, rate, loads, series, acceleration)
+        D::begin(self, time, position, rate, series, acceleration)
     }
     fn expand(&self, series: &mut Self::Series, accelerations: &mut [Self::Rate]) {
         D::expand(self, series, accelerations);
     }
-    fn recite(&self, time: <Self::Scalar as Scalar>::Real, loads: &L, series: &mut Self::Series) -> bool {
-        D::recite(self, time, loads, series)
+    fn recite(&self, time: <Self::Scalar as Scalar>::Real, loads: &L, asked: usize, series: &mut Self::Series) -> bool {
+        D::recite(self, time, loads, asked, series)
     }
 }

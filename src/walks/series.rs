@@ -122,6 +122,8 @@ pub struct Recite<'l, S: Space, L, const N: usize> {
     pub loads: &'l L,
     /// Around which time (s).
     pub time: RealOf<S>,
+    /// How many coefficients are asked for.
+    pub asked: usize,
     /// The number of the next joint.
     pub joint: usize,
     /// Whether those of the joints before were there.
@@ -135,7 +137,8 @@ impl<S: Space, L: ExpandLoads<S>, const N: usize> Walk<S> for Recite<'_, S, L, N
 
 impl<S: Space, L: ExpandLoads<S>, const N: usize> Recite<'_, S, L, N> {
     fn meet(&mut self, efforts: &mut [L::InJoint; N]) {
-        let before = core::mem::replace(efforts, self.loads.in_joint_over_time(self.time, self.joint));
+        let now = self.loads.in_joint_over_time(self.time, self.joint, self.asked);
+        let before = core::mem::replace(efforts, now);
         self.same &= before.iter().zip(&*efforts).all(|(before, now)| before.is_same(*now));
         self.joint += 1;
     }

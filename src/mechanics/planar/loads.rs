@@ -76,7 +76,7 @@ impl<T: Scalar, F: TimeLaw<T::Real>> LoadLaw<JointMotion<T>> for OverTime<F> {
 }
 
 impl<T: Scalar, F: TimeLaw<T::Real>> SeriesLaw<JointMotion<T>> for OverTime<F> {
-    fn series<const N: usize>(&self, time: T::Real, joint: usize) -> [T; N] {
-        self.0.at(Powers::<T, N>::variable(T::constant(time)), joint).0
+    fn series<const N: usize>(&self, time: T::Real, joint: usize, asked: usize) -> [T; N] {
+        self.0.at(Powers::<T, N>::variable(T::constant(time), asked), joint).terms()
     }
 }
