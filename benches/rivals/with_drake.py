@@ -1,5 +1,7 @@
 """Drake's MultibodyPlant under its Runge-Kutta pairs of order 3 and 5 with error control."""
 
+import sys
+
 from pydrake.math import RigidTransform
 from pydrake.multibody.plant import MultibodyPlant
 from pydrake.multibody.tree import BallRpyJoint, FixedOffsetFrame, RevoluteJoint, SpatialInertia, UnitInertia
@@ -48,7 +50,11 @@ def runs(kind, bodies, end, reference):
         integrator.set_fixed_step_mode(False)
         for accuracy in ACCURACIES:
             integrator.set_target_accuracy(accuracy)
-            seconds = timed(begin, lambda: simulator.AdvanceTo(end))
+            try:
+                seconds = timed(begin, lambda: simulator.AdvanceTo(end))
+            except RuntimeError as error:  # a ball of three angles whose second one comes too near a right angle
+                print(f"{rule} at {accuracy} stops: {str(error)[:120]}", file=sys.stderr)
+                continue
             place = tip.CalcPoseInWorld(context).translation()
             found = sum(plant.GetPositions(context)) if kind == "pins" else place[1]
             yield "Drake", rule, accuracy, abs(found - reference), seconds
