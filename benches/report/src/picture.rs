@@ -126,7 +126,7 @@ pub fn draw(rows: &Rows) -> Result<String, std::fmt::Error> {
     )?;
     let title = "What an error costs";
     let subtitle =
-        format!("Milliseconds of a run against its error at the end, rule by rule; lower is better. {MEASURED}.");
+        format!("Milliseconds of a run against its error at the end, rule by rule; lower is better. Default target. {MEASURED}.");
     writeln!(svg, "<title>{title}</title><desc>{subtitle}</desc>")?;
     // Nothing that would reach beyond the picture where a page has it as its own.
     writeln!(
