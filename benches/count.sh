@@ -5,6 +5,7 @@
 # --check compares those of all rows but the longest with benches/results/counts.csv (of robots: robot_counts.csv), --record writes that
 # file.
 set -eu
+export CARGO_INCREMENTAL=0 # else a program is compiled in parts, and its functions are inlined otherwise
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-target}
 package=catena

@@ -70,9 +70,7 @@ where
             let mut workspace = system.workspace();
             let outcome = system.accelerate(&mut self.next, self.plan.loads, &mut workspace);
             outcome.map_err(|error| self.overlocked(error))?;
-            if const { !Self::MODES } {
-                system.nearly_closed(&self.past, self.plan.loads, &mut workspace)?; // joints that stick do not yield to corrections
-            }
+            system.nearly_closed(&self.past, self.plan.loads, &mut workspace)?;
         }
         let Simulation { rule, every, longest, .. } = &self.plan;
         limits::check([self.past.time, self.end], rule.control, *every, *longest)

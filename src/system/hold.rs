@@ -154,6 +154,11 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<L, S, R, C, P>,
     {
         let (mut now, mut steps) = (motion.clone(), [RealOf::<S>::zero(); 2]);
+        if const { PositionOf::<S, R, C>::MODES } {
+            // Joints that stick do not yield to corrections.
+            let mut rates = motion.rate.clone();
+            now.position.each_mode(&mut rates, &motion.acceleration, &mut |mode, _, _| *mode = mode.moving());
+        }
         for step in &mut steps {
             if self.accelerate(&mut now, loads, workspace).is_err() {
                 *step = RealOf::<S>::INFINITY;

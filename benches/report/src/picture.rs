@@ -125,8 +125,9 @@ pub fn draw(rows: &Rows) -> Result<String, std::fmt::Error> {
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" style="max-width:100%;height:auto" role="img">"#
     )?;
     let title = "What an error costs";
-    let subtitle =
-        format!("Milliseconds of a run against its error at the end, rule by rule; lower is better. Default target. {MEASURED}.");
+    let subtitle = format!(
+        "Milliseconds of a run against its error at the end, rule by rule; lower is better. Default target. {MEASURED}."
+    );
     writeln!(svg, "<title>{title}</title><desc>{subtitle}</desc>")?;
     // Nothing that would reach beyond the picture where a page has it as its own.
     writeln!(

@@ -59,6 +59,20 @@ fn runs_do_not_begin_from_open_loops() -> Result<(), Error> {
     Ok(())
 }
 
+/// Joints that stick, or rest against their stops, hold nothing open.
+#[test]
+fn nor_where_joints_stick() -> Result<(), Error> {
+    let side = (RigidBody::massless([1.0, 0.0]), Pin, rod());
+    let stuck = Coulomb::new(Revolute::smooth(), 0.5);
+    let loops = Network::new((stuck, rod(), HardStops::between(Revolute::smooth(), [-2.0, 2.0]), rod()), side, Pin);
+    let scene = System::new(Clamped::at(0.0, 0.0, 0.0), loops, Free)?.with_gravity(9.81);
+    let guess = scene.at_rest(&[1.0, -0.5, 0.3])?;
+    let error = scene.simulate(guess, Rk4::step(0.01), 0.1, |_| ()).unwrap_err().error;
+    assert!(matches!((error.fault, error.place), (Fault::NotAssembled { .. }, Some(Place::Station(7)))), "{error}");
+    scene.simulate(scene.assembled(guess, &Unloaded)?, Rk4::step(0.01), 0.1, |_| ())?;
+    Ok(())
+}
+
 #[test]
 fn nor_in_space() -> Result<(), Error> {
     use spatial::*;
