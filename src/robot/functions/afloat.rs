@@ -84,11 +84,20 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         let [fx, fy, fz, mx, my, mz] = *wrench;
         let (force, torque) = (Vector3::new(fx, fy, fz), attitude.apply(Vector3::new(mx, my, mz)));
         let turn = Turn { attitude, spin: attitude.apply(base.spin) };
-        let (of_base, seconds) = self.swept(turn, q, v, torques, |outer| {
-            let outer = outer.full();
-            Full { force: outer.force - force, torque: outer.torque - torque, ..outer }.afloat().0
-        });
-        let of_base = six([of_base.linear + self.gravity(), attitude.transposed(of_base.angular)]);
+        let mut of_base = [zero(); 2];
+        let seconds = self.swept(
+            || turn,
+            q,
+            v,
+            torques,
+            |outer| {
+                let outer = outer.full();
+                let (moved, ..) = Full { force: outer.force - force, torque: outer.torque - torque, ..outer }.afloat();
+                of_base = [moved.linear + self.gravity(), attitude.transposed(moved.angular)];
+                moved
+            },
+        );
+        let of_base = six(of_base);
         finite(&of_base).and(finite(&seconds)).map(|()| (of_base, seconds))
     }
 

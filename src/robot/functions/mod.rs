@@ -182,22 +182,23 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         C: Tasks<T, N>,
     {
         self.has_joints(N)?;
-        let ground = self.ground(T::Real::zero());
-        let (_, seconds) = self.swept(ground.turn, q, v, torques, |_| ground.falling(self.gravity()));
+        // Found inside, where a compiler knows the axes of a `Base` to be inertial ones.
+        let ground = || self.ground(T::Real::zero());
+        let seconds = self.swept(|| ground().turn, q, v, torques, |_| ground().falling(self.gravity()));
         finite(&seconds).map(|()| seconds)
     }
 
-    /// A sweep whose stores live no longer than itself, of a robot on a base that is turned like this, and moves as the relation there lets it:
-    /// accelerations of the base, in a frame that falls freely, and of the joints.
+    /// A sweep whose stores live no longer than itself, of a robot on a base that is turned like this and accelerates, in a frame that falls
+    /// freely, as follows from the relation there.
     #[inline(never)]
     fn swept<const N: usize>(
         &self,
-        base: Turn<T>,
+        base: impl FnOnce() -> Turn<T>,
         q: &[T; N],
         v: &[T; N],
         torques: &[T; N],
-        moved: impl FnOnce(<C as Condense<S<T>, Empty, Driven<T, N>>>::Out) -> Acceleration<T>,
-    ) -> (Acceleration<T>, [T; N])
+        accelerated: impl FnOnce(<C as Condense<S<T>, Empty, Driven<T, N>>>::Out) -> Acceleration<T>,
+    ) -> [T; N]
     where
         C: Tasks<T, N>,
     {
@@ -220,7 +221,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         let on_bodies = chain.store::<PerBody<_>>(crate::relation::Absent);
         let mut kept = chain.store::<Kept<Open>>(());
         sines(chain, &position, &mut x);
-        chain.pose(&position, &rate, base, &sizes, &mut x, &mut y, &mut p, &mut r);
+        chain.pose(&position, &rate, base(), &sizes, &mut x, &mut y, &mut p, &mut r);
         spread::to_coordinates(chain, torques, &mut in_joints);
         let posture = Posture { x: &x, y: &y, p: &p, q: &r };
         let given: Given<'_, S<T>, C, Driven<T, N>> = Given {
@@ -231,7 +232,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
             reading: Reading { position: &position, rate: &rate, acceleration: &rate },
             springs: Explicit,
         };
-        let root = moved(chain.condense(Empty, posture, given, &mut kept));
+        let root = accelerated(chain.condense(Empty, posture, given, &mut kept));
         let mut acceleration = chain.store::<Rates>(());
         recover::<S<T>, C, Open, Explicit>(chain, root, posture, &mut kept, (), &mut acceleration);
         let (mut found, mut k) = ([T::zero(); N], 0);
@@ -241,6 +242,6 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
             }
             k += 1;
         });
-        (root, found)
+        found
     }
 }
