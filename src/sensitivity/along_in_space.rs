@@ -25,7 +25,7 @@ use nalgebra::Vector3;
 use num_traits::Zero;
 
 /// How an attitude turns with the seeds: a rotation vector in its own axes.
-fn turn<T: Scalar, const K: usize>(attitude: &Columns<Jet<T, K>>) -> Vector3<Jet<T, K>> {
+pub(super) fn turn<T: Scalar, const K: usize>(attitude: &Columns<Jet<T, K>>) -> Vector3<Jet<T, K>> {
     let still = |v: Vector3<Jet<T, K>>| v.map(|x| Jet::of(x.re));
     let Columns { x, y, z } = *attitude;
     Vector3::new(dot(still(z), y), dot(still(x), z), dot(still(y), x))
@@ -43,7 +43,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         self.add(by_across, dot(turned, across));
     }
 
-    fn add_vector(&mut self, costate: Vector3<T>, parameter: Vector3<Jet<T, K>>) {
+    pub(super) fn add_vector(&mut self, costate: Vector3<T>, parameter: Vector3<Jet<T, K>>) {
         (0..3).for_each(|i| self.add(costate[i], parameter[i]));
     }
 }

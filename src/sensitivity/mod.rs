@@ -65,6 +65,7 @@
 
 mod along;
 mod along_in_space;
+mod along_robots;
 mod backward;
 mod forward;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

@@ -15,6 +15,7 @@ mod implicit_runs;
 mod loop_runs;
 mod loops;
 mod recognised;
+mod robots;
 mod rows;
 mod second;
 mod stiffening;

@@ -13,7 +13,7 @@
 //! Closures read nothing virtual: F and M are those of loads, which [`read`](super::read) adds.
 
 use super::Turning;
-use super::read::{Read, read};
+use super::read::{Read, numbers, read};
 use super::revolute::of_axis;
 use crate::adjoint::laws::ReversibleLaw;
 use crate::lift::Lift;
@@ -31,17 +31,17 @@ use nalgebra::Vector3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Felt<T> {
     /// X, of its place.
-    pub(super) place: Vector3<T>,
+    pub place: Vector3<T>,
     /// Y, of its velocity.
-    pub(super) velocity: Vector3<T>,
+    pub velocity: Vector3<T>,
     /// F, of its virtual velocity.
-    pub(super) stirring: Vector3<T>,
+    pub stirring: Vector3<T>,
     /// Θ, of turns of all that has been met since the last balls, with its ω and w.
-    pub(super) turn: Vector3<T>,
+    pub turn: Vector3<T>,
     /// Ω, of its angular velocity.
-    pub(super) spin: Vector3<T>,
+    pub spin: Vector3<T>,
     /// M, of its w.
-    pub(super) torque: Vector3<T>,
+    pub torque: Vector3<T>,
 }
 
 impl<T: Scalar> Felt<T> {
@@ -54,14 +54,33 @@ impl<T: Scalar> Felt<T> {
     /// The costate of a turn of all that has been met since the last balls, where the body on the inboard side turns with ω as it does: a
     /// rotation vector, inertial axes.
     #[inline(always)]
-    pub(super) fn turned(&self, spin: Vector3<T>) -> Vector3<T> {
+    pub fn turned(&self, spin: Vector3<T>) -> Vector3<T> {
         self.turn - cross(spin, self.spin)
     }
     /// The costate of such a turn under a law `L` of loads, where the body on the inboard side has the w of its own, too.
     #[inline(always)]
-    pub(super) fn turned_under<L: LoadLaw<BodyMotion<T>>>(&self, met: &Turning<T>) -> Vector3<T> {
+    pub fn turned_under<L: LoadLaw<BodyMotion<T>>>(&self, met: &Turning<T>) -> Vector3<T> {
         let turned = self.turned(met.spin);
         if const { L::ON } { turned - cross(met.stirring, self.torque) } else { turned }
+    }
+}
+
+impl<T: Scalar> Felt<T> {
+    /// In other axes.
+    #[inline(always)]
+    pub fn mapped(&self, axes: impl Fn(Vector3<T>) -> Vector3<T>) -> Self {
+        let Self { place, velocity, stirring, turn, spin, torque } = *self;
+        let (place, velocity, stirring) = (axes(place), axes(velocity), axes(stirring));
+        Self { place, velocity, stirring, turn: axes(turn), spin: axes(spin), torque: axes(torque) }
+    }
+
+    /// Carried inward over an arm d of a body that turns so, to whose costate that of d is added.
+    pub fn over(&self, d: Vector3<T>, Turning { spin, stirring, .. }: &Turning<T>, of_arm: &mut Vector3<T>) -> Self {
+        let Self { place, velocity, stirring: force, .. } = *self;
+        *of_arm += place - cross(*spin, velocity) - cross(*stirring, force);
+        let turn = cross_onto(cross(*stirring, d), force, cross_onto(cross(*spin, d), velocity, self.turn));
+        let (spin, torque) = (cross_onto(d, velocity, self.spin), cross_onto(d, force, self.torque));
+        Self { turn: cross_onto(d, place, turn), spin, torque, ..*self }
     }
 }
 
@@ -113,7 +132,7 @@ macro_rules! bodies {
                 let (w, moved) = (met.turning.stirring, cross(met.turning.stirring, arm));
                 let of_arm = frame.turn.attitude.transposed(of_arm - cross(w, stirring));
                 sums.iter_mut().zip(of_arm.iter()).for_each(|(sum, more)| *sum += *more);
-                let more = read(self, frame, (met.velocity - moved, &met.turning), walk, sums);
+                let more = read(numbers(self), frame, (met.velocity - moved, &met.turning), walk, sums);
                 Felt {
                     place: place + more.place,
                     velocity: velocity + more.velocity,

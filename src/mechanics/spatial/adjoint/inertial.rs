@@ -80,10 +80,27 @@ pub fn swept<T: Scalar>(spin: Vector3<T>, d: Vector3<T>, p: Vector3<T>, sum: Vec
 
 /// ∂P/∂d of a vector d of the body whose acceleration α × d + ω × (ω × d) meets p, and whose virtual velocity w × d meets q.
 #[cfg_attr(optimised, inline(always))]
-fn per_vector<T: Scalar>(turning: &Turning<T>, p: Vector3<T>, q: Vector3<T>) -> Vector3<T> {
+pub fn per_vector<T: Scalar>(turning: &Turning<T>, p: Vector3<T>, q: Vector3<T>) -> Vector3<T> {
     let Turning { spin, acceleration, stirring } = *turning;
     let centripetal = add_scaled(spin * dot(spin, p), -dot(spin, spin), p);
     cross_onto(p, acceleration, cross_onto(q, stirring, centripetal))
+}
+
+impl<T: Scalar> Turning<T> {
+    /// What inertia adds to M, H and Ω where the body turns so, J α + ω × J ω, J w and J ω × w + J (w × ω), and to costates of its numbers,
+    /// all in axes of the body.
+    #[cfg_attr(optimised, inline(always))]
+    pub fn pull_inertia(&self, inertia: &Symmetric3<T>, sums: &mut [T; 6]) -> [Vector3<T>; 3] {
+        let Self { spin, acceleration, stirring } = *self;
+        let gyration = cross(stirring, spin);
+        let outer = |i: usize, j: usize| stirring[i].mul_add(acceleration[j], gyration[i] * spin[j]);
+        for (sum, (i, j)) in sums.iter_mut().zip([(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)]) {
+            *sum -= if i == j { outer(i, i) } else { outer(i, j) + outer(j, i) };
+        }
+        let spinning = inertia.apply(spin);
+        let torque = cross_onto(spin, spinning, inertia.apply(acceleration));
+        [torque, inertia.apply(stirring), cross_onto(spinning, stirring, inertia.apply(gyration))]
+    }
 }
 
 /// F·(w × d) + G·(α × d + ω × (ω × d)), which is d · ∂P/∂d.
@@ -179,22 +196,14 @@ impl<T: Scalar> Inertial<T> for RigidBody<T> {
         let moved = cross_onto(acceleration, moment, cross(spin, cross(spin, moment)));
         let stirred = cross(stirring, moment);
         // Inertia tensor, in body axes.
-        let [of_spin, of_acceleration, of_stirring] = [spin, acceleration, stirring].map(|v| axes.transposed(v));
-        let gyration = cross(of_stirring, of_spin);
-        let outer = |i: usize, j: usize| of_stirring[i].mul_add(of_acceleration[j], gyration[i] * of_spin[j]);
-        for (sum, (i, j)) in sums.inertia.iter_mut().zip([(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)]) {
-            *sum -= if i == j { outer(i, i) } else { outer(i, j) + outer(j, i) };
-        }
-        let inertia = self.about_inboard;
-        let spinning = inertia.apply(of_spin);
-        let torque = cross_onto(of_spin, spinning, inertia.apply(of_acceleration));
-        let turned = cross_onto(spinning, of_stirring, inertia.apply(gyration));
+        let met = turning.mapped(|v| axes.transposed(v));
+        let [torque, angular, turned] = met.pull_inertia(&self.about_inboard, &mut sums.inertia);
         Pulled {
             momentum: carried.momentum + stirred,
             force: carried.force + moved,
             turn: cross_onto(w, moved, cross_onto(a, stirred, carried.turn)),
             torque: cross_onto(moment, a, axes.apply_onto(torque, carried.torque)),
-            angular: cross_onto(moment, w, axes.apply_onto(inertia.apply(of_stirring), carried.angular)),
+            angular: cross_onto(moment, w, axes.apply_onto(angular, carried.angular)),
             spin: swept(spin, moment, w, axes.apply_onto(turned, carried.spin)),
         }
     }

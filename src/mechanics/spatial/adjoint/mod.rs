@@ -19,13 +19,15 @@ pub use inertial::{Base, Inertial};
 
 use ends::TIP;
 pub(crate) use felt::Felt;
-pub(crate) use read::{BODY, numbers};
+pub use inertial::{per_vector, swept};
+pub use read::{BODY, Read, numbers, read};
+pub use steps::Step;
 
 use crate::adjoint::laws::NUMBERS;
 use crate::adjoint::{self, Costates, Kind, LoadCostates, Reversed, VirtualMotion};
 use crate::element::Element;
 use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Spatial, Turn, Wrench};
-use crate::relation::spatial::algebra::{Columns, Factor3, cross, cross_onto, zero};
+use crate::relation::spatial::algebra::{Columns, Factor3, centripetal, cross, cross_onto, zero};
 use crate::relation::spatial::{Couple, Full, Point};
 use crate::relation::{Additive, Closures, Open};
 use crate::scalar::Scalar;
@@ -35,7 +37,7 @@ use core::ops::Add;
 use nalgebra::Vector3;
 
 /// What lies outboard of a station.
-type Outboard<T, C = Open> = adjoint::Outboard<Spatial<T>, C>;
+pub type Outboard<T, C = Open> = adjoint::Outboard<Spatial<T>, C>;
 
 impl<T: Scalar, C: Closures> Outboard<T, C> {
     /// Of a ball with a torque in it.
@@ -56,22 +58,28 @@ impl<T: Scalar, C: Closures> Outboard<T, C> {
 #[derive(Clone, Copy, Debug)]
 pub struct Stirred<T> {
     /// W, the virtual velocity of the station.
-    velocity: Vector3<T>,
-    turning: Turning<T>,
+    pub velocity: Vector3<T>,
+    pub turning: Turning<T>,
 }
 
 /// How a body turns, in inertial axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Turning<T> {
     /// ω (rad/s).
-    spin: Vector3<T>,
+    pub spin: Vector3<T>,
     /// α (rad/s²).
-    acceleration: Vector3<T>,
+    pub acceleration: Vector3<T>,
     /// w.
-    stirring: Vector3<T>,
+    pub stirring: Vector3<T>,
 }
 
 impl<T: Scalar> Turning<T> {
+    /// In other axes.
+    #[inline(always)]
+    pub fn mapped(&self, turn: impl Fn(Vector3<T>) -> Vector3<T>) -> Self {
+        let Self { spin, acceleration, stirring } = *self;
+        Self { spin: turn(spin), acceleration: turn(acceleration), stirring: turn(stirring) }
+    }
     /// Nothing turns.
     fn none() -> Self {
         Self { spin: zero(), acceleration: zero(), stirring: zero() }
@@ -82,43 +90,70 @@ impl<T: Scalar> Turning<T> {
 #[derive(Clone, Copy, Debug)]
 pub struct OnBody<T> {
     /// Virtual velocity of its outboard end.
-    velocity: Vector3<T>,
-    turning: Turning<T>,
+    pub velocity: Vector3<T>,
+    pub turning: Turning<T>,
 }
 
 /// What the outward walk keeps of a joint.
 #[derive(Clone, Copy, Debug)]
 pub struct InJoint<T> {
     /// Virtual velocity of its outboard point, where points slide apart.
-    velocity: Vector3<T>,
+    pub velocity: Vector3<T>,
     /// Of the outboard body; of a ball that of the inboard one.
-    turning: Turning<T>,
+    pub turning: Turning<T>,
 }
 
 /// What is carried inward: what P changes by with the motion of the station, and with attitudes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pulled<T> {
     /// G = ∂P/∂A, the momentum of the virtual motion.
-    momentum: Vector3<T>,
+    pub momentum: Vector3<T>,
     /// F = ∂P/∂W, the force of inverse dynamics.
-    force: Vector3<T>,
+    pub force: Vector3<T>,
     /// Θ: −∂P for turns of all that has been met since the last balls, with its ω, α and w.
-    turn: Vector3<T>,
+    pub turn: Vector3<T>,
     /// M = ∂P/∂w, the torque of inverse dynamics.
-    torque: Vector3<T>,
+    pub torque: Vector3<T>,
     /// H = ∂P/∂α, the angular momentum of the virtual motion.
-    angular: Vector3<T>,
+    pub angular: Vector3<T>,
     /// Ω = ∂P/∂ω.
-    spin: Vector3<T>,
+    pub spin: Vector3<T>,
 }
 
 impl<T: Scalar> Pulled<T> {
     /// The costate of a turn of all that has been met since the last balls, where the body on the inboard side turns as it does: a
     /// rotation vector, inertial axes.
     #[inline(always)]
-    fn turned(&self, Turning { spin, acceleration, stirring }: Turning<T>) -> Vector3<T> {
+    pub fn turned(&self, Turning { spin, acceleration, stirring }: Turning<T>) -> Vector3<T> {
         let moving = cross_onto(acceleration, self.angular, cross(spin, self.spin));
         cross_onto(stirring, self.torque, moving + self.turn)
+    }
+}
+
+impl<T: Scalar> Pulled<T> {
+    /// In other axes.
+    #[inline(always)]
+    pub fn mapped(&self, axes: impl Fn(Vector3<T>) -> Vector3<T>) -> Self {
+        let Self { momentum, force, turn, torque, angular, spin } = *self;
+        let (momentum, force, turn) = (axes(momentum), axes(force), axes(turn));
+        Self { momentum, force, turn, torque: axes(torque), angular: axes(angular), spin: axes(spin) }
+    }
+
+    /// Carried inward over an arm d of a body that turns so, in whose costate ∂P/∂d goes.
+    #[cfg_attr(optimised, inline(always))]
+    pub fn over(&self, d: Vector3<T>, turning: &Turning<T>, of_arm: &mut Vector3<T>) -> Self {
+        let Self { momentum, force, .. } = *self;
+        let Turning { spin, acceleration, stirring } = *turning;
+        *of_arm -= per_vector(turning, momentum, force);
+        let (stirred, moved) = (cross(stirring, d), cross_onto(acceleration, d, centripetal(spin, d)));
+        Self {
+            momentum,
+            force,
+            turn: cross_onto(force, stirred, cross_onto(momentum, moved, self.turn)),
+            torque: cross_onto(d, force, self.torque),
+            angular: cross_onto(d, momentum, self.angular),
+            spin: swept(spin, d, momentum, self.spin),
+        }
     }
 }
 
@@ -149,21 +184,23 @@ impl<T: Scalar> Additive for Pulled<T> {
 #[derive(Clone, Copy, Debug)]
 pub struct Pivot<T> {
     /// The inverse of a ball's pivot; of a joint's first coordinate as a number.
-    factor: Factor3<T>,
+    pub factor: Factor3<T>,
     /// The torque in a ball, or in a joint that closes a loop (N·m), inertial axes; of a joint's second coordinate the inverse, as its x.
-    torque: Vector3<T>,
+    pub torque: Vector3<T>,
 }
 
 /// Costates of the parameters of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OfJoint<T> {
-    /// By turns of the joint's axes: of a weld the rotation vector in axes of the outboard body, of all others two numbers, see
-    /// [`revolute`].
+    /// By turns of the joint's axes: of a weld the rotation vector in axes of the outboard body, of joints in body axes that of their offset,
+    /// of all others two numbers, see [`revolute`].
     pub(crate) turn: Vector3<T>,
-    /// By turns of a second axis; where points slide apart by the mass at the outboard one.
+    /// By turns of a second axis; where points slide apart by the mass at the outboard one; by reflected inertia.
     pub(crate) more: [T; 2],
     /// The numbers of its law; of two laws three each.
     pub(crate) law: [T; NUMBERS],
+    /// By the place on the inboard body, of joints that have one, in axes of that.
+    pub(crate) place: Vector3<T>,
 }
 
 impl<T: Scalar> Reversed for Spatial<T> {
@@ -188,7 +225,9 @@ impl<T: Scalar> Reversed for Spatial<T> {
         Pivot { factor: Factor3::of_number(T::one()), torque: zero() }
     }
     fn of_nothing() -> (Base<T>, [T; BODY], OfJoint<T>) {
-        (Base::null(), [T::zero(); BODY], OfJoint { turn: zero(), more: [T::zero(); 2], law: [T::zero(); NUMBERS] })
+        let (turn, place) = (zero(), zero());
+        let of_joint = OfJoint { turn, more: [T::zero(); 2], law: [T::zero(); NUMBERS], place };
+        (Base::null(), [T::zero(); BODY], of_joint)
     }
 }
 

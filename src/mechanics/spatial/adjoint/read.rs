@@ -16,14 +16,14 @@ use nalgebra::Vector3;
 /// Place, velocity, turn, angular velocity.
 const MOTION: usize = 12;
 /// The numbers of a body that loads read: outboard end, mass, mass centre and inertia tensor about it, body axes.
-pub(crate) const BODY: usize = 16;
+pub const BODY: usize = 16;
 /// What a load may read.
 const READ: usize = MOTION + BODY + LAW;
 /// A number with derivatives by all that.
-pub(super) type Read<T> = Jet<T, READ>;
+pub type Read<T> = Jet<T, READ>;
 
 /// The numbers of a body that loads read.
-pub(crate) fn numbers<T: Scalar>(body: &impl Body<T>) -> [T; BODY] {
+pub fn numbers<T: Scalar>(body: &impl Body<T>) -> [T; BODY] {
     let ([x, y, z], Inertia { mass, centre: [a, b, c], about_centre: [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] }) =
         (body.outboard(), body.inertia());
     [x, y, z, mass, a, b, c, xx, xy, xz, yx, yy, yz, zx, zy, zz]
@@ -49,19 +49,19 @@ fn turning<T: Scalar>(attitude: &Columns<T>, first: usize) -> Columns<Read<T>> {
 }
 
 /// What W_I·f + w·m changes by.
-pub(super) struct OfLoad<T> {
-    pub(super) load: Wrench<T>,
-    pub(super) place: Vector3<T>,
-    pub(super) velocity: Vector3<T>,
+pub struct OfLoad<T> {
+    pub load: Wrench<T>,
+    pub place: Vector3<T>,
+    pub velocity: Vector3<T>,
     /// With turns of the body, its ω and its w.
-    pub(super) turn: Vector3<T>,
-    pub(super) spin: Vector3<T>,
+    pub turn: Vector3<T>,
+    pub spin: Vector3<T>,
 }
 
 /// Reads the load on the body that has been met last, weighed by the virtual velocity W of its inboard end and by its w; adds to costates
 /// of numbers.
-pub(super) fn read<T, L>(
-    body: &impl Body<T>,
+pub fn read<T, L>(
+    numbers: [T; BODY],
     frame: &Frame<T>,
     (weight, met): (Vector3<T>, &Turning<T>),
     walk: &mut PullLoads<L, T>,
@@ -80,7 +80,7 @@ where
     let acceleration = Acceleration { linear: zero(), angular: zero() };
     let inboard = Frame { place: seeds(frame.place, 0), velocity: seeds(frame.velocity, 3), acceleration, turn };
     let mut k = MOTION;
-    let [x, y, z, mass, a, b, c, xx, xy, xz, yx, yy, yz, zx, zy, zz] = numbers(body).map(|number| {
+    let [x, y, z, mass, a, b, c, xx, xy, xz, yx, yy, yz, zx, zy, zz] = numbers.map(|number| {
         k += 1;
         Read::seed(number, k - 1)
     });

@@ -31,16 +31,16 @@ use crate::walks::pull_loads::PullLoads;
 use nalgebra::Vector3;
 
 /// A coordinate: its axis and columns beside it, rate, acceleration and virtual rate.
-struct Step<T> {
-    axes: Columns<T>,
-    rate: T,
-    acceleration: T,
-    own: T,
+pub struct Step<T> {
+    pub axes: Columns<T>,
+    pub rate: T,
+    pub acceleration: T,
+    pub own: T,
 }
 
 impl<T: Scalar> Step<T> {
     /// How the body on the inboard side of a turn turns.
-    fn before(&self, outer: Turning<T>) -> Turning<T> {
+    pub fn before(&self, outer: Turning<T>) -> Turning<T> {
         let n = self.axes.x;
         let spin = add_scaled(outer.spin, -self.rate, n);
         let acceleration = add_scaled(outer.acceleration, -self.acceleration, n) - cross(spin, n * self.rate);
@@ -55,7 +55,7 @@ impl<T: Scalar> Step<T> {
     }
 
     /// A turn, as in a revolute joint: costates of angle and rate, and of turns of the axis.
-    fn turned(&self, carried: &mut Pulled<T>, turning: Turning<T>) -> ([T; 2], Vector3<T>) {
+    pub fn turned(&self, carried: &mut Pulled<T>, turning: Turning<T>) -> ([T; 2], Vector3<T>) {
         let (n, turned) = (self.axes.x, carried.turned(turning));
         let beside = cross(n, carried.angular);
         let of_rate = -(dot(n, carried.spin) + dot(turning.spin, beside));
@@ -68,7 +68,7 @@ impl<T: Scalar> Step<T> {
     }
 
     /// A slide by the arm `d`, on a body that turns so.
-    fn slid(&self, position: T, d: Vector3<T>, carried: &mut Pulled<T>, met: &Turning<T>) -> ([T; 2], Vector3<T>) {
+    pub fn slid(&self, position: T, d: Vector3<T>, carried: &mut Pulled<T>, met: &Turning<T>) -> ([T; 2], Vector3<T>) {
         let (n, &Turning { spin, acceleration, stirring }) = (self.axes.x, met);
         let Pulled { momentum, force, .. } = *carried;
         let sliding = n * (self.rate + self.rate);
@@ -90,7 +90,7 @@ impl<T: Scalar> Step<T> {
     }
 
     /// A turn that loads and closures read.
-    fn turned_felt<L: LoadLaw<BodyMotion<T>>>(&self, felt: &Felt<T>, turning: &Turning<T>) -> ([T; 2], Vector3<T>) {
+    pub fn turned_felt<L: LoadLaw<BodyMotion<T>>>(&self, felt: &Felt<T>, turning: &Turning<T>) -> ([T; 2], Vector3<T>) {
         let (n, turned) = (self.axes.x, felt.turned_under::<L>(turning));
         let x = -(felt.spin * self.rate + felt.torque * self.own);
         let mut by_axis = Vector3::new(T::zero(), T::zero(), T::zero());
@@ -99,7 +99,7 @@ impl<T: Scalar> Step<T> {
     }
 
     /// A slide that loads and closures read.
-    fn slid_felt(&self, position: T, d: Vector3<T>, felt: &mut Felt<T>, met: &Turning<T>) -> ([T; 2], Vector3<T>) {
+    pub fn slid_felt(&self, position: T, d: Vector3<T>, felt: &mut Felt<T>, met: &Turning<T>) -> ([T; 2], Vector3<T>) {
         let (n, &Turning { spin, stirring, .. }) = (self.axes.x, met);
         let &mut Felt { place, velocity, stirring: force, .. } = felt;
         let reach = place - cross(spin, velocity) - cross(stirring, force);

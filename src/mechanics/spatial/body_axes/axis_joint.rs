@@ -34,8 +34,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     }
 
     /// The attitude of the body on a parent of an attitude.
-    fn attitude(&self, position: T, parent: &Columns<T>) -> Columns<T> {
-        let stand = self.stand(position);
+    pub(super) fn attitude(&self, stand: Stand<T>, parent: &Columns<T>) -> Columns<T> {
         let axis = |k: usize| {
             let mut unit = [T::zero(); 3];
             unit[k] = T::one();
@@ -90,7 +89,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         if M::TURNS {
             *position = next(inboard);
         }
-        Turn { attitude: self.attitude(*position, &inboard.attitude), ..inboard }
+        Turn { attitude: self.attitude(self.stand(*position), &inboard.attitude), ..inboard }
     }
     #[cfg_attr(optimised, inline(always))]
     fn recover<X: Closures, By: Springs<T>>(
@@ -126,7 +125,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         let (q, v, turn) = (*position, *rate, inboard.turn);
         let [arm, n] = self.reach(q, &turn.attitude);
         let mut outboard = inboard.shifted(arm);
-        outboard.turn.attitude = self.attitude(q, &turn.attitude);
+        outboard.turn.attitude = self.attitude(self.stand(q), &turn.attitude);
         let swept = cross(turn.spin, n);
         if M::TURNS {
             outboard.turn.spin = add_scaled(turn.spin, v, n);

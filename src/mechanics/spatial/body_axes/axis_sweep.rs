@@ -3,7 +3,7 @@
 use super::axis::{Armature, Axis, Bearing, Mode};
 use super::closures::ClosedGains;
 use super::number::{Number, Triple, values};
-use super::relation::{LocalCuts, Outboard};
+use super::relation::{Local, LocalCuts, Outboard};
 use super::sparse::Sparse;
 use super::standing::{Stand, Standing};
 use super::turns::Offset;
@@ -73,11 +73,22 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         cuts: LocalCuts<T, Q>,
         (stand, swung): (Stand<T>, Triple<T>),
     ) -> B::Relation<T, Q> {
-        let (turn, arm, swung) = (self.offset.rows(), self.arm(), Self::known_swung(swung));
         B::relation(
             #[cfg_attr(optimised, inline(always))]
-            || relation.turned(&turn).shifted(arm, swung).dense().cut(self.carried_cuts(cuts, stand, swung)),
+            || self.at_parent(relation, cuts, (stand, swung)),
         )
+    }
+
+    /// That, whatever the joint sits on.
+    #[cfg_attr(optimised, inline(always))]
+    pub(super) fn at_parent<Q: Closures>(
+        &self,
+        relation: Sparse<T>,
+        cuts: LocalCuts<T, Q>,
+        (stand, swung): (Stand<T>, Triple<T>),
+    ) -> Local<T, Q> {
+        let (turn, arm, swung) = (self.offset.rows(), self.arm(), Self::known_swung(swung));
+        relation.turned(&turn).shifted(arm, swung).dense().cut(self.carried_cuts(cuts, stand, swung))
     }
 
     /// The relation at the parent's origin with the coordinate gone, which went under an effort against what else adds to the pivot; its gains
@@ -91,6 +102,19 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         (stand, [swung, bias]): (Stand<T>, [Triple<T>; 2]),
         (kept, stiffened): (&mut ClosedGains<T, R::Closures>, bool),
     ) -> B::Relation<T, R::Closures> {
+        let (relation, cuts, _) = Self::loose(outer, effort, more, bias, (kept, stiffened));
+        self.handed_on(relation.at_joint(M::TURNS, stand), cuts, (stand, swung))
+    }
+
+    /// The relation at the body's origin with the coordinate gone, and the inverse of its pivot.
+    #[cfg_attr(optimised, inline(always))]
+    pub(super) fn loose<R: Outboard<T>>(
+        outer: R,
+        effort: T,
+        more: Number<T>,
+        bias: Triple<T>,
+        (kept, stiffened): (&mut ClosedGains<T, R::Closures>, bool),
+    ) -> (Sparse<T>, LocalCuts<T, R::Closures>, T) {
         let (relation, cuts) = (outer.sparse(), outer.cuts());
         let (relation, gains, inverse) = if const { M::TURNS } {
             relation.hinged(effort, more, [bias[0].value(), bias[1].value()])
@@ -98,8 +122,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
             relation.slid(effort, more, values(bias))
         };
         kept.gains.set(gains, M::TURNS, stiffened);
-        let cuts = Self::loosed(cuts, (&gains, inverse), bias, &mut kept.per_closure);
-        self.handed_on(relation.at_joint(M::TURNS, stand), cuts, (stand, swung))
+        (relation, Self::loosed(cuts, (&gains, inverse), bias, &mut kept.per_closure), inverse)
     }
 }
 

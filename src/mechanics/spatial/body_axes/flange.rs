@@ -64,6 +64,11 @@ impl<T: Scalar> Flange<T> {
         self.place
     }
 
+    /// The point mass that its outboard neighbour lumps there.
+    pub(super) fn lumped(&self) -> T {
+        self.lumped
+    }
+
     /// From the link's origin, in inertial axes.
     #[inline(always)]
     fn arm(&self, attitude: &Columns<T>) -> Vector3<T> {

@@ -115,7 +115,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     }
 
     #[inline(always)]
-    fn alone(&self, [force, torque]: [[T; 3]; 2]) -> Alone<T, MOMENT, TENSOR> {
+    pub(super) fn alone(&self, [force, torque]: [[T; 3]; 2]) -> Alone<T, MOMENT, TENSOR> {
         Alone { mass: self.inertia.mass, moment: self.moment, tensor: self.tensor, force, torque }
     }
 }

@@ -10,6 +10,7 @@ mod axis;
 mod axis_inner;
 mod axis_joint;
 mod axis_sweep;
+pub mod backward;
 mod closures;
 pub mod composite;
 pub mod factor;
@@ -28,7 +29,7 @@ mod through;
 mod torques;
 mod turns;
 
-pub use axis::{AboutZ, AlongZ, Armature, Axis, Bearing, Hinge, OnBody, OnGround, Slide};
+pub use axis::{AboutZ, AlongZ, Armature, Axis, Bearing, Hinge, Mode, OnBody, OnGround, Slide};
 pub use flange::Flange;
 pub use link::Link;
 pub use loaded::{Block, Yielding};

@@ -232,6 +232,8 @@ impl<T: Scalar> Root<Spatial<T>> for Base<T> {
     type Pairs = (Held, Held, Held, Held, Held, Held);
     type Joint = Upright;
 
+    const RESTS: bool = true;
+
     fn joint(&self) -> Upright {
         Upright
     }

@@ -157,23 +157,48 @@ impl<T: Scalar, C: Closures> Local<T, C> {
     /// A relation in inertial axes, in axes of a body of an attitude.
     #[cfg_attr(optimised, inline(always))]
     pub fn of(full: &Full<T, C>, attitude: &Columns<T>) -> Self {
-        let Columns { x, y, z } = full.coupling;
-        let sparse = Sparse {
-            linear: triangle_of(full.linear),
-            coupling: [triple([x.x, y.x, z.x]), triple([x.y, y.y, z.y]), triple([x.z, y.z, z.z])],
-            angular: triangle_of(full.angular),
-            force: triple(full.force.into()),
-            torque: triple(full.torque.into()),
-        };
         let back = |v| attitude.transposed(v);
         let cuts = full.cuts.mapped(|w| FullColumn { force: back(w.force), torque: back(w.torque) });
-        sparse.turned(&transposed(&axes(attitude))).dense().cut(cuts)
+        Sparse::of(full).turned(&transposed(&axes(attitude))).dense().cut(cuts)
+    }
+
+    /// A relation in axes of a body, as one in axes that are not said.
+    #[cfg_attr(optimised, inline(always))]
+    pub fn of_own(full: &Full<T, C>) -> Self {
+        Sparse::of(full).dense().cut(full.cuts)
+    }
+
+    /// This relation, in axes that are not said.
+    #[cfg_attr(optimised, inline(always))]
+    pub fn full(self) -> Full<T, C> {
+        self.sparse().full().cut(self.cuts)
     }
 
     /// In inertial axes, of which `attitude` holds those of the body.
     #[cfg_attr(optimised, inline(always))]
     pub fn turned(self, attitude: &Columns<T>) -> Full<T, C> {
-        let Sparse { linear, coupling, angular, force, torque } = self.sparse().turned(&axes(attitude));
+        self.sparse().turned(&axes(attitude)).full().cut(turned(&self.cuts, attitude))
+    }
+}
+
+impl<T: Scalar> Sparse<T> {
+    /// Of a relation of the type that those in inertial axes have.
+    #[cfg_attr(optimised, inline(always))]
+    fn of<C: Closures>(full: &Full<T, C>) -> Self {
+        let Columns { x, y, z } = full.coupling;
+        Self {
+            linear: triangle_of(full.linear),
+            coupling: [triple([x.x, y.x, z.x]), triple([x.y, y.y, z.y]), triple([x.z, y.z, z.z])],
+            angular: triangle_of(full.angular),
+            force: triple(full.force.into()),
+            torque: triple(full.torque.into()),
+        }
+    }
+
+    /// A relation of that type.
+    #[cfg_attr(optimised, inline(always))]
+    fn full(self) -> Full<T> {
+        let Self { linear, coupling, angular, force, torque } = self;
         let [x, y, z] = transposed(&coupling);
         let (x, y, z) = (Vector3::from(values(x)), Vector3::from(values(y)), Vector3::from(values(z)));
         Full {
@@ -182,7 +207,7 @@ impl<T: Scalar, C: Closures> Local<T, C> {
             angular: symmetric(angular),
             force: Vector3::from(values(force)),
             torque: Vector3::from(values(torque)),
-            cuts: turned(&self.cuts, attitude),
+            cuts: Cuts::none(),
         }
     }
 }
