@@ -198,6 +198,17 @@ macro_rules! arm {
     }};
 }
 
+/// An arm of links on hinges in axes of the bodies, each turned by a right angle against the one before.
+macro_rules! robot {
+    ($N:literal) => {{
+        let tensor = [[0.05, 0.0, 0.0], [0.0, 0.04, 0.0], [0.0, 0.0, 0.01]];
+        let link = Link::<f64, 0b110, 0b1111>::new(black_box(2.0), [0.0, 0.02, 0.1], tensor);
+        let joint = Hinge::at::<0b100>([0.0, 0.0, 0.3]).turned(Quarter::<30>);
+        let chain = (Hinge::level().grounded(), link, [(joint, link); $N - 1]);
+        System::new(Base::origin(), chain, Free).unwrap().with_gravity([0.0, 0.0, -9.81])
+    }};
+}
+
 fn rows() -> Vec<Row> {
     let mut rows = vec![];
     {
@@ -281,6 +292,10 @@ fn rows() -> Vec<Row> {
     row!(rows, "20 bodies on balls, RK4", 20, Rk4, 4, 1e-3, bodies!(20), angles::<60>(), Effort([1e-7; 3]));
     row!(rows, "7 bodies on revolutes, RK4", 7, Rk4, 4, 1e-3, arm!(7), angles::<7>(), Effort([1e-5; 3]));
     row!(rows, "7 bodies on revolutes, DOP853", 7, Dop853, 12, 1e-3, arm!(7), angles::<7>(), Effort([1e-5; 3]));
+    {
+        use catena::robot::*;
+        row!(rows, "7 links on hinges, body axes, RK4", 7, Rk4, 4, 1e-3, robot!(7), angles::<7>(), Effort([1e-5; 3]));
+    }
     rows
 }
 

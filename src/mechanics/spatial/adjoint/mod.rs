@@ -32,7 +32,9 @@ use crate::relation::spatial::{Couple, Full, Point};
 use crate::relation::{Additive, Closures, Open};
 use crate::scalar::Scalar;
 use crate::shape::{PerAxes, Takes};
+use crate::walks::faced::faced;
 use crate::walks::orient::Orient;
+use crate::walks::sines::sines;
 use core::ops::Add;
 use nalgebra::Vector3;
 
@@ -219,6 +221,8 @@ impl<T: Scalar> Reversed for Spatial<T> {
         p: &mut E::Store<PerAxes<Vector3<T>>>,
         q: &mut E::Store<PerAxes<Vector3<T>>>,
     ) {
+        sines(elements, position, x);
+        faced(elements, Frame { turn, ..Frame::resting(zero()) }, position, rate, x);
         elements.take(&mut Orient, turn, (position, rate, x, y, p, q));
     }
     fn no_pivot() -> Pivot<T> {

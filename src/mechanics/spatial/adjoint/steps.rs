@@ -47,6 +47,14 @@ impl<T: Scalar> Step<T> {
         Turning { spin, acceleration, stirring: add_scaled(outer.stirring, -self.own, n) }
     }
 
+    /// Virtual velocity and acceleration of where a slide begins, from those of where it has led, by an arm `d`.
+    pub fn before_slide(&self, d: Vector3<T>, [w, a]: [Vector3<T>; 2], met: &Turning<T>) -> [Vector3<T>; 2] {
+        let (n, &Turning { spin, acceleration, stirring }) = (self.axes.x, met);
+        let sliding = n * (self.rate + self.rate);
+        let moved = cross_onto(spin, sliding, cross_onto(acceleration, d, centripetal(spin, d)));
+        [w - cross_onto(stirring, d, n * self.own), a - add_scaled(moved, self.acceleration, n)]
+    }
+
     /// What turns of the axis of a slide do: n × n̄ along e, and along n × e.
     fn of_slide(&self, of_axis: Vector3<T>) -> Vector3<T> {
         let Columns { x: n, y: e, .. } = self.axes;

@@ -13,6 +13,8 @@ use nalgebra::Vector3;
 
 /// A constant turn between a body and its parent: what is known of it by type costs nothing.
 pub trait Offset<T: Scalar>: Copy + Debug + 'static {
+    /// Whether numbers say what it is, and not the type alone.
+    const NUMBERED: bool;
     /// Axes of the body in those of its parent, as columns: the rows of that matrix.
     fn rows(&self) -> Rows<T>;
     /// Rejects numbers that make no turn.
@@ -101,6 +103,8 @@ impl<T: Scalar> Turned<T> {
 }
 
 impl<T: Scalar> Offset<T> for Level {
+    const NUMBERED: bool = false;
+
     #[inline(always)]
     fn rows(&self) -> Rows<T> {
         let (o, i) = (Number::zero(), Number::one());
@@ -121,6 +125,8 @@ fn along<T: Scalar>(direction: u8, axis: u8) -> Number<T> {
 }
 
 impl<T: Scalar, const CODE: u8> Offset<T> for Quarter<CODE> {
+    const NUMBERED: bool = false;
+
     #[cfg_attr(optimised, inline(always))]
     fn rows(&self) -> Rows<T> {
         let [x, y, z] = const { Self::DIRECTIONS };
@@ -133,6 +139,8 @@ impl<T: Scalar, const CODE: u8> Offset<T> for Quarter<CODE> {
 }
 
 impl<T: Scalar> Offset<T> for Leaning<T> {
+    const NUMBERED: bool = true;
+
     #[cfg_attr(optimised, inline(always))]
     fn rows(&self) -> Rows<T> {
         let (o, i) = (Number::zero(), Number::one());
@@ -146,6 +154,8 @@ impl<T: Scalar> Offset<T> for Leaning<T> {
 }
 
 impl<T: Scalar> Offset<T> for Turned<T> {
+    const NUMBERED: bool = true;
+
     #[inline(always)]
     fn rows(&self) -> Rows<T> {
         let Columns { x, y, z } = self.axes;

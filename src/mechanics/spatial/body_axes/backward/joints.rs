@@ -2,19 +2,20 @@
 //!
 //! The coordinate is that of a [revolute joint or a slide](crate::mechanics::spatial::adjoint) along z. Inboard of it motions are those of
 //! the parent: in its axes the offset turns all that lies outboard, as a weld does, and the place of the joint is an arm of the parent.
-//! Of reflected inertia I, whose force is −I q̈, P has the share I q̈ q̇_w.
+//! Of reflected inertia I, whose force is −I q̈, P has the share I q̈ q̇_w. A hinge's costate is q̄ = z·(Δ + W × F + A × G + w × M + α × H + ω × Ω).
 
 use super::super::axis::{Armature, Axis, Bearing, Mode};
-use super::super::number::{Number, sum, triple, values};
+use super::super::number::{Number, Triple, cross_onto, sum, triple, values};
 use super::super::relation::Local;
 use super::super::standing::{Stand, Standing};
 use super::super::turns::Offset;
 use crate::adjoint::laws::{ReversibleLaw, force, strain};
 use crate::element::{Element, Springs};
 use crate::loading::LoadLaw;
-use crate::mechanics::spatial::adjoint::{Felt, Outboard, Pulled, Step, Stirred, Turning};
+use super::swept_known;
+use crate::mechanics::spatial::adjoint::{Felt, Outboard, Pulled, Step, Stirred, Turning, per_vector};
 use crate::mechanics::spatial::{Acceleration, BodyMotion, Spatial, Turn, Wrench};
-use crate::relation::spatial::algebra::{Columns, zero};
+use crate::relation::spatial::algebra::{Columns, add_scaled, dot_onto, zero};
 use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
@@ -69,6 +70,7 @@ macro_rules! takes {
             A: Armature<T>,
             B: Bearing,
         {
+            #[cfg_attr(optimised, inline(always))]
             fn take(&self, $walk: &mut $Walk, $carried: $Carried, $stores: Of<'_, Spatial<T>, $Walk, Self>) -> $Carried {
                 let $joint = self;
                 $does
@@ -77,13 +79,7 @@ macro_rules! takes {
     };
 }
 
-takes!([] Orient, |joint, _walk, turn: Turn<T>, (position, rate, x, y, p, q)| {
-    // Sines are found here: the walk that finds them for sweeps is not taken.
-    let stand = joint.stand(*position);
-    [x.x.x, x.x.y] = stand;
-    let attitude = joint.attitude(stand, &turn.attitude);
-    Turn { attitude, ..joint.orient(position, rate, turn, x, y, p, q) }
-});
+takes!([] Orient, |joint, _walk, turn: Turn<T>, (position, rate, x, y, p, q)| joint.orient(position, rate, turn, x, y, p, q));
 
 takes!([Q: Closures, By: Springs<T>] Factor<Q, By>, |joint, walk, outer: Outboard<T, Q>,
     (x, y, .., (position, rate, led), torque, kept, pivot)| {
@@ -142,23 +138,50 @@ takes!([Q: Closures] Stir<T, Q>, |joint, walk, inner: Stirred<T>,
 });
 
 takes!([] PullBack, |joint, walk, outer: Pulled<T>,
-    (x, y, _, _, (position, rate, acceleration, own), (.., met, _, _), (_, sums), (of_position, of_rate))| {
+    (x, y, _, _, (position, rate, acceleration, own), (_, a, _, met, _, _), (_, sums), (of_position, of_rate))| {
     let (stand, _) = Self::posture(x, y);
     let (mut carried, mut turning, step) = (outer, met.turning, step(*rate, *acceleration, *own));
-    let of_law = if walk.laws { joint.law.pull_back(*position, *rate, *own, &mut sums.law) } else { [T::zero(); 2] };
-    let (of, _) = if const { M::TURNS } {
-        let found = step.turned(&mut carried, turning);
+    let [by_law, by_rate] =
+        if walk.laws { joint.law.pull_back(*position, *rate, *own, &mut sums.law) } else { [T::zero(); 2] };
+    let ([of, of_speed], [velocity, a]) = if const { M::TURNS } {
+        let of = carried.in_own(met.velocity, *a, &turning).z;
+        let beside = Vector3::new(-carried.angular.y, carried.angular.x, T::zero());
+        let of_speed = -dot_onto(turning.spin, beside, carried.spin.z);
+        carried.spin = add_scaled(carried.spin, *rate, beside);
         turning = step.before(turning);
-        found
+        ([of, of_speed], [met.velocity, *a])
     } else {
-        step.slid(*position, slid(*position), &mut carried, &turning)
+        let arm = Vector3::new(T::zero(), T::zero(), *position);
+        let (of, _) = step.slid(*position, arm, &mut carried, &turning);
+        carried.turn = outer.turn; // axes do not turn
+        (of, step.before_slide(arm, [met.velocity, *a], &turning))
     };
-    (*of_position, *of_rate) = (of_law[0] + of[0], of_law[1] + of[1]);
-    sums.more[0] -= *acceleration * *own;
-    sums.turn += joint.of_offset(stand, carried.turned(turning));
+    (*of_position, *of_rate) = (by_law + of, by_rate + of_speed);
+    if const { A::ON } {
+        sums.more[0] -= *acceleration * *own;
+    }
+    if const { C::NUMBERED } {
+        sums.turn += joint.of_offset(stand, carried.in_own(velocity, a, &turning));
+    }
     let carried = carried.mapped(|v| joint.to_parent(stand, v));
+    if const { PLACE & 7 == 0 } {
+        return carried;
+    }
     let turning = turning.mapped(|v| joint.to_parent(stand, v));
-    carried.over(Vector3::from(values(joint.arm())), &turning, &mut sums.place)
+    let [g, f] = [carried.momentum, carried.force].map(|v| triple(v.into()));
+    let by_place = per_vector(&turning, carried.momentum, carried.force);
+    for k in 0..3 {
+        if PLACE >> k & 1 == 1 {
+            sums.place[k] -= by_place[k];
+        }
+    }
+    let vector = |v: Triple<T>| Vector3::from(values(v));
+    Pulled {
+        torque: vector(cross_onto(joint.arm(), f, triple(carried.torque.into()))),
+        angular: vector(cross_onto(joint.arm(), g, triple(carried.angular.into()))),
+        spin: swept_known(turning.spin, joint.arm(), g, carried.spin),
+        ..carried
+    }
 });
 
 takes!([N: LoadLaw<BodyMotion<T>>] PullLoads<N, T>, |joint, _walk, outer: Felt<T>,

@@ -1,21 +1,29 @@
 //! The costate sweep in body axes: what links do.
 //!
-//! The mass at the origin is to the way there what a [body](crate::mechanics::spatial::adjoint) has at its outboard end; first moment and
-//! tensor are as there.
+//! With W, A of the origin, ω, α, w, mass m, first moment σ and tensor J about the origin
+//!
+//! ```text
+//! F ← F + m A + α × σ + ω × (ω × σ)        M ← M + σ × A + J α + ω × J ω
+//! G ← G + m W + w × σ                      H ← H + σ × W + J w
+//! Ω ← Ω + σ (ω·W) + W (ω·σ) − 2 ω (σ·W) + J ω × w + J (w × ω)
+//! m̄ = −A·W        σ̄ = −[W × α + ω (ω·W) − ω² W + A × w]        J̄ = −sym(w αᵀ + (w × ω) ωᵀ)
+//! ```
 
 use super::super::link::Link;
-use super::super::number::{triangle_values, values};
+use super::super::number::{
+    Number, Triple, apply, apply_onto, cross_onto, dot_onto, rows, triangle_values, triple, values,
+};
 use super::super::relation::Local;
 use super::super::through::Solid;
+use super::swept_known;
 use crate::element::{Element, Springs};
 use crate::lift::Lift;
 use crate::loading::{Load, LoadLaw};
 use crate::mechanics::spatial::adjoint::{
-    BODY, Base, Felt, OnBody, Outboard, Pulled, Read, Stirred, Turning, per_vector, read, swept,
+    BODY, Base, Felt, OnBody, Outboard, Pulled, Read, Stirred, Turning, per_vector, read,
 };
 use crate::mechanics::spatial::{Acceleration, BodyMotion, Inertia, Spatial, Turn, Wrench};
 use crate::relation::Closures;
-use crate::relation::spatial::algebra::{Symmetric3, add_scaled, cross, cross_onto, dot};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::burden::Burden;
@@ -29,18 +37,10 @@ use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
 use nalgebra::Vector3;
 
-impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
-    /// First moment, and tensor about the origin.
-    fn moments(&self) -> (Vector3<T>, Symmetric3<T>) {
-        let [xx, yy, zz, yz, xz, xy] = triangle_values(self.tensor());
-        (Vector3::from(values(self.moment())), Symmetric3 { xx, xy, xz, yy, yz, zz })
-    }
-}
-
 /// What costates know of a link.
 pub fn base<T: Scalar, const MOMENT: u8, const TENSOR: u8>(link: &Link<T, MOMENT, TENSOR>) -> Base<T> {
-    let (moment, Symmetric3 { xx, xy, xz, yy, yz, zz }) = link.moments();
-    Base { moment: moment.into(), inertia: [xx, xy, xz, yy, yz, zz], lumped: link.mass(), ..Base::null() }
+    let [xx, yy, zz, yz, xz, xy] = triangle_values(link.tensor());
+    Base { moment: values(link.moment()), inertia: [xx, xy, xz, yy, yz, zz], lumped: link.mass(), ..Base::null() }
 }
 
 /// The numbers of a link that loads read: it has no outboard end.
@@ -56,6 +56,7 @@ macro_rules! takes {
         impl<T: Scalar, const MOMENT: u8, const TENSOR: u8, $($bounds)*> Takes<Spatial<T>, $Walk>
             for Link<T, MOMENT, TENSOR>
         {
+            #[cfg_attr(optimised, inline(always))]
             fn take(&self, $walk: &mut $Walk, $carried: $Carried, $stores: Of<'_, Spatial<T>, $Walk, Self>) -> $Carried {
                 let $link = self;
                 $does
@@ -85,22 +86,41 @@ takes!([C: Closures] Stir<T, C>, |_link, _walk, inner: Stirred<T>, (.., (met, ()
     inner
 });
 
-takes!([] PullBack, |link, _walk, outer: Pulled<T>, (.., (a, (), met, ..), (sums, ()), _)| {
-    let (w, a, turning) = (met.velocity, *a, &met.turning);
-    let Turning { spin, acceleration, stirring } = *turning;
-    let (moment, inertia) = link.moments();
-    sums.lumped -= dot(a, w);
-    sums.moment = (Vector3::from(sums.moment) - per_vector(turning, w, a)).into();
-    let moved = cross_onto(acceleration, moment, cross(spin, cross(spin, moment)));
-    let stirred = cross(stirring, moment);
-    let [torque, angular, turned] = turning.pull_inertia(&inertia, &mut sums.inertia);
+takes!([] PullBack, |link, _walk, outer: Pulled<T>, (_, y, .., (a, (), met, ..), (sums, ()), _)| {
+    let Turning { spin, acceleration, stirring } = met.turning;
+    let (none, vector) = ([Number::zero(); 3], |v: Triple<T>| Vector3::from(values(v)));
+    let [w, a, spin, acceleration, stirring] =
+        [met.velocity, *a, spin, acceleration, stirring].map(|v| triple(v.into()));
+    let (moment, tensor) = (link.moment(), link.tensor());
+    // What inertia makes of both motions.
+    let still = if MOMENT & 7 == 0 { none } else { triple(y[0].into()) };
+    let [force, torque] = link.resisted([a, acceleration], [still, triple(y[1].into())]);
+    let [momentum, angular] = link.resisted([w, stirring], [none; 2]);
+    // J ω × w + J (w × ω).
+    let gyration = cross_onto(stirring, spin, none);
+    let turned = apply_onto(&rows(&tensor), gyration, cross_onto(apply(&rows(&tensor), spin), stirring, none));
+    // Costates of the numbers that there are.
+    sums.lumped -= dot_onto(a, w, Number::zero()).value();
+    let by_moment = per_vector(&met.turning, met.velocity, vector(a));
+    for k in 0..3 {
+        if MOMENT >> k & 1 == 1 {
+            sums.moment[k] -= by_moment[k];
+        }
+    }
+    let outer_product = |i: usize, j: usize| gyration[i].times_onto(spin[j], stirring[i].times(acceleration[j]));
+    for (k, (bit, i, j)) in [(0, 0, 0), (5, 0, 1), (4, 0, 2), (1, 1, 1), (3, 1, 2), (2, 2, 2)].into_iter().enumerate() {
+        if TENSOR >> bit & 1 == 1 {
+            let by = outer_product(i, j);
+            sums.inertia[k] -= if i == j { by } else { by.plus(outer_product(j, i)) }.value();
+        }
+    }
     Pulled {
-        momentum: add_scaled(outer.momentum + stirred, link.mass(), w),
-        force: add_scaled(outer.force + moved, link.mass(), a),
-        turn: cross_onto(w, moved, cross_onto(a, stirred, outer.turn)),
-        torque: cross_onto(moment, a, torque + outer.torque),
-        angular: cross_onto(moment, w, angular + outer.angular),
-        spin: swept(spin, moment, w, turned + outer.spin),
+        momentum: outer.momentum + vector(momentum),
+        force: outer.force + vector(force),
+        turn: outer.turn,
+        torque: outer.torque + vector(torque),
+        angular: outer.angular + vector(angular),
+        spin: swept_known(met.turning.spin, moment, w, outer.spin + vector(turned)),
     }
 });
 

@@ -28,6 +28,7 @@ use nalgebra::Vector3;
 macro_rules! takes {
     ($Joint:ty, [$($bounds:tt)*] $Walk:ty, |$joint:ident, $walk:ident, $carried:ident: $Carried:ty, $stores:pat_param| $does:expr) => {
         impl<T: Scalar, $($bounds)*> Takes<Spatial<T>, $Walk> for $Joint {
+            #[cfg_attr(optimised, inline(always))]
             fn take(&self, $walk: &mut $Walk, $carried: $Carried, $stores: Of<'_, Spatial<T>, $Walk, Self>) -> $Carried {
                 let $joint = self;
                 $does
@@ -61,28 +62,42 @@ takes!(Upright, [] Orient, |joint, _walk, turn: Turn<T>, (position, rate, x, y, 
     joint.orient(position, rate, turn, x, y, p, q)
 });
 takes!(Flange<T>, [] Orient, |joint, _walk, turn: Turn<T>, (position, rate, x, y, p, q)| {
-    *x = turn.attitude;
     joint.orient(position, rate, turn, x, y, p, q)
 });
 
-passes!(Spatial, Upright);
-takes!(Upright, [C: Closures] Stir<T, C>, |_joint, _walk, inner: Stirred<T>, _| inner);
-takes!(Upright, [] PullBack, |_joint, _walk, outer: Pulled<T>, _| outer);
+passes!(Spatial, Upright, Factor<C, By>, [By: Springs<T>]);
+passes!(Spatial, Upright, Meet<T, C>, []);
+takes!(Upright, [C: Closures] Reach<T, C>, |_joint, _walk, inner: Acceleration<T>, (.., (_, reached, _))| {
+    *reached = inner.linear;
+    inner
+});
+takes!(Upright, [C: Closures] Stir<T, C>, |_joint, _walk, inner: Stirred<T>, (.., ((), met, _), _)| {
+    met.velocity = inner.velocity;
+    inner
+});
+takes!(Upright, [] PullBack, |_joint, _walk, outer: Pulled<T>, (.., (_, a, _, met, ..), _, _)| {
+    Pulled { turn: outer.of_place(met.velocity, *a), ..outer }
+});
 takes!(Upright, [L: LoadLaw<BodyMotion<T>>] PullLoads<L, T>, |_joint, _walk, outer: Felt<T>, _| outer);
 
 takes!(BodyAxes, [C: Closures, By: Springs<T>] Factor<C, By>, |_joint, _walk, outer: Outboard<T, C>, (attitude, ..)| {
     Outboard::rigid(Local::of_own(&outer.relation).turned(attitude))
 });
-takes!(BodyAxes, [C: Closures] Reach<T, C>, |_joint, _walk, inner: Acceleration<T>, (attitude, ..)| {
+takes!(BodyAxes, [C: Closures] Reach<T, C>, |_joint, _walk, inner: Acceleration<T>, (attitude, .., (_, reached, _))| {
+    *reached = inner.linear;
     Acceleration { linear: attitude.transposed(inner.linear), angular: attitude.transposed(inner.angular) }
 });
 takes!(BodyAxes, [C: Closures] Meet<T, C>, |_joint, _walk, outer: Wrench<T>, (attitude, ..)| {
     wrench(outer, |v| attitude.apply(v))
 });
-takes!(BodyAxes, [C: Closures] Stir<T, C>, |_joint, _walk, inner: Stirred<T>, (attitude, ..)| {
+takes!(BodyAxes, [C: Closures] Stir<T, C>, |_joint, _walk, inner: Stirred<T>, (attitude, .., ((), met, _), _)| {
+    met.velocity = inner.velocity;
     stirred(&inner, |v| attitude.transposed(v))
 });
-takes!(BodyAxes, [] PullBack, |_joint, _walk, outer: Pulled<T>, (attitude, ..)| outer.mapped(|v| attitude.apply(v)));
+takes!(BodyAxes, [] PullBack, |_joint, _walk, outer: Pulled<T>, (attitude, .., (_, a, _, met, ..), _, _)| {
+    let outer = outer.mapped(|v| attitude.apply(v));
+    Pulled { turn: outer.of_place(met.velocity, *a), ..outer }
+});
 takes!(BodyAxes, [L: LoadLaw<BodyMotion<T>>] PullLoads<L, T>, |_joint, _walk, outer: Felt<T>, (attitude, ..)| {
     outer.mapped(|v| attitude.apply(v))
 });
@@ -117,7 +132,10 @@ takes!(Flange<T>, [] PullBack, |joint, _walk, outer: Pulled<T>, (attitude, y, _,
     let force = add_scaled(outer.force, joint.lumped(), *a);
     let momentum = add_scaled(outer.momentum, joint.lumped(), met.velocity);
     let mut of_arm = attitude.apply(sums.place);
-    let carried = Pulled { force, momentum, ..outer }.over(y[0], &met.turning, &mut of_arm);
+    let outer = Pulled { force, momentum, ..outer };
+    // Θ − W × F − A × G.
+    let turn = cross_onto(force, met.velocity, cross_onto(momentum, *a, outer.turn));
+    let carried = Pulled { turn, ..outer.over(y[0], &met.turning, &mut of_arm) };
     sums.place = attitude.transposed(of_arm);
     carried.mapped(|v| attitude.transposed(v))
 });

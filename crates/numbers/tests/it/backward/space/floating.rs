@@ -124,3 +124,59 @@ fn trees_on_ground_that_moves_have_the_gradients_of_jets() {
         );
     });
 }
+
+/// A robot in axes of its bodies: a base with two legs, one of which ends at a flange with a rod on a ball, in a medium.
+#[test]
+fn robots_that_float_have_the_gradients_of_jets() {
+    use catena::robot::{BodyAxes, Flange, Hinge, Leaning, Link, Quarter, Slide, Turned};
+    with_room(|| {
+        let mut parameters = numbers()[26..37].to_vec(); // gravity, places, a rod
+        parameters.extend([1.3, 0.05, -0.03, 0.2, 0.11, 0.09, 0.05, 0.004, -0.003, 0.002, 0.3, -0.4, 0.5, 0.7, 0.08, 0.2]);
+        parameters.extend(MEDIUM);
+        let kinds: Kinds = &[
+            ("gravity", 3),
+            ("place", 3),
+            ("rod", 5),
+            ("link", 10),
+            ("offsets", 4),
+            ("rotor", 1),
+            ("damper", 1),
+            ("law", 6),
+        ];
+        let coordinates = [&BASE[..], &[false, false, false, false, true]].concat();
+        gradients!(
+            "a robot that floats",
+            kinds,
+            parameters,
+            coordinates,
+            8,
+            Rk4,
+            3,
+            0.02,
+            |x| {
+                let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
+                let [xx, yy, zz, yz, xz, xy] = [15, 16, 17, 18, 19, 20].map(x);
+                let link = Link::general(x(11), vector(12), [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]);
+                let rod = Rod::new(x(6), x(7), x(8), x(9), x(10));
+                let hip = Hinge::at::<7>(vector(3)).turned(Turned::by(Rotation::from_angles(vector(21))));
+                let knee = Slide::at::<7>(vector(3)).turned(Leaning::by(x(24))).with(Spring::damping(x(26)));
+                let foot = Hinge::at::<7>(vector(3)).turned(Quarter::<30>).geared(x(25));
+                let chain = (
+                    BodyAxes,
+                    link,
+                    Branch((hip, link, knee, link)),
+                    foot,
+                    link,
+                    hip,
+                    link,
+                    Flange::at(vector(3)),
+                    rod,
+                    Ball,
+                    rod,
+                );
+                System::new(Free, chain, Free).unwrap().with_gravity(vector(0))
+            },
+            under(6, |y| { Medium::of(y, 27) })
+        );
+    });
+}
