@@ -168,13 +168,12 @@ takes!([] PullBack, |joint, walk, outer: Pulled<T>,
         return carried;
     }
     let turning = turning.mapped(|v| joint.to_parent(stand, v));
-    let [g, f] = [carried.momentum, carried.force].map(|v| triple(v.into()));
+    let (g, f) = (triple(carried.momentum.into()), triple(carried.force.into()));
     let by_place = per_vector(&turning, carried.momentum, carried.force);
-    for k in 0..3 {
-        if PLACE >> k & 1 == 1 {
-            sums.place[k] -= by_place[k];
-        }
+    macro_rules! take {
+        ($($axis:ident: $bit:literal),*) => {$(if const { PLACE >> $bit & 1 == 1 } { sums.place.$axis -= by_place.$axis })*};
     }
+    take!(x: 0, y: 1, z: 2);
     let vector = |v: Triple<T>| Vector3::from(values(v));
     Pulled {
         torque: vector(cross_onto(joint.arm(), f, triple(carried.torque.into()))),

@@ -86,33 +86,37 @@ takes!([C: Closures] Stir<T, C>, |_link, _walk, inner: Stirred<T>, (.., (met, ()
     inner
 });
 
-takes!([] PullBack, |link, _walk, outer: Pulled<T>, (_, y, .., (a, (), met, ..), (sums, ()), _)| {
+takes!([] PullBack, |link, _walk, outer: Pulled<T>, (_, posture, .., (a, (), met, ..), (sums, ()), _)| {
     let Turning { spin, acceleration, stirring } = met.turning;
     let (none, vector) = ([Number::zero(); 3], |v: Triple<T>| Vector3::from(values(v)));
-    let [w, a, spin, acceleration, stirring] =
-        [met.velocity, *a, spin, acceleration, stirring].map(|v| triple(v.into()));
+    // One by one: what a loop reads is not known by type.
+    let (w, a) = (triple(met.velocity.into()), triple((*a).into()));
+    let (spin, acceleration, stirring) = (triple(spin.into()), triple(acceleration.into()), triple(stirring.into()));
     let (moment, tensor) = (link.moment(), link.tensor());
     // What inertia makes of both motions.
-    let still = if MOMENT & 7 == 0 { none } else { triple(y[0].into()) };
-    let [force, torque] = link.resisted([a, acceleration], [still, triple(y[1].into())]);
+    let still = if MOMENT & 7 == 0 { none } else { triple(posture[0].into()) };
+    let [force, torque] = link.resisted([a, acceleration], [still, triple(posture[1].into())]);
     let [momentum, angular] = link.resisted([w, stirring], [none; 2]);
     // J ω × w + J (w × ω).
     let gyration = cross_onto(stirring, spin, none);
     let turned = apply_onto(&rows(&tensor), gyration, cross_onto(apply(&rows(&tensor), spin), stirring, none));
     // Costates of the numbers that there are.
     sums.lumped -= dot_onto(a, w, Number::zero()).value();
-    let by_moment = per_vector(&met.turning, met.velocity, vector(a));
-    for k in 0..3 {
-        if MOMENT >> k & 1 == 1 {
-            sums.moment[k] -= by_moment[k];
-        }
+    macro_rules! take {
+        ($($sum:ident: $mask:ident, $bit:literal, $by:expr;)*) => {$(if const { $mask >> $bit & 1 == 1 } { *$sum -= $by })*};
     }
-    let outer_product = |i: usize, j: usize| gyration[i].times_onto(spin[j], stirring[i].times(acceleration[j]));
-    for (k, (bit, i, j)) in [(0, 0, 0), (5, 0, 1), (4, 0, 2), (1, 1, 1), (3, 1, 2), (2, 2, 2)].into_iter().enumerate() {
-        if TENSOR >> bit & 1 == 1 {
-            let by = outer_product(i, j);
-            sums.inertia[k] -= if i == j { by } else { by.plus(outer_product(j, i)) }.value();
-        }
+    let by_moment = per_vector(&met.turning, met.velocity, vector(a));
+    let [x, y, z] = &mut sums.moment;
+    take! { x: MOMENT, 0, by_moment.x; y: MOMENT, 1, by_moment.y; z: MOMENT, 2, by_moment.z; }
+    let own = |i: usize| gyration[i].times_onto(spin[i], stirring[i].times(acceleration[i])).value();
+    let both = |i: usize, j: usize| {
+        let one = gyration[i].times_onto(spin[j], stirring[i].times(acceleration[j]));
+        gyration[j].times_onto(spin[i], stirring[j].times_onto(acceleration[i], one)).value()
+    };
+    let [xx, xy, xz, yy, yz, zz] = &mut sums.inertia;
+    take! {
+        xx: TENSOR, 0, own(0); yy: TENSOR, 1, own(1); zz: TENSOR, 2, own(2);
+        yz: TENSOR, 3, both(1, 2); xz: TENSOR, 4, both(0, 2); xy: TENSOR, 5, both(0, 1);
     }
     Pulled {
         momentum: outer.momentum + vector(momentum),
