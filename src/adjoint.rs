@@ -28,6 +28,7 @@
 //! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics
 //! (`mechanics/planar/adjoint/`, `mechanics/spatial/adjoint/`).
 
+pub mod jets;
 pub mod laws;
 mod outboard;
 mod rigid;

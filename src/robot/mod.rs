@@ -58,7 +58,37 @@
 //! loop closes, other elements hang. An arm of a [`Network`] begins with [`BodyAxes`] and ends with a `Flange`. Functions of lists know no `Flange`:
 //! torques of such robots are [`Torques`].
 //!
-//! Not yet: derivatives through kept gains, gradients backward: such scenes do not compile.
+//! Gradients of runs go [backward](System::backward) through robots, those that float, are held or close loops among them: by starts, masses, mass
+//! centres, tensors, places and turns of joints, springs, friction, stops, rotors, gravity, and the torques of every step, which are
+//! [`Effort`]s, one for each joint, that of the base included. What a type says to be zero has no derivative, and costs nothing.
+//!
+//! ```
+//! use catena::robot::*;
+//! let link = Link::general(4.0, [0.0, 0.0, 0.2], [[0.06, 0.0, 0.0], [0.0, 0.06, 0.0], [0.0, 0.0, 0.01]]);
+//! let elbow = Hinge::at::<0b100>([0.0, 0.0, 0.4]).turned(Quarter::<30>);
+//! let arm = System::new(Base::origin(), (Hinge::level().grounded(), link, elbow, link), Free)?.with_gravity([0.0, 0.0, -9.81]);
+//! let (start, torques) = (arm.at_joints(&[0.1, 0.7], &[0.0; 2])?, [Effort([0.2, 0.0, 0.0]); 3 * 100]);
+//! let (mut backward, mut states, mut by_torques) = (arm.backward(Rk4), [start; 101], torques);
+//! backward.run(&start, 0.001, 100, &torques, &mut states)?;
+//! // Of the angle of the elbow at the end.
+//! let gradient = backward.gradient(&torques, &states, &mut by_torques, |step, _, by| {
+//!     if step == 100 { by.add(&[0.0, 1.0], &[0.0; 2]) } else { Ok(()) }
+//! })?;
+//! // By its torque in the first step, and by its angle and its rate at the start.
+//! let (by_torque, by_angle, by_rate) = (by_torques[2].0[0], gradient.by_position()[1], gradient.by_rate()[1]);
+//! # let end = |angle: f64| -> Result<f64, catena::Error> {
+//! #     let (mut now, mut next, mut stepper) = (arm.at_joints(&[0.1, angle], &[0.0; 2])?, start, arm.stepper(Rk4));
+//! #     for _ in 0..100 {
+//! #         stepper.step(&now, &Loads::none().efforts(&torques[..3]), 0.001, &mut next)?;
+//! #         now = next;
+//! #     }
+//! #     Ok(now.coordinates()[1])
+//! # };
+//! # assert!(by_torque > 0.0 && by_rate > 0.0 && (by_angle - (end(0.7001)? - end(0.6999)?) / 2e-4).abs() < 1e-7);
+//! # Ok::<(), catena::Error>(())
+//! ```
+//!
+//! Not yet: derivatives through kept gains ([`System::sensitivity`]) and Taylor series do not compile; jets and dual numbers go through all of it.
 
 mod functions;
 

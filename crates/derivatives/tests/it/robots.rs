@@ -132,24 +132,65 @@ fn held() {
     let angles = vec![0.3, -0.4, 0.5, 0.2, -0.6, 0.4, 0.7];
     macro_rules! by {
         ($name:expr, $method:expr, $tip:expr, $joints:literal, |$flange:ident, $rod:ident| $beyond:expr) => {
-            gradients!(super::robots::efforts, $name, kinds, parameters.clone(), angles.clone(), $joints, $method, 3, 0.01, |x| {
-                of!(x, |link, other, at, turned, spring| {
-                    let upper = (Hinge::level().with(spring).geared(x(33)).grounded(), link, Hinge::at::<7>(at[0]).turned(turned.0), other.1);
-                    let middle = (Slide::at::<7>(at[1]).turned(Quarter::<30>).with(spring).geared(x(34)), link, Hinge::at::<7>(at[0]).turned(turned.1), other.1);
-                    let lower = (Hinge::at::<7>(at[0]).turned(Quarter::<30>), link, Hinge::at::<7>(at[0]).turned(Quarter::<1>), other.1, Hinge::at::<4>([N::constant(0.0), N::constant(0.0), x(5)]).turned(Quarter::<30>), link);
-                    let $flange = Flange::at([x(38), x(39), x(40)]);
-                    let $rod = Rod::<N>::uniform(x(44), x(45), x(46));
-                    let root = Clamped::at([0.0, 0.1, 0.2].map(N::constant), Rotation::from_angles([x(41), x(42), x(43)]));
-                    let _ = (spring, other.0);
-                    System::new(root, (BodyAxes, upper, middle, lower, $beyond), $tip).unwrap()
-                })
-            });
+            gradients!(
+                super::robots::efforts,
+                $name,
+                kinds,
+                parameters.clone(),
+                angles.clone(),
+                $joints,
+                $method,
+                3,
+                0.01,
+                |x| {
+                    of!(x, |link, other, at, turned, spring| {
+                        let upper = (
+                            Hinge::level().with(spring).geared(x(33)).grounded(),
+                            link,
+                            Hinge::at::<7>(at[0]).turned(turned.0),
+                            other.1,
+                        );
+                        let middle = (
+                            Slide::at::<7>(at[1]).turned(Quarter::<30>).with(spring).geared(x(34)),
+                            link,
+                            Hinge::at::<7>(at[0]).turned(turned.1),
+                            other.1,
+                        );
+                        let lower = (
+                            Hinge::at::<7>(at[0]).turned(Quarter::<30>),
+                            link,
+                            Hinge::at::<7>(at[0]).turned(Quarter::<1>),
+                            other.1,
+                            Hinge::at::<4>([N::constant(0.0), N::constant(0.0), x(5)]).turned(Quarter::<30>),
+                            link,
+                        );
+                        let $flange = Flange::at([x(38), x(39), x(40)]);
+                        let $rod = Rod::<N>::uniform(x(44), x(45), x(46));
+                        let root =
+                            Clamped::at([0.0, 0.1, 0.2].map(N::constant), Rotation::from_angles([x(41), x(42), x(43)]));
+                        let _ = (spring, other.0);
+                        System::new(root, (BodyAxes, upper, middle, lower, $beyond), $tip).unwrap()
+                    })
+                }
+            );
         };
     }
     macro_rules! both {
         ($name:literal, $method:expr) => {
-            by!(concat!("pinned, ", $name), $method, Pinned::on([0.3, 0.2, 0.9].map(N::constant)), 10, |flange, rod| (flange, rod));
-            by!(concat!("hinged, ", $name), $method, Hinged::at([0.3, 0.2, 0.9].map(N::constant), [0.6, 0.0, 0.8].map(N::constant)), 10, |flange, rod| (flange, rod));
+            by!(
+                concat!("pinned, ", $name),
+                $method,
+                Pinned::on([0.3, 0.2, 0.9].map(N::constant)),
+                10,
+                |flange, rod| (flange, rod)
+            );
+            by!(
+                concat!("hinged, ", $name),
+                $method,
+                Hinged::at([0.3, 0.2, 0.9].map(N::constant), [0.6, 0.0, 0.8].map(N::constant)),
+                10,
+                |flange, rod| (flange, rod)
+            );
         };
     }
     both!("RK4", Rk4);
@@ -172,10 +213,22 @@ fn loop_of_two_arms() {
             gradients!(super::robots::efforts, $name, kinds, parameters.clone(), angles, 18, $method, 3, 0.01, |x| {
                 of!(x, |link, other, at, turned, spring| {
                     let flange = Flange::at([x(38), x(39), x(40)]);
-                    let (hinge, leaning) = (Hinge::at::<7>(at[0]).turned(turned.0), Hinge::at::<7>(at[0]).turned(turned.1));
+                    let (hinge, leaning) =
+                        (Hinge::at::<7>(at[0]).turned(turned.0), Hinge::at::<7>(at[0]).turned(turned.1));
                     let quarter = Hinge::at::<7>(at[0]).turned(Quarter::<30>).with(spring).geared(x(33));
                     let main = (BodyAxes, hinge, link, quarter, other.1, leaning, link, hinge, link, flange);
-                    let side = (BodyAxes, leaning, other.1, Slide::at::<0b10>(at[1]).turned(Quarter::<1>), link, quarter, link, hinge, link, flange);
+                    let side = (
+                        BodyAxes,
+                        leaning,
+                        other.1,
+                        Slide::at::<0b10>(at[1]).turned(Quarter::<1>),
+                        link,
+                        quarter,
+                        link,
+                        hinge,
+                        link,
+                        flange,
+                    );
                     let beyond = (BodyAxes, quarter, other.0);
                     let first = (Hinge::level().geared(x(34)).grounded(), link, flange);
                     let chain = (first, Network::new(main, side, $closing), beyond);
@@ -187,4 +240,51 @@ fn loop_of_two_arms() {
     by!("ball, RK4", Rk4, Ball);
     by!("ball, generalised-α", GeneralizedAlpha::new(0.8), Ball);
     by!("revolute, RK4", Rk4, Revolute::about([0.6, 0.0, 0.8].map(N::constant)));
+}
+
+#[test]
+fn furniture() {
+    on_a_large_stack(laws_in_tuples);
+}
+
+/// Several laws along one coordinate: a spring and friction, a damper and stops, one of which is met.
+fn laws_in_tuples() {
+    let mut parameters = numbers();
+    parameters.extend([0.4, 0.3, -0.5, 0.25, 60.0, 0.1]);
+    let kinds = [&KINDS[..], &[("friction", 2), ("stops", 4)]].concat();
+    macro_rules! by {
+        ($name:expr, $method:expr) => {
+            gradients!(
+                super::robots::efforts,
+                $name,
+                kinds,
+                parameters.clone(),
+                vec![0.3, 0.4, 0.5],
+                4,
+                $method,
+                4,
+                0.01,
+                |x| {
+                    of!(x, |link, other, at, turned, spring| {
+                        let friction = DryFriction::new(x(38), x(39));
+                        let stops = Stops::between([x(40), x(41)], x(42), x(43));
+                        let first = Hinge::level().with((spring, friction)).geared(x(33)).grounded();
+                        let second =
+                            Hinge::at::<7>(at[0]).turned(turned.0).with((Spring::damping(x(31)), stops)).geared(x(34));
+                        let third = Slide::at::<7>(at[2]).turned(turned.1).with(friction);
+                        let _ = other.0;
+                        System::new(
+                            Base::at([0.0; 3].map(N::constant)),
+                            (first, link, second, other.1, third, link),
+                            Free,
+                        )
+                        .unwrap()
+                    })
+                }
+            );
+        };
+    }
+    by!("furniture, RK4", Rk4);
+    by!("furniture, SDIRK4", Sdirk4::new());
+    by!("furniture, generalised-α", GeneralizedAlpha::new(0.8));
 }

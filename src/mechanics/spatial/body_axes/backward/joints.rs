@@ -2,21 +2,25 @@
 //!
 //! The coordinate is that of a [revolute joint or a slide](crate::mechanics::spatial::adjoint) along z. Inboard of it motions are those of
 //! the parent: in its axes the offset turns all that lies outboard, as a weld does, and the place of the joint is an arm of the parent.
-//! Of reflected inertia I, whose force is −I q̈, P has the share I q̈ q̇_w. A hinge's costate is q̄ = z·(Δ + W × F + A × G + w × M + α × H + ω × Ω).
+//! Of reflected inertia I, whose force is −I q̈, P has the share I q̈ q̇_w. A hinge's costate is
+//!
+//! ```text
+//! q̄ = z·(Δ + W × F + A × G + w × M + α × H + ω × Ω)
+//! ```
 
 use super::super::axis::{Armature, Axis, Bearing, Mode};
 use super::super::number::{Number, Triple, cross_onto, sum, triple, values};
 use super::super::relation::Local;
 use super::super::standing::{Stand, Standing};
 use super::super::turns::Offset;
+use super::swept_known;
 use crate::adjoint::laws::{ReversibleLaw, force, strain};
 use crate::element::{Element, Springs};
 use crate::loading::LoadLaw;
-use super::swept_known;
 use crate::mechanics::spatial::adjoint::{Felt, Outboard, Pulled, Step, Stirred, Turning, per_vector};
 use crate::mechanics::spatial::{Acceleration, BodyMotion, Spatial, Turn, Wrench};
-use crate::relation::spatial::algebra::{Columns, add_scaled, dot_onto, zero};
 use crate::relation::Closures;
+use crate::relation::spatial::algebra::{Columns, add_scaled, dot_onto, zero};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
 use crate::walks::burden::Burden;
@@ -45,7 +49,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: ReversibleLaw<T>, A: 
     Axis<T, M, C, PLACE, L, A, B>
 {
     /// A vector of the body's axes in those of the parent.
-    fn to_parent(&self, stand: Stand<T>, v: Vector3<T>) -> Vector3<T> {
+    fn in_parent(&self, stand: Stand<T>, v: Vector3<T>) -> Vector3<T> {
         Vector3::from(values(self.outward(stand, triple(v.into()))))
     }
 
@@ -120,7 +124,7 @@ takes!([Q: Closures] Meet<T, Q>, |joint, walk, outer: Wrench<T>, (x, y, .., kept
 takes!([Q: Closures] Stir<T, Q>, |joint, walk, inner: Stirred<T>,
     (x, y, .., kept, (rate, acceleration, free), ((), met, _), torque)| {
     let (stand, [_, bias]) = Self::posture(x, y);
-    let (none, Turning { spin, acceleration: turning, stirring }) = (triple([T::zero(); 3]), inner.turning);
+    let (none, Turning { spin, acceleration: turning, stirring }) = ([Number::zero(); 3], inner.turning);
     let p = [triple(inner.velocity.into()), triple(stirring.into())];
     let p = joint.accelerated(stand, [none; 2], p);
     let mut own = Q::plus_dot(*free, &kept.per_closure, &walk.forces);
@@ -151,7 +155,7 @@ takes!([] PullBack, |joint, walk, outer: Pulled<T>,
         turning = step.before(turning);
         ([of, of_speed], [met.velocity, *a])
     } else {
-        let arm = Vector3::new(T::zero(), T::zero(), *position);
+        let arm = slid(*position);
         let (of, _) = step.slid(*position, arm, &mut carried, &turning);
         carried.turn = outer.turn; // axes do not turn
         (of, step.before_slide(arm, [met.velocity, *a], &turning))
@@ -163,11 +167,11 @@ takes!([] PullBack, |joint, walk, outer: Pulled<T>,
     if const { C::NUMBERED } {
         sums.turn += joint.of_offset(stand, carried.in_own(velocity, a, &turning));
     }
-    let carried = carried.mapped(|v| joint.to_parent(stand, v));
+    let carried = carried.mapped(|v| joint.in_parent(stand, v));
     if const { PLACE & 7 == 0 } {
         return carried;
     }
-    let turning = turning.mapped(|v| joint.to_parent(stand, v));
+    let turning = turning.mapped(|v| joint.in_parent(stand, v));
     let (g, f) = (triple(carried.momentum.into()), triple(carried.force.into()));
     let by_place = per_vector(&turning, carried.momentum, carried.force);
     macro_rules! take {
@@ -196,8 +200,8 @@ takes!([N: LoadLaw<BodyMotion<T>>] PullLoads<N, T>, |joint, _walk, outer: Felt<T
     };
     (*of_position, *of_rate) = (*of_position + of[0], *of_rate + of[1]);
     sums.turn += joint.of_offset(stand, felt.turned_under::<N>(&turning));
-    let felt = felt.mapped(|v| joint.to_parent(stand, v));
-    let turning = turning.mapped(|v| joint.to_parent(stand, v));
+    let felt = felt.mapped(|v| joint.in_parent(stand, v));
+    let turning = turning.mapped(|v| joint.in_parent(stand, v));
     felt.over(Vector3::from(values(joint.arm())), &turning, &mut sums.place)
 });
 

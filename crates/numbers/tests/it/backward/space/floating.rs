@@ -131,7 +131,8 @@ fn robots_that_float_have_the_gradients_of_jets() {
     use catena::robot::{BodyAxes, Flange, Hinge, Leaning, Link, Quarter, Slide, Turned};
     with_room(|| {
         let mut parameters = numbers()[26..37].to_vec(); // gravity, places, a rod
-        parameters.extend([1.3, 0.05, -0.03, 0.2, 0.11, 0.09, 0.05, 0.004, -0.003, 0.002, 0.3, -0.4, 0.5, 0.7, 0.08, 0.2]);
+        parameters
+            .extend([1.3, 0.05, -0.03, 0.2, 0.11, 0.09, 0.05, 0.004, -0.003, 0.002, 0.3, -0.4, 0.5, 0.7, 0.08, 0.2]);
         parameters.extend(MEDIUM);
         let kinds: Kinds = &[
             ("gravity", 3),
