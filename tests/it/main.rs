@@ -1,5 +1,6 @@
 //! What the library promises, a folder for each promise. Scenes are compiled once for all of them.
 
+mod allocation;
 mod extend;
 mod forces;
 mod form;

@@ -2,4 +2,5 @@
 
 mod chains;
 mod motion;
+mod orders;
 mod space;

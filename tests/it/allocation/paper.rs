@@ -1,7 +1,7 @@
 //! Steps of the paper's scheme allocate nothing, and a run holds little.
 #![cfg(feature = "std")]
 
-use crate::counting::{count, held};
+use super::counting::{count, held};
 use catena::Error;
 use catena::loading::Unloaded;
 use catena::paper::*;

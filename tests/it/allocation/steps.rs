@@ -1,6 +1,6 @@
 //! Steps allocate nothing.
 
-use crate::counting::allocations;
+use super::counting::allocations;
 use catena::Error;
 use catena::Lift;
 use catena::loading::{Loading, Unloaded};

@@ -1,6 +1,6 @@
 //! Gradients of runs allocate nothing.
 
-use crate::counting::allocations;
+use super::counting::allocations;
 use catena::Error;
 use catena::planar::*;
 use catena::scalar::Jet;

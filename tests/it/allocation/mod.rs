@@ -1,4 +1,4 @@
-//! What allocates nothing, in a process of its own: its global allocator counts.
+//! What allocates nothing: the global allocator of all these tests counts, for each thread.
 
 #![allow(unsafe_code)] // an allocator cannot be written otherwise
 

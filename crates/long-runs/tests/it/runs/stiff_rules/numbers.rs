@@ -1,6 +1,5 @@
 //! Implicit steps with every kind of number. Derivative parts are compared by themselves: `==` and `near` see only the value of
 //! a dual number.
-#![cfg(all(feature = "num-dual", feature = "simd"))]
 
 use catena::loading::Unloaded;
 use catena::planar::*;
