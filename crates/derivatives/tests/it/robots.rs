@@ -104,7 +104,7 @@ fn arm() {
                         Branch(branch),
                         Slide::at::<0b10>(at[1]).turned(Quarter::<30>).with(spring).geared(x(34)),
                         link,
-                        Hinge::at::<7>(at[0]).turned(Quarter::<1>),
+                        Hinge::at::<7>(at[0]).turned(Quarter::<1>).named("wrist"),
                         other.0,
                     );
                     System::new(Base::at([0.0, 0.1, 0.2].map(N::constant)), chain, Free).unwrap()
@@ -159,7 +159,7 @@ fn held() {
                         let lower = (
                             Hinge::at::<7>(at[0]).turned(Quarter::<30>),
                             link,
-                            Hinge::at::<7>(at[0]).turned(Quarter::<1>),
+                            Hinge::at::<7>(at[0]).turned(Quarter::<1>).named("wrist"),
                             other.1,
                             Hinge::at::<4>([N::constant(0.0), N::constant(0.0), x(5)]).turned(Quarter::<30>),
                             link,
