@@ -50,7 +50,8 @@
 //! that moves is taken at time zero. Those with `afloat` are for the root [`Free`], with velocities of the base in inertial axes, angular ones in its own. Angles out of range (400 000 rad), at which runs stop, are not refused here. None allocates; each is
 //! one walk outward, one inward, or both.
 //!
-//! Furniture of joints is laws ([`DryFriction`], [`Stops`], a tuple of laws), drives are [`Motor`]s that a controller asks. Scenes, not functions of
+//! Furniture of joints is laws ([`DryFriction`], [`Stops`], a tuple of laws), drives are [`Motor`]s that a controller asks, and a [`Rotor`] behind gears
+//! does to the bodies beside its joint all that it does. Scenes, not functions of
 //! lists, know joints with modes ([`Coulomb`], [`HardStops`]) and joints whose coordinate is a function of time ([`Driven`]). Loads on links
 //! are those of [`spatial`](crate::spatial), in inertial axes; points that touch the ground are [`Contacts`].
 //!
@@ -94,7 +95,7 @@ mod functions;
 
 pub use crate::mechanics::spatial::body_axes::{
     AboutZ, AlongZ, Armature, Axis, Base, Bearing, Block, BodyAxes, Flange, Hinge, Leaning, Level, Link, Offset,
-    OnBody, OnGround, Place, Quarter, Slide, Torques, Turned, Upright, Yielding,
+    OnBody, OnGround, Place, Quarter, Rotor, Sharing, Slide, Torques, Turned, Upright, Yielding,
 };
 pub use crate::spatial::*;
 pub use functions::{

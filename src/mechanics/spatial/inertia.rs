@@ -48,6 +48,17 @@ impl<T: Scalar> Inertia<T> {
     /// # Errors
     /// [`Fault::NotFinite`], [`Fault::Negative`] or [`Fault::NotSymmetric`].
     pub fn check(&self) -> Result<(), Fault> {
+        self.check_entries()?;
+        let least = SecondMoments::of(self).least_moment();
+        let below = (least + self.slack()).if_negative(least, T::zero()).real().as_f64();
+        if below < 0.0 {
+            return Err(Fault::Negative { parameter: "principal moment of inertia", value: below });
+        }
+        Ok(())
+    }
+
+    /// Rejects a negative mass, and a tensor that is not symmetric or not finite; its moments may be negative.
+    pub(super) fn check_entries(&self) -> Result<(), Fault> {
         not_negative("mass", self.mass)?;
         finite("mass centre", &self.centre)?;
         self.about_centre.iter().try_for_each(|row| finite("inertia tensor", row))?;
@@ -55,11 +66,6 @@ impl<T: Scalar> Inertia<T> {
         let askew = largest([j[0][1] - j[1][0], j[0][2] - j[2][0], j[1][2] - j[2][1]]);
         if (slack - askew).if_negative(T::one(), T::zero()).real() > T::Real::of(0.0) {
             return Err(Fault::NotSymmetric { parameter: "inertia tensor" });
-        }
-        let least = SecondMoments::of(self).least_moment();
-        let below = (least + slack).if_negative(least, T::zero()).real().as_f64();
-        if below < 0.0 {
-            return Err(Fault::Negative { parameter: "principal moment of inertia", value: below });
         }
         Ok(())
     }

@@ -4,9 +4,11 @@ use super::number::Number;
 use super::relation::{Borne, Local};
 use super::turns::{Level, Offset};
 use crate::counts::Counted;
+use crate::error::Fault;
+use crate::error::checks::not_negative;
 use crate::lift::Lift;
 use crate::mechanics::spatial::Spatial;
-use crate::relation::{Absent, Closures, Term};
+use crate::relation::{Absent, Closures};
 use crate::scalar::Scalar;
 use crate::spring::{Spring, SpringLaw};
 use core::fmt::Debug;
@@ -132,10 +134,15 @@ impl<T: Scalar, M: Mode, C, const PLACE: u8, L, A, B> Axis<T, M, C, PLACE, L, A,
     }
 
     /// With reflected inertia (kg·m², or kg of a slide): a rotor's times the square of its ratio. It counts along the coordinate alone; how a
-    /// spinning rotor turns with its parent is left out, as usual.
+    /// spinning rotor turns with its parent is left out, as usual. A [`Rotor`](super::Rotor) has it.
     pub fn geared(self, inertia: T) -> Axis<T, M, C, PLACE, L, T, B> {
+        self.reflecting(inertia)
+    }
+
+    /// With reflected inertia of a kind.
+    pub(super) fn reflecting<N>(self, armature: N) -> Axis<T, M, C, PLACE, L, N, B> {
         let Self { place, offset, law, mode, .. } = self;
-        Axis { place, offset, law, armature: inertia, mode }
+        Axis { place, offset, law, armature, mode }
     }
 
     /// Between the ground and the first body of a chain: what lies outboard is then no matter to anything inboard, and is not reduced, a
@@ -154,12 +161,19 @@ impl<T: Scalar, M: Mode, C, const PLACE: u8, L, A, B> Axis<T, M, C, PLACE, L, A,
     }
 }
 
-/// Reflected inertia of a joint, or [`Absent`].
-pub trait Armature<T: Scalar>: Term<T> + 'static {
+/// Reflected inertia of a joint, that of a [`Rotor`](super::Rotor), or [`Absent`].
+pub trait Armature<T: Scalar>: Copy + Debug + 'static {
     /// Whether there is any.
     const ON: bool;
     /// The inertia, known to be zero where there is none.
     fn number(self) -> Number<T>;
+    /// Rejects numbers that make none.
+    ///
+    /// # Errors
+    /// [`Fault::NotFinite`], [`Fault::Negative`].
+    fn check(&self) -> Result<(), Fault> {
+        Ok(())
+    }
 }
 
 impl<T: Scalar> Armature<T> for Absent {
@@ -175,6 +189,9 @@ impl<T: Scalar> Armature<T> for T {
     #[inline(always)]
     fn number(self) -> Number<T> {
         Number::of(self)
+    }
+    fn check(&self) -> Result<(), Fault> {
+        not_negative("reflected inertia", *self)
     }
 }
 

@@ -8,7 +8,7 @@ use super::standing::{Stand, Standing};
 use super::turns::Offset;
 use crate::element::Springs;
 use crate::error::Fault;
-use crate::error::checks::{finite, not_negative};
+use crate::error::checks::finite;
 use crate::mechanics::spatial::{Acceleration, Frame, JointMotion, Spatial, Turn};
 use crate::relation::Closures;
 use crate::relation::spatial::algebra::{Columns, add_scaled, cross};
@@ -170,7 +170,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         if (0..3).any(|k| PLACE >> k & 1 == 0 && !self.place[k].is_identical(T::zero())) {
             return Err(Fault::NotZero { parameter: "place of a joint, where its mask says so" });
         }
-        not_negative("reflected inertia", self.armature.add_to(T::zero()))?;
+        self.armature.check()?;
         self.offset.check()?;
         self.law.check()
     }

@@ -69,6 +69,9 @@ impl<T: Scalar> Link<T> {
     }
 }
 
+/// The bit of a tensor's mask that says that a link shares in rotors: its tensor may then be no body's.
+pub const SHARING: u8 = 64;
+
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     /// Mass (kg), mass centre (m), inertia tensor about it (kg·m²). What the masks leave out must be zero but for rounding:
     /// [`System::new`](crate::system::System::new) refuses other bodies.
@@ -77,6 +80,26 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
         let about = inertia.about_inboard();
         let tensor = [about.xx, about.yy, about.zz, about.yz, about.xz, about.xy];
         Self { inertia, moment: centre.map(|x| x * mass), tensor }
+    }
+
+    /// The same body, of a type that says of its mass centre and its tensor what is there: [`System::new`](crate::system::System::new)
+    /// refuses it where a number is left out that is not zero, and without the bit 64 of `TENSOR` a link that shares in a
+    /// [`Rotor`](super::Rotor), if no body is like it.
+    pub fn masked<const M: u8, const S: u8>(self) -> Link<T, M, S> {
+        let Self { inertia, moment, tensor } = self;
+        Link { inertia, moment, tensor }
+    }
+
+    /// With a moment of inertia about an axis, which may be negative, once the body as it is has been found to be one.
+    pub(super) fn sharing<const S: u8>(self, share: T, axis: [T; 3]) -> Result<Link<T, MOMENT, S>, Fault> {
+        crate::shape::Body::<Spatial<T>>::check(&self)?;
+        let Inertia { mass, centre, mut about_centre } = self.inertia;
+        for (i, row) in about_centre.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                *entry += share * axis[i.min(j)] * axis[i.max(j)];
+            }
+        }
+        Ok(Link::new(mass, centre, about_centre))
     }
 
     /// Mass, mass centre and inertia tensor about it.
@@ -187,7 +210,11 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> crate::shape::Body<Spatial<T
         (BodyMotion { inboard, arm: zero(), to_centre, inertia }, inboard)
     }
     fn check(&self) -> Result<(), Fault> {
-        self.inertia.check()?;
+        if const { TENSOR & SHARING == 0 } {
+            self.inertia.check()?
+        } else {
+            self.inertia.check_entries()?
+        }
         let left_out = |mask: u8, list: &[T]| {
             let slack = largest(list.iter().copied()).scale(T::Real::EPSILON * T::Real::of(64.0)); // rounding of what makes them
             // Of a number that is zero derivatives count too; those of one that is rounding are rounding.

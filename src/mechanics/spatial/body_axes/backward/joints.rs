@@ -228,5 +228,5 @@ pub fn parts<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L, A: Armature<T
     let [x, y, z] = joint.offset.rows().map(values);
     let column = |k: usize| Vector3::new(x[k], y[k], z[k]);
     let axes = Columns { x: column(0), y: column(1), z: column(2) };
-    (axes, Vector3::from(joint.place), joint.armature.add_to(T::zero()), &joint.law)
+    (axes, Vector3::from(joint.place), joint.armature.number().value(), &joint.law)
 }
