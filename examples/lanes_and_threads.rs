@@ -2,7 +2,7 @@
 //! threads, and four at once in the lanes of a number.
 //!
 //! ```text
-//! RUSTFLAGS="-C target-cpu=native" cargo run --release --example lanes_and_threads -- 20000
+//! RUSTFLAGS="-C target-cpu=native" cargo run --release --features rayon,simd --example lanes_and_threads -- 20000
 //! ```
 //!
 //! The number is that of pendulums, from 8.

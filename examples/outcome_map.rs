@@ -4,7 +4,7 @@
 //! is smooth at first and then ever finer, which is what chaos looks like.
 //!
 //! ```text
-//! RUSTFLAGS="-C target-cpu=native" cargo run --release --example outcome_map -- 400
+//! RUSTFLAGS="-C target-cpu=native" cargo run --release --features rayon,simd --example outcome_map -- 400
 //! ```
 //!
 //! The number is that of starts each way, from 8 to 1000.

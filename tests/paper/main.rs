@@ -1,7 +1,6 @@
 //! The formulation of 2005, against the equations it stands for, other integrations and the published figures.
 
 mod elements;
-mod numbers;
 mod scenes;
 mod spatial;
 mod springs;

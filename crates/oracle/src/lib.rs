@@ -2,8 +2,10 @@
 //! tests measure by. Nothing here depends on the library under test.
 
 pub mod extrapolation;
+mod linkage;
 mod measure;
 pub mod plane;
 pub mod space;
 
+pub use linkage::four_bar;
 pub use measure::{Noise, has_order, near, slope};

@@ -2,9 +2,6 @@
 
 mod held_tips;
 mod hinges;
-mod long_chains;
 mod plane;
 mod product;
 mod space;
-mod spatial_held_tips;
-mod spatial_long;

@@ -1,11 +1,13 @@
 //! Every kind of number as scalar, and derivatives forward and backward.
 
+mod assembled;
 mod attitudes;
 mod backward;
 mod derivatives;
 mod ensembles;
 mod jets;
 mod moments;
+mod paper;
 mod scalars;
 mod sensitivities;
 mod sensitivity;

@@ -1,5 +1,4 @@
 //! The paper's scheme with every kind of number, and derivatives through it.
-#![cfg(all(feature = "num-dual", feature = "simd"))]
 
 use catena::loading::Unloaded;
 use catena::paper::*;
