@@ -82,7 +82,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
         Self { inertia, moment: centre.map(|x| x * mass), tensor }
     }
 
-    /// The same body, of a type that says of its mass centre and its tensor what is there: [`System::new`](crate::system::System::new)
+    /// This link, of a type that says of mass centre and tensor what is there: [`System::new`](crate::system::System::new)
     /// refuses it where a number is left out that is not zero, and without the bit 64 of `TENSOR` a link that shares in a
     /// [`Rotor`](super::Rotor), if no body is like it.
     pub fn masked<const M: u8, const S: u8>(self) -> Link<T, M, S> {
