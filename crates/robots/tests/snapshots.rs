@@ -6,8 +6,8 @@ mod kit;
 use catena::robot::*;
 use catena::system::Rate;
 use catena_oracle::Noise;
+use catena_oracle::space::Vector;
 use catena_oracle::space::robot as plain;
-use catena_oracle::space::{Matrix, Vector};
 use kit::{Drift, agree, drift, fixed, floating, list, plain_fixed};
 use nalgebra::{DMatrix, DVector};
 
@@ -92,17 +92,7 @@ fn check<const N: usize>(
     let (base, joints) = now.mass_centre_jacobian();
     let found: Vec<f64> = base[..offset].iter().chain(&joints).flatten().copied().collect();
     agree(&found, at.of_centre.as_slice(), DIRECT);
-    let parts = robot.parts.iter().zip(&at.bodies).map(|(p, b)| (b, p.mass, p.centre, p.tensor));
-    let base = robot.base.zip(at.base.as_ref()).map(|(p, b)| (b, p.mass, p.centre, p.tensor));
-    let (mut sum, mut momentum, mut angular) = (0.0, Vector::zeros(), Vector::zeros());
-    for (body, mass, local, tensor) in base.into_iter().chain(parts) {
-        let (arm, tensor): (Vector, Matrix) =
-            (body.attitude * local, body.attitude * tensor * body.attitude.transpose());
-        let velocity = body.velocity + body.spin.cross(&arm);
-        sum += mass;
-        momentum += velocity * mass;
-        angular += (body.place + arm - at.centre).cross(&velocity) * mass + tensor * body.spin;
-    }
+    let (sum, momentum, angular) = robot.momenta(at);
     let [found, turning] = now.centroidal_momentum();
     agree(&[whole], &[sum], DIRECT);
     agree(found.as_slice(), momentum.as_slice(), DIRECT);

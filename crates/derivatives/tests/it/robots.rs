@@ -96,11 +96,13 @@ fn arm() {
             gradients!(super::robots::efforts, $name, KINDS, numbers(), vec![0.3, -0.4, 0.5, 0.2, -0.6, 0.1], 7, $method, $steps, 0.01, |x| {
                 of!(x, |link, other, at, turned, spring| {
                     let branch = (Hinge::at::<0b101>(at[2]).turned(turned.1).geared(x(34)), other.1, Slide::at::<7>(at[0]).with(spring), link);
+                    let elbow = Hinge::at::<7>(at[0]).turned(turned.0);
+                    let (upper, elbow, fore) = Rotor::new(x(33), x(34)).between(link, elbow, other.1).unwrap();
                     let chain = (
                         Hinge::level().with(spring).grounded(),
-                        link,
-                        Hinge::at::<7>(at[0]).turned(turned.0).geared(x(33)),
-                        other.1,
+                        upper,
+                        elbow,
+                        fore,
                         Branch(branch),
                         Slide::at::<0b10>(at[1]).turned(Quarter::<30>).with(spring).geared(x(34)),
                         link,

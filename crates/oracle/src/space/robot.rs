@@ -180,6 +180,21 @@ impl Robot {
         now
     }
 
+    /// Mass (kg), momentum (kg·m/s) and angular momentum about the mass centre (kg·m²/s) at an instant of this robot, summed over its bodies.
+    pub fn momenta(&self, now: &Instant) -> (f64, Vector, Vector) {
+        let parts = self.parts.iter().zip(&now.bodies).map(|(p, b)| (b, p.mass, p.centre, p.tensor));
+        let base = self.base.zip(now.base.as_ref()).map(|(p, b)| (b, p.mass, p.centre, p.tensor));
+        let (mut sum, mut momentum, mut angular) = (0.0, Vector::zeros(), Vector::zeros());
+        for (body, mass, local, tensor) in base.into_iter().chain(parts) {
+            let (arm, tensor) = (body.attitude * local, body.attitude * tensor * body.attitude.transpose());
+            let velocity = body.velocity + body.spin.cross(&arm);
+            sum += mass;
+            momentum += velocity * mass;
+            angular += (body.place + arm - now.centre).cross(&velocity) * mass + tensor * body.spin;
+        }
+        (sum, momentum, angular)
+    }
+
     /// Accelerations of the coordinates under forces, of which those of dampers are part only of this.
     pub fn forward_dynamics(&self, q: &[f64], v: &[f64], forces: &[f64]) -> DVector<f64> {
         let now = self.at(q, v);

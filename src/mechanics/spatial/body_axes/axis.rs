@@ -133,18 +133,6 @@ impl<T: Scalar, M: Mode, C, const PLACE: u8, L, A, B> Axis<T, M, C, PLACE, L, A,
         Axis { place, offset, law, armature, mode }
     }
 
-    /// With reflected inertia (kg·m², or kg of a slide): a rotor's times the square of its ratio. It counts along the coordinate alone; how a
-    /// spinning rotor turns with its parent is left out, as usual. A [`Rotor`](super::Rotor) has it.
-    pub fn geared(self, inertia: T) -> Axis<T, M, C, PLACE, L, T, B> {
-        self.reflecting(inertia)
-    }
-
-    /// With reflected inertia of a kind.
-    pub(super) fn reflecting<N>(self, armature: N) -> Axis<T, M, C, PLACE, L, N, B> {
-        let Self { place, offset, law, mode, .. } = self;
-        Axis { place, offset, law, armature, mode }
-    }
-
     /// Between the ground and the first body of a chain: what lies outboard is then no matter to anything inboard, and is not reduced, a
     /// sixth of the sweep of an arm. The ground may move as its end says; a base that floats is none.
     pub fn grounded(self) -> Axis<T, M, C, PLACE, L, A, OnGround> {
@@ -158,6 +146,20 @@ impl<T: Scalar, M: Mode, C, const PLACE: u8, L, A, B> Axis<T, M, C, PLACE, L, A,
         T: Copy,
     {
         self.place
+    }
+}
+
+impl<T: Scalar, M: Mode, C, const PLACE: u8, L, B> Axis<T, M, C, PLACE, L, Absent, B> {
+    /// With reflected inertia (kg·m², or kg of a slide): a rotor's times the square of its ratio. It counts along the coordinate alone; how a
+    /// spinning rotor turns with its parent is left out, as usual. A [`Rotor`](super::Rotor) has it.
+    pub fn geared(self, inertia: T) -> Axis<T, M, C, PLACE, L, T, B> {
+        self.reflecting(inertia)
+    }
+
+    /// With reflected inertia of a kind.
+    pub(super) fn reflecting<N>(self, armature: N) -> Axis<T, M, C, PLACE, L, N, B> {
+        let Self { place, offset, law, mode, .. } = self;
+        Axis { place, offset, law, armature, mode }
     }
 }
 

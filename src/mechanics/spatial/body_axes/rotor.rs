@@ -17,6 +17,7 @@ use super::turns::Offset;
 use crate::error::checks::{finite, not_negative};
 use crate::error::{Error, Fault};
 use crate::lift::lift;
+use crate::relation::Absent;
 use crate::scalar::Scalar;
 
 /// A rotor that a hinge turns by gears, with all that its spin does to the bodies on both sides, where
@@ -31,16 +32,16 @@ use crate::scalar::Scalar;
 ///
 /// ```
 /// use catena::robot::*;
-/// let link = Link::general(4.0, [0.0, 0.0, 0.2], [[0.06, 0.0, 0.0], [0.0, 0.06, 0.0], [0.0, 0.0, 0.01]]);
-/// let elbow = Hinge::at::<0b100>([0.0, 0.0, 0.4]).turned(Quarter::<30>);
+/// let link = Link::<f64>::general(4.0, [0.0, 0.0, 0.2], [[0.06, 0.0, 0.0], [0.0, 0.06, 0.0], [0.0, 0.0, 0.01]]);
+/// let (waist, elbow) = (Hinge::level().grounded(), Hinge::at::<0b001>([0.4, 0.0, 0.0]));
+/// let plain = System::new(Base::origin(), (waist, link, elbow, link), Free)?;
 /// // 0.3 kg·cm², a hundred times as fast as the joint.
-/// let rotor = Rotor::new(3e-5, 100.0);
-/// let (waist, upper) = rotor.on_ground(Hinge::level().grounded(), link)?;
-/// let (upper, elbow, fore) = rotor.between(upper, elbow, link)?;
+/// let (upper, elbow, fore) = Rotor::new(3e-5, 100.0).between(link, elbow, link)?;
 /// let arm = System::new(Base::origin(), (waist, upper, elbow, fore), Free)?;
-/// // The elbow's torque for an acceleration of the waist sees both rotors, not only the bodies.
-/// let coupled = arm.mass_matrix(&[0.0, 0.3])?[1][0];
-/// # assert!(coupled.is_finite());
+/// let (before, after) = (plain.mass_matrix(&[0.0, 0.3])?, arm.mass_matrix(&[0.0, 0.3])?);
+/// // n² I of the elbow, and n I between elbow and waist, which reflected inertia leaves out.
+/// assert!((after[1][1] - before[1][1] - 0.3).abs() < 1e-14);
+/// assert!((after[1][0] - before[1][0] - 0.003).abs() < 1e-14);
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,16 +67,16 @@ impl<T: Scalar> Rotor<T> {
     ///
     /// # Errors
     /// What is wrong with the links, the turn of the hinge or the rotor.
-    pub fn between<C, const PLACE: u8, L, A, B, const M: u8, const S: u8, const N: u8, const R: u8>(
+    pub fn between<C, const PLACE: u8, L, B, const M: u8, const S: u8, const N: u8, const R: u8>(
         self,
         inboard: Link<T, M, S>,
-        hinge: Axis<T, AboutZ, C, PLACE, L, A, B>,
+        hinge: Axis<T, AboutZ, C, PLACE, L, Absent, B>,
         outboard: Link<T, N, R>,
     ) -> Result<(Sharing<T, M>, Axis<T, AboutZ, C, PLACE, L, Self, B>, Sharing<T, N>), Error>
     where
         C: Offset<T>,
     {
-        hinge.offset.check().map_err(Error::new)?;
+        Armature::check(&self).and_then(|()| hinge.offset.check()).map_err(Error::new)?;
         let [o, i] = [T::zero(), T::one()];
         let axis = values(apply(&hinge.offset.rows(), triple([o, o, i])));
         let inboard = inboard.sharing(-self.coupling(), axis).map_err(Error::new)?;
@@ -87,9 +88,9 @@ impl<T: Scalar> Rotor<T> {
     ///
     /// # Errors
     /// What is wrong with the link or the rotor.
-    pub fn on_ground<C, const PLACE: u8, L, A, B, const N: u8, const R: u8>(
+    pub fn on_ground<C, const PLACE: u8, L, B, const N: u8, const R: u8>(
         self,
-        hinge: Axis<T, AboutZ, C, PLACE, L, A, B>,
+        hinge: Axis<T, AboutZ, C, PLACE, L, Absent, B>,
         outboard: Link<T, N, R>,
     ) -> Result<(Axis<T, AboutZ, C, PLACE, L, Self, B>, Sharing<T, N>), Error> {
         Armature::check(&self).map_err(Error::new)?;
