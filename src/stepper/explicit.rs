@@ -92,6 +92,9 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
             gather_few(increment, zero, of_position, slopes);
             let duration = TimeIn::<D, L>::of(M::node(row)) * dt;
             position.drift_1(&past.position, (duration, &past.rate), (dt * dt, increment));
+            // Positions hang on the row before last, rates on the last, which has just been written: in one register with these they would
+            // wait for it, and sines with them, while they could be found in the meantime.
+            core::hint::black_box(&mut *position);
             gather_few(increment, zero, of_rate, slopes);
             rate.mix_1(&past.rate, (dt, increment));
         } else {
