@@ -102,6 +102,9 @@ pub trait Element<S: Space>:
     const ABSOLUTE: bool;
     /// Whether the orientation handed on does not depend on what lies inboard.
     const TURNS_ANEW: bool = false;
+    /// Whether postures inside are better found one by one, each just before its item is condensed, than all before
+    /// ([`Condense::pose_and_condense`]).
+    const POSED_LATE: bool = false;
 
     /// The orientation handed on: that of the inboard end, unless a joint inside turns it.
     #[inline(always)]
@@ -172,6 +175,29 @@ pub trait Condense<S: Space, R, W: Sweep<S>>: Element<S> {
         given: Given<'_, S, Self, W>,
         kept: &mut Self::Store<Kept<W::Closures>>,
     ) -> Self::Out;
+
+    /// `pose` and `condense` at once, in a sweep whose springs are explicit: `given` has the positions and rates.
+    ///
+    /// The condensation of a chain waits for most of its time, each item for the relation of the next. Where numbers are lanes, each item of
+    /// an array has sines of its own to find, which a processor does meanwhile if they come next (twenty rods: a fifth of a sweep). Plain
+    /// numbers do better all at once, for sines of several items fill a register.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)] // those of `pose` and `condense`
+    fn pose_and_condense(
+        &self,
+        outer: R,
+        turn: S::Turn,
+        sizes: &Self::Store<PerAxes<S::Size>>,
+        x: &mut Self::Store<PerAxes<S::X>>,
+        y: &mut Self::Store<PerAxes<S::Y>>,
+        p: &mut Self::Store<PerAxes<S::P>>,
+        q: &mut Self::Store<PerAxes<S::Q>>,
+        given: Given<'_, S, Self, W>,
+        kept: &mut Self::Store<Kept<W::Closures>>,
+    ) -> Self::Out {
+        self.pose(given.position, given.rate, turn, sizes, x, y, p, q);
+        self.condense(outer, Posture { x, y, p, q }, given, kept)
+    }
 }
 
 /// What the walks read of the orientations and angular velocities inside an element: four values for each set of axes, whose

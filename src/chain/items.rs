@@ -6,6 +6,7 @@ use super::poses::{pose_slices, pose_slices_in_order};
 use super::product;
 use crate::element::{Condense, Element, Given, Posture, Reading, Space, Sweep};
 use crate::relation::Meet;
+use crate::scalar::Scalar;
 use crate::shape::{Field, Inward, Items, Kept, Of, Outward, PerAxes, Shape, Slot};
 
 /// An array, spelled like a vector.
@@ -23,6 +24,45 @@ use alloc::vec::Vec;
 #[cfg(feature = "alloc")]
 fn map_vec<A, B>(items: &[A], make: impl FnMut(&A) -> B) -> Vec<B> {
     items.iter().map(make).collect()
+}
+
+/// Condenses links from last to first, each after `$pose`. The last link meets what lies outboard of the array, every other one what its
+/// neighbour hands on: the first round of the loop is peeled for it. (A closure would not always be inlined.)
+macro_rules! links {
+    ($A:ident $R:ident $Q:ident, $items:ident $outer:ident $given:ident $kept:ident, $x:ident $y:ident $p:ident $q:ident;
+     [$($read:ident)*] [$($written:ident)*]; |$i:ident, $position:ident, $rate:ident| $pose:expr) => {{
+        let Given { on_bodies, in_joints, position: $position, rate: $rate, reading, springs } = $given;
+        march!(n: $items $($read)* on_bodies in_joints $position $rate; mut $($written)* $kept; else $Q::of_none($outer));
+        let Some(last) = n.checked_sub(1) else {
+            return $Q::of_none($outer);
+        };
+        macro_rules! link {
+            ($at:expr, $met:ty, $outer_of:expr) => {{
+                let $i = $at;
+                $pose;
+                let posture = Posture { x: &$x[$i], y: &$y[$i], p: &$p[$i], q: &$q[$i] };
+                let given = Given {
+                    on_bodies: &on_bodies[$i],
+                    in_joints: &in_joints[$i],
+                    position: &$position[$i],
+                    rate: &$rate[$i],
+                    // As many as the others, which a compiler does not know. Where nothing reads it, nothing is left of it.
+                    reading: Reading {
+                        position: reading.position.get($i).unwrap_or(&$position[$i]),
+                        rate: reading.rate.get($i).unwrap_or(&$rate[$i]),
+                        acceleration: reading.acceleration.get($i).unwrap_or(&$rate[$i]),
+                    },
+                    springs,
+                };
+                <$A as Condense<S, $met, W>>::condense(&$items[$i], $outer_of, posture, given, &mut $kept[$i])
+            }};
+        }
+        let mut relation = link!(last, $R, $outer);
+        for i in 1..n {
+            relation = link!(last - i, $Q, relation);
+        }
+        $Q::of_links(relation)
+    }};
 }
 
 /// One implementation for arrays and vectors, `$Of<item $extra>`.
@@ -83,6 +123,7 @@ macro_rules! chain_items {
             type Rate = $Of<A::Rate $($extra)*>;
 
             const ABSOLUTE: bool = A::ABSOLUTE;
+            const POSED_LATE: bool = A::ABSOLUTE && <S::Scalar as Scalar>::LANES;
             const TURNS_ANEW: bool = {
                 let $A = Some(1);
                 let length: Option<usize> = $length;
@@ -156,43 +197,32 @@ macro_rules! chain_items {
                 kept: &mut Self::Store<Kept<W::Closures>>,
             ) -> Q::Both {
                 let Posture { x, y, p, q } = posture;
-                let Given { on_bodies, in_joints, position, rate, reading, springs } = given;
                 let items = &self[..];
-                march!(
-                    n: items x y p q on_bodies in_joints position rate;
-                    mut kept;
-                    else Q::of_none(outer)
-                );
-                let Some(last) = n.checked_sub(1) else {
-                    return Q::of_none(outer);
-                };
-                // The last link meets what lies outboard of the array, every other one what its neighbour hands on. The first
-                // round of the loop is peeled for it. (A closure would not always be inlined.)
-                macro_rules! link {
-                    ($i:expr, $met:ty, $outer:expr) => {{
-                        let i = $i;
-                        let posture = Posture { x: &x[i], y: &y[i], p: &p[i], q: &q[i] };
-                        let given = Given {
-                            on_bodies: &on_bodies[i],
-                            in_joints: &in_joints[i],
-                            position: &position[i],
-                            rate: &rate[i],
-                            // As many as the others, which a compiler does not know. Where nothing reads it, nothing is left of it.
-                            reading: Reading {
-                                position: reading.position.get(i).unwrap_or(&position[i]),
-                                rate: reading.rate.get(i).unwrap_or(&rate[i]),
-                                acceleration: reading.acceleration.get(i).unwrap_or(&rate[i]),
-                            },
-                            springs,
-                        };
-                        <A as Condense<S, $met, W>>::condense(&items[i], $outer, posture, given, &mut kept[i])
-                    }};
+                links!(A R Q, items outer given kept, x y p q; [x y p q] []; |_i, _position, _rate| ())
+            }
+            #[inline]
+            fn pose_and_condense(
+                &self,
+                outer: R,
+                turn: S::Turn,
+                sizes: &Self::Store<PerAxes<S::Size>>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
+                given: Given<'_, S, Self, W>,
+                kept: &mut Self::Store<Kept<W::Closures>>,
+            ) -> Q::Both {
+                if const { !<Self as Element<S>>::POSED_LATE } {
+                    self.pose(given.position, given.rate, turn, sizes, x, y, p, q);
+                    return self.condense(outer, Posture { x, y, p, q }, given, kept);
                 }
-                let mut relation = link!(last, R, outer);
-                for i in 1..n {
-                    relation = link!(last - i, Q, relation);
-                }
-                Q::of_links(relation)
+                let items = &self[..];
+                links!(A R Q, items outer given kept, x y p q; [sizes] [x y p q]; |i, position, rate| {
+                    // It turns anew, so that any turn will do.
+                    let (x, y, p, q) = (&mut x[i], &mut y[i], &mut p[i], &mut q[i]);
+                    items[i].pose(&position[i], &rate[i], turn, &sizes[i], x, y, p, q)
+                })
             }
         }
     };

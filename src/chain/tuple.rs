@@ -101,6 +101,7 @@ macro_rules! chain_of {
                 absolute && !<Self as Shape<S>>::FLANGED
             };
             const TURNS_ANEW: bool = false $(|| $A::TURNS_ANEW)*;
+            const POSED_LATE: bool = false $(|| $A::POSED_LATE)*;
 
             fn lump(&mut self, mass: S::Scalar) -> S::Scalar {
                 $(let mass = self.$j.lump(mass);)*
@@ -169,7 +170,25 @@ macro_rules! chain_of {
             }
         }
 
-        condense_tuple!([$($inline)*] ($($A,)*) ($($B $j),*) (R) []; $($B)*);
+        condense_tuple!([$($inline)*] ($($A $i,)*) ($($B $j),*) (R) []; $($B)*);
+    };
+}
+
+/// What acts in an item.
+macro_rules! given_of {
+    ($given:ident, $j:tt) => {
+        Given {
+            on_bodies: &$given.on_bodies.$j,
+            in_joints: &$given.in_joints.$j,
+            position: &$given.position.$j,
+            rate: &$given.rate.$j,
+            reading: Reading {
+                position: &$given.reading.position.$j,
+                rate: &$given.reading.rate.$j,
+                acceleration: &$given.reading.acceleration.$j,
+            },
+            springs: $given.springs,
+        }
     };
 }
 
@@ -182,7 +201,7 @@ macro_rules! condense_tuple {
             $inline $all $back (<$B as Condense<S, $met, W>>::Out) [$($bounds)* $B: Condense<S, $met, W>,]; $($rest)*
         );
     };
-    ([$($inline:tt)*] ($($A:ident,)*) ($($B:ident $j:tt),*) ($out:ty) [$($bounds:tt)*];) => {
+    ([$($inline:tt)*] ($($A:ident $i:tt,)*) ($($B:ident $j:tt),*) ($out:ty) [$($bounds:tt)*];) => {
         impl<S: Space, R, W: Sweep<S>, $($A),*> Condense<S, R, W> for ($($A,)*)
         where
             $($bounds)*
@@ -200,18 +219,44 @@ macro_rules! condense_tuple {
                 $(let outer = self.$j.condense(
                     outer,
                     Posture { x: &posture.x.$j, y: &posture.y.$j, p: &posture.p.$j, q: &posture.q.$j },
-                    Given {
-                        on_bodies: &given.on_bodies.$j,
-                        in_joints: &given.in_joints.$j,
-                        position: &given.position.$j,
-                        rate: &given.rate.$j,
-                        reading: Reading {
-                            position: &given.reading.position.$j,
-                            rate: &given.reading.rate.$j,
-                            acceleration: &given.reading.acceleration.$j,
-                        },
-                        springs: given.springs,
-                    },
+                    given_of!(given, $j),
+                    &mut kept.$j,
+                );)*
+                outer
+            }
+            #[$($inline)*]
+            fn pose_and_condense(
+                &self,
+                outer: R,
+                turn: S::Turn,
+                sizes: &Self::Store<PerAxes<S::Size>>,
+                x: &mut Self::Store<PerAxes<S::X>>,
+                y: &mut Self::Store<PerAxes<S::Y>>,
+                p: &mut Self::Store<PerAxes<S::P>>,
+                q: &mut Self::Store<PerAxes<S::Q>>,
+                given: Given<'_, S, Self, W>,
+                kept: &mut Self::Store<Kept<W::Closures>>,
+            ) -> Self::Out {
+                if const { !<Self as Element<S>>::POSED_LATE } {
+                    self.pose(given.position, given.rate, turn, sizes, x, y, p, q);
+                    return self.condense(outer, Posture { x, y, p, q }, given, kept);
+                }
+                // What turns inboard of each item, outward, and then the items inward.
+                let mut turns = [turn; [$($i),*].len()];
+                $(
+                    turns[$i] = turn;
+                    let turn = self.$i.turned(&given.position.$i, &given.rate.$i, turn);
+                )*
+                let _ = turn;
+                $(let outer = self.$j.pose_and_condense(
+                    outer,
+                    turns[$j],
+                    &sizes.$j,
+                    &mut x.$j,
+                    &mut y.$j,
+                    &mut p.$j,
+                    &mut q.$j,
+                    given_of!(given, $j),
                     &mut kept.$j,
                 );)*
                 outer
@@ -219,4 +264,5 @@ macro_rules! condense_tuple {
         }
     };
 }
+
 for_each_tuple!(chain_tuple);

@@ -120,7 +120,13 @@ pub fn sweep<S: Space, E, W, R, P>(
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
     sines(chain, position, x);
     faced(chain, *ground, position, rate, x);
-    let turn = chain.pose(position, rate, ground.turn, sizes, x, y, p, q);
+    // What a load reads of the motion is posed before.
+    let late = const { E::POSED_LATE && !W::Loads::ON && !<W::Springs as Springs<S::Scalar>>::STIFF };
+    let turn = if late {
+        chain.turned(position, rate, ground.turn)
+    } else {
+        chain.pose(position, rate, ground.turn, sizes, x, y, p, q)
+    };
     // Bodies that take loads in their own axes are told their attitudes.
     let listed = const { W::Loads::ON && !W::Loads::READS && !(E::OWN_AXES && size_of::<OnBody<S, W>>() > 0) };
     if listed {
@@ -148,11 +154,15 @@ pub fn sweep<S: Space, E, W, R, P>(
     // Chains of hinges are inlined as a whole: what was stored is then better read from where it stands than kept beside it, for registers
     // do not suffice for a copy: 5 % of an arm's sweep.
     let (x, y) = if const { E::SINES > 0 } { core::hint::black_box((x, y)) } else { (x, y) };
-    let posture = Posture { x, y, p, q };
     let &Spring { position, rate, reading, springs } = spring;
     let given = Given { on_bodies, in_joints, position, rate, reading, springs };
-    let root = ground.falling(*gravity);
-    let relation = chain.condense(tip.relation(*time, *gravity, &turn), posture, given, kept);
+    let (root, outer) = (ground.falling(*gravity), tip.relation(*time, *gravity, &turn));
+    let relation = if late {
+        chain.pose_and_condense(outer, ground.turn, sizes, x, y, p, q, given, kept)
+    } else {
+        chain.condense(outer, Posture { x, y, p, q }, given, kept)
+    };
+    let posture = Posture { x, y, p, q };
     *multipliers = relation.multipliers(&root);
     *compliance = relation.compliance();
     recover::<S, E, W::Closures, W::Springs>(chain, root, posture, kept, *multipliers, acceleration);
