@@ -74,7 +74,6 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
     /// Whether sums are formed in registers, row by row.
     const FEW: bool = <D::Rate as Rate<D::Scalar>>::LENGTH <= FEW
         && <D::Rate as Rate<D::Scalar>>::FIELDS <= FIELDS
-        && !D::Position::CURVED
         && !<D::Scalar as Scalar>::LARGE;
 
     /// Positions and rates of a row.
