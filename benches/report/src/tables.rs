@@ -182,7 +182,7 @@ pub fn sweeps(rows: &Rows, part: &str, beside: Option<&str>) -> String {
 }
 
 /// Where runs were timed against their errors.
-pub const MEASURED: &str = "One core of two, while the other one compiled";
+pub const MEASURED: &str = "One core of two, the other one idle";
 
 /// Milliseconds and sweeps to three errors, a table for each scene and target. A run counts if the next finer one is as good: errors may vanish by
 /// chance where they change sign.
