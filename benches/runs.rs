@@ -87,9 +87,9 @@ fn rod(n: usize) -> Rod<f64> {
 
 fn rows() -> Vec<Row> {
     let two = rows!("tuple" 2, Pinned::<[f64; 2]>::origin(), |rod| (rod, Pin, rod);
-        "RK4": 1.0 Rk4::step(0.005), "Dopri5": 1.0 Dopri5::tolerance(1e-6), "DOP853": 4.0 Dop853::tolerance(1e-9), "Adams": 4.0 Vcabm::new().tolerance(1e-9));
+        "RK4": 1.0 Rk4::step(0.005), "Dopri5": 1.0 Dopri5::tolerance(1e-6), "DOP853": 4.0 Dop853::tolerance(1e-9), "Vcabm": 4.0 Vcabm::new().tolerance(1e-9));
     let twenty = rows!("array" 20, Clamped::at(0.0, 0.0, 0.0), |rod| [(Pin, rod); 20];
-        "RK4": 0.25 Rk4::step(0.001), "Dopri5": 0.25 Dopri5::tolerance(1e-6), "DOP853": 0.25 Dop853::tolerance(1e-9), "Adams": 0.25 Vcabm::new().tolerance(1e-9));
+        "RK4": 0.25 Rk4::step(0.001), "Dopri5": 0.25 Dopri5::tolerance(1e-6), "DOP853": 0.25 Dop853::tolerance(1e-9), "Vcabm": 0.25 Vcabm::new().tolerance(1e-9));
     two.into_iter().chain(twenty).collect()
 }
 
