@@ -219,7 +219,7 @@ macro_rules! chain_items {
                 }
                 let items = &self[..];
                 links!(A R Q, items outer given kept, x y p q; [sizes] [x y p q]; |i, position, rate| {
-                    // It turns anew, so that any turn will do.
+                    // Orientations inside do not depend on what lies inboard, so that any turn will do.
                     let (x, y, p, q) = (&mut x[i], &mut y[i], &mut p[i], &mut q[i]);
                     items[i].pose(&position[i], &rate[i], turn, &sizes[i], x, y, p, q)
                 })

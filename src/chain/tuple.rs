@@ -237,10 +237,6 @@ macro_rules! condense_tuple {
                 given: Given<'_, S, Self, W>,
                 kept: &mut Self::Store<Kept<W::Closures>>,
             ) -> Self::Out {
-                if const { !<Self as Element<S>>::POSED_LATE } {
-                    self.pose(given.position, given.rate, turn, sizes, x, y, p, q);
-                    return self.condense(outer, Posture { x, y, p, q }, given, kept);
-                }
                 // What turns inboard of each item, outward, and then the items inward.
                 let mut turns = [turn; [$($i),*].len()];
                 $(

@@ -59,8 +59,8 @@ pub(crate) fn row_weights<M: Explicit>(row: usize) -> (&'static [f64], &'static 
 /// for each row is not much.
 const FEW: usize = 24;
 /// And so many of these stand in fields of their own, for each of which there is code: loops over items of arrays a compiler unrolls where
-/// that pays, and puts side by side. Runs of arms of seven joints take a quarter less time by it, of eight rods two fifths; of sixteen rods it would be
-/// a twentieth, for twice the time to compile.
+/// that pays, and puts side by side. Runs of arms of seven joints take a quarter less time by it, of eight rods two fifths; of sixteen rods it
+/// would be a twentieth, for twice the time to compile.
 const FIELDS: usize = 8;
 
 /// Calls a method for each row, by its number as a literal.

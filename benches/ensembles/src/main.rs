@@ -72,7 +72,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     for round in 0..ROUNDS {
         for way in &mut ways {
             progress(&format!("round {} of {ROUNDS}: {}", round + 1, way.scene));
-            let scenes = if way.scene.starts_with("20") { 512 } else { 4096 }; // so many that lanes on two threads take some 20 ms, too
+            // So many that lanes on two threads take tens of milliseconds, too.
+            let scenes = if way.scene.starts_with("20") { 512 } else { 4096 };
             let starts: Vec<f64> = (0..scenes).map(|k| -0.5 + k as f64 / scenes as f64).collect();
             way.seconds.push((way.run)(&starts)? / (scenes * STEPS) as f64);
         }

@@ -8,6 +8,7 @@ mod ensembles;
 mod jets;
 mod moments;
 mod paper;
+mod posed_late;
 mod scalars;
 mod sensitivities;
 mod sensitivity;
