@@ -6,11 +6,13 @@
 
 #[path = "parts/clock.rs"]
 mod clock;
+#[path = "parts/count.rs"]
+mod count;
 
 use clock::{median, progress};
+use count::count;
 use std::hint::black_box;
 use std::path::Path;
-use std::process::Command;
 use std::time::Instant;
 
 const STEPS: usize = 50;
@@ -215,6 +217,7 @@ fn rows() -> Vec<Row> {
         use catena::planar::*;
         row!(rows, "2 rods on pins, RK4", 2, Rk4, 4, 1e-3, pins!(2), [0.0; 2], 1e-3);
         row!(rows, "20 rods on pins, RK4", 20, Rk4, 4, 1e-3, pins!(20), [0.0; 20], 1e-3);
+        row!(rows, "100 rods on pins, RK4", 100, Rk4, 4, 1e-3, pins!(100), [0.0; 100], 1e-3);
         row!(rows, "2 + 1 rods, tip pinned, RK4", 3, Rk4, 4, 1e-3, held!(3), arch::<3>(), 1e-3);
         row!(rows, "20 rods, tip pinned, RK4", 20, Rk4, 4, 1e-3, held!(20), arch::<20>(), 1e-3);
         row!(rows, "four-bar, RK4", 3, Rk4, 4, 1e-3, four_bar!(), FOUR_BAR, 1e-3);
@@ -248,7 +251,9 @@ fn rows() -> Vec<Row> {
             1e-3,
             step
         );
+        row!(rows, "2 rods on pins, DOP853", 2, Dop853, 12, 1e-3, pins!(2), [0.0; 2], 1e-3);
         row!(rows, "20 rods on pins, DOP853", 20, Dop853, 12, 1e-3, pins!(20), [0.0; 20], 1e-3);
+        row!(rows, "100 rods on pins, DOP853", 100, Dop853, 12, 1e-3, pins!(100), [0.0; 100], 1e-3);
     }
     use catena::spatial::*;
     row!(rows, "3 rods on balls, RK4", 3, Rk4, 4, 1e-3, balls!(3), angles::<9>(), Effort([1e-5; 3]));
@@ -361,20 +366,8 @@ fn angles<const N: usize>() -> [f64; N] {
 
 /// Instructions of a run: what further runs add.
 fn instructions(program: &Path, row: usize, way: usize) -> Option<f64> {
-    let count = |runs: usize| -> Option<f64> {
-        let output = Command::new("valgrind")
-            .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-            .arg(program)
-            .args(["repeat", &row.to_string(), &way.to_string(), &runs.to_string()])
-            .output()
-            .ok()?;
-        if !output.status.success() {
-            return None; // it may not know an instruction
-        }
-        let text = String::from_utf8_lossy(&output.stderr).into_owned();
-        text.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok())
-    };
-    Some((count(4)? - count(1)?) / 3.0)
+    let runs = |runs: &str| count(program, &["repeat", &row.to_string(), &way.to_string(), runs]).ok();
+    Some((runs("4")? - runs("1")?) as f64 / 3.0)
 }
 
 /// Nanoseconds of a run by each way, the least of many; ways take turns. Beside it the middle one of the ratios of gradient and plain run.

@@ -81,6 +81,7 @@ mod turning;
 mod adjoint;
 mod chain;
 mod counts;
+mod couplings;
 #[cfg(feature = "serde")]
 mod data;
 #[cfg(feature = "alloc")]

@@ -132,7 +132,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
-        Self::rests_alone()?;
+        Self::rests_alone::<L>()?;
         let error = |fault| Error::new(fault).at_time(rest.time.as_f64());
         let mut workspace = self.workspace();
         let mut still = rest.clone();

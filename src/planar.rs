@@ -11,6 +11,7 @@
 //! ```
 
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
+pub use crate::couplings::{Coupling, Couplings};
 pub use crate::driven::Driven;
 pub use crate::guarded::{Coulomb, HardStops};
 pub use crate::mechanics::planar::{

@@ -1,6 +1,7 @@
 //! What a space must say for its elements to have exact transfer matrices: the inspection view of a sweep.
 
 use crate::element::{Load, Space};
+use crate::loading::{EffortOf, Seen};
 use crate::relation::{Absent, Geometry};
 use crate::release::Release;
 use crate::scalar::{Real, Scalar};
@@ -32,6 +33,12 @@ pub trait Exact<const N: usize>: Space {
 pub trait Efforts<S: Space>: Copy {
     /// Generalised forces ON the outboard body, one for each coordinate.
     fn efforts(self) -> [S::Scalar; 3];
+}
+
+/// A space in which what acts in a joint is made of numbers: the inverse of [`Efforts`].
+pub trait FromEfforts: Space<JointMotion: Seen<Load: Efforts<Self>>> {
+    /// What generalised forces ON the outboard body, one for each coordinate, are together.
+    fn of_efforts(efforts: [Self::Scalar; 3]) -> EffortOf<Self>;
 }
 
 impl<S: Space> Efforts<S> for Absent {

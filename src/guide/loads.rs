@@ -46,6 +46,7 @@
 //! | dry friction that sticks, and breaks away, at instants that a run finds | [`Coulomb`](crate::planar::Coulomb) around a joint |
 //! | hard stops that a joint strikes, bounces off and rests against | [`HardStops`](crate::planar::HardStops) around a joint |
 //! | a crank that turns as it is told, whatever it takes | [`Driven`](crate::planar::Driven) around a joint |
+//! | a joint that follows another one: gears, belts, grippers | [`Couplings`](crate::planar::Couplings) |
 //! | what a geared motor can give of a torque asked for | [`Motor`](crate::planar::Motor) |
 //! | feet on the ground, in space | [`Contacts`](crate::spatial::Contacts) |
 //! | a law of one's own in a joint, known to implicit rules | [`SpringLaw`](crate::planar::SpringLaw) |

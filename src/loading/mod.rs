@@ -10,6 +10,7 @@ pub use loads::Loads;
 pub type EffortOf<S> = <<S as Space>::JointMotion as Seen>::Load;
 
 use crate::error::Fault;
+use crate::mirror::{Position, Rate};
 use crate::relation::{Absent, Part, Wrench, WrenchOf};
 use crate::space::{MovingBody, RealOf, Space};
 
@@ -38,6 +39,9 @@ pub trait Loading<S: Space> {
     /// Whether torques are listed, and [`in_joint`](Self::in_joint) numbers joints, for those of one coordinate alone.
     const BY_COORDINATE: bool = false;
 
+    /// Whether there are forces that hang on the accelerations that they cause: those of [`Couplings`](crate::planar::Couplings).
+    const COUPLED: bool = false;
+
     /// No load, to fill stores with.
     fn nothing() -> (Self::OnBody, Self::InJoint);
     /// Nothing has been seen yet.
@@ -58,6 +62,23 @@ pub trait Loading<S: Space> {
     /// Torques in joints likewise, from the root's on.
     fn in_joints_listed(&self) -> &[Self::InJoint] {
         &[]
+    }
+
+    /// Finds accelerations by a sweep under loads; by several, where forces hang on these. Where joints have modes (`moded`), the last one is under
+    /// the forces found.
+    #[inline(always)]
+    fn accelerated<V: Rate<S::Scalar>>(&self, moded: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
+        let _ = moded;
+        sweep(self, acceleration);
+    }
+
+    /// Refuses positions and rates that are not as these loads hold them.
+    ///
+    /// # Errors
+    /// [`Fault::NotAssembled`].
+    fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault> {
+        let _ = (position, rate);
+        Ok(())
     }
 
     /// Refuses loads that do not fit a scene with so many bodies and joints: lists of another length, bodies that do not exist.

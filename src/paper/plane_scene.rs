@@ -64,8 +64,8 @@ where
     }
 
     fn chain(&self, motion: &Self::Motion, loads: &L, _: Slots) -> Result<Chain<T, Expansion<T>, 7, 2, 1>, Error> {
-        if L::SURVEYS {
-            return Err(Error::new(Fault::Unsupported { what: "loads between bodies" }));
+        if L::SURVEYS || L::COUPLED {
+            return Err(Error::new(Fault::Unsupported { what: "loads between bodies or joints" }));
         }
         let motion = self.with_accelerations(motion.clone(), loads)?;
         let mut items = Vec::new();

@@ -227,27 +227,30 @@ where
         workspace: &mut Self::Workspace,
         acceleration: &mut Self::Rate,
     ) {
-        let elements = self.scene.elements();
-        let ground = self.scene.ground(time);
-        if L::ON {
-            let motion = Coordinates { position, rate, acceleration };
-            let seen = survey(elements, ground, motion, loads);
-            let pass = Loads { loads, seen, time, body: 0, joint: 0 };
-            travel(elements, ground, motion, pass, &mut workspace.on_bodies, &mut workspace.in_joints);
-            elements.load(&workspace.on_bodies, &workspace.in_joints, &mut workspace.store);
-        }
-        {
-            let SensitiveWorkspace { position: plain_position, rate: plain_rate, sizes, x, y, p, q, .. } = workspace;
-            Elements::<S, R, C>::read(position, rate, plain_position, plain_rate);
-            self.plain.pose(plain_position, plain_rate, S::plain_turn(&ground), sizes, x, y, p, q);
-        }
-        let at = (position, rate);
-        match (self.seeded || S::ground_turns(&ground), L::ON) {
-            (false, false) => self.walk::<Columns<false, false>>(&ground, at, workspace, acceleration),
-            (false, true) => self.walk::<Columns<false, true>>(&ground, at, workspace, acceleration),
-            (true, false) => self.walk::<Columns<true, false>>(&ground, at, workspace, acceleration),
-            (true, true) => self.walk::<Columns<true, true>>(&ground, at, workspace, acceleration),
-        }
+        loads.accelerated(PositionOf::<S, R, C>::MODES, acceleration, |loads, acceleration| {
+            let elements = self.scene.elements();
+            let ground = self.scene.ground(time);
+            if L::ON {
+                let motion = Coordinates { position, rate, acceleration };
+                let seen = survey(elements, ground, motion, loads);
+                let pass = Loads { loads, seen, time, body: 0, joint: 0 };
+                travel(elements, ground, motion, pass, &mut workspace.on_bodies, &mut workspace.in_joints);
+                elements.load(&workspace.on_bodies, &workspace.in_joints, &mut workspace.store);
+            }
+            {
+                let SensitiveWorkspace { position: plain_position, rate: plain_rate, sizes, x, y, p, q, .. } =
+                    workspace;
+                Elements::<S, R, C>::read(position, rate, plain_position, plain_rate);
+                self.plain.pose(plain_position, plain_rate, S::plain_turn(&ground), sizes, x, y, p, q);
+            }
+            let at = (position, rate);
+            match (self.seeded || S::ground_turns(&ground), L::ON) {
+                (false, false) => self.walk::<Columns<false, false>>(&ground, at, workspace, acceleration),
+                (false, true) => self.walk::<Columns<false, true>>(&ground, at, workspace, acceleration),
+                (true, false) => self.walk::<Columns<true, false>>(&ground, at, workspace, acceleration),
+                (true, true) => self.walk::<Columns<true, true>>(&ground, at, workspace, acceleration),
+            }
+        });
     }
 
     fn project(&self, _: &mut MotionOf<S, R, C, P>, _: &mut Self::Workspace) {}

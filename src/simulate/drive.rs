@@ -65,6 +65,7 @@ where
         system.fits(&self.past)?;
         system.loadable(self.plan.loads)?;
         system.accept(&self.past)?;
+        system.suited(&self.past, self.plan.loads)?;
         if System::<S, R, C, P>::CLOSED > 0 {
             // Whether they are independent, once.
             let mut workspace = system.workspace();

@@ -3,6 +3,8 @@
 use crate::element::{Element, Loading, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::motion::Motion;
+use crate::scalar::Real;
 use crate::system::{MotionOf, System};
 use crate::walks::count::coordinates as coordinates_of;
 use crate::walks::fits::fits;
@@ -37,5 +39,12 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     pub(crate) fn loadable<L: Loading<S>>(&self, loads: &L) -> Result<(), Error> {
         let joints = if const { L::BY_COORDINATE } { coordinates_of(&self.chain) } else { self.joints() };
         loads.check(self.bodies(), joints).map_err(Error::new)
+    }
+
+    /// Refuses a motion that is not as these loads hold it.
+    #[inline]
+    pub(crate) fn suited<L: Loading<S>>(&self, motion: &MotionOf<S, R, C, P>, loads: &L) -> Result<(), Error> {
+        let Motion { time, position, rate, .. } = motion;
+        loads.suits(position, rate).map_err(|fault| Error::new(fault).at_time(time.as_f64()))
     }
 }

@@ -55,6 +55,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     {
         self.fits(motion)?;
         self.loadable(loads)?;
+        if const { L::COUPLED } {
+            return Err(Error::new(Fault::Unsupported { what: "couplings of joints, by matrices" }));
+        }
         let (position, rate, acceleration) = (motion.position(), motion.rate(), motion.acceleration());
         let coordinates = Coordinates { position, rate, acceleration };
         let ground = self.ground(motion.time());

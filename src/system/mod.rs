@@ -262,7 +262,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// # Errors
     /// [`Fault::SingularJoint`], [`Fault::NonFiniteLoad`] or [`Fault::NonFiniteMotion`], with time and station;
     /// [`Fault::RedundantClosures`] where a tip is held twice in the same way; [`Fault::Shape`] for a motion of another scene;
-    /// [`Fault::Count`] for lists of loads of another length than the scene has bodies or joints.
+    /// [`Fault::Count`] for lists of loads of another length than the scene has bodies or joints; [`Fault::NotAssembled`] for a motion that
+    /// is not as [`Couplings`](crate::planar::Couplings) have it.
     pub fn with_accelerations<L: Loading<S>>(
         &self,
         mut motion: MotionOf<S, R, C, P>,
@@ -272,6 +273,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<L, S, R, C, P>,
     {
         let mut workspace = self.workspace();
+        self.fits(&motion)?;
+        self.suited(&motion, loads)?;
         self.accelerate(&mut motion, loads, &mut workspace)?;
         Ok(motion)
     }

@@ -66,7 +66,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
-        Self::rests_alone()?;
+        Self::rests_alone::<L>()?;
         let real = RealOf::<S>::of;
         let mut workspace = self.workspace();
         let mut stiff = self.stiff_workspace();
@@ -123,12 +123,14 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Err(self.unsettled(&now))
     }
 
-    /// Refuses scenes in which joints have modes, for these rest anywhere within what friction and stops hold, and lanes, each of which rests elsewhere.
-    pub(crate) fn rests_alone() -> Result<(), Error> {
+    /// Refuses scenes in which joints have modes, for these rest anywhere within what friction and stops hold, and lanes, each of which rests elsewhere;
+    /// and loads that couple coordinates, of which one alone cannot be moved.
+    pub(crate) fn rests_alone<L: Loading<S>>() -> Result<(), Error> {
         let refuse = |what| Err(Error::new(Fault::Unsupported { what }));
         match (PositionOf::<S, R, C>::MODES, S::Scalar::LANES) {
             (true, _) => refuse("equilibria and modes of vibration of joints that stick or have hard stops"),
             (_, true) => refuse("equilibria and modes of vibration of several lanes"),
+            _ if L::COUPLED => refuse("equilibria and modes of vibration of joints that are coupled"),
             _ => Ok(()),
         }
     }

@@ -50,6 +50,11 @@ where
     }
 
     fn admits(&self, loads: &L) -> Result<(), Error> {
+        if const { L::COUPLED && Self::CLOSED > 0 } {
+            return Err(Error::new(Fault::Unsupported {
+                what: "couplings of joints where loops close or a tip is held",
+            }));
+        }
         self.loadable(loads)
     }
 
@@ -63,10 +68,12 @@ where
         workspace: &mut Self::Workspace,
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L> {
-        let site = self.site(time, loads);
         let reading = Reading { position, rate, acceleration: rate };
         let spring = Spring { position, rate, reading, springs: Explicit };
-        sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
+        loads.accelerated(Self::Position::MODES, acceleration, |loads, acceleration| {
+            let site = self.site(time, loads);
+            sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
+        });
         workspace.multipliers
     }
 
@@ -232,9 +239,11 @@ where
         workspace: &mut Self::StiffWorkspace,
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L> {
-        let site = self.site(time, loads);
         let spring = Spring { position: spring.0, rate: spring.1, reading, springs };
-        sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
+        loads.accelerated(Self::Position::MODES, acceleration, |loads, acceleration| {
+            let site = self.site(time, loads);
+            sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
+        });
         workspace.multipliers
     }
 

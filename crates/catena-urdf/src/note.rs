@@ -50,7 +50,7 @@ pub enum Remark {
         /// The joint.
         joint: String,
     },
-    /// A joint follows another one: the module says how, and its scene lets it move by itself.
+    /// A joint follows another one: the module's `couplings` are loads that make it, and without them it moves by itself.
     MimicFree {
         /// The joint.
         joint: String,
@@ -141,7 +141,10 @@ impl fmt::Display for Remark {
             }
             Self::LimitsReversed { joint } => write!(f, "joint {joint:?} has its lower limit above its upper one"),
             Self::MimicFree { joint, of } => {
-                write!(f, "joint {joint:?} follows {of:?}: among the constants; in the scene it moves by itself")
+                write!(
+                    f,
+                    "joint {joint:?} follows {of:?} under the loads of `couplings`: without them it moves by itself"
+                )
             }
             Self::MimicOfFixed { joint, of } => {
                 write!(

@@ -10,12 +10,18 @@ use crate::relation::planar::algebra::cross;
 use crate::release::{Freedom, Release, Way};
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};
-use crate::transfer::{Efforts, Exact, Passage};
+use crate::transfer::{Efforts, Exact, FromEfforts, Passage};
 use nalgebra::Vector2;
 
 impl<T: Scalar> Efforts<Planar<T>> for T {
     fn efforts(self) -> [T; 3] {
         [self, T::zero(), T::zero()]
+    }
+}
+
+impl<T: Scalar> FromEfforts for Planar<T> {
+    fn of_efforts([effort, ..]: [T; 3]) -> T {
+        effort
     }
 }
 

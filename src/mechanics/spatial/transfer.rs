@@ -11,12 +11,18 @@ use crate::relation::spatial::algebra::{Columns, centripetal, cross};
 use crate::release::{Freedom, Way};
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};
-use crate::transfer::{Efforts, Exact, Passage};
+use crate::transfer::{Efforts, Exact, FromEfforts, Passage};
 use nalgebra::Vector3;
 
 impl<T: Scalar> Efforts<Spatial<T>> for Effort<T> {
     fn efforts(self) -> [T; 3] {
         self.0
+    }
+}
+
+impl<T: Scalar> FromEfforts for Spatial<T> {
+    fn of_efforts(efforts: [T; 3]) -> Effort<T> {
+        Effort(efforts)
     }
 }
 

@@ -83,8 +83,8 @@ where
         if loose == 2 {
             return unsupported("a root that turns about two axes").map_err(|error| error.at(Place::Root));
         }
-        if L::SURVEYS {
-            return unsupported("loads between bodies");
+        if L::SURVEYS || L::COUPLED {
+            return unsupported("loads between bodies or joints");
         }
         let motion = self.with_accelerations(motion.clone(), loads)?;
         let met = trace(self, &motion)?;

@@ -42,7 +42,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
 
     /// M factored.
     #[cfg_attr(optimised, inline(always))]
-    fn factored<const N: usize>(&self, q: &[T; N]) -> Factor<T, N>
+    pub(super) fn factored<const N: usize>(&self, q: &[T; N]) -> Factor<T, N>
     where
         C: Tasks<T, N>,
     {
@@ -54,7 +54,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
 
     /// A solution through the factors of M.
     #[cfg_attr(optimised, inline(always))]
-    fn solved<const N: usize>(&self, Factor { stands, gains, .. }: &Factor<T, N>, right: &[T; N]) -> [T; N]
+    pub(super) fn solved<const N: usize>(&self, Factor { stands, gains, .. }: &Factor<T, N>, right: &[T; N]) -> [T; N]
     where
         C: Tasks<T, N>,
     {

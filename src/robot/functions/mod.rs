@@ -2,6 +2,7 @@
 
 mod afloat;
 mod configuration;
+mod coupled;
 mod derivatives;
 mod impact;
 mod inverse;

@@ -123,57 +123,59 @@ pub use tape::Tape;
 ///
 /// | chain of rods on pins | x86-64-v3: time | instructions | under torques | plain | x86-64: time | instructions | under torques | plain |
 /// |---|---:|---:|---:|---:|---:|---:|---:|---:|
-/// | RK4, 2 | 4.5 | 5.3 | 4.9 | 86 | 2.8 | 3.5 | 3.3 | 185 |
-/// | RK4, 20 | 2.7 | 3.4 | 3.3 | 85 | 2.4 | 3.0 | 2.9 | 163 |
-/// | RK4, 100 | 2.7 | 3.4 | 3.2 | 74 | 2.4 | 2.9 | 2.8 | 154 |
-/// | DOP853, 2 | 2.8 | 3.6 | 3.4 | 148 | 2.9 | 3.5 | 3.3 | 212 |
-/// | DOP853, 20 | 2.8 | 3.4 | 3.3 | 94 | 2.5 | 3.0 | 2.9 | 175 |
-/// | DOP853, 100 | 2.7 | 3.4 | 3.3 | 78 | 2.4 | 3.0 | 2.9 | 168 |
+/// | RK4, 2 | 5.1 | 5.4 | 4.9 | 89 | 5.1 | 5.1 | 3.4 | 128 |
+/// | RK4, 20 | 2.9 | 3.8 | 3.6 | 80 | 2.8 | 3.4 | 3.1 | 152 |
+/// | DOP853, 20 | 3.2 | 3.9 | 3.8 | 79 | 2.7 | 3.5 | 3.3 | 157 |
 ///
-/// In space:
+/// Plain runs have become quicker since the way back was written, those of two rods most: its instructions are what they were. What is held
+/// or closed:
+///
+/// | in the plane | x86-64-v3: time | instructions | under torques | plain | x86-64: time | instructions | under torques | plain |
+/// |---|---:|---:|---:|---:|---:|---:|---:|---:|
+/// | 3 rods, tip pinned, RK4 | 3.8 | 4.9 | 4.1 | 217 | 4.3 | 4.7 | 4.1 | 328 |
+/// | 20 rods, tip pinned, RK4 | 3.9 | 4.6 | 4.2 | 170 | 4.1 | 4.5 | 4.0 | 294 |
+/// | four-bar linkage, RK4 | 5.2 | 4.9 | 4.7 | 470 | 4.6 | 4.8 | 4.7 | 712 |
+/// | four-bar linkage, DOP853 | 5.1 | 4.8 | 4.6 | 281 | 3.9 | 4.7 | 4.6 | 427 |
+/// | rod and window of four, RK4 | 4.5 | 5.0 | 4.5 | 260 | 3.9 | 4.7 | 4.4 | 411 |
+/// | rod and two windows in a row, RK4 | 5.6 | 5.6 | 5.1 | 268 | 4.3 | 5.3 | 5.0 | 414 |
+/// | rod and five windows in a row, RK4 | 7.7 | 7.5 | 6.8 | 279 | 7.1 | 6.7 | 6.3 | 441 |
+///
+/// For each correction of a projection costates walk once for each loop: runs of many windows pay for that. In space:
 ///
 /// | chain | x86-64-v3: time | instructions | under torques | plain | x86-64: time | instructions | under torques | plain |
 /// |---|---:|---:|---:|---:|---:|---:|---:|---:|
-/// | 3 rods on balls, RK4 | 3.0 | 3.3 | 3.1 | 655 | 3.0 | 3.3 | 3.1 | 987 |
-/// | 3 rods on balls, DOP853 | 3.1 | 3.3 | 3.1 | 677 | 3.1 | 3.3 | 3.1 | 1033 |
-/// | 20 rods on balls, RK4 | 3.0 | 3.2 | 3.0 | 526 | 3.0 | 3.4 | 3.2 | 805 |
-/// | 20 rods on balls, DOP853 | 3.0 | 3.2 | 3.0 | 566 | 3.0 | 3.4 | 3.2 | 856 |
-/// | 3 rods on balls, tip on a ball, RK4 | 3.8 | 4.3 | 4.0 | 1126 | | | | |
-/// | 20 rods on balls, tip on a ball, RK4 | 4.0 | 4.3 | 4.0 | 942 | | | | |
-/// | rod and window of four on balls, RK4 | 4.2 | 4.2 | 4.1 | 1253 | | | | |
-/// | 3 rigid bodies on balls, RK4 | 2.9 | 3.3 | 3.2 | 817 | 3.2 | 3.3 | 3.2 | 1225 |
-/// | 20 rigid bodies on balls, RK4 | 3.2 | 3.3 | 3.2 | 721 | 3.0 | 3.4 | 3.2 | 1106 |
-/// | 7 rigid bodies on revolutes, RK4 | 3.6 | 3.7 | 3.6 | 713 | 3.4 | 3.6 | 3.6 | 1122 |
-/// | 7 rigid bodies on revolutes, DOP853 | 3.7 | 3.7 | 3.6 | 722 | 3.4 | 3.6 | 3.6 | 1136 |
-/// | 7 links on hinges, body axes, RK4 | 4.5 | 4.4 | 4.3 | 361 | | | | |
+/// | 3 rods on balls, RK4 | 3.8 | 3.6 | 3.5 | 620 | 3.4 | 3.5 | 3.3 | 943 |
+/// | 3 rods on balls, DOP853 | 3.5 | 3.7 | 3.5 | 619 | 3.6 | 3.6 | 3.4 | 969 |
+/// | 20 rods on balls, RK4 | 3.3 | 3.4 | 3.2 | 509 | 3.0 | 3.4 | 3.2 | 819 |
+/// | 20 rods on balls, DOP853 | 3.3 | 3.4 | 3.2 | 544 | 3.2 | 3.5 | 3.3 | 870 |
+/// | 3 rods on balls, tip on a ball, RK4 | 4.3 | 4.4 | 4.1 | 1117 | 4.0 | 4.2 | 4.1 | 1684 |
+/// | 20 rods on balls, tip on a ball, RK4 | 4.3 | 4.3 | 4.0 | 946 | 4.4 | 4.3 | 4.2 | 1449 |
+/// | rod and window of four on balls, RK4 | 4.2 | 4.3 | 4.2 | 1193 | 4.2 | 4.2 | 4.1 | 1839 |
+/// | 3 rigid bodies on balls, RK4 | 3.4 | 3.5 | 3.4 | 782 | 3.2 | 3.6 | 3.4 | 1181 |
+/// | 20 rigid bodies on balls, RK4 | 3.3 | 3.5 | 3.3 | 703 | 3.0 | 3.4 | 3.3 | 1120 |
+/// | 7 rigid bodies on revolutes, RK4 | 3.7 | 3.8 | 3.7 | 703 | 3.7 | 3.7 | 3.7 | 1110 |
+/// | 7 rigid bodies on revolutes, DOP853 | 3.6 | 3.8 | 3.8 | 704 | 3.7 | 3.7 | 3.7 | 1118 |
+/// | 7 links on hinges, body axes, RK4 | 4.5 | 4.4 | 4.3 | 361 | 4.9 | 4.4 | 4.3 | 546 |
 ///
-/// (Plain steps of up to six coordinates have become quicker since the columns of x86-64 were measured: the gradient of two rods has the
-/// instructions that it had. They have again since all times were measured, those of up to eight coordinates or few balls: two rods by RK4 on
-/// x86-64-v3 take 0.6 of the time, three balls and arms of seven joints three quarters. There gradients are more of plain runs than these times say.)
-/// A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differed by 0.1
-/// from one measurement to the next, by 0.4 at most (3 rods on balls, once 3.3). What is held or closed was not measured for x86-64.
+/// A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differ by 0.1
+/// from one measurement to the next, by 0.4 at most.
 ///
-/// In the plane what is held or closed takes more, instructions for plain ones on x86-64-v3 by RK4: 4.2 for three rods whose tip is pinned, 4.4 for
-/// twenty, 4.7 for a rod with one window of four rods or with two in a row. (A four-bar linkage, five windows, and times were measured before closures
-/// were read without jets: 6.5, by DOP853 5.3, and 8.9; three and twenty rods took 5.0 and 5.4 then, with 5.7 and 6.7 times the instructions.) For each
-/// correction of a projection costates walk once for each loop.
-///
-/// Under implicit rules rods with stiff hinges, x86-64-v3, instructions of the plain run a body and sweep; by `GeneralizedAlpha` the steps under
+/// Under implicit rules rods with stiff hinges, instructions of the plain run a body and sweep; by `GeneralizedAlpha` the steps under
 /// torques are those of `step`, with three sweeps instead of two:
 ///
-/// | chain of rods on stiff hinges | time | instructions | under torques | plain |
-/// |---|---:|---:|---:|---:|
-/// | `Sdirk4`, 2 | 3.7 | 6.2 | 5.6 | 124 |
-/// | `Sdirk4`, 20 | 3.9 | 5.0 | 4.8 | 109 |
-/// | `GeneralizedAlpha`, 2 | | 7.8 | 5.9 | 154 |
-/// | `GeneralizedAlpha`, 20 | | 6.0 | 4.4 | 124 |
+/// | chain of rods on stiff hinges | x86-64-v3: time | instructions | under torques | plain | x86-64: time | instructions | under torques | plain |
+/// |---|---:|---:|---:|---:|---:|---:|---:|---:|
+/// | `Sdirk4`, 2 | 5.7 | 7.6 | 7.1 | 124 | 5.7 | 7.7 | 5.6 | 170 |
+/// | `Sdirk4`, 20 | 4.4 | 5.2 | 5.0 | 110 | 3.7 | 4.3 | 4.2 | 207 |
+/// | `GeneralizedAlpha`, 2 | 5.7 | 9.3 | 7.1 | 156 | 6.4 | 8.7 | 5.1 | 209 |
+/// | `GeneralizedAlpha`, 20 | 5.2 | 6.7 | 4.8 | 122 | 4.4 | 5.2 | 3.9 | 233 |
 ///
-/// Sweeps before the last are made a third time on the way back. (Times of `GeneralizedAlpha` were not measured.)
+/// Sweeps before the last are made a third time on the way back.
 ///
 /// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs
 /// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which
 /// [few states](Self::gradient_between) are kept 2.7 (RK4, n = 20, a million steps); in space 1.8 and 2.8 (7 rigid bodies on revolutes, 3000
-/// steps). (Two cores shared with other work: times are the least of 400, of 2000, of one and of 15.)
+/// steps). (Times are the least of 400 in the tables, on an idle machine; on one shared with other work of 2000, of one and of 15.)
 pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L = Absent> {
     steps: Steps<'s, S, R, C, P, M, L>,
     record: Record<S, Elements<S, R, C>, M, P::Closures>,

@@ -93,6 +93,18 @@ fn the_choice_of_a_rule_allocates_nothing() -> Result<(), Error> {
     Ok(())
 }
 
+/// Of scenes without vectors: in others accelerations are copied.
+#[test]
+fn couplings_allocate_nothing() -> Result<(), Error> {
+    let (rod, plate) = (Rod::uniform(0.5, 1.0), RigidBody::new(1.0, 0.1, [0.2, 0.1], [0.5, 0.1]));
+    let (root, joint) = (Pinned::<[f64; 2]>::origin(), Revolute::smooth());
+    let chain = (rod, [(joint, plate); 4]);
+    let couplings = Couplings::of(&System::new(root, chain, Free)?, [Coupling::new(2, 1), Coupling::new(4, 1)])?;
+    assert_eq!(in_steps(root, chain, &couplings, Dop853)?, [0; 3]);
+    assert_eq!(in_steps(root, chain, &couplings, Sdirk4::new())?, [0; 3]);
+    Ok(())
+}
+
 #[test]
 fn steps_by_series_allocate_nothing() -> Result<(), Error> {
     let (rod, plate) = (Rod::uniform(0.5, 1.0), RigidBody::new(1.0, 0.1, [0.2, 0.1], [0.5, 0.1]));

@@ -33,7 +33,7 @@ const FLOORS: [&[&str]; 9] = [
     &["mechanics"],
     &["solve", "observe"],
     &["system"],
-    &["stepper", "simulate", "observers", "modes", "sensitivity", "paper", "extend", "internals"],
+    &["stepper", "simulate", "observers", "modes", "couplings", "sensitivity", "paper", "extend", "internals"],
     &["planar", "spatial", "robot", "guide"],
 ];
 

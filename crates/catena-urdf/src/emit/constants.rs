@@ -53,7 +53,8 @@ fn mimics(robot: &Robot) -> String {
              #[derive(Clone, Copy, Debug, PartialEq)]\npub struct Mimic {\n    /// The joint.\n    pub joint: &'static str,\n    \
              /// The joint followed.\n    pub of: &'static str,\n    /// Factor.\n    pub multiplier: f64,\n    \
              /// Offset (rad, m).\n    pub offset: f64,\n}\n\n";
-    let _ = writeln!(text, "/// Joints that follow others. In the scene they move by themselves.");
+    let but = if couples(robot) { ", but under [`couplings`]" } else { "" };
+    let _ = writeln!(text, "/// Joints that follow others. In the scene they move by themselves{but}.");
     let _ = writeln!(text, "pub const MIMICS: [Mimic; {}] = [", followers().count());
     for (body, mimic) in followers() {
         let (multiplier, offset) = (number(mimic.multiplier), number(mimic.offset));
@@ -64,6 +65,41 @@ fn mimics(robot: &Robot) -> String {
         );
     }
     text += "];\n\n";
+    text + &couplings(robot)
+}
+
+/// Joints and their leaders, by number, with the factor and the offset.
+fn followed(robot: &Robot) -> impl Iterator<Item = (usize, usize, f64, f64)> {
+    let number = |name: &str| robot.bodies.iter().position(|body| body.joint == name);
+    robot.bodies.iter().enumerate().filter_map(move |(follower, body)| {
+        let mimic = body.furniture.mimic.as_ref()?;
+        Some((follower, number(&mimic.joint)?, mimic.multiplier, mimic.offset))
+    })
+}
+
+/// Whether there are joints to be coupled.
+pub fn couples(robot: &Robot) -> bool {
+    followed(robot).next().is_some()
+}
+
+/// The function of couplings.
+fn couplings(robot: &Robot) -> String {
+    let mut text = String::new();
+    if couples(robot) {
+        let count = followed(robot).count();
+        text += "/// What makes joints follow others: `Couplings::of(&scene, couplings())?` are loads of the scene.\n";
+        let _ = writeln!(text, "pub fn couplings<T: Scalar>() -> [Coupling<'static, T>; {count}] {{\n    [");
+        for (follower, leader, multiplier, offset) in followed(robot) {
+            let (multiplier, offset) = (number(multiplier), number(offset));
+            let _ = writeln!(
+                text,
+                "        Coupling::by_coordinate({follower}, {leader}).ratio(T::literal({multiplier})).offset(T::literal({offset})), \
+                 // {}",
+                comment(&robot.bodies[follower].joint)
+            );
+        }
+        text += "    ]\n}\n\n";
+    }
     text
 }
 

@@ -2,7 +2,7 @@
 
 use super::names::{Scope, comment};
 use super::plan::{Part, Plan};
-use super::{laws, list, number, structure};
+use super::{constants, laws, list, number, structure};
 use crate::algebra::{Matrix, Vector, quaternion};
 use crate::inertia::Inertia;
 use crate::options::Elements;
@@ -44,6 +44,7 @@ pub fn imports(robot: &Robot, plan: &Plan) -> String {
         ("Absent", law("Spring")),
         ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
         ("Clamped", fixed),
+        ("Coupling", constants::couples(robot)),
         ("DryFriction", law("DryFriction")),
         ("Effort", true),
         ("Free", true),
@@ -72,6 +73,7 @@ fn local_imports(robot: &Robot, plan: &Plan) -> String {
         ("Base", robot.base.is_none()),
         ("BodyAxes", robot.base.is_some()),
         ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
+        ("Coupling", constants::couples(robot)),
         ("DryFriction", law("DryFriction")),
         ("Effort", true),
         ("Free", true),

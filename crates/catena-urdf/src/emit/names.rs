@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 /// What the module itself uses.
-const RESERVED: [&str; 49] = [
+const RESERVED: [&str; 51] = [
     "Base",
     "Absent",
     "OnGround",
@@ -17,6 +17,8 @@ const RESERVED: [&str; 49] = [
     "Turned",
     "Branch",
     "Clamped",
+    "Coupling",
+    "couplings",
     "Effort",
     "Free",
     "Prismatic",

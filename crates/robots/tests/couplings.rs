@@ -1,0 +1,359 @@
+//! Joints that follow others: sweeps against inverse dynamics and closed forms, runs under all rules, derivatives, what is refused.
+
+use catena::planar::*;
+use catena::scalar::Jet;
+use catena::simulate::EnergyDrift;
+use catena::{Error, Fault, Place, robot, spatial};
+use catena_oracle::{Noise, near};
+use catena_robots::cart;
+
+/// Three numbers from −1 to 1.
+fn three(noise: &mut Noise) -> [f64; 3] {
+    std::array::from_fn(|_| noise.between(-1.0, 1.0))
+}
+
+/// Two plates that hang side by side from the ground, on joints of one's choice.
+macro_rules! hand {
+    ($left:expr, $right:expr) => {
+        System::new(Clamped::origin(), (Branch(($left, plate(LEFT))), $right, plate(RIGHT)), Free)?
+            .with_gravity(GRAVITY)
+    };
+}
+
+const GRAVITY: f64 = 9.81;
+const RATIO: f64 = -1.7;
+const OFFSET: f64 = 0.4;
+const LEFT: [f64; 4] = [1.3, 0.02, 0.21, 0.05];
+const RIGHT: [f64; 4] = [0.7, 0.03, 0.34, -0.02];
+
+/// A body by its mass, its inertia about the mass centre, and where that is.
+fn plate([mass, inertia, x, y]: [f64; 4]) -> RigidBody<f64> {
+    RigidBody::new(mass, inertia, [x, y], [0.5, 0.0])
+}
+
+/// Its inertia about its joint, and the torque of its weight there.
+fn about_joint([mass, inertia, x, y]: [f64; 4], angle: f64) -> [f64; 2] {
+    let (sine, cosine) = angle.sin_cos();
+    [inertia + mass * (x * x + y * y), -mass * GRAVITY * (x * cosine - y * sine)]
+}
+
+#[test]
+fn two_plates_move_as_the_one_that_they_are() -> Result<(), Error> {
+    let scene = hand!(Revolute::smooth().named("left"), Revolute::smooth().named("right"));
+    let couplings = Couplings::of(&scene, [Coupling::new("right", "left").ratio(RATIO).offset(OFFSET)])?;
+    let mut noise = Noise::new(11);
+    for _ in 0..100 {
+        let [angle, rate, torque] = three(&mut noise);
+        let mut start = scene.motion();
+        start.set_coordinates(&[angle, 0.0])?;
+        start.set_rates(&[rate, 0.0])?;
+        let start = couplings.joined(start);
+        let other = RATIO * angle + OFFSET;
+        assert_eq!((start.coordinates(), start.rates()), (vec![angle, other], vec![rate, RATIO * rate]));
+        let loads = couplings.and(Loads::none().torques([0.0, torque, 0.0]));
+        let motion = scene.with_accelerations(start, &loads)?;
+        let ([inertia, weight], [other_inertia, other_weight]) = (about_joint(LEFT, angle), about_joint(RIGHT, other));
+        let exact = (torque + weight + RATIO * other_weight) / (inertia + RATIO * RATIO * other_inertia);
+        let found = motion.accelerations();
+        near(found[0], exact, 1e-14 * (1.0 + exact.abs()));
+        near(found[1], RATIO * exact, 1e-14 * (1.0 + exact.abs()));
+        // What the joints exert: of the follower all but its weight is the coupling's.
+        let stations = scene.stations(&motion, &loads)?;
+        let exerted = |name| -> Result<f64, Error> {
+            Ok(-stations.joint(scene.joint(name)?).expect("a station").internal.torque)
+        };
+        let force = other_inertia * found[1] - other_weight;
+        near(exerted("right")?, force, 1e-13 * (1.0 + force.abs()));
+        near(exerted("left")?, torque - RATIO * force, 1e-13 * (1.0 + force.abs()));
+    }
+    Ok(())
+}
+
+/// Masses on a rope over a pulley, of all sizes.
+#[test]
+fn masses_on_a_rope_fall_as_atwood_has_it() -> Result<(), Error> {
+    for exponent in -12..=12 {
+        let (heavy, light) = (3.0 * 10f64.powi(exponent), 2.0);
+        let mass = |mass| RigidBody::new(mass, 0.1, [0.0; 2], [0.0; 2]);
+        let line = Slider::along(std::f64::consts::FRAC_PI_2);
+        let scene = System::new(Clamped::origin(), (Branch((line, mass(heavy))), line, mass(light)), Free)?
+            .with_gravity(GRAVITY);
+        let couplings = Couplings::of(&scene, [Coupling::new(2, 1).ratio(-1.0)])?;
+        let found = scene.with_accelerations(scene.motion(), &couplings)?.accelerations();
+        let exact = -GRAVITY * (heavy - light) / (heavy + light);
+        near(found[0], exact, 4e-15 * GRAVITY);
+        near(found[1], -exact, 4e-15 * GRAVITY);
+    }
+    Ok(())
+}
+
+/// Under forces that sweeps find, what inverse dynamics ask of joints acts in them: nothing but torques where nothing is coupled, and of
+/// each coupling λ in the follower and −r λ in the leader. On a tree with a leader that follows another one, and two followers of one.
+#[test]
+fn forces_of_couplings_do_no_work_and_nothing_else_acts() -> Result<(), Error> {
+    use robot::*;
+    let mut noise = Noise::new(5);
+    for _ in 0..50 {
+        let links: [_; 5] = std::array::from_fn(|_| {
+            let [a, b, c] = three(&mut noise).map(|x| 0.3 + 0.2 * x);
+            let tensor = [[0.04, 0.002, 0.001], [0.002, 0.05, 0.003], [0.001, 0.003, 0.03]];
+            Link::general(0.5 + a, [0.1 * b, 0.1 * c, 0.2 * a], tensor)
+        });
+        let [first, second, third, fourth, fifth] = links;
+        let mut joint = || Hinge::at::<0b111>(three(&mut noise).map(|x| 0.3 * x)).turned(Quarter::<30>);
+        let (a, b, c) = (joint(), joint(), joint());
+        let slide = Slide::at::<0b111>(three(&mut noise)).turned(Quarter::<20>);
+        let (arm, short) = (Branch((a, second, slide, third)), Branch((b, fourth)));
+        let scene = System::new(Base::origin(), (Hinge::level().grounded(), first, arm, short, c, fifth), Free)?;
+        let scene = scene.with_gravity([0.3, -0.2, -9.81]);
+        // Joints: ground 0, arm 1 and 2, 3, and the last 4.
+        let pairs = [([3, 1], 0.8), ([4, 3], -1.3), ([2, 1], 0.25)];
+        let couplings =
+            pairs.map(|([follower, leader], ratio)| Coupling::by_coordinate(follower, leader).ratio(ratio).offset(0.1));
+        let couplings = Couplings::of(&scene, couplings)?;
+        let (mut q, mut v, mut torques) = ([0.0; 5], [0.0; 5], [0.0; 5]);
+        [&mut q, &mut v, &mut torques].into_iter().for_each(|list| list.fill_with(|| noise.between(-1.0, 1.0)));
+        let start = couplings.joined(scene.at_joints(&q, &v)?);
+        let efforts: Vec<_> = core::iter::once(0.0).chain(torques).map(|torque| Effort([torque, 0.0, 0.0])).collect();
+        let loads = couplings.and(Loads::none().efforts(efforts));
+        let motion = scene.with_accelerations(start, &loads)?;
+        let list = |numbers: Vec<f64>| -> [f64; 5] { numbers.try_into().expect("five") };
+        let (q, v, a) = (list(motion.coordinates()), list(motion.rates()), list(motion.accelerations()));
+        for ([follower, leader], ratio) in pairs {
+            near(q[follower], ratio * q[leader] + 0.1, 1e-15);
+            near(a[follower], ratio * a[leader], 1e-12 * (1.0 + a[leader].abs()));
+        }
+        let listed = scene.forward_dynamics_coupled(&q, &v, &torques, &couplings)?;
+        listed.iter().zip(a).for_each(|(listed, a)| near(*listed, a, 1e-12 * (1.0 + a.abs())));
+        let asked = scene.inverse_dynamics(&q, &v, &a)?;
+        let rest: Vec<_> = asked.iter().zip(torques).map(|(asked, torque)| asked - torque).collect();
+        // λ of the couplings, from the followers inward.
+        let (of_last, of_slide) = (rest[4], rest[2]);
+        let of_branch = rest[3] + -1.3 * of_last;
+        let size = rest.iter().fold(1.0, |most: f64, x| most.max(x.abs()));
+        near(rest[0], 0.0, 1e-13 * size);
+        near(rest[1], -0.8 * of_branch - 0.25 * of_slide, 1e-13 * size);
+    }
+    Ok(())
+}
+
+/// The end of a run from rest at an angle of the leader, by steps of RK4 through the closed form: angle and rate.
+fn reduced(stiffness: [f64; 2], end: f64) -> [f64; 2] {
+    let acceleration = |[angle, _]: [f64; 2]| {
+        let other = RATIO * angle + OFFSET;
+        let ([inertia, weight], [other_inertia, other_weight]) = (about_joint(LEFT, angle), about_joint(RIGHT, other));
+        let force = weight - stiffness[0] * angle + RATIO * (other_weight - stiffness[1] * other);
+        force / (inertia + RATIO * RATIO * other_inertia)
+    };
+    let steps = 20_000;
+    let (dt, mut now) = (end / steps as f64, [0.5, 0.0]);
+    for _ in 0..steps {
+        let ahead = |slope: [f64; 2], share: f64| [now[0] + share * dt * slope[0], now[1] + share * dt * slope[1]];
+        let slope = |state: [f64; 2]| [state[1], acceleration(state)];
+        let a = slope(now);
+        let b = slope(ahead(a, 0.5));
+        let c = slope(ahead(b, 0.5));
+        let d = slope(ahead(c, 1.0));
+        now = std::array::from_fn(|k| now[k] + dt / 6.0 * (a[k] + 2.0 * b[k] + 2.0 * c[k] + d[k]));
+    }
+    now
+}
+
+#[test]
+fn runs_by_all_rules_are_those_of_one_freedom() -> Result<(), Error> {
+    let springs = [40.0, 25.0];
+    let spring = |stiffness| ElasticHinge::rotary(stiffness);
+    let (smooth, sprung) =
+        (hand!(Revolute::smooth(), Revolute::smooth()), hand!(spring(springs[0]), spring(springs[1])));
+    macro_rules! ends {
+        ($scene:ident, $stiffness:expr, $rule:expr, $tolerance:expr) => {{
+            let couplings = Couplings::of(&$scene, [Coupling::new(2, 1).ratio(RATIO).offset(OFFSET)])?;
+            let mut start = $scene.motion();
+            start.set_coordinates(&[0.5, 0.0])?;
+            let (mut drift, mut apart) = (EnergyDrift::default(), 0.0_f64);
+            let run =
+                $scene.simulation($rule).loads(&couplings).every(0.05).run(couplings.joined(start), 2.0, |now| {
+                    drift.observe(now);
+                    let (q, v) = (now.motion().coordinates(), now.motion().rates());
+                    apart = apart.max((q[1] - RATIO * q[0] - OFFSET).abs()).max((v[1] - RATIO * v[0]).abs());
+                })?;
+            let [angle, rate] = reduced($stiffness, 2.0);
+            println!("{}: drift {:.1e}, apart {apart:.1e}", stringify!($rule), drift.largest());
+            near(run.motion.coordinates()[0], angle, $tolerance);
+            near(run.motion.rates()[0], rate, 20.0 * $tolerance);
+            assert!(apart < 1e-12 && drift.largest() < 60.0 * $tolerance);
+        }};
+    }
+    ends!(smooth, [0.0; 2], Dop853::tolerance(1e-12), 1e-10);
+    ends!(smooth, [0.0; 2], Dopri5::tolerance(1e-10), 1e-8);
+    ends!(smooth, [0.0; 2], Rk4::step(1e-3), 1e-8);
+    ends!(smooth, [0.0; 2], Adams::tolerance(1e-10), 1e-8);
+    ends!(smooth, [0.0; 2], Vcabm::new().tolerance(1e-11), 1e-9);
+    ends!(smooth, [0.0; 2], Auto::tolerance(1e-10), 1e-8);
+    ends!(sprung, springs, Dop853::tolerance(1e-12), 1e-10);
+    ends!(sprung, springs, Sdirk4::new().tolerance(1e-9), 1e-6);
+    ends!(sprung, springs, GeneralizedAlpha::new(0.9).step(1e-4), 1e-5);
+    ends!(sprung, springs, Auto::tolerance(1e-10), 1e-7);
+    Ok(())
+}
+
+/// A crank against a stop, with a flywheel that it turns by a gear: as one body of the inertia of both, bounces and rest included; and under
+/// friction in the crank.
+#[test]
+fn stops_and_friction_hold_followers_too() -> Result<(), Error> {
+    let (mass, light, ratio) = (2.0, 0.3, -3.0);
+    let block = |mass| RigidBody::new(mass, 0.1, [0.0; 2], [0.0; 2]);
+    let line = Slider::along(std::f64::consts::FRAC_PI_2);
+    let both = mass + ratio * ratio * light;
+    let weight = (mass + ratio * light) * GRAVITY / both; // what pulls the one body
+    macro_rules! alike {
+        ($leader:expr, $start:expr, $rate:expr) => {{
+            let scene = System::new(Clamped::origin(), (Branch(($leader, block(mass))), line, block(light)), Free)?
+                .with_gravity(GRAVITY);
+            let one = System::new(Clamped::origin(), ($leader, block(both)), Free)?.with_gravity(weight);
+            let couplings = Couplings::of(&scene, [Coupling::new(2, 1).ratio(ratio)])?;
+            let (mut start, mut alone) = (scene.motion(), one.motion());
+            start.set_coordinates(&[$start, 0.0])?;
+            start.set_rates(&[$rate, 0.0])?;
+            alone.set_coordinates(&[$start])?;
+            alone.set_rates(&[$rate])?;
+            let start = couplings.joined(start);
+            for end in [0.2, 0.5, 0.9, 2.0] {
+                let run = scene.simulation(Dop853::tolerance(1e-11)).loads(&couplings).run(start, end, |_| ())?;
+                let single = one.simulation(Dop853::tolerance(1e-11)).run(alone, end, |_| ())?;
+                let (found, expected) = (&run.motion, &single.motion);
+                near(found.coordinates()[0], expected.coordinates()[0], 1e-9);
+                near(found.rates()[0], expected.rates()[0], 1e-8);
+                near(found.coordinates()[1], ratio * expected.coordinates()[0], 3e-9);
+                near(found.rates()[1], ratio * expected.rates()[0], 3e-8);
+            }
+        }};
+    }
+    alike!(HardStops::between(line, [0.0, f64::INFINITY]).rebounding(0.6), 0.5, 0.0);
+    alike!(Coulomb::new(line, 9.0), 0.5, 1.5);
+    alike!(Coulomb::new(line, 60.0), 0.5, 1.5);
+    Ok(())
+}
+
+#[test]
+fn derivatives_go_through_couplings() -> Result<(), Error> {
+    type T = Jet<f64, 2>;
+    let scene = hand!(Revolute::smooth(), Revolute::smooth());
+    let varied = scene.lift(T::of);
+    let (angle, ratio) = (0.3, RATIO);
+    let seeded = |x: f64, k: usize| T { re: x, eps: std::array::from_fn(|i| if i == k { 1.0 } else { 0.0 }) };
+    let coupling = Coupling::new(2, 1).ratio(seeded(ratio, 1)).offset(T::of(OFFSET));
+    let couplings = Couplings::of(&varied, [coupling])?;
+    let mut start = varied.motion();
+    start.set_coordinates(&[seeded(angle, 0), T::of(0.0)])?;
+    let start = couplings.joined(start);
+    let found = varied.with_accelerations(start, &couplings)?.accelerations()[0];
+    let exact = |angle: f64, ratio: f64| {
+        let other = ratio * angle + OFFSET;
+        let ([inertia, weight], [other_inertia, other_weight]) = (about_joint(LEFT, angle), about_joint(RIGHT, other));
+        (weight + ratio * other_weight) / (inertia + ratio * ratio * other_inertia)
+    };
+    let h = 1e-5;
+    near(found.re, exact(angle, ratio), 1e-13);
+    near(found.eps[0], (exact(angle + h, ratio) - exact(angle - h, ratio)) / (2.0 * h), 1e-8);
+    near(found.eps[1], (exact(angle, ratio + h) - exact(angle, ratio - h)) / (2.0 * h), 1e-8);
+    // Through kept gains, where scenes have them: the same.
+    let pins = spatial::System::new(
+        spatial::Clamped::origin(),
+        (Branch((spatial_joint(), box_of(1.0))), spatial_joint(), box_of(0.4)),
+        spatial::Free,
+    )?
+    .with_gravity([0.0, -9.81, 0.0])
+    .lift(T::of);
+    let couplings = Couplings::of(&pins, [Coupling::new(2, 1).ratio(seeded(ratio, 1)).offset(T::of(OFFSET))])?;
+    let mut start = pins.motion();
+    start.set_coordinates(&[seeded(angle, 0), T::of(0.0)])?;
+    let start = couplings.joined(start);
+    let plain = pins.with_accelerations(start, &couplings)?.accelerations();
+    let (sensitivity, mut kept) = (pins.sensitivity(), start);
+    let mut workspace = catena::system::Dynamics::<Couplings<T, 1>>::workspace(&sensitivity);
+    sensitivity.accelerate(&mut kept, &couplings, &mut workspace)?;
+    for (kept, plain) in kept.accelerations().iter().zip(plain) {
+        near(kept.re, plain.re, 1e-13);
+        kept.eps.iter().zip(plain.eps).for_each(|(kept, plain)| near(*kept, plain, 1e-12 * (1.0 + plain.abs())));
+    }
+    Ok(())
+}
+
+fn spatial_joint() -> spatial::Revolute<f64> {
+    spatial::Revolute::about([0.0, 0.0, 1.0])
+}
+
+fn box_of(mass: f64) -> spatial::RigidBody<f64> {
+    let tensor = [[0.02, 0.0, 0.0], [0.0, 0.03, 0.0], [0.0, 0.0, 0.04]];
+    spatial::RigidBody::new(mass, tensor, [0.2, 0.05, 0.0], [0.4, 0.0, 0.0])
+}
+
+/// A description's gripper: its module says which joint follows which.
+#[test]
+fn a_gripper_closes_by_both_of_its_fingers() -> Result<(), Error> {
+    let scene = cart::scene::<f64>()?;
+    let couplings = spatial::Couplings::of(&scene, cart::couplings())?;
+    let mut start = scene.motion();
+    start.set_coordinates(&[0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.02, 0.0])?;
+    let start = couplings.joined(start);
+    let mut torques = [0.0; 8];
+    torques[cart::joint::LEFT_GRIP] = -3.0; // one finger is driven
+    let loads = couplings.and(spatial::Loads::none().efforts(cart::efforts(torques)));
+    let [left, right] = [cart::joint::LEFT_GRIP, cart::joint::RIGHT_GRIP];
+    let mut apart = 0.0_f64;
+    let run = scene.simulation(Sdirk4::new().tolerance(1e-6)).loads(&loads).run(start, 0.2, |now| {
+        let q = now.motion().coordinates();
+        apart = apart.max((q[left] - q[right]).abs());
+    })?;
+    let q = run.motion.coordinates();
+    println!("apart {apart:.1e}, at {:.2e}", q[left]);
+    assert!(apart < 1e-15 && q[left] < 1e-3);
+    // Without the coupling the other finger stays.
+    let free = scene.simulation(Sdirk4::new().tolerance(1e-6)).loads(&loads_of(torques)).run(start, 0.2, |_| ())?;
+    assert!(free.motion.coordinates()[right] > 0.015);
+    Ok(())
+}
+
+fn loads_of(torques: [f64; 8]) -> spatial::Loads<Absent, catena::loading::Values<[spatial::Effort<f64>; 12]>> {
+    spatial::Loads::none().efforts(cart::efforts(torques))
+}
+
+#[test]
+fn what_is_no_coupling_is_refused() -> Result<(), Error> {
+    let refused = |outcome: Result<Couplings<f64, 1>, Error>| outcome.expect_err("no coupling");
+    let unsupported = |error: Error| matches!(error.fault, Fault::Unsupported { .. });
+    let scene = hand!(Pin, Revolute::smooth());
+    let error = refused(Couplings::of(&scene, [Coupling::new(2, 1)]));
+    assert!(unsupported(error) && error.place == Some(Place::Station(0)), "{error}");
+    assert!(unsupported(refused(Couplings::of(&scene, [Coupling::new(2, 2)]))));
+    assert!(unsupported(refused(Couplings::of(&scene, [Coupling::new(2, 0)])))); // the ground's weld
+    assert_eq!(refused(Couplings::of(&scene, [Coupling::new(2, 3)])).fault, Fault::NoSuchJoint { joint: 3, joints: 3 });
+    assert!(matches!(refused(Couplings::of(&scene, [Coupling::new("thumb", 2)])).fault, Fault::NoSuchName { .. }));
+    let scene = hand!(Revolute::smooth(), Revolute::smooth());
+    let error = refused(Couplings::of(&scene, [Coupling::new(2, 1).ratio(f64::NAN)]));
+    assert!(matches!(error.fault, Fault::NotFinite { .. }), "{error}");
+    let couplings = Couplings::of(&scene, [Coupling::new(2, 1).ratio(RATIO).offset(OFFSET)])?;
+    // A start that is not as the coupling has it.
+    for (q, v) in [([0.0; 2], [0.0; 2]), ([0.0, OFFSET], [1.0, 0.0])] {
+        let mut start = scene.motion();
+        start.set_coordinates(&q)?;
+        start.set_rates(&v)?;
+        let error = scene.with_accelerations(start, &couplings).expect_err("apart");
+        assert!(matches!(error.fault, Fault::NotAssembled { .. }), "{error}");
+        let error =
+            scene.simulation(Rk4::step(0.01)).loads(&couplings).run(start, 0.1, |_| ()).expect_err("apart").error;
+        assert!(matches!(error.fault, Fault::NotAssembled { .. }), "{error}");
+    }
+    let start = couplings.joined(scene.motion());
+    assert!(unsupported(scene.equilibrium(start, &couplings).expect_err("an equilibrium")));
+    assert!(unsupported(scene.modes(&start, &couplings).expect_err("modes")));
+    let error = scene.transfer_matrix::<_, 7>(&start, &couplings, |_, _| ()).expect_err("a matrix");
+    assert!(error.to_string().contains("couplings"), "{error}");
+    // Where loops close.
+    let rod = Rod::uniform(1.0, 1.0);
+    let joint = Revolute::smooth();
+    let held = System::new(Clamped::origin(), (joint, rod, joint, rod, joint, rod), Pinned::at(1.5, 0.0))?;
+    assert!(unsupported(refused(Couplings::of(&held, [Coupling::new(2, 1)]))));
+    Ok(())
+}

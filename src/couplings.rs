@@ -1,0 +1,209 @@
+//! Joints that move together: one follows another, q = r q′ + c, as gears, belts and grippers make it.
+
+mod loads;
+mod placed;
+mod solve;
+
+use crate::error::{Error, Fault};
+use crate::loading::Unloaded;
+use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
+use crate::names::Which;
+use crate::relation::Closures;
+use crate::scalar::Scalar;
+use solve::solved;
+
+/// The joints of a coupling, as they are named.
+#[derive(Clone, Copy, Debug)]
+enum Pick<'n> {
+    /// By number or name.
+    Joint(Which<'n>),
+    /// By number among joints of one coordinate.
+    Coordinate(usize),
+}
+
+/// A joint that follows another one: its coordinate is q = r q′ + c, by the coordinate q′ of its leader, a ratio r (1, rad/m, m/rad) and an
+/// offset c (rad, m).
+#[derive(Clone, Copy, Debug)]
+pub struct Coupling<'n, T = f64> {
+    picks: [Pick<'n>; 2],
+    ratio: T,
+    offset: T,
+}
+
+impl<'n, T: Scalar> Coupling<'n, T> {
+    /// A joint that follows a leader, both by number (the root's joint is 0) or by name: at first with the ratio one and without an offset.
+    pub fn new(follower: impl Into<Which<'n>>, leader: impl Into<Which<'n>>) -> Self {
+        Self::of([Pick::Joint(follower.into()), Pick::Joint(leader.into())])
+    }
+
+    /// The same of joints numbered as [`Torques`](crate::robot::Torques) has them, from 0 on and those of one coordinate alone: as the module of a
+    /// robot's description numbers them.
+    pub fn by_coordinate(follower: usize, leader: usize) -> Self {
+        Self::of([follower, leader].map(Pick::Coordinate))
+    }
+
+    fn of(picks: [Pick<'n>; 2]) -> Self {
+        Self { picks, ratio: T::one(), offset: T::zero() }
+    }
+
+    /// With a ratio: by how much the follower moves where its leader moves by one. Negative where they move against each other.
+    #[must_use]
+    pub fn ratio(self, ratio: T) -> Self {
+        Self { ratio, ..self }
+    }
+
+    /// With an offset (rad, m): where the follower is with its leader at zero.
+    #[must_use]
+    pub fn offset(self, offset: T) -> Self {
+        Self { offset, ..self }
+    }
+}
+
+/// A coupling of a scene: the numbers of follower and leader, of joints, of coordinates and of rates.
+#[derive(Clone, Copy, Debug)]
+struct Tie<T: Scalar> {
+    joints: [usize; 2],
+    coordinates: [usize; 2],
+    rates: [usize; 2],
+    ratio: T,
+    offset: T,
+    /// An effort (N·m, N) by which the follower accelerates by about one more than the leader asks of it.
+    inertia: T::Real,
+}
+
+impl<T: Scalar> Tie<T> {
+    /// By how much two numbers, the follower's and the leader's, miss the ratio.
+    fn missed(&self, [follower, leader]: [T; 2]) -> T {
+        follower - self.ratio * leader
+    }
+}
+
+/// Couplings of a scene's joints, beside other loads.
+///
+/// What ties two joints is a pair of forces in them, λ in the follower and −r λ in its leader, that does no work. It is a load, one that
+/// hangs on the accelerations: each sweep is made once without, and once for each coupling, and λ follows from what these differ by. So `K`
+/// couplings cost `K` + 1 sweeps where there was one (counted as one by [`Run`](crate::simulate::Run)), and one more in scenes whose joints stick or
+/// strike stops. (In scenes with vectors they allocate.) All rules know them, implicit ones too, events, dense output and readings: internal forces contain λ. Accelerations are
+/// coupled to rounding, and so are motions that begin so, for rules add multiples of accelerations up: what they miss is checked where a
+/// run begins, and not put back.
+///
+/// Joints have one coordinate that is relative to the inboard body: `Revolute`, `Slider` and `ElasticHinge` in the plane, `Revolute` and
+/// `Prismatic` in space, [`Hinge`](crate::robot::Hinge) and [`Slide`](crate::robot::Slide) of robots, with springs, friction or stops or without, and joints of one's
+/// own. The angle of a `Pin` is that of its body, so that it is refused.
+///
+/// [`Fault::Unsupported`] where loops are closed or a tip is held, in equilibria, modes, transfer matrices and the scheme of
+/// [`paper`](crate::paper). Gradients backward and Taylor series do not compile with couplings; over numbers with derivatives they go forward.
+///
+/// ```
+/// use catena::planar::*;
+/// // Two fingers that close on each other, driven by a torque in one of them.
+/// let (finger, joint) = (Rod::uniform(0.05, 0.02), Revolute::smooth());
+/// let hand = (Branch((joint.named("left"), finger)), joint.named("right"), finger);
+/// let scene = System::new(Clamped::origin(), hand, Free)?;
+/// let couplings = Couplings::of(&scene, [Coupling::new("right", "left").ratio(-1.0)])?;
+/// let start = couplings.joined(scene.at_rest(&[0.3, 0.0])?); // the right one goes to −0.3
+/// let loads = couplings.and(Loads::none().torques([0.0, 1e-4, 0.0]));
+/// let end = scene.simulation(Dop853::tolerance(1e-9)).loads(&loads).run(start, 0.1, |_| ())?.motion;
+/// let [left, right] = end.coordinates()[..] else { unreachable!() };
+/// assert!(f64::abs(left + right) < 1e-15);
+/// # Ok::<(), catena::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Couplings<T: Scalar, const K: usize, L = Unloaded> {
+    ties: [Tie<T>; K],
+    /// Forces λ (N·m, N) of a sweep under way.
+    forces: [T; K],
+    /// Whether sweeps take these forces as they are.
+    given: bool,
+    others: L,
+}
+
+impl<T: Scalar, const K: usize> Couplings<T, K> {
+    /// Other loads besides. [`Torques`](crate::robot::Torques), which number joints of one coordinate, do not compile here: take
+    /// [`Loads::efforts`](crate::loading::Loads::efforts).
+    pub fn and<L>(self, others: L) -> Couplings<T, K, L> {
+        let Self { ties, forces, given, .. } = self;
+        Couplings { ties, forces, given, others }
+    }
+}
+
+impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
+    /// A motion with followers where their leaders have them, and as fast.
+    #[must_use]
+    pub fn joined<P: Position<T>, C: Closures>(&self, mut motion: Motion<T, P, C>) -> Motion<T, P, C> {
+        // A leader may follow another one: as often as there may be such.
+        for Tie { coordinates: [to, from], rates: [to_rate, from_rate], ratio, offset, .. } in
+            self.ties.iter().cycle().take(K * K)
+        {
+            let [mut position, mut rate] = [T::zero(); 2];
+            motion.position.visit(&mut numbered(*from, |x| position = *ratio * x + *offset));
+            motion.rate.visit(&mut numbered(*from_rate, |x| rate = *ratio * x));
+            motion.position.replace(&mut at(*to, position));
+            motion.rate.replace(&mut at(*to_rate, rate));
+        }
+        motion
+    }
+
+    /// What a unit of the force of a coupling exerts in joints of one coordinate each.
+    pub(crate) fn row<const N: usize>(&self, k: usize) -> Result<[T; N], Error> {
+        let mut row = [T::zero(); N];
+        let Tie { rates, ratio, .. } = self.ties[k];
+        for (joint, share) in rates.into_iter().zip([T::one(), -ratio]) {
+            *row.get_mut(joint).ok_or(Error::new(Fault::NoSuchJoint { joint, joints: N }))? = share;
+        }
+        Ok(row)
+    }
+
+    /// Forces λ of couplings, from accelerations without them and by a unit of each.
+    pub(crate) fn balancing<const N: usize>(&self, free: &[T; N], responses: &[[T; N]; K]) -> [T; K] {
+        let missed = |list: &[T; N]| self.apart(|tie| tie.rates, |visit| list.iter().for_each(|x| visit(*x)));
+        solved(responses.each_ref().map(missed), missed(free).map(|missed| -missed))
+    }
+
+    /// By how much the rates, or accelerations, of followers miss those that their leaders ask of them.
+    fn missed<V: Rate<T>>(&self, rate: &V) -> [T; K] {
+        self.apart(|tie| tie.rates, |visit| rate.visit(&mut |x| visit(x)))
+    }
+
+    /// By how much numbers of followers miss r times those of their leaders, of a list.
+    fn apart(&self, places: impl Fn(&Tie<T>) -> [usize; 2], list: impl FnOnce(&mut dyn FnMut(T))) -> [T; K] {
+        let (mut pairs, mut number) = ([[T::zero(); 2]; K], 0);
+        list(&mut |x| {
+            for (pair, tie) in pairs.iter_mut().zip(&self.ties) {
+                for (entry, place) in pair.iter_mut().zip(places(tie)) {
+                    if place == number {
+                        *entry = x;
+                    }
+                }
+            }
+            number += 1;
+        });
+        core::array::from_fn(|k| self.ties[k].missed(pairs[k]))
+    }
+}
+
+/// A list that is zero but for one entry.
+fn unit<T: Scalar, const K: usize>(place: usize, entry: T) -> [T; K] {
+    core::array::from_fn(|k| if k == place { entry } else { T::zero() })
+}
+
+/// Shows one entry of a list.
+fn numbered<T>(number: usize, mut show: impl FnMut(T)) -> impl FnMut(T) {
+    let mut next = 0;
+    move |x| {
+        if next == number {
+            show(x);
+        }
+        next += 1;
+    }
+}
+
+/// Replaces one entry of a list.
+fn at<T: Copy>(number: usize, entry: T) -> impl FnMut(T) -> T {
+    let mut next = 0;
+    move |x| {
+        next += 1;
+        if next == number + 1 { entry } else { x }
+    }
+}

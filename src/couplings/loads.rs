@@ -1,0 +1,104 @@
+//! Couplings as loads: forces that follow from the accelerations of a sweep without them, and of one by each.
+
+use super::solve::solved;
+use super::{Couplings, Tie, unit};
+use crate::element::{Loading, RealOf};
+use crate::error::Fault;
+use crate::loading::EffortOf;
+use crate::mirror::{Position, Rate};
+use crate::relation::Additive;
+use crate::scalar::{Elementary, Real, Scalar};
+use crate::transfer::{Efforts, FromEfforts};
+use num_traits::{One, Zero};
+
+impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
+    /// These loads with forces λ.
+    pub(super) fn pulling(&self, forces: [T; K]) -> Self {
+        Self { forces, ..self.clone() }
+    }
+}
+
+impl<S, L, const K: usize> Loading<S> for Couplings<S::Scalar, K, L>
+where
+    S: FromEfforts,
+    L: Loading<S, InJoint: Efforts<S>> + Clone,
+{
+    type OnBody = L::OnBody;
+    type InJoint = EffortOf<S>;
+    type Seen = L::Seen;
+    const ON: bool = true;
+    const SURVEYS: bool = L::SURVEYS;
+    const COUPLED: bool = true;
+
+    fn nothing() -> (L::OnBody, EffortOf<S>) {
+        const { assert!(!L::COUPLED, "couplings stand in one list") }
+        const { assert!(!L::BY_COORDINATE, "beside couplings joints are numbered from the root's on: take `Loads::efforts`") }
+        (L::nothing().0, Additive::null())
+    }
+    fn unseen() -> L::Seen {
+        L::unseen()
+    }
+    fn survey(&self, seen: &mut L::Seen, body: usize, motion: &S::BodyMotion) {
+        self.others.survey(seen, body, motion);
+    }
+    fn on_body(&self, seen: &L::Seen, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> L::OnBody {
+        self.others.on_body(seen, time, body, motion)
+    }
+    fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> EffortOf<S> {
+        let mut effort = S::Scalar::zero();
+        for (Tie { joints: [follower, leader], ratio, .. }, force) in self.ties.iter().zip(self.forces) {
+            if *follower == joint {
+                effort += force;
+            } else if *leader == joint {
+                effort -= *ratio * force;
+            }
+        }
+        S::of_efforts([effort, S::Scalar::zero(), S::Scalar::zero()])
+            + S::of_efforts(self.others.in_joint(time, joint, motion).efforts())
+    }
+    fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
+        let strange = self.ties.iter().flat_map(|tie| tie.joints).find(|joint| *joint >= joints);
+        strange.map_or(Ok(()), |joint| Err(Fault::NoSuchJoint { joint, joints }))?;
+        self.others.check(bodies, joints)
+    }
+    fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault> {
+        let places = self.apart(|tie| tie.coordinates, |visit| position.visit(&mut |x| visit(x)));
+        let mut most = RealOf::<S>::zero();
+        for (place, tie) in places.into_iter().zip(&self.ties) {
+            most = most.max((place - tie.offset).real().abs());
+        }
+        for rate in self.missed(rate) {
+            most = most.max(rate.real().abs());
+        }
+        // Written so that what is no number is refused, too.
+        if most <= RealOf::<S>::EPSILON.sqrt() { Ok(()) } else { Err(Fault::NotAssembled { residual: most.as_f64() }) }
+    }
+    fn accelerated<V: Rate<S::Scalar>>(&self, moded: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
+        if self.given {
+            return sweep(self, acceleration);
+        }
+        let one = RealOf::<S>::one();
+        sweep(&self.pulling([S::Scalar::zero(); K]), acceleration);
+        let (free, missed) = (acceleration.clone(), self.missed(acceleration));
+        // Of forces that are as large as those sought no digits are lost in differences.
+        let sizes: [_; K] = core::array::from_fn(|k| self.ties[k].inertia * (one + missed[k].real().abs()));
+        let responses: [V; K] = core::array::from_fn(|k| {
+            sweep(&self.pulling(unit(k, S::Scalar::constant(sizes[k]))), acceleration);
+            let mut response = free.clone();
+            response.mix_1(acceleration, (-one, &free));
+            response
+        });
+        let columns = responses.each_ref().map(|response| self.missed(response));
+        let shares = solved(columns, missed.map(|missed| -missed));
+        if moded {
+            // What is told of modes is not linear in forces.
+            let forces = core::array::from_fn(|k| shares[k].scale(sizes[k]));
+            return sweep(&self.pulling(forces), acceleration);
+        }
+        acceleration.set(&free);
+        for (mut response, share) in responses.into_iter().zip(shares) {
+            response.replace(&mut |x| x * share);
+            acceleration.add(&response);
+        }
+    }
+}

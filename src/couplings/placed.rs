@@ -1,0 +1,156 @@
+//! Couplings placed in a scene: joints found and looked at, and the inertia that resists each.
+
+use super::{Coupling, Couplings, Pick, Tie, unit};
+use crate::element::{Element, Space};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault, Place, ensure_finite};
+use crate::loading::Unloaded;
+use crate::mirror::Position;
+use crate::motion::Motion;
+use crate::names::JointNumbers;
+use crate::relation::Way;
+use crate::release::Release;
+use crate::scalar::Scalar;
+use crate::system::{Dynamics, MotionOf, Runs, System, coordinates};
+use crate::transfer::FromEfforts;
+use crate::visit::Watch;
+use crate::walks::travel::show;
+use num_traits::One;
+impl<T: Scalar, const K: usize> Couplings<T, K> {
+    /// Couplings of the joints of a scene, and no other loads.
+    ///
+    /// # Errors
+    /// Those of [`System::joint`] for joints that are not there; [`Fault::NotFinite`] for ratios and offsets; [`Fault::Unsupported`] for joints of none or of
+    /// several coordinates, or of one that is not relative, and where a joint follows itself.
+    pub fn of<'n, S, R, C, P>(scene: &System<S, R, C, P>, couplings: [Coupling<'n, T>; K]) -> Result<Self, Error>
+    where
+        S: FromEfforts<Scalar = T>,
+        R: Root<S>,
+        C: Element<S>,
+        P: Tip<S>,
+        System<S, R, C, P>: Runs<Self, S, R, C, P>,
+    {
+        let none = [0; 2];
+        let [ratio, offset] = [T::one(), T::zero()];
+        let mut ties =
+            [Tie { joints: none, coordinates: none, rates: none, ratio, offset, inertia: T::Real::one() }; K];
+        for (tie, Coupling { picks, ratio, offset }) in ties.iter_mut().zip(couplings) {
+            ensure_finite(ratio.is_finite() && offset.is_finite(), "ratio or offset of a coupling")?;
+            let [follower, leader] = picks.map(|pick| picked(scene, pick));
+            let numbers = [follower?, leader?];
+            let [follower, leader] = numbers.map(|numbers| numbers.joint);
+            if follower == leader {
+                return Err(Error::new(Fault::Unsupported { what: "a joint that follows itself" }));
+            }
+            numbers.iter().try_for_each(|numbers| relative(scene, *numbers))?;
+            *tie = Tie {
+                joints: [follower, leader],
+                coordinates: numbers.map(|numbers| numbers.coordinates().start),
+                rates: numbers.map(|numbers| numbers.rates().start),
+                ratio,
+                offset,
+                inertia: T::Real::one(),
+            };
+        }
+        let mut couplings = Self { ties, forces: [T::zero(); K], given: false, others: Unloaded };
+        couplings.weigh(scene)?;
+        Ok(couplings)
+    }
+
+    /// Finds the inertia that resists each coupling, where all coordinates are zero.
+    fn weigh<S, R, C, P>(&mut self, scene: &System<S, R, C, P>) -> Result<(), Error>
+    where
+        S: FromEfforts<Scalar = T>,
+        R: Root<S>,
+        C: Element<S>,
+        P: Tip<S>,
+        System<S, R, C, P>: Runs<Self, S, R, C, P>,
+    {
+        scene.admits(self)?;
+        let (still, mut workspace) = (moving(scene), scene.workspace());
+        let (mut free, mut moved) = (still.rate.clone(), still.rate.clone());
+        let Motion { time, position, rate, .. } = &still;
+        let given = |forces| Self { given: true, ..self.pulling(forces) };
+        scene.accelerations(*time, position, rate, &given([T::zero(); K]), &mut workspace, &mut free);
+        let mut inertias = [T::Real::one(); K];
+        for (k, inertia) in inertias.iter_mut().enumerate() {
+            scene.accelerations(*time, position, rate, &given(unit(k, T::one())), &mut workspace, &mut moved);
+            let [free, moved] = [&free, &moved].map(|rate| self.missed(rate)[k].real());
+            let found = (moved - free).abs().recip();
+            // Of a joint that does not move there nothing is known.
+            *inertia = if found.is_finite() { found } else { T::Real::one() };
+        }
+        for (tie, inertia) in self.ties.iter_mut().zip(inertias) {
+            tie.inertia = inertia;
+        }
+        Ok(())
+    }
+}
+
+/// A motion in which no joint sticks.
+fn moving<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>>(scene: &System<S, R, C, P>) -> MotionOf<S, R, C, P> {
+    let mut motion = scene.motion();
+    let mut rate = motion.rate.clone();
+    motion.position.each_mode(&mut rate, &motion.acceleration, &mut |mode, _, _| *mode = mode.moving());
+    motion
+}
+
+/// The numbers of a joint.
+fn picked<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>>(
+    scene: &System<S, R, C, P>,
+    pick: Pick<'_>,
+) -> Result<JointNumbers, Error> {
+    let number = match pick {
+        Pick::Joint(which) => return scene.joint(which),
+        Pick::Coordinate(number) => number,
+    };
+    let mut joints = 0;
+    for joint in 0..scene.joints() {
+        let numbers = scene.joint(joint)?;
+        if numbers.coordinates().len() == 1 {
+            if joints == number {
+                return Ok(numbers);
+            }
+            joints += 1;
+        }
+    }
+    Err(Error::new(Fault::NoSuchJoint { joint: number, joints }))
+}
+
+/// Refuses a joint whose one coordinate is not one of its outboard body relative to its inboard one.
+fn relative<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>>(
+    scene: &System<S, R, C, P>,
+    numbers: JointNumbers,
+) -> Result<(), Error> {
+    let motion = moving(scene);
+    let mut look = Look { sought: numbers.joint, next: 0, found: false };
+    show(scene.elements(), scene.ground(motion.time), coordinates::<S, _, P::Closures>(&motion), &mut look);
+    let (what, error) = ("a coupling of joints but those of one relative coordinate", Error::new);
+    match (look.found, numbers.station) {
+        (true, _) => Ok(()),
+        (false, Some(station)) => Err(error(Fault::Unsupported { what }).at_station(station)),
+        (false, None) => Err(error(Fault::Unsupported { what }).at(Place::Root)),
+    }
+}
+
+/// Looks at a joint.
+struct Look {
+    sought: usize,
+    next: usize,
+    found: bool,
+}
+
+impl<S: Space> Watch<S> for Look {
+    fn joint(&mut self, _: &S::JointMotion) {
+        self.next += 1;
+    }
+    fn joint_with(&mut self, _: &S::JointMotion, release: &dyn Fn() -> Release<S>) {
+        if self.next == self.sought {
+            let release = release();
+            let [freedom, second, ..] = release.coordinates;
+            let one = freedom.filter(|_| second.is_none() && !release.driven);
+            self.found = one.is_some_and(|freedom| freedom.driven && (freedom.way == Way::Slide || release.carries));
+        }
+        self.next += 1;
+    }
+}
