@@ -227,7 +227,7 @@ where
         workspace: &mut Self::Workspace,
         acceleration: &mut Self::Rate,
     ) {
-        loads.accelerated(PositionOf::<S, R, C>::MODES, acceleration, |loads, acceleration| {
+        let mut swept = |loads: &L, acceleration: &mut Self::Rate| {
             let elements = self.scene.elements();
             let ground = self.scene.ground(time);
             if L::ON {
@@ -250,7 +250,12 @@ where
                 (true, false) => self.walk::<Columns<true, false>>(&ground, at, workspace, acceleration),
                 (true, true) => self.walk::<Columns<true, true>>(&ground, at, workspace, acceleration),
             }
-        });
+        };
+        if const { L::COUPLED } {
+            loads.accelerated(PositionOf::<S, R, C>::MODES, acceleration, swept);
+        } else {
+            swept(loads, acceleration);
+        }
     }
 
     fn project(&self, _: &mut MotionOf<S, R, C, P>, _: &mut Self::Workspace) {}

@@ -70,10 +70,14 @@ where
     ) -> Held<Self, L> {
         let reading = Reading { position, rate, acceleration: rate };
         let spring = Spring { position, rate, reading, springs: Explicit };
-        loads.accelerated(Self::Position::MODES, acceleration, |loads, acceleration| {
-            let site = self.site(time, loads);
-            sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
-        });
+        let mut swept = |loads: &L, acceleration: &mut Self::Rate| {
+            sweep(&self.chain, &self.site(time, loads), position, rate, &spring, workspace, acceleration);
+        };
+        if const { L::COUPLED } {
+            loads.accelerated(Self::Position::MODES, acceleration, swept);
+        } else {
+            swept(loads, acceleration);
+        }
         workspace.multipliers
     }
 
@@ -240,10 +244,14 @@ where
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L> {
         let spring = Spring { position: spring.0, rate: spring.1, reading, springs };
-        loads.accelerated(Self::Position::MODES, acceleration, |loads, acceleration| {
-            let site = self.site(time, loads);
-            sweep(&self.chain, &site, position, rate, &spring, workspace, acceleration);
-        });
+        let mut swept = |loads: &L, acceleration: &mut Self::Rate| {
+            sweep(&self.chain, &self.site(time, loads), position, rate, &spring, workspace, acceleration);
+        };
+        if const { L::COUPLED } {
+            loads.accelerated(Self::Position::MODES, acceleration, swept);
+        } else {
+            swept(loads, acceleration);
+        }
         workspace.multipliers
     }
 
