@@ -30,7 +30,8 @@ macro_rules! member {
 
 /// Pairs are the links of arrays and vectors. What they hand on is large in space: by way of a call it would pass through memory. Walks
 /// outward through more than three items are inlined, too: a tuple that is met several times would be called, and be handed all of a frame
-/// where a law reads a rate. (Links of three items, of trees, are better left to the compiler: 1 % of a sweep.)
+/// where a law reads a rate. (Links of three items, of trees, are better left to the compiler: 1 % of a sweep.) In the plane little is handed on: long
+/// tuples are left to the compiler there, which takes half of its time for what is always inlined.
 macro_rules! chain_tuple {
     (X1; $($rest:tt)*) => {
         chain_of!([inline] [inline] X1; $($rest)*);
@@ -41,9 +42,53 @@ macro_rules! chain_tuple {
     (X3; $($rest:tt)*) => {
         chain_of!([inline] [inline] X3; $($rest)*);
     };
+    (X13; $($rest:tt)*) => {
+        chain_of!([inline] [long] X13; $($rest)*);
+    };
+    (X14; $($rest:tt)*) => {
+        chain_of!([inline] [long] X14; $($rest)*);
+    };
+    (X15; $($rest:tt)*) => {
+        chain_of!([inline] [long] X15; $($rest)*);
+    };
+    (X16; $($rest:tt)*) => {
+        chain_of!([inline] [long] X16; $($rest)*);
+    };
     ($met:ident; $($rest:tt)*) => {
         chain_of!([inline] [inline(always)] $met; $($rest)*);
     };
+}
+
+/// A walk outward through the items of a tuple.
+macro_rules! outward_tuple {
+    ([long] $($A:ident $i:tt),*) => {
+        #[inline(always)]
+        fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+            let mut stores = stores;
+            if const { S::TURNS_ABOUT_LINES } {
+                $(let carried = self.$i.outward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$i>));)*
+                carried
+            } else {
+                called(move || {
+                    $(let carried = self.$i.outward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$i>));)*
+                    carried
+                })
+            }
+        }
+    };
+    ([$($inline:tt)*] $($A:ident $i:tt),*) => {
+        #[$($inline)*]
+        fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
+            let mut stores = stores;
+            $(let carried = self.$i.outward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$i>));)*
+            carried
+        }
+    };
+}
+
+/// Goes on in a function of its own, unless the compiler finds it better otherwise.
+fn called<X>(go: impl FnOnce() -> X) -> X {
+    go()
 }
 
 macro_rules! chain_of {
@@ -74,12 +119,7 @@ macro_rules! chain_of {
             fn store<Stored: Field<S>>(&self, fill: Stored::Fill) -> Self::Store<Stored> {
                 ($(self.$i.store::<Stored>(fill),)*)
             }
-            #[$($outward)*]
-            fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
-                let mut stores = stores;
-                $(let carried = self.$i.outward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$i>));)*
-                carried
-            }
+            outward_tuple!([$($outward)*] $($A $i),*);
             #[$($inline)*]
             fn inward<W: Inward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
                 let mut stores = stores;
