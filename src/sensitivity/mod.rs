@@ -27,9 +27,9 @@
 //!
 //! # What goes through gains
 //!
-//! Tuples, arrays and vectors of elements, and branches, with a free tip; in the plane all bodies, `Pin`, `Weld` and `ElasticHinge` with a
-//! rotary spring; in space all bodies, `Ball`, `Weld`, `Revolute` and `Universal` with springs; roots of these. Loads may depend on seeds
-//! and on the motion. Explicit rules, with error control (of the values) and dense output.
+//! Tuples, arrays and vectors of elements, and branches, with a free tip; in the plane all bodies, `Pin`, `Weld`, `Slider` and `ElasticHinge` with a
+//! rotary spring; in space all bodies, `Ball`, `Weld`, `Revolute`, `Universal` and `Prismatic`, with springs; roots of these. Loads may depend on
+//! seeds and on the motion, and couple joints. Explicit rules, with error control (of the values) and dense output.
 //!
 //! # Backward
 //!
@@ -50,7 +50,7 @@
 //! # What does not go through gains
 //!
 //! What a rule [`through_gains`](Rule::through_gains) does not know is an error of the compiler: held tips and loops (which go
-//! [backward](Backward)), `Free` roots, joints that slide, springs of balls, and implicit rules. Such scenes are differentiated by the rule itself.
+//! [backward](Backward)), `Free` roots, `Cylindrical` joints, linear springs of hinges, springs of balls, and implicit rules. Such scenes are differentiated by the rule itself.
 //!
 //! ```compile_fail,E0277
 //! use catena::planar::*;

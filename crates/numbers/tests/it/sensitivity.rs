@@ -42,6 +42,30 @@ fn springs_welds_and_clamps_have_the_derivatives_of_dual_numbers() -> Result<(),
 }
 
 #[test]
+fn sliders_have_the_derivatives_of_dual_numbers() -> Result<(), Error> {
+    as_dual_numbers!("sliders", 26 seeds, Rk4::step(0.01), 0.5, |x| {
+        let plate = RigidBody::new(x(1.3, 0), x(0.2, 1), [x(0.4, 2), x(0.15, 3)], [x(0.9, 4), x(-0.2, 5)]);
+        let rod = Rod::uniform(x(0.7, 6), x(0.8, 7));
+        let track = Slider::along(x(0.3, 8)).with(Spring::new(x(30.0, 9)).damped(x(0.3, 10)).resting_at(x(0.2, 11)));
+        let (spindle, bob) = (Slider::along(x(-0.7, 12)), PointMass::new(x(0.4, 13), x(0.3, 14)));
+        let hinge = ElasticHinge::rotary(x(20.0, 15));
+        // Of a point mass nothing but its mass at its inboard end is left to the slider; a hinge outboard turns what slides.
+        let arm = Branch((Pin, rod, Slider::along(x(0.5, FIXED)), bob));
+        let chain = (track, plate, Pin, rod, spindle, rod, arm, hinge, plate, Slider::along(x(1.1, FIXED)), rod, Pin, bob);
+        let root = Clamped::at(x(0.0, FIXED), x(0.0, FIXED), x(0.2, 16));
+        let system = System::new(root, chain, Free)?.with_gravity(x(9.81, 17));
+        let mut start = system.motion();
+        let numbers = [0.3, 0.5, -0.4, 0.2, 0.1, -0.6, 0.25, -0.9];
+        let rates = [0.6, -0.9, 1.4, -0.3, 0.8, 0.7, -1.1, 0.4];
+        start.set_coordinates(&core::array::from_fn::<_, 8, _>(|i| x(numbers[i], if i < 4 { 18 + i } else { FIXED })))?;
+        start.set_rates(&core::array::from_fn::<_, 8, _>(|i| x(rates[i], if i > 4 { 18 + i - 1 } else { FIXED })))?;
+        let torques: [N; 9] = core::array::from_fn(|i| x(0.2 * i as f64 - 0.5, if i == 5 { 25 } else { FIXED }));
+        (system, start, Loads::none().torques(torques))
+    });
+    Ok(())
+}
+
+#[test]
 fn arms_arrays_and_vectors_have_the_derivatives_of_dual_numbers() -> Result<(), Error> {
     as_dual_numbers!("a tree", 7 seeds, Rk4::step(0.01), 0.5, |x| {
         let rod = |i: usize| Rod::uniform(x(0.5, i), x(1.0, FIXED));

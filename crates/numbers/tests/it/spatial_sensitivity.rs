@@ -29,6 +29,35 @@ fn balls_and_bodies_have_the_derivatives_of_dual_numbers() -> Result<(), Error> 
 }
 
 #[test]
+fn slides_have_the_derivatives_of_dual_numbers() -> Result<(), Error> {
+    as_dual_numbers!("slides", 23 seeds, Rk4::step(0.01), 0.4, |x| {
+        let rod = Rod::uniform(x(0.7, 0), x(0.3, 1), x(0.8, 2));
+        let o = x(0.0, FIXED);
+        let tensor = [[x(0.3, 3), o, o], [o, x(0.25, 4), o], [o, o, x(0.2, 5)]];
+        let body = RigidBody::new(x(1.3, 6), tensor, [x(0.4, 7), x(0.15, 8), x(-0.1, 9)], [x(0.9, 10), x(-0.2, 11), x(0.1, FIXED)]);
+        let track = Prismatic::along([x(0.2, 12), x(0.3, 13), x(0.9, 14)])
+            .with(Spring::stiffness(x(20.0, 15)));
+        let (spindle, bob) = (Prismatic::along([x(0.0, FIXED), x(1.0, 16), x(0.4, FIXED)]), PointMass::new(x(0.4, 17), x(0.3, FIXED)));
+        let turning = Revolute::about([x(0.1, FIXED), x(1.0, FIXED), x(0.3, FIXED)]);
+        let arm = Branch((turning, rod, spindle, bob));
+        let chain = (track, body, turning, rod, arm, spindle, body, Ball, rod);
+        let system = System::new(Clamped::origin(), chain, Free)?.with_gravity([o, -x(9.81, 18), o]);
+        let mut start = system.motion();
+        let numbers = [0.3, -0.4, 0.7, 0.2, 0.35];
+        let rates = [0.6, -0.9, 1.4, -0.3, 0.8, 0.7, -1.1, 0.4];
+        let mut list = start.coordinates();
+        (0..5).for_each(|i| list[i] = x(numbers[i], if i == 4 { 19 } else { FIXED }));
+        start.set_coordinates(&list)?;
+        start.set_rates(&core::array::from_fn::<_, 8, _>(|i| x(rates[i], if i < 2 { 20 + i } else { FIXED })))?;
+        let efforts: [_; 7] = core::array::from_fn(|i| {
+            Effort([x(0.2 * i as f64 - 0.5, if i == 5 { 22 } else { FIXED }), x(0.1, FIXED), o])
+        });
+        (system, start, Loads::none().efforts(efforts))
+    });
+    Ok(())
+}
+
+#[test]
 fn axes_and_their_springs_have_the_derivatives_of_dual_numbers() -> Result<(), Error> {
     as_dual_numbers!("axes", 24 seeds, Dop853::tolerance(1e-9), 0.5, |x| {
         let rod = Rod::uniform(x(0.7, 0), x(0.3, 1), x(0.8, 2));

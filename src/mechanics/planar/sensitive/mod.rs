@@ -2,6 +2,7 @@
 
 mod bodies;
 mod joints;
+mod slider;
 
 use crate::mechanics::planar::{Acceleration, Frame, Planar, Turn};
 use crate::scalar::{Jet, Scalar, columns};

@@ -4,6 +4,7 @@ mod axial;
 mod bodies;
 mod columns;
 mod joints;
+mod prismatic;
 
 use crate::mechanics::spatial::loads::Effort;
 use crate::mechanics::spatial::{Acceleration, Frame, Spatial, Turn};
