@@ -37,7 +37,7 @@ impl<'n, T: Scalar> Coupling<'n, T> {
         Self::of([Pick::Joint(follower.into()), Pick::Joint(leader.into())])
     }
 
-    /// The same of joints numbered as [`Torques`](crate::robot::Torques) has them, from 0 on and those of one coordinate alone: as the module of a
+    /// A joint that follows a leader, numbered as [`Torques`](crate::robot::Torques) has them, from 0 on and those of one coordinate alone: as the module of a
     /// robot's description numbers them.
     pub fn by_coordinate(follower: usize, leader: usize) -> Self {
         Self::of([follower, leader].map(Pick::Coordinate))
@@ -92,7 +92,7 @@ impl<T: Scalar> Tie<T> {
 /// `Prismatic` in space, [`Hinge`](crate::robot::Hinge) and [`Slide`](crate::robot::Slide) of robots, with springs, friction or stops or without, and joints of one's
 /// own. The angle of a `Pin` is that of its body, so that it is refused.
 ///
-/// [`Fault::Unsupported`] where loops are closed or a tip is held, in equilibria, modes, transfer matrices and the scheme of
+/// [`Fault::Shape`] in a scene with vectors of other lengths; [`Fault::Unsupported`] where loops are closed or a tip is held, in equilibria, modes, transfer matrices and the scheme of
 /// [`paper`](crate::paper). Gradients backward and Taylor series do not compile with couplings; over numbers with derivatives they go forward.
 ///
 /// ```
@@ -116,6 +116,8 @@ pub struct Couplings<T: Scalar, const K: usize, L = Unloaded> {
     forces: [T; K],
     /// Whether sweeps take these forces as they are.
     given: bool,
+    /// How many bodies and joints the scene has.
+    counts: [usize; 2],
     others: L,
 }
 
@@ -123,8 +125,8 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
     /// Other loads besides. [`Torques`](crate::robot::Torques), which number joints of one coordinate, do not compile here: take
     /// [`Loads::efforts`](crate::loading::Loads::efforts).
     pub fn and<L>(self, others: L) -> Couplings<T, K, L> {
-        let Self { ties, forces, given, .. } = self;
-        Couplings { ties, forces, given, others }
+        let Self { ties, forces, given, counts, .. } = self;
+        Couplings { ties, forces, given, counts, others }
     }
 }
 

@@ -57,8 +57,9 @@ where
             + S::of_efforts(self.others.in_joint(time, joint, motion).efforts())
     }
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
-        let strange = self.ties.iter().flat_map(|tie| tie.joints).find(|joint| *joint >= joints);
-        strange.map_or(Ok(()), |joint| Err(Fault::NoSuchJoint { joint, joints }))?;
+        if self.counts != [bodies, joints] {
+            return Err(Fault::Shape); // of another scene with vectors
+        }
         self.others.check(bodies, joints)
     }
     fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault> {

@@ -52,7 +52,8 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
                 inertia: T::Real::one(),
             };
         }
-        let mut couplings = Self { ties, forces: [T::zero(); K], given: false, others: Unloaded };
+        let (forces, counts) = ([T::zero(); K], [scene.bodies(), scene.joints()]);
+        let mut couplings = Self { ties, forces, given: false, counts, others: Unloaded };
         couplings.weigh(scene)?;
         Ok(couplings)
     }

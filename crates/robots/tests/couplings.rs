@@ -1,7 +1,7 @@
 //! Joints that follow others: sweeps against inverse dynamics and closed forms, runs under all rules, derivatives, what is refused.
 
 use catena::planar::*;
-use catena::scalar::Jet;
+use catena::scalar::{Jet, Pack};
 use catena::simulate::EnergyDrift;
 use catena::{Error, Fault, Place, robot, spatial};
 use catena_oracle::{Noise, near};
@@ -289,6 +289,32 @@ fn box_of(mass: f64) -> spatial::RigidBody<f64> {
     spatial::RigidBody::new(mass, tensor, [0.2, 0.05, 0.0], [0.4, 0.0, 0.0])
 }
 
+/// Lanes hold scenes of their own, each as coupled as alone.
+#[test]
+fn lanes_are_coupled_each_by_itself() -> Result<(), Error> {
+    type T = Pack<f64, 4>;
+    let scene = hand!(Revolute::smooth(), Revolute::smooth());
+    let couplings = |ratio| Couplings::of(&scene, [Coupling::new(2, 1).ratio(ratio).offset(OFFSET)]);
+    let (angles, ratios) = ([0.3, -0.9, 1.4, 0.0], [RATIO, 0.0, 2.5, 1.0]);
+    let wide = scene.lift(T::of);
+    let (mut angle, mut ratio) = (T::of(0.0), T::of(0.0));
+    (angle.0, ratio.0) = (angles, ratios);
+    let together = Couplings::of(&wide, [Coupling::new(2, 1).ratio(ratio).offset(T::of(OFFSET))])?;
+    let mut start = wide.motion();
+    start.set_coordinates(&[angle, T::of(0.0)])?;
+    let found = wide.with_accelerations(together.joined(start), &together)?.accelerations();
+    for lane in 0..4 {
+        let alone = couplings(ratios[lane])?;
+        let mut start = scene.motion();
+        start.set_coordinates(&[angles[lane], 0.0])?;
+        let expected = scene.with_accelerations(alone.joined(start), &alone)?.accelerations();
+        for (found, expected) in found.iter().zip(expected) {
+            near(found.0[lane], expected, 1e-13 * (1.0 + expected.abs()));
+        }
+    }
+    Ok(())
+}
+
 /// A description's gripper: its module says which joint follows which.
 #[test]
 fn a_gripper_closes_by_both_of_its_fingers() -> Result<(), Error> {
@@ -350,6 +376,18 @@ fn what_is_no_coupling_is_refused() -> Result<(), Error> {
     assert!(unsupported(scene.modes(&start, &couplings).expect_err("modes")));
     let error = scene.transfer_matrix::<_, 7>(&start, &couplings, |_, _| ()).expect_err("a matrix");
     assert!(error.to_string().contains("couplings"), "{error}");
+    // In another scene of the same type.
+    let row = |links: usize| {
+        System::new(
+            Pinned::origin(),
+            (Rod::uniform(1.0, 1.0), vec![(Revolute::smooth(), Rod::uniform(1.0, 1.0)); links]),
+            Free,
+        )
+    };
+    let (short, long) = (row(2)?, row(3)?);
+    let error =
+        long.with_accelerations(long.motion(), &Couplings::of(&short, [Coupling::new(2, 1)])?).expect_err("others");
+    assert_eq!(error.fault, Fault::Shape);
     // Where loops close.
     let rod = Rod::uniform(1.0, 1.0);
     let joint = Revolute::smooth();
