@@ -4,7 +4,6 @@ mod loads;
 mod placed;
 mod solve;
 
-use crate::error::{Error, Fault};
 use crate::loading::Unloaded;
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
@@ -92,7 +91,7 @@ impl<T: Scalar> Tie<T> {
 /// `Prismatic` in space, [`Hinge`](crate::robot::Hinge) and [`Slide`](crate::robot::Slide) of robots, with springs, friction or stops or without, and joints of one's
 /// own. The angle of a `Pin` is that of its body, so that it is refused.
 ///
-/// [`Fault::Shape`] in a scene with vectors of other lengths; [`Fault::Unsupported`] where loops are closed or a tip is held, in equilibria, modes, transfer matrices and the scheme of
+/// [`Fault::Shape`](crate::Fault::Shape) in a scene with vectors of other lengths; [`Fault::Unsupported`](crate::Fault::Unsupported) where loops are closed or a tip is held, in equilibria, modes, transfer matrices and the scheme of
 /// [`paper`](crate::paper). Gradients backward and Taylor series do not compile with couplings; over numbers with derivatives they go forward.
 ///
 /// ```
@@ -147,29 +146,36 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
         motion
     }
 
-    /// What a unit of the force of a coupling exerts in joints of one coordinate each.
-    pub(crate) fn row<const N: usize>(&self, k: usize) -> Result<[T; N], Error> {
-        let mut row = [T::zero(); N];
-        let Tie { rates, ratio, .. } = self.ties[k];
-        for (joint, share) in rates.into_iter().zip([T::one(), -ratio]) {
-            *row.get_mut(joint).ok_or(Error::new(Fault::NoSuchJoint { joint, joints: N }))? = share;
-        }
-        Ok(row)
+    /// What a unit of the force of each coupling exerts in joints of one coordinate each.
+    pub(crate) fn rows<const N: usize>(&self) -> [[T; N]; K] {
+        self.ties.each_ref().map(|Tie { rates: [follower, leader], ratio, .. }| {
+            core::array::from_fn(|joint| match joint {
+                joint if joint == *follower => T::one(),
+                joint if joint == *leader => -*ratio,
+                _ => T::zero(),
+            })
+        })
     }
 
     /// Forces λ of couplings, from accelerations without them and by a unit of each.
     pub(crate) fn balancing<const N: usize>(&self, free: &[T; N], responses: &[[T; N]; K]) -> [T; K] {
-        let missed = |list: &[T; N]| self.apart(|tie| tie.rates, |visit| list.iter().for_each(|x| visit(*x)));
+        let missed =
+            |list: &[T; N]| self.missing(self.pairs(|tie| tie.rates, |visit| list.iter().for_each(|x| visit(*x))));
         solved(responses.each_ref().map(missed), missed(free).map(|missed| -missed))
     }
 
     /// By how much the rates, or accelerations, of followers miss those that their leaders ask of them.
     fn missed<V: Rate<T>>(&self, rate: &V) -> [T; K] {
-        self.apart(|tie| tie.rates, |visit| rate.visit(&mut |x| visit(x)))
+        self.missing(self.pairs(|tie| tie.rates, |visit| rate.visit(&mut |x| visit(x))))
     }
 
-    /// By how much numbers of followers miss r times those of their leaders, of a list.
-    fn apart(&self, places: impl Fn(&Tie<T>) -> [usize; 2], list: impl FnOnce(&mut dyn FnMut(T))) -> [T; K] {
+    /// By how much numbers of followers miss r times those of their leaders.
+    fn missing(&self, pairs: [[T; 2]; K]) -> [T; K] {
+        core::array::from_fn(|k| self.ties[k].missed(pairs[k]))
+    }
+
+    /// Numbers of followers and leaders in a list.
+    fn pairs(&self, places: impl Fn(&Tie<T>) -> [usize; 2], list: impl FnOnce(&mut dyn FnMut(T))) -> [[T; 2]; K] {
         let (mut pairs, mut number) = ([[T::zero(); 2]; K], 0);
         list(&mut |x| {
             for (pair, tie) in pairs.iter_mut().zip(&self.ties) {
@@ -181,7 +187,7 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
             }
             number += 1;
         });
-        core::array::from_fn(|k| self.ties[k].missed(pairs[k]))
+        pairs
     }
 }
 

@@ -30,8 +30,8 @@ macro_rules! member {
 
 /// Pairs are the links of arrays and vectors. What they hand on is large in space: by way of a call it would pass through memory. Walks
 /// outward through more than three items are inlined, too: a tuple that is met several times would be called, and be handed all of a frame
-/// where a law reads a rate. (Links of three items, of trees, are better left to the compiler: 1 % of a sweep.) In the plane little is handed on: long
-/// tuples are left to the compiler there, which takes half of its time for what is always inlined.
+/// where a law reads a rate. (Links of three items, of trees, are better left to the compiler: 1 % of a sweep.) In the plane little is handed on:
+/// long tuples are left to the compiler there, which then takes two thirds of the time.
 macro_rules! chain_tuple {
     (X1; $($rest:tt)*) => {
         chain_of!([inline] [inline] X1; $($rest)*);
@@ -61,29 +61,26 @@ macro_rules! chain_tuple {
 
 /// A walk outward through the items of a tuple.
 macro_rules! outward_tuple {
-    ([long] $($A:ident $i:tt),*) => {
+    ([long] $($i:tt)*) => {
         #[inline(always)]
-        fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
-            let mut stores = stores;
+        fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, mut stores: Of<'_, S, W, Self>) -> W::Carried {
             if const { S::TURNS_ABOUT_LINES } {
-                $(let carried = self.$i.outward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$i>));)*
-                carried
+                outward_tuple!(self walk carried stores $($i)*)
             } else {
-                called(move || {
-                    $(let carried = self.$i.outward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$i>));)*
-                    carried
-                })
+                called(move || outward_tuple!(self walk carried stores $($i)*))
             }
         }
     };
-    ([$($inline:tt)*] $($A:ident $i:tt),*) => {
+    ([$($inline:tt)*] $($i:tt)*) => {
         #[$($inline)*]
-        fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
-            let mut stores = stores;
-            $(let carried = self.$i.outward(walk, carried, W::Stores::member::<Self, _>(&mut stores, Nth::<$i>));)*
-            carried
+        fn outward<W: Outward<S>>(&self, walk: &mut W, carried: W::Carried, mut stores: Of<'_, S, W, Self>) -> W::Carried {
+            outward_tuple!(self walk carried stores $($i)*)
         }
     };
+    ($chain:ident $walk:ident $carried:ident $stores:ident $($i:tt)*) => {{
+        $(let $carried = $chain.$i.outward($walk, $carried, W::Stores::member::<Self, _>(&mut $stores, Nth::<$i>));)*
+        $carried
+    }};
 }
 
 /// Goes on in a function of its own, unless the compiler finds it better otherwise.
@@ -119,7 +116,7 @@ macro_rules! chain_of {
             fn store<Stored: Field<S>>(&self, fill: Stored::Fill) -> Self::Store<Stored> {
                 ($(self.$i.store::<Stored>(fill),)*)
             }
-            outward_tuple!([$($outward)*] $($A $i),*);
+            outward_tuple!([$($outward)*] $($i)*);
             #[$($inline)*]
             fn inward<W: Inward<S>>(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
                 let mut stores = stores;

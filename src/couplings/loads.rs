@@ -63,16 +63,18 @@ where
         self.others.check(bodies, joints)
     }
     fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault> {
-        let places = self.apart(|tie| tie.coordinates, |visit| position.visit(&mut |x| visit(x)));
-        let mut most = RealOf::<S>::zero();
-        for (place, tie) in places.into_iter().zip(&self.ties) {
-            most = most.max((place - tie.offset).real().abs());
+        let places = self.pairs(|tie| tie.coordinates, |visit| position.visit(&mut |x| visit(x)));
+        let rates = self.pairs(|tie| tie.rates, |visit| rate.visit(&mut |x| visit(x)));
+        for ((tie, place), rate) in self.ties.iter().zip(places).zip(rates) {
+            for (pair, offset) in [(place, tie.offset), (rate, S::Scalar::zero())] {
+                let missed = (tie.missed(pair) - offset).real().abs();
+                // What is no number passes: sweeps say so.
+                if missed > RealOf::<S>::EPSILON.sqrt() * (RealOf::<S>::one() + pair[0].real().abs()) {
+                    return Err(Fault::NotAssembled { residual: missed.as_f64() });
+                }
+            }
         }
-        for rate in self.missed(rate) {
-            most = most.max(rate.real().abs());
-        }
-        // Written so that what is no number is refused, too.
-        if most <= RealOf::<S>::EPSILON.sqrt() { Ok(()) } else { Err(Fault::NotAssembled { residual: most.as_f64() }) }
+        Ok(())
     }
     fn accelerated<V: Rate<S::Scalar>>(&self, moded: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
         if self.given {

@@ -273,9 +273,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<L, S, R, C, P>,
     {
         let mut workspace = self.workspace();
-        self.fits(&motion)?;
-        self.suited(&motion, loads)?;
         self.accelerate(&mut motion, loads, &mut workspace)?;
+        self.suited(&motion, loads)?;
         Ok(motion)
     }
 

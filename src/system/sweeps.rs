@@ -15,7 +15,7 @@ use crate::scalar::{Real, Scalar};
 use crate::shape::{Kept, Shape};
 use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
 use crate::space::{MovingBody, MovingJoint};
-use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
+use crate::system::{Elements, MotionOf, PositionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
 use crate::walks::broken::{broken, unled};
 use crate::walks::copy::copy;
@@ -70,14 +70,7 @@ where
     ) -> Held<Self, L> {
         let reading = Reading { position, rate, acceleration: rate };
         let spring = Spring { position, rate, reading, springs: Explicit };
-        let mut swept = |loads: &L, acceleration: &mut Self::Rate| {
-            sweep(&self.chain, &self.site(time, loads), position, rate, &spring, workspace, acceleration);
-        };
-        if const { L::COUPLED } {
-            loads.accelerated(Self::Position::MODES, acceleration, swept);
-        } else {
-            swept(loads, acceleration);
-        }
+        self.sweep_under(time, (position, rate), &spring, loads, workspace, acceleration);
         workspace.multipliers
     }
 
@@ -244,14 +237,7 @@ where
         acceleration: &mut Self::Rate,
     ) -> Held<Self, L> {
         let spring = Spring { position: spring.0, rate: spring.1, reading, springs };
-        let mut swept = |loads: &L, acceleration: &mut Self::Rate| {
-            sweep(&self.chain, &self.site(time, loads), position, rate, &spring, workspace, acceleration);
-        };
-        if const { L::COUPLED } {
-            loads.accelerated(Self::Position::MODES, acceleration, swept);
-        } else {
-            swept(loads, acceleration);
-        }
+        self.sweep_under(time, (position, rate), &spring, loads, workspace, acceleration);
         workspace.multipliers
     }
 
@@ -265,6 +251,32 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     pub(crate) const LOOPED: bool = <Elements<S, R, C> as Shape<S>>::LOOPS > 0;
     /// How deep closures are nested: loops, and the ground to which a tip is held.
     pub(crate) const CLOSED: usize = C::LOOPS + (P::Closures::COUNT > 0) as usize;
+
+    /// One sweep; several, where loads are found with the accelerations.
+    #[inline(always)]
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    fn sweep_under<W>(
+        &self,
+        time: RealOf<S>,
+        (position, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
+        spring: &Spring<'_, PositionOf<S, R, C>, RateOf<S, R, C>, W::Springs>,
+        loads: &W::Loads,
+        workspace: &mut Workspace<S, Elements<S, R, C>, W>,
+        acceleration: &mut RateOf<S, R, C>,
+    ) where
+        W: Sweep<S>,
+        Elements<S, R, C>: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
+    {
+        let mut swept = |loads: &W::Loads, acceleration: &mut RateOf<S, R, C>| {
+            sweep(&self.chain, &self.site(time, loads), position, rate, spring, workspace, acceleration);
+        };
+        // A constant asks, for behind a call of `accelerated` a sweep is compiled otherwise: 1 % more instructions of some.
+        if const { W::Loads::COUPLED } {
+            loads.accelerated(PositionOf::<S, R, C>::MODES, acceleration, swept);
+        } else {
+            swept(loads, acceleration);
+        }
+    }
 
     fn project_by<W: Sweep<S, Closures = P::Closures>>(
         &self,

@@ -3,6 +3,7 @@
 use catena::planar::*;
 use catena::scalar::{Jet, Pack};
 use catena::simulate::EnergyDrift;
+use catena::system::Position;
 use catena::{Error, Fault, Place, robot, spatial};
 use catena_oracle::{Noise, near};
 use catena_robots::cart;
@@ -371,6 +372,22 @@ fn what_is_no_coupling_is_refused() -> Result<(), Error> {
             scene.simulation(Rk4::step(0.01)).loads(&couplings).run(start, 0.1, |_| ()).expect_err("apart").error;
         assert!(matches!(error.fault, Fault::NotAssembled { .. }), "{error}");
     }
+    // What is no number is not said to be apart.
+    let mut start = scene.motion();
+    start.set_rates(&[1.0, RATIO])?;
+    Position::replace(start.position_mut(), &mut |_| f64::NAN);
+    let error = scene.with_accelerations(start, &couplings).expect_err("no number");
+    assert_eq!(error.fault, Fault::NonFiniteMotion);
+    // Far and fast in single precision a joint follows within its roundings.
+    let single = scene.lift(|x| x as f32);
+    let geared = Couplings::of(&single, [Coupling::new(2, 1).ratio(0.3_f32)])?;
+    let mut start = single.motion();
+    start.set_coordinates(&[2e3 + 0.1, 0.0])?;
+    start.set_rates(&[7e4 + 0.3, 0.0])?;
+    let mut start = geared.joined(start);
+    let [leader, follower] = start.rates()[..] else { unreachable!() };
+    start.set_rates(&[leader, follower * (1.0 + 4.0 * f32::EPSILON)])?;
+    single.with_accelerations(start, &geared)?;
     let start = couplings.joined(scene.motion());
     assert!(unsupported(scene.equilibrium(start, &couplings).expect_err("an equilibrium")));
     assert!(unsupported(scene.modes(&start, &couplings).expect_err("modes")));

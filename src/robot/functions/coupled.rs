@@ -28,7 +28,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// ```
     ///
     /// # Errors
-    /// As [`forward_dynamics`](Self::forward_dynamics); [`Fault::NoSuchJoint`](crate::Fault::NoSuchJoint) for couplings of a larger robot.
+    /// As [`forward_dynamics`](Self::forward_dynamics); [`Fault::Shape`](crate::Fault::Shape) for couplings of another one.
     pub fn forward_dynamics_coupled<const N: usize, const K: usize>(
         &self,
         q: &[T; N],
@@ -40,12 +40,10 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
+        self.loadable(couplings)?;
         let mut seconds = self.forward_dynamics(q, v, torques)?;
         let factor = self.factored(q);
-        let mut responses = [[T::zero(); N]; K];
-        for (k, response) in responses.iter_mut().enumerate() {
-            *response = self.solved(&factor, &couplings.row(k)?);
-        }
+        let responses = couplings.rows().map(|row| self.solved(&factor, &row));
         let forces = couplings.balancing(&seconds, &responses);
         for (response, force) in responses.iter().zip(forces) {
             for (second, x) in seconds.iter_mut().zip(response) {
