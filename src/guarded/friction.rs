@@ -16,6 +16,7 @@ use crate::scalar::{Real, Scalar};
 /// about to; they end a step there, so that rules keep their order, and rules that remember motions begin anew. A run finds
 /// the modes of its start from its rates; where rates are set by hand they follow from these. Steps of a [`Stepper`] of one's own change no
 /// mode, and are refused where a joint has come to move against that in which a run has left it: [`DryFriction`] is the smooth law for these.
+/// [`MoreauJean`] is the rule for steps of one size that do, in real time.
 ///
 /// Any joint with one coordinate can have such friction, in the plane, in space and of robots, and a spring, damper or law beside it. Runs over numbers
 /// with derivatives, and over lanes, are refused: changes of mode have none of these. So are equilibria and modes of vibration, for a joint
@@ -43,6 +44,7 @@ use crate::scalar::{Real, Scalar};
 /// [`longest_step`]: crate::simulate::Simulation::longest_step
 /// [`Stepper`]: crate::simulate::Stepper
 /// [`DryFriction`]: crate::planar::DryFriction
+/// [`MoreauJean`]: crate::planar::MoreauJean
 pub type Coulomb<J, T, L = Absent> = Guarded<J, Friction<T>, L>;
 
 /// Friction while a joint slips, and at which it breaks away (N·m, N).

@@ -17,7 +17,7 @@ use crate::shape::{Joint, JointPosture, Kept, PerAxes, leaf};
 use crate::space::{FrameOf, RealOf, Space};
 use crate::spring::{SpringLaw, read};
 pub use friction::Coulomb;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 pub use range::HardStops;
 use typenum::{U0, U1};
 
@@ -34,7 +34,7 @@ pub trait Guard<T: Scalar>: Copy + 'static {
     fn trial(&self) -> T;
     /// What is told of a joint that moves, in the order of [`GuardedRate`].
     fn free(&self, coordinate: T) -> [T; 3];
-    /// What is told of a joint that does not move, which would accelerate like this, and like that under the force on trial.
+    /// What is told of a joint whose acceleration is given: by how much it would accelerate beside that, and under the force on trial.
     fn held(&self, mode: Mode, accelerations: [T; 2]) -> [T; 3];
     /// Rejects parameters that make no mechanics.
     ///
@@ -57,6 +57,27 @@ impl<J, G, L> Guarded<J, G, L> {
     pub fn with<M>(self, law: M) -> Guarded<J, G, M> {
         let Self { joint, guard, .. } = self;
         Guarded { joint, guard, law }
+    }
+
+    /// The acceleration of a joint that has none of its own, and what is told of it meanwhile. Within a step h it goes by h² for each unit of
+    /// that, and its rate by h.
+    fn given<T: Scalar>(&self, mode: Mode, (coordinate, rate): (T, T), springs: impl Springs<T>) -> (T, [T; 3])
+    where
+        G: Guard<T>,
+    {
+        let second = match mode {
+            Mode::Lands | Mode::Rebounds => {
+                let told = self.guard.free(coordinate);
+                let [_, restitution, apart] = told;
+                let rebounds = -(T::one() + restitution) * rate / springs.pivot(Absent, T::one());
+                let lands = apart / springs.pivot(T::one(), Absent);
+                return (if mode == Mode::Lands { lands } else { rebounds }, told);
+            }
+            Mode::Halts => -rate / springs.pivot(Absent, T::one()),
+            Mode::Struck => T::one(),
+            _ => T::zero(),
+        };
+        (second, [T::zero(); 3])
     }
 
     /// What acts along the coordinate.
@@ -82,8 +103,8 @@ pub struct Grip<T, K> {
     own: K,
     /// What is told of a joint that moves.
     told: [T; 3],
-    /// Of a joint that does not move: its mode, gains by which it would go if it could, and under the force on trial.
-    loose: Option<(Mode, [K; 2])>,
+    /// Of a joint whose acceleration is given: its mode, that acceleration, gains by which it would go otherwise, and under the force on trial.
+    loose: Option<(Mode, T, [K; 2])>,
 }
 
 impl<J, G, L> Counted for Guarded<J, G, L> {
@@ -150,9 +171,13 @@ impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Jo
         };
         // By how much the coordinate would accelerate if it could.
         let (mut free, mut told) = (S::Scalar::zero(), kept.told);
-        if let Some((mode, [loose, tried])) = &mut kept.loose {
+        if let Some((mode, given, [loose, tried])) = &mut kept.loose {
             free = second(loose).0;
-            told = self.guard.held(*mode, [free, second(tried).0]);
+            let held = self.guard.held(*mode, [free, second(tried).0].map(|second| second - *given));
+            told = match mode {
+                Mode::Lands | Mode::Rebounds => [told[0], held[1], told[2]],
+                _ => held,
+            };
         }
         let (own, out) = second(&mut kept.own);
         // Nothing else would tell of a load that is not finite where the joint does not move.
@@ -271,8 +296,8 @@ where
             let [free, tried] = &mut loose;
             self.joint.eliminate(outer, posture, force, none, free);
             self.joint.eliminate(outer, posture, force + self.guard.trial(), none, tried);
-            kept.loose = Some((mode, loose));
-            let second = if mode == Mode::Struck { S::Scalar::one() } else { none };
+            let (second, told) = self.given(mode, (position.coordinate, rate.rate), springs);
+            (kept.loose, kept.told) = (Some((mode, second, loose)), told);
             return self.joint.drive(outer, posture, second, &mut kept.own);
         }
         (kept.loose, kept.told) = (None, self.guard.free(position.coordinate));

@@ -23,7 +23,7 @@ use num_traits::One;
 ///
 /// Any joint with one coordinate can have stops, in the plane, in space and of robots, and a spring, damper or law beside them; an end at infinity is
 /// none. A step of a [`Stepper`] of one's own changes no mode, and is refused where the step before has brought a joint beyond its stop: [`Stops`]
-/// is the compliant law for these. As data an end at infinity needs a format that has infinity; JSON has none. Runs over numbers with derivatives, and over lanes, are refused, and so are equilibria and modes of vibration. A
+/// is the compliant law for these, [`MoreauJean`] the rule for steps of one size that do, in real time. As data an end at infinity needs a format that has infinity; JSON has none. Runs over numbers with derivatives, and over lanes, are refused, and so are equilibria and modes of vibration. A
 /// joint that passes its stop and comes back within one step is not seen: [`longest_step`] is for such.
 ///
 /// ```
@@ -48,6 +48,7 @@ use num_traits::One;
 /// [`Stepper`]: crate::simulate::Stepper
 /// [`Stops`]: crate::planar::Stops
 /// [`Coulomb`]: crate::planar::Coulomb
+/// [`MoreauJean`]: crate::planar::MoreauJean
 pub type HardStops<J, T, L = Absent> = Guarded<J, Range<T>, L>;
 
 /// The range of a coordinate (rad, m), and the share of a rate that its ends give back.

@@ -8,6 +8,7 @@
 //! | rods on balls in space, to many digits | `Taylor::<24>::tolerance(1e-12)` | likewise: 1.2 to 1.5 times less time than DOP853 at 1e-9, 1.4 to 2.4 times at 1e-12 |
 //! | many bodies, costly loads | `Vcabm::new().tolerance(1e-9)` | one sweep a step |
 //! | a controller's step of fixed size | `Rk4::step(1e-3)` | four sweeps, the same time always |
+//! | real time, with contacts, friction or stops | `MoreauJean::step(1e-3)` | one sweep a step, stable at any stiffness, order one |
 //! | stiff springs, vibration not of interest | `GeneralizedAlpha::new(0.8)` `.step(1e-2)` | steps as long as the motion, whatever the stiffness |
 //! | stiff springs, to more digits | `Sdirk4::new().step(1e-2)` | order 4 at any stiffness |
 //! | thousands of runs from near starts | `Rk4::step(..)` in lanes | lanes share their steps: see [`lanes_and_threads`](super::lanes_and_threads) |

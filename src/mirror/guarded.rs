@@ -25,6 +25,12 @@ pub enum Mode {
     RestsAbove,
     /// The joint accelerates by one, whatever acts: what a shock does to all others is asked so.
     Struck,
+    /// The joint comes to rest within the step under way ([`MoreauJean`](crate::time::MoreauJean)), for friction does it.
+    Halts,
+    /// The joint comes to its nearest stop within the step under way.
+    Lands,
+    /// The joint ends the step under way at the rate that its stop gives back.
+    Rebounds,
 }
 
 impl Mode {
@@ -35,6 +41,11 @@ impl Mode {
             rate if rate < T::Real::zero() => Self::SlipsBack,
             _ => Self::Sticks,
         }
+    }
+
+    /// The mode of a joint that breaks away from this friction: it goes where that does not hold it.
+    pub(crate) fn broken_away<T: Scalar>(friction: T) -> Self {
+        Self::of(-friction)
     }
 
     /// The sign of the rate, of a joint that slips.
@@ -57,13 +68,13 @@ impl Mode {
 
     /// Whether the joint's acceleration is given.
     pub(crate) fn is_locked(self) -> bool {
-        matches!(self, Self::Sticks | Self::RestsBelow | Self::RestsAbove | Self::Struck)
+        !matches!(self, Self::SlipsForward | Self::SlipsBack | Self::Swings)
     }
 
     /// The mode of such a joint where it moves, with friction of whichever sign.
     pub(crate) fn moving(self) -> Self {
         match self {
-            Self::Sticks | Self::SlipsForward | Self::SlipsBack => Self::SlipsForward,
+            Self::Sticks | Self::Halts | Self::SlipsForward | Self::SlipsBack => Self::SlipsForward,
             _ => Self::Swings,
         }
     }
@@ -71,7 +82,7 @@ impl Mode {
     /// The mode of such a joint of which nothing is known but its rate.
     pub(crate) fn forgotten(self) -> Self {
         match self {
-            Self::Sticks | Self::SlipsForward | Self::SlipsBack => Self::Sticks,
+            Self::Sticks | Self::Halts | Self::SlipsForward | Self::SlipsBack => Self::Sticks,
             _ => Self::Swings,
         }
     }
@@ -88,7 +99,7 @@ impl Mode {
     }
 
     /// All modes.
-    const ALL: [Self; 7] = [
+    const ALL: [Self; 10] = [
         Self::Sticks,
         Self::SlipsForward,
         Self::SlipsBack,
@@ -96,6 +107,9 @@ impl Mode {
         Self::RestsBelow,
         Self::RestsAbove,
         Self::Struck,
+        Self::Halts,
+        Self::Lands,
+        Self::Rebounds,
     ];
 
     /// The mode as a number.

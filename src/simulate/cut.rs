@@ -2,7 +2,7 @@
 
 use super::crossing::crossing;
 use super::drive::Running;
-use super::margin::{inconsistent, margin};
+use super::margin::margin;
 use super::now::settled;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
@@ -10,7 +10,7 @@ use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::mirror::{Mode, Position};
 use crate::scalar::{Real, Scalar};
-use crate::stepper::Stepper;
+use crate::stepper::{Stepper, inconsistent};
 use crate::system::{MotionOf, RateOf, Runs, System};
 use crate::time::Control;
 

@@ -8,7 +8,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, ensure_finite};
 use crate::mirror::Rate;
 use crate::scalar::{Elementary, Real, Scalar};
-use crate::stepper::Stepper;
+use crate::stepper::{Stepper, modes_by_numbers};
 use crate::system::Dynamics;
 use crate::system::{MotionOf, Runs, System};
 use crate::time::Control;
@@ -54,7 +54,7 @@ where
 
     /// Refuses what makes no run, and motions of another scene.
     fn check(&mut self) -> Result<(), Error> {
-        self.modes_by_numbers()?;
+        modes_by_numbers::<S::Scalar>(Self::MODES)?;
         if const { <E as EventFunction<Now<'a, S, R, C, P, L>, S::Scalar>>::ON } {
             of_one_number::<S::Scalar>()?;
         }
@@ -117,7 +117,7 @@ where
         self.progress.fit(self.past.time, control, self.plan.every)?;
         self.progress.trials.under(control, System::<S, R, C, P>::CLOSED > 0);
         self.adapt(caused);
-        if const { Self::MODES } {
+        if const { Self::CUTS } {
             self.settle_anew()?;
         }
         // An event where it stands was seen.
@@ -156,7 +156,7 @@ where
             return Ok(false);
         }
         let (mut size, mut last) = self.accepted()?;
-        let cut = if const { Self::MODES } { self.cut(size)? } else { None };
+        let cut = if const { Self::CUTS } { self.cut(size)? } else { None };
         if let Some(shorter) = cut {
             (size, last) = (shorter, false);
         }
@@ -172,7 +172,7 @@ where
         }
         self.progress.at_event = false;
         self.progress.mark.1 += 1;
-        if const { Self::MODES } && cut.is_some() {
+        if const { Self::CUTS } && cut.is_some() {
             let changed = self.switch().and_then(|()| self.value(Shown::Next));
             let value = changed.inspect_err(|_| self.progress = progress)?; // the step is not taken
             self.progress.mark = (self.next.time, 0);

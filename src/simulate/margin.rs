@@ -1,6 +1,5 @@
 //! How far joints are from a change of their modes.
 
-use crate::error::{Cause, Error, Fault};
 use crate::mirror::{GuardedRate, Mode};
 use crate::scalar::{Real, Scalar};
 
@@ -8,17 +7,12 @@ use crate::scalar::{Real, Scalar};
 pub(super) fn margin<T: Scalar>(mode: Mode, rate: T, guard: T) -> f64 {
     let guard = guard.real().as_f64();
     match mode {
-        Mode::Sticks | Mode::Struck => 1.0 - guard.abs(),
+        Mode::Sticks | Mode::Struck | Mode::Halts => 1.0 - guard.abs(),
         // A little beyond, so that what stands at its stop is before it.
-        Mode::Swings => 1.0 - guard.abs() + 0.5 * Mode::touch::<T::Real>().as_f64(),
+        Mode::Swings | Mode::Lands | Mode::Rebounds => 1.0 - guard.abs() + 0.5 * Mode::touch::<T::Real>().as_f64(),
         Mode::RestsBelow | Mode::RestsAbove => Mode::reluctance::<T::Real>().as_f64() - guard,
         Mode::SlipsForward | Mode::SlipsBack => (mode.sign::<T>() * rate).real().as_f64(),
     }
-}
-
-/// The mode of a joint that breaks away: it goes where friction does not hold it.
-pub(super) fn broken_away<T: Scalar>(friction: T) -> Mode {
-    Mode::of(-friction)
 }
 
 /// The side of the stop that a joint touches: −1 the lower, 1 the upper one.
@@ -33,10 +27,4 @@ pub(super) fn rests<T: Scalar>(mode: Mode, rate: T, told: &GuardedRate<T>) -> Op
     // Half of what a joint leaves its stop at: one that has just left does not come to rest again by rounding.
     let stays = side * told.rate.real().as_f64() > -0.5 * Mode::reluctance::<T::Real>().as_f64();
     stays.then_some(if side < 0.0 { Mode::RestsBelow } else { Mode::RestsAbove })
-}
-
-/// Modes that do not belong together, at a joint of those with modes.
-pub(super) fn inconsistent<R: Real>(joint: usize, time: R) -> Error {
-    let cause = Cause::Modes { joint };
-    Error::new(Fault::StepTooSmall { step: 0.0, cause }).at_time(time.as_f64())
 }

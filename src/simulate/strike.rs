@@ -1,14 +1,14 @@
 //! Shocks in a run: joints that strike their stops, and what that does to all rates.
 
 use super::drive::Running;
-use super::margin::{inconsistent, touched};
+use super::margin::touched;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Mode, Position, Rate};
 use crate::scalar::{Real, Scalar};
-use crate::stepper::Stepper;
+use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Dynamics, MotionOf, RateOf, Runs, System};
 use num_traits::{One, Zero};
 

@@ -1,7 +1,7 @@
 //! Which modes of joints follow where a run changes one, begins, or goes on.
 
 use super::drive::Running;
-use super::margin::{broken_away, inconsistent, margin, rests, touched};
+use super::margin::{margin, rests, touched};
 use super::now::settled;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
@@ -9,7 +9,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Mode, Position};
 use crate::scalar::{Real, Scalar};
-use crate::stepper::Stepper;
+use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Dynamics, MotionOf, PositionOf, Runs, System};
 use num_traits::Zero;
 
@@ -32,15 +32,8 @@ where
 {
     /// Whether there are joints with modes.
     pub(super) const MODES: bool = PositionOf::<S, R, C>::MODES;
-
-    /// Refuses numbers whose derivatives or lanes would have changes of mode of their own.
-    pub(super) fn modes_by_numbers(&self) -> Result<(), Error> {
-        if Self::MODES && size_of::<S::Scalar>() > size_of::<RealOf<S>>() {
-            let what = "derivatives or lanes of a run in which joints stick and slip or strike stops";
-            return Err(Error::new(Fault::Unsupported { what }));
-        }
-        Ok(())
-    }
+    /// Whether steps end where a mode of such a joint changes.
+    pub(super) const CUTS: bool = Self::MODES && !K::SWITCHES;
 
     /// The least margin of the joints at a motion, and which joint has it.
     pub(super) fn margins(motion: &mut MotionOf<S, R, C, P>) -> (f64, usize) {
@@ -64,7 +57,7 @@ where
             let due = count == earliest;
             count += 1;
             match *mode {
-                Mode::Sticks if due => *mode = broken_away(told.guard),
+                Mode::Sticks if due => *mode = Mode::broken_away(told.guard),
                 Mode::RestsBelow | Mode::RestsAbove if due => *mode = Mode::Swings,
                 Mode::Swings if due => strikes = true,
                 Mode::SlipsForward | Mode::SlipsBack
@@ -131,7 +124,7 @@ where
             let mut count = 0;
             next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, told| {
                 if count == worst {
-                    *mode = if *mode == Mode::Sticks { broken_away(told.guard) } else { Mode::Swings };
+                    *mode = if *mode == Mode::Sticks { Mode::broken_away(told.guard) } else { Mode::Swings };
                 }
                 count += 1;
             });

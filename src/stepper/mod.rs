@@ -6,12 +6,13 @@ mod between;
 pub(crate) mod displace;
 pub(crate) mod explicit;
 mod implicit;
+mod moreau_jean;
 pub(crate) mod roots;
 mod sdirk;
 mod taylor;
 mod vcabm;
 
-use crate::error::{Error, Fault};
+use crate::error::{Cause, Error, Fault};
 use crate::mirror::{Mode, Position};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
@@ -22,6 +23,7 @@ pub use adams::{AdamsMemory, AdamsStepper};
 pub use auto::{AutoMemory, AutoStepper, Chosen};
 pub use explicit::ExplicitStepper;
 pub use implicit::{ImplicitMemory, ImplicitStepper};
+pub use moreau_jean::MoreauJeanStepper;
 pub use sdirk::SdirkStepper;
 pub use taylor::TaylorStepper;
 pub use vcabm::{VcabmMemory, VcabmStepper};
@@ -70,6 +72,19 @@ fn moves_as_modes_say<D: Dynamics<L>, L>(past: &MotionIn<D, L>, next: &mut Motio
     if against { Err(Error::new(Fault::Unsupported { what }).at_time(past.time.as_f64())) } else { Ok(()) }
 }
 
+/// Refuses scenes with joints that have modes over numbers whose derivatives or lanes would have changes of mode of their own.
+pub(crate) fn modes_by_numbers<T: Scalar>(modes: bool) -> Result<(), Error> {
+    let what = "derivatives or lanes of a run in which joints stick and slip or strike stops";
+    let several = modes && size_of::<T>() > size_of::<T::Real>();
+    if several { Err(Error::new(Fault::Unsupported { what })) } else { Ok(()) }
+}
+
+/// Modes that do not belong together, at a joint of those with modes.
+pub(crate) fn inconsistent<R: Real>(joint: usize, time: R) -> Error {
+    let cause = Cause::Modes { joint };
+    Error::new(Fault::StepTooSmall { step: 0.0, cause }).at_time(time.as_f64())
+}
+
 /// What is wrong with a stage of a step: one that leaps out of the range of angles says no more than that the step is too long.
 fn of_stage(error: Error) -> Error {
     match error.fault {
@@ -104,6 +119,8 @@ pub trait Stepper<D: Dynamics<L>, L> {
     const SETTLED: bool = true;
     /// Whether [`propose`](Self::propose) says how long the step after an accepted one should be: what a run finds from its error may be rough.
     const PLANS: bool = false;
+    /// Whether steps change modes of joints with friction or hard stops themselves: a run then ends no step where a mode changes.
+    const SWITCHES: bool = false;
 
     /// One step of size `dt` (s) from `past` under `loads`, written to `next`.
     ///
@@ -121,7 +138,9 @@ pub trait Stepper<D: Dynamics<L>, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.admit(past, loads, dt, next)?;
-        moves_as_modes_say::<D, L>(past, next)?;
+        if const { !Self::SWITCHES } {
+            moves_as_modes_say::<D, L>(past, next)?;
+        }
         self.begin(past, loads);
         self.make(past, loads, dt, next)
     }

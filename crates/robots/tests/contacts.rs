@@ -90,6 +90,12 @@ impl Explicitly {
         Rk4::step(size)
     }
 }
+struct InRealTime;
+impl InRealTime {
+    fn step(&self, size: f64) -> catena::time::Rule<MoreauJean, f64> {
+        MoreauJean::step(size)
+    }
+}
 
 #[test]
 fn rules_keep_their_order() -> Result<(), Error> {
@@ -113,6 +119,7 @@ fn rules_keep_their_order() -> Result<(), Error> {
     }
     ladder!("RK4", 4.0, Explicitly, loads, [200, 400, 800, 1600, 3200]);
     ladder!("SDIRK4", 4.0, Sdirk4::new(), loads, [200, 400, 800, 1600, 3200]);
+    ladder!("Moreau and Jean", 1.0, InRealTime, loads, [800, 1600, 3200, 6400]);
     ladder!("generalised alpha", 2.0, GeneralizedAlpha::new(0.8), loads, [400, 800, 1600, 3200]);
     let plain = Loads::none().on_bodies_by(contacts.plain());
     ladder!("RK4, plain", 4.0, Explicitly, plain, [200, 400, 800, 1600, 3200]);

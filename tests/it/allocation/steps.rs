@@ -82,6 +82,7 @@ fn steps_of_every_rule_allocate_nothing() -> Result<(), Error> {
     no_scene_allocates!(Vcabm::new().up_to(3));
     no_scene_allocates!(GeneralizedAlpha::new(0.8));
     no_scene_allocates!(Sdirk4::new());
+    no_scene_allocates!(MoreauJean);
     Ok(())
 }
 
@@ -102,6 +103,8 @@ fn couplings_allocate_nothing() -> Result<(), Error> {
     let couplings = Couplings::of(&System::new(root, chain, Free)?, [Coupling::new(2, 1), Coupling::new(4, 1)])?;
     assert_eq!(in_steps(root, chain, &couplings, Dop853)?, [0; 3]);
     assert_eq!(in_steps(root, chain, &couplings, Sdirk4::new())?, [0; 3]);
+    let rubs = (rod, [(Coulomb::new(joint, 0.1), plate); 4], HardStops::between(joint, [-0.1, 0.1]), rod);
+    assert_eq!(in_steps(root, rubs, &Unloaded, MoreauJean)?, [0; 3]);
     Ok(())
 }
 

@@ -1,0 +1,159 @@
+//! What joints with friction and hard stops do in a step: block principal pivoting.
+//!
+//! Each such joint has two choices: it is let go, against its friction, or it is held, so that it ends the step at rest or at its stop. Held
+//! forces and rates let go are a linear complementarity problem, of a matrix that is positive definite: one solution, if friction is the same
+//! at rest. Choices that do not go together are changed all at once as long as they become fewer, otherwise the first alone, after
+//! which K. G. Murty's pivots by least index end (J. J. Júdice, F. M. Pires 1994). Each pass is a sweep.
+
+use crate::mirror::{GuardedRate, Mode, Position, Rate};
+use crate::scalar::{Real, Scalar};
+use num_traits::Zero;
+
+/// So many passes may change all at once without there being fewer of them.
+const PATIENCE: usize = 3;
+/// Passes, and passes for each joint, after which rates are those of rest by more than rounding, and before it is clear that no choices go
+/// together.
+const LOOSE: [usize; 2] = [8, 2];
+const PASSES: [usize; 2] = [64, 8];
+/// A rate is that of rest by so many roundings, and, where others keep a joint that is let go at rest, by such a share: they do so by their
+/// accelerations, and closures miss their rates by a share of the step.
+const ROUNDINGS: f64 = 1e4;
+const MISSED: f64 = 0.01;
+
+/// Passes so far.
+pub(super) struct Pivoting {
+    passes: usize,
+    fewest: usize,
+    patience: usize,
+    /// A rate is that of rest by this share of the largest one that any pass has seen, or change of one.
+    still: f64,
+    largest: f64,
+}
+
+impl Pivoting {
+    /// Before the first pass of a step.
+    pub(super) fn new<R: Real>() -> Self {
+        Self { passes: 0, fewest: usize::MAX, patience: PATIENCE, still: ROUNDINGS * R::EPSILON.as_f64(), largest: 0.0 }
+    }
+
+    /// Lets the last of the joints go that are held, where accelerations are no numbers: of more than closures leave free to move. It will
+    /// not move where the others keep it from doing so.
+    pub(super) fn lets_one_go<T: Scalar, P: Position<T>>(
+        &mut self,
+        position: &mut P,
+        rate: &mut P::Rate,
+        found: &P::Rate,
+    ) -> bool {
+        let (mut finite, mut held, mut count) = (true, 0, 0);
+        found.visit(&mut |x| finite &= x.is_finite());
+        if finite {
+            return false;
+        }
+        position.each_mode(rate, found, &mut |mode, _, _| held += usize::from(mode.is_locked()));
+        position.each_mode(rate, found, &mut |mode, _, _| {
+            count += usize::from(mode.is_locked());
+            if mode.is_locked() && count == held {
+                *mode = mode.moving();
+            }
+        });
+        (self.patience, self.still) = (0, MISSED);
+        held > 0
+    }
+
+    /// Whether what joints do goes together, by the accelerations that came of it. It is changed otherwise.
+    ///
+    /// # Errors
+    /// A joint that changes for ever.
+    pub(super) fn agreed<T: Scalar, P: Position<T>>(
+        &mut self,
+        position: &mut P,
+        rate: &mut P::Rate,
+        found: &P::Rate,
+        dt: T::Real,
+    ) -> Result<bool, usize> {
+        position.each_mode(rate, found, &mut |_, rate, told| {
+            let [before, change] = [*rate, told.rate.scale(dt)].map(|x| x.real().as_f64().abs());
+            self.largest = self.largest.max(before).max(change);
+        });
+        let still = self.still * self.largest;
+        let (mut wrong, mut joints, mut first) = (0, 0, 0);
+        position.each_mode(rate, found, &mut |mode, rate, told| {
+            if changed(*mode, *rate, &told, (dt, still)).is_some() {
+                if wrong == 0 {
+                    first = joints;
+                }
+                wrong += 1;
+            }
+            joints += 1;
+        });
+        if wrong == 0 {
+            return Ok(true);
+        }
+        if wrong < self.fewest {
+            (self.fewest, self.patience) = (wrong, PATIENCE);
+        } else {
+            self.patience = self.patience.saturating_sub(1);
+        }
+        self.passes += 1;
+        if self.passes > LOOSE[0] + LOOSE[1] * joints {
+            self.still = MISSED; // more may be held than closures leave free but for rounding
+        }
+        if self.passes > PASSES[0] + PASSES[1] * joints {
+            return Err(first);
+        }
+        let (all, mut joint) = (self.patience > 0, 0);
+        position.each_mode(rate, found, &mut |mode, rate, told| {
+            if all || joint == first {
+                *mode = changed(*mode, *rate, &told, (dt, still)).unwrap_or(*mode);
+            }
+            joint += 1;
+        });
+        Ok(false)
+    }
+}
+
+/// What a joint does at the start of a step, as far as it is known.
+pub(super) fn begun<T: Scalar>(mode: Mode, rate: T) -> Mode {
+    match mode.forgotten() {
+        Mode::Sticks if rate.is_zero() => Mode::Halts,
+        Mode::Sticks => Mode::of(rate),
+        _ if mode.stop().is_some() && rate.is_zero() => Mode::Lands,
+        _ => Mode::Swings,
+    }
+}
+
+/// What a joint does instead, if it cannot do this.
+fn changed<T: Scalar>(mode: Mode, before: T, told: &GuardedRate<T>, (dt, still): (T::Real, f64)) -> Option<Mode> {
+    let real = |x: T| x.real().as_f64();
+    let (time, before, second) = (dt.as_f64(), real(before), real(told.rate));
+    let (guard, answer, apart) = (real(told.guard), real(told.answer), real(told.apart));
+    let (touch, side) = (Mode::touch::<T::Real>().as_f64(), guard.signum());
+    let after = before + time * second;
+    match mode {
+        Mode::SlipsForward | Mode::SlipsBack => {
+            let back = -after * mode.sign::<f64>();
+            (back > still).then_some(Mode::Halts)
+        }
+        Mode::Halts => (guard.abs() > 1.0 + touch).then(|| Mode::broken_away(told.guard)),
+        // Past its stop already by the rate that it has, it rebounds.
+        Mode::Swings if guard.abs() > 1.0 && answer > 0.0 && side * before > 0.0 => {
+            (side * (after + answer * before) > still).then_some(Mode::Rebounds)
+        }
+        Mode::Swings => (side * (time * time * second - apart) > touch).then_some(Mode::Lands),
+        Mode::Lands | Mode::Rebounds => (side * answer > 0.0).then_some(Mode::Swings),
+        _ => None,
+    }
+}
+
+/// What a joint does where the step has led.
+pub(super) fn ended<T: Scalar>(mode: &mut Mode, rate: &mut T, told: &GuardedRate<T>, dt: T::Real) {
+    match mode {
+        Mode::Halts => (*mode, *rate) = (Mode::Sticks, T::zero()),
+        Mode::Lands if (*rate).real().abs() * dt <= Mode::touch() => {
+            let rests = if told.guard.real() < T::Real::zero() { Mode::RestsBelow } else { Mode::RestsAbove };
+            (*mode, *rate) = (rests, T::zero());
+        }
+        Mode::Lands | Mode::Rebounds => *mode = Mode::Swings,
+        _ => (),
+    }
+}
