@@ -56,7 +56,9 @@ pub mod readings {
 
 /// Rules of time. All are in [`planar`](crate::planar), too; [`guide`](crate::guide::choosing_a_rule) says which to choose.
 pub mod rules {
-    pub use crate::time::{Adams, Auto, Dop853, Dopri5, GeneralizedAlpha, MoreauJean, Rk4, Sdirk4, Taylor, Vcabm};
+    pub use crate::time::{
+        Adams, Auto, AutoTaylor, Dop853, Dopri5, GeneralizedAlpha, MoreauJean, Rk4, Sdirk4, Taylor, Vcabm,
+    };
 }
 
 /// A planar scene.

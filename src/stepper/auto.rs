@@ -1,32 +1,28 @@
 //! Steps by the rule that leads a motion farthest for its sweeps.
 
 mod race;
+mod single;
 mod stiffness;
 
-use super::{ExplicitStepper, Method, MotionIn, SdirkStepper, Stepper, TimeIn, VcabmStepper};
+use super::{ExplicitStepper, Method, MotionIn, SdirkStepper, Stepper, TaylorStepper, TimeIn, VcabmStepper};
 use crate::error::Error;
-use crate::mirror::{Position, Rate, Retraction};
-use crate::scalar::{Elementary, Real, Scalar};
-use crate::system::StiffDynamics;
-use crate::time::{Auto, Dop853, Sdirk4, Vcabm};
+use crate::mirror::Rate;
+use crate::scalar::{Real, Scalar};
+use crate::system::{SeriesDynamics, StiffDynamics};
+use crate::time::{Auto, AutoTaylor, Dop853, Sdirk4, Taylor, Vcabm};
 pub use race::Chosen;
 use race::Race;
+use single::Single;
 
-/// From so many coordinates on what a multistep method does beside its sweeps is worth their number; where some are turns in space, at
-/// tolerances from this one on.
-const MANY: usize = 7;
-const COARSE: f64 = 1e-3;
-/// Share of the limit of stability from which on steps by DOP853 look limited by it: h λ, which is about 6 there.
-const LIMITED: f64 = 2.5;
 /// The first step of a trial of the implicit rule, as a multiple of one that is worth its sweeps, and the longest one of a run.
 const GENEROUS: f64 = 2.0;
 const LONGEST: f64 = 16.0;
 /// Multistep methods that stiffness limits fall to orders up to this one.
 const LOW: usize = 3;
 
-/// Steps by [`Auto`].
-pub struct AutoStepper<D: StiffDynamics<L>, L> {
-    single: ExplicitStepper<D, L, Dop853>,
+/// Steps by [`Auto`], or, with another method of single steps, by [`AutoTaylor`].
+pub struct AutoStepper<D: StiffDynamics<L>, L, K = ExplicitStepper<D, L, Dop853>> {
+    single: K,
     multi: VcabmStepper<D, L>,
     stiff: SdirkStepper<D, L>,
     race: Race<TimeIn<D, L>>,
@@ -40,33 +36,26 @@ impl<D: StiffDynamics<L> + Clone, L> Method<D, L> for Auto {
     type Stepper = AutoStepper<D, L>;
 
     fn stepper(&self, scene: D) -> AutoStepper<D, L> {
-        let still = scene.still();
-        let plain = plain::<D, L>(&still.rate, None);
-        AutoStepper {
-            single: Dop853.stepper(scene.clone()),
-            multi: Vcabm::new().stepper(scene.clone()),
-            stiff: Sdirk4::new().stepper(scene),
-            race: Race::of(plain),
-            resumed: false,
-            restored: false,
-            room: still.rate,
-        }
+        AutoStepper::of(Dop853.stepper(scene.clone()), scene)
     }
 }
 
-/// The rule for what is not stiff, at a tolerance if there is one.
-fn plain<D: StiffDynamics<L>, L>(rate: &D::Rate, tolerance: Option<TimeIn<D, L>>) -> Chosen {
-    let mut count = 0;
-    rate.visit(&mut |_| count += 1);
-    let coarse = tolerance.is_some_and(|tolerance| tolerance.as_f64() >= COARSE);
-    if count >= MANY && (!D::Position::CURVED || coarse) { Chosen::Vcabm } else { Chosen::Dop853 }
+impl<D, L, const P: usize> Method<D, L> for AutoTaylor<P>
+where
+    D: StiffDynamics<L> + SeriesDynamics<L, P> + Clone,
+{
+    type Stepper = AutoStepper<D, L, TaylorStepper<D, L, P>>;
+
+    fn stepper(&self, scene: D) -> Self::Stepper {
+        AutoStepper::of(Taylor.stepper(scene.clone()), scene)
+    }
 }
 
 /// Calls the stepper of a rule.
 macro_rules! of {
     ($chosen:expr, $self:ident, |$stepper:ident| $call:expr) => {
         match $chosen {
-            Chosen::Dop853 => {
+            Chosen::Dop853 | Chosen::Taylor => {
                 let $stepper = &mut $self.single;
                 $call
             }
@@ -82,7 +71,28 @@ macro_rules! of {
     };
 }
 
-impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
+impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> AutoStepper<D, L, K> {
+    /// A race that begins with a method of single steps.
+    fn of(single: K, scene: D) -> Self {
+        let room = scene.still().rate;
+        Self {
+            race: Race::of(Self::plain(&room, None)),
+            single,
+            multi: Vcabm::new().stepper(scene.clone()),
+            stiff: Sdirk4::new().stepper(scene),
+            resumed: false,
+            restored: false,
+            room,
+        }
+    }
+
+    /// The rule for what is not stiff, at a tolerance if there is one.
+    fn plain(rate: &D::Rate, tolerance: Option<TimeIn<D, L>>) -> Chosen {
+        let mut count = 0;
+        rate.visit(&mut |_| count += 1);
+        if K::leaves(count, tolerance.map(Real::as_f64)) { Chosen::Vcabm } else { K::CHOSEN }
+    }
+
     /// The rule that makes the next step.
     pub fn chosen(&self) -> Chosen {
         self.race.chosen
@@ -100,34 +110,9 @@ impl<D: StiffDynamics<L> + Clone, L> AutoStepper<D, L> {
         let smooth = (real(0.01) * tolerance / slope).powf(real(1.0 / self.error_order() as f64));
         if self.race.is_stiff() { smooth.min(real(LONGEST * self.race.paying())) } else { smooth }
     }
-
-    /// Whether stability seems to have limited the last step by DOP853, whose last stage and end are at one time: by how much accelerations
-    /// differ there as positions and rates do (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.2, for systems of first
-    /// order).
-    fn limited(&mut self, next: &MotionIn<D, L>, dt: TimeIn<D, L>) -> bool {
-        let Self { single, room, .. } = self;
-        let square = |a: &D::Rate, b: &D::Rate| {
-            let mut sum = 0.0;
-            a.all(b, &mut |x, y| {
-                let difference = (x - y).real().as_f64();
-                sum += difference * difference;
-                true
-            });
-            sum
-        };
-        let (slopes, (position, rate)) = (single.slopes.as_ref(), &single.stage);
-        let [.., last, end] = &slopes[..=12] else { return false };
-        next.position.apart(position, room);
-        let mut moved = 0.0;
-        room.visit(&mut |x| moved += x.real().as_f64() * x.real().as_f64());
-        let root = |x: f64| Elementary::sqrt(TimeIn::<D, L>::of(x)).as_f64();
-        let dt = dt.as_f64();
-        let (pushed, moved, turned) = (root(square(last, end)), root(moved), root(square(rate, &next.rate)));
-        dt * dt * pushed > LIMITED * (moved + dt * turned)
-    }
 }
 
-impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
+impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> Stepper<D, L> for AutoStepper<D, L, K> {
     const SETTLED: bool = false;
 
     fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
@@ -173,7 +158,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
                 stepper.begin(past, loads);
             }
             let made = stepper.make(past, loads, dt, next);
-            self.race.sweeps += stepper.sweeps() - before;
+            self.race.sweeps += chosen.work(stepper.sweeps() - before);
             made
         })
     }
@@ -187,11 +172,11 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
         if accepted {
             self.race.judge(past.time);
         } else if self.race.written.0.is_none() {
-            self.race.open(plain::<D, L>(&past.rate, Some(tolerance)));
+            self.race.open(Self::plain(&past.rate, Some(tolerance)));
         }
         let Race { chosen, size, written, .. } = self.race;
         let proposed = of!(chosen, self, |stepper| stepper.propose(past, loads, tolerance));
-        if chosen == before {
+        if chosen == before || chosen == Chosen::Taylor {
             return proposed;
         }
         match (written.0, self.race.is_stiff()) {
@@ -211,7 +196,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
         let chosen = self.race.chosen;
         let error = of!(chosen, self, |stepper| stepper.error(past, dt, next, tolerance));
         self.race.limited = match chosen {
-            Chosen::Dop853 => self.limited(next, dt),
+            Chosen::Dop853 | Chosen::Taylor => self.single.limited(next, dt, self.race.fastest, &mut self.room),
             Chosen::Vcabm => self.multi.is_low(LOW),
             Chosen::Sdirk4 => false,
         };
@@ -223,7 +208,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
 
     fn error_order(&self) -> usize {
         match self.race.chosen {
-            Chosen::Dop853 => self.single.error_order(),
+            Chosen::Dop853 | Chosen::Taylor => self.single.error_order(),
             Chosen::Vcabm => self.multi.error_order(),
             Chosen::Sdirk4 => self.stiff.error_order(),
         }
@@ -231,7 +216,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
 
     fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {
         match self.race.chosen {
-            Chosen::Dop853 => self.single.firm(next, least),
+            Chosen::Dop853 | Chosen::Taylor => self.single.firm(next, least),
             Chosen::Vcabm => self.multi.firm(next, least),
             Chosen::Sdirk4 => true,
         }
@@ -267,7 +252,7 @@ impl<D: StiffDynamics<L> + Clone, L> Stepper<D, L> for AutoStepper<D, L> {
 
     fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
         let remembered = self.multi.remembers(&memory.multi, motion) && self.stiff.remembers(&memory.stiff, motion);
-        remembered && memory.race.is_sound()
+        remembered && memory.race.is_sound(K::CHOSEN)
     }
 
     fn restore(&mut self, memory: &Self::Memory) {

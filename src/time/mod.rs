@@ -16,7 +16,7 @@ pub(crate) mod vcabm;
 
 pub use adams::Adams;
 pub(crate) use adams::Weights;
-pub use auto::Auto;
+pub use auto::{Auto, AutoTaylor};
 pub use control::{Control, IntoRule, Rule};
 pub use dop853::Dop853;
 pub use dopri5::Dopri5;

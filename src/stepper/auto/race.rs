@@ -7,6 +7,8 @@ use crate::scalar::Real;
 const REACH: [f64; 2] = [0.4, 0.7];
 /// What a sweep by `Vcabm` takes, sums and all, as a multiple of one by other rules.
 const SUMS: f64 = 1.4;
+/// What a step by a series takes, in sweeps.
+const SERIES: usize = 8;
 /// Sweeps of an implicit step, and how many steps that are worth them win its trial.
 const IMPLICIT: f64 = 16.0;
 const CONVINCING: usize = 4;
@@ -29,6 +31,15 @@ pub enum Chosen {
     Vcabm,
     /// [`Sdirk4`](crate::time::Sdirk4).
     Sdirk4,
+    /// [`Taylor`](crate::time::Taylor), of [`AutoTaylor`](crate::time::AutoTaylor).
+    Taylor,
+}
+
+impl Chosen {
+    /// What a step takes in which so many sweeps were made, in sweeps. A series is made where the step is proposed.
+    pub(super) fn work(self, sweeps: usize) -> usize {
+        if self == Self::Taylor { SERIES } else { sweeps }
+    }
 }
 
 /// What is known of the pace of rules.
@@ -47,7 +58,7 @@ pub struct Race<R> {
     suspicious: usize,
     /// Whether the last step looks so.
     pub(super) limited: bool,
-    /// Sweeps that steps have taken; those before the rule was chosen; where the measurement began, if it did: time, and sweeps.
+    /// Work of steps, in sweeps; those before the rule was chosen; where the measurement began, if it did: time, and sweeps.
     pub(super) sweeps: usize,
     since: usize,
     mark: Option<(R, usize)>,
@@ -84,9 +95,10 @@ impl<R: Real> Race<R> {
     }
 
     /// Whether a race can go on: what was read as data may be anything.
-    pub(super) fn is_sound(&self) -> bool {
+    pub(super) fn is_sound(&self, single: Chosen) -> bool {
         let Self { taken, suspicious, sweeps, since, mark, pace, size, fastest, patience, .. } = self;
-        let rules = self.plain != Chosen::Sdirk4 && [self.plain, Chosen::Sdirk4].contains(&self.chosen);
+        let rules =
+            [single, Chosen::Vcabm].contains(&self.plain) && [self.plain, Chosen::Sdirk4].contains(&self.chosen);
         rules
             && [taken, suspicious, sweeps].iter().all(|count| **count <= usize::MAX / 2)
             && *since <= *sweeps

@@ -131,7 +131,7 @@ fn changed<T: Scalar>(mode: Mode, before: T, told: &GuardedRate<T>, (dt, still):
     let after = before + time * second;
     match mode {
         Mode::SlipsForward | Mode::SlipsBack => {
-            let back = -after * mode.sign::<f64>();
+            let back = -after * real(mode.sign::<T>());
             (back > still).then_some(Mode::Halts)
         }
         Mode::Halts => (guard.abs() > 1.0 + touch).then(|| Mode::broken_away(told.guard)),

@@ -90,7 +90,10 @@ fn steps_of_every_rule_allocate_nothing() -> Result<(), Error> {
 fn the_choice_of_a_rule_allocates_nothing() -> Result<(), Error> {
     let (rod, hinge) = (Rod::uniform(0.5, 1.0), ElasticHinge::rotary(1e5));
     let plate = RigidBody::new(1.0, 0.1, [0.2, 0.1], [0.5, 0.1]);
-    assert_eq!(in_steps(Pinned::<[f64; 2]>::origin(), (rod, vec![(hinge, plate); 5]), &Unloaded, Auto)?, [0; 3]);
+    let root = Pinned::<[f64; 2]>::origin();
+    assert_eq!(in_steps(root, (rod, vec![(hinge, plate); 5]), &Unloaded, Auto)?, [0; 3]);
+    let soft = ElasticHinge::rotary(20.0);
+    assert_eq!(in_steps(root, (rod, vec![(soft, plate); 5]), &Unloaded, AutoTaylor::<24>)?, [0; 3]);
     Ok(())
 }
 

@@ -28,6 +28,25 @@ fn what_is_not_stiff_runs_by_one_rule() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+#[test]
+fn with_series_runs_are_by_these_or_at_coarse_tolerances_by_steps() -> Result<(), Box<dyn Error>> {
+    let rod = Rod::uniform(0.1, 0.1);
+    let many = System::new(Pinned::origin(), (rod, [(Pin, rod); 9]), Free)?.with_gravity(9.81);
+    let start = many.at_rest(&[0.0; 10])?;
+    let auto = many.simulate(start, AutoTaylor::<24>::tolerance(1e-8), 0.5, |_| ())?;
+    let alone = many.simulate(start, Taylor::<24>::tolerance(1e-8), 0.5, |_| ())?;
+    assert_eq!((auto.motion.coordinates(), auto.sweeps), (alone.motion.coordinates(), alone.sweeps + LOOK));
+    let mut run = many.simulation(AutoTaylor::<24>::tolerance(1e-3)).begin(start, 0.5, |_| ())?;
+    run.until(0.3)?;
+    assert_eq!(run.stepper().chosen(), Chosen::Vcabm);
+    // A race of another kind is refused.
+    let mut run = many.simulation(AutoTaylor::<24>::tolerance(1e-8)).begin(start, 0.5, |_| ())?;
+    run.until(0.1)?;
+    let refused = many.simulation(Auto::tolerance(1e-8)).resume(run.save(), 0.5, |_| ()).err().ok_or("taken")?;
+    assert_eq!(refused.error.fault, catena::Fault::Shape);
+    Ok(())
+}
+
 /// Four rods on damped hinges of a stiffness (N·m/rad).
 macro_rules! stiff {
     ($stiffness:expr) => {{
@@ -46,12 +65,15 @@ fn what_is_stiff_takes_little_more_than_by_an_implicit_rule() -> Result<(), Box<
     run.until(0.7)?;
     assert_eq!(run.stepper().chosen(), Chosen::Sdirk4);
     let auto = run.finish()?;
+    let series = scene.simulate(start, AutoTaylor::<24>::tolerance(1e-5), 1.0, |_| ())?;
     let alone = scene.simulate(start, Sdirk4::new().tolerance(1e-5), 1.0, |_| ())?;
     let finer = scene.simulate(start, Sdirk4::new().tolerance(1e-7), 1.0, |_| ())?;
-    println!("{} sweeps, {} by Sdirk4", auto.sweeps, alone.sweeps);
-    assert!(10 * auto.sweeps < 12 * alone.sweeps);
-    for (a, b) in auto.motion.coordinates().iter().zip(finer.motion.coordinates()) {
-        assert!((a - b).abs() < 1e-6, "{a} {b}");
+    println!("{} sweeps, {} with series, {} by Sdirk4", auto.sweeps, series.sweeps, alone.sweeps);
+    assert!(10 * auto.sweeps.max(series.sweeps) < 12 * alone.sweeps);
+    for run in [auto, series] {
+        for (a, b) in run.motion.coordinates().iter().zip(finer.motion.coordinates()) {
+            assert!((a - b).abs() < 1e-6, "{a} {b}");
+        }
     }
     Ok(())
 }
@@ -166,14 +188,19 @@ fn errors_of_rates_are_those_that_springs_let_last() -> Result<(), Box<dyn Error
 fn runs_that_are_saved_go_on_bit_by_bit() -> Result<(), Box<dyn Error>> {
     let scene = stiff!(1e5);
     let start = scene.at_rest(&[-0.5; 4])?;
-    let simulation = || scene.simulation(Auto::tolerance(1e-5));
-    for time in [0.002, 0.02, 0.3] {
-        let mut run = simulation().begin(start, 0.6, |_| ())?;
-        run.until(time)?;
-        let saved = run.save();
-        let whole = run.finish()?;
-        let resumed = simulation().resume(saved, 0.6, |_| ())?.finish()?;
-        assert_eq!((resumed.motion, resumed.sweeps), (whole.motion, whole.sweeps), "{time}");
+    macro_rules! goes_on {
+        ($rule:expr) => {
+            for time in [0.002, 0.02, 0.3] {
+                let mut run = scene.simulation($rule).begin(start, 0.6, |_| ())?;
+                run.until(time)?;
+                let saved = run.save();
+                let whole = run.finish()?;
+                let resumed = scene.simulation($rule).resume(saved, 0.6, |_| ())?.finish()?;
+                assert_eq!((resumed.motion, resumed.sweeps), (whole.motion, whole.sweeps), "{time}");
+            }
+        };
     }
+    goes_on!(Auto::tolerance(1e-5));
+    goes_on!(AutoTaylor::<24>::tolerance(1e-5));
     Ok(())
 }
