@@ -121,6 +121,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         let free = X::plus_dot(T::zero(), &kept.per_closure, multipliers);
         self.released(p, &kept.gains, free, true, rate)
     }
+    #[cfg_attr(optimised, inline(always))]
     fn motion(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> (JointMotion<T>, Frame<T>) {
         let (q, v, turn) = (*position, *rate, inboard.turn);
         let [arm, n] = self.reach(q, &turn.attitude);

@@ -139,12 +139,14 @@ pub struct Yielding<T> {
     pub damping: Block<T>,
     /// Acceleration of the origin and of the body that led to where the load was read, in axes of the body.
     led: [Vector3<T>; 2],
+    /// Whether there is a load: most bodies bear none of what acts on some.
+    bears: bool,
 }
 
 impl<T: Scalar> Yielding<T> {
     /// A load with what it yields.
     pub fn new(wrench: Wrench<T>, stiffness: Block<T>, damping: Block<T>) -> Self {
-        Self { wrench, stiffness, damping, led: [zero(); 2] }
+        Self { wrench, stiffness, damping, led: [zero(); 2], bears: true }
     }
 }
 
@@ -152,18 +154,23 @@ impl<T: Scalar> Add for Yielding<T> {
     type Output = Self;
     #[cfg_attr(optimised, inline(always))]
     fn add(self, other: Self) -> Self {
+        match [self.bears, other.bears] {
+            [_, false] => return self,
+            [false, true] => return other,
+            [true, true] => {}
+        }
         Self {
             wrench: self.wrench + other.wrench,
             stiffness: self.stiffness.with(other.stiffness, |a, b| a + b),
             damping: self.damping.with(other.damping, |a, b| a + b),
-            led: self.led,
+            ..self
         }
     }
 }
 
 impl<T: Scalar> Additive for Yielding<T> {
     fn null() -> Self {
-        Self::new(Wrench::default(), Block::zero(), Block::zero())
+        Self { bears: false, ..Self::new(Wrench::default(), Block::zero(), Block::zero()) }
     }
 }
 
@@ -185,6 +192,9 @@ impl<T: Scalar> Load<Spatial<T>> for Yielding<T> {
     }
     #[cfg_attr(optimised, inline(always))]
     fn in_own_axes(self, body: &BodyMotion<T>) -> Self {
+        if !self.bears {
+            return self;
+        }
         let frame = &body.inboard;
         let led = [frame.acceleration.linear, frame.acceleration.angular].map(|a| frame.turn.attitude.transposed(a));
         Self { wrench: Load::<Spatial<T>>::in_own_axes(self.wrench, body), led, ..self }
@@ -203,6 +213,9 @@ impl<T: Scalar> OnLink<T> for Yielding<T> {
     }
     #[cfg_attr(optimised, inline(always))]
     fn on_others<K: Springs<T>, Q: Closures>(self, relation: Local<T, Q>, springs: K) -> Local<T, Q> {
+        if !self.bears {
+            return relation;
+        }
         let relation = self.wrench.on_others(relation, springs);
         if const { !K::STIFF } {
             return relation;
