@@ -37,6 +37,7 @@ const TABLES: &[Table] = &[
     ("robots counted", "robot_counts.csv", robots::counted),
     ("robots", "robots.csv", robots::beside),
     ("robots' losses", "robots.csv", robots::losses),
+    ("real time", "real_time.csv", robots::in_real_time),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -139,3 +139,25 @@ pub fn losses(rows: &Rows) -> String {
     }
     if text.is_empty() { "- Beside Pinocchio robots miss no aim.\n".to_owned() } else { text }
 }
+
+/// Steps of a robot that stands: each way of either library, and how many times as long as ours it takes.
+pub fn in_real_time(rows: &Rows) -> String {
+    let ours = |target: &str| {
+        let same = |row: &&Row| row.get("library") == "Catena" && row.get("target") == target;
+        rows.0.iter().find(same).map_or(f64::NAN, |row| row.number("microseconds"))
+    };
+    let targets = TARGETS.map(ours);
+    let names = ["library", "way", "µs a step", "times ours, default", "native", "height of the trunk (m)"];
+    let mut text = head(names.map(str::to_owned).to_vec());
+    for row in &rows.0 {
+        let (library, taken) = (row.get("library"), row.number("microseconds"));
+        let (way, times) = if library == "Catena" {
+            (format!("`{}`, {}", row.get("way"), row.get("target")), [const { String::new() }; 2])
+        } else {
+            (row.get("way").to_lowercase(), targets.map(|ours| number(taken / ours, 2)))
+        };
+        let [default, native] = times;
+        text += &line([library.to_owned(), way, number(taken, 2), default, native, row.get("height").to_owned()]);
+    }
+    text
+}
