@@ -10,6 +10,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     write("arm7", "arm7", &local)?;
     write("arm7", "arm7_bare", &Options::new().elements(Elements::Local))?;
     write("quadruped", "quadruped", &local.clone().snap(1e-4))?;
+    write("quadruped", "sticking_quadruped", &local.clone().snap(1e-4).laws(laws.sticking()))?;
+    write("arm7", "sticking_arm7", &Options::new().laws(laws.sticking()))?;
     write("humanoid", "humanoid", &local.base(Base::Floating))?;
     write("cart", "cart", &Options::new().repair().laws(laws))?;
     Ok(())

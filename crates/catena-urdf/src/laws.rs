@@ -18,6 +18,7 @@ use crate::robot::{Body, Robot};
 pub struct Laws {
     damping: bool,
     friction: Option<[f64; 2]>,
+    sticking: bool,
     stops: Option<[[f64; 2]; 2]>,
     motors: bool,
 }
@@ -57,7 +58,13 @@ impl Laws {
 
     /// Dry friction acts, `DryFriction`, and sets in over a speed: of hinges (rad/s), of slides (m/s).
     pub fn friction(self, speeds: [f64; 2]) -> Self {
-        Self { friction: Some(speeds), ..self }
+        Self { friction: Some(speeds), sticking: false, ..self }
+    }
+
+    /// Dry friction acts as it is, `Coulomb`: joints stick and slip, by `MoreauJean` in real time or in runs that end steps there. Functions of
+    /// lists do not know such joints.
+    pub fn sticking(self) -> Self {
+        Self { friction: None, sticking: true, ..self }
     }
 
     /// Limits act, as compliant `Stops` that bear the joint's largest effort at a depth beyond them: of hinges (rad), of slides (m); with
@@ -102,6 +109,16 @@ impl Laws {
         Some([furniture.friction, speeds[usize::from(slides)]])
     }
 
+    /// Whether dry friction acts.
+    pub(crate) fn rubs(self, furniture: &Furniture, slides: bool) -> bool {
+        self.friction_of(furniture, slides).is_some() || self.sticking_of(furniture).is_some()
+    }
+
+    /// Force of sliding, of a joint that sticks.
+    pub(crate) fn sticking_of(self, furniture: &Furniture) -> Option<f64> {
+        (self.sticking && furniture.friction != 0.0).then_some(furniture.friction)
+    }
+
     pub(crate) fn stops_of(self, furniture: &Furniture, slides: bool) -> Option<Stops> {
         let [depth, damping] = self.stops?.map(|each| each[usize::from(slides)]);
         let Furniture { lower, upper, effort, .. } = *furniture;
@@ -139,6 +156,8 @@ impl Robot {
             let damping = self.laws.damping_of(&body.furniture).map_or(0.0, |damping| damping * rate);
             let friction = self.laws.friction_of(&body.furniture, body.slides);
             let friction = friction.map_or(0.0, |[force, speed]| force * (rate / speed).tanh());
+            let sign = if *rate == 0.0 { 0.0 } else { rate.signum() };
+            let friction = friction + self.laws.sticking_of(&body.furniture).map_or(0.0, |force| force * sign);
             let stops = self.laws.stops_of(&body.furniture, body.slides);
             stops.map_or(0.0, |stops| pushed(&stops, *q, *rate)) - damping - friction
         };

@@ -112,7 +112,8 @@ fn limits_as_large_as_numbers_make_no_laws() {
 #[test]
 fn modules_import_what_they_use() {
     let all = Laws::none().damping().friction([0.1; 2]).stops([0.02; 2], [1.0; 2]).motors();
-    let some = [Laws::none(), Laws::none().damping(), Laws::none().friction([0.1; 2]), all];
+    let sticking = [Laws::none().sticking(), all.sticking()];
+    let some = [Laws::none(), Laws::none().damping(), Laws::none().friction([0.1; 2]), all, sticking[0], sticking[1]];
     let (pair, mut modules) = (pair("continuous", FURNITURE, ""), 0);
     for text in ROBOTS.into_iter().chain([pair.as_str()]) {
         for elements in [Elements::Inertial, Elements::Local, Elements::LocalGeneral] {

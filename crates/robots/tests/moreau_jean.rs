@@ -338,6 +338,39 @@ fn arms_in_space_have_order_one_and_coupled_joints_come_to_rest() -> Result<(), 
     Ok(())
 }
 
+/// A robot from its description, whose joints have the friction written there, held by springs and dampers on four feet.
+#[test]
+fn a_quadruped_comes_to_stand_with_joints_that_stick() -> Result<(), Error> {
+    use catena::robot::{Contact, Contacts, Plane};
+    use catena_robots::sticking_quadruped::{self as quadruped, frame::*};
+    const STANCE: [f64; 12] = [0.0, 0.7, -1.4, 0.0, 0.7, -1.4, 0.0, 0.7, -1.4, 0.0, -0.7, -1.4];
+    let scene = quadruped::scene::<f64>()?;
+    let feet = [LF_FOOT, RF_FOOT, LH_FOOT, RH_FOOT].map(|foot| (foot.body.unwrap_or(usize::MAX), foot.place));
+    let ground = Contacts::of(feet, Plane::level(0.0), Contact::new(1e5, 2e-4).damped(1.0).rubbing(0.8, 1e-4));
+    let mut now = scene.motion();
+    let list: Vec<f64> = [0.0, 0.0, 0.45, 1.0, 0.0, 0.0, 0.0].into_iter().chain(STANCE).collect();
+    now.set_coordinates(&list)?;
+    let (mut next, mut stepper) = (now, scene.stepper(MoreauJean));
+    for _ in 0..2000 {
+        let (q, v) = (now.coordinates(), now.rates());
+        let torques = core::array::from_fn(|k| -300.0 * (q[7 + k] - STANCE[k]) - 6.0 * v[6 + k]);
+        let loads = spatial::Loads::none().on_bodies_by(ground).efforts(quadruped::efforts(torques));
+        stepper.step(&now, &loads, 2e-3, &mut next)?;
+        core::mem::swap(&mut now, &mut next);
+    }
+    let stuck = now.rates()[6..].iter().filter(|rate| **rate == 0.0).count();
+    let bodies = scene.body_motions(&now)?;
+    let weight: f64 = 9.81 * bodies.iter().map(|body| body.inertia.mass).sum::<f64>();
+    let pushed: f64 = (0..4).map(|k| bodies.get(feet[k].0).map_or(f64::NAN, |body| ground.force(k, body)[2])).sum();
+    println!("{stuck} of 12 joints stick; the ground pushes with {} of the weight", pushed / weight);
+    println!("{:.3} sweeps a step; trunk at {:.4} m", stepper.sweeps() as f64 / 2000.0, now.coordinates()[2]);
+    // Feet creep, by 1e-4 m/s at most, and with them what does not stick.
+    let fastest = now.rates()[6..].iter().fold(0.0_f64, |most, rate| most.max(rate.abs()));
+    assert!(stuck > 0 && fastest < 1e-3, "{fastest}");
+    near(pushed / weight, 1.0, 1e-6);
+    Ok(())
+}
+
 #[test]
 fn what_makes_no_step_is_refused() -> Result<(), Error> {
     let body = RigidBody::new(Jet::<f64, 1>::seed(1.0, 0), Jet::of(0.1), [Jet::of(0.0); 2], [Jet::of(0.0); 2]);

@@ -44,6 +44,7 @@ pub fn imports(robot: &Robot, plan: &Plan) -> String {
         ("Absent", law("Spring")),
         ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
         ("Clamped", fixed),
+        ("Coulomb", robot.bodies.iter().any(|body| laws::sticks(robot, body))),
         ("Coupling", constants::couples(robot)),
         ("DryFriction", law("DryFriction")),
         ("Effort", true),
@@ -73,6 +74,7 @@ fn local_imports(robot: &Robot, plan: &Plan) -> String {
         ("Base", robot.base.is_none()),
         ("BodyAxes", robot.base.is_some()),
         ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
+        ("Coulomb", robot.bodies.iter().any(|body| laws::sticks(robot, body))),
         ("Coupling", constants::couples(robot)),
         ("DryFriction", law("DryFriction")),
         ("Effort", true),
@@ -84,7 +86,7 @@ fn local_imports(robot: &Robot, plan: &Plan) -> String {
         ("OnGround", robot.base.is_none()),
         ("Quarter", quarter),
         ("Slide", slides(true)),
-        ("Spring", robot.bodies.iter().any(|body| law_of(robot, body).is_some_and(|law| law.contains("Spring")))),
+        ("Spring", law("Spring") || robot.bodies.iter().any(|body| names_a_law(robot, body))),
         ("Stops", law("Stops")),
         ("System", true),
         ("Turned", any),
@@ -104,9 +106,9 @@ fn is_grounded(robot: &Robot, body: &Body) -> bool {
     robot.base.is_none() && body.parent.is_none()
 }
 
-/// The type of a joint's law in body axes, where it has to be written.
-fn law_of(robot: &Robot, body: &Body) -> Option<String> {
-    laws::kind(robot, body).or_else(|| is_grounded(robot, body).then(|| "Spring".to_owned()))
+/// Whether a joint of body axes has to name a law though it has none.
+fn names_a_law(robot: &Robot, body: &Body) -> bool {
+    is_grounded(robot, body) && (laws::sticks(robot, body) || laws::kind(robot, body).is_none())
 }
 
 /// Types of all chains and of the scene.
@@ -136,12 +138,11 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
                     let body = &robot.bodies[*joint];
                     let structure::Joint { mask, offset, .. } = structure::joint(body, robot.is_general());
                     let kind = if body.slides { "Slide" } else { "Hinge" };
-                    let law = law_of(robot, body).map_or(String::new(), |law| format!(", {law}"));
-                    let ground = if is_grounded(robot, body) { ", Absent, OnGround" } else { "" };
-                    (
-                        format!("{kind}<T, {offset}, 0b{mask:03b}{law}{ground}>"),
-                        format!("joint {}", comment(&body.joint)),
-                    )
+                    let open = format!("{kind}<T, {offset}, 0b{mask:03b}");
+                    let [least, ground] =
+                        if is_grounded(robot, body) { [", Spring", ", Absent, OnGround"] } else { [""; 2] };
+                    let kind = laws::joint_type(robot, body, [&open, ground, least]);
+                    (kind, format!("joint {}", comment(&body.joint)))
                 }
                 Part::Base(_) => ("RigidBody<T>".to_owned(), title_of(robot, Carrier::Base)),
                 Part::Body(body, _) => ("RigidBody<T>".to_owned(), title_of(robot, Carrier::Body(*body))),
@@ -150,8 +151,8 @@ pub fn types(robot: &Robot, plan: &Plan) -> String {
                 Part::Joint(joint) => {
                     let body = &robot.bodies[*joint];
                     let kind = if body.slides { "Prismatic" } else { "Revolute" };
-                    let law = laws::kind(robot, body).map_or(String::new(), |law| format!(", {law}"));
-                    (format!("{kind}<T{law}>"), format!("joint {}", comment(&body.joint)))
+                    let kind = laws::joint_type(robot, body, [&format!("{kind}<T"), "", ""]);
+                    (kind, format!("joint {}", comment(&body.joint)))
                 }
                 Part::Arm(arm) => (format!("Branch<{}<T>>", names.types[*arm]), String::new()),
                 Part::Rest(arm) => (format!("{}<T>", names.types[*arm]), String::new()),
@@ -232,12 +233,8 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
                     let kind = if body.slides { "Slide" } else { "Hinge" };
                     let turned = turned.map_or(String::new(), |turned| format!(".turned({turned})"));
                     let ground = if is_grounded(robot, body) { ".grounded()" } else { "" };
-                    format!(
-                        "{kind}::at::<0b{mask:03b}>({}){turned}{}{ground}, // {}",
-                        vector(place),
-                        laws::with(robot, body),
-                        comment(&body.joint)
-                    )
+                    let made = format!("{kind}::at::<0b{mask:03b}>({}){turned}", vector(place));
+                    format!("{}, // {}", laws::joint(robot, body, &made, ground), comment(&body.joint))
                 }
                 Part::Base(end) => body(&robot.base.unwrap_or(Inertia::NONE), *end),
                 Part::Body(number, end) => body(&robot.bodies[*number].inertia, *end),
@@ -249,8 +246,8 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
                 Part::Joint(joint) => {
                     let body = &robot.bodies[*joint];
                     let make = if body.slides { "Prismatic::along" } else { "Revolute::about" };
-                    let law = laws::with(robot, body);
-                    format!("{make}({}){law}, // {}", vector(body.axis), comment(&body.joint))
+                    let made = format!("{make}({})", vector(body.axis));
+                    format!("{}, // {}", laws::joint(robot, body, &made, ""), comment(&body.joint))
                 }
                 Part::Arm(arm) => format!("Branch({}(){ask})", names.functions[*arm]),
                 Part::Rest(arm) => format!("{}(){ask}", names.functions[*arm]),

@@ -37,9 +37,33 @@ pub fn kind(robot: &Robot, body: &Body) -> Option<String> {
 }
 
 /// What gives a joint its law.
-pub fn with(robot: &Robot, body: &Body) -> String {
+fn with(robot: &Robot, body: &Body) -> String {
     let value = several(&laws(robot.laws, body).into_iter().map(|(_, value)| value).collect::<Vec<_>>());
     value.map_or(String::new(), |value| format!(".with({value})"))
+}
+
+/// The type of a joint with its law, around which is friction if the joint sticks: from a type without its last parameters, what follows
+/// its law there, and the law that it must name in any case.
+pub fn joint_type(robot: &Robot, body: &Body, [open, after, least]: [&str; 3]) -> String {
+    let law = kind(robot, body).map(|law| format!(", {law}"));
+    if sticks(robot, body) {
+        return format!("Coulomb<{open}{least}{after}>, T{}>", law.unwrap_or_default());
+    }
+    format!("{open}{}{after}>", law.as_deref().unwrap_or(least))
+}
+
+/// The value of a joint with its law, around which is friction if the joint sticks; `after` is what is said after the law.
+pub fn joint(robot: &Robot, body: &Body, made: &str, after: &str) -> String {
+    let law = with(robot, body);
+    match robot.laws.sticking_of(&body.furniture) {
+        Some(force) => format!("Coulomb::new({made}{after}, T::literal({})){law}", number(force)),
+        None => format!("{made}{law}{after}"),
+    }
+}
+
+/// Whether dry friction holds a joint.
+pub fn sticks(robot: &Robot, body: &Body) -> bool {
+    robot.laws.sticking_of(&body.furniture).is_some()
 }
 
 /// Whether a law of this name is used: `Spring` and `Absent` by dampers.

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 /// What the module itself uses.
-const RESERVED: [&str; 51] = [
+const RESERVED: [&str; 52] = [
     "Base",
     "Absent",
     "OnGround",
@@ -52,6 +52,7 @@ const RESERVED: [&str; 51] = [
     "vector",
     "tensor",
     "Motor",
+    "Coulomb",
     "DryFriction",
     "Stops",
     "motors",

@@ -126,7 +126,7 @@ fn tell_constants(joints: &[Joint], options: &Options, notes: &mut Notes) {
             ("a limit of position", limits && laws.stops_of(furniture, slides).is_none()),
             ("a limit of effort or velocity", furniture.effort.is_finite() || furniture.velocity.is_finite()),
             ("damping", furniture.damping != 0.0 && laws.damping_of(furniture).is_none()),
-            ("dry friction", furniture.friction != 0.0 && laws.friction_of(furniture, slides).is_none()),
+            ("dry friction", furniture.friction != 0.0 && !laws.rubs(furniture, slides)),
             ("a reduction", furniture.reduction.is_some()),
         ];
         let inside = match kind {
