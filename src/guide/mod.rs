@@ -9,6 +9,7 @@
 //! | [`loops`] | how arms meet again, and what to do if they do not |
 //! | [`derivatives`] | of what, by what, and which way is cheapest |
 //! | [`lanes_and_threads`] | many scenes at once |
+//! | [`real_time`] | a controller's cycle, with friction, stops and contacts |
 //! | [`no_std`] | firmware, and steps that must be on time |
 //! | [`own_elements`] | what the library does not have |
 //! | [`method`] | how it works, in three pages |
@@ -23,3 +24,4 @@ pub mod method;
 pub mod no_std;
 pub mod numbering;
 pub mod own_elements;
+pub mod real_time;

@@ -96,7 +96,6 @@ fn main() -> Drawn {
     let mut next = now;
     let mass: f64 = scene.body_motions(&now)?.iter().map(|body| body.inertia.mass).sum();
     let loads = Loads::none().on_bodies_by(ground);
-
     let mut log = vec![sample(&scene, &now, &ground, &strokes)?];
     let (mut stepper, started, mut worked) = (scene.stepper(Sdirk4::new()), Instant::now(), 0.0);
     let steps = (END / STEP).round() as usize;
@@ -116,7 +115,6 @@ fn main() -> Drawn {
     if terminal {
         eprint!("\r     \r");
     }
-
     println!("A humanoid of {mass:.1} kg, its motors off, tips over and falls.\n");
     common::heads(&[
         ("time (s)", 8),
@@ -140,15 +138,11 @@ fn main() -> Drawn {
         stepper.step(&now, &loads, STEP, &mut next)?;
         core::mem::swap(&mut now, &mut next);
     }
-    let (took, lies) = (started.elapsed().as_secs_f64(), sample(&scene, &now, &ground, &strokes)?);
-    println!(
-        "By the rule for real time, of order one, {:.0} µs: then the pelvis lies at {:.3} m.",
-        1e6 * took / steps as f64,
-        lies.heights[0]
-    );
+    let took = 1e6 * started.elapsed().as_secs_f64() / steps as f64;
+    println!("By the rule for real time, of order one, a step takes {took:.0} µs.");
     let [pelvis, head] = log.last().map_or([f64::NAN; 2], |sample| sample.heights);
     let lowest = log.iter().flat_map(|sample| sample.heights).fold(f64::INFINITY, f64::min);
-    if !(pelvis < 0.3 && head < 0.5 && lowest > 0.0 && lies.heights[0] < 0.3) {
+    if !(pelvis < 0.3 && head < 0.5 && lowest > 0.0) {
         return Err("it does not lie on the ground".into());
     }
     println!("{}", pictures::draw(&log)?.display());
