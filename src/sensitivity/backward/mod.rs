@@ -123,9 +123,12 @@ pub use tape::Tape;
 ///
 /// | chain of rods on pins | x86-64-v3: time | instructions | under torques | plain | x86-64: time | instructions | under torques | plain |
 /// |---|---:|---:|---:|---:|---:|---:|---:|---:|
-/// | RK4, 2 | 5.1 | 5.4 | 4.9 | 89 | 5.1 | 5.1 | 3.4 | 128 |
-/// | RK4, 20 | 2.9 | 3.8 | 3.6 | 80 | 2.8 | 3.4 | 3.1 | 152 |
-/// | DOP853, 20 | 3.2 | 3.9 | 3.8 | 79 | 2.7 | 3.5 | 3.3 | 157 |
+/// | RK4, 2 | 5.4 | 5.4 | 4.9 | 89 | 5.6 | 5.9 | 4.0 | 128 |
+/// | RK4, 20 | 2.9 | 3.8 | 3.6 | 80 | 2.6 | 3.4 | 3.1 | 152 |
+/// | RK4, 100 | 2.8 | 3.5 | 3.3 | 75 | 2.5 | 3.0 | 2.9 | 154 |
+/// | DOP853, 2 | 5.8 | 6.1 | 5.5 | 87 | 5.7 | 6.6 | 4.4 | 127 |
+/// | DOP853, 20 | 3.1 | 3.9 | 3.8 | 79 | 2.8 | 3.5 | 3.3 | 157 |
+/// | DOP853, 100 | 2.8 | 3.4 | 3.3 | 79 | 2.6 | 3.0 | 2.9 | 168 |
 ///
 /// Plain runs have become quicker since the way back was written, those of two rods most: its instructions are what they were. What is held
 /// or closed:
