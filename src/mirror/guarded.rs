@@ -124,6 +124,19 @@ impl Mode {
     }
 }
 
+/// Lets the last of the joints go whose acceleration is given; whether there is one.
+pub(crate) fn let_last_go<T: Scalar, P: Position<T>>(position: &mut P, rate: &mut P::Rate, found: &P::Rate) -> bool {
+    let (mut held, mut count) = (0, 0);
+    position.each_mode(rate, found, &mut |mode, _, _| held += usize::from(mode.is_locked()));
+    position.each_mode(rate, found, &mut |mode, _, _| {
+        count += usize::from(mode.is_locked());
+        if mode.is_locked() && count == held {
+            *mode = mode.moving();
+        }
+    });
+    held > 0
+}
+
 /// A coordinate whose joint has modes.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -17,6 +17,7 @@ mod tied;
 mod tuple;
 
 pub use clock::Clock;
+pub(crate) use guarded::let_last_go;
 pub use guarded::{Guarded, GuardedRate, Mode};
 pub use tied::{Tied, TiedPosition};
 

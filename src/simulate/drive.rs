@@ -52,8 +52,8 @@ where
     /// How readings find accelerations, if the method leaves others.
     const FIND: Option<Find<S, R, C, P, L>> = if K::SETTLED { None } else { Some(settled) };
 
-    /// Refuses what makes no run, and motions of another scene.
-    fn check(&mut self) -> Result<(), Error> {
+    /// Refuses what makes no run, and motions of another scene; whether joints of the start were [let go](Self::accelerated).
+    fn check(&mut self) -> Result<bool, Error> {
         modes_by_numbers::<S::Scalar>(Self::MODES)?;
         if const { <E as EventFunction<Now<'a, S, R, C, P, L>, S::Scalar>>::ON } {
             of_one_number::<S::Scalar>()?;
@@ -66,25 +66,27 @@ where
         system.loadable(self.plan.loads)?;
         system.accept(&self.past)?;
         system.suited(&self.past, self.plan.loads)?;
+        let mut loosened = false;
         if System::<S, R, C, P>::CLOSED > 0 {
             // Whether they are independent, once.
-            let mut workspace = system.workspace();
-            let outcome = system.accelerate(&mut self.next, self.plan.loads, &mut workspace);
-            outcome.map_err(|error| self.overlocked(error))?;
-            system.nearly_closed(&self.past, self.plan.loads, &mut workspace)?;
+            loosened = self.accelerated()?;
+            system.nearly_closed(&self.past, self.plan.loads, &mut system.workspace())?;
         }
         let Simulation { rule, every, longest, .. } = &self.plan;
-        limits::check([self.past.time, self.end], rule.control, *every, *longest)
+        limits::check([self.past.time, self.end], rule.control, *every, *longest)?;
+        Ok(loosened)
     }
 
     /// Makes the start ready and shows it.
     pub(super) fn start(&mut self) -> Result<(), Error> {
-        self.check()?;
+        let loosened = self.check()?;
         let system = self.plan.system;
         let mut workspace = Dynamics::<L>::workspace(system);
         // In a copy, not shown before all is well: a run that cannot start gives the start back as it was.
         system.accelerate(&mut self.next, self.plan.loads, &mut workspace)?;
-        if const { Self::MODES } {
+        if loosened {
+            self.stands_between()?;
+        } else if const { Self::MODES } {
             self.begin_modes()?;
         }
         self.value = self.value(Shown::Next)?;

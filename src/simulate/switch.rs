@@ -7,7 +7,7 @@ use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::{Mode, Position};
+use crate::mirror::{Mode, Position, let_last_go};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Dynamics, MotionOf, PositionOf, Runs, System};
@@ -34,6 +34,22 @@ where
     pub(super) const MODES: bool = PositionOf::<S, R, C>::MODES;
     /// Whether steps end where a mode of such a joint changes.
     pub(super) const CUTS: bool = Self::MODES && !K::SWITCHES;
+
+    /// Finds the accelerations of the start; whether a method that finds itself what joints do has some that stick let go for it, the last first,
+    /// where they are more than closures leave free to move.
+    pub(super) fn accelerated(&mut self) -> Result<bool, Error> {
+        let (system, loads) = (self.plan.system, self.plan.loads);
+        let (mut workspace, mut loosened) = (Dynamics::<L>::workspace(system), false);
+        while let Err(error) = system.accelerate(&mut self.next, loads, &mut workspace) {
+            let next = &mut self.next;
+            let overlocked = K::SWITCHES && matches!(error.fault, Fault::RedundantClosures { .. });
+            if !(overlocked && let_last_go(&mut next.position, &mut next.rate, &next.acceleration)) {
+                return Err(self.overlocked(error));
+            }
+            loosened = true;
+        }
+        Ok(loosened)
+    }
 
     /// The least margin of the joints at a motion, and which joint has it.
     pub(super) fn margins(motion: &mut MotionOf<S, R, C, P>) -> (f64, usize) {

@@ -90,7 +90,7 @@ impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> AutoStepper<D, L, K> {
     fn plain(rate: &D::Rate, tolerance: Option<TimeIn<D, L>>) -> Chosen {
         let mut count = 0;
         rate.visit(&mut |_| count += 1);
-        if K::leaves(count, tolerance.map(Real::as_f64)) { Chosen::Vcabm } else { K::CHOSEN }
+        if K::leaves_to_multistep(count, tolerance.map(Real::as_f64)) { Chosen::Vcabm } else { K::CHOSEN }
     }
 
     /// The rule that makes the next step.
@@ -176,6 +176,7 @@ impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> Stepper<D, L> for AutoStep
         }
         let Race { chosen, size, written, .. } = self.race;
         let proposed = of!(chosen, self, |stepper| stepper.propose(past, loads, tolerance));
+        // A series knows how far it reaches, whoever made the steps before.
         if chosen == before || chosen == Chosen::Taylor {
             return proposed;
         }

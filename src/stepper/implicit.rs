@@ -1,7 +1,7 @@
 //! Steps by the generalised-α family.
 
 use super::displace::mean_square;
-use super::{Method, MotionIn, Stepper, TimeIn, check, of_stage};
+use super::{Method, MotionIn, Stepper, TimeIn, check, of_prediction};
 use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
@@ -182,11 +182,7 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
         self.stiff = self.scene.stiff_workspace();
         let mut stage = past.clone();
         stage.acceleration.clone_from(&self.first);
-        if stage.is_finite() {
-            stage.time = past.time + dt;
-            stage.position.drift_0(&past.position, (dt, &past.rate));
-        }
-        of_stage(self.scene.diagnose(&stage, loads, &mut self.workspace))
+        of_prediction(&self.scene, stage, loads, dt, &mut self.workspace)
     }
 }
 

@@ -85,6 +85,23 @@ pub(crate) fn inconsistent<R: Real>(joint: usize, time: R) -> Error {
     Error::new(Fault::StepTooSmall { step: 0.0, cause }).at_time(time.as_f64())
 }
 
+/// Where an implicit step went wrong: at its start, whose accelerations `stage` has, or where its first geometry or springs are.
+#[cold]
+fn of_prediction<D: Dynamics<L>, L>(
+    scene: &D,
+    mut stage: MotionIn<D, L>,
+    loads: &L,
+    dt: TimeIn<D, L>,
+    workspace: &mut D::Workspace,
+) -> Error {
+    if stage.is_finite() {
+        let start = stage.position.clone();
+        stage.time += dt;
+        stage.position.drift_0(&start, (dt, &stage.rate));
+    }
+    of_stage(scene.diagnose(&stage, loads, workspace))
+}
+
 /// What is wrong with a stage of a step: one that leaps out of the range of angles says no more than that the step is too long.
 fn of_stage(error: Error) -> Error {
     match error.fault {

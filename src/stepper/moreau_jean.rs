@@ -2,7 +2,7 @@
 
 mod pivoting;
 
-use super::{Method, MotionIn, Stepper, TimeIn, check, inconsistent, modes_by_numbers, of_stage};
+use super::{Method, MotionIn, Stepper, TimeIn, check, inconsistent, modes_by_numbers, of_prediction};
 use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
@@ -102,11 +102,7 @@ impl<D: StiffDynamics<L>, L> MoreauJeanStepper<D, L> {
         let mut stage = past.clone();
         let Self { scene, workspace, .. } = self;
         scene.accelerations(past.time, &past.position, &past.rate, loads, workspace, &mut stage.acceleration);
-        if stage.is_finite() {
-            stage.time = past.time + dt;
-            stage.position.drift_0(&past.position, (dt, &past.rate));
-        }
-        of_stage(scene.diagnose(&stage, loads, workspace))
+        of_prediction(scene, stage, loads, dt, workspace)
     }
 }
 

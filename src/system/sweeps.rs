@@ -255,7 +255,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// One sweep; several, where loads are found with the accelerations.
     #[inline(always)]
     #[allow(clippy::type_complexity)] // the types are those of the scene
-    fn sweep_under<W>(
+    fn sweep_under<W: Sweep<S>>(
         &self,
         time: RealOf<S>,
         (position, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
@@ -264,7 +264,6 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         workspace: &mut Workspace<S, Elements<S, R, C>, W>,
         acceleration: &mut RateOf<S, R, C>,
     ) where
-        W: Sweep<S>,
         Elements<S, R, C>: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
     {
         let mut swept = |loads: &W::Loads, acceleration: &mut RateOf<S, R, C>| {

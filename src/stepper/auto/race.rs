@@ -7,7 +7,8 @@ use crate::scalar::Real;
 const REACH: [f64; 2] = [0.4, 0.7];
 /// What a sweep by `Vcabm` takes, sums and all, as a multiple of one by other rules.
 const SUMS: f64 = 1.4;
-/// What a step by a series takes, in sweeps.
+/// What a step by a series takes, in sweeps: of two to twenty rods 9 to 6 at order 8, 13 to 8 at order 12 and 26 to 18 at order 24. Implicit
+/// steps are worth theirs where tolerances are coarse and orders low.
 const SERIES: usize = 8;
 /// Sweeps of an implicit step, and how many steps that are worth them win its trial.
 const IMPLICIT: f64 = 16.0;

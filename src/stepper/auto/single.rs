@@ -22,7 +22,7 @@ pub trait Single<D: Dynamics<L>, L>: Stepper<D, L> {
     const CHOSEN: Chosen;
 
     /// Whether a multistep method is quicker for so many coordinates, at a tolerance if there is one.
-    fn leaves(coordinates: usize, tolerance: Option<f64>) -> bool;
+    fn leaves_to_multistep(coordinates: usize, tolerance: Option<f64>) -> bool;
 
     /// Whether stability seems to have limited its last step, of a scene whose springs and dampers are this fast (1/s), if that is known.
     fn limited(&mut self, next: &MotionIn<D, L>, dt: TimeIn<D, L>, fastest: Option<f64>, room: &mut D::Rate) -> bool;
@@ -31,7 +31,7 @@ pub trait Single<D: Dynamics<L>, L>: Stepper<D, L> {
 impl<D: Dynamics<L>, L> Single<D, L> for ExplicitStepper<D, L, Dop853> {
     const CHOSEN: Chosen = Chosen::Dop853;
 
-    fn leaves(coordinates: usize, tolerance: Option<f64>) -> bool {
+    fn leaves_to_multistep(coordinates: usize, tolerance: Option<f64>) -> bool {
         coordinates >= MANY && (!D::Position::CURVED || tolerance.is_some_and(|tolerance| tolerance >= COARSE))
     }
 
@@ -62,7 +62,7 @@ impl<D: Dynamics<L>, L> Single<D, L> for ExplicitStepper<D, L, Dop853> {
 impl<D: SeriesDynamics<L, P>, L, const P: usize> Single<D, L> for TaylorStepper<D, L, P> {
     const CHOSEN: Chosen = Chosen::Taylor;
 
-    fn leaves(coordinates: usize, tolerance: Option<f64>) -> bool {
+    fn leaves_to_multistep(coordinates: usize, tolerance: Option<f64>) -> bool {
         coordinates >= MANY && tolerance.is_some_and(|tolerance| tolerance >= COARSE)
     }
 

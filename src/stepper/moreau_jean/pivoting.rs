@@ -5,7 +5,7 @@
 //! at rest. Choices that do not go together are changed all at once as long as they become fewer, otherwise the first alone, after
 //! which K. G. Murty's pivots by least index end (J. J. Júdice, F. M. Pires 1994). Each pass is a sweep.
 
-use crate::mirror::{GuardedRate, Mode, Position, Rate};
+use crate::mirror::{GuardedRate, Mode, Position, Rate, let_last_go};
 use crate::scalar::{Real, Scalar};
 use num_traits::Zero;
 
@@ -44,20 +44,13 @@ impl Pivoting {
         rate: &mut P::Rate,
         found: &P::Rate,
     ) -> bool {
-        let (mut finite, mut held, mut count) = (true, 0, 0);
+        let mut finite = true;
         found.visit(&mut |x| finite &= x.is_finite());
         if finite {
             return false;
         }
-        position.each_mode(rate, found, &mut |mode, _, _| held += usize::from(mode.is_locked()));
-        position.each_mode(rate, found, &mut |mode, _, _| {
-            count += usize::from(mode.is_locked());
-            if mode.is_locked() && count == held {
-                *mode = mode.moving();
-            }
-        });
         (self.patience, self.still) = (0, MISSED);
-        held > 0
+        let_last_go(position, rate, found)
     }
 
     /// Whether what joints do goes together, by the accelerations that came of it. It is changed otherwise.
