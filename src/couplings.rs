@@ -9,7 +9,8 @@ use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::names::Which;
 use crate::relation::Closures;
-use crate::scalar::Scalar;
+use crate::scalar::{Elementary, Real, Scalar};
+use num_traits::One;
 use solve::solved;
 
 /// The joints of a coupling, as they are named.
@@ -167,6 +168,19 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
     /// By how much the rates, or accelerations, of followers miss those that their leaders ask of them.
     fn missed<V: Rate<T>>(&self, rate: &V) -> [T; K] {
         self.missing(self.pairs(|tie| tie.rates, |visit| rate.visit(&mut |x| visit(x))))
+    }
+
+    /// Lets followers of what does not move, and what leads such followers, be still to the last digit, where without forces they miss so much.
+    fn still<V: Rate<T>>(&self, acceleration: &mut V, missed: [T; K]) {
+        let pairs = self.pairs(|tie| tie.rates, |visit| acceleration.visit(&mut |x| visit(x)));
+        for ((tie, pair), missed) in self.ties.iter().zip(pairs).zip(missed) {
+            let rounding = Elementary::sqrt(T::Real::EPSILON) * (T::Real::one() + missed.real().abs());
+            for (place, [moves, other]) in tie.rates.into_iter().zip([pair, [pair[1], pair[0]]]) {
+                if other.is_zero() && moves.real().abs() <= rounding {
+                    acceleration.replace(&mut at(place, T::zero()));
+                }
+            }
+        }
     }
 
     /// By how much numbers of followers miss r times those of their leaders.

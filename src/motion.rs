@@ -5,7 +5,7 @@ mod data;
 mod flat;
 
 use crate::lift::Lift;
-use crate::mirror::{Position, Rate};
+use crate::mirror::{Mode, Position, Rate};
 use crate::relation::{Closures, Open};
 use crate::scalar::Scalar;
 use core::fmt::{self, DebugList};
@@ -93,7 +93,8 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
 
     /// Lets what joints with modes do follow from their rates.
     pub(crate) fn forget_modes(&mut self) {
-        self.position.each_mode(&mut self.rate, &self.acceleration, &mut |mode, _, _| *mode = mode.forgotten());
+        self.position
+            .each_mode(&mut self.rate, &self.acceleration, &mut |mode, _, told| *mode = Mode::forgotten(told.rubs));
     }
 
     /// Accelerations of the joint coordinates, in the shape of the scene.

@@ -13,7 +13,7 @@
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
 pub use crate::couplings::{Coupling, Couplings};
 pub use crate::driven::Driven;
-pub use crate::guarded::{Coulomb, HardStops};
+pub use crate::guarded::{BoundedCoulomb, Coulomb, HardStops};
 pub use crate::mechanics::planar::{
     Beam, ClosedLoop, Custom, ElasticHinge, Inertia, Linear, Pin, PointMass, Revolute, RigidBody, Rod, Segments,
     Slider, Unbalanced, Weld,

@@ -38,7 +38,7 @@
 pub use crate::chain::{Branch, LeastNorm, Name, Named, Network};
 pub use crate::couplings::{Coupling, Couplings};
 pub use crate::driven::Driven;
-pub use crate::guarded::{Coulomb, HardStops};
+pub use crate::guarded::{BoundedCoulomb, Coulomb, HardStops};
 pub use crate::mechanics::spatial::{
     Ball, Beam, ClosedLoop, Cylindrical, ElasticBall, ElasticHinge, Inertia, Linear, PointMass, Prismatic, Revolute,
     RigidBody, Rod, RotarySpring, Rotation, Segments, Universal, Weld, maps,

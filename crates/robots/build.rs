@@ -12,6 +12,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     write("quadruped", "quadruped", &local.clone().snap(1e-4))?;
     write("quadruped", "sticking_quadruped", &local.clone().snap(1e-4).laws(laws.sticking()))?;
     write("arm7", "sticking_arm7", &Options::new().laws(laws.sticking()))?;
+    write("arm7", "bounded_arm7", &Options::new().elements(Elements::Local).laws(laws.sticking().hard_stops(0.2)))?;
+    write("arm7", "striking_arm7", &Options::new().laws(Laws::none().damping().hard_stops(0.2)))?;
     write("humanoid", "humanoid", &local.base(Base::Floating))?;
     write("cart", "cart", &Options::new().repair().laws(laws))?;
     Ok(())

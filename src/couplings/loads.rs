@@ -96,7 +96,8 @@ where
         if moded {
             // What is told of modes is not linear in forces.
             let forces = core::array::from_fn(|k| shares[k].scale(sizes[k]));
-            return sweep(&self.pulling(forces), acceleration);
+            sweep(&self.pulling(forces), acceleration);
+            return self.still(acceleration, missed);
         }
         acceleration.set(&free);
         for (mut response, share) in responses.into_iter().zip(shares) {

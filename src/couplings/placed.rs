@@ -92,7 +92,7 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
 fn moving<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>>(scene: &System<S, R, C, P>) -> MotionOf<S, R, C, P> {
     let mut motion = scene.motion();
     let mut rate = motion.rate.clone();
-    motion.position.each_mode(&mut rate, &motion.acceleration, &mut |mode, _, _| *mode = mode.moving());
+    motion.position.each_mode(&mut rate, &motion.acceleration, &mut |mode, _, told| *mode = mode.moving(told.rubs));
     motion
 }
 

@@ -4,7 +4,7 @@ use super::{Guard, Guarded};
 use crate::error::Fault;
 use crate::error::checks::positive;
 use crate::lift::lift;
-use crate::mirror::Mode;
+use crate::mirror::{Mode, Rubs};
 use crate::relation::Absent;
 use crate::scalar::{Real, Scalar};
 
@@ -16,7 +16,7 @@ use crate::scalar::{Real, Scalar};
 /// about to; they end a step there, so that rules keep their order, and rules that remember motions begin anew. A run finds
 /// the modes of its start from its rates; where rates are set by hand they follow from these. Steps of a [`Stepper`] of one's own change no
 /// mode, and are refused where a joint has come to move against that in which a run has left it: [`DryFriction`] is the smooth law for these.
-/// [`MoreauJean`] is the rule for steps of one size that do, in real time.
+/// [`MoreauJean`] is the rule for steps of one size that do, in real time. With `.between(..)` hard stops come to it ([`BoundedCoulomb`]).
 ///
 /// Any joint with one coordinate can have such friction, in the plane, in space and of robots, and a spring, damper or law beside it. Runs over numbers
 /// with derivatives, and over lanes, are refused: changes of mode have none of these. So are equilibria and modes of vibration, for a joint
@@ -45,6 +45,7 @@ use crate::scalar::{Real, Scalar};
 /// [`Stepper`]: crate::simulate::Stepper
 /// [`DryFriction`]: crate::planar::DryFriction
 /// [`MoreauJean`]: crate::planar::MoreauJean
+/// [`BoundedCoulomb`]: crate::planar::BoundedCoulomb
 pub type Coulomb<J, T, L = Absent> = Guarded<J, Friction<T>, L>;
 
 /// Friction while a joint slips, and at which it breaks away (N·m, N).
@@ -74,7 +75,7 @@ lift!(Friction { sliding, breaking });
 
 impl<T: Scalar> Guard<T> for Friction<T> {
     const KIND: &'static str = "Coulomb";
-    const START: Mode = Mode::Sticks;
+    type Guarding = Rubs;
 
     fn resists(&self, mode: Mode) -> T {
         mode.sign::<T>() * self.sliding
@@ -85,7 +86,7 @@ impl<T: Scalar> Guard<T> for Friction<T> {
     fn free(&self, _: T) -> [T; 3] {
         [T::zero(); 3]
     }
-    fn held(&self, _: Mode, [free, tried]: [T; 2]) -> [T; 3] {
+    fn held(&self, _: Mode, _: [T; 3], [free, tried]: [T; 2]) -> [T; 3] {
         let share = free / (free - tried);
         [share, share * self.breaking, T::zero()]
     }

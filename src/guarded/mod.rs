@@ -1,6 +1,8 @@
 //! Joints with modes: what keeps the coordinate of a joint from moving at times, and what it does when it moves.
 
+mod bounded;
 mod friction;
+mod given;
 mod range;
 
 use crate::counts::Counted;
@@ -9,13 +11,14 @@ use crate::error::Fault;
 use crate::inner::{Drivable, Eliminates, Guardable};
 use crate::kinematics::{Acting, Driving};
 use crate::lift::lift;
-use crate::mirror::{self, GuardedRate, Mode};
+use crate::mirror::{self, GuardedRate, Guarding, Mode};
 use crate::relation::{Absent, AccelerationOf, Closures};
 use crate::release::{Freedom, Release, Resistance};
 use crate::scalar::Scalar;
 use crate::shape::{Joint, JointPosture, Kept, PerAxes, leaf};
 use crate::space::{FrameOf, RealOf, Space};
 use crate::spring::{SpringLaw, read};
+pub use bounded::BoundedCoulomb;
 pub use friction::Coulomb;
 use num_traits::Zero;
 pub use range::HardStops;
@@ -25,8 +28,8 @@ use typenum::{U0, U1};
 pub trait Guard<T: Scalar>: Copy + 'static {
     /// Name of such joints.
     const KIND: &'static str;
-    /// What the joint does in a motion that was never told.
-    const START: Mode;
+    /// Which modes the joint has.
+    type Guarding: Guarding;
 
     /// The force against the coordinate of a joint that moves (N·m, N).
     fn resists(&self, mode: Mode) -> T;
@@ -34,8 +37,9 @@ pub trait Guard<T: Scalar>: Copy + 'static {
     fn trial(&self) -> T;
     /// What is told of a joint that moves, in the order of [`GuardedRate`].
     fn free(&self, coordinate: T) -> [T; 3];
-    /// What is told of a joint whose acceleration is given: by how much it would accelerate beside that, and under the force on trial.
-    fn held(&self, mode: Mode, accelerations: [T; 2]) -> [T; 3];
+    /// What is told of a joint whose acceleration is given, of what would be told at the end of the step, if it moved: by how much it would
+    /// accelerate beside that, and under the force on trial.
+    fn held(&self, mode: Mode, free: [T; 3], accelerations: [T; 2]) -> [T; 3];
     /// Rejects parameters that make no mechanics.
     ///
     /// # Errors
@@ -59,29 +63,13 @@ impl<J, G, L> Guarded<J, G, L> {
         Guarded { joint, guard, law }
     }
 
-    /// The acceleration of a joint that has none of its own, and what is told of it meanwhile. Within a step h it goes by h² for each unit of
-    /// that, and its rate by h.
-    fn given<T: Scalar>(&self, mode: Mode, (coordinate, rate): (T, T), springs: impl Springs<T>) -> (T, [T; 3])
-    where
-        G: Guard<T>,
-    {
-        let second = match mode {
-            Mode::Lands | Mode::Rebounds => {
-                let told = self.guard.free(coordinate);
-                let [_, restitution, apart] = told;
-                let rebounds = -(T::one() + restitution) * rate / springs.pivot(Absent, T::one());
-                let lands = apart / springs.pivot(T::one(), Absent);
-                return (if mode == Mode::Lands { lands } else { rebounds }, told);
-            }
-            Mode::Halts => -rate / springs.pivot(Absent, T::one()),
-            Mode::Struck => T::one(),
-            _ => T::zero(),
-        };
-        (second, [T::zero(); 3])
-    }
-
     /// What acts along the coordinate.
-    fn acting<T: Scalar>(&self, position: &mirror::Guarded<T>, rate: &GuardedRate<T>, answer: T) -> Acting<T>
+    fn acting<T: Scalar>(
+        &self,
+        position: &mirror::Guarded<T, G::Guarding>,
+        rate: &GuardedRate<T>,
+        answer: T,
+    ) -> Acting<T>
     where
         G: Guard<T>,
         L: SpringLaw<T>,
@@ -115,7 +103,7 @@ impl<J, G, L> Counted for Guarded<J, G, L> {
 lift!(Guarded<J, G, L> { joint, guard, law });
 
 impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Joint<S> for Guarded<J, G, L> {
-    type Position = mirror::Guarded<S::Scalar>;
+    type Position = mirror::Guarded<S::Scalar, G::Guarding>;
     type Rate = GuardedRate<S::Scalar>;
     type Kept<C: Closures> = Grip<S::Scalar, J::Kept<C>>;
     type Per<X: Copy> = J::Per<X>;
@@ -133,7 +121,7 @@ impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Jo
     }
 
     fn still() -> (Self::Position, Self::Rate) {
-        (mirror::Guarded { coordinate: S::Scalar::zero(), mode: G::START }, GuardedRate::none())
+        (mirror::Guarded::new(S::Scalar::zero(), Mode::forgotten(G::Guarding::RUBS)), GuardedRate::none())
     }
     fn kept<C: Closures>() -> Self::Kept<C> {
         Grip { own: J::kept::<C>(), told: [S::Scalar::zero(); 3], loose: None }
@@ -173,11 +161,7 @@ impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Jo
         let (mut free, mut told) = (S::Scalar::zero(), kept.told);
         if let Some((mode, given, [loose, tried])) = &mut kept.loose {
             free = second(loose).0;
-            let held = self.guard.held(*mode, [free, second(tried).0].map(|second| second - *given));
-            told = match mode {
-                Mode::Lands | Mode::Rebounds => [told[0], held[1], told[2]],
-                _ => held,
-            };
+            told = self.guard.held(*mode, told, [free, second(tried).0].map(|second| second - *given));
         }
         let (own, out) = second(&mut kept.own);
         // Nothing else would tell of a load that is not finite where the joint does not move.
@@ -228,7 +212,7 @@ impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Jo
 leaf!(joint [S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>] Guarded<J, G, L>: S);
 
 impl<S: Space, J: Guardable<S>, G: Guard<S::Scalar>, L: SpringLaw<S::Scalar>> Element<S> for Guarded<J, G, L> {
-    type Position = mirror::Guarded<S::Scalar>;
+    type Position = mirror::Guarded<S::Scalar, G::Guarding>;
     type Rate = GuardedRate<S::Scalar>;
     const ABSOLUTE: bool = false;
 
@@ -292,11 +276,13 @@ where
         let (force, none) = (in_joints.onto(force), S::Scalar::zero());
         let mode = position.mode_at(rate);
         if mode.is_locked() {
+            let (second, told) = self.given(mode, (position.coordinate, rate.rate), springs);
+            let force =
+                if G::Guarding::STOPS { force - self.on_the_way(mode, rate.rate, second, springs) } else { force };
             let mut loose = [(); 2].map(|()| J::kept::<W::Closures>());
             let [free, tried] = &mut loose;
             self.joint.eliminate(outer, posture, force, none, free);
             self.joint.eliminate(outer, posture, force + self.guard.trial(), none, tried);
-            let (second, told) = self.given(mode, (position.coordinate, rate.rate), springs);
             (kept.loose, kept.told) = (Some((mode, second, loose)), told);
             return self.joint.drive(outer, posture, second, &mut kept.own);
         }

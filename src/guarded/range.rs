@@ -4,7 +4,7 @@ use super::{Guard, Guarded};
 use crate::error::Fault;
 use crate::error::checks::{finite, not_negative};
 use crate::lift::lift;
-use crate::mirror::Mode;
+use crate::mirror::{Mode, Stops};
 use crate::relation::Absent;
 use crate::scalar::{Real, Scalar};
 use num_traits::One;
@@ -62,8 +62,8 @@ pub struct Range<T> {
 
 impl<J, T: Scalar> Guarded<J, Range<T>> {
     /// A joint between stops (rad, m) that give nothing back.
-    pub fn between(joint: J, [lower, upper]: [T; 2]) -> Self {
-        Self { joint, guard: Range { lower, upper, restitution: T::zero() }, law: Absent }
+    pub fn between(joint: J, range: [T; 2]) -> Self {
+        Self { joint, guard: Range::of(range), law: Absent }
     }
 }
 
@@ -71,7 +71,19 @@ impl<J, T: Scalar, L> Guarded<J, Range<T>, L> {
     /// Whose stops give back a share of the rate, from 0 to 1: the coefficient of restitution.
     #[must_use]
     pub fn rebounding(self, restitution: T) -> Self {
-        Self { guard: Range { restitution, ..self.guard }, ..self }
+        Self { guard: self.guard.giving_back(restitution), ..self }
+    }
+}
+
+impl<T: Scalar> Range<T> {
+    /// A range whose ends give nothing back.
+    pub(super) fn of([lower, upper]: [T; 2]) -> Self {
+        Self { lower, upper, restitution: T::zero() }
+    }
+
+    /// Whose ends give back this share.
+    pub(super) fn giving_back(self, restitution: T) -> Self {
+        Self { restitution, ..self }
     }
 }
 
@@ -79,7 +91,7 @@ lift!(Range { lower, upper, restitution });
 
 impl<T: Scalar> Guard<T> for Range<T> {
     const KIND: &'static str = "HardStops";
-    const START: Mode = Mode::Swings;
+    type Guarding = Stops;
 
     fn resists(&self, _: Mode) -> T {
         T::zero()
@@ -100,9 +112,13 @@ impl<T: Scalar> Guard<T> for Range<T> {
             [near(above, self.upper), self.restitution, above]
         }
     }
-    fn held(&self, mode: Mode, [free, tried]: [T; 2]) -> [T; 3] {
+    fn held(&self, mode: Mode, told: [T; 3], [free, tried]: [T; 2]) -> [T; 3] {
+        let answer = free / (free - tried);
+        if let Mode::Lands | Mode::Rebounds = mode {
+            return [told[0], answer, told[2]];
+        }
         let outward = mode.stop().map_or(T::zero(), |side| T::literal(-side));
-        [free * outward, free / (free - tried), T::zero()]
+        [free * outward, answer, T::zero()]
     }
     fn check(&self) -> Result<(), Fault> {
         let [lower, upper] = [self.lower, self.upper].map(|end| end.real().as_f64());

@@ -45,6 +45,7 @@
 //! | dry friction and stops in a joint, known to implicit rules | [`DryFriction`](crate::planar::DryFriction), [`Stops`](crate::planar::Stops): laws for `ElasticHinge::with`, several as a tuple |
 //! | dry friction that sticks, and breaks away, at instants that a run finds | [`Coulomb`](crate::planar::Coulomb) around a joint |
 //! | hard stops that a joint strikes, bounces off and rests against | [`HardStops`](crate::planar::HardStops) around a joint |
+//! | both | [`BoundedCoulomb`](crate::planar::BoundedCoulomb): `Coulomb::new(joint, ..).between(..)` |
 //! | a crank that turns as it is told, whatever it takes | [`Driven`](crate::planar::Driven) around a joint |
 //! | a joint that follows another one: gears, belts, grippers | [`Couplings`](crate::planar::Couplings) |
 //! | what a geared motor can give of a torque asked for | [`Motor`](crate::planar::Motor) |

@@ -12,12 +12,12 @@
 //! |---|---|---|
 //! | dry friction | [`Coulomb`](crate::planar::Coulomb) around the joint | [`DryFriction`](crate::planar::DryFriction), a law |
 //! | ends of a range | [`HardStops`](crate::planar::HardStops) around the joint | [`Stops`](crate::planar::Stops), a law |
-//! | both in one joint | `Coulomb` around it, and `Stops` as its law | a tuple of both laws |
+//! | both in one joint | [`BoundedCoulomb`](crate::planar::BoundedCoulomb): `Coulomb::new(..).between(..)` | a tuple of both laws |
 //! | points that touch a surface | | [`Contacts`](crate::spatial::Contacts), linearly implicit |
 //! | torques of a controller | [`Loads::efforts`](crate::loading::Loads::efforts), values that hold for the step | |
 //!
-//! Contacts are for links of a [`robot`](crate::robot). A robot from its description (URDF) comes with its friction as it is by
-//! `catena_urdf::Laws::none().sticking()`.
+//! Contacts are for links of a [`robot`](crate::robot). A robot from its description (URDF) comes with its friction and limits as they are by
+//! `catena_urdf::Laws::none().sticking().hard_stops(0.2)`.
 //!
 //! A leg of two links under a trunk that slides along the vertical, dropped by 0.13 m, its knee held by a motor, its hip by friction, at a kilohertz:
 //!

@@ -176,7 +176,7 @@ macro_rules! fieldwise_position {
             &mut self,
             _rate: &mut Self::Rate,
             _acceleration: &Self::Rate,
-            _visit: &mut impl FnMut(&mut Mode, &mut T, GuardedRate<T>),
+            _visit: &mut impl FnMut(&mut Mode, &mut T, Told<T>),
         ) {
             $(self.$i.each_mode(&mut _rate.$i, &_acceleration.$i, _visit);)*
         }

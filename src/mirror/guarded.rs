@@ -1,150 +1,61 @@
-//! The mirror of a coordinate whose joint has modes: what the joint does, and what is told of it with an acceleration.
+//! The mirror of a coordinate whose joint has modes: what is kept with it, and told with an acceleration.
 
 use super::fieldwise::fieldwise_rate;
-use super::{Position, Rate, Retraction, Term};
+use super::{Mode, Position, Rate, Retraction, Term, Told};
 use crate::lift::Lift;
-use crate::scalar::{Elementary, Real, Scalar};
-use num_traits::Zero;
+use crate::scalar::Scalar;
+use core::fmt::Debug;
+use core::marker::PhantomData;
 
-/// What a joint with dry friction or with hard stops does.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Mode {
-    /// The joint does not move, for friction holds it.
-    #[default]
-    Sticks,
-    /// A slip at positive rate.
-    SlipsForward,
-    /// A slip at negative rate.
-    SlipsBack,
-    /// The joint moves between its stops.
-    Swings,
-    /// The joint rests against its lower stop.
-    RestsBelow,
-    /// The joint rests against its upper stop.
-    RestsAbove,
-    /// The joint accelerates by one, whatever acts: what a shock does to all others is asked so.
-    Struck,
-    /// The joint comes to rest within the step under way ([`MoreauJean`](crate::time::MoreauJean)), for friction does it.
-    Halts,
-    /// The joint comes to its nearest stop within the step under way.
-    Lands,
-    /// The joint ends the step under way at the rate that its stop gives back.
-    Rebounds,
+/// What guards a coordinate, so that its joint has modes.
+pub trait Guarding: Copy + Debug + 'static {
+    /// Whether the joint has dry friction.
+    const RUBS: bool;
+    /// Whether the joint has hard stops.
+    const STOPS: bool;
 }
 
-impl Mode {
-    /// The mode of a rate under friction; one that is zero sticks.
-    pub(crate) fn of<T: Scalar>(rate: T) -> Self {
-        match rate.real() {
-            rate if rate > T::Real::zero() => Self::SlipsForward,
-            rate if rate < T::Real::zero() => Self::SlipsBack,
-            _ => Self::Sticks,
-        }
-    }
+/// Dry friction alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Rubs;
 
-    /// The mode of a joint that breaks away from this friction: it goes where that does not hold it.
-    pub(crate) fn broken_away<T: Scalar>(friction: T) -> Self {
-        Self::of(-friction)
-    }
+/// Hard stops alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Stops;
 
-    /// The sign of the rate, of a joint that slips.
-    pub(crate) fn sign<T: Scalar>(self) -> T {
-        match self {
-            Self::SlipsForward => T::one(),
-            Self::SlipsBack => -T::one(),
-            _ => T::zero(),
-        }
-    }
+/// Dry friction between hard stops.
+#[derive(Clone, Copy, Debug)]
+pub struct RubsBetweenStops;
 
-    /// Where the joint rests against a stop: −1 at the lower one, 1 at the upper one.
-    pub(crate) fn stop(self) -> Option<f64> {
-        match self {
-            Self::RestsBelow => Some(-1.0),
-            Self::RestsAbove => Some(1.0),
-            _ => None,
-        }
-    }
-
-    /// Whether the joint's acceleration is given.
-    pub(crate) fn is_locked(self) -> bool {
-        !matches!(self, Self::SlipsForward | Self::SlipsBack | Self::Swings)
-    }
-
-    /// The mode of such a joint where it moves, with friction of whichever sign.
-    pub(crate) fn moving(self) -> Self {
-        match self {
-            Self::Sticks | Self::Halts | Self::SlipsForward | Self::SlipsBack => Self::SlipsForward,
-            _ => Self::Swings,
-        }
-    }
-
-    /// The mode of such a joint of which nothing is known but its rate.
-    pub(crate) fn forgotten(self) -> Self {
-        match self {
-            Self::Sticks | Self::Halts | Self::SlipsForward | Self::SlipsBack => Self::Sticks,
-            _ => Self::Swings,
-        }
-    }
-
-    /// Up to so far from its stop a joint touches it, as a share of 1 and where that is, and a rebound that rises no higher (rad, m) is none:
-    /// some hundred roundings.
-    pub(crate) fn touch<R: Real>() -> R {
-        R::EPSILON * R::of(256.0)
-    }
-
-    /// A joint that would leave its stop at no more than this (rad/s², m/s²) stays: what leaves it for rounding comes back.
-    pub(crate) fn reluctance<R: Real>() -> R {
-        R::of(64.0 * Elementary::sqrt(R::EPSILON).as_f64())
-    }
-
-    /// All modes.
-    const ALL: [Self; 10] = [
-        Self::Sticks,
-        Self::SlipsForward,
-        Self::SlipsBack,
-        Self::Swings,
-        Self::RestsBelow,
-        Self::RestsAbove,
-        Self::Struck,
-        Self::Halts,
-        Self::Lands,
-        Self::Rebounds,
-    ];
-
-    /// The mode as a number.
-    pub(crate) fn number<T: Scalar>(self) -> T {
-        T::literal(f64::from(self as u8))
-    }
-
-    /// The mode of a [`number`](Self::number).
-    pub(crate) fn numbered<T: Scalar>(number: T) -> Self {
-        let is = |mode: &&Self| mode.number::<T>().real() == number.real();
-        Self::ALL.iter().find(is).copied().unwrap_or_default()
-    }
+impl Guarding for Rubs {
+    const RUBS: bool = true;
+    const STOPS: bool = false;
 }
 
-/// Lets the last of the joints go whose acceleration is given; whether there is one.
-pub(crate) fn let_last_go<T: Scalar, P: Position<T>>(position: &mut P, rate: &mut P::Rate, found: &P::Rate) -> bool {
-    let (mut held, mut count) = (0, 0);
-    position.each_mode(rate, found, &mut |mode, _, _| held += usize::from(mode.is_locked()));
-    position.each_mode(rate, found, &mut |mode, _, _| {
-        count += usize::from(mode.is_locked());
-        if mode.is_locked() && count == held {
-            *mode = mode.moving();
-        }
-    });
-    held > 0
+impl Guarding for Stops {
+    const RUBS: bool = false;
+    const STOPS: bool = true;
 }
 
-/// A coordinate whose joint has modes.
+impl Guarding for RubsBetweenStops {
+    const RUBS: bool = true;
+    const STOPS: bool = true;
+}
+
+/// A coordinate whose joint has modes, by what guards it.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Guarded<T> {
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: serde::Serialize", deserialize = "T: serde::Deserialize<'de>"))
+)]
+pub struct Guarded<T, K> {
     /// The coordinate (rad, m).
     pub coordinate: T,
     /// What the joint does: kept through steps, changed between them.
     pub mode: Mode,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    guarding: PhantomData<K>,
 }
 
 /// The rate of a coordinate whose joint has modes, or its acceleration.
@@ -166,13 +77,17 @@ pub struct GuardedRate<T> {
     pub apart: T,
 }
 
-impl<T: Scalar> Guarded<T> {
+impl<T: Scalar, K: Guarding> Guarded<T, K> {
+    pub(crate) fn new(coordinate: T, mode: Mode) -> Self {
+        Self { coordinate, mode, guarding: PhantomData }
+    }
+
     /// What the joint does at a rate: what moves does not stick or rest, whatever a motion says that was made by hand.
     #[cfg_attr(optimised, inline(always))]
     pub(crate) fn mode_at(&self, rate: &GuardedRate<T>) -> Mode {
         match self.mode {
             Mode::Sticks => Mode::of(rate.rate),
-            Mode::RestsBelow | Mode::RestsAbove if !rate.rate.is_zero() => Mode::Swings,
+            Mode::RestsBelow | Mode::RestsAbove if !rate.rate.is_zero() => Mode::at(rate.rate, K::RUBS),
             mode => mode,
         }
     }
@@ -194,11 +109,11 @@ impl<T: Scalar> Rate<T> for GuardedRate<T> {
     fieldwise_rate!([rate guard answer apart] [rate] [rate]);
 }
 
-impl<T: Scalar> Retraction<T> for Guarded<T> {
+impl<T: Scalar, K: Guarding> Retraction<T> for Guarded<T, K> {
     type Rate = GuardedRate<T>;
 }
 
-impl<T: Scalar> Position<T> for Guarded<T> {
+impl<T: Scalar, K: Guarding> Position<T> for Guarded<T, K> {
     const MODES: bool = true;
 
     #[inline(always)]
@@ -255,16 +170,21 @@ impl<T: Scalar> Position<T> for Guarded<T> {
         &mut self,
         rate: &mut GuardedRate<T>,
         acceleration: &GuardedRate<T>,
-        visit: &mut impl FnMut(&mut Mode, &mut T, GuardedRate<T>),
+        visit: &mut impl FnMut(&mut Mode, &mut T, Told<T>),
     ) {
-        visit(&mut self.mode, &mut rate.rate, *acceleration);
+        let GuardedRate { rate: second, guard, answer, apart } = *acceleration;
+        visit(
+            &mut self.mode,
+            &mut rate.rate,
+            Told { rate: second, guard, answer, apart, rubs: K::RUBS, stops: K::STOPS },
+        );
     }
 }
 
-impl<T: Scalar, U: Scalar> Lift<T, U> for Guarded<T> {
-    type Over = Guarded<U>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Guarded<U> {
-        Guarded { coordinate: number(self.coordinate), mode: self.mode }
+impl<T: Scalar, U: Scalar, K: Guarding> Lift<T, U> for Guarded<T, K> {
+    type Over = Guarded<U, K>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Guarded<U, K> {
+        Guarded::new(number(self.coordinate), self.mode)
     }
 }
 

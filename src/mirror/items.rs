@@ -1,7 +1,7 @@
 //! Arrays and vectors of mirrors. Mirrors of different lengths change as far as all of them go; motions are compared with
 //! their scene before they come here.
 
-use super::{GuardedRate, Mode, Position, Rate, Retraction, Term};
+use super::{Mode, Position, Rate, Retraction, Term, Told};
 use crate::scalar::Scalar;
 
 /// One implementation for everything that derefs to a slice of mirrors.
@@ -198,7 +198,7 @@ macro_rules! mirror_items {
                 &mut self,
                 rate: &mut Self::Rate,
                 acceleration: &Self::Rate,
-                visit: &mut impl FnMut(&mut Mode, &mut T, GuardedRate<T>),
+                visit: &mut impl FnMut(&mut Mode, &mut T, Told<T>),
             ) {
                 for ((item, rate), acceleration) in self.iter_mut().zip(rate).zip(acceleration) {
                     item.each_mode(rate, acceleration, visit);

@@ -12,13 +12,15 @@ mod clock;
 mod fieldwise;
 mod guarded;
 mod items;
+mod mode;
 mod number;
 mod tied;
 mod tuple;
 
 pub use clock::Clock;
-pub(crate) use guarded::let_last_go;
-pub use guarded::{Guarded, GuardedRate, Mode};
+pub use guarded::{Guarded, GuardedRate, Guarding, Rubs, RubsBetweenStops, Stops};
+pub(crate) use mode::let_last_go;
+pub use mode::{Mode, Told};
 pub use tied::{Tied, TiedPosition};
 
 use crate::scalar::Scalar;
@@ -193,7 +195,7 @@ pub trait Position<T: Scalar>: Retraction<T> + Clone {
         &mut self,
         rate: &mut Self::Rate,
         acceleration: &Self::Rate,
-        visit: &mut impl FnMut(&mut Mode, &mut T, GuardedRate<T>),
+        visit: &mut impl FnMut(&mut Mode, &mut T, Told<T>),
     ) {
         let _ = (rate, acceleration, visit);
     }

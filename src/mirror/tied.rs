@@ -1,7 +1,7 @@
 //! The mirror of a loop: coordinates of its arms, and with accelerations the forces that close it.
 
 use super::fieldwise::{fieldwise_position, fieldwise_rate, fieldwise_retraction};
-use super::{GuardedRate, Mode, Position, Rate, Retraction, Term};
+use super::{Mode, Position, Rate, Retraction, Term, Told};
 use crate::lift::{Lift, lift};
 use crate::scalar::Scalar;
 use core::marker::PhantomData;

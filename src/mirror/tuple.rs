@@ -1,7 +1,7 @@
 //! Tuples of mirrors, for the arities that chains have, and the mirror of a body: `()`.
 
 use super::fieldwise::{fieldwise_position, fieldwise_rate, fieldwise_retraction};
-use super::{GuardedRate, Mode, Position, Rate, Retraction, Term};
+use super::{Mode, Position, Rate, Retraction, Term, Told};
 use crate::scalar::Scalar;
 use crate::tuples::for_each_tuple;
 

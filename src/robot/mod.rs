@@ -52,7 +52,7 @@
 //!
 //! Furniture of joints is laws ([`DryFriction`], [`Stops`], a tuple of laws), drives are [`Motor`]s that a controller asks, and a [`Rotor`] behind gears
 //! does to the bodies beside its joint all that it does. Scenes, not functions of
-//! lists, know joints with modes ([`Coulomb`], [`HardStops`]) and joints whose coordinate is a function of time ([`Driven`]). Loads on links
+//! lists, know joints with modes ([`Coulomb`], [`HardStops`], [`BoundedCoulomb`]) and joints whose coordinate is a function of time ([`Driven`]). Loads on links
 //! are those of [`spatial`](crate::spatial), in inertial axes; points that touch the ground are [`Contacts`].
 //!
 //! From a [`Flange`] on, a place on a link, a scene is in inertial axes again: there the ground holds a tip ([`Pinned`], [`Hinged`], [`Clamped`]), a

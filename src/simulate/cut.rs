@@ -49,7 +49,7 @@ where
         let (mut change, mut least) = (0.0_f64, f64::INFINITY);
         motion.position.each_mode(kept, &motion.acceleration, &mut |mode, kept, told| {
             if mode.is_locked() {
-                least = least.min(margin(*mode, told.rate, told.guard));
+                least = least.min(margin(*mode, told.rate, &told));
             }
             if *mode == Mode::Sticks {
                 change = change.max((told.guard - *kept).real().as_f64().abs());
@@ -102,7 +102,8 @@ where
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
         let (earliest, mut count, mut time) = (Self::margins(&mut next).1, 0, 0.0);
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
-            if count == earliest && *mode == Mode::Swings && told.guard.real().as_f64().abs() > 1.0 {
+            let beyond = told.stops && !mode.is_locked() && told.guard.real().as_f64().abs() > 1.0;
+            if count == earliest && beyond {
                 time = -(told.apart / *rate).real().as_f64();
             }
             count += 1;

@@ -41,7 +41,8 @@ where
     pub(super) fn strike(&mut self) -> Result<(), Error> {
         let (system, loads) = (self.plan.system, self.plan.loads);
         let (mut workspace, next) = (Dynamics::<L>::workspace(system), &mut self.next);
-        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, _| *mode = mode.moving());
+        next.position
+            .each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, told| *mode = mode.moving(told.rubs));
         let mut largest = 0.0_f64;
         next.rate.visit(&mut |rate| largest = largest.max(rate.real().as_f64().abs()));
         system.accelerate(next, loads, &mut workspace)?;
@@ -52,10 +53,9 @@ where
             let next = &mut self.next;
             system.accelerate(next, loads, &mut workspace)?;
             let Some(mut blow) = Self::fastest(next, still) else {
-                next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| {
-                    if *mode != Mode::Swings {
-                        *mode = Mode::of(*rate);
-                    }
+                next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
+                    let rests = touched(*mode, &told).filter(|_| told.rubs && rate.is_zero());
+                    *mode = rests.map_or(Mode::at(*rate, told.rubs), Mode::resting);
                 });
                 self.settle_modes(None)?;
                 return self.end_rebounds();
@@ -78,7 +78,7 @@ where
         system.accelerate(motion, loads, &mut Dynamics::<L>::workspace(system))?;
         let (most, mut beyond) = (1.0 + Mode::touch::<RealOf<S>>().as_f64(), None);
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, _, told| {
-            if *mode == Mode::Swings && told.guard.real().as_f64().abs() > most {
+            if told.stops && !mode.is_locked() && told.guard.real().as_f64().abs() > most {
                 beyond = Some(told.apart.real().as_f64().abs());
             }
         });
@@ -94,7 +94,7 @@ where
         let mut step = motion.rate.clone();
         step.replace(&mut |_| S::Scalar::zero());
         motion.position.each_mode(&mut step, &motion.acceleration, &mut |mode, step, told| {
-            if touched(*mode, told.guard).is_some() {
+            if touched(*mode, &told).is_some() {
                 *step = told.apart;
             }
         });
@@ -159,7 +159,7 @@ where
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
             let joint = count;
             count += 1;
-            let Some(side) = touched(*mode, told.guard) else { return };
+            let Some(side) = touched(*mode, &told) else { return };
             let speed = side * rate.real().as_f64();
             if speed.abs() <= still {
                 *rate = S::Scalar::zero();
@@ -180,7 +180,7 @@ where
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
             let (joint, rate) = (count, rate.real().as_f64());
             count += 1;
-            let Some(side) = touched(*mode, told.guard) else { return };
+            let Some(side) = touched(*mode, &told) else { return };
             if side * rate < 0.0 && is_low(rate, side * told.rate.real().as_f64(), touch) {
                 blow = Some(Blow { joint, rate, restitution: 0.0 });
             }

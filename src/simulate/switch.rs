@@ -1,7 +1,7 @@
 //! Which modes of joints follow where a run changes one, begins, or goes on.
 
 use super::drive::Running;
-use super::margin::{margin, rests, touched};
+use super::margin::{forward, margin, meets, rests, touched};
 use super::now::settled;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
@@ -55,7 +55,7 @@ where
     pub(super) fn margins(motion: &mut MotionOf<S, R, C, P>) -> (f64, usize) {
         let (mut least, mut count) = ((f64::INFINITY, 0), 0);
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-            let margin = margin(*mode, *rate, told.guard);
+            let margin = margin(*mode, *rate, &told);
             if margin < least.0 {
                 least = (margin, count);
             }
@@ -74,10 +74,11 @@ where
             count += 1;
             match *mode {
                 Mode::Sticks if due => *mode = Mode::broken_away(told.guard),
-                Mode::RestsBelow | Mode::RestsAbove if due => *mode = Mode::Swings,
+                Mode::RestsBelow | Mode::RestsAbove if due => *mode = mode.moving(told.rubs),
                 Mode::Swings if due => strikes = true,
+                Mode::SlipsForward | Mode::SlipsBack if due && meets(*mode, *rate, &told) => strikes = true,
                 Mode::SlipsForward | Mode::SlipsBack
-                    if due || margin(*mode, *rate, told.guard) <= told.rate.real().as_f64().abs() * still =>
+                    if due || forward(*mode, *rate) <= told.rate.real().as_f64().abs() * still =>
                 {
                     (*mode, *rate) = (Mode::Sticks, S::Scalar::zero());
                 }
@@ -91,16 +92,17 @@ where
     /// Finds modes of a motion of which only rates are known.
     pub(super) fn begin_modes(&mut self) -> Result<(), Error> {
         let (mut stops, next) = (false, &mut self.next);
-        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| {
-            stops |= mode.forgotten() == Mode::Swings;
-            if mode.forgotten() == Mode::Sticks {
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
+            stops |= told.stops;
+            if told.rubs {
                 *mode = Mode::of(*rate);
             }
         });
         if !stops {
             return self.settle_modes(None);
         }
-        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, _| *mode = mode.moving());
+        next.position
+            .each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, told| *mode = mode.moving(told.rubs));
         self.stands_between()?;
         self.strike()
     }
@@ -116,31 +118,40 @@ where
             if let Err(error) = system.accelerate(next, loads, &mut workspace) {
                 return Err(self.overlocked(error));
             }
-            // Held least, or pushed back where it is about to move.
-            let (mut worst, mut count) = ((0.0, None), 0);
+            // Held least, or pushed back where it is about to move: by rounding alone, if another joint that breaks away too takes it along.
+            let (mut worst, mut faint, mut count) = ((0.0, None), None, 0);
+            let rounding = -Mode::reluctance::<RealOf<S>>().as_f64();
             next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
                 let resting = if changed == Some(count) { None } else { rests(*mode, *rate, &told) };
                 let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack) && rate.is_zero();
-                let back = slips && changed != Some(count) && margin(*mode, told.rate, told.guard) < 0.0;
+                let second = if slips && changed != Some(count) { forward(*mode, told.rate) } else { 0.0 };
+                let back = second < rounding;
+                if second < 0.0 {
+                    faint = Some(count);
+                }
                 if let Some(now) = if back { Some(Mode::Sticks) } else { resting } {
                     *mode = now;
                     (worst, least) = ((f64::INFINITY, Some(usize::MAX)), count);
                 } else if mode.is_locked() {
-                    let over = -margin(*mode, told.rate, told.guard);
+                    let over = -margin(*mode, told.rate, &told);
                     if over > worst.0 {
                         worst = (over, Some(count));
                     }
                 }
                 count += 1;
             });
-            let Some(worst) = worst.1 else { return Ok(()) };
+            let Some(worst) = worst.1.or(faint) else { return Ok(()) };
             if worst < usize::MAX {
                 least = worst;
             }
             let mut count = 0;
             next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, told| {
                 if count == worst {
-                    *mode = if *mode == Mode::Sticks { Mode::broken_away(told.guard) } else { Mode::Swings };
+                    *mode = match *mode {
+                        Mode::Sticks => Mode::broken_away(told.guard),
+                        Mode::SlipsForward | Mode::SlipsBack => Mode::Sticks,
+                        _ => mode.moving(told.rubs),
+                    };
                 }
                 count += 1;
             });
@@ -156,7 +167,9 @@ where
         if const { !Self::MODES } || !matches!(error.fault, Fault::RedundantClosures { .. }) {
             return error;
         }
-        loose.position.each_mode(&mut loose.rate, &loose.acceleration, &mut |mode, _, _| *mode = mode.moving());
+        loose
+            .position
+            .each_mode(&mut loose.rate, &loose.acceleration, &mut |mode, _, told| *mode = mode.moving(told.rubs));
         let what = "more joints that stick at once, or rest against stops, than closures leave free to move";
         match system.accelerate(&mut loose, self.plan.loads, &mut system.workspace()) {
             Ok(()) => Error { place: None, fault: Fault::Unsupported { what }, ..error },
@@ -181,10 +194,10 @@ where
             if at_event && slips && !rate.is_zero() && rate.real().as_f64().abs() <= gain {
                 (*rate, due) = (S::Scalar::zero(), true);
             }
-            let pushed_back = slips && rate.is_zero() && margin(*mode, second, told.guard) < 0.0;
-            let strikes = touched(*mode, told.guard).is_some_and(|side| side * rate.real().as_f64() > 0.0);
+            let pushed_back = slips && rate.is_zero() && forward(*mode, second) < 0.0;
+            let strikes = touched(*mode, &told).is_some_and(|side| side * rate.real().as_f64() > 0.0);
             let moved = mode.is_locked() && !rate.is_zero();
-            let passed = margin(*mode, *rate, told.guard) < 0.0;
+            let passed = margin(*mode, *rate, &told) < 0.0;
             due |= passed || pushed_back || strikes || moved || rests(*mode, *rate, &told).is_some();
         });
         if due {

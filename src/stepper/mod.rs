@@ -63,9 +63,10 @@ fn moves_as_modes_say<D: Dynamics<L>, L>(past: &MotionIn<D, L>, next: &mut Motio
     next.copy_state(past);
     let (mut against, touching) = (false, TimeIn::<D, L>::one() + Mode::touch());
     next.position.each_mode(&mut next.rate, &past.acceleration, &mut |mode, rate, told| {
-        let beyond = *mode == Mode::Swings && told.guard.real().abs() > touching;
-        let sense = if beyond { -told.guard } else { mode.sign::<D::Scalar>() };
-        against |= (sense * *rate).real() < Zero::zero();
+        let moves = !mode.is_locked() || !rate.is_zero();
+        let beyond = told.stops && moves && told.guard.real().abs() > touching;
+        let outward = beyond && (told.guard * *rate).real() > Zero::zero();
+        against |= outward || (mode.sign::<D::Scalar>() * *rate).real() < Zero::zero();
     });
     let what =
         "a joint with dry friction against its mode, or one beyond its stop: runs change modes, single steps do not";

@@ -66,7 +66,7 @@ impl<D: StiffDynamics<L>, L> MoreauJeanStepper<D, L> {
         rate.set(&past.rate);
         next.time = past.time + dt;
         if const { D::Position::MODES } {
-            position.each_mode(rate, zero, &mut |mode, rate, _| *mode = begun(*mode, *rate));
+            position.each_mode(rate, zero, &mut |mode, rate, told| *mode = begun(*mode, *rate, told.rubs));
         }
         let mut pivoting = Pivoting::new::<TimeIn<D, L>>();
         loop {

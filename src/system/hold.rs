@@ -87,9 +87,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             return self.close(motion, loads, workspace);
         }
         let mut modes = motion.rate.clone();
-        motion.position.each_mode(&mut modes, &motion.acceleration, &mut |mode, kept, _| {
+        motion.position.each_mode(&mut modes, &motion.acceleration, &mut |mode, kept, told| {
             *kept = mode.number();
-            *mode = mode.moving();
+            *mode = mode.moving(told.rubs);
         });
         let outcome = self.close(motion, loads, workspace);
         motion.position.each_mode(&mut modes, &motion.acceleration, &mut |mode, kept, _| *mode = Mode::numbered(*kept));
@@ -157,7 +157,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if const { PositionOf::<S, R, C>::MODES } {
             // Joints that stick do not yield to corrections.
             let mut rates = motion.rate.clone();
-            now.position.each_mode(&mut rates, &motion.acceleration, &mut |mode, _, _| *mode = mode.moving());
+            now.position
+                .each_mode(&mut rates, &motion.acceleration, &mut |mode, _, told| *mode = mode.moving(told.rubs));
         }
         for step in &mut steps {
             if self.accelerate(&mut now, loads, workspace).is_err() {

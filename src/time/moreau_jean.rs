@@ -16,7 +16,7 @@ use super::{Control, Rule};
 ///
 /// # Friction and stops
 ///
-/// No step is cut where a mode changes. What joints with [`Coulomb`] and [`HardStops`] do is found for the step as a whole: impulses of
+/// No step is cut where a mode changes. What joints with [`Coulomb`], [`HardStops`] and both ([`BoundedCoulomb`]) do is found for the step as a whole: impulses of
 /// friction are at most h times it, and bring a joint to rest where they suffice; one that would pass its stop ends the step there, and, if it
 /// gives back a share e of its rate, leaves with −e times that. All these joints are a linear complementarity problem, which is solved by
 /// pivoting, exactly: each pass is one more sweep, and most steps take none. (Random arms with two joints that rub and two that
@@ -53,6 +53,7 @@ use super::{Control, Rule};
 /// [`Contacts`]: crate::spatial::Contacts
 /// [`Coulomb`]: crate::planar::Coulomb
 /// [`HardStops`]: crate::planar::HardStops
+/// [`BoundedCoulomb`]: crate::planar::BoundedCoulomb
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MoreauJean;

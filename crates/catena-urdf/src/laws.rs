@@ -20,6 +20,7 @@ pub struct Laws {
     friction: Option<[f64; 2]>,
     sticking: bool,
     stops: Option<[[f64; 2]; 2]>,
+    hard_stops: Option<f64>,
     motors: bool,
 }
 
@@ -70,7 +71,14 @@ impl Laws {
     /// Limits act, as compliant `Stops` that bear the joint's largest effort at a depth beyond them: of hinges (rad), of slides (m); with
     /// damping (s/rad, s/m). A joint without both limits or without a limit of effort has none.
     pub fn stops(self, depths: [f64; 2], dampings: [f64; 2]) -> Self {
-        Self { stops: Some([depths, dampings]), ..self }
+        Self { stops: Some([depths, dampings]), hard_stops: None, ..self }
+    }
+
+    /// Limits act as they are, `HardStops`, and `BoundedCoulomb` where friction acts as it is, too: joints strike them, get back a share of their
+    /// rate (from 0 to 1) and rest against them, by `MoreauJean` in real time or in runs that end steps there. A joint without both limits has
+    /// none. Functions of lists do not know such joints.
+    pub fn hard_stops(self, restitution: f64) -> Self {
+        Self { hard_stops: Some(restitution), stops: None, ..self }
     }
 
     /// Limits of effort and velocity, and reductions, become a function `motors()` of the module: a `Motor` for each joint with both limits
@@ -85,7 +93,9 @@ impl Laws {
         let [depths, dampings] = self.stops.unwrap_or([[1.0; 2], [0.0; 2]]);
         fits("a speed over which friction sets in must be positive", self.friction.unwrap_or([1.0; 2]), |x| x > 0.0)?;
         fits("a depth of stops must be positive", depths, |x| x > 0.0)?;
-        fits("damping of stops must be zero or more", dampings, |x| x >= 0.0)
+        fits("damping of stops must be zero or more", dampings, |x| x >= 0.0)?;
+        let restitution = [self.hard_stops.unwrap_or(0.0); 2];
+        fits("restitution of stops must be from zero to one", restitution, |x| (0.0..=1.0).contains(&x))
     }
 
     /// Whether the module has motors.
@@ -127,6 +137,17 @@ impl Laws {
         // Limits as large as numbers are written for none.
         let bounded = is_some(upper - lower) && is_some(effort) && is_some(stiffness);
         bounded.then_some(Stops { range: [lower, upper], stiffness, depth, damping })
+    }
+
+    /// Hard stops, and the share of a rate that they give back.
+    pub(crate) fn hard_stops_of(self, furniture: &Furniture) -> Option<([f64; 2], f64)> {
+        let Furniture { lower, upper, .. } = *furniture;
+        self.hard_stops.filter(|_| is_some(upper - lower)).map(|restitution| ([lower, upper], restitution))
+    }
+
+    /// Whether limits act.
+    pub(crate) fn stops_it(self, furniture: &Furniture, slides: bool) -> bool {
+        self.stops_of(furniture, slides).is_some() || self.hard_stops_of(furniture).is_some()
     }
 
     pub(crate) fn motor_of(self, furniture: &Furniture) -> Option<Motor> {

@@ -114,11 +114,14 @@ fn modules_import_what_they_use() {
     let all = Laws::none().damping().friction([0.1; 2]).stops([0.02; 2], [1.0; 2]).motors();
     let sticking = [Laws::none().sticking(), all.sticking()];
     let some = [Laws::none(), Laws::none().damping(), Laws::none().friction([0.1; 2]), all, sticking[0], sticking[1]];
+    let striking = [Laws::none(), all, sticking[0], sticking[1]].map(|laws| laws.hard_stops(0.3));
     let (pair, mut modules) = (pair("continuous", FURNITURE, ""), 0);
     for text in ROBOTS.into_iter().chain([pair.as_str()]) {
         for elements in [Elements::Inertial, Elements::Local, Elements::LocalGeneral] {
-            for (laws, base) in
-                some.into_iter().flat_map(|laws| [Base::Written, Base::Floating].map(|base| (laws, base)))
+            for (laws, base) in some
+                .into_iter()
+                .chain(striking)
+                .flat_map(|laws| [Base::Written, Base::Floating].map(|base| (laws, base)))
             {
                 // Without an inertia the base does not float.
                 let options = Options::new().repair().elements(elements).laws(laws).base(base);

@@ -3,6 +3,8 @@
 include!(concat!(env!("OUT_DIR"), "/arm7.rs"));
 include!(concat!(env!("OUT_DIR"), "/arm7_bare.rs"));
 include!(concat!(env!("OUT_DIR"), "/sticking_arm7.rs"));
+include!(concat!(env!("OUT_DIR"), "/bounded_arm7.rs"));
+include!(concat!(env!("OUT_DIR"), "/striking_arm7.rs"));
 include!(concat!(env!("OUT_DIR"), "/quadruped.rs"));
 include!(concat!(env!("OUT_DIR"), "/sticking_quadruped.rs"));
 include!(concat!(env!("OUT_DIR"), "/humanoid.rs"));

@@ -208,10 +208,13 @@ fn stops_and_friction_hold_followers_too() -> Result<(), Error> {
     let both = mass + ratio * ratio * light;
     let weight = (mass + ratio * light) * GRAVITY / both; // what pulls the one body
     macro_rules! alike {
-        ($leader:expr, $start:expr, $rate:expr) => {{
-            let scene = System::new(Clamped::origin(), (Branch(($leader, block(mass))), line, block(light)), Free)?
-                .with_gravity(GRAVITY);
-            let one = System::new(Clamped::origin(), ($leader, block(both)), Free)?.with_gravity(weight);
+        ($leader:expr, $start:expr, $rate:expr) => {
+            alike!($leader, line, $leader, $start, $rate)
+        };
+        ($leader:expr, $follower:expr, $both:expr, $start:expr, $rate:expr) => {{
+            let chain = (Branch(($leader, block(mass))), $follower, block(light));
+            let scene = System::new(Clamped::origin(), chain, Free)?.with_gravity(GRAVITY);
+            let one = System::new(Clamped::origin(), ($both, block(both)), Free)?.with_gravity(weight);
             let couplings = Couplings::of(&scene, [Coupling::new(2, 1).ratio(ratio)])?;
             let (mut start, mut alone) = (scene.motion(), one.motion());
             start.set_coordinates(&[$start, 0.0])?;
@@ -233,6 +236,41 @@ fn stops_and_friction_hold_followers_too() -> Result<(), Error> {
     alike!(HardStops::between(line, [0.0, f64::INFINITY]).rebounding(0.6), 0.5, 0.0);
     alike!(Coulomb::new(line, 9.0), 0.5, 1.5);
     alike!(Coulomb::new(line, 60.0), 0.5, 1.5);
+    // Friction in both is friction in one, also where it would hold neither alone.
+    for (leader, follower) in [(9.0, 1.0), (60.0, 1.0), (60.0, 60.0), (5.0, 3.0), (9.0, 60.0), (5.0, 20.0)] {
+        alike!(
+            Coulomb::new(line, leader),
+            Coulomb::new(line, follower),
+            Coulomb::new(line, leader - ratio * follower),
+            0.5,
+            1.5
+        );
+        alike!(
+            Coulomb::new(line, leader),
+            Coulomb::new(line, follower),
+            Coulomb::new(line, leader - ratio * follower),
+            0.5,
+            0.0
+        );
+    }
+    Ok(())
+}
+
+/// Two arms that are geared to each other and rub both: they come to rest and turn at one instant.
+#[test]
+fn geared_arms_that_both_rub_stick_and_slip_together() -> Result<(), Box<dyn std::error::Error>> {
+    let (rod, rubs) = (Rod::uniform(0.5, 1.0), Coulomb::new(Revolute::smooth(), 0.4));
+    let scene = System::new(Clamped::origin(), (rubs, rod, rubs, rod), Free)?.with_gravity(GRAVITY);
+    let couplings = Couplings::of(&scene, [Coupling::new(2, 1).ratio(-0.5)])?;
+    let start = couplings.joined(scene.motion());
+    for end in [1.0, 2.5, 12.0] {
+        let run = scene.simulation(Dop853::tolerance(1e-10)).loads(&couplings).run(start, end, |_| ())?.motion;
+        let small = scene.simulation(MoreauJean::step(1e-4)).loads(&couplings).run(start, end, |_| ())?.motion;
+        let [leader, follower] = run.coordinates()[..] else { unreachable!() };
+        near(follower, -0.5 * leader, 1e-11);
+        near(small.coordinates()[0], leader, 2e-3);
+        assert!(end < 12.0 || run.rates().iter().all(|rate| rate.abs() < 1e-11), "{:?}", run.rates());
+    }
     Ok(())
 }
 

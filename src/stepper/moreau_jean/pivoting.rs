@@ -5,9 +5,8 @@
 //! at rest. Choices that do not go together are changed all at once as long as they become fewer, otherwise the first alone, after
 //! which K. G. Murty's pivots by least index end (J. J. Júdice, F. M. Pires 1994). Each pass is a sweep.
 
-use crate::mirror::{GuardedRate, Mode, Position, Rate, let_last_go};
+use crate::mirror::{Mode, Position, Rate, Told, let_last_go};
 use crate::scalar::{Real, Scalar};
-use num_traits::Zero;
 
 /// So many passes may change all at once without there being fewer of them.
 const PATIENCE: usize = 3;
@@ -106,47 +105,49 @@ impl Pivoting {
 }
 
 /// What a joint does at the start of a step, as far as it is known.
-pub(super) fn begun<T: Scalar>(mode: Mode, rate: T) -> Mode {
-    match mode.forgotten() {
-        Mode::Sticks if rate.is_zero() => Mode::Halts,
-        Mode::Sticks => Mode::of(rate),
-        _ if mode.stop().is_some() && rate.is_zero() => Mode::Lands,
-        _ => Mode::Swings,
+pub(super) fn begun<T: Scalar>(mode: Mode, rate: T, rubs: bool) -> Mode {
+    if !rate.is_zero() {
+        return Mode::at(rate, rubs);
+    }
+    match mode.stop() {
+        Some(_) => Mode::Lands,
+        None if rubs => Mode::Halts,
+        None => Mode::Swings,
     }
 }
 
 /// What a joint does instead, if it cannot do this.
-fn changed<T: Scalar>(mode: Mode, before: T, told: &GuardedRate<T>, (dt, still): (T::Real, f64)) -> Option<Mode> {
+fn changed<T: Scalar>(mode: Mode, before: T, told: &Told<T>, (dt, still): (T::Real, f64)) -> Option<Mode> {
     let real = |x: T| x.real().as_f64();
     let (time, before, second) = (dt.as_f64(), real(before), real(told.rate));
     let (guard, answer, apart) = (real(told.guard), real(told.answer), real(told.apart));
     let (touch, side) = (Mode::touch::<T::Real>().as_f64(), guard.signum());
-    let after = before + time * second;
+    let (after, meets) = (before + time * second, told.stops && !mode.is_locked());
+    let gives_back = answer > 0.0 && side * before > 0.0;
     match mode {
+        // Past its stop already by the rate that it has, it rebounds.
+        _ if meets && guard.abs() > 1.0 && gives_back && side * (after + answer * before) > still => {
+            Some(Mode::Rebounds)
+        }
+        _ if meets && side * (time * time * second - apart) > touch => Some(Mode::Lands),
         Mode::SlipsForward | Mode::SlipsBack => {
             let back = -after * real(mode.sign::<T>());
             (back > still).then_some(Mode::Halts)
         }
         Mode::Halts => (guard.abs() > 1.0 + touch).then(|| Mode::broken_away(told.guard)),
-        // Past its stop already by the rate that it has, it rebounds.
-        Mode::Swings if guard.abs() > 1.0 && answer > 0.0 && side * before > 0.0 => {
-            (side * (after + answer * before) > still).then_some(Mode::Rebounds)
-        }
-        Mode::Swings => (side * (time * time * second - apart) > touch).then_some(Mode::Lands),
-        Mode::Lands | Mode::Rebounds => (side * answer > 0.0).then_some(Mode::Swings),
+        Mode::Lands | Mode::Rebounds if side * answer > 0.0 => Some(Mode::at(told.guard, told.rubs)),
         _ => None,
     }
 }
 
 /// What a joint does where the step has led.
-pub(super) fn ended<T: Scalar>(mode: &mut Mode, rate: &mut T, told: &GuardedRate<T>, dt: T::Real) {
+pub(super) fn ended<T: Scalar>(mode: &mut Mode, rate: &mut T, told: &Told<T>, dt: T::Real) {
     match mode {
         Mode::Halts => (*mode, *rate) = (Mode::Sticks, T::zero()),
         Mode::Lands if (*rate).real().abs() * dt <= Mode::touch() => {
-            let rests = if told.guard.real() < T::Real::zero() { Mode::RestsBelow } else { Mode::RestsAbove };
-            (*mode, *rate) = (rests, T::zero());
+            (*mode, *rate) = (Mode::resting(told.guard.real().as_f64()), T::zero());
         }
-        Mode::Lands | Mode::Rebounds => *mode = Mode::Swings,
+        Mode::Lands | Mode::Rebounds => *mode = Mode::at(*rate, told.rubs),
         _ => (),
     }
 }

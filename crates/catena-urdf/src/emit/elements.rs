@@ -40,15 +40,18 @@ pub fn imports(robot: &Robot, plan: &Plan) -> String {
     let welds = parts().any(|part| matches!(part, Part::Weld(_)));
     let fixed = robot.base.is_none();
     let law = |name: &str| laws::uses(robot, name);
+    let wraps = |name: &str| laws::wraps(robot, name);
     let used = [
         ("Absent", law("Spring")),
+        ("BoundedCoulomb", wraps("BoundedCoulomb")),
         ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
         ("Clamped", fixed),
-        ("Coulomb", robot.bodies.iter().any(|body| laws::sticks(robot, body))),
+        ("Coulomb", wraps("Coulomb")),
         ("Coupling", constants::couples(robot)),
         ("DryFriction", law("DryFriction")),
         ("Effort", true),
         ("Free", true),
+        ("HardStops", wraps("HardStops")),
         ("Motor", robot.laws.has_motors()),
         ("Prismatic", slides(true)),
         ("Revolute", slides(false)),
@@ -69,16 +72,19 @@ fn local_imports(robot: &Robot, plan: &Plan) -> String {
     let slides = |slides: bool| robot.bodies.iter().any(|body| body.slides == slides);
     let [any, quarter, level] = structure::kinds(robot, robot.is_general());
     let law = |name: &str| laws::uses(robot, name);
+    let wraps = |name: &str| laws::wraps(robot, name);
     let used = [
         ("Absent", robot.base.is_none() || law("Spring")),
         ("Base", robot.base.is_none()),
         ("BodyAxes", robot.base.is_some()),
+        ("BoundedCoulomb", wraps("BoundedCoulomb")),
         ("Branch", parts().any(|part| matches!(part, Part::Arm(_)))),
-        ("Coulomb", robot.bodies.iter().any(|body| laws::sticks(robot, body))),
+        ("Coulomb", wraps("Coulomb")),
         ("Coupling", constants::couples(robot)),
         ("DryFriction", law("DryFriction")),
         ("Effort", true),
         ("Free", true),
+        ("HardStops", wraps("HardStops")),
         ("Hinge", slides(false)),
         ("Level", level),
         ("Link", true),
@@ -108,7 +114,7 @@ fn is_grounded(robot: &Robot, body: &Body) -> bool {
 
 /// Whether a joint of body axes has to name a law though it has none.
 fn names_a_law(robot: &Robot, body: &Body) -> bool {
-    is_grounded(robot, body) && (laws::sticks(robot, body) || laws::kind(robot, body).is_none())
+    is_grounded(robot, body) && (laws::guard(robot, body).is_some() || laws::kind(robot, body).is_none())
 }
 
 /// Types of all chains and of the scene.

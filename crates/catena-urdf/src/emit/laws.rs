@@ -42,28 +42,75 @@ fn with(robot: &Robot, body: &Body) -> String {
     value.map_or(String::new(), |value| format!(".with({value})"))
 }
 
-/// The type of a joint with its law, around which is friction if the joint sticks: from a type without its last parameters, what follows
+/// What is around a joint that has modes.
+pub enum Guard {
+    /// Friction, that holds it.
+    Friction(f64),
+    /// Stops, and the share of a rate that they give back.
+    Range([f64; 2], f64),
+    /// Both.
+    Both(f64, [f64; 2], f64),
+}
+
+impl Guard {
+    fn kind(&self) -> &'static str {
+        match self {
+            Self::Friction(_) => "Coulomb",
+            Self::Range(..) => "HardStops",
+            Self::Both(..) => "BoundedCoulomb",
+        }
+    }
+
+    /// The value of a joint that has it.
+    fn around(&self, joint: &str) -> String {
+        let literal = |x: f64| format!("T::literal({})", number(x));
+        let stops = |[lower, upper]: [f64; 2]| format!("[{}, {}]", literal(lower), literal(upper));
+        match *self {
+            Self::Friction(force) => format!("Coulomb::new({joint}, {})", literal(force)),
+            Self::Range(range, back) => {
+                format!("HardStops::between({joint}, {}).rebounding({})", stops(range), literal(back))
+            }
+            Self::Both(force, range, back) => {
+                let (force, range, back) = (literal(force), stops(range), literal(back));
+                format!("Coulomb::new({joint}, {force}).between({range}).rebounding({back})")
+            }
+        }
+    }
+}
+
+/// What is around a joint, if it has modes.
+pub fn guard(robot: &Robot, body: &Body) -> Option<Guard> {
+    match (robot.laws.sticking_of(&body.furniture), robot.laws.hard_stops_of(&body.furniture)) {
+        (Some(force), Some((range, back))) => Some(Guard::Both(force, range, back)),
+        (Some(force), None) => Some(Guard::Friction(force)),
+        (None, Some((range, back))) => Some(Guard::Range(range, back)),
+        (None, None) => None,
+    }
+}
+
+/// The type of a joint with its law, around which is what gives it modes: from a type without its last parameters, what follows
 /// its law there, and the law that it must name in any case.
 pub fn joint_type(robot: &Robot, body: &Body, [open, after, least]: [&str; 3]) -> String {
     let law = kind(robot, body).map(|law| format!(", {law}"));
-    if sticks(robot, body) {
-        return format!("Coulomb<{open}{least}{after}>, T{}>", law.unwrap_or_default());
+    if let Some(guard) = guard(robot, body) {
+        return format!("{}<{open}{least}{after}>, T{}>", guard.kind(), law.unwrap_or_default());
     }
     format!("{open}{}{after}>", law.as_deref().unwrap_or(least))
 }
 
-/// The value of a joint with its law, around which is friction if the joint sticks; `after` is what is said after the law.
+/// The value of a joint with its law, around which is what gives it modes; `after` is what is said after the law.
 pub fn joint(robot: &Robot, body: &Body, made: &str, after: &str) -> String {
     let law = with(robot, body);
-    match robot.laws.sticking_of(&body.furniture) {
-        Some(force) => format!("Coulomb::new({made}{after}, T::literal({})){law}", number(force)),
+    match guard(robot, body) {
+        Some(guard) => format!("{}{law}", guard.around(&format!("{made}{after}"))),
         None => format!("{made}{law}{after}"),
     }
 }
 
-/// Whether dry friction holds a joint.
-pub fn sticks(robot: &Robot, body: &Body) -> bool {
-    robot.laws.sticking_of(&body.furniture).is_some()
+/// Whether something of this name is around a joint, as a type or as what makes it.
+pub fn wraps(robot: &Robot, name: &str) -> bool {
+    let named = |guard: Guard| guard.kind() == name || guard.around("").contains(&format!("{name}::"));
+    robot.bodies.iter().filter_map(|body| guard(robot, body)).any(named)
 }
 
 /// Whether a law of this name is used: `Spring` and `Absent` by dampers.

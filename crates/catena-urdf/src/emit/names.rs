@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 /// What the module itself uses.
-const RESERVED: [&str; 52] = [
+const RESERVED: [&str; 54] = [
     "Base",
     "Absent",
     "OnGround",
@@ -52,8 +52,10 @@ const RESERVED: [&str; 52] = [
     "vector",
     "tensor",
     "Motor",
+    "BoundedCoulomb",
     "Coulomb",
     "DryFriction",
+    "HardStops",
     "Stops",
     "motors",
 ];

@@ -123,7 +123,7 @@ fn tell_constants(joints: &[Joint], options: &Options, notes: &mut Notes) {
     for joint @ Joint { line, name, kind, furniture, .. } in joints {
         let (limits, slides) = (furniture.lower.is_finite() || furniture.upper.is_finite(), *kind == Kind::Prismatic);
         let has = [
-            ("a limit of position", limits && laws.stops_of(furniture, slides).is_none()),
+            ("a limit of position", limits && !laws.stops_it(furniture, slides)),
             ("a limit of effort or velocity", furniture.effort.is_finite() || furniture.velocity.is_finite()),
             ("damping", furniture.damping != 0.0 && laws.damping_of(furniture).is_none()),
             ("dry friction", furniture.friction != 0.0 && !laws.rubs(furniture, slides)),
