@@ -1,25 +1,21 @@
 //! How long a user waits: the time to compile a program with a chain of sixty bodies of three kinds and the pins
-//! between them, in nested tuples of different types, when catena itself is already built. Every build is a whole one:
-//! nothing is left over from the build before.
+//! between them, in nested tuples of different types, when catena itself is already built.
 //!
 //! `cargo bench --bench compile_time`
 
+#[path = "parts/builds.rs"]
+mod builds;
 #[path = "parts/clock.rs"]
 mod clock;
 
-use clock::{median, progress};
+use builds::User;
 use std::error::Error;
 use std::fmt::Write as _;
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::time::Instant;
+use std::path::Path;
 
 const BODIES: usize = 60;
 /// Items of an inner tuple.
 const GROUP: usize = 15;
-/// Builds that are timed; the fastest counts, because a build uses all of a machine that is rarely idle.
-const ROUNDS: usize = 5;
 /// What we aim at (s).
 const TARGET: f64 = 2.0;
 
@@ -67,39 +63,12 @@ fn program(uses: &Use, round: usize) -> String {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let library = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let user = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("compile_time");
-    fs::create_dir_all(user.join("src"))?;
-    let package = "[package]\nname = \"user\"\nedition = \"2024\"\n[workspace]\n";
-    let manifest = format!("{package}[dependencies]\ncatena = {{ path = {library:?} }}\n");
-    fs::write(user.join("Cargo.toml"), manifest)?;
-    // The same versions, from what is already downloaded.
-    fs::copy(library.join("Cargo.lock"), user.join("Cargo.lock"))?;
-
+    let user = User::named("compile_time", Path::new(env!("CARGO_MANIFEST_DIR")))?;
     println!("| {BODIES} bodies in nested tuples | profile | fastest build, s | median, s | target {TARGET} s |");
     println!("|---|---|---:|---:|---|");
     for uses in [Use::Accelerations, Use::Simulation] {
         for profile in ["dev", "release"] {
-            let mut times = Vec::new();
-            for round in 0..=ROUNDS {
-                progress(&format!("{}, {profile}: build {round} of {ROUNDS}", uses.name()));
-                fs::write(user.join("src/main.rs"), program(&uses, round))?;
-                let start = Instant::now();
-                let output = Command::new(env!("CARGO"))
-                    .args(["build", "--quiet", "--offline", "--profile", profile, "--target-dir", "target"])
-                    .env("CARGO_INCREMENTAL", "0") // every build a whole one
-                    .current_dir(&user)
-                    .output()?;
-                if !output.status.success() {
-                    return Err(String::from_utf8_lossy(&output.stderr).into_owned().into());
-                }
-                if round > 0 {
-                    times.push(start.elapsed().as_secs_f64()); // the first build also builds the library
-                }
-            }
-            progress("");
-            let middle = median(&mut times); // sorts
-            let best = times[0];
+            let [best, middle] = user.seconds(uses.name(), profile, |round| program(&uses, round))?;
             let verdict = if best < TARGET { "met" } else { "missed" };
             println!("| {} | {profile} | {best:.2} | {middle:.2} | {verdict} |", uses.name());
         }
