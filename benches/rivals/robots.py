@@ -1,10 +1,10 @@
-"""Functions of the shipped robots beside Pinocchio's, in nanoseconds a call.
+"""Functions of the shipped robots beside those of Pinocchio and of dynibo, a crate for Rust, in nanoseconds a call.
 
     python3 -m venv target/rivals && target/rivals/bin/pip install -r benches/rivals/requirements.txt
     target/rivals/bin/python benches/rivals/robots.py
 
-Both read the descriptions in crates/catena-urdf/robots, compiled for the default target and for this machine (native), and are run in turns at the
-same random states; where Pinocchio has several ways, the fastest counts. Numbers that differ end the script. Writes
+All read the descriptions in crates/catena-urdf/robots, compiled for the default target and for this machine (native), and are run in turns at the
+same random states; where others have several ways, the fastest counts. dynibo has no planar joints. Numbers that differ end the script. Writes
 benches/results/robots.csv, from which `cargo run -p catena-report` makes the table of BENCHMARKS.md. Building takes some ten minutes, and
 timing one.
 """
@@ -34,13 +34,13 @@ ROBOTS = [
 ]
 TARGETS = {"default": [], "native": ["-march=native"]}
 ROUNDS = 9
-# The same by Pinocchio.
+# The same by others.
 SAME = {
-    "sweep": ["aba_local", "aba_world"],
-    "forward_dynamics": ["aba_local", "aba_world"],
-    "inverse_dynamics": ["rnea"],
-    "mass_matrix": ["crba_local", "crba_world"],
-    "jacobian": ["jacobian_frame", "jacobian_joints"],
+    "sweep": ["aba_local", "aba_world", "dynibo_aba"],
+    "forward_dynamics": ["aba_local", "aba_world", "dynibo_aba"],
+    "inverse_dynamics": ["rnea", "dynibo_rnea"],
+    "mass_matrix": ["crba_local", "crba_world", "dynibo_crba"],
+    "jacobian": ["jacobian_frame", "jacobian_joints", "dynibo_jacobian"],
     "forward_dynamics_derivatives": ["aba_derivatives"],
 }
 TOLERANCE = 1e-9  # of numbers, relative to the largest
@@ -55,6 +55,28 @@ def catena(target):
     output = subprocess.run(command, cwd=ROOT, env=environment, check=True, stdout=subprocess.PIPE, text=True).stdout
     found = [message.get("executable") for message in map(json.loads, output.splitlines())]
     return next(path for path in reversed(found) if path)
+
+
+def crate(target):
+    """The program of dynibo, compiled."""
+    flags = " ".join([os.environ.get("RUSTFLAGS", ""), "-C target-cpu=native" if target == "native" else ""]).strip()
+    folder = OUT / f"crates-{target}"
+    command = ["cargo", "build", "--release", "--quiet", "--bin", "robots", "--manifest-path", HERE / "crates" / "Cargo.toml"]
+    subprocess.run([*command, "--target-dir", folder], env={**os.environ, "RUSTFLAGS": flags}, check=True)
+    return folder / "release" / "robots"
+
+
+def without_a_stand(text):
+    """A description whose base floats by itself: without the floating joint and what that stands on."""
+    root = tree.fromstring(text)
+    for joint in root.findall("joint"):
+        if joint.get("type") == "floating":
+            stand = joint.find("parent").get("link")
+            root.remove(joint)
+            for link in root.findall("link"):
+                if link.get("name") == stand:
+                    root.remove(link)
+    return tree.tostring(root, encoding="unicode")
 
 
 def described(robot, file):
@@ -106,15 +128,22 @@ def main():
     OUT.mkdir(parents=True, exist_ok=True)
     own = {target: catena(target) for target in TARGETS}
     other = {target: compiled(f"robots-{target}", "robots.cpp", flags) for target, flags in TARGETS.items()}
-    files, rows, wrong = {}, [], []
+    third = {target: crate(target) for target in TARGETS}
+    files, plain, rows, wrong = {}, {}, [], []
     for robot, file, floating in ROBOTS:
         name = re.sub(r"\W+", "-", robot)
         files[robot] = [OUT / f"{name}.joints", OUT / f"{name}.states"]
-        model(files[robot][0], described(robot, file), floating)
+        text = described(robot, file)
+        model(files[robot][0], text, floating)
+        if "type=\"planar\"" not in text:
+            plain[robot] = [OUT / f"{name}.urdf", files[robot][1]]
+            plain[robot][0].write_text(without_a_stand(text))
         for target in TARGETS:
             with open(files[robot][1], "w") as states:
                 subprocess.run([own[target], "states", robot], check=True, stdout=states)
             off = said(other[target], "check", *files[robot])
+            if robot in plain:
+                off |= said(third[target], "check", *plain[robot])
             print(f"{robot}, {target}: " + ", ".join(f"{name} {most:.0e}" for name, most in off.items()), file=sys.stderr)
             wrong += [f"{robot}: {name}" for name, most in off.items() if not most < TOLERANCE]
     if wrong:
@@ -123,10 +152,10 @@ def main():
     for _ in range(ROUNDS):
         for robot in files:
             for target in TARGETS:
-                for library, command in [
-                    ("Catena", [own[target], "time", robot]),
-                    ("Pinocchio", [other[target], "time", *files[robot]]),
-                ]:
+                commands = [("Catena", [own[target], "time", robot]), ("others", [other[target], "time", *files[robot]])]
+                if robot in plain:
+                    commands.append(("others", [third[target], "time", *plain[robot]]))
+                for library, command in commands:
                     for name, nanoseconds in said(*command).items():
                         times.setdefault((robot, library, target, name), []).append(nanoseconds)
     middle = {key: statistics.median(list_) for key, list_ in times.items()}
@@ -134,11 +163,16 @@ def main():
         for target in TARGETS:
             for function, ways in SAME.items():
                 ours = middle.get((robot, "Catena", target, function))
-                theirs, way = min((middle[robot, "Pinocchio", target, way], way) for way in ways)
+                known = [(middle[key], way) for way in ways if (key := (robot, "others", target, way)) in middle]
+                theirs, way = min(known)
                 if ours is not None:
                     rows.append([robot.replace(",", ";"), function, "Catena", function, target, f"{ours:.1f}"])
                     print(f"{robot}, {target}: {function} {ours:.0f} ns, {way} {theirs:.0f} ns, {theirs / ours:.2f}")
-                rows.append([robot.replace(",", ";"), function, "Pinocchio", way, target, f"{theirs:.1f}"])
+                for library, its in [("Pinocchio", [pair for pair in known if "dynibo" not in pair[1]]),
+                                     ("dynibo", [pair for pair in known if "dynibo" in pair[1]])]:
+                    if its:
+                        nanoseconds, way = min(its)
+                        rows.append([robot.replace(",", ";"), function, library, way, target, f"{nanoseconds:.1f}"])
     with open(ROOT / "benches" / "results" / "robots.csv", "w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["robot", "function", "library", "way", "target", "nanoseconds"])

@@ -1,7 +1,7 @@
 //! Steps by explicit methods.
 
 use super::between::complete;
-use super::displace::{displace, gather, gather_few, mean_square};
+use super::displace::{are_few, displace, displace_by_row, gather, gather_few, mean_square};
 use super::{Method, MotionIn, Stepper, TimeIn, of_stage};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate, Retraction};
@@ -55,14 +55,6 @@ pub(crate) fn row_weights<M: Explicit>(row: usize) -> (&'static [f64], &'static 
     (&M::position(row)[..row], &M::rate(row)[..row])
 }
 
-/// So many numbers have rates of a scene with few coordinates: there what a step does beside its sweeps would count, and code of its own
-/// for each row is not much.
-const FEW: usize = 24;
-/// And so many of these stand in fields of their own, for each of which there is code: loops over items of arrays a compiler unrolls where
-/// that pays, and puts side by side. Runs of arms of seven joints take a quarter less time by it, of eight rods two fifths; of sixteen rods it
-/// would be a twentieth, for twice the time to compile.
-const FIELDS: usize = 8;
-
 /// Calls a method for each row, by its number as a literal.
 macro_rules! each_row {
     ($($row:literal)* => |$name:ident| $call:expr) => {$(
@@ -73,9 +65,7 @@ macro_rules! each_row {
 
 impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
     /// Whether sums are formed in registers, row by row.
-    const FEW: bool = <D::Rate as Rate<D::Scalar>>::LENGTH <= FEW
-        && <D::Rate as Rate<D::Scalar>>::FIELDS <= FIELDS
-        && !<D::Scalar as Scalar>::LARGE;
+    const FEW: bool = are_few::<D::Scalar, D::Rate>();
 
     /// Positions and rates of a row.
     #[cfg_attr(optimised, inline(always))]
@@ -84,22 +74,10 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
         past: &MotionIn<D, L>,
         slopes: &[D::Rate],
         dt: TimeIn<D, L>,
-        (zero, increment): (&D::Rate, &mut D::Rate),
-        (position, rate): (&mut D::Position, &mut D::Rate),
+        room: (&D::Rate, &mut D::Rate),
+        into: (&mut D::Position, &mut D::Rate),
     ) {
-        let (of_position, of_rate) = row_weights::<M>(row);
-        if Self::FEW {
-            gather_few(increment, zero, of_position, slopes);
-            let duration = TimeIn::<D, L>::of(M::node(row)) * dt;
-            position.drift_1(&past.position, (duration, &past.rate), (dt * dt, increment));
-            // Positions hang on the row before last, rates on the last, which has just been written: in one register with these they would
-            // wait for it, and sines with them, while they could be found in the meantime.
-            core::hint::black_box(&mut *position);
-            gather_few(increment, zero, of_rate, slopes);
-            rate.mix_1(&past.rate, (dt, increment));
-        } else {
-            displace(past, slopes, M::node(row), (of_position, of_rate), dt, (zero, increment), (position, rate));
-        }
+        displace_by_row(past, slopes, M::node(row), row_weights::<M>(row), dt, room, into);
     }
 
     /// Evaluates a row that is not the step itself: its accelerations become slopes.
@@ -227,8 +205,8 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
                     let (position, rate) = &mut self.estimate;
                     let (of_position, of_rate) = (&of_position[..=M::STAGES], &of_rate[..=M::STAGES]);
                     if Self::FEW {
-                        gather_few(position, &self.zero, of_position, slopes);
-                        gather_few(rate, &self.zero, of_rate, slopes);
+                        gather_few(position, &self.zero, |j| of_position.get(j).copied(), slopes);
+                        gather_few(rate, &self.zero, |j| of_rate.get(j).copied(), slopes);
                     } else {
                         gather(position, &self.zero, one, of_position, slopes);
                         gather(rate, &self.zero, one, of_rate, slopes);

@@ -19,7 +19,7 @@ fn aim(robot: &str, function: &str) -> Option<f64> {
     AIMS.iter().find(fits).map(|aim| aim.2)
 }
 
-/// A function of a robot: nanoseconds of ours and of the other library, and the latter's way.
+/// A function of a robot: nanoseconds of ours and of another library, and the latter's way.
 struct Pair<'r> {
     ours: f64,
     theirs: f64,
@@ -27,7 +27,7 @@ struct Pair<'r> {
 }
 
 impl<'r> Pair<'r> {
-    fn of(rows: &'r Rows, [robot, function, target]: [&str; 3]) -> Self {
+    fn of(rows: &'r Rows, [robot, function, target]: [&str; 3], other: &str) -> Self {
         let key = [("robot", robot), ("function", function), ("target", target)];
         let of = |library: &str| {
             let same = |row: &&Row| {
@@ -36,7 +36,7 @@ impl<'r> Pair<'r> {
             rows.0.iter().find(same)
         };
         let time = |row: Option<&Row>| row.map_or(f64::NAN, |row| row.number("nanoseconds"));
-        let (ours, theirs) = (of("Catena"), of("Pinocchio"));
+        let (ours, theirs) = (of("Catena"), of(other));
         Self { ours: time(ours), theirs: time(theirs), way: theirs.map_or("", |row| row.get("way")) }
     }
 
@@ -91,7 +91,7 @@ pub fn counted(rows: &Rows) -> String {
 pub fn beside(rows: &Rows) -> String {
     let mut heads = vec!["robot".to_owned(), "function".to_owned()];
     for target in TARGETS {
-        heads.extend([format!("ns, {target}"), "Pinocchio".to_owned(), "times".to_owned()]);
+        heads.extend([format!("ns, {target}"), "Pinocchio".to_owned(), "times".to_owned(), "dynibo, times".to_owned()]);
     }
     heads.push("aim".to_owned());
     let mut text = head(heads);
@@ -99,11 +99,13 @@ pub fn beside(rows: &Rows) -> String {
         let mut cells = vec![robot.to_owned(), format!("`{function}`")];
         let aim = aim(robot, function);
         for target in TARGETS {
-            let pair = Pair::of(rows, [robot, function, target]);
+            let [pair, third] = ["Pinocchio", "dynibo"].map(|other| Pair::of(rows, [robot, function, target], other));
             let ratio = number(pair.ratio(), 2);
             let missed = aim.is_some_and(|aim| pair.ratio() < aim);
             cells.extend([number(pair.ours, 0), format!("{} (`{}`)", number(pair.theirs, 0), pair.way)]);
             cells.push(if missed { format!("**{ratio}**") } else { ratio });
+            let ratio = number(third.ratio(), 2);
+            cells.push(if third.ratio() < 1.0 { format!("**{ratio}**") } else { ratio });
         }
         cells.push(aim.map_or_else(String::new, |aim| aim.to_string()));
         text += &line(cells);
@@ -124,7 +126,7 @@ pub fn losses(rows: &Rows) -> String {
         let mut missed = vec![];
         for [robot, of] in keys(rows) {
             let Some(aim) = aim(robot, function).filter(|_| *of == *function) else { continue };
-            let ratios = TARGETS.map(|target| Pair::of(rows, [robot, function, target]).ratio());
+            let ratios = TARGETS.map(|target| Pair::of(rows, [robot, function, target], "Pinocchio").ratio());
             if ratios.iter().all(|ratio| ratio.is_nan()) {
                 missed.push(format!("{robot} not there"));
             } else if ratios.iter().any(|ratio| *ratio < aim) {

@@ -25,7 +25,7 @@ use crate::relation::{Additive, Solvable, Wrench};
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::shape::Takes;
-use crate::stepper::displace::{displace, gather};
+use crate::stepper::displace::{gather, gather_few, with_row};
 use crate::system::{Elements, MotionOf, RateOf};
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
@@ -54,7 +54,7 @@ where
         between: Option<&Between<S, R, C, P, M>>,
         gradient: &mut Gradient<S, Elements<S, R, C>>,
     ) {
-        let (last, one) = (M::STAGES, RealOf::<S>::one());
+        let last = M::STAGES;
         if let (true, Some(projection)) = (Self::CLOSED > 0, &record.projection) {
             let stage = &record.stages.as_ref()[last - 1];
             let place = if last == 1 { &past.position } else { &stage.position };
@@ -70,7 +70,7 @@ where
         if Self::CURVED {
             let (room, (position, rate)) = ((&self.zero, &mut self.sum), &mut self.end);
             let slopes = record.accelerations.as_ref();
-            displace(past, slopes, M::node(last), M::weights(last), step, room, (&mut *position, &mut *rate));
+            Self::displace(last, past, slopes, step, room, (&mut *position, &mut *rate));
             position.retract_rate(&past.position, rate);
             gradient.start.position.set(&self.zero);
             let of_end = (&mut self.of_position.as_mut()[last], &mut self.of_rate.as_mut()[last]);
@@ -82,12 +82,7 @@ where
             }
         }
         for row in (0..last).rev() {
-            let [position, rate] = &self.weights.as_ref()[row];
-            let later = row + 1..last + 1;
-            let of_position = &self.of_position.as_ref()[later.clone()];
-            gather(&mut self.sum, &self.zero, step * step, &position[later.clone()], of_position);
-            let of_rate = &self.of_rate.as_ref()[later.clone()];
-            gather(&mut self.of_acceleration, &self.sum, step, &rate[later], of_rate);
+            self.gather_later(row, step);
             if let Some(between) = between {
                 self.of_acceleration.add(&between.of_slopes.as_ref()[row]);
             }
@@ -118,13 +113,50 @@ where
                 of_past.add(of_position);
             }
         }
-        let (of_position, of_rate) = (&self.of_position.as_ref()[..=last], &self.of_rate.as_ref()[..=last]);
-        if !Self::CURVED {
-            gather(&mut gradient.start.position, &self.zero, one, &[1.0; ROWS], of_position);
-        }
-        gather(&mut self.sum, &self.zero, one, &[1.0; ROWS], of_rate);
-        gather(&mut gradient.start.rate, &self.sum, step, &self.nodes, of_position);
+        self.gather_all(step, gradient);
         self.add_past(between, gradient);
+    }
+
+    /// λ of a row, by what later ones have left.
+    #[cfg_attr(optimised, inline(always))]
+    fn gather_later(&mut self, row: usize, step: RealOf<S>) {
+        let (last, zero) = (M::STAGES, &self.zero);
+        let (of_position, of_rate) = (self.of_position.as_ref(), self.of_rate.as_ref());
+        if const { Self::FEW } {
+            let [mut by_position, mut by_rate] = [zero.clone(), zero.clone()];
+            with_row!(row, M::STAGES, |row| {
+                let later = |k: usize| k > row && k <= last;
+                gather_few(&mut by_position, zero, |k| later(k).then(|| M::weights(k).0[row]), of_position);
+                gather_few(&mut by_rate, zero, |k| later(k).then(|| M::weights(k).1[row]), of_rate);
+            });
+            self.of_acceleration.mix_2(zero, (step * step, &by_position), (step, &by_rate));
+            return;
+        }
+        let [position, rate] = &self.weights.as_ref()[row];
+        let later = row + 1..last + 1;
+        gather(&mut self.sum, zero, step * step, &position[later.clone()], &of_position[later.clone()]);
+        gather(&mut self.of_acceleration, &self.sum, step, &rate[later.clone()], &of_rate[later]);
+    }
+
+    /// Costates before a step, by those of its rows.
+    #[cfg_attr(optimised, inline(always))]
+    fn gather_all(&mut self, step: RealOf<S>, gradient: &mut Gradient<S, Elements<S, R, C>>) {
+        let (last, one, zero) = (M::STAGES, RealOf::<S>::one(), &self.zero);
+        let (of_position, of_rate) = (&self.of_position.as_ref()[..=last], &self.of_rate.as_ref()[..=last]);
+        if const { Self::FEW } {
+            if !Self::CURVED {
+                gather_few(&mut gradient.start.position, zero, |k| (k <= last).then_some(1.0), of_position);
+            }
+            gather_few(&mut self.sum, zero, |k| (k <= last).then(|| M::node(k)), of_position);
+            gather_few(&mut self.of_acceleration, zero, |k| (k <= last).then_some(1.0), of_rate);
+            gradient.start.rate.mix_1(&self.of_acceleration, (step, &self.sum));
+            return;
+        }
+        if !Self::CURVED {
+            gather(&mut gradient.start.position, zero, one, &[1.0; ROWS], of_position);
+        }
+        gather(&mut self.sum, zero, one, &[1.0; ROWS], of_rate);
+        gather(&mut gradient.start.rate, &self.sum, step, &self.nodes, of_position);
     }
 
     /// Adds what motions between the ends of a step do to costates before it.

@@ -38,7 +38,6 @@ use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::shape::{Positions, Shape, Takes};
-use crate::stepper::displace::displace;
 use crate::system::{Elements, MotionOf, PositionOf, RateOf};
 use crate::walks::strain::Strain;
 
@@ -85,7 +84,7 @@ where
             self.remember(past, step, slopes, free);
         } else {
             let sums = (&self.zero, &mut self.sum);
-            displace(past, slopes, node, M::weights(row), step, sums, (&mut free.0, &mut free.1));
+            Self::displace(row, past, slopes, step, sums, (&mut free.0, &mut free.1));
         }
         for sweep in 0..sweeps {
             // A prediction without accelerations, or where they lead.

@@ -27,7 +27,6 @@ use crate::relation::{Acceleration, Additive, Closures, Solvable};
 use crate::scalar::{Real, Scalar};
 use crate::sensitivity::Gradient;
 use crate::shape::{Positions, Takes};
-use crate::stepper::displace::displace;
 use crate::system::{Corrections, Elements, MOST_CORRECTIONS, MotionOf, PositionOf, RateOf};
 use crate::walks::look::look;
 use crate::walks::missed::missed;
@@ -95,9 +94,8 @@ where
         if const { M::REMEMBERS } {
             self.end_unprojected(past, step, accelerations, (place, rate));
         } else {
-            let (row, sums) = (M::STAGES, (&self.zero, &mut self.sum));
-            let weights = M::weights(row);
-            displace(past, accelerations.as_ref(), M::node(row), weights, step, sums, (&mut *place, &mut *rate));
+            let sums = (&self.zero, &mut self.sum);
+            Self::displace(M::STAGES, past, accelerations.as_ref(), step, sums, (&mut *place, &mut *rate));
             if Self::CURVED {
                 place.retract_rate(&past.position, rate);
             }

@@ -14,7 +14,7 @@ use crate::mirror::{Rate, Retraction};
 use crate::relation::{Acceleration, Additive, Closures, Cuts, Solvable, Wrench};
 use crate::scalar::Real;
 use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Shape, Takes};
-use crate::stepper::displace::displace;
+use crate::stepper::displace::{are_few, displace, displace_by_row, with_row};
 use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
 use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
@@ -94,6 +94,8 @@ where
     pub(super) const LOOPED: bool = System::<S, R, C, P>::LOOPED;
     /// How deep closures are nested.
     pub(super) const CLOSED: usize = System::<S, R, C, P>::CLOSED;
+    /// Whether sums are formed in registers, row by row.
+    pub(super) const FEW: bool = are_few::<S::Scalar, RateOf<S, R, C>>();
     pub(super) const CURVED: bool = <PositionOf<S, R, C> as Retraction<S::Scalar>>::CURVED;
 
     pub(super) fn new(scene: &'s System<S, R, C, P>, rule: M, law: L) -> Self {
@@ -185,6 +187,25 @@ where
         unspread::from_joints(self.scene.elements(), &mut self.of_torques, EffortOf::<S>::null(), list);
     }
 
+    /// Positions and rates of a row, by the accelerations before it.
+    #[cfg_attr(optimised, inline(always))]
+    pub(super) fn displace(
+        row: usize,
+        past: &MotionOf<S, R, C, P>,
+        slopes: &[RateOf<S, R, C>],
+        step: RealOf<S>,
+        room: (&RateOf<S, R, C>, &mut RateOf<S, R, C>),
+        into: (&mut PositionOf<S, R, C>, &mut RateOf<S, R, C>),
+    ) {
+        if const { Self::FEW } {
+            with_row!(row, M::STAGES, |row| {
+                displace_by_row(past, slopes, M::node(row), M::weights(row), step, room, into)
+            });
+        } else {
+            displace(past, slopes, M::node(row), M::weights(row), step, room, into);
+        }
+    }
+
     /// The stages of a step, of which the first is the motion before it.
     pub(super) fn evaluate(
         &mut self,
@@ -199,9 +220,9 @@ where
             }
             if row > 0 {
                 let Stage { position, rate, .. } = &mut record.stages.as_mut()[row];
-                let room = (&self.zero, &mut self.sum);
                 let slopes = record.accelerations.as_ref();
-                displace(past, slopes, M::node(row), M::weights(row), step, room, (&mut *position, &mut *rate));
+                let (room, into) = ((&self.zero, &mut self.sum), (&mut *position, &mut *rate));
+                Self::displace(row, past, slopes, step, room, into);
                 if Self::CURVED {
                     position.retract_rate(&past.position, rate);
                 }
@@ -245,7 +266,7 @@ where
         }
         let (row, room) = (M::STAGES, (&self.zero, &mut self.sum));
         let into = (&mut next.position, &mut next.rate);
-        displace(past, record.accelerations.as_ref(), M::node(row), M::weights(row), step, room, into);
+        Self::displace(row, past, record.accelerations.as_ref(), step, room, into);
         if Self::CURVED {
             next.position.retract_rate(&past.position, &mut next.rate);
         }
