@@ -83,6 +83,7 @@ fn attitudes_that_are_none_are_refused() -> Result<(), Error> {
         [
             scene.snapshot_afloat(base, &q, &o).map(|_| ()),
             scene.forward_dynamics_afloat(base, &q, &o, &wrench, &o).map(|_| ()),
+            scene.inverse_dynamics_afloat(base, &q, &o, &wrench, &o).map(|_| ()),
             scene.inverse_dynamics_derivatives_afloat(base, &q, &o, &wrench, &o).map(|_| ()),
             scene.forward_dynamics_derivatives_afloat(base, &q, &o, &wrench, &o).map(|_| ()),
             scene.jacobian_afloat(place, &q, Some(1), [0.0; 3]).map(|_| ()),

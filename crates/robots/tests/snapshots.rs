@@ -152,6 +152,16 @@ fn afloat() -> Result<(), catena::Error> {
         start.rate().visit(&mut |x: f64| rates.push(x));
         let base = scene.body_motions(&start)?.get(0).map(Afloat::of).expect("a base");
         check(&scene.snapshot_afloat(base, &q, &v)?, &plain, &plain.at(&q, &v), &rates, &mut noise)?;
+        // In one walk out and one in.
+        let seconds: [f64; 11] = list(&mut noise, 2.0);
+        let (of_base, of_joints): ([f64; 6], [f64; 5]) =
+            (std::array::from_fn(|k| seconds[k]), std::array::from_fn(|k| seconds[6 + k]));
+        let at = plain.at(&q, &v);
+        let mut right = &at.mass * DVector::from_column_slice(&seconds) + &at.bias;
+        (0..5).for_each(|k| right[6 + k] += plain.parts[k].damping * rates[6 + k]);
+        let (wrench, torques) = scene.inverse_dynamics_afloat(base, &q, &v, &of_base, &of_joints)?;
+        let found: Vec<f64> = wrench.iter().chain(&torques).copied().collect();
+        agree(&found, right.as_slice(), DIRECT);
     }
     Ok(())
 }

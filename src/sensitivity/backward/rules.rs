@@ -121,10 +121,12 @@ impl Staged for Sdirk4 {
     fn stages<X: Clone>(value: &X) -> [X; STAGES] {
         core::array::from_fn(|_| value.clone())
     }
+    #[inline(always)]
     fn node(row: usize) -> f64 {
         TABLE.nodes[row.min(STAGES - 1)]
     }
     /// The step is where its last stage ends.
+    #[inline(always)]
     fn weights(row: usize) -> (&'static [f64], &'static [f64]) {
         let stage = row.min(STAGES - 1);
         (&TABLE.position[stage][..row], &TABLE.rate[stage][..row])

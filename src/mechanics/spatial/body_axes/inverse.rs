@@ -5,12 +5,13 @@ use super::standing::{Stand, Standing};
 use super::through::{Solid, Through, through};
 use crate::scalar::Scalar;
 
-/// A motion, and the load (force, and torque about the origin) of all links on each joint.
+/// A motion, and the load (force, and torque about the origin) of all links on each joint, and on the base.
 pub struct Loaded<T, const N: usize, const RATES: bool, const SECONDS: bool> {
     pub stands: [Stand<T>; N],
     pub rates: [T; N],
     pub seconds: [T; N],
     pub loads: [[[T; 3]; 2]; N],
+    pub base: [[T; 3]; 2],
     pub next: usize,
 }
 
@@ -53,10 +54,9 @@ impl<T: Scalar, const N: usize, const RATES: bool, const SECONDS: bool> Through<
     fn link<B: Solid<T>>(&mut self, link: &B, carried: Carried<T>) -> Carried<T> {
         let still = if const { RATES } { link.gyroscopic(carried.spin) } else { [[Number::zero(); 3]; 2] };
         let [force, torque] = link.resisted([triple(carried.linear), Self::angular(carried.angular)], still);
-        // Links on the ground are of no joint.
-        if let Some(load) = self.loads.get_mut(carried.own) {
-            *load = [values(sum(triple(load[0]), force)), values(sum(triple(load[1]), torque))];
-        }
+        // Links of the base, or on the ground, are of no joint.
+        let load = self.loads.get_mut(carried.own).unwrap_or(&mut self.base);
+        *load = [values(sum(triple(load[0]), force)), values(sum(triple(load[1]), torque))];
         carried
     }
 }

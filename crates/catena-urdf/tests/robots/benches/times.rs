@@ -181,9 +181,7 @@ macro_rules! floating {
             $work,
             $states,
             "inverse_dynamics",
-            |s| $scene
-                .snapshot_afloat(s.base(), &s.q, &s.v)
-                .map(|now| now.inverse_dynamics(&s.base_seconds, &s.seconds)),
+            |s| $scene.inverse_dynamics_afloat(s.base(), &s.q, &s.v, &s.base_seconds, &s.seconds),
             |x| x.0.into_iter().chain(x.1)
         );
         function!($work, $states, "mass_matrix", |s| $scene.mass_matrix_afloat(s.base().place, &s.q), |x| {

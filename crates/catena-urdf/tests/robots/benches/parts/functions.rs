@@ -59,7 +59,7 @@ macro_rules! afloat {
             let ([q, v, x], base) = black_box((&list, base));
             match $function {
                 "forward_dynamics" => _ = black_box(scene.forward_dynamics_afloat(base, q, v, &wrench, x)?),
-                "inverse_dynamics" => _ = black_box(scene.snapshot_afloat(base, q, v)?.inverse_dynamics(&wrench, x)),
+                "inverse_dynamics" => _ = black_box(scene.inverse_dynamics_afloat(base, q, v, &wrench, x)?),
                 "mass_matrix" => _ = black_box(scene.mass_matrix_afloat(base.place, q)?),
                 "mass_inverse" => _ = black_box(scene.mass_inverse_afloat(base.place, q)?),
                 "inverse_dynamics_derivatives" => {
