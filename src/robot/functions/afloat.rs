@@ -156,22 +156,12 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         C: Tasks<T, N>,
     {
         let matrix = self.mass_matrix_afloat(base, q)?; // which refuses another number of joints
-        let (parents, o) = (self.parents(), T::zero());
+        let parents = self.parents();
         let mass = Floating::of(matrix, &parents);
-        let (of_six, of_joints) = ([o; 6], [o; N]);
-        let mut one = Blocks {
-            base: [of_six; 6],
-            base_by_joints: [of_joints; 6],
-            joints_by_base: [of_six; N],
-            joints: [of_joints; N],
-        };
-        (0..6).for_each(|k| one.base[k][k] = T::one());
-        (0..N).for_each(|k| one.joints[k][k] = T::one());
-        mass.solve(T::one(), &mut one.base, &mut one.joints_by_base);
-        mass.solve(T::one(), &mut one.base_by_joints, &mut one.joints);
-        let of_base = finite(one.base.as_flattened()).and(finite(one.base_by_joints.as_flattened()));
-        let of_joints = finite(one.joints_by_base.as_flattened()).and(finite(one.joints.as_flattened()));
-        of_base.and(of_joints).map(|()| one)
+        let mut one = Blocks::zero();
+        one.set_diagonal(T::one());
+        one.solved(T::one(), &mass)?;
+        Ok(one)
     }
 
     /// Derivatives of [inverse dynamics](Snapshot::inverse_dynamics) of a robot whose base floats, by positions and rates of base and joints,
@@ -191,10 +181,11 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
-        let mut by = self.snapshot_afloat(base, q, v)?.derived(of_base, seconds);
-        self.stiffened(q, v, &mut by.joints);
-        by.all_finite()?;
-        Ok(ByStateAfloat { positions: by.of(0), rates: by.of(1) })
+        let now = self.snapshot_afloat(base, q, v)?;
+        let mut by = ByStateAfloat { positions: Blocks::zero(), rates: Blocks::zero() };
+        self.derived(&now, (q, v), (of_base, seconds), &mut by);
+        by.positions.all_finite().and(by.rates.all_finite())?;
+        Ok(by)
     }
 
     /// Derivatives of [`forward_dynamics_afloat`](Self::forward_dynamics_afloat) by positions and rates of base and joints, and by the wrench on
@@ -217,13 +208,32 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         let now = self.snapshot_afloat(base, q, v)?;
         let mass = Floating::of(self.mass_matrix_afloat(base.place, q)?, now.parents());
         let (of_base, seconds) = accelerations(&now, &mass, wrench, torques)?;
-        let mut by = now.derived(&of_base, &seconds);
-        self.stiffened(q, v, &mut by.joints);
-        (0..6).for_each(|k| by.base[k][2][k] = -T::one());
-        (0..N).for_each(|k| by.joints[k][2][k] = -T::one());
-        mass.solve(-T::one(), &mut by.base, &mut by.joints_by_base);
-        mass.solve(-T::one(), &mut by.base_by_joints, &mut by.joints);
-        by.all_finite()?;
-        Ok((ByStateAfloat { positions: by.of(0), rates: by.of(1) }, by.of(2)))
+        let mut found = (ByStateAfloat { positions: Blocks::zero(), rates: Blocks::zero() }, Blocks::zero());
+        let (by, by_forces) = (&mut found.0, &mut found.1);
+        self.derived(&now, (q, v), (&of_base, &seconds), by);
+        by_forces.set_diagonal(-T::one());
+        for by in [&mut by.positions, &mut by.rates, by_forces] {
+            by.solved(-T::one(), &mass)?;
+        }
+        Ok(found)
+    }
+
+    /// Derivatives of inverse dynamics at an instant, with laws of the joints.
+    #[cfg_attr(optimised, inline(always))]
+    fn derived<const N: usize>(
+        &self,
+        now: &Snapshot<T, N>,
+        (q, v): (&[T; N], &[T; N]),
+        (of_base, seconds): (&[T; 6], &[T; N]),
+        by: &mut ByStateAfloat<T, N>,
+    ) where
+        C: Tasks<T, N>,
+    {
+        let ByStateAfloat { positions, rates } = by;
+        now.derived(of_base, seconds, [&mut *positions, &mut *rates]);
+        self.stiffened(q, v, |k, [stiffness, damping]| {
+            positions.joints[k][k] += stiffness;
+            rates.joints[k][k] += damping;
+        });
     }
 }

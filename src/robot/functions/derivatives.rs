@@ -1,7 +1,7 @@
 //! Derivatives of inverse and forward dynamics by positions, rates and torques.
 
-use super::snapshot::{By, Factor};
-use super::{FixedBase, S, Tasks, finite};
+use super::snapshot::{By, Factor, Partial};
+use super::{FixedBase, S, Snapshot, Tasks, finite};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::Error;
@@ -21,16 +21,34 @@ pub struct ByState<T, const N: usize> {
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// What laws of the joints add to derivatives of torques, by positions and rates.
-    pub(super) fn stiffened<const N: usize>(&self, q: &[T; N], v: &[T; N], by: &mut [By<T, N>; N])
+    #[cfg_attr(optimised, inline(always))]
+    pub(super) fn stiffened<const N: usize>(&self, q: &[T; N], v: &[T; N], mut add: impl FnMut(usize, [T; 2]))
     where
         C: Tasks<T, N>,
     {
         let mut walk = Slopes { positions: *q, rates: *v, slopes: [[T::zero(); 2]; N], next: 0 };
         Takes::<S<T>, Slopes<T, N>>::take(self.chain(), &mut walk, (), ());
-        for (k, [stiffness, damping]) in walk.slopes.into_iter().enumerate() {
+        walk.slopes.into_iter().enumerate().for_each(|(k, slopes)| add(k, slopes));
+    }
+
+    /// Derivatives of torques by positions and rates, with laws of the joints, side by side.
+    #[cfg_attr(optimised, inline(always))]
+    fn pairs<const N: usize>(
+        &self,
+        now: &Snapshot<T, N>,
+        (q, v): (&[T; N], &[T; N]),
+        partials: &[Partial<T>; N],
+    ) -> [By<T, N>; N]
+    where
+        C: Tasks<T, N>,
+    {
+        let mut by = [[[T::zero(); N]; 3]; N];
+        now.pairs(partials, |i, k, [position, rate]| (by[i][0][k], by[i][1][k]) = (position, rate));
+        self.stiffened(q, v, |k, [stiffness, damping]| {
             by[k][0][k] += stiffness;
             by[k][1][k] += damping;
-        }
+        });
+        by
     }
 
     /// Derivatives of [`inverse_dynamics`](Self::inverse_dynamics) by positions and rates, with springs and dampers of the joints, by the
@@ -50,9 +68,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         C: Tasks<T, N>,
     {
         let now = self.snapshot(q, v)?;
-        let mut by = [[[T::zero(); N]; 3]; N];
-        now.pairs(&now.partials(&[T::zero(); 6], seconds).0, &mut by);
-        self.stiffened(q, v, &mut by);
+        let by = self.pairs(&now, (q, v), &now.partials(&[T::zero(); 6], seconds).0);
         finite(by.as_flattened().as_flattened())?;
         let of = |which: usize| by.each_ref().map(|by| by[which]);
         Ok(ByState { positions: of(0), rates: of(1) })
@@ -88,9 +104,8 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         let seconds = self.forward_dynamics(q, v, torques)?;
         let now = self.snapshot(q, v)?;
-        let (partials, mut by) = (now.partials(&[T::zero(); 6], &seconds).0, [[[T::zero(); N]; 3]; N]);
-        now.pairs(&partials, &mut by);
-        self.stiffened(q, v, &mut by);
+        let partials = now.partials(&[T::zero(); 6], &seconds).0;
+        let mut by = self.pairs(&now, (q, v), &partials);
         by.iter_mut().enumerate().for_each(|(k, [.., row])| row[k] = -T::one());
         Factor::of(now.lower(&partials), now.parents()).solve(-T::one(), &mut by);
         finite(by.as_flattened().as_flattened())?;

@@ -1,6 +1,7 @@
 //! Derivatives by coordinates of a base that floats, and of what acts on it.
 
-use super::partials::{By, Outboard};
+use super::factor::Floating;
+use super::partials::Outboard;
 use super::screws::sum;
 use super::{Snapshot, finite};
 use crate::error::Error;
@@ -22,47 +23,41 @@ pub struct Blocks<T, const N: usize> {
     pub joints: [[T; N]; N],
 }
 
-/// Rows of derivatives over the coordinates of base and joints, those by positions, rates and torques side by side.
-pub struct Derived<T, const N: usize> {
-    pub base: [By<T, 6>; 6],
-    pub base_by_joints: [By<T, N>; 6],
-    pub joints_by_base: [By<T, 6>; N],
-    pub joints: [By<T, N>; N],
-}
-
-impl<T: Scalar, const N: usize> Derived<T, N> {
+impl<T: Scalar, const N: usize> Blocks<T, N> {
     /// Zeros.
+    #[inline(always)]
     pub fn zero() -> Self {
-        let (of_six, of_joints) = ([[T::zero(); 6]; 3], [[T::zero(); N]; 3]);
-        Self { base: [of_six; 6], base_by_joints: [of_joints; 6], joints_by_base: [of_six; N], joints: [of_joints; N] }
+        let o = T::zero();
+        Self { base: [[o; 6]; 6], base_by_joints: [[o; N]; 6], joints_by_base: [[o; 6]; N], joints: [[o; N]; N] }
+    }
+
+    /// The same number at each place of the diagonal.
+    pub fn set_diagonal(&mut self, x: T) {
+        (0..6).for_each(|k| self.base[k][k] = x);
+        (0..N).for_each(|k| self.joints[k][k] = x);
+    }
+
+    /// Becomes `by` · M⁻¹ times itself, or is refused.
+    pub fn solved(&mut self, by: T, mass: &Floating<'_, T, N>) -> Result<(), Error> {
+        mass.solve(by, &mut self.base, &mut self.joints_by_base);
+        mass.solve(by, &mut self.base_by_joints, &mut self.joints);
+        self.all_finite()
     }
 
     /// Refuses numbers that are not finite.
     pub fn all_finite(&self) -> Result<(), Error> {
-        let all =
-            [self.base.as_flattened(), self.joints_by_base.as_flattened()].map(|rows| finite(rows.as_flattened()));
-        let wide = [self.base_by_joints.as_flattened(), self.joints.as_flattened()];
-        all.into_iter().chain(wide.map(|rows| finite(rows.as_flattened()))).collect()
-    }
-
-    /// Derivatives by positions, rates or torques.
-    pub fn of(&self, which: usize) -> Blocks<T, N> {
-        Blocks {
-            base: self.base.each_ref().map(|by| by[which]),
-            base_by_joints: self.base_by_joints.each_ref().map(|by| by[which]),
-            joints_by_base: self.joints_by_base.each_ref().map(|by| by[which]),
-            joints: self.joints.each_ref().map(|by| by[which]),
-        }
+        let of_base = finite(self.base.as_flattened()).and(finite(self.base_by_joints.as_flattened()));
+        of_base.and(finite(self.joints_by_base.as_flattened())).and(finite(self.joints.as_flattened()))
     }
 
     /// A column of the base.
-    fn set_base(&mut self, column: usize, which: usize, entries: [T; 6]) {
-        self.base.iter_mut().zip(entries).for_each(|(row, entry)| row[which][column] = entry);
+    fn set_base(&mut self, column: usize, entries: [T; 6]) {
+        self.base.iter_mut().zip(entries).for_each(|(row, entry)| row[column] = entry);
     }
 
     /// A column of a joint, as far as it is of the base.
-    fn set_joint(&mut self, column: usize, which: usize, entries: [T; 6]) {
-        self.base_by_joints.iter_mut().zip(entries).for_each(|(row, entry)| row[which][column] = entry);
+    fn set_joint(&mut self, column: usize, entries: [T; 6]) {
+        self.base_by_joints.iter_mut().zip(entries).for_each(|(row, entry)| row[column] = entry);
     }
 }
 
@@ -71,25 +66,32 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     ///
     /// A base is a joint of three slides that rest and three turns about its own axes: its ψ′ is zero, seen by one who moves with its
     /// velocity, and its ψ″ is a × S, where a is the acceleration of its place.
-    pub(in crate::robot::functions) fn derived(&self, base: &[T; 6], seconds: &[T; N]) -> Derived<T, N> {
-        let (partials, Outboard { inertial, stirred, wrench }) = self.partials(base, seconds);
-        let ([[_, spin], [a, _]], mut by) = (self.ground(base), Derived::zero());
-        self.pairs(&partials, &mut by.joints);
+    pub(in crate::robot::functions) fn derived(
+        &self,
+        base: &[T; 6],
+        seconds: &[T; N],
+        [positions, rates]: [&mut Blocks<T, N>; 2],
+    ) {
+        let found = self.partials(base, seconds);
+        let (partials, Outboard { inertial, stirred, wrench }) = (&found.0, &found.1);
+        let [[_, spin], [a, _]] = self.ground(base);
+        self.pairs(partials, |i, k, [position, rate]| {
+            (positions.joints[i][k], rates.joints[i][k]) = (position, rate);
+        });
         for (k, axis) in self.axes().into_iter().enumerate() {
             let felt = cross(axis, wrench[0] - a * inertial.mass);
-            by.set_base(3 + k, 0, self.on_base([felt, cross(inertial.moment, cross(a, axis))]));
+            positions.set_base(3 + k, self.on_base([felt, cross(inertial.moment, cross(a, axis))]));
             let (stirring, turning) = (stirred.apply(axis), inertial.moved([zero(), cross(spin, axis)]));
-            by.set_base(3 + k, 1, self.on_base(sum(sum(stirring, stirring), turning)));
+            rates.set_base(3 + k, self.on_base(sum(sum(stirring, stirring), turning)));
         }
         for (k, of) in partials.iter().enumerate() {
-            for which in 0..2 {
-                let [x, y, z, a, b, c] = of.wrenches.map(|two| two[which]);
-                by.set_joint(k, which, self.on_base([Vector3::new(x, y, z), Vector3::new(a, b, c)]));
-            }
             let [force, torque] = of.inertial;
             let by_turns = [cross(force, a), of.stirred + cross(torque, spin)];
-            (0..2).for_each(|which| by.joints_by_base[k][which] = self.on_base([zero(), by_turns[which]]));
+            for (which, by) in [&mut *positions, &mut *rates].into_iter().enumerate() {
+                let [x, y, z, a, b, c] = of.wrenches.map(|two| two[which]);
+                by.set_joint(k, self.on_base([Vector3::new(x, y, z), Vector3::new(a, b, c)]));
+                by.joints_by_base[k] = self.on_base([zero(), by_turns[which]]);
+            }
         }
-        by
     }
 }

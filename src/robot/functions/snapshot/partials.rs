@@ -126,8 +126,13 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         (core::array::from_fn(partial), whole)
     }
 
-    /// Derivatives of the torques of joints by positions and rates, one pair of joints after the other.
-    pub(in crate::robot::functions) fn pairs(&self, partials: &[Partial<T>; N], by: &mut [By<T, N>; N]) {
+    /// Puts derivatives of the torque of a joint by the position and the rate of another one, one pair of joints after the other.
+    #[cfg_attr(optimised, inline(always))]
+    pub(in crate::robot::functions) fn pairs(
+        &self,
+        partials: &[Partial<T>; N],
+        mut put: impl FnMut(usize, usize, [T; 2]),
+    ) {
         for (i, own) in partials.iter().enumerate() {
             let (inertial, stirred) = (six(own.inertial), own.stirred);
             let mut k = i;
@@ -141,8 +146,8 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
                 for c in 0..3 {
                     of_own = onto(of_own, stirred[c], turned[c]);
                 }
-                (by[k][0][i], by[k][1][i]) = (of_inboard[0], of_inboard[1]);
-                (by[i][0][k], by[i][1][k]) = (of_own[0], of_own[1]);
+                put(k, i, of_inboard);
+                put(i, k, of_own);
                 k = self.parents[k];
             }
         }
