@@ -31,7 +31,7 @@ impl<T: Scalar, const N: usize> Blocks<T, N> {
         Self { base: [[o; 6]; 6], base_by_joints: [[o; N]; 6], joints_by_base: [[o; 6]; N], joints: [[o; N]; N] }
     }
 
-    /// The same number at each place of the diagonal.
+    /// Puts a number at each place of the diagonal.
     pub fn set_diagonal(&mut self, x: T) {
         (0..6).for_each(|k| self.base[k][k] = x);
         (0..N).for_each(|k| self.joints[k][k] = x);
