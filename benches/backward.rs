@@ -86,6 +86,14 @@ macro_rules! pins {
     }};
 }
 
+/// Two rods on pins, none in an array.
+macro_rules! pair {
+    () => {{
+        let rod = Rod::uniform(black_box(0.5), 0.5);
+        System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap().with_gravity(9.81)
+    }};
+}
+
 /// Rods on pins in an arch, whose tip is pinned.
 macro_rules! held {
     ($N:literal) => {{
@@ -216,6 +224,7 @@ fn rows() -> Vec<Row> {
     {
         use catena::planar::*;
         row!(rows, "2 rods on pins, RK4", 2, Rk4, 4, 1e-3, pins!(2), [0.0; 2], 1e-3);
+        row!(rows, "2 rods in a tuple, RK4", 2, Rk4, 4, 1e-3, pair!(), [0.0; 2], 1e-3);
         row!(rows, "20 rods on pins, RK4", 20, Rk4, 4, 1e-3, pins!(20), [0.0; 20], 1e-3);
         row!(rows, "100 rods on pins, RK4", 100, Rk4, 4, 1e-3, pins!(100), [0.0; 100], 1e-3);
         row!(rows, "2 + 1 rods, tip pinned, RK4", 3, Rk4, 4, 1e-3, held!(3), arch::<3>(), 1e-3);
@@ -252,6 +261,7 @@ fn rows() -> Vec<Row> {
             step
         );
         row!(rows, "2 rods on pins, DOP853", 2, Dop853, 12, 1e-3, pins!(2), [0.0; 2], 1e-3);
+        row!(rows, "2 rods in a tuple, DOP853", 2, Dop853, 12, 1e-3, pair!(), [0.0; 2], 1e-3);
         row!(rows, "20 rods on pins, DOP853", 20, Dop853, 12, 1e-3, pins!(20), [0.0; 20], 1e-3);
         row!(rows, "100 rods on pins, DOP853", 100, Dop853, 12, 1e-3, pins!(100), [0.0; 100], 1e-3);
     }

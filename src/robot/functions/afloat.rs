@@ -160,8 +160,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         let mass = Floating::of(matrix, &parents);
         let mut one = Blocks::zero();
         one.set_diagonal(T::one());
-        one.solved(T::one(), &mass)?;
-        Ok(one)
+        one.solved(T::one(), &mass).map(|()| one)
     }
 
     /// Derivatives of [inverse dynamics](Snapshot::inverse_dynamics) of a robot whose base floats, by positions and rates of base and joints,

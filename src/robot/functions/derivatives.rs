@@ -32,23 +32,20 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     }
 
     /// Derivatives of torques by positions and rates, with laws of the joints, side by side.
-    #[cfg_attr(optimised, inline(always))]
     fn pairs<const N: usize>(
         &self,
         now: &Snapshot<T, N>,
         (q, v): (&[T; N], &[T; N]),
         partials: &[Partial<T>; N],
-    ) -> [By<T, N>; N]
-    where
+        by: &mut [By<T, N>; N],
+    ) where
         C: Tasks<T, N>,
     {
-        let mut by = [[[T::zero(); N]; 3]; N];
         now.pairs(partials, |i, k, [position, rate]| (by[i][0][k], by[i][1][k]) = (position, rate));
         self.stiffened(q, v, |k, [stiffness, damping]| {
             by[k][0][k] += stiffness;
             by[k][1][k] += damping;
         });
-        by
     }
 
     /// Derivatives of [`inverse_dynamics`](Self::inverse_dynamics) by positions and rates, with springs and dampers of the joints, by the
@@ -68,7 +65,8 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         C: Tasks<T, N>,
     {
         let now = self.snapshot(q, v)?;
-        let by = self.pairs(&now, (q, v), &now.partials(&[T::zero(); 6], seconds).0);
+        let mut by = [[[T::zero(); N]; 3]; N];
+        self.pairs(&now, (q, v), &now.partials(&[T::zero(); 6], seconds).0, &mut by);
         finite(by.as_flattened().as_flattened())?;
         let of = |which: usize| by.each_ref().map(|by| by[which]);
         Ok(ByState { positions: of(0), rates: of(1) })
@@ -104,8 +102,8 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         let seconds = self.forward_dynamics(q, v, torques)?;
         let now = self.snapshot(q, v)?;
-        let partials = now.partials(&[T::zero(); 6], &seconds).0;
-        let mut by = self.pairs(&now, (q, v), &partials);
+        let (partials, mut by) = (now.partials(&[T::zero(); 6], &seconds).0, [[[T::zero(); N]; 3]; N]);
+        self.pairs(&now, (q, v), &partials, &mut by);
         by.iter_mut().enumerate().for_each(|(k, [.., row])| row[k] = -T::one());
         Factor::of(now.lower(&partials), now.parents()).solve(-T::one(), &mut by);
         finite(by.as_flattened().as_flattened())?;
