@@ -10,6 +10,9 @@ macro_rules! takes_tuple {
     (X2; $($rest:tt)*) => {
         takes_of!([inline(always)] $($rest)*);
     };
+    (X3; $($rest:tt)*) => {
+        takes_of!([inline(always)] $($rest)*); // two bodies and the joint between them
+    };
     ($met:ident; $($rest:tt)*) => {
         takes_of!([inline] $($rest)*);
     };

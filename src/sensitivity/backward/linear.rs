@@ -73,7 +73,7 @@ where
     /// # What it costs
     ///
     /// Each row is a costate that is pulled back through the stages of the step, which are evaluated once: with RK4 and n rods on pins
-    /// 6.6, 9.8 and 28.6 plain steps for n = 2, 7 and 20 (x86-64-v3, all 2n × 3n entries, two cores shared with other work). Several rows
+    /// 5.5, 9.7 and 29.8 plain steps for n = 2, 7 and 20 (x86-64-v3, all 2n × 3n entries, two cores shared with other work). Several rows
     /// at once cost less: [`linearised_step_in_rows`](Self::linearised_step_in_rows).
     ///
     /// # Errors
@@ -128,7 +128,7 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
-    /// With RK4, n rods on pins and four rows at a time 3.6, 4.3 and 10.6 plain steps for n = 2, 7 and 20 (x86-64-v3, two cores shared with other
+    /// With RK4, n rods on pins and four rows at a time 2.7, 4.2 and 11.1 plain steps for n = 2, 7 and 20 (x86-64-v3, two cores shared with other
     /// work). `N` is one or more, or the program does not compile.
     ///
     /// # Errors

@@ -123,42 +123,44 @@ pub use tape::Tape;
 ///
 /// | chain of rods on pins | x86-64-v3: time | instructions | under torques | plain | x86-64: time | instructions | under torques | plain |
 /// |---|---:|---:|---:|---:|---:|---:|---:|---:|
-/// | RK4, 2 | 5.4 | 5.4 | 4.9 | 89 | 5.6 | 5.9 | 4.0 | 128 |
-/// | RK4, 20 | 2.9 | 3.8 | 3.6 | 80 | 2.6 | 3.4 | 3.1 | 152 |
+/// | RK4, 2 | 3.0 | 4.2 | 3.8 | 89 | 4.1 | 4.9 | 3.3 | 128 |
+/// | RK4, 2 in a tuple | 3.0 | 3.8 | 3.4 | 81 | 3.5 | 4.3 | 3.9 | 135 |
+/// | RK4, 20 | 2.8 | 3.6 | 3.4 | 80 | 2.6 | 3.2 | 3.0 | 152 |
 /// | RK4, 100 | 2.8 | 3.5 | 3.3 | 75 | 2.5 | 3.0 | 2.9 | 154 |
-/// | DOP853, 2 | 5.8 | 6.1 | 5.5 | 87 | 5.7 | 6.6 | 4.4 | 127 |
-/// | DOP853, 20 | 3.1 | 3.9 | 3.8 | 79 | 2.8 | 3.5 | 3.3 | 157 |
-/// | DOP853, 100 | 2.8 | 3.4 | 3.3 | 79 | 2.6 | 3.0 | 2.9 | 168 |
+/// | DOP853, 2 | 3.1 | 4.6 | 4.1 | 87 | 4.0 | 5.2 | 3.5 | 127 |
+/// | DOP853, 2 in a tuple | 3.3 | 4.1 | 3.7 | 84 | 3.7 | 4.4 | 4.1 | 141 |
+/// | DOP853, 20 | 2.8 | 3.6 | 3.5 | 79 | 2.7 | 3.2 | 3.0 | 157 |
+/// | DOP853, 100 | 2.9 | 3.4 | 3.3 | 79 | 2.6 | 3.0 | 2.9 | 168 |
 ///
-/// Plain runs have become quicker since the way back was written, those of two rods most: its instructions are what they were. What is held
-/// or closed:
+/// Beside a sweep a step forms sums of its stages: of few coordinates in registers, by weights that a compiler knows, also on the way back. What
+/// is held or closed:
 ///
 /// | in the plane | x86-64-v3: time | instructions | under torques | plain | x86-64: time | instructions | under torques | plain |
 /// |---|---:|---:|---:|---:|---:|---:|---:|---:|
-/// | 3 rods, tip pinned, RK4 | 3.8 | 4.9 | 4.1 | 217 | 4.3 | 4.7 | 4.1 | 328 |
-/// | 20 rods, tip pinned, RK4 | 3.9 | 4.6 | 4.2 | 170 | 4.1 | 4.5 | 4.0 | 294 |
-/// | four-bar linkage, RK4 | 5.2 | 4.9 | 4.7 | 470 | 4.6 | 4.8 | 4.7 | 712 |
-/// | four-bar linkage, DOP853 | 5.1 | 4.8 | 4.6 | 281 | 3.9 | 4.7 | 4.6 | 427 |
-/// | rod and window of four, RK4 | 4.5 | 5.0 | 4.5 | 260 | 3.9 | 4.7 | 4.4 | 411 |
-/// | rod and two windows in a row, RK4 | 5.6 | 5.6 | 5.1 | 268 | 4.3 | 5.3 | 5.0 | 414 |
-/// | rod and five windows in a row, RK4 | 7.7 | 7.5 | 6.8 | 279 | 7.1 | 6.7 | 6.3 | 441 |
+/// | 3 rods, tip pinned, RK4 | 3.1 | 4.5 | 3.8 | 217 | 3.6 | 4.5 | 3.9 | 328 |
+/// | 20 rods, tip pinned, RK4 | 3.8 | 4.5 | 4.0 | 170 | 3.8 | 4.3 | 3.9 | 294 |
+/// | four-bar linkage, RK4 | 4.3 | 4.8 | 4.6 | 470 | 4.0 | 4.7 | 4.6 | 712 |
+/// | four-bar linkage, DOP853 | 3.9 | 4.5 | 4.2 | 281 | 3.6 | 4.4 | 4.2 | 427 |
+/// | rod and window of four, RK4 | 3.9 | 4.8 | 4.4 | 259 | 3.7 | 4.5 | 4.2 | 411 |
+/// | rod and two windows in a row, RK4 | 4.8 | 5.5 | 5.0 | 268 | 4.2 | 5.2 | 4.9 | 414 |
+/// | rod and five windows in a row, RK4 | 6.8 | 7.5 | 6.8 | 279 | 5.3 | 6.7 | 6.3 | 441 |
 ///
 /// For each correction of a projection costates walk once for each loop: runs of many windows pay for that. In space:
 ///
 /// | chain | x86-64-v3: time | instructions | under torques | plain | x86-64: time | instructions | under torques | plain |
 /// |---|---:|---:|---:|---:|---:|---:|---:|---:|
-/// | 3 rods on balls, RK4 | 3.8 | 3.6 | 3.5 | 620 | 3.4 | 3.5 | 3.3 | 943 |
-/// | 3 rods on balls, DOP853 | 3.5 | 3.7 | 3.5 | 619 | 3.6 | 3.6 | 3.4 | 969 |
-/// | 20 rods on balls, RK4 | 3.3 | 3.4 | 3.2 | 509 | 3.0 | 3.4 | 3.2 | 819 |
-/// | 20 rods on balls, DOP853 | 3.3 | 3.4 | 3.2 | 544 | 3.2 | 3.5 | 3.3 | 870 |
-/// | 3 rods on balls, tip on a ball, RK4 | 4.3 | 4.4 | 4.1 | 1117 | 4.0 | 4.2 | 4.1 | 1684 |
-/// | 20 rods on balls, tip on a ball, RK4 | 4.3 | 4.3 | 4.0 | 946 | 4.4 | 4.3 | 4.2 | 1449 |
-/// | rod and window of four on balls, RK4 | 4.2 | 4.3 | 4.2 | 1193 | 4.2 | 4.2 | 4.1 | 1839 |
-/// | 3 rigid bodies on balls, RK4 | 3.4 | 3.5 | 3.4 | 782 | 3.2 | 3.6 | 3.4 | 1181 |
+/// | 3 rods on balls, RK4 | 3.4 | 3.5 | 3.4 | 620 | 3.4 | 3.4 | 3.2 | 941 |
+/// | 3 rods on balls, DOP853 | 3.3 | 3.6 | 3.4 | 619 | 3.2 | 3.4 | 3.2 | 969 |
+/// | 20 rods on balls, RK4 | 2.9 | 3.4 | 3.2 | 509 | 2.9 | 3.4 | 3.2 | 819 |
+/// | 20 rods on balls, DOP853 | 2.9 | 3.4 | 3.2 | 544 | 3.0 | 3.5 | 3.3 | 870 |
+/// | 3 rods on balls, tip on a ball, RK4 | 4.1 | 4.3 | 4.0 | 1117 | 6.1 | 4.2 | 4.0 | 1681 |
+/// | 20 rods on balls, tip on a ball, RK4 | 3.9 | 4.3 | 4.0 | 946 | 3.8 | 4.3 | 4.2 | 1449 |
+/// | rod and window of four on balls, RK4 | 4.2 | 4.3 | 4.2 | 1192 | 4.6 | 4.2 | 4.0 | 1838 |
+/// | 3 rigid bodies on balls, RK4 | 3.3 | 3.4 | 3.3 | 782 | 3.5 | 3.5 | 3.3 | 1180 |
 /// | 20 rigid bodies on balls, RK4 | 3.3 | 3.5 | 3.3 | 703 | 3.0 | 3.4 | 3.3 | 1120 |
-/// | 7 rigid bodies on revolutes, RK4 | 3.7 | 3.8 | 3.7 | 703 | 3.7 | 3.7 | 3.7 | 1110 |
-/// | 7 rigid bodies on revolutes, DOP853 | 3.6 | 3.8 | 3.8 | 704 | 3.7 | 3.7 | 3.7 | 1118 |
-/// | 7 links on hinges, body axes, RK4 | 4.5 | 4.4 | 4.3 | 361 | 4.9 | 4.4 | 4.3 | 546 |
+/// | 7 rigid bodies on revolutes, RK4 | 3.5 | 3.8 | 3.7 | 703 | 3.5 | 3.6 | 3.6 | 1110 |
+/// | 7 rigid bodies on revolutes, DOP853 | 3.5 | 3.8 | 3.7 | 704 | 3.6 | 3.6 | 3.6 | 1118 |
+/// | 7 links on hinges, body axes, RK4 | 3.7 | 4.3 | 4.2 | 361 | 4.1 | 4.3 | 4.2 | 546 |
 ///
 /// A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differ by 0.1
 /// from one measurement to the next, by 0.4 at most.
@@ -168,10 +170,10 @@ pub use tape::Tape;
 ///
 /// | chain of rods on stiff hinges | x86-64-v3: time | instructions | under torques | plain | x86-64: time | instructions | under torques | plain |
 /// |---|---:|---:|---:|---:|---:|---:|---:|---:|
-/// | `Sdirk4`, 2 | 5.7 | 7.6 | 7.1 | 124 | 5.7 | 7.7 | 5.6 | 170 |
-/// | `Sdirk4`, 20 | 4.4 | 5.2 | 5.0 | 110 | 3.7 | 4.3 | 4.2 | 207 |
-/// | `GeneralizedAlpha`, 2 | 5.7 | 9.3 | 7.1 | 156 | 6.4 | 8.7 | 5.1 | 209 |
-/// | `GeneralizedAlpha`, 20 | 5.2 | 6.7 | 4.8 | 122 | 4.4 | 5.2 | 3.9 | 233 |
+/// | `Sdirk4`, 2 | 4.6 | 7.4 | 6.9 | 122 | 4.8 | 7.5 | 5.4 | 168 |
+/// | `Sdirk4`, 20 | 4.2 | 5.1 | 4.9 | 110 | 3.8 | 4.2 | 4.1 | 207 |
+/// | `GeneralizedAlpha`, 2 | 5.4 | 9.3 | 7.1 | 156 | 5.3 | 8.7 | 5.1 | 209 |
+/// | `GeneralizedAlpha`, 20 | 5.1 | 6.7 | 4.8 | 122 | 4.5 | 5.2 | 3.9 | 233 |
 ///
 /// Sweeps before the last are made a third time on the way back.
 ///
