@@ -80,7 +80,7 @@ macro_rules! with_row {
 }
 pub(crate) use with_row;
 
-/// [`displace`] by weights that a compiler knows: in registers where rates are few.
+/// [`displace`] by weights that a compiler knows: in registers where rates are few. What is left as the increment is that of rates then.
 #[cfg_attr(optimised, inline(always))]
 pub(crate) fn displace_by_row<T: Scalar, P: Position<T>, C: Closures>(
     past: &Motion<T, P, C>,

@@ -187,7 +187,8 @@ where
         unspread::from_joints(self.scene.elements(), &mut self.of_torques, EffortOf::<S>::null(), list);
     }
 
-    /// Positions and rates of a row, by the accelerations before it.
+    /// Positions and rates of a row, by the accelerations before it. Where stages are led on in coordinates of the step, the increment of positions
+    /// is left in the room, as [`displace`] does.
     #[cfg_attr(optimised, inline(always))]
     pub(super) fn displace(
         row: usize,
@@ -197,7 +198,7 @@ where
         room: (&RateOf<S, R, C>, &mut RateOf<S, R, C>),
         into: (&mut PositionOf<S, R, C>, &mut RateOf<S, R, C>),
     ) {
-        if const { Self::FEW } {
+        if const { Self::FEW && !(M::IMPLICIT && Self::CURVED) } {
             with_row!(row, M::STAGES, |row| {
                 displace_by_row(past, slopes, M::node(row), M::weights(row), step, room, into)
             });
