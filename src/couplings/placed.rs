@@ -5,7 +5,7 @@ use crate::element::{Element, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place, ensure_finite};
 use crate::loading::Unloaded;
-use crate::mirror::Position;
+use crate::mirror::let_all_go;
 use crate::motion::Motion;
 use crate::names::JointNumbers;
 use crate::relation::Way;
@@ -92,7 +92,7 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
 fn moving<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>>(scene: &System<S, R, C, P>) -> MotionOf<S, R, C, P> {
     let mut motion = scene.motion();
     let mut rate = motion.rate.clone();
-    motion.position.each_mode(&mut rate, &motion.acceleration, &mut |mode, _, told| *mode = mode.moving(told.rubs));
+    let_all_go(&mut motion.position, &mut rate, &motion.acceleration);
     motion
 }
 

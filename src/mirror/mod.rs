@@ -19,8 +19,8 @@ mod tuple;
 
 pub use clock::Clock;
 pub use guarded::{Guarded, GuardedRate, Guarding, Rubs, RubsBetweenStops, Stops};
-pub(crate) use mode::let_last_go;
 pub use mode::{Mode, Told};
+pub(crate) use mode::{let_all_go, let_last_go};
 pub use tied::{Tied, TiedPosition};
 
 use crate::scalar::Scalar;

@@ -147,6 +147,11 @@ pub struct Told<T> {
     pub stops: bool,
 }
 
+/// Lets all joints with modes go.
+pub(crate) fn let_all_go<T: Scalar, P: Position<T>>(position: &mut P, rate: &mut P::Rate, found: &P::Rate) {
+    position.each_mode(rate, found, &mut |mode, _, told| *mode = mode.moving(told.rubs));
+}
+
 /// Lets the last of the joints go whose acceleration is given; whether there is one.
 pub(crate) fn let_last_go<T: Scalar, P: Position<T>>(position: &mut P, rate: &mut P::Rate, found: &P::Rate) -> bool {
     let (mut held, mut count) = (0, 0);

@@ -2,7 +2,7 @@
 
 use super::crossing::crossing;
 use super::drive::Running;
-use super::margin::margin;
+use super::margin::{margin, nearness};
 use super::now::settled;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
@@ -102,8 +102,7 @@ where
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
         let (earliest, mut count, mut time) = (Self::margins(&mut next).1, 0, 0.0);
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
-            let beyond = told.stops && !mode.is_locked() && told.guard.real().as_f64().abs() > 1.0;
-            if count == earliest && beyond {
+            if count == earliest && nearness(*mode, &told).is_some_and(|near| near > 1.0) {
                 time = -(told.apart / *rate).real().as_f64();
             }
             count += 1;

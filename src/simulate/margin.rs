@@ -36,10 +36,15 @@ fn distance<T: Scalar>(told: &Told<T>) -> f64 {
     1.0 - told.guard.real().as_f64().abs() + 0.5 * Mode::touch::<T::Real>().as_f64()
 }
 
+/// How near the nearest of its stops a joint is that moves between some: one where it stands at it.
+pub(super) fn nearness<T: Scalar>(mode: Mode, told: &Told<T>) -> Option<f64> {
+    (told.stops && !mode.is_locked()).then(|| told.guard.real().as_f64().abs())
+}
+
 /// The side of the stop that a joint touches: −1 the lower, 1 the upper one.
 pub(super) fn touched<T: Scalar>(mode: Mode, told: &Told<T>) -> Option<f64> {
-    let (guard, touch) = (told.guard.real().as_f64(), Mode::touch::<T::Real>().as_f64());
-    (told.stops && !mode.is_locked() && guard.abs() >= 1.0 - touch).then(|| guard.signum())
+    let touching = 1.0 - Mode::touch::<T::Real>().as_f64();
+    nearness(mode, told).filter(|near| *near >= touching).map(|_| told.guard.real().as_f64().signum())
 }
 
 /// The mode of a joint that touches a stop and does not move: it rests, if it does not leave.

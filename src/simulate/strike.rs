@@ -1,12 +1,12 @@
 //! Shocks in a run: joints that strike their stops, and what that does to all rates.
 
 use super::drive::Running;
-use super::margin::touched;
+use super::margin::{nearness, touched};
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::{Mode, Position, Rate};
+use crate::mirror::{Mode, Position, Rate, let_all_go};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Dynamics, MotionOf, RateOf, Runs, System};
@@ -41,8 +41,7 @@ where
     pub(super) fn strike(&mut self) -> Result<(), Error> {
         let (system, loads) = (self.plan.system, self.plan.loads);
         let (mut workspace, next) = (Dynamics::<L>::workspace(system), &mut self.next);
-        next.position
-            .each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, told| *mode = mode.moving(told.rubs));
+        let_all_go(&mut next.position, &mut next.rate, &next.acceleration);
         let mut largest = 0.0_f64;
         next.rate.visit(&mut |rate| largest = largest.max(rate.real().as_f64().abs()));
         system.accelerate(next, loads, &mut workspace)?;
@@ -78,7 +77,7 @@ where
         system.accelerate(motion, loads, &mut Dynamics::<L>::workspace(system))?;
         let (most, mut beyond) = (1.0 + Mode::touch::<RealOf<S>>().as_f64(), None);
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, _, told| {
-            if told.stops && !mode.is_locked() && told.guard.real().as_f64().abs() > most {
+            if nearness(*mode, &told).is_some_and(|near| near > most) {
                 beyond = Some(told.apart.real().as_f64().abs());
             }
         });

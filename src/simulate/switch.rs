@@ -7,7 +7,7 @@ use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::{Mode, Position, let_last_go};
+use crate::mirror::{Mode, Position, let_all_go, let_last_go};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Dynamics, MotionOf, PositionOf, Runs, System};
@@ -101,8 +101,7 @@ where
         if !stops {
             return self.settle_modes(None);
         }
-        next.position
-            .each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, told| *mode = mode.moving(told.rubs));
+        let_all_go(&mut next.position, &mut next.rate, &next.acceleration);
         self.stands_between()?;
         self.strike()
     }
@@ -167,9 +166,7 @@ where
         if const { !Self::MODES } || !matches!(error.fault, Fault::RedundantClosures { .. }) {
             return error;
         }
-        loose
-            .position
-            .each_mode(&mut loose.rate, &loose.acceleration, &mut |mode, _, told| *mode = mode.moving(told.rubs));
+        let_all_go(&mut loose.position, &mut loose.rate, &loose.acceleration);
         let what = "more joints that stick at once, or rest against stops, than closures leave free to move";
         match system.accelerate(&mut loose, self.plan.loads, &mut system.workspace()) {
             Ok(()) => Error { place: None, fault: Fault::Unsupported { what }, ..error },

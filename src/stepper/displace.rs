@@ -80,7 +80,7 @@ macro_rules! with_row {
 }
 pub(crate) use with_row;
 
-/// [`displace`] by weights that a compiler knows: in registers where rates are few. What is left as the increment is that of rates then.
+/// [`displace`] by weights that a compiler knows: in registers where rates are few.
 #[cfg_attr(optimised, inline(always))]
 pub(crate) fn displace_by_row<T: Scalar, P: Position<T>, C: Closures>(
     past: &Motion<T, P, C>,
@@ -97,8 +97,9 @@ pub(crate) fn displace_by_row<T: Scalar, P: Position<T>, C: Closures>(
         // Positions hang on the row before last, rates on the last, which has just been written: in one register with these they would
         // wait for it, and sines with them, while they could be found in the meantime.
         core::hint::black_box(&mut *position);
-        gather_few(increment, zero, |j| of_rate.get(j).copied(), slopes);
-        rate.mix_1(&past.rate, (dt, increment));
+        let mut of_rates = zero.clone(); // the increment of positions is left
+        gather_few(&mut of_rates, zero, |j| of_rate.get(j).copied(), slopes);
+        rate.mix_1(&past.rate, (dt, &of_rates));
     } else {
         displace(past, slopes, node, (of_position, of_rate), dt, (zero, increment), (position, rate));
     }

@@ -3,7 +3,7 @@
 use crate::element::{Element, Level, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
-use crate::mirror::{Mode, Position, Rate};
+use crate::mirror::{Mode, Position, Rate, let_all_go};
 use crate::observe::loop_residual;
 use crate::relation::{Closures, Solvable, largest};
 use crate::scalar::{Elementary, Real, Scalar};
@@ -157,8 +157,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if const { PositionOf::<S, R, C>::MODES } {
             // Joints that stick do not yield to corrections.
             let mut rates = motion.rate.clone();
-            now.position
-                .each_mode(&mut rates, &motion.acceleration, &mut |mode, _, told| *mode = mode.moving(told.rubs));
+            let_all_go(&mut now.position, &mut rates, &motion.acceleration);
         }
         for step in &mut steps {
             if self.accelerate(&mut now, loads, workspace).is_err() {

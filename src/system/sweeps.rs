@@ -51,9 +51,8 @@ where
 
     fn admits(&self, loads: &L) -> Result<(), Error> {
         if const { L::COUPLED && Self::CLOSED > 0 } {
-            return Err(Error::new(Fault::Unsupported {
-                what: "couplings of joints where loops close or a tip is held",
-            }));
+            let what = "couplings of joints where loops close or a tip is held";
+            return Err(Error::new(Fault::Unsupported { what }));
         }
         self.loadable(loads)
     }

@@ -1,6 +1,7 @@
 //! Second opinions for tests: the Newton-Euler equations of all bodies as one dense system, in the plane and in space, and what several
 //! tests measure by. Nothing here depends on the library under test.
 
+pub mod complementarity;
 pub mod extrapolation;
 mod linkage;
 mod measure;

@@ -3,7 +3,7 @@
 
 use catena::planar::*;
 use catena::{Error, Fault, spatial};
-use catena_oracle::{Noise, has_order, near};
+use catena_oracle::{Noise, complementarity, has_order, near};
 
 const GRAVITY: f64 = 9.81; // (m/s²)
 const MASS: f64 = 2.0; // (kg)
@@ -158,7 +158,7 @@ macro_rules! arm {
 #[test]
 fn every_step_is_that_of_a_dense_complementarity_problem() -> Result<(), Box<dyn std::error::Error>> {
     let (mut random, h, rounding) = (Noise::new(17), 2e-3, 1e-9);
-    let (mut seen, mut sweeps, mut steps) = ([0; 6], 0, 0);
+    let (mut seen, mut sweeps, mut steps) = ([0; 5], 0, 0);
     for _ in 0..120 {
         let mut any = |least: f64, most: f64| core::array::from_fn::<f64, 2, _>(|_| random.between(least, most));
         let (friction, lower, upper) = (any(0.1, 6.0), any(-1.0, -0.1), any(0.1, 1.0));
@@ -179,24 +179,15 @@ fn every_step_is_that_of_a_dense_complementarity_problem() -> Result<(), Box<dyn
                 let mut end = plain.motion();
                 let loads = Loads::none()
                     .in_joints(|_, joint: usize, _: &JointMotion<f64>| if joint > 0 { torque[joint - 1] } else { 0.0 });
-                plain.stepper(MoreauJean).step(&same, &loads, h, &mut end)?;
-                Ok::<_, Error>([0, 1].map(|k| end.rates()[k]))
+                plain.stepper(MoreauJean).step(&same, &loads, h, &mut end).expect("a step");
+                [0, 1].map(|k| end.rates()[k])
             };
-            let free = under([0.0; 2])?;
-            let columns = [0, 1].map(|k| under(core::array::from_fn(|j| f64::from(j == k))).expect("a step"));
-            let matrix = nalgebra::Matrix2::from_fn(|row, column| (columns[column][row] - free[row]) / h);
-            let missed = nalgebra::Vector2::from_fn(|row, _| after[row] - free[row]);
-            let impulses = matrix.lu().solve(&missed).ok_or("a matrix")?;
+            let impulses = complementarity::impulses(under, &after, h);
             for k in 0..2 {
                 near(next.coordinates()[k], q[k] + h * after[k], 1e-12);
                 let (impulse, most, gap) = (impulses[k], friction[k] * h, [lower[k] - q[k], upper[k] - q[k]]);
                 // The least rate at the lower stop, the most at the upper one.
-                let due = [0, 1].map(|end| {
-                    let strikes = if end == 0 { v[k] < 0.0 } else { v[k] > 0.0 };
-                    let passes = if end == 0 { h * v[k] < gap[0] } else { h * v[k] > gap[1] };
-                    let back = strikes && passes && restitution[k] > 0.0;
-                    (if back { -restitution[k] * v[k] } else { gap[end] / h }, back)
-                });
+                let due = complementarity::allowed(v[k], gap, restitution[k], h);
                 // Friction may bring it to rest before it strikes.
                 let halts = after[k] == 0.0 && impulse.abs() <= most + rounding;
                 assert!(halts || after[k] >= due[0].0 - rounding && after[k] <= due[1].0 + rounding);
@@ -225,10 +216,10 @@ fn every_step_is_that_of_a_dense_complementarity_problem() -> Result<(), Box<dyn
         }
         sweeps += stepper.sweeps();
     }
-    let [sticks, slips, rests, lands, rebounds, _] = seen;
+    let [sticks, slips, rests, lands, rebounds] = seen;
     println!("{sticks} stick, {slips} slip, {rests} rest, {lands} land, {rebounds} rebound");
     println!("{:.3} sweeps a step", sweeps as f64 / f64::from(steps));
-    assert!(seen[..5].iter().all(|count| *count > 50), "{seen:?}");
+    assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
     Ok(())
 }
 
@@ -263,6 +254,7 @@ fn arms_take_no_energy_from_friction_or_stops_and_runs_agree() -> Result<(), Box
         let small = scene.simulation(MoreauJean::step(1e-4)).run(start, 4.0, |_| ())?.motion;
         for k in 0..2 {
             near(other.coordinates()[k], run.motion.coordinates()[k], 1e-6);
+            // Of order one, after some shocks that each multiply errors.
             near(small.coordinates()[k], run.motion.coordinates()[k], 0.02);
         }
     }

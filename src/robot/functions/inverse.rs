@@ -6,13 +6,21 @@ use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::mechanics::spatial::body_axes::Stand;
-use crate::mechanics::spatial::body_axes::inverse::{Carried, Carrying as Load, Loaded};
+use crate::mechanics::spatial::body_axes::inverse::{Carried, Carrying as Load, Loaded, Resisting};
 use crate::mechanics::spatial::{Frame, Free};
 use crate::scalar::Scalar;
 use crate::shape::Takes;
 use crate::system::System;
 use nalgebra::Vector3;
 use num_traits::Zero;
+
+/// Adds what reflected inertias take, less what laws exert.
+#[inline(always)]
+fn besides<T: Scalar, const N: usize>(own: &Resisting<T, N>, seconds: &[T; N], forces: &mut [T; N]) {
+    for (k, force) in forces.iter_mut().enumerate() {
+        *force = own.inertias[k].mul_add(seconds[k], *force) - own.laws[k];
+    }
+}
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// The ground in axes of the robot's base, as it is felt: what gravity takes, if only that is asked for, or acceleration less gravity,
@@ -69,9 +77,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         self.has_joints(N)?;
         let own = resisting(self.chain(), q, v);
         let (mut forces, _) = self.forces::<N, true, true>(self.felt(false), &own.stands, v, seconds);
-        for (k, force) in forces.iter_mut().enumerate() {
-            *force = own.inertias[k].mul_add(seconds[k], *force) - own.laws[k];
-        }
+        besides(&own, seconds, &mut forces);
         finite(&forces).map(|()| forces)
     }
 
@@ -148,9 +154,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         let carried = Carried { spin: base.spin.into(), linear: felt.into(), angular, own: usize::MAX };
         let own = resisting(self.chain(), q, v);
         let (mut torques, [force, torque]) = self.forces::<N, true, true>(carried, &own.stands, v, seconds);
-        for (k, torque) in torques.iter_mut().enumerate() {
-            *torque = own.inertias[k].mul_add(seconds[k], *torque) - own.laws[k];
-        }
+        besides(&own, seconds, &mut torques);
         let wrench = six([attitude.apply(force.into()), torque.into()]);
         finite(&wrench).and(finite(&torques)).map(|()| (wrench, torques))
     }

@@ -180,7 +180,7 @@ pub use tape::Tape;
 /// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs
 /// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which
 /// [few states](Self::gradient_between) are kept 2.7 (RK4, n = 20, a million steps); in space 1.8 and 2.8 (7 rigid bodies on revolutes, 3000
-/// steps). (Times are the least of 400 in the tables, on an idle machine; on one shared with other work of 2000, of one and of 15.)
+/// steps). (Times are the least of 400 in the tables, with other work on the other core; of these runs of 2000, of one and of 15.)
 pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L = Absent> {
     steps: Steps<'s, S, R, C, P, M, L>,
     record: Record<S, Elements<S, R, C>, M, P::Closures>,

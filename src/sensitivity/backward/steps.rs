@@ -187,8 +187,7 @@ where
         unspread::from_joints(self.scene.elements(), &mut self.of_torques, EffortOf::<S>::null(), list);
     }
 
-    /// Positions and rates of a row, by the accelerations before it. Where stages are led on in coordinates of the step, the increment of positions
-    /// is left in the room, as [`displace`] does.
+    /// Positions and rates of a row, by the accelerations before it, as [`displace`] finds them.
     #[cfg_attr(optimised, inline(always))]
     pub(super) fn displace(
         row: usize,
@@ -198,7 +197,7 @@ where
         room: (&RateOf<S, R, C>, &mut RateOf<S, R, C>),
         into: (&mut PositionOf<S, R, C>, &mut RateOf<S, R, C>),
     ) {
-        if const { Self::FEW && !(M::IMPLICIT && Self::CURVED) } {
+        if const { Self::FEW } {
             with_row!(row, M::STAGES, |row| {
                 displace_by_row(past, slopes, M::node(row), M::weights(row), step, room, into)
             });

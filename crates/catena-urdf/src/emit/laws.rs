@@ -53,11 +53,12 @@ pub enum Guard {
 }
 
 impl Guard {
-    fn kind(&self) -> &'static str {
+    /// The names that its type and its value use, its type first.
+    fn names(&self) -> &'static [&'static str] {
         match self {
-            Self::Friction(_) => "Coulomb",
-            Self::Range(..) => "HardStops",
-            Self::Both(..) => "BoundedCoulomb",
+            Self::Friction(_) => &["Coulomb"],
+            Self::Range(..) => &["HardStops"],
+            Self::Both(..) => &["BoundedCoulomb", "Coulomb"],
         }
     }
 
@@ -93,7 +94,7 @@ pub fn guard(robot: &Robot, body: &Body) -> Option<Guard> {
 pub fn joint_type(robot: &Robot, body: &Body, [open, after, least]: [&str; 3]) -> String {
     let law = kind(robot, body).map(|law| format!(", {law}"));
     if let Some(guard) = guard(robot, body) {
-        return format!("{}<{open}{least}{after}>, T{}>", guard.kind(), law.unwrap_or_default());
+        return format!("{}<{open}{least}{after}>, T{}>", guard.names()[0], law.unwrap_or_default());
     }
     format!("{open}{}{after}>", law.as_deref().unwrap_or(least))
 }
@@ -109,8 +110,7 @@ pub fn joint(robot: &Robot, body: &Body, made: &str, after: &str) -> String {
 
 /// Whether something of this name is around a joint, as a type or as what makes it.
 pub fn wraps(robot: &Robot, name: &str) -> bool {
-    let named = |guard: Guard| guard.kind() == name || guard.around("").contains(&format!("{name}::"));
-    robot.bodies.iter().filter_map(|body| guard(robot, body)).any(named)
+    robot.bodies.iter().filter_map(|body| guard(robot, body)).any(|guard| guard.names().contains(&name))
 }
 
 /// Whether a law of this name is used: `Spring` and `Absent` by dampers.
