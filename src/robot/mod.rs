@@ -40,7 +40,7 @@
 //! | `difference`, `integrate`, `random_configuration` | what leads from one configuration to another, where that leads; one within limits |
 //! | `inverse_dynamics_derivatives`, `forward_dynamics_derivatives` | by positions, rates and torques |
 //! | `forward_dynamics_afloat`, `inverse_dynamics_afloat`, `mass_matrix_afloat`, `mass_solved_afloat`, `mass_inverse_afloat`, `jacobian_afloat` | the same for bases that float, with a wrench on the base |
-//! | `inverse_dynamics_derivatives_afloat`, `forward_dynamics_derivatives_afloat` | by turn and angular velocity of the base, positions, rates, wrench and torques |
+//! | `inverse_dynamics_derivatives_afloat`, `forward_dynamics_derivatives_afloat` (`_into` a place that is kept) | by turn and angular velocity of the base, positions, rates, wrench and torques |
 //! | `impact`, `impact_afloat` | rates after a joint has struck a hard stop |
 //! | `impact_of_point`, `impact_of_point_afloat` | rates after a point of a body has struck a plane |
 //! | `joint_energy_afloat`, `difference_afloat`, `integrate_afloat`, `random_configuration_afloat` | with place and attitude of the base |

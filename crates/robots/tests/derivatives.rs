@@ -184,6 +184,7 @@ fn afloat() -> Result<(), Error> {
     const N: usize = 5;
     let (scene, mut noise) = (kit::floating()?, Noise::new(44));
     let over = scene.lift(Dual::of);
+    let mut kept = (ByStateAfloat::zero(), Blocks::zero());
     for _ in 0..20 {
         let kit::Drift { start, q, v, .. } = kit::drift(&scene, &mut noise)?;
         let base = scene.body_motions(&start)?.get(0).map(Afloat::of).expect("a base");
@@ -197,13 +198,6 @@ fn afloat() -> Result<(), Error> {
         agree(found.base.as_flattened(), of_base.as_flattened(), DIRECT);
         agree(found.coupling.as_flattened(), coupling.as_flattened(), DIRECT);
         agree(found.joints.as_flattened(), joints.as_flattened(), DIRECT);
-        for joint in [None, Some(1), Some(N - 1)] {
-            let point = list(&mut noise, 0.5);
-            let (found, right) = (scene.jacobian_afloat(base.place, &q, joint, point)?, now.jacobian(joint, point)?);
-            agree(found.base.as_flattened(), right.base.as_flattened(), DIRECT);
-            agree(found.joints.as_flattened(), right.joints.as_flattened(), DIRECT);
-        }
-        assert!(scene.jacobian_afloat(base.place, &q, Some(N), [0.0; 3]).is_err());
         let found = scene.mass_matrix_afloat(base.place, &q)?;
         agree(found.base.as_flattened(), of_base.as_flattened(), DIRECT);
         agree(found.coupling.as_flattened(), coupling.as_flattened(), DIRECT);
@@ -234,6 +228,8 @@ fn afloat() -> Result<(), Error> {
         let (of_base, seconds) = scene.forward_dynamics_afloat(base, &q, &v, &wrench, &torques)?;
         let taken = scene.inverse_dynamics_derivatives_afloat(base, &q, &v, &of_base, &seconds)?;
         let (moved, by_torques) = scene.forward_dynamics_derivatives_afloat(base, &q, &v, &wrench, &torques)?;
+        scene.forward_dynamics_derivatives_afloat_into(base, &q, &v, &wrench, &torques, &mut kept)?;
+        assert_eq!(kept, (moved, by_torques));
         agree(dense(&by_torques).as_slice(), inverse.as_slice(), INVERTED);
         for (rate, taken, moved) in [(false, taken.positions, moved.positions), (true, taken.rates, moved.rates)] {
             let mut by = DMatrix::zeros(6 + N, 6 + N);

@@ -1,7 +1,7 @@
 //! Dynamics of robots whose base floats: what moves, from forces, and how that changes.
 
-use super::snapshot::{Floating, six};
-use super::{Afloat, Blocks, Driven, S, SixRows, Snapshot, Tasks, checked, finite};
+use super::snapshot::{Floating, Moved, six};
+use super::{Afloat, Blocks, Driven, MassMatrix, S, SixRows, Snapshot, Tasks, checked, finite};
 use crate::element::{Condense, Element};
 use crate::ends::Tip;
 use crate::error::{Error, Fault};
@@ -23,6 +23,18 @@ pub struct ByStateAfloat<T, const N: usize> {
     pub rates: Blocks<T, N>,
 }
 
+impl<T: Scalar, const N: usize> ByStateAfloat<T, N> {
+    /// Zeros.
+    pub fn zero() -> Self {
+        Self { positions: Blocks::zero(), rates: Blocks::zero() }
+    }
+
+    /// Refuses numbers that are not finite.
+    fn all_finite(&self) -> Result<(), Error> {
+        self.positions.all_finite().and(self.rates.all_finite())
+    }
+}
+
 /// M⁻¹ times a wrench on the base and torques of the joints.
 fn solved<T: Scalar, const N: usize>(
     mass: &Floating<'_, T, N>,
@@ -33,18 +45,6 @@ fn solved<T: Scalar, const N: usize>(
     mass.solve(T::one(), &mut base, &mut joints);
     finite(base.as_flattened()).and(finite(joints.as_flattened()))?;
     Ok((base.map(|[x]| x), joints.map(|[x]| x)))
-}
-
-/// Accelerations of a robot at an instant, where its mass matrix is known.
-fn accelerations<T: Scalar, const N: usize>(
-    now: &Snapshot<T, N>,
-    mass: &Floating<'_, T, N>,
-    wrench: &[T; 6],
-    torques: &[T; N],
-) -> Result<([T; 6], [T; N]), Error> {
-    let (of_base, of_joints) = now.inverse_dynamics(&[T::zero(); 6], &[T::zero(); N]);
-    let wrench = core::array::from_fn(|k| wrench[k] - of_base[k]);
-    solved(mass, &wrench, &core::array::from_fn(|k| torques[k] - of_joints[k]))
 }
 
 impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
@@ -144,7 +144,8 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
-        solved(&Floating::of(self.mass_matrix_afloat(base, q)?, &self.parents()), wrench, torques)
+        let mut matrix = self.mass_matrix_afloat(base, q)?; // which refuses another number of joints
+        solved(&Floating::of(&mut matrix, &self.parents()), wrench, torques)
     }
 
     /// M⁻¹ of a robot whose base floats.
@@ -155,12 +156,11 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
-        let matrix = self.mass_matrix_afloat(base, q)?; // which refuses another number of joints
+        let mut matrix = self.mass_matrix_afloat(base, q)?; // which refuses another number of joints
         let parents = self.parents();
-        let mass = Floating::of(matrix, &parents);
-        let mut one = Blocks::zero();
-        one.set_diagonal(T::one());
-        one.solved(T::one(), &mass).map(|()| one)
+        let mut inverse = Blocks::zero();
+        Floating::of(&mut matrix, &parents).inverse(&mut inverse);
+        inverse.all_finite().map(|()| inverse)
     }
 
     /// Derivatives of [inverse dynamics](Snapshot::inverse_dynamics) of a robot whose base floats, by positions and rates of base and joints,
@@ -181,10 +181,9 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         C: Tasks<T, N>,
     {
         let now = self.snapshot_afloat(base, q, v)?;
-        let mut by = ByStateAfloat { positions: Blocks::zero(), rates: Blocks::zero() };
-        self.derived(&now, (q, v), (of_base, seconds), &mut by);
-        by.positions.all_finite().and(by.rates.all_finite())?;
-        Ok(by)
+        let mut by = ByStateAfloat::zero();
+        self.derived(&now, &mut now.moved(), (q, v), (of_base, seconds), &mut by);
+        by.all_finite().map(|()| by)
     }
 
     /// Derivatives of [`forward_dynamics_afloat`](Self::forward_dynamics_afloat) by positions and rates of base and joints, and by the wrench on
@@ -204,17 +203,53 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
+        let mut found = (ByStateAfloat::zero(), Blocks::zero());
+        self.forward_dynamics_derivatives_afloat_into(base, q, v, wrench, torques, &mut found).map(|()| found)
+    }
+
+    /// [`forward_dynamics_derivatives_afloat`](Self::forward_dynamics_derivatives_afloat) into a place that is kept from call to call, for they are
+    /// large: copies take a sixth of a humanoid's time. What the place holds is overwritten.
+    ///
+    /// ```
+    /// use catena::robot::*;
+    /// let link = Link::general(3.0_f64, [0.0, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.01]]);
+    /// let robot = System::new(Free, (BodyAxes, link, Hinge::at::<7>([0.3, 0.2, -0.1]), link), Free)?;
+    /// let base = Afloat::of(robot.body_motions(&robot.motion())?.get(0).unwrap());
+    /// let mut found = (ByStateAfloat::zero(), Blocks::zero());
+    /// for torque in [1.0, 2.0] {
+    ///     robot.forward_dynamics_derivatives_afloat_into(base, &[0.3], &[0.1], &[0.0; 6], &[torque], &mut found)?;
+    ///     let (by_state, by_forces) = &found;
+    ///     assert!(by_forces.joints[0][0] > 0.0 && by_state.rates.joints[0][0].is_finite());
+    /// }
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`forward_dynamics_afloat`](Self::forward_dynamics_afloat); what is in the place then is of no use.
+    pub fn forward_dynamics_derivatives_afloat_into<const N: usize>(
+        &self,
+        base: Afloat<T>,
+        q: &[T; N],
+        v: &[T; N],
+        wrench: &[T; 6],
+        torques: &[T; N],
+        (by, by_forces): &mut (ByStateAfloat<T, N>, Blocks<T, N>),
+    ) -> Result<(), Error>
+    where
+        C: Tasks<T, N>,
+    {
         let now = self.snapshot_afloat(base, q, v)?;
-        let mass = Floating::of(self.mass_matrix_afloat(base.place, q)?, now.parents());
-        let (of_base, seconds) = accelerations(&now, &mass, wrench, torques)?;
-        let mut found = (ByStateAfloat { positions: Blocks::zero(), rates: Blocks::zero() }, Blocks::zero());
-        let (by, by_forces) = (&mut found.0, &mut found.1);
-        self.derived(&now, (q, v), (&of_base, &seconds), by);
-        by_forces.set_diagonal(-T::one());
-        for by in [&mut by.positions, &mut by.rates, by_forces] {
-            by.solved(-T::one(), &mass)?;
-        }
-        Ok(found)
+        let (mut moved, mut matrix) = (now.moved(), MassMatrix::zero());
+        let (of_base, of_joints) = now.bias_afloat(&moved, &mut matrix);
+        let mass = Floating::of(&mut matrix, now.parents());
+        let wrench = core::array::from_fn(|k| wrench[k] - of_base[k]);
+        let (of_base, seconds) = solved(&mass, &wrench, &core::array::from_fn(|k| torques[k] - of_joints[k]))?;
+        [&mut by.positions, &mut by.rates, &mut *by_forces].into_iter().for_each(Blocks::clear);
+        self.derived(&now, &mut moved, (q, v), (&of_base, &seconds), by);
+        by.positions.solve(-T::one(), &mass);
+        by.rates.solve(-T::one(), &mass);
+        mass.inverse(by_forces);
+        by.all_finite().and(by_forces.all_finite())
     }
 
     /// Derivatives of inverse dynamics at an instant, with laws of the joints.
@@ -222,6 +257,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     fn derived<const N: usize>(
         &self,
         now: &Snapshot<T, N>,
+        moved: &mut Moved<T, N>,
         (q, v): (&[T; N], &[T; N]),
         (of_base, seconds): (&[T; 6], &[T; N]),
         by: &mut ByStateAfloat<T, N>,
@@ -229,7 +265,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         C: Tasks<T, N>,
     {
         let ByStateAfloat { positions, rates } = by;
-        now.derived(of_base, seconds, [&mut *positions, &mut *rates]);
+        now.derived(moved, (of_base, seconds), [&mut *positions, &mut *rates]);
         self.stiffened(q, v, |k, [stiffness, damping]| {
             positions.joints[k][k] += stiffness;
             rates.joints[k][k] += damping;

@@ -1,7 +1,7 @@
 //! Derivatives of inverse and forward dynamics by positions, rates and torques.
 
-use super::snapshot::{By, Factor, Partial};
-use super::{FixedBase, S, Snapshot, Tasks, finite};
+use super::snapshot::Factor;
+use super::{FixedBase, S, Tasks, finite};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::Error;
@@ -19,6 +19,28 @@ pub struct ByState<T, const N: usize> {
     pub rates: [[T; N]; N],
 }
 
+impl<T: Scalar, const N: usize> ByState<T, N> {
+    /// Puts derivatives of a number by a position and a rate.
+    #[inline(always)]
+    fn putting(&mut self) -> impl FnMut(usize, usize, [T; 2]) {
+        |i, k, [position, rate]| (self.positions[i][k], self.rates[i][k]) = (position, rate)
+    }
+
+    /// Adds stiffnesses and dampings of laws.
+    #[inline(always)]
+    fn adding(&mut self) -> impl FnMut(usize, [T; 2]) {
+        |k, [stiffness, damping]| {
+            self.positions[k][k] += stiffness;
+            self.rates[k][k] += damping;
+        }
+    }
+
+    /// Refuses numbers that are not finite.
+    fn all_finite(&self) -> Result<(), Error> {
+        finite(self.positions.as_flattened()).and(finite(self.rates.as_flattened()))
+    }
+}
+
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
     /// What laws of the joints add to derivatives of torques, by positions and rates.
     #[cfg_attr(optimised, inline(always))]
@@ -29,23 +51,6 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         let mut walk = Slopes { positions: *q, rates: *v, slopes: [[T::zero(); 2]; N], next: 0 };
         Takes::<S<T>, Slopes<T, N>>::take(self.chain(), &mut walk, (), ());
         walk.slopes.into_iter().enumerate().for_each(|(k, slopes)| add(k, slopes));
-    }
-
-    /// Derivatives of torques by positions and rates, with laws of the joints, side by side.
-    fn pairs<const N: usize>(
-        &self,
-        now: &Snapshot<T, N>,
-        (q, v): (&[T; N], &[T; N]),
-        partials: &[Partial<T>; N],
-        by: &mut [By<T, N>; N],
-    ) where
-        C: Tasks<T, N>,
-    {
-        now.pairs(partials, |i, k, [position, rate]| (by[i][0][k], by[i][1][k]) = (position, rate));
-        self.stiffened(q, v, |k, [stiffness, damping]| {
-            by[k][0][k] += stiffness;
-            by[k][1][k] += damping;
-        });
     }
 
     /// Derivatives of [`inverse_dynamics`](Self::inverse_dynamics) by positions and rates, with springs and dampers of the joints, by the
@@ -65,11 +70,14 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         C: Tasks<T, N>,
     {
         let now = self.snapshot(q, v)?;
-        let mut by = [[[T::zero(); N]; 3]; N];
-        self.pairs(&now, (q, v), &now.partials(&[T::zero(); 6], seconds).0, &mut by);
-        finite(by.as_flattened().as_flattened())?;
-        let of = |which: usize| by.each_ref().map(|by| by[which]);
-        Ok(ByState { positions: of(0), rates: of(1) })
+        let zeros = [[T::zero(); N]; N];
+        let mut by = ByState { positions: zeros, rates: zeros };
+        now.partials(&mut now.moved(), (&[T::zero(); 6], seconds), |i, partial, carrying| {
+            now.pairs(i, partial, carrying, by.putting());
+        });
+        self.stiffened(q, v, by.adding());
+        by.all_finite()?;
+        Ok(by)
     }
 
     /// Derivatives of [`forward_dynamics`](Self::forward_dynamics) by positions and rates, and by torques (the last one is M⁻¹): those of inverse
@@ -100,14 +108,22 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
-        let seconds = self.forward_dynamics(q, v, torques)?;
         let now = self.snapshot(q, v)?;
-        let (partials, mut by) = (now.partials(&[T::zero(); 6], &seconds).0, [[[T::zero(); N]; 3]; N]);
-        self.pairs(&now, (q, v), &partials, &mut by);
-        by.iter_mut().enumerate().for_each(|(k, [.., row])| row[k] = -T::one());
-        Factor::of(now.lower(&partials), now.parents()).solve(-T::one(), &mut by);
-        finite(by.as_flattened().as_flattened())?;
-        let of = |which: usize| by.each_ref().map(|by| by[which]);
-        Ok((ByState { positions: of(0), rates: of(1) }, of(2)))
+        let (mut moved, zeros) = (now.moved(), [[T::zero(); N]; N]);
+        let (mut by, mut by_torques, mut matrix) = (ByState { positions: zeros, rates: zeros }, zeros, zeros);
+        let (bias, _) = now.bias(&moved, &mut matrix, |_, _| ());
+        let mass = Factor::of(&mut matrix, now.parents());
+        let mut seconds: [_; N] = core::array::from_fn(|k| [torques[k] - bias[k]]);
+        mass.solve(T::one(), &mut seconds);
+        now.partials(&mut moved, (&[T::zero(); 6], &seconds.map(|[x]| x)), |i, partial, carrying| {
+            now.pairs(i, partial, carrying, by.putting());
+        });
+        self.stiffened(q, v, by.adding());
+        by_torques.iter_mut().enumerate().for_each(|(k, row)| row[k] = T::one());
+        mass.solve_joints(-T::one(), &mut by.positions);
+        mass.solve_joints(-T::one(), &mut by.rates);
+        mass.solve_joints(T::one(), &mut by_torques);
+        by.all_finite().and(finite(by_torques.as_flattened()))?;
+        Ok((by, by_torques))
     }
 }

@@ -1,7 +1,7 @@
 //! Derivatives by coordinates of a base that floats, and of what acts on it.
 
 use super::factor::Floating;
-use super::partials::Outboard;
+use super::partials::{Moved, Outboard};
 use super::screws::sum;
 use super::{Snapshot, finite};
 use crate::error::Error;
@@ -31,21 +31,26 @@ impl<T: Scalar, const N: usize> Blocks<T, N> {
         Self { base: [[o; 6]; 6], base_by_joints: [[o; N]; 6], joints_by_base: [[o; 6]; N], joints: [[o; N]; N] }
     }
 
-    /// Puts a number at each place of the diagonal.
-    pub fn set_diagonal(&mut self, x: T) {
-        (0..6).for_each(|k| self.base[k][k] = x);
-        (0..N).for_each(|k| self.joints[k][k] = x);
+    /// Becomes zeros.
+    pub(in crate::robot::functions) fn clear(&mut self) {
+        let o = T::zero();
+        (self.base, self.base_by_joints) = ([[o; 6]; 6], [[o; N]; 6]);
+        (self.joints_by_base, self.joints) = ([[o; 6]; N], [[o; N]; N]);
     }
 
-    /// Becomes `by` · M⁻¹ times itself, or is refused.
-    pub fn solved(&mut self, by: T, mass: &Floating<'_, T, N>) -> Result<(), Error> {
-        mass.solve(by, &mut self.base, &mut self.joints_by_base);
-        mass.solve(by, &mut self.base_by_joints, &mut self.joints);
-        self.all_finite()
+    /// Derivatives of inverse dynamics become `by` · M⁻¹ times themselves. None is by the place of the base or its velocity, and none of a joint
+    /// is by one of another limb.
+    pub(in crate::robot::functions) fn solve(&mut self, by: T, mass: &Floating<'_, T, N>) {
+        let turns = |[.., x, y, z]: [T; 6]| [x, y, z, T::zero()];
+        let (mut of_base, mut of_joints) = (self.base.map(turns), self.joints_by_base.map(turns));
+        mass.solve(by, &mut of_base, &mut of_joints);
+        let rows = self.base.iter_mut().chain(&mut self.joints_by_base).zip(of_base.iter().chain(&of_joints));
+        rows.for_each(|([.., a, b, c], [x, y, z, _])| (*a, *b, *c) = (*x, *y, *z));
+        mass.solve_joints(by, &mut self.base_by_joints, &mut self.joints);
     }
 
     /// Refuses numbers that are not finite.
-    pub fn all_finite(&self) -> Result<(), Error> {
+    pub(in crate::robot::functions) fn all_finite(&self) -> Result<(), Error> {
         let of_base = finite(self.base.as_flattened()).and(finite(self.base_by_joints.as_flattened()));
         of_base.and(finite(self.joints_by_base.as_flattened())).and(finite(self.joints.as_flattened()))
     }
@@ -68,30 +73,29 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     /// velocity, and its ψ″ is a × S, where a is the acceleration of its place.
     pub(in crate::robot::functions) fn derived(
         &self,
-        base: &[T; 6],
-        seconds: &[T; N],
+        moved: &mut Moved<T, N>,
+        (base, seconds): (&[T; 6], &[T; N]),
         [positions, rates]: [&mut Blocks<T, N>; 2],
     ) {
-        let found = self.partials(base, seconds);
-        let (partials, Outboard { inertial, stirred, wrench }) = (&found.0, &found.1);
         let [[_, spin], [a, _]] = self.ground(base);
-        self.pairs(partials, |i, k, [position, rate]| {
-            (positions.joints[i][k], rates.joints[i][k]) = (position, rate);
+        self.partials(moved, (base, seconds), |i, partial, carrying| {
+            self.pairs(i, partial, carrying, |i, k, [position, rate]| {
+                (positions.joints[i][k], rates.joints[i][k]) = (position, rate);
+            });
+            let [force, torque] = partial.inertial;
+            let by_turns = [cross(force, a), partial.stirred + cross(torque, spin)];
+            for (which, by) in [&mut *positions, &mut *rates].into_iter().enumerate() {
+                let [x, y, z, a, b, c] = partial.wrenches.map(|two| two[which]);
+                by.set_joint(i, self.on_base([Vector3::new(x, y, z), Vector3::new(a, b, c)]));
+                by.joints_by_base[i] = self.on_base([zero(), by_turns[which]]);
+            }
         });
+        let Outboard { inertial, stirred, wrench } = moved.base;
         for (k, axis) in self.axes().into_iter().enumerate() {
             let felt = cross(axis, wrench[0] - a * inertial.mass);
             positions.set_base(3 + k, self.on_base([felt, cross(inertial.moment, cross(a, axis))]));
             let (stirring, turning) = (stirred.apply(axis), inertial.moved([zero(), cross(spin, axis)]));
             rates.set_base(3 + k, self.on_base(sum(sum(stirring, stirring), turning)));
-        }
-        for (k, of) in partials.iter().enumerate() {
-            let [force, torque] = of.inertial;
-            let by_turns = [cross(force, a), of.stirred + cross(torque, spin)];
-            for (which, by) in [&mut *positions, &mut *rates].into_iter().enumerate() {
-                let [x, y, z, a, b, c] = of.wrenches.map(|two| two[which]);
-                by.set_joint(k, self.on_base([Vector3::new(x, y, z), Vector3::new(a, b, c)]));
-                by.joints_by_base[k] = self.on_base([zero(), by_turns[which]]);
-            }
         }
     }
 }

@@ -88,7 +88,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     }
 
     /// Motions of the base for rates of one.
-    fn units_of_base(&self) -> [Pair<T>; 6] {
+    pub(super) fn units_of_base(&self) -> [Pair<T>; 6] {
         let ([x, y, z], [a, b, c], o) = (units(), self.axes(), zero());
         [[x, o], [y, o], [z, o], [o, a], [o, b], [o, c]]
     }

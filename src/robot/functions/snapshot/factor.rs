@@ -3,53 +3,31 @@
 //! From the tips on (R. Featherstone, *Efficient factorization of the joint-space inertia matrix for branched kinematic trees*, International
 //! Journal of Robotics Research 24, 2005). Right-hand sides stand side by side, so that each number of L is met by a row of them.
 
-use super::MassMatrix;
+use super::{Blocks, MassMatrix};
 use crate::scalar::{Real, Scalar};
+use core::hint::black_box;
+use core::ops::Range;
 
 /// L below the diagonal, 1 / D, and which joint carries which.
 pub struct Factor<'a, T, const N: usize> {
-    lower: [[T; N]; N],
+    lower: &'a [[T; N]; N],
     inverse: [T; N],
     parents: &'a [usize; N],
     /// How many joints are outboard of each: those that follow it.
     outboard: [usize; N],
 }
 
-/// Right-hand sides side by side: numbers, or lists of numbers.
-pub trait Row<T>: Copy {
-    /// Less factors times others.
-    fn less<const M: usize>(&mut self, factors: [T; M], others: [&Self; M]);
-    /// Times a factor.
-    fn scaled(self, factor: T) -> Self;
-}
-
-impl<T: Scalar, const W: usize> Row<T> for [T; W] {
-    #[cfg_attr(optimised, inline(always))]
-    fn less<const M: usize>(&mut self, factors: [T; M], others: [&Self; M]) {
-        for (k, x) in self.iter_mut().enumerate() {
-            *x = factors.iter().zip(others).fold(*x, |x, (factor, other)| (-*factor).mul_add(other[k], x));
-        }
-    }
-    #[inline(always)]
-    fn scaled(self, factor: T) -> Self {
-        self.map(|x| x * factor)
-    }
-}
-
-impl<T: Scalar, const W: usize, const K: usize> Row<T> for [[T; W]; K] {
-    #[inline(always)]
-    fn less<const M: usize>(&mut self, factors: [T; M], others: [&Self; M]) {
-        self.iter_mut().enumerate().for_each(|(k, list)| list.less(factors, others.map(|other| &other[k])));
-    }
-    #[inline(always)]
-    fn scaled(self, factor: T) -> Self {
-        self.map(|list| list.scaled(factor))
+/// A row less factors times others.
+#[cfg_attr(optimised, inline(always))]
+fn less<T: Scalar, const W: usize, const M: usize>(row: &mut [T; W], factors: [T; M], others: [&[T; W]; M]) {
+    for (k, x) in row.iter_mut().enumerate() {
+        *x = factors.iter().zip(others).fold(*x, |x, (factor, other)| (-*factor).mul_add(other[k], x));
     }
 }
 
 impl<'a, T: Scalar, const N: usize> Factor<'a, T, N> {
-    /// Of the lower half of a matrix.
-    pub fn of(mut lower: [[T; N]; N], parents: &'a [usize; N]) -> Self {
+    /// Of the lower half of a matrix, in its place.
+    pub fn of(lower: &'a mut [[T; N]; N], parents: &'a [usize; N]) -> Self {
         let (mut inverse, mut outboard) = ([T::zero(); N], [0; N]);
         for k in (0..N).rev() {
             let reach = outboard[k] + 1;
@@ -73,30 +51,86 @@ impl<'a, T: Scalar, const N: usize> Factor<'a, T, N> {
         Self { lower, inverse, parents, outboard }
     }
 
-    /// `by` · M⁻¹ times columns: L⁻ᵀ from the tips on, 1 / D, and L⁻¹ from the root on. Rows are met several at a time.
-    pub fn solve<L: Row<T>>(&self, by: T, rows: &mut [L; N]) {
-        for i in (0..N).rev() {
+    /// The limbs of some joints: those that the joints on the base carry, these among them, which follow each other.
+    fn limbs(&self, joints: Range<usize>) -> Range<usize> {
+        let mut whole = 0..0;
+        while let Some(others) = self.outboard.get(whole.end).filter(|_| whole.end < joints.end) {
+            if whole.end <= joints.start {
+                whole.start = whole.end;
+            }
+            whole.end += others + 1;
+        }
+        whole
+    }
+
+    /// `by` · M⁻¹ times columns.
+    pub fn solve<const W: usize>(&self, by: T, rows: &mut [[T; W]; N]) {
+        self.solve_some(by, 0..N, rows);
+    }
+
+    /// `by` · M⁻¹ times a matrix over joints, of which no number is of two limbs, as none of M⁻¹ is.
+    pub fn solve_joints(&self, by: T, rows: &mut [[T; N]; N]) {
+        for first in (0..N).step_by(BLOCK) {
+            let (limbs, mut block) = (self.limbs(first..N.min(first + BLOCK)), [[T::zero(); BLOCK]; N]);
+            load(first, &rows[limbs.clone()], &mut block[limbs.clone()]);
+            self.solve_some(by, limbs.clone(), &mut block);
+            store(first, &block[limbs.clone()], &mut rows[limbs]);
+        }
+    }
+
+    /// Some rows that depend on none of the others: L⁻ᵀ from the tips on, 1 / D, and L⁻¹ from the root on. What was found last is met last, so
+    /// that nothing waits for it, and other rows several at a time.
+    #[cfg_attr(optimised, inline(always))]
+    fn solve_some<const W: usize>(&self, by: T, some: Range<usize>, rows: &mut [[T; W]; N]) {
+        for i in some.clone().rev() {
             let Some(([.., own], outboard)) = rows.split_at_mut_checked(i + 1) else { continue };
             let (fours, rest) = outboard.get(..self.outboard[i]).unwrap_or_default().as_chunks::<4>();
-            for (k, four) in fours.iter().enumerate() {
-                own.less(core::array::from_fn(|c| self.lower[i + 1 + 4 * k + c][i]), four.each_ref());
+            let (first, mut sum) = (i + 1 + 4 * fours.len(), *own);
+            for (k, row) in rest.iter().enumerate().rev() {
+                less(&mut sum, [self.lower[first + k][i]], [row]);
             }
-            let first = i + 1 + 4 * fours.len();
-            rest.iter().enumerate().for_each(|(k, row)| own.less([self.lower[first + k][i]], [row]));
+            for (k, [a, b, c, d]) in fours.iter().enumerate().rev() {
+                less(&mut sum, [4, 3, 2, 1].map(|c| self.lower[i + 4 * k + c][i]), [d, c, b, a]);
+            }
+            *own = sum;
         }
-        for k in 0..N {
-            let (mut own, lower) = (rows[k].scaled(self.inverse[k] * by), &self.lower[k]);
-            let mut i = self.parents[k];
-            while let Some(row) = rows.get(i) {
-                let next = self.parents[i];
-                let Some(other) = rows.get(next) else {
-                    own.less([lower[i]], [row]);
-                    break;
-                };
-                own.less([lower[i], lower[next]], [row, other]);
-                i = self.parents[next];
+        for k in some {
+            let (inverse, lower, parent) = (self.inverse[k] * by, &self.lower[k], self.parents[k]);
+            let mut own = rows[k].map(|x| x * inverse);
+            if let Some(inboard) = rows.get(parent) {
+                let mut i = self.parents[parent];
+                while let Some(row) = rows.get(i) {
+                    less(&mut own, [lower[i]], [row]);
+                    i = self.parents[i];
+                }
+                less(&mut own, [lower[parent]], [inboard]);
             }
             rows[k] = own;
+        }
+    }
+}
+
+/// Columns that are solved for together: as many as stay in registers.
+const BLOCK: usize = 8;
+
+/// Columns from one on, of rows: zeros beyond the last.
+#[cfg_attr(optimised, inline(always))]
+fn load<T: Copy, const W: usize>(first: usize, rows: &[[T; W]], block: &mut [[T; BLOCK]]) {
+    for (row, part) in rows.iter().zip(block) {
+        match row.as_chunks::<BLOCK>() {
+            (blocks, _) if first / BLOCK < blocks.len() => *part = blocks[first / BLOCK],
+            (_, rest) => part.iter_mut().zip(rest).for_each(|(x, entry)| *x = *entry),
+        }
+    }
+}
+
+/// What [`load`] took, back.
+#[cfg_attr(optimised, inline(always))]
+fn store<T: Copy, const W: usize>(first: usize, block: &[[T; BLOCK]], rows: &mut [[T; W]]) {
+    for (row, part) in rows.iter_mut().zip(block) {
+        match row.as_chunks_mut::<BLOCK>() {
+            (blocks, _) if first / BLOCK < blocks.len() => blocks[first / BLOCK] = *part,
+            (_, rest) => rest.iter_mut().zip(part).for_each(|(entry, x)| *entry = *x),
         }
     }
 }
@@ -111,19 +145,19 @@ const CHAIN: [usize; 6] = [usize::MAX, 0, 1, 2, 3, 4];
 pub struct Floating<'a, T, const N: usize> {
     joints: Factor<'a, T, N>,
     giving: [[T; 6]; N],
-    base: Factor<'static, T, 6>,
+    base: Factor<'a, T, 6>,
 }
 
 impl<'a, T: Scalar, const N: usize> Floating<'a, T, N> {
-    /// Of a mass matrix.
-    pub fn of(MassMatrix { base: mass, coupling, joints }: MassMatrix<T, N>, parents: &'a [usize; N]) -> Self {
-        let mut base = mass;
-        let (joints, mut giving) = (Factor::of(joints, parents), coupling);
+    /// Of a mass matrix, in its place.
+    pub fn of(matrix: &'a mut MassMatrix<T, N>, parents: &'a [usize; N]) -> Self {
+        let MassMatrix { base, coupling, joints } = matrix;
+        let whole: [T; 6] = core::array::from_fn(|k| base[k][k]);
+        let (joints, mut giving) = (Factor::of(joints, parents), *coupling);
         joints.solve(T::one(), &mut giving);
         for (coupling, giving) in coupling.iter().zip(&giving) {
-            base.iter_mut().zip(coupling).for_each(|(row, entry)| row.less([*entry], [giving]));
+            base.iter_mut().zip(coupling).for_each(|(row, entry)| less(row, [*entry], [giving]));
         }
-        let whole: [T; 6] = core::array::from_fn(|k| mass[k][k]);
         let mut base = Factor::of(base, &CHAIN);
         // What rounding leaves of an inertia is none: a base without a link moves as a joint on it does.
         for (inverse, whole) in base.inverse.iter_mut().zip(whole) {
@@ -134,15 +168,60 @@ impl<'a, T: Scalar, const N: usize> Floating<'a, T, N> {
     }
 
     /// `by` · M⁻¹ times columns.
-    pub fn solve<L: Row<T>>(&self, by: T, base: &mut [L; 6], joints: &mut [L; N]) {
-        // Rows four at a time, which are read once then.
-        let ((givings, giving), (rows, row)) = (self.giving.as_chunks::<4>(), joints.as_chunks::<4>());
-        for (k, sum) in base.iter_mut().enumerate() {
-            givings.iter().zip(rows).for_each(|(of, rows)| sum.less(of.map(|of| of[k]), rows.each_ref()));
-            giving.iter().zip(row).for_each(|(of, row)| sum.less([of[k]], [row]));
-        }
+    #[cfg_attr(optimised, inline(always))]
+    pub fn solve<const W: usize>(&self, by: T, base: &mut [[T; W]; 6], joints: &mut [[T; W]; N]) {
+        self.gather(0..N, base, joints);
         self.base.solve(by, base);
         self.joints.solve(by, joints);
-        self.giving.iter().zip(joints).for_each(|(giving, row)| row.less(*giving, base.each_ref()));
+        self.spread(base, joints);
+    }
+
+    /// `by` · M⁻¹ times columns of the joints, where no number of `joints` is of two limbs.
+    pub fn solve_joints(&self, by: T, base: &mut [[T; N]; 6], joints: &mut [[T; N]; N]) {
+        for first in (0..N).step_by(BLOCK) {
+            let limbs = self.joints.limbs(first..N.min(first + BLOCK));
+            let (mut of_base, mut block) = ([[T::zero(); BLOCK]; 6], [[T::zero(); BLOCK]; N]);
+            load(first, base, &mut of_base);
+            load(first, &joints[limbs.clone()], &mut block[limbs.clone()]);
+            self.gather(limbs.clone(), &mut of_base, &block);
+            self.base.solve(by, &mut of_base);
+            self.joints.solve_some(by, limbs, &mut block);
+            store(first, &of_base, base);
+            for ((own, giving), row) in block.iter_mut().zip(&self.giving).zip(joints.iter_mut()) {
+                less(own, *giving, of_base.each_ref());
+                store(first, core::slice::from_ref(own), core::slice::from_mut(row));
+            }
+        }
+    }
+
+    /// M⁻¹ into zeros.
+    pub fn inverse(&self, into: &mut Blocks<T, N>) {
+        (0..6).for_each(|k| into.base[k][k] = T::one());
+        (0..N).for_each(|k| into.joints[k][k] = T::one());
+        self.solve_joints(T::one(), &mut into.base_by_joints, &mut into.joints);
+        self.base.solve(T::one(), &mut into.base);
+        for (k, row) in into.joints_by_base.iter_mut().enumerate() {
+            *row = into.base_by_joints.each_ref().map(|of_base| of_base[k]); // symmetric
+        }
+    }
+
+    /// What some joints leave to the base, where they give way. Rows four at a time, which are read once then.
+    #[cfg_attr(optimised, inline(always))]
+    fn gather<const W: usize>(&self, some: Range<usize>, base: &mut [[T; W]; 6], joints: &[[T; W]; N]) {
+        let (giving, rows) = (self.giving[some.clone()].as_chunks::<4>(), joints[some].as_chunks::<4>());
+        for (k, sum) in base.iter_mut().enumerate() {
+            giving.0.iter().zip(rows.0).for_each(|(of, four)| less(sum, of.map(|of| of[k]), four.each_ref()));
+            giving.1.iter().zip(rows.1).for_each(|(of, row)| less(sum, [of[k]], [row]));
+        }
+    }
+
+    /// What the motion of the base does to that of the joints.
+    #[cfg_attr(optimised, inline(always))]
+    fn spread<const W: usize>(&self, base: &[[T; W]; 6], joints: &mut [[T; W]; N]) {
+        for (giving, row) in self.giving.iter().zip(joints) {
+            let mut own = black_box(*row); // else lanes are of several rows, which are put in order for that
+            less(&mut own, *giving, base.each_ref());
+            *row = own;
+        }
     }
 }

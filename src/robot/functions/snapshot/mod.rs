@@ -11,7 +11,7 @@ mod screws;
 pub use blocks::Blocks;
 pub use dynamics::MassMatrix;
 pub(super) use factor::{Factor, Floating};
-pub(super) use partials::{By, Partial};
+pub(super) use partials::Moved;
 pub use regressor::Regressor;
 
 use super::{FixedBase, Resisting, S, Tasks, checked, finite, resisting};

@@ -13,22 +13,26 @@
 //! Robotics and Automation Letters 7, 2022.) What depends on i alone is found once, so that a pair takes 36 products.
 
 use super::massive::{Inertial, Stirred};
-use super::screws::{Pair, more, sum, swept, swept_wrench};
-use super::{Moving, Snapshot, six};
+use super::screws::{Pair, along, more, sum, swept, swept_wrench};
+use super::{MassMatrix, Moving, Snapshot, six};
 use crate::relation::spatial::algebra::zero;
 use crate::scalar::Scalar;
 use core::ops::Add;
 use nalgebra::Vector3;
 
-/// A joint: how it moves what it carries, and what that takes. What is by positions and what is by rates stand side by side.
+/// How a joint moves what it carries. What is by positions and what is by rates stand side by side.
 #[derive(Clone, Copy)]
-pub struct Partial<T> {
+pub struct Carrying<T> {
     /// S.
     unit: [T; 6],
     /// ψ″ and 2 ψ′.
     carried: [[T; 2]; 6],
     /// Angular velocities of ψ′ and of S.
     turned: [[T; 2]; 3],
+}
+
+/// What it takes to move a joint and all that is outboard.
+pub struct Partial<T> {
     /// I S, what an acceleration of one takes.
     pub inertial: Pair<T>,
     /// 2 Bᵀ S.
@@ -37,7 +41,7 @@ pub struct Partial<T> {
     pub wrenches: [[T; 2]; 6],
 }
 
-/// All that is outboard of a joint, or of the base: I, B, and the wrench f that its motion takes.
+/// A body, or all that is outboard of a joint or of the base: I, B, and the wrench f that its motion takes.
 #[derive(Clone, Copy)]
 pub struct Outboard<T> {
     pub inertial: Inertial<T>,
@@ -54,8 +58,34 @@ impl<T: Scalar> Add for Outboard<T> {
     }
 }
 
-/// A row of derivatives of one number: by positions, by rates, and by torques, each by as many coordinates.
-pub type By<T, const W: usize> = [[T; W]; 3];
+impl<T: Scalar> Outboard<T> {
+    /// Outboard of a joint.
+    #[cfg_attr(optimised, inline(always))]
+    fn partial(&self, Carrying { unit, carried, turned }: &Carrying<T>) -> Partial<T> {
+        let Self { inertial, stirred, wrench } = self;
+        let pair = |six: [T; 6]| {
+            let [x, y, z, a, b, c] = six;
+            [Vector3::new(x, y, z), Vector3::new(a, b, c)]
+        };
+        let (unit, turning, doubled) = (pair(*unit), pair(carried.map(|two| two[0])), pair(carried.map(|two| two[1])));
+        let changing = Vector3::from(turned.map(|two| two[0]));
+        let half = stirred.transposed(unit);
+        let position = sum(twice(stirred.apply(changing)), inertial.moved(turning));
+        let position = six(sum(position, swept_wrench(unit, *wrench)));
+        let rate = six(sum(twice(stirred.apply(unit[1])), inertial.moved(doubled)));
+        Partial {
+            inertial: inertial.moved(unit),
+            stirred: half + half,
+            wrenches: core::array::from_fn(|i| [position[i], rate[i]]),
+        }
+    }
+}
+
+/// 2 a.
+#[inline(always)]
+fn twice<T: Scalar>(pair: Pair<T>) -> Pair<T> {
+    sum(pair, pair)
+}
 
 /// sum + factor · two.
 #[inline(always)]
@@ -63,14 +93,38 @@ fn onto<T: Scalar>(sum: [T; 2], factor: T, two: [T; 2]) -> [T; 2] {
     [factor.mul_add(two[0], sum[0]), factor.mul_add(two[1], sum[1])]
 }
 
+/// What positions and rates say, whatever the accelerations.
+pub struct Moved<T, const N: usize> {
+    /// S, ψ′, and v of the body that carries the joint.
+    joints: [[Pair<T>; 3]; N],
+    /// Of each body alone, by its velocity: v ×* h.
+    bodies: [Outboard<T>; N],
+    /// Of the base; of all, when derivatives were found.
+    pub(super) base: Outboard<T>,
+}
+
 impl<T: Scalar, const N: usize> Snapshot<T, N> {
-    /// A body at a twist and its acceleration.
+    /// A body at a twist.
     #[cfg_attr(optimised, inline(always))]
-    fn outboard(&self, body: &Moving<T>, v: Pair<T>, a: Pair<T>) -> Outboard<T> {
+    fn body_moved(&self, body: &Moving<T>, v: Pair<T>) -> Outboard<T> {
         let (inertial, second) = Inertial::of(body, body.place.place - self.base.place.place);
         let stirred = Stirred::of(&inertial, second, v);
-        let wrench = sum(inertial.moved(a), swept_wrench(v, stirred.momenta()));
-        Outboard { inertial, stirred, wrench }
+        Outboard { inertial, stirred, wrench: swept_wrench(v, stirred.momenta()) }
+    }
+
+    /// What positions and rates say.
+    #[cfg_attr(optimised, inline(always))]
+    pub(in crate::robot::functions) fn moved(&self) -> Moved<T, N> {
+        let ground = [zero(), self.base.spin];
+        let base = self.body_moved(&self.base, ground);
+        let (mut twists, mut joints, mut bodies) = ([ground; N], [[ground; 3]; N], [base; N]);
+        for k in 0..N {
+            let (v, unit) = (twists.get(self.parents[k]).copied().unwrap_or(ground), self.unit(k));
+            twists[k] = more(v, self.rates[k], unit);
+            joints[k] = [unit, swept(v, unit), v];
+            bodies[k] = self.body_moved(&self.bodies[k], twists[k]);
+        }
+        Moved { joints, bodies, base }
     }
 
     /// The base alone: its twist, seen by one who moves with its velocity, and its acceleration as felt.
@@ -81,89 +135,111 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         [[zero(), self.base.spin], [Vector3::new(ax, ay, az) + felt, angular + carried]]
     }
 
-    /// Partial derivatives of all joints, and what is outboard of the base, with the base.
+    /// Partial derivatives of each joint, from the tips on, with how all joints move what they carry; and what is outboard of the base, with the
+    /// base.
+    #[cfg_attr(optimised, inline(always))]
     pub(in crate::robot::functions) fn partials(
         &self,
-        base: &[T; 6],
-        seconds: &[T; N],
-    ) -> ([Partial<T>; N], Outboard<T>) {
-        let ground = self.ground(base);
-        let none = [zero(); 2];
-        let mut moving = [[none; 4]; N]; // v, a, ψ′, ψ″
-        for k in 0..N {
-            let [v, a] = moving.get(self.parents[k]).map_or(ground, |[v, a, ..]| [*v, *a]);
-            let (unit, rate) = (self.unit(k), self.rates[k]);
-            let changing = swept(v, unit);
-            let turned = sum(swept(a, unit), swept(v, changing));
-            let (v, a) = (more(v, rate, unit), more(more(a, seconds[k], unit), rate, changing));
-            moving[k] = [v, a, changing, turned];
-        }
-        let mut all: [_; N] = core::array::from_fn(|k| self.outboard(&self.bodies[k], moving[k][0], moving[k][1]));
-        let mut whole = self.outboard(&self.base, ground[0], ground[1]);
-        for k in (0..N).rev() {
-            let outboard = all[k];
-            let inboard = all.get_mut(self.parents[k]).unwrap_or(&mut whole);
-            *inboard = *inboard + outboard;
-        }
-        let partial = |k: usize| {
-            let Outboard { inertial, stirred, wrench } = &all[k];
-            let (unit, [.., changing, turned]) = (self.unit(k), moving[k]);
-            let twice = |pair: Pair<T>| sum(pair, pair);
-            let half = stirred.transposed(unit);
-            let position = sum(twice(stirred.apply(changing[1])), inertial.moved(turned));
-            let position = six(sum(position, swept_wrench(unit, *wrench)));
-            let rate = six(twice(sum(stirred.apply(unit[1]), inertial.moved(changing))));
-            let (first, second) = (six(turned), six(twice(changing)));
-            Partial {
-                unit: six(unit),
+        Moved { joints, bodies, base: whole }: &mut Moved<T, N>,
+        (base, seconds): (&[T; 6], &[T; N]),
+        mut each: impl FnMut(usize, &Partial<T>, &[Carrying<T>; N]),
+    ) {
+        let ground = self.ground(base)[1];
+        let none = [T::zero(); 2];
+        let mut carrying = [Carrying { unit: [T::zero(); 6], carried: [none; 6], turned: [none; 3] }; N];
+        let mut accelerations = [ground; N];
+        for (k, [unit, changing, v]) in joints.iter().enumerate() {
+            let a = accelerations.get(self.parents[k]).copied().unwrap_or(ground);
+            let a_own = more(more(a, seconds[k], *unit), self.rates[k], *changing);
+            (accelerations[k], bodies[k].wrench) = (a_own, sum(bodies[k].wrench, bodies[k].inertial.moved(a_own)));
+            let turned = sum(swept(a, *unit), swept(*v, *changing));
+            let (first, second) = (six(turned), six(twice(*changing)));
+            carrying[k] = Carrying {
+                unit: six(*unit),
                 carried: core::array::from_fn(|i| [first[i], second[i]]),
                 turned: core::array::from_fn(|i| [changing[1][i], unit[1][i]]),
-                inertial: inertial.moved(unit),
-                stirred: half + half,
-                wrenches: core::array::from_fn(|i| [position[i], rate[i]]),
-            }
-        };
-        (core::array::from_fn(partial), whole)
+            };
+        }
+        whole.wrench = sum(whole.wrench, whole.inertial.moved(ground));
+        for k in (0..N).rev() {
+            let outboard = bodies[k];
+            each(k, &outboard.partial(&carrying[k]), &carrying);
+            let inboard = bodies.get_mut(self.parents[k]).unwrap_or(whole);
+            *inboard = *inboard + outboard;
+        }
     }
 
-    /// Puts derivatives of the torque of a joint by the position and the rate of another one, one pair of joints after the other.
+    /// What joints take that do not accelerate, with the lower half of their mass matrix, as far as they are related, and what each one takes for an
+    /// acceleration of one; and all as one body with what that takes, at the place of the base.
+    #[cfg_attr(optimised, inline(always))]
+    pub(in crate::robot::functions) fn bias(
+        &self,
+        Moved { joints, bodies, base: own }: &Moved<T, N>,
+        matrix: &mut [[T; N]; N],
+        mut each: impl FnMut(usize, Pair<T>),
+    ) -> ([T; N], (Inertial<T>, Pair<T>)) {
+        let ground = self.ground(&[T::zero(); 6])[1];
+        let taken = |body: &Outboard<T>, a: Pair<T>| (body.inertial, sum(body.wrench, body.inertial.moved(a)));
+        let mut whole = taken(own, ground);
+        let (mut accelerations, mut all, mut bias) = ([ground; N], [whole; N], [T::zero(); N]);
+        for (k, [_, changing, _]) in joints.iter().enumerate() {
+            let a = accelerations.get(self.parents[k]).copied().unwrap_or(ground);
+            accelerations[k] = more(a, self.rates[k], *changing);
+            all[k] = taken(&bodies[k], accelerations[k]);
+        }
+        for k in (0..N).rev() {
+            let ((inertial, wrench), [unit, ..]) = (all[k], joints[k]);
+            let taken = inertial.moved(unit);
+            bias[k] = along(unit, wrench) - self.laws[k];
+            let mut next = k;
+            while let Some([unit, ..]) = joints.get(next) {
+                matrix[k][next] = along(*unit, taken);
+                next = self.parents[next];
+            }
+            matrix[k][k] += self.inertias[k];
+            each(k, taken);
+            let inboard = all.get_mut(self.parents[k]).unwrap_or(&mut whole);
+            *inboard = (inboard.0 + inertial, sum(inboard.1, wrench));
+        }
+        (bias, whole)
+    }
+
+    /// The mass matrix, its half below the diagonal of joints, and what base and joints take that do not accelerate.
+    pub(in crate::robot::functions) fn bias_afloat(
+        &self,
+        moved: &Moved<T, N>,
+        MassMatrix { base, coupling, joints }: &mut MassMatrix<T, N>,
+    ) -> ([T; 6], [T; N]) {
+        let (bias, (inertial, wrench)) = self.bias(moved, joints, |k, taken| coupling[k] = self.on_base(taken));
+        for (row, unit) in base.iter_mut().zip(self.units_of_base()) {
+            *row = self.on_base(inertial.moved(unit));
+        }
+        (self.on_base(wrench), bias)
+    }
+
+    /// Puts derivatives of the torque of a joint by the position and the rate of each inboard of it or the joint itself, and of theirs by its own.
     #[cfg_attr(optimised, inline(always))]
     pub(in crate::robot::functions) fn pairs(
         &self,
-        partials: &[Partial<T>; N],
+        i: usize,
+        Partial { inertial, stirred, wrenches }: &Partial<T>,
+        carrying: &[Carrying<T>; N],
         mut put: impl FnMut(usize, usize, [T; 2]),
     ) {
-        for (i, own) in partials.iter().enumerate() {
-            let (inertial, stirred) = (six(own.inertial), own.stirred);
-            let mut k = i;
-            while let Some(inboard) = partials.get(k) {
-                let Partial { unit, carried, turned, .. } = inboard;
-                let (mut of_own, mut of_inboard) = ([T::zero(); 2], [T::zero(); 2]);
-                for c in 0..6 {
-                    of_own = onto(of_own, inertial[c], carried[c]);
-                    of_inboard = onto(of_inboard, unit[c], own.wrenches[c]);
-                }
-                for c in 0..3 {
-                    of_own = onto(of_own, stirred[c], turned[c]);
-                }
-                put(k, i, of_inboard);
-                put(i, k, of_own);
-                k = self.parents[k];
+        let inertial = six(*inertial);
+        let mut k = i;
+        while let Some(Carrying { unit, carried, turned }) = carrying.get(k) {
+            let (mut of_own, mut of_inboard) = ([T::zero(); 2], [T::zero(); 2]);
+            for c in 0..6 {
+                of_own = onto(of_own, inertial[c], carried[c]);
+                of_inboard = onto(of_inboard, unit[c], wrenches[c]);
             }
-        }
-    }
-
-    /// The lower half of the mass matrix, as far as joints are related.
-    pub(in crate::robot::functions) fn lower(&self, partials: &[Partial<T>; N]) -> [[T; N]; N] {
-        let mut mass = [[T::zero(); N]; N];
-        for (i, own) in partials.iter().enumerate() {
-            let (inertial, mut k) = (six(own.inertial), i);
-            while let Some(Partial { unit, .. }) = partials.get(k) {
-                mass[i][k] = unit.iter().zip(inertial).fold(T::zero(), |sum, (x, y)| x.mul_add(y, sum));
-                k = self.parents[k];
+            for c in 0..3 {
+                of_own = onto(of_own, stirred[c], turned[c]);
             }
-            mass[i][i] += self.inertias[i];
+            put(k, i, of_inboard);
+            put(i, k, of_own);
+            k = self.parents[k];
         }
-        mass
     }
 }

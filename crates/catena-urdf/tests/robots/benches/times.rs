@@ -212,11 +212,14 @@ macro_rules! floating {
             |s| $scene.forward_dynamics_afloat(s.base(), &s.q, &s.v, &[0.0; 6], &s.torques),
             |x| x.0.into_iter().chain(x.1)
         );
+        let mut found = (ByStateAfloat::zero(), Blocks::zero());
         function!(
             $work,
             $states,
             "forward_dynamics_derivatives",
-            |s| $scene.forward_dynamics_derivatives_afloat(s.base(), &s.q, &s.v, &[0.0; 6], &s.torques),
+            |s| $scene
+                .forward_dynamics_derivatives_afloat_into(s.base(), &s.q, &s.v, &[0.0; 6], &s.torques, &mut found)
+                .map(|()| black_box(&found)),
             |x| {
                 let (ByStateAfloat { positions, rates }, torques) = x;
                 let mut list = vec![];

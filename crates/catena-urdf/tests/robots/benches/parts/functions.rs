@@ -1,6 +1,6 @@
 //! Functions of lists of the shipped robots: calls of them, to be counted.
 
-use catena::robot::{Afloat, Columns, Place};
+use catena::robot::{Afloat, Blocks, ByStateAfloat, Columns, Place};
 use catena_urdf_robots::{arm7_local, cart_local, humanoid_local, quadruped_fixed, quadruped_local};
 use std::error::Error;
 use std::hint::black_box;
@@ -55,6 +55,7 @@ macro_rules! afloat {
     ($name:ident, $function:expr, $times:expr) => {{
         const N: usize = $name::JOINTS.len();
         let (scene, list, base, wrench) = ($name::scene::<f64>()?, state::<N>(), base(), [0.3; 6]);
+        let mut found = (ByStateAfloat::zero(), Blocks::zero());
         for _ in 0..$times {
             let ([q, v, x], base) = black_box((&list, base));
             match $function {
@@ -65,7 +66,10 @@ macro_rules! afloat {
                 "inverse_dynamics_derivatives" => {
                     _ = black_box(scene.inverse_dynamics_derivatives_afloat(base, q, v, &wrench, x)?);
                 }
-                _ => _ = black_box(scene.forward_dynamics_derivatives_afloat(base, q, v, &wrench, x)?),
+                _ => {
+                    scene.forward_dynamics_derivatives_afloat_into(base, q, v, &wrench, x, &mut found)?;
+                    black_box(&found);
+                }
             }
         }
     }};
