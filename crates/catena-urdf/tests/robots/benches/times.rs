@@ -224,8 +224,8 @@ macro_rules! floating {
                 let (ByStateAfloat { positions, rates }, torques) = x;
                 let mut list = vec![];
                 for Blocks { base, base_by_joints, joints_by_base, joints } in [positions, rates, torques] {
-                    base.iter().zip(&base_by_joints).for_each(|(a, b)| list.extend(a.iter().chain(b).copied()));
-                    joints_by_base.iter().zip(&joints).for_each(|(a, b)| list.extend(a.iter().chain(b).copied()));
+                    base.iter().zip(base_by_joints).for_each(|(a, b)| list.extend(a.iter().chain(b).copied()));
+                    joints_by_base.iter().zip(joints).for_each(|(a, b)| list.extend(a.iter().chain(b).copied()));
                 }
                 list
             }
