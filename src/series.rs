@@ -116,17 +116,24 @@ pub trait ExertClosing<S: Expandable, Q>: ExpandClosing<S> {
     note = "it runs scenes under gravity, springs, dampers and efforts in joints that are values or functions of time; `Dop853` runs all"
 )]
 pub trait ExpandLoads<S: Space>: Loading<S> {
+    /// Whether they are functions of time.
+    const OVER_TIME: bool;
+
     /// The first coefficients of the effort in the joint of a number, of powers of time (s) around a time: as many as are asked for.
     fn in_joint_over_time<const N: usize>(&self, time: RealOf<S>, joint: usize, asked: usize) -> [Self::InJoint; N];
 }
 
 impl<S: Space> ExpandLoads<S> for Unloaded {
+    const OVER_TIME: bool = false;
+
     fn in_joint_over_time<const N: usize>(&self, _: RealOf<S>, _: usize, _: usize) -> [Absent; N] {
         [Absent; N]
     }
 }
 
 impl<S: Space, J: SeriesLaw<S::JointMotion>> ExpandLoads<S> for Loads<Absent, J> {
+    const OVER_TIME: bool = J::OVER_TIME;
+
     fn in_joint_over_time<const N: usize>(&self, time: RealOf<S>, joint: usize, asked: usize) -> [J::Value; N] {
         self.joints().series(time, joint, asked)
     }

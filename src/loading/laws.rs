@@ -131,17 +131,24 @@ pub struct OverTime<F>(pub F);
 
 /// Laws of efforts in joints whose values have power series in time.
 pub trait SeriesLaw<M: Seen>: LoadLaw<M> {
+    /// Whether values are functions of time: whether there is more to a series than its first coefficient.
+    const OVER_TIME: bool = true;
+
     /// The first coefficients of the powers of time (s) around a time, in the joint of a number: as many as are asked for, and no others.
     fn series<const N: usize>(&self, time: RealOf<M::Space>, joint: usize, asked: usize) -> [Self::Value; N];
 }
 
 impl<M: Seen> SeriesLaw<M> for Absent {
+    const OVER_TIME: bool = false;
+
     fn series<const N: usize>(&self, _: RealOf<M::Space>, _: usize, _: usize) -> [Absent; N] {
         [Absent; N]
     }
 }
 
 impl<M: Seen, V: AsRef<[M::Load]>> SeriesLaw<M> for Values<V> {
+    const OVER_TIME: bool = false;
+
     fn series<const N: usize>(&self, _: RealOf<M::Space>, joint: usize, _: usize) -> [M::Load; N] {
         let value = self.0.as_ref().get(joint).copied().unwrap_or_else(M::Load::null);
         core::array::from_fn(|k| if k == 0 { value } else { M::Load::null() })

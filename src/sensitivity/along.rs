@@ -12,6 +12,7 @@ use crate::mechanics::planar::{
     Acceleration, Base, Body, ElasticHinge, Frame, HingeAxes, Linear, Pin, Planar, PointMass, RigidBody, Rod, Slider,
     Weld,
 };
+use crate::mechanics::spatial::adjoint::ROTARY_NUMBERS;
 use crate::scalar::{Elementary, Jet, Real, Scalar};
 use crate::shape::{
     Around, AtClosing, Closing, Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms,
@@ -27,6 +28,8 @@ pub struct Along<T, const K: usize> {
     pub(super) met: usize,
     /// Most numbers of a joint.
     pub(super) most: usize,
+    /// Most numbers of a rotary law.
+    pub(super) most_rotary: usize,
 }
 
 impl<T: Scalar, const K: usize> Along<T, K> {
@@ -65,6 +68,13 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         self.most = before.max(if self.most > LAW_NUMBERS { self.most + NUMBERS - LAW_NUMBERS } else { 0 });
     }
 
+    /// Adds what a joint with a rotary law does.
+    pub(super) fn add_rotary(&mut self, law: &impl Lift<Jet<T, K>, T>, by: &[T; ROTARY_NUMBERS]) {
+        let before = core::mem::take(&mut self.most);
+        self.add_joint(law, by);
+        self.most_rotary = self.most_rotary.max(core::mem::replace(&mut self.most, before));
+    }
+
     /// Adds what a tip does, number by number.
     pub(super) fn add_tip(&mut self, by: &[T], numbers: &[Jet<T, K>]) {
         by.iter().zip(numbers).for_each(|(costate, number)| self.add(*costate, *number));
@@ -75,8 +85,10 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         if self.met != entries || self.met != met {
             return Err(Error::new(Fault::Shape));
         }
-        if self.most > NUMBERS {
-            return Err(Error::new(Fault::Count { expected: NUMBERS, given: self.most }));
+        for (expected, given) in [(NUMBERS, self.most), (ROTARY_NUMBERS, self.most_rotary)] {
+            if given > expected {
+                return Err(Error::new(Fault::Count { expected, given }));
+            }
         }
         Ok(())
     }
@@ -236,7 +248,7 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
             + Shape<Planar<Jet<T, K>>, Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>>
             + Shape<Planar<Jet<T, K>>, Store<PerJoint<[T; NUMBERS_OF_JOINT]>> = E::Store<PerJoint<[T; NUMBERS_OF_JOINT]>>>,
     {
-        let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
+        let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0, most_rotary: 0 };
         let elements = scene.elements();
         elements.take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;

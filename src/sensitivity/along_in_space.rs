@@ -11,8 +11,8 @@ use crate::lift::Lift;
 use crate::mechanics::spatial::adjoint::{BODY, numbers};
 use crate::mechanics::spatial::axial::{Axial, aside};
 use crate::mechanics::spatial::{
-    Acceleration, Ball, Base, Cylindrical, Floating, Frame, Inertial, OfJoint, PointMass, Prismatic, Revolute,
-    RigidBody, Rod, Spatial, Universal, Weld,
+    Acceleration, Ball, Base, Cylindrical, ElasticHinge, Floating, Frame, Inertial, OfJoint, PointMass, Prismatic,
+    Revolute, RigidBody, Rod, RotaryLaw, Spatial, Universal, Weld,
 };
 use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};
@@ -88,6 +88,12 @@ pub trait Numbered<T: Scalar, const K: usize> {
 impl<T: Scalar, const K: usize> Numbered<T, K> for Ball {
     fn add_to(&self, walk: &mut Along<T, K>, _: &OfJoint<T>) {
         walk.met += 1;
+    }
+}
+
+impl<T: Scalar, const K: usize, R: RotaryLaw<Jet<T, K>> + Lift<Jet<T, K>, T>> Numbered<T, K> for ElasticHinge<R> {
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
+        walk.add_rotary(self.law(), &by.of_rotary());
     }
 }
 
@@ -174,6 +180,14 @@ macro_rules! joints {
 joints!([] Ball, [] Floating<Jet<T, K>>, [] Weld<Jet<T, K>>, [L] Revolute<Jet<T, K>, L>, [L] Prismatic<Jet<T, K>, L>);
 joints!([L M] Cylindrical<Jet<T, K>, L, M>, [L M] Universal<Jet<T, K>, L, M>);
 
+impl<T: Scalar, const K: usize, R: RotaryLaw<Jet<T, K>> + Lift<Jet<T, K>, T>> Takes<Spatial<Jet<T, K>>, Along<T, K>>
+    for ElasticHinge<R>
+{
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+        self.add_to(walk, by);
+    }
+}
+
 impl<T: Scalar, J: Closing<Spatial<Jet<T, K>>> + Numbered<T, K>, const K: usize> Around<Spatial<Jet<T, K>>, J>
     for Along<T, K>
 {
@@ -237,7 +251,7 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
             + Shape<Spatial<Jet<T, K>>, Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>>
             + Shape<Spatial<Jet<T, K>>, Store<PerJoint<OfJoint<T>>> = E::Store<PerJoint<OfJoint<T>>>>,
     {
-        let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0 };
+        let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0, most_rotary: 0 };
         scene.elements().take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;
         let ground = scene.ground(self.times.map_or(Zero::zero(), |[last, _]| last));

@@ -1,15 +1,17 @@
 //! Steps by the rule that leads a motion farthest for its sweeps.
 
+mod pair;
 mod race;
 mod single;
 mod stiffness;
 
-use super::{ExplicitStepper, Method, MotionIn, SdirkStepper, Stepper, TaylorStepper, TimeIn, VcabmStepper};
+use super::{ExplicitStepper, Method, MotionIn, SdirkStepper, Stepper, TimeIn, VcabmStepper};
 use crate::error::Error;
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::system::{SeriesDynamics, StiffDynamics};
-use crate::time::{Auto, AutoTaylor, Dop853, Sdirk4, Taylor, Vcabm};
+use crate::time::{Auto, AutoTaylor, Dop853, Sdirk4, Vcabm};
+use pair::PairStepper;
 pub use race::Chosen;
 use race::Race;
 use single::Single;
@@ -44,10 +46,10 @@ impl<D, L, const P: usize> Method<D, L> for AutoTaylor<P>
 where
     D: StiffDynamics<L> + SeriesDynamics<L, P> + Clone,
 {
-    type Stepper = AutoStepper<D, L, TaylorStepper<D, L, P>>;
+    type Stepper = AutoStepper<D, L, PairStepper<D, L, P>>;
 
     fn stepper(&self, scene: D) -> Self::Stepper {
-        AutoStepper::of(Taylor.stepper(scene.clone()), scene)
+        AutoStepper::of(PairStepper::of(scene.clone()), scene)
     }
 }
 
@@ -90,7 +92,8 @@ impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> AutoStepper<D, L, K> {
     fn plain(rate: &D::Rate, tolerance: Option<TimeIn<D, L>>) -> Chosen {
         let mut count = 0;
         rate.visit(&mut |_| count += 1);
-        if K::leaves_to_multistep(count, tolerance.map(Real::as_f64)) { Chosen::Vcabm } else { K::CHOSEN }
+        let tolerance = tolerance.map(Real::as_f64);
+        if K::leaves_to_multistep(count, tolerance) { Chosen::Vcabm } else { K::chosen(tolerance) }
     }
 
     /// The rule that makes the next step.
@@ -172,12 +175,14 @@ impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> Stepper<D, L> for AutoStep
         if accepted {
             self.race.judge(past.time);
         } else if self.race.written.0.is_none() {
-            self.race.open(Self::plain(&past.rate, Some(tolerance)));
+            let plain = Self::plain(&past.rate, Some(tolerance));
+            self.single.take(plain);
+            self.race.open(plain);
         }
         let Race { chosen, size, written, .. } = self.race;
         let proposed = of!(chosen, self, |stepper| stepper.propose(past, loads, tolerance));
         // A series knows how far it reaches, whoever made the steps before.
-        if chosen == before || chosen == Chosen::Taylor {
+        if chosen == before || chosen == Chosen::Taylor || [before, chosen].into_iter().all(K::makes) {
             return proposed;
         }
         match (written.0, self.race.is_stiff()) {
@@ -253,11 +258,12 @@ impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> Stepper<D, L> for AutoStep
 
     fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
         let remembered = self.multi.remembers(&memory.multi, motion) && self.stiff.remembers(&memory.stiff, motion);
-        remembered && memory.race.is_sound(K::CHOSEN)
+        remembered && memory.race.is_sound(K::makes)
     }
 
     fn restore(&mut self, memory: &Self::Memory) {
         (self.race, self.restored) = (memory.race, true);
+        self.single.take(self.race.plain);
         self.multi.restore(&memory.multi);
         self.stiff.restore(&memory.stiff);
     }

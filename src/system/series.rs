@@ -19,6 +19,8 @@ use num_traits::Zero;
 pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
     /// Whether there are loads, which may be others in the next step.
     const LOADED: bool;
+    /// Whether they are functions of time.
+    const OVER_TIME: bool;
 
     /// Room for a series.
     type Series;
@@ -106,6 +108,7 @@ where
     Self: Runs<L, S, R, C, P>,
 {
     const LOADED: bool = L::ON;
+    const OVER_TIME: bool = L::OVER_TIME;
 
     type Series = SeriesRoom<S, Elements<S, R, C>, L::InJoint, P::Closures, N>;
 
@@ -162,6 +165,7 @@ where
 
 impl<D: SeriesDynamics<L, N>, L, const N: usize> SeriesDynamics<L, N> for &D {
     const LOADED: bool = D::LOADED;
+    const OVER_TIME: bool = D::OVER_TIME;
 
     type Series = D::Series;
 

@@ -103,6 +103,11 @@ impl<R> ElasticHinge<R> {
         Self { rotary: law, linear: Absent }
     }
 
+    /// What resists relative rotation.
+    pub(crate) fn law(&self) -> &R {
+        &self.rotary
+    }
+
     /// With springs along the axes of the inboard body.
     pub fn with_linear<T: Scalar, X: SpringLaw<T>, Y: SpringLaw<T>, Z: SpringLaw<T>>(
         self,

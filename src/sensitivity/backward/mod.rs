@@ -98,7 +98,9 @@ pub use tape::Tape;
 ///
 /// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`,
 /// `Prismatic`, `Cylindrical` and `Universal` with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom); where
-/// there are two laws, each of three numbers or less), composed in the same ways, also
+/// there are two laws, each of three numbers or less), by explicit rules [`ElasticBall`](crate::spatial::ElasticBall) and a
+/// [`RotaryLaw`](crate::spatial::RotaryLaw) of the user's own of nine numbers or less, generic over the scalar and
+/// [`lift!`](crate::lift!)ed, composed in the same ways, also
 /// in loops that a `Ball`, a `Weld` or a `Revolute` closes, from a `Pinned`, `Clamped` or `Hinged` root, or a `Free` one, to tips that are
 /// free, or `Pinned`, `Clamped` or `Hinged` at a place that does not move; of projections and initial coordinates holds what was said of the
 /// plane. An attitude has three derivatives, by a rotation vector (rad) in axes of its body: costs add theirs in the same numbers, and steps

@@ -96,10 +96,10 @@ impl<R: Real> Race<R> {
     }
 
     /// Whether a race can go on: what was read as data may be anything.
-    pub(super) fn is_sound(&self, single: Chosen) -> bool {
+    pub(super) fn is_sound(&self, single: impl Fn(Chosen) -> bool) -> bool {
         let Self { taken, suspicious, sweeps, since, mark, pace, size, fastest, patience, .. } = self;
-        let rules =
-            [single, Chosen::Vcabm].contains(&self.plain) && [self.plain, Chosen::Sdirk4].contains(&self.chosen);
+        let plain = self.plain == Chosen::Vcabm || single(self.plain);
+        let rules = plain && [self.plain, Chosen::Sdirk4].contains(&self.chosen);
         rules
             && [taken, suspicious, sweeps].iter().all(|count| **count <= usize::MAX / 2)
             && *since <= *sweeps

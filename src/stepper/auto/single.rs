@@ -18,8 +18,18 @@ const SLOW: f64 = 1.0;
 
 /// A method of one step, for what is not stiff.
 pub trait Single<D: Dynamics<L>, L>: Stepper<D, L> {
-    /// Name of the method in a race.
-    const CHOSEN: Chosen;
+    /// Name of the method in a race, at a tolerance if there is one.
+    fn chosen(tolerance: Option<f64>) -> Chosen;
+
+    /// Whether the method is ever one of this name.
+    fn makes(chosen: Chosen) -> bool {
+        chosen == Self::chosen(None)
+    }
+
+    /// Takes the method of a name, where there are several.
+    fn take(&mut self, chosen: Chosen) {
+        let _ = chosen;
+    }
 
     /// Whether a multistep method is quicker for so many coordinates, at a tolerance if there is one.
     fn leaves_to_multistep(coordinates: usize, tolerance: Option<f64>) -> bool;
@@ -29,7 +39,9 @@ pub trait Single<D: Dynamics<L>, L>: Stepper<D, L> {
 }
 
 impl<D: Dynamics<L>, L> Single<D, L> for ExplicitStepper<D, L, Dop853> {
-    const CHOSEN: Chosen = Chosen::Dop853;
+    fn chosen(_: Option<f64>) -> Chosen {
+        Chosen::Dop853
+    }
 
     fn leaves_to_multistep(coordinates: usize, tolerance: Option<f64>) -> bool {
         coordinates >= MANY && (!D::Position::CURVED || tolerance.is_some_and(|tolerance| tolerance >= COARSE))
@@ -60,7 +72,9 @@ impl<D: Dynamics<L>, L> Single<D, L> for ExplicitStepper<D, L, Dop853> {
 }
 
 impl<D: SeriesDynamics<L, P>, L, const P: usize> Single<D, L> for TaylorStepper<D, L, P> {
-    const CHOSEN: Chosen = Chosen::Taylor;
+    fn chosen(_: Option<f64>) -> Chosen {
+        Chosen::Taylor
+    }
 
     fn leaves_to_multistep(coordinates: usize, tolerance: Option<f64>) -> bool {
         coordinates >= MANY && tolerance.is_some_and(|tolerance| tolerance >= COARSE)

@@ -47,6 +47,49 @@ fn with_series_runs_are_by_these_or_at_coarse_tolerances_by_steps() -> Result<()
     Ok(())
 }
 
+/// Drives each joint by a sine of time.
+struct Sines;
+
+impl catena::loading::TimeLaw<f64> for Sines {
+    fn at<X: catena::Scalar<Real = f64>>(&self, time: X, joint: usize) -> X {
+        (X::literal(3.0 + 2.0 * joint as f64) * time).sin_cos().0 * X::literal(0.3)
+    }
+}
+
+/// Where efforts are functions of time, and tolerances coarse, stages are cheaper than series: those of `Auto`.
+#[test]
+fn with_series_efforts_over_time_are_left_to_stages_at_coarse_tolerances() -> Result<(), Box<dyn Error>> {
+    let rod = Rod::uniform(0.5, 0.5);
+    let two = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    let (start, loads) = (two.at_rest(&[0.0; 2])?, Loads::none().in_joints_over_time(Sines));
+    let series = two.simulation(AutoTaylor::<24>::tolerance(1e-6)).loads(&loads);
+    let mut run = series.begin(start, 2.0, |_| ())?;
+    run.until(0.7)?;
+    assert_eq!(run.stepper().chosen(), Chosen::Dop853);
+    let (saved, whole) = (run.save(), run.finish()?);
+    let stages = two.simulation(Auto::tolerance(1e-6)).loads(&loads).run(start, 2.0, |_| ())?;
+    assert_eq!((whole.motion, whole.sweeps), (stages.motion, stages.sweeps));
+    let resumed =
+        two.simulation(AutoTaylor::<24>::tolerance(1e-6)).loads(&loads).resume(saved, 2.0, |_| ())?.finish()?;
+    assert_eq!((resumed.motion, resumed.sweeps), (whole.motion, whole.sweeps));
+
+    let mut run = two.simulation(AutoTaylor::<24>::tolerance(1e-10)).loads(&loads).begin(start, 2.0, |_| ())?;
+    run.until(0.7)?;
+    assert_eq!(run.stepper().chosen(), Chosen::Taylor);
+    let (run, alone) =
+        (run.finish()?, two.simulation(Taylor::<24>::tolerance(1e-10)).loads(&loads).run(start, 2.0, |_| ())?);
+    assert_eq!(run.motion.coordinates(), alone.motion.coordinates());
+    for (a, b) in run.motion.coordinates().iter().zip(whole.motion.coordinates()) {
+        assert!(f64::abs(a - b) < 1e-4, "{a} {b}");
+    }
+    // Values that are held are no functions of time.
+    let held = Loads::none().efforts([0.3, -0.2]);
+    let mut run = two.simulation(AutoTaylor::<24>::tolerance(1e-6)).loads(&held).begin(start, 2.0, |_| ())?;
+    run.until(0.7)?;
+    assert_eq!(run.stepper().chosen(), Chosen::Taylor);
+    Ok(())
+}
+
 /// Four rods on damped hinges of a stiffness (N·m/rad).
 macro_rules! stiff {
     ($stiffness:expr) => {{

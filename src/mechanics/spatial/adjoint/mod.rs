@@ -3,6 +3,7 @@
 mod axial;
 mod ball;
 mod bodies;
+mod elastic_ball;
 mod ends;
 mod felt;
 mod floating;
@@ -15,6 +16,7 @@ mod revolute;
 mod steps;
 mod weld;
 
+pub(crate) use elastic_ball::ROTARY_NUMBERS;
 pub use inertial::{Base, Inertial};
 
 use ends::TIP;
@@ -101,7 +103,7 @@ pub struct OnBody<T> {
 pub struct InJoint<T> {
     /// Virtual velocity of its outboard point, where points slide apart.
     pub velocity: Vector3<T>,
-    /// Of the outboard body; of a ball that of the inboard one.
+    /// Of the outboard body; of a ball, with a spring or without, that of the inboard one.
     pub turning: Turning<T>,
 }
 
@@ -201,7 +203,7 @@ pub struct OfJoint<T> {
     pub(crate) more: [T; 2],
     /// The numbers of its law; of two laws three each.
     pub(crate) law: [T; NUMBERS],
-    /// By the place on the inboard body, of joints that have one, in axes of that.
+    /// By the place on the inboard body, of joints that have one, in axes of that; of a rotary law by what numbers it has beyond those.
     pub(crate) place: Vector3<T>,
 }
 
