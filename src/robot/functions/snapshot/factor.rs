@@ -205,13 +205,16 @@ impl<'a, T: Scalar, const N: usize> Floating<'a, T, N> {
         }
     }
 
-    /// What some joints leave to the base, where they give way. Rows four at a time, which are read once then.
+    /// What some joints leave to the base, where they give way: three sums stay in registers while rows are met.
     #[cfg_attr(optimised, inline(always))]
     fn gather<const W: usize>(&self, some: Range<usize>, base: &mut [[T; W]; 6], joints: &[[T; W]; N]) {
-        let (giving, rows) = (self.giving[some.clone()].as_chunks::<4>(), joints[some].as_chunks::<4>());
-        for (k, sum) in base.iter_mut().enumerate() {
-            giving.0.iter().zip(rows.0).for_each(|(of, four)| less(sum, of.map(|of| of[k]), four.each_ref()));
-            giving.1.iter().zip(rows.1).for_each(|(of, row)| less(sum, [of[k]], [row]));
+        let (giving, rows) = (&self.giving[some.clone()], &joints[some]);
+        for (first, three) in base.as_chunks_mut::<3>().0.iter_mut().enumerate() {
+            let mut sums = *three;
+            for (of, row) in giving.iter().zip(rows) {
+                sums.iter_mut().enumerate().for_each(|(k, sum)| less(sum, [of[3 * first + k]], [row]));
+            }
+            *three = sums;
         }
     }
 
