@@ -8,7 +8,7 @@ use crate::system::SeriesDynamics;
 use crate::time::{Dop853, Taylor};
 
 /// From this tolerance on series of functions of time are dearer than stages of `Dop853`.
-const COARSE: f64 = 1e-8;
+const COARSE: f64 = 1e-10;
 
 /// Steps by [`Dop853`] or by series of orders up to `P`: by the latter, but under efforts that are functions of time at coarse tolerances.
 pub struct PairStepper<D: SeriesDynamics<L, P>, L, const P: usize> {

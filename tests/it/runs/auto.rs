@@ -73,11 +73,11 @@ fn with_series_efforts_over_time_are_left_to_stages_at_coarse_tolerances() -> Re
         two.simulation(AutoTaylor::<24>::tolerance(1e-6)).loads(&loads).resume(saved, 2.0, |_| ())?.finish()?;
     assert_eq!((resumed.motion, resumed.sweeps), (whole.motion, whole.sweeps));
 
-    let mut run = two.simulation(AutoTaylor::<24>::tolerance(1e-10)).loads(&loads).begin(start, 2.0, |_| ())?;
+    let mut run = two.simulation(AutoTaylor::<24>::tolerance(1e-12)).loads(&loads).begin(start, 2.0, |_| ())?;
     run.until(0.7)?;
     assert_eq!(run.stepper().chosen(), Chosen::Taylor);
     let (run, alone) =
-        (run.finish()?, two.simulation(Taylor::<24>::tolerance(1e-10)).loads(&loads).run(start, 2.0, |_| ())?);
+        (run.finish()?, two.simulation(Taylor::<24>::tolerance(1e-12)).loads(&loads).run(start, 2.0, |_| ())?);
     assert_eq!(run.motion.coordinates(), alone.motion.coordinates());
     for (a, b) in run.motion.coordinates().iter().zip(whole.motion.coordinates()) {
         assert!(f64::abs(a - b) < 1e-4, "{a} {b}");
