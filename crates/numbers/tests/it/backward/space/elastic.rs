@@ -119,7 +119,7 @@ fn rotary_laws_of_ones_own_have_the_gradients_of_jets() {
             let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
             let joint = ElasticHinge::with(Hardening(x(29), x(30)));
             let root = Clamped::at([0.0; 3].map(N::constant), Rotation::identity());
-            let gravity = [26, 27, 28].map(|k| x(k));
+            let gravity = [0, 1, 2].map(|k| x(26 + k));
             System::new(root, (joint, of(0), joint, of(1)), Free).unwrap().with_gravity(gravity)
         }
     );
@@ -132,7 +132,7 @@ fn gradients_at_rest_are_numbers() {
     let joint = ElasticHinge::rotary([20.0, 5.0, 20.0]).damped(0.01);
     let scene = System::new(Clamped::origin(), (joint, rod, joint, rod), Free).unwrap();
     let start = scene.motion();
-    let (mut backward, mut states) = (scene.backward(Rk4), vec![start.clone(); 11]);
+    let (mut backward, mut states) = (scene.backward(Rk4), vec![start; 11]);
     backward.run(&start, 0.01, 10, &[], &mut states).unwrap();
     let gradient = backward.gradient(&[], &states, &mut [], |_, _, by| by.add(&[1.0; 6], &[1.0; 6])).unwrap();
     let all: Vec<f64> = gradient.by_position().into_iter().chain(gradient.by_rate()).collect();
