@@ -116,7 +116,7 @@ pub trait ExertClosing<S: Expandable, Q>: ExpandClosing<S> {
     note = "it runs scenes under gravity, springs, dampers and efforts in joints that are values or functions of time; `Dop853` runs all"
 )]
 pub trait ExpandLoads<S: Space>: Loading<S> {
-    /// Whether they are functions of time.
+    /// Whether loads are functions of time.
     const OVER_TIME: bool;
 
     /// The first coefficients of the effort in the joint of a number, of powers of time (s) around a time: as many as are asked for.

@@ -19,7 +19,7 @@ use num_traits::Zero;
 pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
     /// Whether there are loads, which may be others in the next step.
     const LOADED: bool;
-    /// Whether they are functions of time.
+    /// Whether efforts are functions of time.
     const OVER_TIME: bool;
 
     /// Room for a series.

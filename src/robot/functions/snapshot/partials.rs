@@ -31,7 +31,7 @@ pub struct Carrying<T> {
     turned: [[T; 2]; 3],
 }
 
-/// What it takes to move a joint and all that is outboard.
+/// Inertia and wrenches of a joint and all that is outboard, as its motion meets them.
 pub struct Partial<T> {
     /// I S, what an acceleration of one takes.
     pub inertial: Pair<T>,
