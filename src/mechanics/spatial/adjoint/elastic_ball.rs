@@ -12,7 +12,7 @@
 
 use super::{OfJoint, Outboard, Pivot, Pulled, Stirred, Turning};
 use crate::adjoint::laws::NUMBERS;
-use crate::element::{Element, Explicit};
+use crate::element::{Element, Explicit, Springs};
 use crate::lift::Lift;
 use crate::loading::LoadLaw;
 use crate::mechanics::spatial::adjoint::Felt;
@@ -94,13 +94,26 @@ impl<T: Scalar, R: ReversibleRotary<T>> Takes<Spatial<T>, Orient> for ElasticHin
     }
 }
 
-impl<T: Scalar, C: Closures, R: ReversibleRotary<T>> Takes<Spatial<T>, Factor<C, Explicit>> for ElasticHinge<R> {
+/// Ways in which rotary springs enter that costates know: as torques.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run by an implicit rule goes backward through an `ElasticBall`",
+    label = "a rule whose pivots know springs",
+    note = "explicit rules go backward through rotary springs: `Rk4`, `Dopri5`, `Dop853`",
+    note = "run the same scene over jets or dual numbers instead"
+)]
+pub trait AsTorques<T: Scalar>: Springs<T> {}
+
+impl<T: Scalar> AsTorques<T> for Explicit {}
+
+impl<T: Scalar, C: Closures, R: ReversibleRotary<T>, By: AsTorques<T>> Takes<Spatial<T>, Factor<C, By>>
+    for ElasticHinge<R>
+{
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        _: &mut Factor<C, Explicit>,
+        _: &mut Factor<C, By>,
         outer: Outboard<T, C>,
-        (attitude, .., (position, rate, _), torque, gain, pivot): Of<'_, Spatial<T>, Factor<C, Explicit>, Self>,
+        (attitude, .., (position, rate, _), torque, gain, pivot): Of<'_, Spatial<T>, Factor<C, By>, Self>,
     ) -> Outboard<T, C> {
         let of_law = self.rotary.torque(position, rate);
         let torque = attitude.apply(Vector3::from(torque.0) + of_law);
