@@ -9,6 +9,8 @@ use crate::walks::strain::{Led, Strain};
 
 /// Most numbers that a joint is made of, those of its law among them.
 pub const NUMBERS: usize = 6;
+/// Most numbers of a rotary law of space: stiffnesses, dampings and rest values of three axes.
+pub const ROTARY_NUMBERS: usize = NUMBERS + 3;
 
 /// A law through which costates go backward.
 #[diagnostic::on_unimplemented(

@@ -2,7 +2,7 @@
 
 use super::Gradient;
 use crate::adjoint::ReversibleTip;
-use crate::adjoint::laws::NUMBERS;
+use crate::adjoint::laws::{NUMBERS, ROTARY_NUMBERS};
 use crate::element::Element;
 use crate::ends::Root;
 use crate::error::{Error, Fault};
@@ -12,7 +12,6 @@ use crate::mechanics::planar::{
     Acceleration, Base, Body, ElasticHinge, Frame, HingeAxes, Linear, Pin, Planar, PointMass, RigidBody, Rod, Slider,
     Weld,
 };
-use crate::mechanics::spatial::adjoint::ROTARY_NUMBERS;
 use crate::scalar::{Elementary, Jet, Real, Scalar};
 use crate::shape::{
     Around, AtClosing, Closing, Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms,
@@ -26,10 +25,8 @@ pub struct Along<T, const K: usize> {
     pub(super) sum: [T; K],
     /// How many bodies and joints have been met.
     pub(super) met: usize,
-    /// Most numbers of a joint.
-    pub(super) most: usize,
-    /// Most numbers of a rotary law.
-    pub(super) most_rotary: usize,
+    /// How many numbers of a joint costates know, and how many one has that has more.
+    pub(super) beyond: Option<[usize; 2]>,
 }
 
 impl<T: Scalar, const K: usize> Along<T, K> {
@@ -40,15 +37,22 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         }
     }
 
-    /// Adds what a joint does, number by number, as [`Lift`] meets them.
-    pub(super) fn add_joint(&mut self, joint: &impl Lift<Jet<T, K>, T>, by: &[T]) {
+    /// Adds what a joint or a law does, number by number, as [`Lift`] meets them, of which so many are known, others among them.
+    fn add_numbers(&mut self, item: &impl Lift<Jet<T, K>, T>, by: &[T], known: usize, others: usize) {
         let mut numbers = 0;
-        joint.lift(&mut |number: Jet<T, K>| {
+        item.lift(&mut |number: Jet<T, K>| {
             by.get(numbers).into_iter().for_each(|costate| self.add(*costate, number));
             numbers += 1;
             number.re
         });
-        self.most = self.most.max(numbers);
+        if numbers + others > known {
+            self.beyond = self.beyond.or(Some([known, numbers + others]));
+        }
+    }
+
+    /// Adds what a joint does.
+    pub(super) fn add_joint(&mut self, joint: &impl Lift<Jet<T, K>, T>, by: &[T]) {
+        self.add_numbers(joint, by, NUMBERS, 0);
         self.met += 1;
     }
 
@@ -62,17 +66,13 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 
     /// Adds what one of several laws of a joint does: each has a share of its numbers.
     fn add_law(&mut self, law: &impl Lift<Jet<T, K>, T>, by: &[T]) {
-        let before = core::mem::take(&mut self.most);
-        self.add_joint(law, by);
-        self.met -= 1;
-        self.most = before.max(if self.most > LAW_NUMBERS { self.most + NUMBERS - LAW_NUMBERS } else { 0 });
+        self.add_numbers(law, by, NUMBERS, NUMBERS - LAW_NUMBERS);
     }
 
     /// Adds what a joint with a rotary law does.
     pub(super) fn add_rotary(&mut self, law: &impl Lift<Jet<T, K>, T>, by: &[T; ROTARY_NUMBERS]) {
-        let before = core::mem::take(&mut self.most);
-        self.add_joint(law, by);
-        self.most_rotary = self.most_rotary.max(core::mem::replace(&mut self.most, before));
+        self.add_numbers(law, by, ROTARY_NUMBERS, 0);
+        self.met += 1;
     }
 
     /// Adds what a tip does, number by number.
@@ -85,12 +85,10 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         if self.met != entries || self.met != met {
             return Err(Error::new(Fault::Shape));
         }
-        for (expected, given) in [(NUMBERS, self.most), (ROTARY_NUMBERS, self.most_rotary)] {
-            if given > expected {
-                return Err(Error::new(Fault::Count { expected, given }));
-            }
+        match self.beyond {
+            Some([expected, given]) => Err(Error::new(Fault::Count { expected, given })),
+            None => Ok(()),
         }
-        Ok(())
     }
 }
 
@@ -248,7 +246,7 @@ impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
             + Shape<Planar<Jet<T, K>>, Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>>
             + Shape<Planar<Jet<T, K>>, Store<PerJoint<[T; NUMBERS_OF_JOINT]>> = E::Store<PerJoint<[T; NUMBERS_OF_JOINT]>>>,
     {
-        let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0, most_rotary: 0 };
+        let mut walk = Along { sum: [T::zero(); K], met: 0, beyond: None };
         let elements = scene.elements();
         elements.take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;

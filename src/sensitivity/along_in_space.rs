@@ -251,7 +251,7 @@ impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
             + Shape<Spatial<Jet<T, K>>, Store<PerBody<[T; BODY]>> = E::Store<PerBody<[T; BODY]>>>
             + Shape<Spatial<Jet<T, K>>, Store<PerJoint<OfJoint<T>>> = E::Store<PerJoint<OfJoint<T>>>>,
     {
-        let mut walk = Along { sum: [T::zero(); K], met: 0, most: 0, most_rotary: 0 };
+        let mut walk = Along { sum: [T::zero(); K], met: 0, beyond: None };
         scene.elements().take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;
         let ground = scene.ground(self.times.map_or(Zero::zero(), |[last, _]| last));

@@ -11,7 +11,7 @@
 //! turn, of the rate and of its numbers.
 
 use super::{OfJoint, Outboard, Pivot, Pulled, Stirred, Turning};
-use crate::adjoint::laws::NUMBERS;
+use crate::adjoint::laws::{NUMBERS, ROTARY_NUMBERS};
 use crate::element::{Element, Explicit, Springs};
 use crate::lift::Lift;
 use crate::loading::LoadLaw;
@@ -33,8 +33,6 @@ use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
 use nalgebra::Vector3;
 
-/// Most numbers of a rotary law: stiffnesses, dampings and rest values of three axes.
-pub(crate) const ROTARY_NUMBERS: usize = NUMBERS + 3;
 /// A small turn, a rate and the numbers of a law.
 const INPUTS: usize = 6 + ROTARY_NUMBERS;
 /// A number with derivatives by all these.

@@ -16,7 +16,6 @@ mod revolute;
 mod steps;
 mod weld;
 
-pub(crate) use elastic_ball::ROTARY_NUMBERS;
 pub use inertial::{Base, Inertial};
 
 use ends::TIP;

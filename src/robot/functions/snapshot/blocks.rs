@@ -77,8 +77,8 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         (base, seconds): (&[T; 6], &[T; N]),
         [positions, rates]: [&mut Blocks<T, N>; 2],
     ) {
-        let [[_, spin], [a, _]] = self.ground(base);
-        self.partials(moved, (base, seconds), |i, partial, carrying| {
+        let (spin, [a, _]) = (self.base.spin, self.ground(base));
+        let Outboard { inertial, stirred, wrench } = self.partials(moved, (base, seconds), |i, partial, carrying| {
             self.pairs(i, partial, carrying, |i, k, [position, rate]| {
                 (positions.joints[i][k], rates.joints[i][k]) = (position, rate);
             });
@@ -90,7 +90,6 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
                 by.joints_by_base[i] = self.on_base([zero(), by_turns[which]]);
             }
         });
-        let Outboard { inertial, stirred, wrench } = moved.base;
         for (k, axis) in self.axes().into_iter().enumerate() {
             let felt = cross(axis, wrench[0] - a * inertial.mass);
             positions.set_base(3 + k, self.on_base([felt, cross(inertial.moment, cross(a, axis))]));

@@ -88,25 +88,38 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     }
 
     /// Motions of the base for rates of one.
-    pub(super) fn units_of_base(&self) -> [Pair<T>; 6] {
+    fn units_of_base(&self) -> [Pair<T>; 6] {
         let ([x, y, z], [a, b, c], o) = (units(), self.axes(), zero());
         [[x, o], [y, o], [z, o], [o, a], [o, b], [o, c]]
+    }
+
+    /// Force and torque that accelerations of one take of the base with all that it carries.
+    pub(super) fn inertia_of_base(&self, whole: &Inertial<T>) -> [[T; 6]; 6] {
+        self.units_of_base().map(|unit| self.on_base(whole.moved(unit)))
+    }
+
+    /// Meets a joint and those inboard of it.
+    #[inline(always)]
+    pub(super) fn inboard(&self, joint: usize, mut meet: impl FnMut(usize)) {
+        let mut next = joint;
+        while next < N {
+            meet(next);
+            next = self.parents[next];
+        }
     }
 
     /// The mass matrix (kg, kg·m, kg·m²): with forces and torques as in [`inverse_dynamics`](Self::inverse_dynamics).
     pub fn mass_matrix(&self) -> MassMatrix<T, N> {
         let (whole, all) = self.composites();
-        let (o, base) = (T::zero(), self.units_of_base().map(|unit| self.on_base(whole.moved(unit))));
+        let (o, base) = (T::zero(), self.inertia_of_base(&whole));
         let mut matrix = MassMatrix { base, coupling: [[o; 6]; N], joints: [[o; N]; N] };
         let units: [_; N] = core::array::from_fn(|k| self.unit(k));
         for (k, outboard) in all.into_iter().enumerate() {
             let wrench = outboard.moved(units[k]);
-            let mut next = k;
-            while let Some(unit) = units.get(next) {
-                let entry = along(*unit, wrench);
-                (matrix.joints[k][next], matrix.joints[next][k]) = (entry, entry);
-                next = self.parents[next];
-            }
+            self.inboard(k, |i| {
+                let entry = along(units[i], wrench);
+                (matrix.joints[k][i], matrix.joints[i][k]) = (entry, entry);
+            });
             matrix.coupling[k] = self.on_base(wrench);
             matrix.joints[k][k] += self.inertias[k];
         }

@@ -99,8 +99,7 @@ pub struct Moved<T, const N: usize> {
     joints: [[Pair<T>; 3]; N],
     /// Of each body alone, by its velocity: v ×* h.
     bodies: [Outboard<T>; N],
-    /// Of the base; of all, when derivatives were found.
-    pub(super) base: Outboard<T>,
+    base: Outboard<T>,
 }
 
 impl<T: Scalar, const N: usize> Snapshot<T, N> {
@@ -115,7 +114,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
     /// What positions and rates say.
     #[cfg_attr(optimised, inline(always))]
     pub(in crate::robot::functions) fn moved(&self) -> Moved<T, N> {
-        let ground = [zero(), self.base.spin];
+        let ground = [zero(), self.base.spin]; // seen by one who moves with the base
         let base = self.body_moved(&self.base, ground);
         let (mut twists, mut joints, mut bodies) = ([ground; N], [[ground; 3]; N], [base; N]);
         for k in 0..N {
@@ -127,12 +126,12 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         Moved { joints, bodies, base }
     }
 
-    /// The base alone: its twist, seen by one who moves with its velocity, and its acceleration as felt.
-    pub(super) fn ground(&self, base: &[T; 6]) -> [Pair<T>; 2] {
+    /// Acceleration of the base, as felt by one who moves with its velocity.
+    pub(super) fn ground(&self, base: &[T; 6]) -> Pair<T> {
         let [ax, ay, az, bx, by, bz] = *base;
         let angular = self.base.place.attitude.apply(Vector3::new(bx, by, bz));
         let [felt, carried] = self.carried;
-        [[zero(), self.base.spin], [Vector3::new(ax, ay, az) + felt, angular + carried]]
+        [Vector3::new(ax, ay, az) + felt, angular + carried]
     }
 
     /// Partial derivatives of each joint, from the tips on, with how all joints move what they carry; and what is outboard of the base, with the
@@ -143,8 +142,8 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         Moved { joints, bodies, base: whole }: &mut Moved<T, N>,
         (base, seconds): (&[T; 6], &[T; N]),
         mut each: impl FnMut(usize, &Partial<T>, &[Carrying<T>; N]),
-    ) {
-        let ground = self.ground(base)[1];
+    ) -> Outboard<T> {
+        let ground = self.ground(base);
         let none = [T::zero(); 2];
         let mut carrying = [Carrying { unit: [T::zero(); 6], carried: [none; 6], turned: [none; 3] }; N];
         let mut accelerations = [ground; N];
@@ -167,6 +166,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
             let inboard = bodies.get_mut(self.parents[k]).unwrap_or(whole);
             *inboard = *inboard + outboard;
         }
+        *whole
     }
 
     /// What joints take that do not accelerate, with the lower half of their mass matrix, as far as they are related, and what each one takes for an
@@ -178,7 +178,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         matrix: &mut [[T; N]; N],
         mut each: impl FnMut(usize, Pair<T>),
     ) -> ([T; N], (Inertial<T>, Pair<T>)) {
-        let ground = self.ground(&[T::zero(); 6])[1];
+        let ground = self.ground(&[T::zero(); 6]);
         let taken = |body: &Outboard<T>, a: Pair<T>| (body.inertial, sum(body.wrench, body.inertial.moved(a)));
         let mut whole = taken(own, ground);
         let (mut accelerations, mut all, mut bias) = ([ground; N], [whole; N], [T::zero(); N]);
@@ -191,11 +191,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
             let ((inertial, wrench), [unit, ..]) = (all[k], joints[k]);
             let taken = inertial.moved(unit);
             bias[k] = along(unit, wrench) - self.laws[k];
-            let mut next = k;
-            while let Some([unit, ..]) = joints.get(next) {
-                matrix[k][next] = along(*unit, taken);
-                next = self.parents[next];
-            }
+            self.inboard(k, |i| matrix[k][i] = along(joints[i][0], taken));
             matrix[k][k] += self.inertias[k];
             each(k, taken);
             let inboard = all.get_mut(self.parents[k]).unwrap_or(&mut whole);
@@ -211,9 +207,7 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         MassMatrix { base, coupling, joints }: &mut MassMatrix<T, N>,
     ) -> ([T; 6], [T; N]) {
         let (bias, (inertial, wrench)) = self.bias(moved, joints, |k, taken| coupling[k] = self.on_base(taken));
-        for (row, unit) in base.iter_mut().zip(self.units_of_base()) {
-            *row = self.on_base(inertial.moved(unit));
-        }
+        *base = self.inertia_of_base(&inertial);
         (self.on_base(wrench), bias)
     }
 

@@ -138,3 +138,49 @@ fn gradients_at_rest_are_numbers() {
     let all: Vec<f64> = gradient.by_position().into_iter().chain(gradient.by_rate()).collect();
     assert!(all.iter().all(|x| x.is_finite()) && all.iter().any(|x| *x != 0.0), "{all:?}");
 }
+
+/// A rotary law of ten numbers is refused.
+#[test]
+fn rotary_laws_have_nine_numbers_or_less() {
+    #[derive(Clone, Copy, Debug)]
+    struct Many<T>([T; 10]);
+    impl<T: Scalar<Real = f64>> RotaryLaw<T> for Many<T> {
+        fn torque(&self, position: &Rotation<T>, _: &[T; 3]) -> Vector3<T> {
+            Vector3::from(position.log()) * -self.0[9]
+        }
+        fn pivot(
+            &self,
+            _: &Rotation<T>,
+            _: &[T; 3],
+            _: catena::extend::Implicit<f64>,
+        ) -> catena::spatial::Symmetric3<T> {
+            catena::spatial::Symmetric3::of_diagonal(Vector3::repeat(self.0[9]))
+        }
+        fn energy(&self, _: &Rotation<T>) -> T {
+            T::constant(0.0)
+        }
+        fn check(&self) -> Result<(), Fault> {
+            Ok(())
+        }
+    }
+    impl<T: Scalar, U: Scalar> catena::Lift<T, U> for Many<T> {
+        type Over = Many<U>;
+        fn lift(&self, number: &mut impl FnMut(T) -> U) -> Many<U> {
+            Many(self.0.map(number))
+        }
+    }
+    macro_rules! scene {
+        ($number:expr) => {{
+            let ground = Clamped::at([0.0; 3].map($number), Rotation::from_angles([0.0; 3].map($number)));
+            let rod = Rod::new($number(0.5), $number(1.0), $number(0.25), $number(0.02), $number(0.05));
+            System::new(ground, (ElasticHinge::with(Many([$number(2.0); 10])), rod), Free).unwrap()
+        }};
+    }
+    let scene = scene!(|x: f64| x);
+    let start = scene.motion();
+    let (mut backward, mut states) = (scene.backward(Rk4), [start; 2]);
+    backward.run(&start, 0.01, 1, &[], &mut states).unwrap();
+    let gradient = backward.gradient(&[], &states, &mut [], |_, _, by| by.add(&[1.0; 3], &[0.0; 3])).unwrap();
+    let fault = gradient.along(&scene!(Jet::<f64, 8>::of)).unwrap_err().fault;
+    assert!(matches!(fault, Fault::Count { expected: 9, given: 10 }), "{fault:?}");
+}
