@@ -28,26 +28,27 @@
 //! These are [selective](crate::shape::Selective) walks: what they do at a body or a joint stands with its physics
 //! (`mechanics/planar/adjoint/`, `mechanics/spatial/adjoint/`).
 
+mod body_law;
 pub mod jets;
 pub mod laws;
 mod outboard;
 mod rigid;
 mod space;
+pub mod struts;
 
-use crate::element::{Element, Level, Space, Springs};
+use crate::element::{Element, Level, Springs};
 use crate::ends::Tip;
-use crate::loading::{EffortOf, Load, LoadLaw};
+use crate::loading::EffortOf;
 use crate::relation::{Acceleration, AccelerationOf, Closures, Geometry, Looped, Wrench, WrenchOf};
 use crate::shape::{Closing, Ends, Takes};
 use crate::space::FrameOf;
-use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
+pub use body_law::{BodyLaw, Burdened, OfLaw, ReversibleLoads};
 pub use outboard::{Kind, Outboard};
 pub(crate) use rigid::passes;
 pub use space::{Costates, LoadCostates, Reversed, VirtualMotion};
@@ -74,22 +75,6 @@ impl<S: Reversed, C: Closures, By: Springs<S::Scalar>, E> Reversible<S, C, By> f
         + Takes<S, Stir<S::Scalar, C>>
         + Takes<S, PullBack>
         + Takes<S, Strain<S::Scalar>>
-{
-}
-
-/// What acts on bodies: a law of time, number and motion.
-pub trait BodyLaw<S: Space>: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy {}
-
-impl<S: Space, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> for L {}
-
-/// Elements through which costates go backward under loads on bodies.
-pub trait Burdened<S: Reversed, L, C: Closures>:
-    Takes<S, Burden<S::Scalar, C>> + Takes<S, PullLoads<L, S::Scalar>>
-{
-}
-
-impl<S: Reversed, L, C: Closures, E> Burdened<S, L, C> for E where
-    E: Takes<S, Burden<S::Scalar, C>> + Takes<S, PullLoads<L, S::Scalar>>
 {
 }
 

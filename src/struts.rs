@@ -24,7 +24,7 @@ pub trait Points<const D: usize>: Space {
     feature = "serde",
     serde(bound(serialize = "[T; D]: serde::Serialize", deserialize = "[T; D]: serde::Deserialize<'de>"))
 )]
-enum End<T, const D: usize> {
+pub(crate) enum End<T, const D: usize> {
     Body(usize, [T; D]),
     Ground([T; D]),
 }
@@ -55,10 +55,10 @@ enum End<T, const D: usize> {
     ))
 )]
 pub struct Strut<T, const D: usize> {
-    ends: [End<T, D>; 2],
-    stiffness: T,
-    damping: T,
-    length: T,
+    pub(crate) ends: [End<T, D>; 2],
+    pub(crate) stiffness: T,
+    pub(crate) damping: T,
+    pub(crate) length: T,
 }
 
 impl<T: Scalar, const D: usize> Strut<T, D> {
@@ -105,7 +105,7 @@ impl<T: Scalar, const D: usize> Strut<T, D> {
     }
 
     /// Force (N) on the strut's first end, for place and velocity of both.
-    fn force(&self, [from, to]: [[SVector<T, D>; 2]; 2]) -> SVector<T, D> {
+    pub(crate) fn force(&self, [from, to]: [[SVector<T, D>; 2]; 2]) -> SVector<T, D> {
         let (apart, parting) = (to[0] - from[0], to[1] - from[1]);
         // A spring without length and a damper that is not there have no need of a direction: their ends may meet.
         if is_absent(self.length) && is_absent(self.damping) {
@@ -118,15 +118,15 @@ impl<T: Scalar, const D: usize> Strut<T, D> {
 }
 
 /// Whether a parameter is zero, and all its derivatives: one that is zero where something is differentiated by it acts.
-fn is_absent<T: Scalar>(x: T) -> bool {
+pub(crate) fn is_absent<T: Scalar>(x: T) -> bool {
     x.is_identical(T::zero())
 }
 
-fn dot<T: Scalar, const D: usize>(a: SVector<T, D>, b: SVector<T, D>) -> T {
+pub(crate) fn dot<T: Scalar, const D: usize>(a: SVector<T, D>, b: SVector<T, D>) -> T {
     a.iter().zip(b.iter()).fold(T::zero(), |sum, (a, b)| a.mul_add(*b, sum))
 }
 
-fn norm<T: Scalar, const D: usize>(a: SVector<T, D>) -> T {
+pub(crate) fn norm<T: Scalar, const D: usize>(a: SVector<T, D>) -> T {
     dot(a, a).sqrt()
 }
 
@@ -166,6 +166,11 @@ impl<T, const D: usize, const N: usize, L> Struts<T, D, N, L> {
     /// The struts.
     pub fn struts(&self) -> &[Strut<T, D>; N] {
         &self.struts
+    }
+
+    /// What acts besides.
+    pub(crate) fn others(&self) -> &L {
+        &self.others
     }
 }
 

@@ -1,8 +1,8 @@
 //! Gradients of runs in the plane, along whatever parameters a scene is made of.
 
 use super::Gradient;
-use crate::adjoint::ReversibleTip;
 use crate::adjoint::laws::{NUMBERS, ROTARY_NUMBERS};
+use crate::adjoint::{BodyLaw, ReversibleTip};
 use crate::element::Element;
 use crate::ends::Root;
 use crate::error::{Error, Fault};
@@ -200,7 +200,7 @@ where
     }
 }
 
-impl<T: Scalar, E: Element<Planar<T>>> Gradient<Planar<T>, E> {
+impl<T: Scalar, E: Element<Planar<T>>, L: BodyLaw<Planar<T>>> Gradient<Planar<T>, E, L> {
     /// The gradient along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them, lengths,
     /// masses, gravity, one thickness in sixty rods. The scene is built over jets once, whatever the length of the run.
     ///

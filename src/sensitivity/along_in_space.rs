@@ -2,7 +2,7 @@
 
 use super::Gradient;
 use super::along::{Along, offset_alone};
-use crate::adjoint::ReversibleTip;
+use crate::adjoint::{BodyLaw, ReversibleTip};
 use crate::chain::Named;
 use crate::element::Element;
 use crate::ends::Root;
@@ -205,7 +205,7 @@ impl<T: Scalar, J: Closing<Spatial<Jet<T, K>>> + Numbered<T, K>, const K: usize>
     }
 }
 
-impl<T: Scalar, E: Element<Spatial<T>>> Gradient<Spatial<T>, E> {
+impl<T: Scalar, E: Element<Spatial<T>>, L: BodyLaw<Spatial<T>>> Gradient<Spatial<T>, E, L> {
     /// The gradient along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them,
     /// lengths, tensors, axes, attitudes of welds and of the ground, gravity.
     ///

@@ -1,12 +1,12 @@
 //! The gradient of a run.
 
-use crate::adjoint::Reversed;
+use crate::adjoint::{BodyLaw, Reversed};
 use crate::element::{Element, RealOf};
 use crate::error::{Error, Fault, counted};
 use crate::lift::Lift;
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
-use crate::relation::{Additive, Closures};
+use crate::relation::{Absent, Additive, Closures};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{PerBody, PerJoint};
 use crate::walks::pull_loads::LAW;
@@ -45,8 +45,8 @@ impl<R, T: Scalar> Costate<R, T> {
     }
 }
 
-/// The gradient of a cost by all that a run depends on.
-pub struct Gradient<S: Reversed, E: Element<S>> {
+/// The gradient of a cost by all that a run depends on, under loads `L` on bodies.
+pub struct Gradient<S: Reversed, E: Element<S>, L: BodyLaw<S> = Absent> {
     /// By initial positions and rates; by the time of all motions at once.
     pub start: Costate<E::Rate, S::Scalar>,
     pub(crate) gravity: S::Vector,
@@ -59,8 +59,8 @@ pub struct Gradient<S: Reversed, E: Element<S>> {
     pub(crate) bodies: E::Store<PerBody<S::OfBody>>,
     /// By numbers of bodies that loads read.
     pub(crate) numbers: E::Store<PerBody<S::OfNumbers>>,
-    /// By numbers of the law of loads, and how many it has.
-    pub(crate) law: ([S::Scalar; LAW], usize),
+    /// By numbers of the law of loads.
+    pub(crate) law: L::OfNumbers,
     /// By parameters of joints.
     pub(crate) joints: E::Store<PerJoint<S::OfJoint>>,
     /// By numbers of the tip.
@@ -69,7 +69,7 @@ pub struct Gradient<S: Reversed, E: Element<S>> {
     pub(crate) entries: usize,
 }
 
-impl<S: Reversed, E: Element<S>> Gradient<S, E> {
+impl<S: Reversed, E: Element<S>, L: BodyLaw<S>> Gradient<S, E, L> {
     /// Nothing yet.
     pub(super) fn none(elements: &E, zero: &E::Rate) -> Self {
         let (of_body, of_number, of_joint) = S::of_nothing();
@@ -80,7 +80,7 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
             place: S::Vector::null(),
             ground: S::Angular::null(),
             tip: S::no_tip(),
-            law: ([Additive::null(); LAW], 0),
+            law: L::of_nothing(),
             bodies: elements.store::<PerBody<_>>(of_body),
             numbers: elements.store::<PerBody<_>>(of_number),
             joints: elements.store::<PerJoint<_>>(of_joint),
@@ -99,7 +99,7 @@ impl<S: Reversed, E: Element<S>> Gradient<S, E> {
     /// # Errors
     /// [`Fault::Count`](crate::Fault::Count) for a law of more than six.
     pub fn by_loads(&self) -> Result<&[S::Scalar], Error> {
-        let (list, given) = &self.law;
+        let (list, given) = L::listed(&self.law);
         list.get(..*given).ok_or(Error::new(Fault::Count { expected: LAW, given: *given }))
     }
 

@@ -72,7 +72,9 @@ mod forward;
 pub(crate) mod front;
 mod gradient;
 mod stepper;
+mod struts;
 
+pub use crate::adjoint::struts::ByStrut;
 pub use backward::{Backward, Checkpoints, Tape};
 pub use forward::{SensitiveWorkspace, Sensitivity};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

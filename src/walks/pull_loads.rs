@@ -1,33 +1,36 @@
 //! Costates of positions, rates and parameters, from what loads on bodies read.
 
 use super::missed::Turns;
-use crate::adjoint::{Reversed, ReversibleClosing};
+use crate::adjoint::{BodyLaw, Reversed, ReversibleClosing};
 use crate::element::Level;
 use crate::relation::{Additive, Closures, WrenchOf};
-use crate::scalar::Scalar;
 use crate::shape::{
     Around, AtClosing, Ends, Mut, PerAxes, PerBody, PerClosure, PerJoint, Positions, Rates, Ref, Selective, Walk, Way,
 };
-use crate::space::FrameOf;
+use crate::space::{FrameOf, RealOf};
 
 /// Carries costates of places and velocities inward, and adds to those of positions, rates and parameters.
-pub struct PullLoads<L, T: Scalar> {
+pub struct PullLoads<L: BodyLaw<S>, S: Reversed> {
     /// What acts on bodies.
     pub law: L,
+    /// What the law has seen of all bodies.
+    pub seen: L::Seen,
+    /// Whether the law only sees virtual velocities here, those of all bodies, before costates are found.
+    pub surveys: bool,
     /// Time (s).
-    pub time: T::Real,
+    pub time: RealOf<S>,
     /// The number of the body that was met last.
     pub body: usize,
     /// Of what the ends of loops miss costates are given.
     pub level: Level,
-    /// Costates of the numbers of the law, and how many it has.
-    pub of_law: ([T; LAW], usize),
+    /// Costates of the numbers of the law.
+    pub of_law: L::OfNumbers,
 }
 
-/// Most numbers that a law of loads is made of.
+/// Most numbers that a law of loads on one body is made of.
 pub const LAW: usize = 6;
 
-impl<S: Reversed, L> Walk<S> for PullLoads<L, S::Scalar> {
+impl<S: Reversed, L: BodyLaw<S>> Walk<S> for PullLoads<L, S> {
     type Carried = S::Felt;
     /// Posture; positions, rates and w; frames of bodies, what [`Stir`](super::stir::Stir) has kept, costates −ν of what the ends of loops
     /// miss, and how these are turned; costates of parameters, positions and rates.
@@ -48,7 +51,7 @@ impl<S: Reversed, L> Walk<S> for PullLoads<L, S::Scalar> {
     );
 }
 
-impl<S: Reversed, L> Selective<S> for PullLoads<L, S::Scalar> {
+impl<S: Reversed, L: BodyLaw<S>> Selective<S> for PullLoads<L, S> {
     const OUTWARD: bool = false;
     type In<Y: Way> = Self;
 
@@ -58,7 +61,7 @@ impl<S: Reversed, L> Selective<S> for PullLoads<L, S::Scalar> {
     }
 }
 
-impl<S: Reversed, L, K: ReversibleClosing<S>> Around<S, K> for PullLoads<L, S::Scalar> {
+impl<S: Reversed, L: BodyLaw<S>, K: ReversibleClosing<S>> Around<S, K> for PullLoads<L, S> {
     fn around(
         &mut self,
         closing: &K,

@@ -6,14 +6,11 @@ use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
-use crate::loading::{EffortOf, LoadLaw, Loads, Seen};
+use crate::loading::{EffortOf, LoadLaw, Seen};
 use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::time::{Control, Explicit, Rule};
-
-/// Loads on bodies, and torques that are held over a run.
-type UnderHeld<'t, S, L> = Loads<L, Held<'t, EffortOf<S>>>;
 
 /// Efforts in all joints, or in none.
 #[derive(Clone, Copy, Debug)]
@@ -63,14 +60,14 @@ where
         states: &mut [MotionOf<S, R, C, P>],
     ) -> Result<usize, Error>
     where
-        System<S, R, C, P>: Runs<UnderHeld<'t, S, L>, S, R, C, P>,
+        System<S, R, C, P>: Runs<L::Beside<Held<'t, EffortOf<S>>>, S, R, C, P>,
     {
         self.admits(1, torques.len())?;
         if !(self.fits(start) && states.iter().all(|state| state.fits(start))) {
             return Err(Error::new(Fault::Shape));
         }
         let rule = Rule { method: self.method, control: Control::Tolerance(tolerance) };
-        let loads = Loads::none().on_bodies_by(self.steps.loads.law).in_joints_by(Held(torques));
+        let loads = self.steps.loads.law.beside(Held(torques));
         let (mut count, mut list) = (0, states.iter_mut());
         let simulation = self.steps.scene.simulation(rule).loads(&loads);
         simulation.run(start.clone(), end, |now| {

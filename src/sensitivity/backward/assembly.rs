@@ -9,9 +9,9 @@
 //!
 //! and likewise of rates. It is the [projection](super::projection) at the end of a step, at the start, by the gains of a sweep there.
 
-use super::Backward;
 use super::record::Record;
 use super::rules::Staged;
+use super::{Backward, GradientOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, Level, RealOf, Unloaded};
 use crate::ends::Root;
@@ -20,7 +20,6 @@ use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::scalar::{Real, Scalar};
-use crate::sensitivity::Gradient;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::walks::complete::complete;
 use num_traits::{One, Zero};
@@ -71,7 +70,7 @@ where
     /// ```
     ///
     /// From afar a guess is led to a start by corrections that are no part of this: assemble first, or make start and scene over jets
-    /// ([`Gradient::along_start`]), which also knows coordinates that are [held](System::assembled_holding).
+    /// ([`Gradient::along_start`](crate::sensitivity::Gradient::along_start)), which also knows coordinates that are [held](System::assembled_holding).
     ///
     /// Gradients of such runs are refused where the start is not closed: [`Fault::NotClosed`]. Steps [linearised](Self::linearised_step) and
     /// scenes with nothing to be closed are as without.
@@ -85,7 +84,7 @@ where
     pub(super) fn finish(
         &mut self,
         start: &MotionOf<S, R, C, P>,
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
     ) -> Result<(), Error> {
         if self.assembled && System::<S, R, C, P>::CLOSED > 0 {
             self.pull_back_assembly(start, gradient)?;
@@ -97,7 +96,7 @@ where
     fn pull_back_assembly(
         &mut self,
         start: &MotionOf<S, R, C, P>,
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
     ) -> Result<(), Error> {
         let scene = self.steps.scene;
         let mut size = RealOf::<S>::one();

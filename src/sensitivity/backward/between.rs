@@ -10,6 +10,7 @@
 //! its own get are pulled back at once; those of the step's other stages wait until costates pass these. What is closed is
 //! [put back](super::projection) by gains at the motion itself. Implicit rules make a step of the size θ h instead, and so do costates.
 
+use super::GradientOf;
 use super::projection::Projection;
 use super::record::{Record, Stage, StageOf};
 use super::rules::Staged;
@@ -21,7 +22,6 @@ use crate::loading::EffortOf;
 use crate::mirror::{Rate, Retraction};
 use crate::relation::Additive;
 use crate::scalar::Real;
-use crate::sensitivity::Gradient;
 use crate::stepper::displace::displace;
 use crate::system::{Elements, MotionOf, RateOf};
 use num_traits::Zero;
@@ -109,10 +109,10 @@ where
         (past, next): (&MotionOf<S, R, C, P>, &MotionOf<S, R, C, P>),
         record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
         between: &mut Between<S, R, C, P, M>,
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
         (shares, mut cost): (
             impl Iterator<Item = f64>,
-            impl FnMut(&MotionOf<S, R, C, P>, &mut Gradient<S, Elements<S, R, C>>) -> Result<(), E>,
+            impl FnMut(&MotionOf<S, R, C, P>, &mut GradientOf<S, R, C, L>) -> Result<(), E>,
         ),
     ) -> Result<(), E> {
         let step = next.time - past.time;
@@ -157,8 +157,8 @@ where
         size: RealOf<S>,
         record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
         between: &mut Between<S, R, C, P, M>,
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
-        cost: &mut impl FnMut(&MotionOf<S, R, C, P>, &mut Gradient<S, Elements<S, R, C>>) -> Result<(), E>,
+        gradient: &mut GradientOf<S, R, C, L>,
+        cost: &mut impl FnMut(&MotionOf<S, R, C, P>, &mut GradientOf<S, R, C, L>) -> Result<(), E>,
     ) -> Result<(), E> {
         self.step_to(past.time + size, past, record, &mut between.motion);
         cost(&between.motion, gradient)?;
@@ -178,8 +178,8 @@ where
         (share, step): (f64, RealOf<S>),
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
         between: &mut Between<S, R, C, P, M>,
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
-        cost: &mut impl FnMut(&MotionOf<S, R, C, P>, &mut Gradient<S, Elements<S, R, C>>) -> Result<(), E>,
+        gradient: &mut GradientOf<S, R, C, L>,
+        cost: &mut impl FnMut(&MotionOf<S, R, C, P>, &mut GradientOf<S, R, C, L>) -> Result<(), E>,
     ) -> Result<(), E> {
         let [in_position, in_rate] = M::dense(share);
         let weights = (&in_position[..M::SLOPES], &in_rate[..M::SLOPES]);
@@ -248,7 +248,7 @@ where
         step: RealOf<S>,
         accelerations: &M::Rows<RateOf<S, R, C>>,
         between: &mut Between<S, R, C, P, M>,
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let (stage, slope) = (&between.stages.as_ref()[row], &accelerations.as_ref()[row]);
         let Stage { position, rate, acceleration, .. } = stage;

@@ -3,7 +3,7 @@
 use super::rules::Staged;
 use super::steps::Steps;
 use super::tape::Tape;
-use super::{Backward, CostateOf};
+use super::{Backward, CostateOf, GradientOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
@@ -11,7 +11,6 @@ use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::relation::Additive;
 use crate::scalar::Real;
-use crate::sensitivity::Gradient;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
 use core::ops::Range;
 
@@ -125,7 +124,7 @@ where
         tape: &mut [Tape<S, R, C, P, M>],
         by_torques: &mut [EffortOf<S>],
         cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
-    ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
+    ) -> Result<GradientOf<S, R, C, L>, Error> {
         let (longest, given) = (plan.every.max(1).min(plan.steps), tape.len());
         if given < longest {
             return Err(Error::new(Fault::Count { expected: longest, given }));
@@ -150,7 +149,7 @@ where
         tape: &mut [Tape<S, R, C, P, M>],
         by_torques: &mut [EffortOf<S>],
         mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
-    ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
+    ) -> Result<GradientOf<S, R, C, L>, Error> {
         self.planned(plan, torques.len(), states.len())?;
         self.admits(plan.steps, by_torques.len())?;
         let (longest, length) = (plan.every.max(1).min(plan.steps), tape.len());

@@ -11,6 +11,7 @@
 //! Where positions are curved, rules sum up coordinates of the step: then Q, V and λ are the costates of these, of their first and of their
 //! second derivatives, from and to which [`Position`] translates, and positions before the step get their share from each row.
 
+use super::GradientOf;
 use super::between::Between;
 use super::held::{opposite, weigh};
 use super::record::{Record, Stage, StageOf};
@@ -29,7 +30,6 @@ use crate::stepper::displace::{gather, gather_few, with_row};
 use crate::system::{Elements, MotionOf, RateOf};
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
 use crate::walks::stir::Stir;
 use num_traits::{One, Zero};
 
@@ -52,7 +52,7 @@ where
         step: RealOf<S>,
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
         between: Option<&Between<S, R, C, P, M>>,
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let last = M::STAGES;
         if let (true, Some(projection)) = (Self::CLOSED > 0, &record.projection) {
@@ -140,7 +140,7 @@ where
 
     /// Costates before a step, by those of its rows.
     #[cfg_attr(optimised, inline(always))]
-    fn gather_all(&mut self, step: RealOf<S>, gradient: &mut Gradient<S, Elements<S, R, C>>) {
+    fn gather_all(&mut self, step: RealOf<S>, gradient: &mut GradientOf<S, R, C, L>) {
         let (last, one, zero) = (M::STAGES, RealOf::<S>::one(), &self.zero);
         let (of_position, of_rate) = (&self.of_position.as_ref()[..=last], &self.of_rate.as_ref()[..=last]);
         if const { Self::FEW } {
@@ -160,7 +160,7 @@ where
     }
 
     /// Adds what motions between the ends of a step do to costates before it.
-    fn add_past(&mut self, between: Option<&Between<S, R, C, P, M>>, gradient: &mut Gradient<S, Elements<S, R, C>>) {
+    fn add_past(&mut self, between: Option<&Between<S, R, C, P, M>>, gradient: &mut GradientOf<S, R, C, L>) {
         if let Some(Between { of_past: [position, rate, memory], .. }) = between {
             gradient.start.position.add(position);
             gradient.start.rate.add(rate);
@@ -176,7 +176,7 @@ where
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
     ) -> S::Scalar {
         self.of_own = Some(S::Scalar::zero());
         self.of_memory.set(&self.zero);
@@ -211,7 +211,7 @@ where
         (row, laws): (usize, bool),
         time: RealOf<S>,
         (stage, slope): (&StageOf<S, R, C, P>, &RateOf<S, R, C>),
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let elements = self.scene.elements();
         let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, in_loops, position, rate, acceleration, .. } =
@@ -246,13 +246,22 @@ where
             let motion = Coordinates { position, rate, acceleration: &self.zero };
             self.loads.see(elements, frame, motion, time);
             let Gradient { numbers, joints, law, .. } = gradient;
-            let (law_of, level) = (self.loads.law, Level::Place);
-            let mut walk = PullLoads { law: law_of, time, body: elements.bodies(), level, of_law: *law };
-            let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-            let kept_of_them =
-                (&self.loads.on_bodies, &self.on_bodies, &self.in_joints, (&self.no_loops, &self.no_turns));
-            let stores = (x, y, p, q, (position, rate, &self.of_acceleration), kept_of_them, (numbers, joints), start);
-            let felt = elements.take(&mut walk, S::Felt::null(), stores);
+            let mut walk = self.loads.pull(elements, time, Level::Place, law.clone());
+            let mut pull = |walk: &mut _| {
+                let start = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
+                let kept_of_them =
+                    (&self.loads.on_bodies, &self.on_bodies, &self.in_joints, (&self.no_loops, &self.no_turns));
+                let motion = (position, rate, &self.of_acceleration);
+                let sums = (&mut *numbers, &mut *joints);
+                elements.take(walk, S::Felt::null(), (x, y, p, q, motion, kept_of_them, sums, start))
+            };
+            if const { L::SURVEYS } {
+                // Of nothing there are no costates yet.
+                walk.surveys = true;
+                pull(&mut walk);
+                (walk.surveys, walk.body) = (false, elements.bodies());
+            }
+            let felt = pull(&mut walk);
             *law = walk.of_law;
             let (place, turn) = S::of_place(&felt, &frame);
             (gradient.place, gradient.ground) = (gradient.place + place, gradient.ground + turn);

@@ -11,7 +11,7 @@
 use super::loads::depend_on_time;
 use super::rules::Staged;
 use super::steps::Steps;
-use super::{Backward, CostateOf};
+use super::{Backward, CostateOf, GradientOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, RealOf, Unloaded};
 use crate::ends::Root;
@@ -20,7 +20,7 @@ use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::scalar::{Elementary, Real, Scalar};
-use crate::sensitivity::{Costate, Gradient};
+use crate::sensitivity::Costate;
 use crate::simulate::crossing::{crosses, crossing, departure, of_one_number};
 use crate::system::{Elements, MotionOf, Runs, System};
 use core::any::TypeId;
@@ -128,7 +128,7 @@ where
         by_torques: &mut [EffortOf<S>],
         mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
         event: impl FnOnce(&MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
-    ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
+    ) -> Result<GradientOf<S, R, C, L>, Error> {
         let last = self.check(torques, states)?;
         self.admits(states.len() - 1, by_torques.len())?;
         if TypeId::of::<S::Scalar>() != TypeId::of::<RealOf<S>>() {

@@ -10,16 +10,16 @@
 //! the opposite at the end of the main arm. Both systems are solved by one elimination, whose relations carry columns for closure forces as
 //! those of a sweep do.
 
+use super::GradientOf;
 use super::record::Stage;
-use crate::adjoint::{EachOf, Reversed, ReversibleTip, total};
+use crate::adjoint::{BodyLaw, EachOf, Reversed, ReversibleTip, total};
 use crate::element::Element;
 use crate::ends::Root;
 use crate::loading::EffortOf;
 use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Solvable, Wrench};
-use crate::sensitivity::Gradient;
 use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Rates, Takes};
 use crate::space::{FrameOf, Orientation};
-use crate::system::{Elements, System};
+use crate::system::System;
 use crate::walks::meet::Meet;
 use crate::walks::missed::Turns;
 use crate::walks::singled::loops;
@@ -65,18 +65,19 @@ pub(super) struct Room<S: Reversed, E: Element<S>> {
 }
 
 /// What the costate sweep begins with at a tip weighed by ν and −λ, and what these do to gravity and to the numbers of the tip.
-pub(super) fn weigh<S, R, C, P>(
+pub(super) fn weigh<S, R, C, P, L>(
     scene: &System<S, R, C, P>,
     (weight, force): (&EachOf<S, P>, &EachOf<S, P>),
     (reached, still): (AccelerationOf<S>, AccelerationOf<S>),
     stirred: &AccelerationOf<S>,
-    gradient: &mut Gradient<S, Elements<S, R, C>>,
+    gradient: &mut GradientOf<S, R, C, L>,
 ) -> S::Pulled
 where
     S: Reversed,
     R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
+    L: BodyLaw<S>,
 {
     let tip = scene.tip();
     let (columns, of) = (tip.columns(), total::<S, P::Closures>);

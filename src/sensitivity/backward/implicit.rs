@@ -24,6 +24,7 @@
 //! [remembers](super::memory) it is a prediction without accelerations. Where something is held or closed, that of each further sweep may be
 //! put back by the one before it ([`projection`](super::projection)). Sweeps before the last of a stage are made once more on the way back.
 
+use super::GradientOf;
 use super::again::{Again, AgainOf, follow, paired, unfollow};
 use super::projection::Projection;
 use super::record::{Place, Record, StageOf};
@@ -36,7 +37,6 @@ use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate, Retraction};
 use crate::relation::Additive;
 use crate::scalar::Real;
-use crate::sensitivity::Gradient;
 use crate::shape::{Positions, Shape, Takes};
 use crate::system::{Elements, MotionOf, PositionOf, RateOf};
 use crate::walks::strain::Strain;
@@ -148,7 +148,7 @@ where
         &mut self,
         (past, row): (&MotionOf<S, R, C, P>, usize),
         (position, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let of_here = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
         let (here, of_past) = ((rate, &self.zero), &mut gradient.start.position);
@@ -156,7 +156,7 @@ where
     }
 
     /// Exchanges the costates of a row for those of the motion.
-    fn exchange(&mut self, row: usize, gradient: &mut Gradient<S, Elements<S, R, C>>) {
+    fn exchange(&mut self, row: usize, gradient: &mut GradientOf<S, R, C, L>) {
         core::mem::swap(&mut self.of_position.as_mut()[row], &mut gradient.start.position);
         core::mem::swap(&mut self.of_rate.as_mut()[row], &mut gradient.start.rate);
     }
@@ -198,7 +198,7 @@ where
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let (last, [own, by_size]) = (self.rule.sweeps(row), self.rule.own::<S::Scalar>(step));
         let ([in_position, in_rate], one) = (own, RealOf::<S>::of(1.0));

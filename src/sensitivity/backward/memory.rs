@@ -14,6 +14,7 @@
 //! Backward, a₁ gets B Q + Γ V + (κ − 1) ō / h and is [pulled back](super::implicit) to costates of both `free`; by these, and by ō, go a₀,
 //! o₀, q₀ and v₀. The first geometry of the step, q₀ + h v₀ and v₀, gives q₀ and v₀ costates of its own.
 
+use super::GradientOf;
 use super::again::{follow, paired, unfollow};
 use super::record::{Place, Record};
 use super::rules::Staged;
@@ -26,7 +27,6 @@ use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
 use crate::relation::Additive;
 use crate::scalar::Real;
-use crate::sensitivity::Gradient;
 use crate::system::{Elements, MotionOf, PositionOf, RateOf};
 use num_traits::Zero;
 
@@ -174,7 +174,7 @@ where
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
         record: &Record<S, Elements<S, R, C>, M, P::Closures>,
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let (start, [first, found, ..]) = (&record.stages.as_ref()[0], record.accelerations.as_ref()) else { return };
         let ([own, by_size], weights) = (self.rule.own::<S::Scalar>(step), Weights::of(&self.rule, step));

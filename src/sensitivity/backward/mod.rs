@@ -86,7 +86,7 @@ pub use tape::Tape;
 /// the first step closes; starts that are [assembled](Self::assembled) close with it. Springs may have dampers and rest values;
 /// a law of the user's own in a hinge ([`ElasticHinge::with`](crate::planar::ElasticHinge::with)) goes backward by itself where it is
 /// generic over the scalar and [`lift!`](crate::lift!)ed, by jets of its angle, its rate and its numbers, six or less; so do loads on bodies
-/// ([`under`](Self::under)).
+/// ([`under`](Self::under)), and [`Struts`](crate::struts::Struts) between them.
 ///
 /// By [`Sdirk4`](crate::time::Sdirk4) and [`GeneralizedAlpha`](crate::time::GeneralizedAlpha), at fixed steps, the same scenes: they solve a step
 /// by several sweeps, and costates go back through all of them. Laws that are not linear have second derivatives here, those of what they add to pivots.
@@ -106,7 +106,7 @@ pub use tape::Tape;
 /// plane. An attitude has three derivatives, by a rotation vector (rad) in axes of its body: costs add theirs in the same numbers, and steps
 /// linearised have their rows and columns so. Rates of balls are angular velocities in axes of the body (rad/s). Torques are
 /// [`Effort`](crate::spatial::Effort)s, in a ball a vector in these axes (of a ball that closes a loop: in axes of the main arm's last body),
-/// in other joints one number for each coordinate. Loads on bodies go backward as in the plane. Directions of axes, attitudes of welds and of the ground at both ends are parameters like all others.
+/// in other joints one number for each coordinate. Loads on bodies and struts go backward as in the plane. Directions of axes, attitudes of welds and of the ground at both ends are parameters like all others.
 ///
 /// In axes of bodies ([`robot`](crate::robot)) gradients go through hinges and slides with a `Spring`, `DryFriction`, `Stops`, a tuple of these, six numbers in
 /// all, or a law of the user's own, through links, and through flanges to all that was said; by masses, mass centres, tensors, places and turns of
@@ -164,6 +164,8 @@ pub use tape::Tape;
 /// | 7 rigid bodies on revolutes, DOP853 | 3.5 | 3.8 | 3.7 | 704 | 3.6 | 3.6 | 3.6 | 1118 |
 /// | 7 links on hinges, body axes, RK4 | 3.7 | 4.3 | 4.2 | 361 | 4.1 | 4.3 | 4.2 | 546 |
 ///
+/// Seven rigid bodies on elastic balls take 3.7 (x86-64-v3, time; 2.8 on balls in the same run).
+///
 /// A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differ by 0.1
 /// from one measurement to the next, by 0.4 at most.
 ///
@@ -183,17 +185,19 @@ pub use tape::Tape;
 /// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which
 /// [few states](Self::gradient_between) are kept 2.7 (RK4, n = 20, a million steps); in space 1.8 and 2.8 (7 rigid bodies on revolutes, 3000
 /// steps). (Times are the least of 400 in the tables, with other work on the other core; of these runs of 2000, of one and of 15.)
-pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L = Absent> {
+pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L: BodyLaw<S> = Absent> {
     steps: Steps<'s, S, R, C, P, M, L>,
     record: Record<S, Elements<S, R, C>, M, P::Closures>,
     spare: MotionOf<S, R, C, P>,
     /// For gradients of which no parameters are asked.
-    scratch: Gradient<S, Elements<S, R, C>>,
+    scratch: GradientOf<S, R, C, L>,
     method: M,
     /// Whether starts are assembled.
     assembled: bool,
 }
 
+/// The gradient of a run.
+type GradientOf<S, R, C, L> = Gradient<S, Elements<S, R, C>, L>;
 /// Costates of a motion of a scene.
 type CostateOf<S, R, C> = Costate<RateOf<S, R, C>, <S as Geometry>::Scalar>;
 
@@ -295,7 +299,7 @@ where
         states: &[MotionOf<S, R, C, P>],
         by_torques: &mut [EffortOf<S>],
         mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
-    ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
+    ) -> Result<GradientOf<S, R, C, L>, Error> {
         let last = self.check(torques, states)?;
         self.admits(states.len() - 1, by_torques.len())?;
         let mut gradient = self.begin(by_torques);
@@ -310,7 +314,7 @@ where
         torques: &[EffortOf<S>],
         states: &[MotionOf<S, R, C, P>],
         by_torques: &mut [EffortOf<S>],
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
         mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
     ) -> Result<(), Error> {
         for (k, pair) in states.windows(2).enumerate().rev() {
@@ -327,7 +331,7 @@ where
     }
 
     /// No gradient yet, by torques neither, nor what an earlier one has left of torques where its cost has failed.
-    fn begin(&mut self, by_torques: &mut [EffortOf<S>]) -> Gradient<S, Elements<S, R, C>> {
+    fn begin(&mut self, by_torques: &mut [EffortOf<S>]) -> GradientOf<S, R, C, L> {
         by_torques.fill(EffortOf::<S>::null());
         self.steps.give_torques(&mut [], 0);
         self.steps.of_memory.set(&self.steps.zero);

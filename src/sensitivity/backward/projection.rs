@@ -13,6 +13,7 @@
 //! correction is a step from the place before it. Under an implicit rule M is that of its last sweep, with springs and dampers: by these, and by
 //! the size of the step, −w · W x has derivatives, too.
 
+use super::GradientOf;
 use super::held::{Room, add, opposite};
 use super::metric::metric;
 use super::record::{Record, StageOf};
@@ -25,13 +26,11 @@ use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate, Retraction};
 use crate::relation::{Acceleration, Additive, Closures, Solvable};
 use crate::scalar::{Real, Scalar};
-use crate::sensitivity::Gradient;
 use crate::shape::{Positions, Takes};
 use crate::system::{Corrections, Elements, MOST_CORRECTIONS, MotionOf, PositionOf, RateOf};
 use crate::walks::look::look;
 use crate::walks::missed::missed;
 use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
 use crate::walks::restore::restore;
 use crate::walks::singled::{self, Left, single};
 use crate::walks::stir::Stir;
@@ -163,7 +162,7 @@ where
         clock: (RealOf<S>, RealOf<S>),
         stage: (&StageOf<S, R, C, P>, &PositionOf<S, R, C>),
         projection: &Projection<S, Elements<S, R, C>>,
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let Some(room) = &mut self.room else { return };
         room.of_stage.set(&self.zero);
@@ -196,7 +195,7 @@ where
         (place, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
         (time, step): (RealOf<S>, RealOf<S>),
         (stage, position): (&StageOf<S, R, C, P>, &PositionOf<S, R, C>),
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let Some(room) = &mut self.room else { return };
         let (elements, tip, ground) = (self.scene.elements(), self.scene.tip(), self.scene.ground(time));
@@ -282,7 +281,7 @@ where
         let kept = (&mut *on_bodies, &mut *in_joints, (&mut room.forces, &mut room.at_ends));
         let stores = (&*x, &*y, &*p, &*q, &stage.kept, (rate, zero, &mut *solved), kept, &mut room.efforts);
         elements.take(&mut Stir { forces: none }, S::at_ground(&ground), stores);
-        let mut walk = PullLoads { law: self.loads.law, time, body: elements.bodies(), level, of_law: gradient.law };
+        let mut walk = self.loads.pull(elements, time, level, gradient.law.clone());
         let felt = tip.felt(&weights, &frame, level);
         let start = (&mut gradient.start.position, &mut gradient.start.rate);
         let seen = (&self.loads.on_bodies, &*on_bodies, &*in_joints, (&room.weights, &room.turns));

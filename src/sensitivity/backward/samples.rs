@@ -1,7 +1,7 @@
 //! Gradients of costs at samples, wherever they fall between the steps of a run.
 
 use super::rules::Staged;
-use super::{Backward, CostateOf};
+use super::{Backward, CostateOf, GradientOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
@@ -9,7 +9,6 @@ use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::relation::Additive;
 use crate::scalar::{Real, Scalar};
-use crate::sensitivity::Gradient;
 use crate::system::{Elements, MotionOf, Runs, System};
 
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
@@ -68,7 +67,7 @@ where
         times: &[RealOf<S>],
         by_torques: &mut [EffortOf<S>],
         mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
-    ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
+    ) -> Result<GradientOf<S, R, C, L>, Error> {
         let last = self.check(torques, states)?;
         self.admits(states.len() - 1, by_torques.len())?;
         let mut earliest = states[0].time;
@@ -97,7 +96,7 @@ where
             if inner > first {
                 let shares = (first..inner).rev().map(|sample| ((times[sample] - past.time) / size).as_f64());
                 let mut number = inner;
-                let mut cost = |motion: &_, gradient: &mut Gradient<_, _>| {
+                let mut cost = |motion: &_, gradient: &mut GradientOf<S, R, C, L>| {
                     number -= 1;
                     cost(number, motion, &mut gradient.start)
                 };

@@ -33,7 +33,7 @@ pub(super) const ROWS: usize = 16;
 pub(super) type TorquesOf<S, R, C> = <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>;
 
 /// What makes steps and pulls costates back through them.
-pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L> {
+pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L: BodyLaw<S>> {
     /// What acts on bodies.
     pub(super) loads: Seen<S, Elements<S, R, C>, L>,
     pub(super) scene: &'s System<S, R, C, P>,

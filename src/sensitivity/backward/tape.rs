@@ -3,7 +3,7 @@
 use super::record::Record;
 use super::rules::Staged;
 use super::steps::TorquesOf;
-use super::{Backward, CostateOf};
+use super::{Backward, CostateOf, GradientOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Root, Tip};
@@ -11,7 +11,6 @@ use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::relation::Additive;
 use crate::scalar::Real;
-use crate::sensitivity::Gradient;
 use crate::shape::PerJoint;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
 use crate::walks::copy::copy;
@@ -99,7 +98,7 @@ where
         end: &MotionOf<S, R, C, P>,
         by_torques: &mut [EffortOf<S>],
         mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
-    ) -> Result<Gradient<S, Elements<S, R, C>>, Error> {
+    ) -> Result<GradientOf<S, R, C, L>, Error> {
         self.admits(steps, by_torques.len())?;
         let given = tape.len();
         let Some(tape) = tape.get(..steps) else {
@@ -147,7 +146,7 @@ where
         between: Range<usize>,
         tape: &[Tape<S, R, C, P, M>],
         by_torques: &mut [EffortOf<S>],
-        gradient: &mut Gradient<S, Elements<S, R, C>>,
+        gradient: &mut GradientOf<S, R, C, L>,
         cost: &mut impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
     ) -> Result<(), Error> {
         for (step, room) in between.zip(tape).rev() {

@@ -6,6 +6,7 @@ use super::hinge_axes::{Moved, ReversingAxes};
 use super::laws::{ReversibleLaw, force, strain};
 use super::loads::Felt;
 use super::{AtJoint, LAW_NUMBERS, NUMBERS_OF_JOINT, Outboard, Pulled, Stirred, Turning};
+use crate::adjoint::BodyLaw;
 use crate::element::Springs;
 use crate::mechanics::planar::linear_hinge::{LinearGains, Rotation};
 use crate::mechanics::planar::{Acceleration, ElasticHinge, Joint, Linear, Planar, Wrench};
@@ -267,7 +268,8 @@ where
     }
 }
 
-impl<T, R, X, Y, A, L> Takes<Planar<T>, PullLoads<L, T>> for ElasticHinge<R, Linear<T, X, Y, A>>
+impl<T, R, X, Y, A, L: BodyLaw<Planar<T>>> Takes<Planar<T>, PullLoads<L, Planar<T>>>
+    for ElasticHinge<R, Linear<T, X, Y, A>>
 where
     T: Scalar,
     R: ReversibleLaw<T>,
@@ -277,12 +279,12 @@ where
 {
     fn take(
         &self,
-        _: &mut PullLoads<L, T>,
+        _: &mut PullLoads<L, Planar<T>>,
         outer: Felt<T>,
         (x, y, p, q, (_, rate, own), (.., kept, _), _, (of_position, of_rate)): Of<
             '_,
             Planar<T>,
-            PullLoads<L, T>,
+            PullLoads<L, Planar<T>>,
             Self,
         >,
     ) -> Felt<T> {

@@ -11,6 +11,7 @@
 //! Closures are read by the same walk, without loads.
 
 use super::laws::ReversibleLaw;
+use crate::adjoint::{BodyLaw, ReversibleLoads};
 use crate::lift::Lift;
 use crate::loading::{Load, LoadLaw};
 use crate::mechanics::planar::axes::{Axes, Inboard};
@@ -72,44 +73,47 @@ pub(crate) fn numbers<T: Scalar>(body: &impl Body<T>) -> [T; BODY] {
     [x, y, mass, a, b, about_centre]
 }
 
-/// Reads the load on the body that has been met last, weighed by the virtual velocity of its inboard end and by its w: gives its force and the
-/// costates of place, velocity, angle and rate; adds to those of numbers.
-fn read<T, L>(
-    body: &impl Body<T>,
-    frame: &Frame<T>,
-    (weight, stirring): (Vector2<T>, T),
-    walk: &mut PullLoads<L, T>,
-    sums: &mut [T; BODY],
-) -> (Vector2<T>, [T; MOTION])
+impl<T, L> ReversibleLoads<Planar<T>> for L
 where
     T: Scalar,
+    L: LoadLaw<BodyMotion<T>, Value: Load<Planar<T>>> + Copy,
     L: Lift<T, Read<T>, Over: LoadLaw<BodyMotion<Read<T>>, Value: Load<Planar<Read<T>>>>>,
 {
-    let mut seed = MOTION + BODY;
-    let law = walk.law.lift(&mut |number| {
-        seed += 1;
-        Read::seed(number, seed - 1)
-    });
-    let at = |v: Vector2<T>, first: usize| Vector2::new(Read::seed(v.x, first), Read::seed(v.y, first + 1));
-    let turn = Turn { angle: Read::seed(frame.turn.angle, 4), rate: Read::seed(frame.turn.rate, 5) };
-    let acceleration = Acceleration { linear: Vector2::null(), angular: Additive::null() };
-    let inboard = Frame { place: at(frame.place, 0), velocity: at(frame.velocity, 2), acceleration, turn };
-    let mut k = MOTION;
-    let [x, y, mass, a, b, about_centre] = numbers(body).map(|number| {
-        k += 1;
-        Read::seed(number, k - 1)
-    });
-    let (sine, cosine) = turn.angle.sin_cos();
-    let inertia = Inertia { mass, centre: [a, b], about_centre };
-    let none = Vector2::null();
-    let motion = BodyMotion { inboard, arm: none, to_centre: none, direction: Vector2::new(cosine, sine), inertia };
-    let motion = BodyMotion { arm: motion.turned([x, y]), to_centre: motion.turned([a, b]), ..motion };
-    let Wrench { force, torque } = law.at(walk.time, walk.body, &motion).wrench();
-    let slope = |k: usize| weight.x.mul_add(force.x.eps[k], weight.y.mul_add(force.y.eps[k], stirring * torque.eps[k]));
-    sums.iter_mut().zip(MOTION..).for_each(|(sum, k)| *sum += slope(k));
-    walk.of_law.1 = seed - MOTION - BODY;
-    walk.of_law.0.iter_mut().zip(MOTION + BODY..).for_each(|(sum, k)| *sum += slope(k));
-    (force.map(|x| x.re), core::array::from_fn(slope))
+    fn felt(
+        walk: &mut PullLoads<L, Planar<T>>,
+        numbers: [T; BODY],
+        frame: &Frame<T>,
+        (weight, stirring): (Vector2<T>, T),
+        sums: &mut [T; BODY],
+    ) -> Felt<T> {
+        let mut seed = MOTION + BODY;
+        let law = walk.law.lift(&mut |number| {
+            seed += 1;
+            Read::seed(number, seed - 1)
+        });
+        let at = |v: Vector2<T>, first: usize| Vector2::new(Read::seed(v.x, first), Read::seed(v.y, first + 1));
+        let turn = Turn { angle: Read::seed(frame.turn.angle, 4), rate: Read::seed(frame.turn.rate, 5) };
+        let acceleration = Acceleration { linear: Vector2::null(), angular: Additive::null() };
+        let inboard = Frame { place: at(frame.place, 0), velocity: at(frame.velocity, 2), acceleration, turn };
+        let mut k = MOTION;
+        let [x, y, mass, a, b, about_centre] = numbers.map(|number| {
+            k += 1;
+            Read::seed(number, k - 1)
+        });
+        let (sine, cosine) = turn.angle.sin_cos();
+        let inertia = Inertia { mass, centre: [a, b], about_centre };
+        let none = Vector2::null();
+        let motion = BodyMotion { inboard, arm: none, to_centre: none, direction: Vector2::new(cosine, sine), inertia };
+        let motion = BodyMotion { arm: motion.turned([x, y]), to_centre: motion.turned([a, b]), ..motion };
+        let Wrench { force, torque } = law.at(walk.time, walk.body, &motion).wrench();
+        let slope =
+            |k: usize| weight.x.mul_add(force.x.eps[k], weight.y.mul_add(force.y.eps[k], stirring * torque.eps[k]));
+        sums.iter_mut().zip(MOTION..).for_each(|(sum, k)| *sum += slope(k));
+        walk.of_law.1 = seed - MOTION - BODY;
+        walk.of_law.0.iter_mut().zip(MOTION + BODY..).for_each(|(sum, k)| *sum += slope(k));
+        let two = |first: usize| Vector2::new(slope(first), slope(first + 1));
+        Felt { place: two(0), velocity: two(2), stirring: force.map(|x| x.re), turn: [slope(4), slope(5)] }
+    }
 }
 
 macro_rules! bodies {
@@ -126,16 +130,12 @@ macro_rules! bodies {
             }
         }
 
-        impl<T: Scalar, L> Takes<Planar<T>, PullLoads<L, T>> for $Body<T>
-        where
-            L: LoadLaw<BodyMotion<T>>
-                + Lift<T, Read<T>, Over: LoadLaw<BodyMotion<Read<T>>, Value: Load<Planar<Read<T>>>>>,
-        {
+        impl<T: Scalar, L: ReversibleLoads<Planar<T>>> Takes<Planar<T>, PullLoads<L, Planar<T>>> for $Body<T> {
             fn take(
                 &self,
-                walk: &mut PullLoads<L, T>,
+                walk: &mut PullLoads<L, Planar<T>>,
                 outer: Felt<T>,
-                (&x, &y, &p, &q, _, ((frame, _), met, ..), (sums, ()), _): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
+                (&x, &y, &p, &q, _, ((frame, _), met, ..), (sums, ()), _): Of<'_, Planar<T>, PullLoads<L, Planar<T>>, Self>,
             ) -> Felt<T> {
                 let pose = Pose { x, y, p, q };
                 let ([arm, _], direction, spin) = (self.arm(pose), self.direction(pose), frame.turn.rate);
@@ -153,13 +153,7 @@ macro_rules! bodies {
                 }
                 walk.body = walk.body.saturating_sub(1);
                 let inner = add_scaled(met.velocity, -met.stirring, across);
-                let (load, slopes) = read(self, frame, (inner, met.stirring), walk, sums);
-                Felt {
-                    place: place + Vector2::new(slopes[0], slopes[1]),
-                    velocity: velocity + Vector2::new(slopes[2], slopes[3]),
-                    stirring: stirring + load,
-                    turn: [turn[0] + slopes[4], turn[1] + slopes[5]],
-                }
+                Felt { turn, ..outer } + L::felt(walk, numbers(self), frame, (inner, met.stirring), sums)
             }
         }
     )*};
@@ -192,12 +186,12 @@ impl<T: Scalar, C: Closures> Takes<Planar<T>, Burden<T, C>> for Weld<T> {
     }
 }
 
-impl<T: Scalar, L> Takes<Planar<T>, PullLoads<L, T>> for Pin {
+impl<T: Scalar, L: BodyLaw<Planar<T>>> Takes<Planar<T>, PullLoads<L, Planar<T>>> for Pin {
     fn take(
         &self,
-        _: &mut PullLoads<L, T>,
+        _: &mut PullLoads<L, Planar<T>>,
         outer: Felt<T>,
-        (.., (of_position, of_rate)): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
+        (.., (of_position, of_rate)): Of<'_, Planar<T>, PullLoads<L, Planar<T>>, Self>,
     ) -> Felt<T> {
         *of_position += outer.turn[0];
         *of_rate += outer.turn[1];
@@ -205,24 +199,26 @@ impl<T: Scalar, L> Takes<Planar<T>, PullLoads<L, T>> for Pin {
     }
 }
 
-impl<T: Scalar, L> Takes<Planar<T>, PullLoads<L, T>> for Weld<T> {
+impl<T: Scalar, L: BodyLaw<Planar<T>>> Takes<Planar<T>, PullLoads<L, Planar<T>>> for Weld<T> {
     fn take(
         &self,
-        _: &mut PullLoads<L, T>,
+        _: &mut PullLoads<L, Planar<T>>,
         outer: Felt<T>,
-        (.., (_, sums), _): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
+        (.., (_, sums), _): Of<'_, Planar<T>, PullLoads<L, Planar<T>>, Self>,
     ) -> Felt<T> {
         sums[0] += outer.turn[0];
         outer
     }
 }
 
-impl<T: Scalar, L, R: ReversibleLaw<T>> Takes<Planar<T>, PullLoads<L, T>> for ElasticHinge<R> {
+impl<T: Scalar, L: BodyLaw<Planar<T>>, R: ReversibleLaw<T>> Takes<Planar<T>, PullLoads<L, Planar<T>>>
+    for ElasticHinge<R>
+{
     fn take(
         &self,
-        _: &mut PullLoads<L, T>,
+        _: &mut PullLoads<L, Planar<T>>,
         outer: Felt<T>,
-        (.., (of_position, of_rate)): Of<'_, Planar<T>, PullLoads<L, T>, Self>,
+        (.., (of_position, of_rate)): Of<'_, Planar<T>, PullLoads<L, Planar<T>>, Self>,
     ) -> Felt<T> {
         *of_position += outer.turn[0];
         *of_rate += outer.turn[1];
@@ -230,16 +226,16 @@ impl<T: Scalar, L, R: ReversibleLaw<T>> Takes<Planar<T>, PullLoads<L, T>> for El
     }
 }
 
-impl<T: Scalar, L, R: ReversibleLaw<T>> Takes<Planar<T>, PullLoads<L, T>> for Slider<T, R> {
+impl<T: Scalar, L: BodyLaw<Planar<T>>, R: ReversibleLaw<T>> Takes<Planar<T>, PullLoads<L, Planar<T>>> for Slider<T, R> {
     /// The arm s e of the inboard body, whose rate is ω ẑ×d + ṡ e, and whose virtual velocity w ẑ×d + w_s e.
     fn take(
         &self,
-        _: &mut PullLoads<L, T>,
+        _: &mut PullLoads<L, Planar<T>>,
         outer: Felt<T>,
         (x, y, p, q, (_, rate, w), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
             '_,
             Planar<T>,
-            PullLoads<L, T>,
+            PullLoads<L, Planar<T>>,
             Self,
         >,
     ) -> Felt<T> {

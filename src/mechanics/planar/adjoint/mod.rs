@@ -9,6 +9,7 @@ mod linear_hinge;
 mod loads;
 mod loops;
 mod slider;
+mod struts;
 
 use ends::TIP;
 pub(crate) use laws::NUMBERS;

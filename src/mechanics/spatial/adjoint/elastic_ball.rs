@@ -11,12 +11,12 @@
 //! turn, of the rate and of its numbers.
 
 use super::{OfJoint, Outboard, Pivot, Pulled, Stirred, Turning};
+use crate::adjoint::BodyLaw;
 use crate::adjoint::laws::{NUMBERS, ROTARY_NUMBERS};
 use crate::element::{Element, Explicit, Springs};
 use crate::lift::Lift;
-use crate::loading::LoadLaw;
 use crate::mechanics::spatial::adjoint::Felt;
-use crate::mechanics::spatial::{Acceleration, BodyMotion, ElasticHinge, RotaryLaw, Rotation, Spatial, Turn, Wrench};
+use crate::mechanics::spatial::{Acceleration, ElasticHinge, RotaryLaw, Rotation, Spatial, Turn, Wrench};
 use crate::relation::Closures;
 use crate::relation::spatial::algebra::cross_onto;
 use crate::relation::spatial::{BallGain, Couple, Gain};
@@ -225,14 +225,14 @@ impl<T: Scalar, C: Closures, R: ReversibleRotary<T>> Takes<Spatial<T>, Burden<T,
     }
 }
 
-impl<T: Scalar, L: LoadLaw<BodyMotion<T>>, R: ReversibleRotary<T>> Takes<Spatial<T>, PullLoads<L, T>>
+impl<T: Scalar, L: BodyLaw<Spatial<T>>, R: ReversibleRotary<T>> Takes<Spatial<T>, PullLoads<L, Spatial<T>>>
     for ElasticHinge<R>
 {
     fn take(
         &self,
-        _: &mut PullLoads<L, T>,
+        _: &mut PullLoads<L, Spatial<T>>,
         outer: Felt<T>,
-        (attitude, .., (.., kept, _), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullLoads<L, T>, Self>,
+        (attitude, .., (.., kept, _), _, (of_position, of_rate)): Of<'_, Spatial<T>, PullLoads<L, Spatial<T>>, Self>,
     ) -> Felt<T> {
         let turned = outer.turned_under::<L>(&kept.turning);
         *of_position = attitude.transposed_onto(turned, Vector3::from(*of_position)).into();

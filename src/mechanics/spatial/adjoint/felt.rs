@@ -13,12 +13,11 @@
 //! Closures read nothing virtual: F and M are those of loads, which [`read`](super::read) adds.
 
 use super::Turning;
-use super::read::{Read, numbers, read};
+use super::read::numbers;
 use super::revolute::of_axis;
 use crate::adjoint::laws::ReversibleLaw;
-use crate::lift::Lift;
-use crate::loading::{Load, LoadLaw};
-use crate::mechanics::spatial::{Ball, BodyMotion, PointMass, Revolute, RigidBody, Rod, Spatial, Weld, Wrench};
+use crate::adjoint::{BodyLaw, ReversibleLoads};
+use crate::mechanics::spatial::{Ball, PointMass, Revolute, RigidBody, Rod, Spatial, Weld, Wrench};
 use crate::relation::Additive;
 use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot, zero};
 use crate::scalar::Scalar;
@@ -59,7 +58,7 @@ impl<T: Scalar> Felt<T> {
     }
     /// The costate of such a turn under a law `L` of loads, where the body on the inboard side has the w of its own, too.
     #[inline(always)]
-    pub fn turned_under<L: LoadLaw<BodyMotion<T>>>(&self, met: &Turning<T>) -> Vector3<T> {
+    pub fn turned_under<L: BodyLaw<Spatial<T>>>(&self, met: &Turning<T>) -> Vector3<T> {
         let turned = self.turned(met.spin);
         if const { L::ON } { turned - cross(met.stirring, self.torque) } else { turned }
     }
@@ -107,16 +106,12 @@ impl<T: Scalar> Additive for Felt<T> {
 
 macro_rules! bodies {
     ($($Body:ident),*) => {$(
-        impl<T: Scalar, L> Takes<Spatial<T>, PullLoads<L, T>> for $Body<T>
-        where
-            L: LoadLaw<BodyMotion<T>>
-                + Lift<T, Read<T>, Over: LoadLaw<BodyMotion<Read<T>>, Value: Load<Spatial<Read<T>>>>>,
-        {
+        impl<T: Scalar, L: ReversibleLoads<Spatial<T>>> Takes<Spatial<T>, PullLoads<L, Spatial<T>>> for $Body<T> {
             fn take(
                 &self,
-                walk: &mut PullLoads<L, T>,
+                walk: &mut PullLoads<L, Spatial<T>>,
                 outer: Felt<T>,
-                (_, _, &arm, _, _, ((frame, _), met, ..), (sums, ()), _): Of<'_, Spatial<T>, PullLoads<L, T>, Self>,
+                (_, _, &arm, _, _, ((frame, _), met, ..), (sums, ()), _): Of<'_, Spatial<T>, PullLoads<L, Spatial<T>>, Self>,
             ) -> Felt<T> {
                 let Felt { place, velocity, stirring, turn, spin: of_spin, torque } = outer;
                 let spin = frame.turn.spin;
@@ -132,14 +127,14 @@ macro_rules! bodies {
                 let (w, moved) = (met.turning.stirring, cross(met.turning.stirring, arm));
                 let of_arm = frame.turn.attitude.transposed(of_arm - cross(w, stirring));
                 sums.iter_mut().zip(of_arm.iter()).for_each(|(sum, more)| *sum += *more);
-                let more = read(numbers(self), frame, (met.velocity - moved, &met.turning), walk, sums);
+                let more = L::felt(walk, numbers(self), frame, (met.velocity - moved, w), sums);
                 Felt {
                     place: place + more.place,
                     velocity: velocity + more.velocity,
-                    stirring: stirring + more.load.force,
+                    stirring: stirring + more.stirring,
                     turn: more.turn + cross_onto(arm, place, cross_onto(moved, stirring, swept)),
                     spin: felt.spin + more.spin,
-                    torque: cross_onto(arm, stirring, torque + more.load.torque),
+                    torque: cross_onto(arm, stirring, torque + more.torque),
                 }
             }
         }
@@ -147,12 +142,12 @@ macro_rules! bodies {
 }
 bodies!(Rod, RigidBody, PointMass);
 
-impl<T: Scalar, L: LoadLaw<BodyMotion<T>>> Takes<Spatial<T>, PullLoads<L, T>> for Ball {
+impl<T: Scalar, L: BodyLaw<Spatial<T>>> Takes<Spatial<T>, PullLoads<L, Spatial<T>>> for Ball {
     fn take(
         &self,
-        _: &mut PullLoads<L, T>,
+        _: &mut PullLoads<L, Spatial<T>>,
         outer: Felt<T>,
-        (attitude, .., (of_position, of_rate)): Of<'_, Spatial<T>, PullLoads<L, T>, Self>,
+        (attitude, .., (of_position, of_rate)): Of<'_, Spatial<T>, PullLoads<L, Spatial<T>>, Self>,
     ) -> Felt<T> {
         *of_position = attitude.transposed_onto(outer.turn, Vector3::from(*of_position)).into();
         *of_rate = attitude.transposed_onto(outer.spin, Vector3::from(*of_rate)).into();
@@ -160,27 +155,29 @@ impl<T: Scalar, L: LoadLaw<BodyMotion<T>>> Takes<Spatial<T>, PullLoads<L, T>> fo
     }
 }
 
-impl<T: Scalar, L: LoadLaw<BodyMotion<T>>> Takes<Spatial<T>, PullLoads<L, T>> for Weld<T> {
+impl<T: Scalar, L: BodyLaw<Spatial<T>>> Takes<Spatial<T>, PullLoads<L, Spatial<T>>> for Weld<T> {
     fn take(
         &self,
-        _: &mut PullLoads<L, T>,
+        _: &mut PullLoads<L, Spatial<T>>,
         outer: Felt<T>,
-        (attitude, .., (.., kept, _), (_, sums), _): Of<'_, Spatial<T>, PullLoads<L, T>, Self>,
+        (attitude, .., (.., kept, _), (_, sums), _): Of<'_, Spatial<T>, PullLoads<L, Spatial<T>>, Self>,
     ) -> Felt<T> {
         sums.turn = attitude.transposed_onto(outer.turned_under::<L>(&kept.turning), sums.turn);
         outer
     }
 }
 
-impl<T: Scalar, L: LoadLaw<BodyMotion<T>>, R: ReversibleLaw<T>> Takes<Spatial<T>, PullLoads<L, T>> for Revolute<T, R> {
+impl<T: Scalar, L: BodyLaw<Spatial<T>>, R: ReversibleLaw<T>> Takes<Spatial<T>, PullLoads<L, Spatial<T>>>
+    for Revolute<T, R>
+{
     fn take(
         &self,
-        _: &mut PullLoads<L, T>,
+        _: &mut PullLoads<L, Spatial<T>>,
         outer: Felt<T>,
         (axes, .., (_, rate, own), (.., kept, _), (_, sums), (of_position, of_rate)): Of<
             '_,
             Spatial<T>,
-            PullLoads<L, T>,
+            PullLoads<L, Spatial<T>>,
             Self,
         >,
     ) -> Felt<T> {

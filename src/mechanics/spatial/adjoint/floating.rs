@@ -5,9 +5,9 @@
 //! and its rate do nothing but where loads read them.
 
 use super::{Felt, Outboard, Pulled, Stirred, Turning};
+use crate::adjoint::BodyLaw;
 use crate::element::{Element, Springs};
-use crate::loading::LoadLaw;
-use crate::mechanics::spatial::{Acceleration, BodyMotion, Floating, Spatial, Turn, Wrench};
+use crate::mechanics::spatial::{Acceleration, Floating, Spatial, Turn, Wrench};
 use crate::relation::spatial::Relation;
 use crate::relation::spatial::algebra::{add_scaled, dot, zero};
 use crate::relation::{Additive, Open};
@@ -126,12 +126,12 @@ impl<T: Scalar> Takes<Spatial<T>, Burden<T, Open>> for Floating<T> {
     }
 }
 
-impl<T: Scalar, L: LoadLaw<BodyMotion<T>>> Takes<Spatial<T>, PullLoads<L, T>> for Floating<T> {
+impl<T: Scalar, L: BodyLaw<Spatial<T>>> Takes<Spatial<T>, PullLoads<L, Spatial<T>>> for Floating<T> {
     fn take(
         &self,
-        _: &mut PullLoads<L, T>,
+        _: &mut PullLoads<L, Spatial<T>>,
         outer: Felt<T>,
-        (attitude, .., (of_position, of_rate)): Of<'_, Spatial<T>, PullLoads<L, T>, Self>,
+        (attitude, .., (of_position, of_rate)): Of<'_, Spatial<T>, PullLoads<L, Spatial<T>>, Self>,
     ) -> Felt<T> {
         let add = |sum: &mut [T; 3], more: Vector3<T>| *sum = (Vector3::from(*sum) + more).into();
         add(&mut of_position.0, outer.place);

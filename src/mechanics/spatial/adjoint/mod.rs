@@ -14,6 +14,7 @@ mod read;
 mod reversing;
 mod revolute;
 mod steps;
+mod struts;
 mod weld;
 
 pub use inertial::{Base, Inertial};
@@ -21,7 +22,7 @@ pub use inertial::{Base, Inertial};
 use ends::TIP;
 pub(crate) use felt::Felt;
 pub use inertial::{per_vector, swept};
-pub use read::{BODY, Read, numbers, read};
+pub use read::{BODY, numbers};
 pub use steps::Step;
 
 use crate::adjoint::laws::NUMBERS;

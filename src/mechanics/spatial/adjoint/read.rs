@@ -3,7 +3,8 @@
 //! A load f, m about the inboard end I takes W_I·f + w·m from the virtual power P. Its derivatives by what it reads come from jets of just
 //! these: the place p and the velocity v of I, turns of the body's axes and its ω, the numbers of the body and those of its own law.
 
-use super::Turning;
+use super::felt::Felt;
+use crate::adjoint::ReversibleLoads;
 use crate::lift::Lift;
 use crate::loading::{Load, LoadLaw};
 use crate::mechanics::spatial::body::Body;
@@ -48,52 +49,44 @@ fn turning<T: Scalar>(attitude: &Columns<T>, first: usize) -> Columns<Read<T>> {
     Columns { x: column(attitude.x), y: column(attitude.y), z: column(attitude.z) }
 }
 
-/// What W_I·f + w·m changes by.
-pub struct OfLoad<T> {
-    pub load: Wrench<T>,
-    pub place: Vector3<T>,
-    pub velocity: Vector3<T>,
-    /// With turns of the body, its ω and its w.
-    pub turn: Vector3<T>,
-    pub spin: Vector3<T>,
-}
-
-/// Reads the load on the body that has been met last, weighed by the virtual velocity W of its inboard end and by its w; adds to costates
-/// of numbers.
-pub fn read<T, L>(
-    numbers: [T; BODY],
-    frame: &Frame<T>,
-    (weight, met): (Vector3<T>, &Turning<T>),
-    walk: &mut PullLoads<L, T>,
-    sums: &mut [T; BODY],
-) -> OfLoad<T>
+impl<T, L> ReversibleLoads<Spatial<T>> for L
 where
     T: Scalar,
+    L: LoadLaw<BodyMotion<T>, Value: Load<Spatial<T>>> + Copy,
     L: Lift<T, Read<T>, Over: LoadLaw<BodyMotion<Read<T>>, Value: Load<Spatial<Read<T>>>>>,
 {
-    let mut seed = MOTION + BODY;
-    let law = walk.law.lift(&mut |number| {
-        seed += 1;
-        Read::seed(number, seed - 1)
-    });
-    let turn = Turn { attitude: turning(&frame.turn.attitude, 6), spin: seeds(frame.turn.spin, 9) };
-    let acceleration = Acceleration { linear: zero(), angular: zero() };
-    let inboard = Frame { place: seeds(frame.place, 0), velocity: seeds(frame.velocity, 3), acceleration, turn };
-    let mut k = MOTION;
-    let [x, y, z, mass, a, b, c, xx, xy, xz, yx, yy, yz, zx, zy, zz] = numbers.map(|number| {
-        k += 1;
-        Read::seed(number, k - 1)
-    });
-    let turned = |x, y, z| turn.attitude.apply(Vector3::new(x, y, z));
-    let inertia = Inertia { mass, centre: [a, b, c], about_centre: [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] };
-    let motion = BodyMotion { inboard, arm: turned(x, y, z), to_centre: turned(a, b, c), inertia };
-    let Wrench { force, torque } = law.at(walk.time, walk.body, &motion).wrench();
-    let slope = |k: usize| dot(weight, force.map(|x| x.eps[k])) + dot(met.stirring, torque.map(|x| x.eps[k]));
-    let three = |first: usize| Vector3::new(slope(first), slope(first + 1), slope(first + 2));
-    sums.iter_mut().zip(MOTION..).for_each(|(sum, k)| *sum += slope(k));
-    walk.of_law.1 = seed - MOTION - BODY;
-    walk.of_law.0.iter_mut().zip(MOTION + BODY..).for_each(|(sum, k)| *sum += slope(k));
-    let (load, spin) = (Wrench { force: force.map(|x| x.re), torque: torque.map(|x| x.re) }, three(9));
-    let turn = cross_onto(frame.turn.spin, spin, cross_onto(met.stirring, load.torque, three(6)));
-    OfLoad { load, place: three(0), velocity: three(3), turn, spin }
+    fn felt(
+        walk: &mut PullLoads<L, Spatial<T>>,
+        numbers: [T; BODY],
+        frame: &Frame<T>,
+        (weight, stirring): (Vector3<T>, Vector3<T>),
+        sums: &mut [T; BODY],
+    ) -> Felt<T> {
+        let mut seed = MOTION + BODY;
+        let law = walk.law.lift(&mut |number| {
+            seed += 1;
+            Read::seed(number, seed - 1)
+        });
+        let turn = Turn { attitude: turning(&frame.turn.attitude, 6), spin: seeds(frame.turn.spin, 9) };
+        let acceleration = Acceleration { linear: zero(), angular: zero() };
+        let inboard = Frame { place: seeds(frame.place, 0), velocity: seeds(frame.velocity, 3), acceleration, turn };
+        let mut k = MOTION;
+        let [x, y, z, mass, a, b, c, xx, xy, xz, yx, yy, yz, zx, zy, zz] = numbers.map(|number| {
+            k += 1;
+            Read::seed(number, k - 1)
+        });
+        let turned = |x, y, z| turn.attitude.apply(Vector3::new(x, y, z));
+        let inertia = Inertia { mass, centre: [a, b, c], about_centre: [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] };
+        let motion = BodyMotion { inboard, arm: turned(x, y, z), to_centre: turned(a, b, c), inertia };
+        let Wrench { force, torque } = law.at(walk.time, walk.body, &motion).wrench();
+        let slope = |k: usize| dot(weight, force.map(|x| x.eps[k])) + dot(stirring, torque.map(|x| x.eps[k]));
+        let three = |first: usize| Vector3::new(slope(first), slope(first + 1), slope(first + 2));
+        sums.iter_mut().zip(MOTION..).for_each(|(sum, k)| *sum += slope(k));
+        walk.of_law.1 = seed - MOTION - BODY;
+        walk.of_law.0.iter_mut().zip(MOTION + BODY..).for_each(|(sum, k)| *sum += slope(k));
+        let (force, torque, spin) = (force.map(|x| x.re), torque.map(|x| x.re), three(9));
+        // With turns of the body, its ω and its w.
+        let turn = cross_onto(frame.turn.spin, spin, cross_onto(stirring, torque, three(6)));
+        Felt { place: three(0), velocity: three(3), stirring: force, turn, spin, torque }
+    }
 }

@@ -18,10 +18,10 @@ use super::inertial::swept;
 use super::reversing::Reversing;
 use super::revolute::of_axis;
 use super::{Felt, Pulled, Turning};
+use crate::adjoint::BodyLaw;
 use crate::adjoint::laws::ReversibleLaw;
-use crate::loading::LoadLaw;
 use crate::mechanics::spatial::axial::{Axial, Listed};
-use crate::mechanics::spatial::{BodyMotion, Cylindrical, Prismatic, Spatial, Universal};
+use crate::mechanics::spatial::{Cylindrical, Prismatic, Spatial, Universal};
 use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::{Columns, add_scaled, centripetal, cross, cross_onto, dot};
 use crate::scalar::Scalar;
@@ -98,7 +98,7 @@ impl<T: Scalar> Step<T> {
     }
 
     /// A turn that loads and closures read.
-    pub fn turned_felt<L: LoadLaw<BodyMotion<T>>>(&self, felt: &Felt<T>, turning: &Turning<T>) -> ([T; 2], Vector3<T>) {
+    pub fn turned_felt<L: BodyLaw<Spatial<T>>>(&self, felt: &Felt<T>, turning: &Turning<T>) -> ([T; 2], Vector3<T>) {
         let (n, turned) = (self.axes.x, felt.turned_under::<L>(turning));
         let x = -(felt.spin * self.rate + felt.torque * self.own);
         let mut by_axis = Vector3::new(T::zero(), T::zero(), T::zero());
@@ -167,17 +167,17 @@ macro_rules! axial {
             }
         }
 
-        impl<T: Scalar, N: LoadLaw<BodyMotion<T>>, $($L: ReversibleLaw<T>),*> Takes<Spatial<T>, PullLoads<N, T>>
+        impl<T: Scalar, N: BodyLaw<Spatial<T>>, $($L: ReversibleLaw<T>),*> Takes<Spatial<T>, PullLoads<N, Spatial<T>>>
             for $Joint
         {
             fn take(
                 &self,
-                _: &mut PullLoads<N, T>,
+                _: &mut PullLoads<N, Spatial<T>>,
                 outer: Felt<T>,
                 (x, y, p, q, motion, (.., kept, _), (_, sums), (of_position, of_rate)): Of<
                     '_,
                     Spatial<T>,
-                    PullLoads<N, T>,
+                    PullLoads<N, Spatial<T>>,
                     Self,
                 >,
             ) -> Felt<T> {

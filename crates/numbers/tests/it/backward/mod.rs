@@ -124,6 +124,33 @@ impl<T: Scalar> SpringLaw<T> for Stiffening<T> {
     }
 }
 
+/// What acts on bodies: `under` a law, or what is `pulled` by struts, listed with a law beside them.
+macro_rules! acting {
+    (under, on_bodies: $law:expr) => {
+        $law
+    };
+    (under, beside: $efforts:expr, $law:expr) => {
+        $efforts.on_bodies_by($law)
+    };
+    (under, by_numbers: $gradient:expr) => {
+        $gradient.by_loads().unwrap().to_vec()
+    };
+    (pulled, on_bodies: $law:expr) => {
+        Struts::of($law.0).and(Loads::none().on_bodies_by($law.1))
+    };
+    (pulled, beside: $efforts:expr, $law:expr) => {
+        Struts::of($law.0).and($efforts.on_bodies_by($law.1))
+    };
+    (pulled, by_numbers: $gradient:expr) => {{
+        let mut list: Vec<f64> = vec![];
+        for by in $gradient.by_struts() {
+            list.extend(by.ends.iter().flatten().chain([&by.stiffness, &by.damping, &by.length]));
+        }
+        list.extend($gradient.by_loads().unwrap());
+        list
+    }};
+}
+
 /// A scene from numbers, run by fixed steps, as plain numbers backward and over jets by the rule itself: the gradient of a cost by all
 /// numbers. The scene's constructor takes each from `$number`, by its place in the list: parameters, the last of them those of a law of
 /// loads if there is one, then coordinates, rates, and torques.
@@ -142,7 +169,7 @@ macro_rules! gradients {
         )
     };
     ($name:expr, $kinds:expr, $numbers:expr, [$angles:expr, $joints:expr], $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block,
-     under ($of_law:expr, |$y:ident| $law:block)) => {{
+     $act:ident ($of_law:expr, |$y:ident| $law:block)) => {{
         let (numbers, steps, h, n, joints): (Vec<f64>, usize, f64, usize, usize) =
             ($numbers, $steps, $h, $angles, $joints);
         let parameters = numbers.len() - 2 * n - steps * joints;
@@ -171,9 +198,8 @@ macro_rules! gradients {
                     }
                     if step < steps {
                         let torques = &of[parameters + 2 * n + step * joints..][..joints];
-                        stepper
-                            .step(&now, &Loads::none().torques(torques.to_vec()).on_bodies_by(law), h, &mut next)
-                            .unwrap();
+                        let torques = Loads::none().torques(torques.to_vec());
+                        stepper.step(&now, &acting!($act, beside: torques, law), h, &mut next).unwrap();
                         core::mem::swap(&mut now, &mut next);
                     }
                 }
@@ -196,7 +222,7 @@ macro_rules! gradients {
             let $y = |k: usize| -> N { numbers[k] };
             $law
         };
-        let mut backward = system.backward($method).under(law);
+        let mut backward = system.backward($method).under(acting!($act, on_bodies: law));
         backward.run(&start, h, steps, torques, &mut states).unwrap();
         let mut total = 0.0;
         let gradient = backward
@@ -224,7 +250,7 @@ macro_rules! gradients {
         });
         expected.truncate(numbers.len());
         found.truncate(parameters - $of_law);
-        found.extend(gradient.by_loads().unwrap());
+        found.extend(acting!($act, by_numbers: gradient));
         found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()).chain(by_torques));
         let cost = |number: &dyn Fn(usize) -> f64| cost!(f64, number);
         agrees($name, $kinds, &numbers, ([&expected, &found], ROUNDING), |_| true, cost);
@@ -245,4 +271,5 @@ mod misuse;
 mod samples;
 mod space;
 mod starts;
+mod struts;
 mod times;

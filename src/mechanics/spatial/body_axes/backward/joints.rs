@@ -14,11 +14,11 @@ use super::super::relation::Local;
 use super::super::standing::{Stand, Standing};
 use super::super::turns::Offset;
 use super::swept_known;
+use crate::adjoint::BodyLaw;
 use crate::adjoint::laws::{ReversibleLaw, force, strain};
 use crate::element::{Element, Springs};
-use crate::loading::LoadLaw;
 use crate::mechanics::spatial::adjoint::{Felt, Outboard, Pulled, Step, Stirred, Turning, per_vector};
-use crate::mechanics::spatial::{Acceleration, BodyMotion, Spatial, Turn, Wrench};
+use crate::mechanics::spatial::{Acceleration, Spatial, Turn, Wrench};
 use crate::relation::Closures;
 use crate::relation::spatial::algebra::{Columns, add_scaled, dot_onto, zero};
 use crate::scalar::Scalar;
@@ -187,7 +187,7 @@ takes!([] PullBack, |joint, walk, outer: Pulled<T>,
     }
 });
 
-takes!([N: LoadLaw<BodyMotion<T>>] PullLoads<N, T>, |joint, _walk, outer: Felt<T>,
+takes!([N: BodyLaw<Spatial<T>>] PullLoads<N, Spatial<T>>, |joint, _walk, outer: Felt<T>,
     (x, y, _, _, (position, rate, own), (.., met, _), (_, sums), (of_position, of_rate))| {
     let (stand, _) = Self::posture(x, y);
     let (mut felt, mut turning, step) = (outer, met.turning, step(*rate, T::zero(), *own));

@@ -16,13 +16,10 @@ use super::super::number::{
 use super::super::relation::Local;
 use super::super::through::Solid;
 use super::swept_known;
+use crate::adjoint::ReversibleLoads;
 use crate::element::{Element, Springs};
-use crate::lift::Lift;
-use crate::loading::{Load, LoadLaw};
-use crate::mechanics::spatial::adjoint::{
-    BODY, Base, Felt, OnBody, Outboard, Pulled, Read, Stirred, Turning, per_vector, read,
-};
-use crate::mechanics::spatial::{Acceleration, BodyMotion, Inertia, Spatial, Turn, Wrench};
+use crate::mechanics::spatial::adjoint::{BODY, Base, Felt, OnBody, Outboard, Pulled, Stirred, Turning, per_vector};
+use crate::mechanics::spatial::{Acceleration, Inertia, Spatial, Turn, Wrench};
 use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
@@ -140,31 +137,30 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Takes<Spatial<T>, Strain<T>>
     fn take(&self, _: &mut Strain<T>, (): (), _: Of<'_, Spatial<T>, Strain<T>, Self>) {}
 }
 
-impl<T: Scalar, L, const MOMENT: u8, const TENSOR: u8> Takes<Spatial<T>, PullLoads<L, T>> for Link<T, MOMENT, TENSOR>
-where
-    L: LoadLaw<BodyMotion<T>> + Lift<T, Read<T>, Over: LoadLaw<BodyMotion<Read<T>>, Value: Load<Spatial<Read<T>>>>>,
+impl<T: Scalar, L: ReversibleLoads<Spatial<T>>, const MOMENT: u8, const TENSOR: u8>
+    Takes<Spatial<T>, PullLoads<L, Spatial<T>>> for Link<T, MOMENT, TENSOR>
 {
     fn take(
         &self,
-        walk: &mut PullLoads<L, T>,
+        walk: &mut PullLoads<L, Spatial<T>>,
         outer: Felt<T>,
-        (.., ((frame, _), met, ..), (sums, ()), _): Of<'_, Spatial<T>, PullLoads<L, T>, Self>,
+        (.., ((frame, _), met, ..), (sums, ()), _): Of<'_, Spatial<T>, PullLoads<L, Spatial<T>>, Self>,
     ) -> Felt<T> {
         if const { !L::ON } {
             return outer;
         }
         walk.body = walk.body.saturating_sub(1);
         let axes = &frame.turn.attitude;
-        let turning = met.turning.mapped(|v| axes.apply(v));
-        let more = read(numbers(self), frame, (axes.apply(met.velocity), &turning), walk, sums);
+        let stirred = (axes.apply(met.velocity), axes.apply(met.turning.stirring));
+        let more = L::felt(walk, numbers(self), frame, stirred, sums);
         let own = |v: Vector3<T>| axes.transposed(v);
         Felt {
             place: outer.place + own(more.place),
             velocity: outer.velocity + own(more.velocity),
-            stirring: outer.stirring + own(more.load.force),
+            stirring: outer.stirring + own(more.stirring),
             turn: outer.turn + own(more.turn),
             spin: outer.spin + own(more.spin),
-            torque: outer.torque + own(more.load.torque),
+            torque: outer.torque + own(more.torque),
         }
     }
 }

@@ -3,11 +3,11 @@
 use super::super::flange::Flange;
 use super::super::mount::{BodyAxes, Upright};
 use super::super::relation::Local;
+use crate::adjoint::BodyLaw;
 use crate::adjoint::passes;
 use crate::element::{Element, Springs};
-use crate::loading::LoadLaw;
 use crate::mechanics::spatial::adjoint::{Felt, Outboard, Pulled, Stirred};
-use crate::mechanics::spatial::{Acceleration, BodyMotion, Spatial, Turn, Wrench};
+use crate::mechanics::spatial::{Acceleration, Spatial, Turn, Wrench};
 use crate::relation::Closures;
 use crate::relation::spatial::Relation;
 use crate::relation::spatial::algebra::{add_scaled, cross_onto, dot};
@@ -78,7 +78,7 @@ takes!(Upright, [C: Closures] Stir<T, C>, |_joint, _walk, inner: Stirred<T>, (..
 takes!(Upright, [] PullBack, |_joint, _walk, outer: Pulled<T>, (.., (_, a, _, met, ..), _, _)| {
     Pulled { turn: outer.of_place(met.velocity, *a), ..outer }
 });
-takes!(Upright, [L: LoadLaw<BodyMotion<T>>] PullLoads<L, T>, |_joint, _walk, outer: Felt<T>, _| outer);
+takes!(Upright, [L: BodyLaw<Spatial<T>>] PullLoads<L, Spatial<T>>, |_joint, _walk, outer: Felt<T>, _| outer);
 
 takes!(BodyAxes, [C: Closures, By: Springs<T>] Factor<C, By>, |_joint, _walk, outer: Outboard<T, C>, (attitude, ..)| {
     Outboard::rigid(Local::of_own(&outer.relation).turned(attitude))
@@ -98,7 +98,7 @@ takes!(BodyAxes, [] PullBack, |_joint, _walk, outer: Pulled<T>, (attitude, .., (
     let outer = outer.mapped(|v| attitude.apply(v));
     Pulled { turn: outer.of_place(met.velocity, *a), ..outer }
 });
-takes!(BodyAxes, [L: LoadLaw<BodyMotion<T>>] PullLoads<L, T>, |_joint, _walk, outer: Felt<T>, (attitude, ..)| {
+takes!(BodyAxes, [L: BodyLaw<Spatial<T>>] PullLoads<L, Spatial<T>>, |_joint, _walk, outer: Felt<T>, (attitude, ..)| {
     outer.mapped(|v| attitude.apply(v))
 });
 
@@ -139,7 +139,7 @@ takes!(Flange<T>, [] PullBack, |joint, _walk, outer: Pulled<T>, (attitude, y, _,
     sums.place = attitude.transposed(of_arm);
     carried.mapped(|v| attitude.transposed(v))
 });
-takes!(Flange<T>, [L: LoadLaw<BodyMotion<T>>] PullLoads<L, T>, |_joint, _walk, outer: Felt<T>,
+takes!(Flange<T>, [L: BodyLaw<Spatial<T>>] PullLoads<L, Spatial<T>>, |_joint, _walk, outer: Felt<T>,
     (attitude, y, _, _, _, (.., met, _), (_, sums), _)| {
     let mut of_arm = attitude.apply(sums.place);
     let felt = outer.over(y[0], &met.turning, &mut of_arm);

@@ -45,7 +45,7 @@ impl<T: Scalar> Medium<T> {
 }
 
 /// Without optimisation these scenes over jets are too much for the stack of a test.
-fn with_room(test: fn()) {
+pub(super) fn with_room(test: fn()) {
     let thread = std::thread::Builder::new().stack_size(1 << 26).spawn(test).expect("a thread");
     thread.join().expect("gradients of jets");
 }

@@ -64,7 +64,7 @@ macro_rules! gradients {
         )
     };
     ($name:expr, $kinds:expr, $parameters:expr, $balls:expr, $joints:expr, $method:expr, $steps:expr, $h:expr, |$x:ident| $scene:block,
-     under ($of_law:expr, |$y:ident| $law:block)) => {{
+     $act:ident ($of_law:expr, |$y:ident| $law:block)) => {{
         let (mut numbers, steps, h, joints): (Vec<f64>, usize, f64, usize) = ($parameters, $steps, $h, $joints);
         let balls: &[bool] = &$balls;
         let (parameters, n) = (numbers.len(), balls.iter().map(|ball| if *ball { 3 } else { 1 }).sum::<usize>());
@@ -125,9 +125,8 @@ macro_rules! gradients {
                 for step in 0..=steps {
                     sum += share(step, steps, &now.coordinates(), &now.rates());
                     if step < steps {
-                        let efforts = torques[step * joints..][..joints].to_vec();
-                        let loads = Loads::none().efforts(efforts).on_bodies_by(law);
-                        stepper.step(&now, &loads, h, &mut next).unwrap();
+                        let efforts = Loads::none().efforts(torques[step * joints..][..joints].to_vec());
+                        stepper.step(&now, &acting!($act, beside: efforts, law), h, &mut next).unwrap();
                         core::mem::swap(&mut now, &mut next);
                     }
                 }
@@ -150,7 +149,7 @@ macro_rules! gradients {
             let $y = |k: usize| -> N { numbers[k] };
             $law
         };
-        let mut backward = system.backward($method).under(law);
+        let mut backward = system.backward($method).under(acting!($act, on_bodies: law));
         backward.run(&start, h, steps, &torques, &mut states).unwrap();
         let mut total = 0.0;
         let gradient = backward
@@ -176,7 +175,7 @@ macro_rules! gradients {
         expected.truncate(numbers.len());
         found.truncate(parameters - $of_law);
         if $of_law > 0 {
-            found.extend(gradient.by_loads().unwrap());
+            found.extend(acting!($act, by_numbers: gradient));
         }
         found.extend(gradient.by_position().into_iter().chain(gradient.by_rate()));
         found.extend(by_torques.iter().flat_map(|torque| torque.0));
@@ -342,4 +341,5 @@ mod laws;
 mod loads;
 mod loops;
 mod samples;
+mod struts;
 mod times;

@@ -1,0 +1,198 @@
+//! Gradients of runs under struts, alone and beside a law of loads.
+
+use super::loads::Medium;
+use super::names::*;
+use catena::sensitivity::Costate;
+
+/// Numbers of a strut between bodies, of one to the ground, and of a medium.
+const NUMBERS: [f64; 19] =
+    [0.3, 0.1, 0.5, -0.2, 9.0, 0.4, 0.6, 0.4, -0.1, 1.5, 1.2, 14.0, 0.3, 0.5, 0.4, 7.0, 0.5, 0.8, 0.05];
+/// What they are.
+const KINDS: [(&str, usize); 7] = [
+    ("ends on bodies", 4),
+    ("a spring, damper and length", 3),
+    ("an end on a body", 2),
+    ("an end on the ground", 2),
+    ("another spring, damper and length", 3),
+    ("law: drag and spring", 2),
+    ("law: anchor and brake", 3),
+];
+
+/// Struts between the numbered bodies, and a medium.
+fn struts<T: Scalar>(bodies: [usize; 3], number: impl Fn(usize) -> T) -> ([Strut<T, 2>; 2], Medium<T>) {
+    let point = |k: usize| [number(k), number(k + 1)];
+    let with = |strut: Strut<T, 2>, k: usize| {
+        strut.with_stiffness(number(k)).with_damping(number(k + 1)).with_length(number(k + 2))
+    };
+    let inside = with(Strut::between((bodies[0], point(0)), (bodies[1], point(2))), 4);
+    let outside = with(Strut::to_ground((bodies[2], point(7)), point(9)), 11);
+    let medium = Medium { drag: number(14), stiffness: number(15), anchor: point(16), brake: number(18) };
+    ([inside, outside], medium)
+}
+
+/// All bodies and joints, an arm, a clamped root at a place: by all of it, and by the numbers of struts, one of them between arms.
+#[test]
+fn trees_under_struts_have_the_gradients_of_jets() {
+    let (steps, coordinates, joints) = (5, 6, 8);
+    let mut noise = Noise::new(17);
+    let mut list = vec![1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2, 0.6, 0.9]; // a rod, a rigid body, a bob
+    list.extend([12.0, 0.3, 0.4, -0.4, 40.0, 0.3]); // hinge, direction and spring of a slider, a weld
+    list.extend([0.2, 0.1, 0.3, 9.81]); // the root, gravity
+    list.extend(NUMBERS);
+    list.extend(moving(&mut noise, coordinates, steps * joints));
+    let mut kinds = vec![("bodies", 12), ("joints", 6), ("place of the root", 2), ("its angle", 1), ("gravity", 1)];
+    kinds.extend(KINDS);
+    kinds.extend([("coordinates", coordinates), ("rates", coordinates), ("efforts", steps * joints)]);
+    gradients!(
+        "struts",
+        &kinds,
+        list,
+        [coordinates, joints],
+        Rk4,
+        steps,
+        0.02,
+        |x| {
+            let rod = Rod::<N>::new(x(0), x(1), x(2), x(3));
+            let rigid = RigidBody::<N>::new(x(4), x(5), [x(6), x(7)], [x(8), x(9)]);
+            let bob = PointMass::<N>::new(x(10), x(11));
+            let hinge = ElasticHinge::rotary(x(12)).damped(x(13)).resting_at(x(14));
+            let piston = Slider::along(x(15)).with(Spring::new(x(16)));
+            let chain =
+                (hinge, rigid, Branch((Pin, bob)), Pin, rod, piston, rigid, hinge, rod, Weld::at(x(17)), rod, Pin, bob);
+            System::new(Clamped::at(x(18), x(19), x(20)), chain, Free).unwrap().with_gravity(x(21))
+        },
+        pulled(19, |x| { struts([1, 5, 3], |k| x(22 + k)) })
+    );
+}
+
+/// A rod, a window, and a rod whose tip is held, crossed by a strut and pulled at by another: by numbers of both, through steps of a rule,
+/// against central differences.
+#[test]
+fn closed_scenes_under_struts_have_the_gradients_of_differences() {
+    const STEPS: usize = 4;
+    let rod = |length| Rod::uniform(length, length);
+    let window = Network::new((Pin, rod(0.5), Pin, rod(0.6)), (Pin, rod(0.55), Pin, rod(0.5)), Pin);
+    let tip = Pinned::at(0.9, -0.8);
+    let scene = System::new(Pinned::origin(), (rod(0.6), window, Pin, rod(0.9)), tip).unwrap().with_gravity(9.81);
+    let guess = scene.at_rest(&[-1.2, -0.4, -1.6, -1.5, -0.5, 0.4]).unwrap();
+    let start = scene.assembled(guess, &Unloaded).unwrap();
+    let of = |number: &dyn Fn(usize) -> f64| struts([0, 3, 5], number).0;
+    macro_rules! closed {
+        ($method:expr) => {{
+            let (mut backward, mut states) =
+                (scene.backward($method).under(Struts::of(of(&|k| NUMBERS[k]))), vec![start; STEPS + 1]);
+            backward.run(&start, 0.02, STEPS, &[], &mut states).unwrap();
+            let gradient = backward
+                .gradient(&[], &states, &mut [], |step, _, by: &mut Costate<_>| match step {
+                    STEPS => by.add(&[0.0, 1.0, 0.0, 0.0, 0.0, 0.0], &[0.0, 0.0, 0.5, 0.0, 0.0, 0.0]),
+                    _ => Ok(()),
+                })
+                .unwrap();
+            let seeds = struts([0, 3, 5], |k| Jet::<f64, 14>::seed(NUMBERS[k], k)).0;
+            let found = gradient.along_struts(&seeds);
+            let end = |j: usize, e: f64| {
+                let loads = Struts::of(of(&|k| NUMBERS[k] + if k == j { e } else { 0.0 }));
+                let (mut now, mut next, mut stepper) = (states[0], start, scene.stepper($method));
+                for _ in 0..STEPS {
+                    stepper.step(&now, &loads, 0.02, &mut next).unwrap();
+                    core::mem::swap(&mut now, &mut next);
+                }
+                now.coordinates()[1] + 0.5 * now.rates()[2]
+            };
+            let difference = |j: usize| {
+                let e = 1e-4;
+                (8.0 * (end(j, e) - end(j, -e)) - (end(j, 2.0 * e) - end(j, -2.0 * e))) / (12.0 * e)
+            };
+            let expected: Vec<f64> = (0..14).map(difference).collect();
+            let name = format!("closed, under struts, {:?}", $method);
+            alike(&name, &KINDS[..5], &found, &expected, 1e-6);
+        }};
+    }
+    closed!(Rk4);
+    closed!(Dop853);
+    closed!(Sdirk4::new());
+    closed!(GeneralizedAlpha::new(0.8).with_sweeps(3));
+}
+
+/// A spring without length, whose ends meet on the way: its force is that of a law of loads, and so is its gradient.
+#[test]
+fn a_spring_without_length_has_the_gradient_of_a_law() {
+    /// A spring from the outboard end of the second body to a place.
+    #[derive(Clone, Copy, Debug)]
+    struct Pull<T>([T; 2], T);
+    impl<T: Scalar, U: Scalar> catena::Lift<T, U> for Pull<T> {
+        type Over = Pull<U>;
+        fn lift(&self, number: &mut impl FnMut(T) -> U) -> Pull<U> {
+            Pull(self.0.map(&mut *number), number(self.1))
+        }
+    }
+    impl<T: Scalar> catena::loading::LoadLaw<BodyMotion<T>> for Pull<T> {
+        type Value = Wrench<T>;
+        fn at(&self, _: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+            let force = catena::nalgebra::Vector2::from(self.0) - motion.outboard().place;
+            let force = if body == 1 { force * self.1 } else { force * T::zero() };
+            Wrench { force, torque: motion.arm.perp(&force) }
+        }
+    }
+    let rod = Rod::uniform(1.0, 1.0);
+    let scene = System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap().with_gravity(9.81);
+    let start = scene.at_rest(&[0.0, 0.5]).unwrap();
+    // Where the tip is in the beginning.
+    let place = [1.0 + 0.5_f64.cos(), 0.5_f64.sin()];
+    macro_rules! gradient {
+        ($loads:expr) => {{
+            let (mut backward, mut states) = (scene.backward(Rk4).under($loads), [start; 21]);
+            backward.run(&start, 0.02, 20, &[], &mut states).unwrap();
+            let cost = |_: usize, _: &_, by: &mut Costate<_>| by.add(&[0.0, 1.0], &[0.5, 0.0]);
+            backward.gradient(&[], &states, &mut [], cost).unwrap()
+        }};
+    }
+    let law = gradient!(Pull(place, 30.0));
+    let strut = gradient!(Struts::of([Strut::to_ground((1, [1.0, 0.0]), place).with_stiffness(30.0)]));
+    let [by] = strut.by_struts();
+    assert!(by.ends.iter().flatten().chain([&by.damping, &by.length]).all(|x| x.is_finite()), "{by:?}");
+    let found: Vec<f64> = by.ends[1].iter().copied().chain([by.stiffness]).collect();
+    alike("a spring", &[("place", 2), ("stiffness", 1)], &found, law.by_loads().unwrap(), ROUNDING);
+    alike("a spring", &[("angles", 2)], &strut.by_position(), &law.by_position(), ROUNDING);
+    alike("a spring", &[("gravity", 1)], &[strut.by_gravity().y], &[law.by_gravity().y], ROUNDING);
+}
+
+/// Up to an event, under error control and from few states as from all; a strut to a body that is not there is refused.
+#[test]
+fn runs_under_struts_are_runs_as_all() {
+    let rod = Rod::uniform(1.0, 1.0);
+    let scene = System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap().with_gravity(9.81);
+    let start = scene.at_rest(&[-1.0, -0.5]).unwrap();
+    let cable = |stiffness: f64| {
+        Struts::of([Strut::to_ground((1, [1.0, 0.0]), [2.0, 1.0]).with_stiffness(stiffness).with_length(0.5)])
+    };
+    // When has the first rod swung to 1.2 rad below the horizontal?
+    let swung = |angle: f64| angle + 1.2;
+    let mut backward = scene.backward(Dopri5).under(cable(10.0));
+    let mut states = vec![start; 400];
+    let steps = backward.run_adaptive(&start, 1e-9, 2.0, &[], &mut states).unwrap();
+    let last = backward.cut(&[], &mut states[..=steps], |state| swung(state.coordinates()[0])).unwrap().unwrap();
+    let time = |step: usize, _: &_, by: &mut Costate<_>| {
+        by.time += if step == last { 1.0 } else { 0.0 };
+        Ok(())
+    };
+    let gradient = backward
+        .gradient_to_event(&[], &states[..=last], &mut [], time, |_, by| by.add(&[1.0, 0.0], &[0.0, 0.0]))
+        .unwrap();
+    let when = |stiffness: f64| {
+        let loads = cable(stiffness);
+        let run = scene
+            .simulation(Dop853::tolerance(1e-13))
+            .loads(&loads)
+            .event(|now| swung(now.motion().coordinates()[0]))
+            .stopping();
+        run.run(start, 2.0, |_| ()).unwrap().motion.time()
+    };
+    let expected = (when(10.001) - when(9.999)) / 0.002;
+    let found = gradient.by_struts()[0].stiffness;
+    near(found, expected, 1e-6 * expected.abs());
+
+    let nowhere = Struts::of([Strut::to_ground((2, [1.0, 0.0]), [2.0, 1.0]).with_stiffness(1.0)]);
+    let fault = scene.backward(Rk4).under(nowhere).run(&start, 0.01, 1, &[], &mut states).unwrap_err().fault;
+    assert!(matches!(fault, catena::Fault::NoSuchBody { body: 2, bodies: 2 }), "{fault:?}");
+}

@@ -1,0 +1,297 @@
+//! The costate sweep under struts.
+//!
+//! Over virtual velocities u₀ and u₁ of its ends a strut along a = p₁ − p₀ = ℓ n, whose force f pulls them together, does
+//!
+//! ```text
+//! π = f s        f = k (ℓ − ℓ₀) + c ℓ̇        ℓ̇ = n·ȧ        s = n·(u₀ − u₁)
+//! ∂π/∂a = s (k n + c (ȧ − ℓ̇ n)/ℓ) + f (u₀ − u₁ − s n)/ℓ        ∂π/∂ȧ = c s n
+//! ∂π/∂k = s (ℓ − ℓ₀)        ∂π/∂c = s ℓ̇        ∂π/∂ℓ₀ = −k s
+//! ```
+//!
+//! What its ends read is carried inward as from a station of its own on each body. Virtual velocities of both ends have to be known first: one
+//! more walk over bodies.
+
+use super::Reversed;
+use super::body_law::{BodyLaw, OfLaw};
+use crate::loading::{Load, LoadLaw, Loading, Loads, Unloaded};
+use crate::relation::{Absent, Additive, Wrench, WrenchOf};
+use crate::scalar::Scalar;
+use crate::space::FrameOf;
+use crate::struts::{End, Points, Strut, dot, is_absent, norm};
+use nalgebra::SVector;
+use num_traits::Zero;
+
+/// A space in which costates of points of bodies are known.
+pub trait ReversiblePoints<const D: usize>: Points<D> + Reversed {
+    /// The virtual velocity of a point (m, body axes) of a body, for that of its inboard end and its w.
+    fn stirred_at(
+        frame: &FrameOf<Self>,
+        at: [Self::Scalar; D],
+        stirred: (Self::Vector, Self::Angular),
+    ) -> SVector<Self::Scalar, D>;
+    /// What is carried to the inboard end from such a point, where place, velocity and virtual velocity have costates, and the costate of its
+    /// coordinates in body axes.
+    fn felt_at(
+        frame: &FrameOf<Self>,
+        at: [Self::Scalar; D],
+        stirring: Self::Angular,
+        costates: [SVector<Self::Scalar, D>; 3],
+    ) -> (Self::Felt, SVector<Self::Scalar, D>);
+}
+
+/// Loads that can act beside struts in runs that go backward: laws of each body's motion, or none.
+pub trait BesideStruts<S: Reversed>: Loading<S> + Copy {
+    /// What acts on bodies.
+    type Law: LoadLaw<S::BodyMotion, Value: Load<S>> + BodyLaw<S, Seen = (), OfNumbers = OfLaw<S::Scalar>>;
+    /// The law.
+    fn law(&self) -> Self::Law;
+}
+
+impl<S: Reversed> BesideStruts<S> for Unloaded {
+    type Law = Absent;
+    fn law(&self) -> Absent {
+        Absent
+    }
+}
+
+impl<S: Reversed, B: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BesideStruts<S> for Loads<B, Absent> {
+    type Law = B;
+    fn law(&self) -> B {
+        *self.bodies()
+    }
+}
+
+/// Derivatives of a cost by the numbers of a strut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ByStrut<T, const D: usize> {
+    /// By the coordinates (m) of its ends: of a body's point in axes of the body, or of a place of the ground.
+    pub ends: [SVector<T, D>; 2],
+    /// By its stiffness (N/m).
+    pub stiffness: T,
+    /// By its damping (N·s/m).
+    pub damping: T,
+    /// By its length (m) at which the spring does not pull.
+    pub length: T,
+}
+
+impl<T: Scalar, const D: usize> ByStrut<T, D> {
+    /// No derivatives.
+    pub(crate) fn none() -> Self {
+        let (zero, none) = (T::zero(), SVector::repeat(T::zero()));
+        Self { ends: [none; 2], stiffness: zero, damping: zero, length: zero }
+    }
+}
+
+/// Costates of the numbers of struts, and of a law beside them.
+pub type OfStruts<T, const D: usize, const N: usize> = ([ByStrut<T, D>; N], OfLaw<T>);
+
+/// What is known of the ends of struts: place, velocity and virtual velocity.
+pub type EndsSeen<T, const D: usize, const N: usize> = [[[SVector<T, D>; 3]; 2]; N];
+
+/// What a strut does over virtual velocities, and its slopes by place and velocity of the second end: those by the first are the opposite.
+struct Power<T, const D: usize> {
+    by_place: SVector<T, D>,
+    by_velocity: SVector<T, D>,
+    by_stiffness: T,
+    by_damping: T,
+    by_length: T,
+}
+
+impl<T: Scalar, const D: usize> Power<T, D> {
+    fn of(strut: &Strut<T, D>, [from, to]: [[SVector<T, D>; 3]; 2]) -> Self {
+        let &Strut { stiffness: k, damping: c, length, .. } = strut;
+        let (apart, parting, stirred) = (to[0] - from[0], to[1] - from[1], from[2] - to[2]);
+        let distance = norm(apart);
+        // Ends that meet have no direction: they may where nothing asks for one, and then it changes nothing.
+        let inverse = if distance.real().is_zero() { T::zero() } else { distance.recip() };
+        let n = apart * inverse;
+        let (stretch, speed, s) = (distance - length, dot(n, parting), dot(n, stirred));
+        let (by_damping, by_length) = (s * speed, -(k * s));
+        if is_absent(length) && is_absent(c) {
+            let (by_place, by_velocity) = (stirred * k, SVector::repeat(T::zero()));
+            return Self { by_place, by_velocity, by_stiffness: dot(apart, stirred), by_damping, by_length };
+        }
+        let force = c.mul_add(speed, k * stretch);
+        let along = k * s - (c * speed * s + force * s) * inverse;
+        Self {
+            by_place: n * along + (parting * (c * s) + stirred * force) * inverse,
+            by_velocity: n * (c * s),
+            by_stiffness: s * stretch,
+            by_damping,
+            by_length,
+        }
+    }
+}
+
+/// Sees the ends of struts that are on a body; virtual velocities are zero until they are known.
+pub fn survey<S: Points<D>, const D: usize, const N: usize>(
+    struts: &[Strut<S::Scalar, D>; N],
+    seen: &mut EndsSeen<S::Scalar, D, N>,
+    body: usize,
+    motion: &S::BodyMotion,
+) {
+    let still = SVector::repeat(S::Scalar::zero());
+    for (end, seen) in struts.iter().flat_map(|strut| strut.ends).zip(seen.as_flattened_mut()) {
+        match end {
+            End::Body(k, at) if k == body => {
+                let [place, velocity] = S::point(motion, at);
+                *seen = [place, velocity, still];
+            }
+            End::Ground(place) => *seen = [SVector::from(place), still, still],
+            End::Body(..) => {}
+        }
+    }
+}
+
+/// The force on the first end of a strut, the opposite of that on the second one.
+fn force<T: Scalar, const D: usize>(strut: &Strut<T, D>, seen: &[[SVector<T, D>; 3]; 2]) -> SVector<T, D> {
+    strut.force(seen.map(|[place, velocity, _]| [place, velocity]))
+}
+
+/// What struts exert on a body.
+pub fn on_body<S: Points<D>, const D: usize, const N: usize>(
+    struts: &[Strut<S::Scalar, D>; N],
+    seen: &EndsSeen<S::Scalar, D, N>,
+    body: usize,
+    motion: &S::BodyMotion,
+) -> WrenchOf<S> {
+    let mut sum = Wrench::none();
+    for (strut, seen) in struts.iter().zip(seen) {
+        for (end, sign) in strut.ends.iter().zip([1.0, -1.0]) {
+            if let End::Body(k, at) = *end
+                && k == body
+            {
+                sum = sum + S::pull(motion, at, force(strut, seen) * S::Scalar::literal(sign));
+            }
+        }
+    }
+    sum
+}
+
+/// Sees virtual velocities of ends on the body met last.
+pub fn stir<S: ReversiblePoints<D>, const D: usize, const N: usize>(
+    struts: &[Strut<S::Scalar, D>; N],
+    seen: &mut EndsSeen<S::Scalar, D, N>,
+    body: usize,
+    frame: &FrameOf<S>,
+    stirred: (S::Vector, S::Angular),
+) {
+    for (end, seen) in struts.iter().flat_map(|strut| strut.ends).zip(seen.as_flattened_mut()) {
+        if let End::Body(k, at) = end
+            && k == body
+        {
+            seen[2] = S::stirred_at(frame, at, stirred);
+        }
+    }
+}
+
+/// Costates of the inboard end of the body met last, by what the ends on it read; adds to those of the numbers of struts, of which the first
+/// end, which is on a body, gives those that both have in common.
+pub fn felt<S: ReversiblePoints<D>, const D: usize, const N: usize>(
+    struts: &[Strut<S::Scalar, D>; N],
+    seen: &EndsSeen<S::Scalar, D, N>,
+    body: usize,
+    (frame, stirring): (&FrameOf<S>, S::Angular),
+    of_struts: &mut [ByStrut<S::Scalar, D>; N],
+) -> S::Felt {
+    let mut felt = S::Felt::null();
+    for ((strut, seen), by) in struts.iter().zip(seen).zip(of_struts) {
+        for (e, end) in strut.ends.iter().enumerate() {
+            let End::Body(k, at) = *end else { continue };
+            if k != body {
+                continue;
+            }
+            let power = Power::of(strut, *seen);
+            let second = [power.by_place, power.by_velocity, -force(strut, seen)];
+            let costates = if e == 0 { second.map(|x| -x) } else { second };
+            let (more, of_point) = S::felt_at(frame, at, stirring, costates);
+            (felt, by.ends[e]) = (felt + more, by.ends[e] + of_point);
+            if e == 0 {
+                by.stiffness += power.by_stiffness;
+                by.damping += power.by_damping;
+                by.length += power.by_length;
+                if let End::Ground(_) = strut.ends[1] {
+                    by.ends[1] += power.by_place;
+                }
+            }
+        }
+    }
+    felt
+}
+
+/// Struts of a space, as what acts on bodies in runs that go backward: for each space on its own, so that a compiler can tell laws of one
+/// body's motion from them.
+macro_rules! struts {
+    ($Space:ident, $D:literal) => {
+        impl<T: Scalar, L: BesideStruts<$Space<T>>, const N: usize> BodyLaw<$Space<T>> for Struts<T, $D, N, L> {
+            type Seen = EndsSeen<T, $D, N>;
+            type OfNumbers = OfStruts<T, $D, N>;
+            type Beside<J: LoadLaw<JointMotion<T>>> = Struts<T, $D, N, Loads<L::Law, J>>;
+            const ON: bool = true;
+            const SURVEYS: bool = true;
+
+            fn unseen() -> Self::Seen {
+                // Until a body has been seen it is nowhere.
+                [[[SVector::repeat(T::literal(f64::NAN)); 3]; 2]; N]
+            }
+            fn of_nothing() -> Self::OfNumbers {
+                ([ByStrut::none(); N], <L::Law as BodyLaw<$Space<T>>>::of_nothing())
+            }
+            fn survey(&self, seen: &mut Self::Seen, body: usize, motion: &BodyMotion<T>) {
+                struts::survey::<$Space<T>, $D, N>(self.struts(), seen, body, motion);
+            }
+            fn on_body(&self, seen: &Self::Seen, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+                let pulled = struts::on_body::<$Space<T>, $D, N>(self.struts(), seen, body, motion);
+                if const { <L::Law as BodyLaw<$Space<T>>>::ON } {
+                    pulled + self.on_that_body(time, body, motion)
+                } else {
+                    pulled
+                }
+            }
+            fn on_that_body(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+                self.others().law().on_that_body(time, body, motion)
+            }
+            fn beside<J: LoadLaw<JointMotion<T>>>(self, efforts: J) -> Self::Beside<J> {
+                let others = Loads::none().on_bodies_by(self.others().law()).in_joints_by(efforts);
+                Struts::of(*self.struts()).and(others)
+            }
+            fn check(&self, bodies: usize) -> Result<(), Fault> {
+                Loading::<$Space<T>>::check(&Struts::of(*self.struts()), bodies, 0)?;
+                LoadLaw::check(&self.others().law(), bodies)
+            }
+            fn listed((_, of_law): &Self::OfNumbers) -> &OfLaw<T> {
+                of_law
+            }
+        }
+
+        impl<T: Scalar, L, const N: usize> ReversibleLoads<$Space<T>> for Struts<T, $D, N, L>
+        where
+            L: BesideStruts<$Space<T>, Law: ReversibleLoads<$Space<T>>>,
+        {
+            fn felt(
+                walk: &mut PullLoads<Self, $Space<T>>,
+                numbers: [T; BODY],
+                frame: &Frame<T>,
+                stirred: (Vector<T>, Angular<T>),
+                sums: &mut [T; BODY],
+            ) -> Felt<T> {
+                let PullLoads { law, seen, surveys, time, body, level, of_law: (of_struts, of_law) } = walk;
+                if *surveys {
+                    struts::stir::<$Space<T>, $D, N>(law.struts(), seen, *body, frame, stirred);
+                    return Felt::null();
+                }
+                let felt = struts::felt::<$Space<T>, $D, N>(law.struts(), seen, *body, (frame, stirred.1), of_struts);
+                if const { !<L::Law as BodyLaw<$Space<T>>>::ON } {
+                    return felt;
+                }
+                let (law, level) = (law.others().law(), *level);
+                let (surveys, time, body, of_numbers) = (false, *time, *body, *of_law);
+                let mut walk = PullLoads { law, seen: (), surveys, time, body, level, of_law: of_numbers };
+                let more = L::Law::felt(&mut walk, numbers, frame, stirred, sums);
+                *of_law = walk.of_law;
+                felt + more
+            }
+        }
+    };
+}
+pub(crate) use struts;
