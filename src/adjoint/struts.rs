@@ -14,10 +14,10 @@
 use super::Reversed;
 use super::body_law::{BodyLaw, OfLaw};
 use crate::loading::{Load, LoadLaw, Loading, Loads, Unloaded};
-use crate::relation::{Absent, Additive, Wrench, WrenchOf};
+use crate::relation::{Absent, Additive};
 use crate::scalar::Scalar;
 use crate::space::FrameOf;
-use crate::struts::{End, Points, Strut, dot, is_absent, norm};
+use crate::struts::{End, Points, Seen, Strut, dot, is_absent, norm};
 use nalgebra::SVector;
 use num_traits::Zero;
 
@@ -85,8 +85,8 @@ impl<T: Scalar, const D: usize> ByStrut<T, D> {
 /// Costates of the numbers of struts, and of a law beside them.
 pub type OfStruts<T, const D: usize, const N: usize> = ([ByStrut<T, D>; N], OfLaw<T>);
 
-/// What is known of the ends of struts: place, velocity and virtual velocity.
-pub type EndsSeen<T, const D: usize, const N: usize> = [[[SVector<T, D>; 3]; 2]; N];
+/// What is known of the ends of struts: places and velocities, and virtual velocities.
+pub type EndsSeen<T, const D: usize, const N: usize> = (Seen<T, D, N>, [[SVector<T, D>; 2]; N]);
 
 /// What a strut does over virtual velocities, and its slopes by place and velocity of the second end: those by the first are the opposite.
 struct Power<T, const D: usize> {
@@ -98,9 +98,9 @@ struct Power<T, const D: usize> {
 }
 
 impl<T: Scalar, const D: usize> Power<T, D> {
-    fn of(strut: &Strut<T, D>, [from, to]: [[SVector<T, D>; 3]; 2]) -> Self {
+    fn of(strut: &Strut<T, D>, [from, to]: [[SVector<T, D>; 2]; 2], [u, w]: [SVector<T, D>; 2]) -> Self {
         let &Strut { stiffness: k, damping: c, length, .. } = strut;
-        let (apart, parting, stirred) = (to[0] - from[0], to[1] - from[1], from[2] - to[2]);
+        let (apart, parting, stirred) = (to[0] - from[0], to[1] - from[1], u - w);
         let distance = norm(apart);
         // Ends that meet have no direction: they may where nothing asks for one, and then it changes nothing.
         let inverse = if distance.real().is_zero() { T::zero() } else { distance.recip() };
@@ -123,64 +123,19 @@ impl<T: Scalar, const D: usize> Power<T, D> {
     }
 }
 
-/// Sees the ends of struts that are on a body; virtual velocities are zero until they are known.
-pub fn survey<S: Points<D>, const D: usize, const N: usize>(
-    struts: &[Strut<S::Scalar, D>; N],
-    seen: &mut EndsSeen<S::Scalar, D, N>,
-    body: usize,
-    motion: &S::BodyMotion,
-) {
-    let still = SVector::repeat(S::Scalar::zero());
-    for (end, seen) in struts.iter().flat_map(|strut| strut.ends).zip(seen.as_flattened_mut()) {
-        match end {
-            End::Body(k, at) if k == body => {
-                let [place, velocity] = S::point(motion, at);
-                *seen = [place, velocity, still];
-            }
-            End::Ground(place) => *seen = [SVector::from(place), still, still],
-            End::Body(..) => {}
-        }
-    }
-}
-
-/// The force on the first end of a strut, the opposite of that on the second one.
-fn force<T: Scalar, const D: usize>(strut: &Strut<T, D>, seen: &[[SVector<T, D>; 3]; 2]) -> SVector<T, D> {
-    strut.force(seen.map(|[place, velocity, _]| [place, velocity]))
-}
-
-/// What struts exert on a body.
-pub fn on_body<S: Points<D>, const D: usize, const N: usize>(
-    struts: &[Strut<S::Scalar, D>; N],
-    seen: &EndsSeen<S::Scalar, D, N>,
-    body: usize,
-    motion: &S::BodyMotion,
-) -> WrenchOf<S> {
-    let mut sum = Wrench::none();
-    for (strut, seen) in struts.iter().zip(seen) {
-        for (end, sign) in strut.ends.iter().zip([1.0, -1.0]) {
-            if let End::Body(k, at) = *end
-                && k == body
-            {
-                sum = sum + S::pull(motion, at, force(strut, seen) * S::Scalar::literal(sign));
-            }
-        }
-    }
-    sum
-}
-
 /// Sees virtual velocities of ends on the body met last.
 pub fn stir<S: ReversiblePoints<D>, const D: usize, const N: usize>(
     struts: &[Strut<S::Scalar, D>; N],
-    seen: &mut EndsSeen<S::Scalar, D, N>,
+    ends: &mut [[SVector<S::Scalar, D>; 2]; N],
     body: usize,
     frame: &FrameOf<S>,
     stirred: (S::Vector, S::Angular),
 ) {
-    for (end, seen) in struts.iter().flat_map(|strut| strut.ends).zip(seen.as_flattened_mut()) {
+    for (end, velocity) in struts.iter().flat_map(|strut| strut.ends).zip(ends.as_flattened_mut()) {
         if let End::Body(k, at) = end
             && k == body
         {
-            seen[2] = S::stirred_at(frame, at, stirred);
+            *velocity = S::stirred_at(frame, at, stirred);
         }
     }
 }
@@ -189,20 +144,20 @@ pub fn stir<S: ReversiblePoints<D>, const D: usize, const N: usize>(
 /// end, which is on a body, gives those that both have in common.
 pub fn felt<S: ReversiblePoints<D>, const D: usize, const N: usize>(
     struts: &[Strut<S::Scalar, D>; N],
-    seen: &EndsSeen<S::Scalar, D, N>,
+    (seen, stirred): &EndsSeen<S::Scalar, D, N>,
     body: usize,
     (frame, stirring): (&FrameOf<S>, S::Angular),
     of_struts: &mut [ByStrut<S::Scalar, D>; N],
 ) -> S::Felt {
     let mut felt = S::Felt::null();
-    for ((strut, seen), by) in struts.iter().zip(seen).zip(of_struts) {
+    for (((strut, seen), stirred), by) in struts.iter().zip(seen).zip(stirred).zip(of_struts) {
         for (e, end) in strut.ends.iter().enumerate() {
             let End::Body(k, at) = *end else { continue };
             if k != body {
                 continue;
             }
-            let power = Power::of(strut, *seen);
-            let second = [power.by_place, power.by_velocity, -force(strut, seen)];
+            let power = Power::of(strut, *seen, *stirred);
+            let second = [power.by_place, power.by_velocity, -strut.force(*seen)];
             let costates = if e == 0 { second.map(|x| -x) } else { second };
             let (more, of_point) = S::felt_at(frame, at, stirring, costates);
             (felt, by.ends[e]) = (felt + more, by.ends[e] + of_point);
@@ -231,17 +186,16 @@ macro_rules! struts {
             const SURVEYS: bool = true;
 
             fn unseen() -> Self::Seen {
-                // Until a body has been seen it is nowhere.
-                [[[SVector::repeat(T::literal(f64::NAN)); 3]; 2]; N]
+                (Self::nowhere(), [[SVector::repeat(T::zero()); 2]; N])
             }
             fn of_nothing() -> Self::OfNumbers {
                 ([ByStrut::none(); N], <L::Law as BodyLaw<$Space<T>>>::of_nothing())
             }
-            fn survey(&self, seen: &mut Self::Seen, body: usize, motion: &BodyMotion<T>) {
-                struts::survey::<$Space<T>, $D, N>(self.struts(), seen, body, motion);
+            fn survey(&self, (seen, _): &mut Self::Seen, body: usize, motion: &BodyMotion<T>) {
+                self.see::<$Space<T>>(seen, body, motion);
             }
-            fn on_body(&self, seen: &Self::Seen, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
-                let pulled = struts::on_body::<$Space<T>, $D, N>(self.struts(), seen, body, motion);
+            fn on_body(&self, (seen, _): &Self::Seen, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+                let pulled = self.pull::<$Space<T>>(seen, body, motion);
                 if const { <L::Law as BodyLaw<$Space<T>>>::ON } {
                     pulled + self.on_that_body(time, body, motion)
                 } else {
@@ -277,7 +231,7 @@ macro_rules! struts {
             ) -> Felt<T> {
                 let PullLoads { law, seen, surveys, time, body, level, of_law: (of_struts, of_law) } = walk;
                 if *surveys {
-                    struts::stir::<$Space<T>, $D, N>(law.struts(), seen, *body, frame, stirred);
+                    struts::stir::<$Space<T>, $D, N>(law.struts(), &mut seen.1, *body, frame, stirred);
                     return Felt::null();
                 }
                 let felt = struts::felt::<$Space<T>, $D, N>(law.struts(), seen, *body, (frame, stirred.1), of_struts);
